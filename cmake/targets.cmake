@@ -1,0 +1,29 @@
+# What every target of this project is compiled with.
+add_library(morphe_flags INTERFACE)
+target_include_directories(morphe_flags INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(morphe_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
+if(MORPHE_WARNINGS_AS_ERRORS)
+  target_compile_options(morphe_flags INTERFACE -Werror)
+endif()
+if(MORPHE_SANITIZE)
+  target_compile_options(morphe_flags INTERFACE -fsanitize=${MORPHE_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(morphe_flags INTERFACE -fsanitize=${MORPHE_SANITIZE})
+endif()
+
+# morphe_folder(pipeline/store DEPENDS motion LIBRARIES hdf5::hdf5): one target for one folder,
+# called after the folder's last name. DEPENDS names other folders, LIBRARIES outside packages.
+# Public headers show Eigen (and PUBLIC_LIBRARIES); other packages stay behind the .cpp files.
+function(morphe_folder path)
+  cmake_parse_arguments(ARG "" "" "DEPENDS;LIBRARIES;PUBLIC_LIBRARIES" ${ARGN})
+  get_filename_component(name ${path} NAME)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${path}/*.cpp)
+  list(TRANSFORM ARG_DEPENDS PREPEND morphe_)
+  if(sources)
+    add_library(morphe_${name} STATIC ${sources})
+    target_link_libraries(morphe_${name} PUBLIC morphe_flags Eigen3::Eigen ${ARG_DEPENDS} ${ARG_PUBLIC_LIBRARIES}
+                                         PRIVATE ${ARG_LIBRARIES})
+  else()
+    add_library(morphe_${name} INTERFACE)
+    target_link_libraries(morphe_${name} INTERFACE morphe_flags Eigen3::Eigen ${ARG_DEPENDS})
+  endif()
+endfunction()

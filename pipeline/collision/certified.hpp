@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+
+#include "pipeline/collision/world.hpp"
+
+namespace morphe {
+
+/// How far any point of a capsule can travel per radian of each joint: |dx| <= sum_j reach(c, j)
+/// |dq_j|, whatever the robot's position. reach [capsules, joints] [m], computed once per robot.
+JointRows capsule_reach(const RobotTable& robot);
+
+/// A motion over a parameter s: where the joints are at s, and for each joint a bound on how far it
+/// gets from its position at (s0 + s1) / 2 anywhere within [s0, s1].
+struct JointMotion {
+  double begin = 0, end = 1;
+  std::function<void(double s, JointVector& q)> position;
+  std::function<void(double s0, double s1, JointVector& travel)> travel;
+  std::function<double(double s)> demonstration_time;  ///< not decreasing
+};
+
+/// The straight line between two joint positions, s in [0, 1].
+JointMotion straight_motion(const JointVector& from, const JointVector& to, double from_s,
+                            double to_s);
+
+enum class MotionVerdict { free, colliding, undecided };
+
+/// Free means slack >= 0 all along: proved by bisection until the slack at the middle of each
+/// interval exceeds what any pair can close within it. What cannot be decided with intervals whose
+/// travel is below `band_m` is undecided and counts as not free.
+struct MotionCheck {
+  MotionVerdict verdict = MotionVerdict::free;
+  double at = 0;        ///< parameter of the failure, or of the least slack seen
+  PairSeparation pair;  ///< the pair there
+};
+MotionCheck check_motion(const CollisionWorld& world, const JointRows& reach,
+                         const JointMotion& motion, CollisionScratch& scratch,
+                         double band_m = 1e-4);
+
+}  // namespace morphe

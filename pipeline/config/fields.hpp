@@ -1,0 +1,158 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <concepts>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/config/node.hpp"
+
+namespace morphe {
+
+/// Options structs describe themselves once, for reading and for writing:
+///
+///     struct SegmentOptions { double onset_share = 0.05; };
+///     template <class Fields>
+///     void fields(Fields& f, SegmentOptions& o) { f("onset_share", o.onset_share); }
+///     std::string check(const SegmentOptions& o);   // optional: "" or what is wrong
+///
+/// read_options(node, options) leaves defaults where a key is absent; write_options gives YAML that
+/// read_options takes back to the same values. Supported: bool, int, std::uint64_t, double,
+/// std::string, Vec3, vectors and optionals of these, and structs with fields() of their own.
+class FieldReader;
+class FieldWriter;
+
+template <class T>
+concept HasFields = requires(FieldWriter& f, T& options) {
+  fields(f, options);
+};
+template <class T>
+concept HasCheck = requires(const T& options) {
+  { check(options) } -> std::same_as<std::string>;
+};
+
+template <class Options>
+void read_options(const ConfigNode& node, Options& options);
+template <class Options>
+std::string write_options(const Options& options);
+
+class FieldReader {
+ public:
+  explicit FieldReader(ConfigNode node) : node_(std::move(node)) {}
+
+  template <class T>
+  void operator()(const char* key, T& value) {
+    if (node_.has(key)) read(node_[key], value);
+  }
+  /// A key without a default.
+  template <class T>
+  void required(const char* key, T& value) {
+    read(node_[key], value);
+  }
+
+ private:
+  static void read(const ConfigNode& n, bool& value) { value = n.boolean(); }
+  static void read(const ConfigNode& n, int& value) { value = static_cast<int>(n.integer()); }
+  static void read(const ConfigNode& n, std::uint64_t& value) {
+    if (n.integer() < 0) n.fail("must not be negative");
+    value = static_cast<std::uint64_t>(n.integer());
+  }
+  static void read(const ConfigNode& n, double& value) { value = n.number(); }
+  static void read(const ConfigNode& n, std::string& value) { value = n.text(); }
+  static void read(const ConfigNode& n, Vec3& value) { value = n.vec3(); }
+  template <class T>
+  static void read(const ConfigNode& n, std::vector<T>& values) {
+    values.clear();
+    for (const ConfigNode& item : n.items()) read(item, values.emplace_back());
+  }
+  template <class T>
+  static void read(const ConfigNode& n, std::optional<T>& value) {
+    read(n, value.emplace());
+  }
+  template <HasFields T>
+  static void read(const ConfigNode& n, T& value) {
+    read_options(n, value);
+  }
+
+  ConfigNode node_;
+};
+
+class FieldWriter {
+ public:
+  explicit FieldWriter(std::string indent = "") : indent_(std::move(indent)) {}
+
+  template <class T>
+  void operator()(const char* key, T& value) {
+    const std::string written = write(value, indent_ + "  ");
+    if (!written.empty()) text += fmt::format("{}{}:{}\n", indent_, key, written);
+  }
+  template <class T>
+  void required(const char* key, T& value) {
+    (*this)(key, value);
+  }
+
+  std::string text;
+
+ private:
+  static std::string write(bool value, const std::string&) { return value ? " true" : " false"; }
+  static std::string write(int value, const std::string&) { return fmt::format(" {}", value); }
+  static std::string write(std::uint64_t value, const std::string&) {
+    return fmt::format(" {}", value);
+  }
+  static std::string write(double value, const std::string&) { return fmt::format(" {}", value); }
+  static std::string write(const std::string& value, const std::string&) {
+    std::string quoted;
+    for (const char c : value) quoted += c == '\'' ? std::string("''") : std::string(1, c);
+    return fmt::format(" '{}'", quoted);
+  }
+  static std::string write(const Vec3& value, const std::string&) {
+    return fmt::format(" [{}, {}, {}]", value.x(), value.y(), value.z());
+  }
+  template <class T>
+  static std::string write(std::vector<T>& values, const std::string& indent) {
+    if (values.empty()) return " []";
+    std::string text;
+    for (T& value : values) {
+      std::string item = write(value, indent + "  ");
+      if (item.starts_with('\n')) item = " " + item.substr(item.find_first_not_of("\n "));
+      text += fmt::format("\n{}-{}", indent, item);
+    }
+    return text;
+  }
+  template <class T>
+  static std::string write(std::optional<T>& value, const std::string& indent) {
+    return value ? write(*value, indent) : "";
+  }
+  template <HasFields T>
+  static std::string write(T& value, const std::string& indent) {
+    FieldWriter inner(indent);
+    fields(inner, value);
+    if (inner.text.empty()) return " {}";
+    inner.text.pop_back();
+    return "\n" + inner.text;
+  }
+
+  std::string indent_;
+};
+
+template <class Options>
+void read_options(const ConfigNode& node, Options& options) {
+  if (!node.is_map()) node.fail("must be a mapping of keys to values");
+  FieldReader reader(node);
+  fields(reader, options);
+  if constexpr (HasCheck<Options>) {
+    if (const std::string wrong = check(options); !wrong.empty()) node.fail(wrong);
+  }
+}
+
+template <class Options>
+std::string write_options(const Options& options) {
+  FieldWriter writer;
+  Options copy = options;
+  fields(writer, copy);
+  return writer.text;
+}
+
+}  // namespace morphe

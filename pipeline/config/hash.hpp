@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace morphe {
+
+/// SHA-256 in lower-case hexadecimal.
+std::string sha256(std::string_view bytes);
+/// Of a file's bytes, read in blocks; InputError if it cannot be read.
+std::string sha256_of_file(const std::filesystem::path& file);
+
+/// First 64 bits of SHA-256: seeds that depend on names, not on order.
+std::uint64_t seed_from(std::uint64_t seed, std::string_view name);
+
+}  // namespace morphe

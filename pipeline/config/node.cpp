@@ -1,0 +1,250 @@
+#include "pipeline/config/node.hpp"
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+
+namespace morphe {
+
+struct ConfigNode::Value {
+  enum class Kind { empty, scalar, list, map } kind = Kind::empty;
+  std::string scalar;
+  std::vector<std::pair<std::string, std::unique_ptr<Value>>> children;  ///< list: empty keys
+  std::string origin;  ///< "FILE:LINE" or "--set a.b"
+  int line = 0;
+  bool read = false;
+
+  Value* find(std::string_view key) const {
+    for (const auto& [name, child] : children) {
+      if (name == key) return child.get();
+    }
+    return nullptr;
+  }
+
+  static std::unique_ptr<Value> convert(const YAML::Node& node, const std::string& label) {
+    auto value = std::make_unique<Value>();
+    value->line = node.Mark().line + 1;
+    value->origin = fmt::format("{}:{}", label, value->line);
+    if (node.IsScalar()) {
+      value->kind = Kind::scalar;
+      value->scalar = node.Scalar();
+    } else if (node.IsSequence()) {
+      value->kind = Kind::list;
+      for (const YAML::Node& item : node) value->children.emplace_back("", convert(item, label));
+    } else if (node.IsMap()) {
+      value->kind = Kind::map;
+      for (const auto& entry : node) {
+        const std::string key = entry.first.as<std::string>();
+        const int line = entry.first.Mark().line + 1;
+        if (value->find(key)) {
+          throw InputError(fmt::format("{}:{}: {}: the key stands twice", label, line, key));
+        }
+        auto child = convert(entry.second, label);
+        if (child->kind == Kind::empty) child->origin = fmt::format("{}:{}", label, line);
+        value->children.emplace_back(key, std::move(child));
+      }
+    }
+    return value;
+  }
+};
+
+struct ConfigNode::Document {
+  std::filesystem::path file;
+  std::unique_ptr<Value> root;
+};
+
+namespace {
+
+std::string join(const std::string& path, std::string_view key) {
+  return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
+}
+
+}  // namespace
+
+ConfigNode ConfigNode::load(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw InputError(fmt::format("{}: cannot be read", file.string()));
+  std::stringstream text;
+  text << stream.rdbuf();
+  if (stream.bad() || text.fail())
+    throw InputError(fmt::format("{}: cannot be read", file.string()));
+  ConfigNode node = parse(text.str(), file.string());
+  node.document_->file = file;
+  return node;
+}
+
+ConfigNode ConfigNode::parse(const std::string& text, const std::string& label) {
+  auto document = std::make_shared<Document>();
+  document->file = label;
+  try {
+    document->root = Value::convert(YAML::Load(text), label);
+  } catch (const YAML::Exception& error) {
+    throw InputError(
+        fmt::format("{}:{}: not valid YAML: {}", label, error.mark.line + 1, error.msg));
+  }
+  if (document->root->kind == Value::Kind::empty) {
+    throw InputError(fmt::format("{}: is empty", label));
+  }
+  Value* root = document->root.get();
+  return {std::move(document), root, ""};
+}
+
+bool ConfigNode::is_map() const { return value_->kind == Value::Kind::map; }
+bool ConfigNode::is_list() const { return value_->kind == Value::Kind::list; }
+bool ConfigNode::is_scalar() const { return value_->kind == Value::Kind::scalar; }
+bool ConfigNode::has(std::string_view key) const {
+  return is_map() && value_->find(key) && value_->find(key)->kind != Value::Kind::empty;
+}
+
+std::vector<std::string> ConfigNode::keys() const {
+  std::vector<std::string> names;
+  for (const auto& entry : value_->children) names.push_back(entry.first);
+  return names;
+}
+
+ConfigNode ConfigNode::operator[](std::string_view key) const {
+  if (!is_map()) fail("must be a mapping of keys to values");
+  Value* child = value_->find(key);
+  if (!child) {
+    throw InputError(fmt::format("{}: {}: is missing", value_->origin, join(key_, key)));
+  }
+  child->read = true;
+  return {document_, child, join(key_, key)};
+}
+
+std::vector<ConfigNode> ConfigNode::items() const {
+  if (!is_list()) fail("must be a list");
+  std::vector<ConfigNode> nodes;
+  for (std::size_t i = 0; i < value_->children.size(); ++i) {
+    nodes.push_back(
+        ConfigNode(document_, value_->children[i].second.get(), fmt::format("{}[{}]", key_, i)));
+  }
+  return nodes;
+}
+
+std::string ConfigNode::text() const {
+  if (!is_scalar()) fail("must be a single value");
+  return value_->scalar;
+}
+
+bool ConfigNode::boolean() const {
+  const std::string word = text();
+  if (word == "true") return true;
+  if (word == "false") return false;
+  fail(fmt::format("must be true or false, not '{}'", word));
+}
+
+std::int64_t ConfigNode::integer() const {
+  const std::string word = text();
+  std::int64_t number = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  if (error != std::errc() || end != word.data() + word.size()) {
+    fail(fmt::format("must be a whole number, not '{}'", word));
+  }
+  return number;
+}
+
+double ConfigNode::number() const {
+  std::string word = text();
+  double factor = 1;
+  if (word.ends_with("deg")) {
+    factor = std::numbers::pi / 180;
+    word.resize(word.size() - 3);
+    while (word.ends_with(' ')) word.pop_back();
+  }
+  const char* begin = word.data() + (word.starts_with('+') ? 1 : 0);
+  double number = 0;
+  const auto [end, error] = std::from_chars(begin, word.data() + word.size(), number);
+  if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(number)) {
+    fail(fmt::format("must be a number, not '{}'", text()));
+  }
+  return number * factor;
+}
+
+std::vector<double> ConfigNode::numbers() const {
+  std::vector<double> values;
+  for (const ConfigNode& item : items()) values.push_back(item.number());
+  return values;
+}
+
+Vec3 ConfigNode::vec3() const {
+  const std::vector<double> values = numbers();
+  if (values.size() != 3) fail(fmt::format("must have 3 numbers, not {}", values.size()));
+  return {values[0], values[1], values[2]};
+}
+
+std::vector<std::string> ConfigNode::texts() const {
+  std::vector<std::string> values;
+  for (const ConfigNode& item : items()) values.push_back(item.text());
+  return values;
+}
+
+void ConfigNode::set(const std::string& dotted_path, const std::string& value) {
+  const std::string label = fmt::format("--set {}", dotted_path);
+  std::unique_ptr<Value> replacement;
+  try {
+    replacement = Value::convert(YAML::Load(value), label);
+  } catch (const YAML::Exception& error) {
+    throw InputError(fmt::format("{}: not valid YAML: {}", label, error.msg));
+  }
+  replacement->origin = label;
+  Value* parent = value_;
+  std::stringstream path(dotted_path);
+  std::vector<std::string> steps;
+  for (std::string step; std::getline(path, step, '.');) steps.push_back(step);
+  if (steps.empty()) throw InputError("--set: needs a.b=value");
+  for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
+    Value* child = parent->find(steps[i]);
+    if (!child) {
+      auto made = std::make_unique<Value>();
+      made->kind = Value::Kind::map;
+      made->origin = label;
+      child = made.get();
+      parent->children.emplace_back(steps[i], std::move(made));
+    }
+    if (child->kind == Value::Kind::empty) child->kind = Value::Kind::map;
+    if (child->kind != Value::Kind::map) {
+      throw InputError(fmt::format("{}: '{}' is not a section", label, steps[i]));
+    }
+    parent = child;
+  }
+  for (auto& [name, child] : parent->children) {
+    if (name == steps.back()) {
+      child = std::move(replacement);
+      return;
+    }
+  }
+  parent->children.emplace_back(steps.back(), std::move(replacement));
+}
+
+void ConfigNode::expect_all_read() const {
+  const auto visit = [](const auto& self, const Value& value, const std::string& path) -> void {
+    for (std::size_t i = 0; i < value.children.size(); ++i) {
+      const auto& [key, child] = value.children[i];
+      const bool in_map = value.kind == Value::Kind::map;
+      const std::string child_path = in_map ? join(path, key) : fmt::format("{}[{}]", path, i);
+      if (in_map && !child->read) {
+        throw InputError(fmt::format("{}: {}: unknown key", child->origin, child_path));
+      }
+      self(self, *child, child_path);
+    }
+  };
+  visit(visit, *document_->root, "");
+}
+
+void ConfigNode::fail(const std::string& message) const {
+  throw InputError(key_.empty() ? fmt::format("{}: {}", value_->origin, message)
+                                : fmt::format("{}: {}: {}", value_->origin, key_, message));
+}
+
+std::filesystem::path ConfigNode::file() const { return document_->file; }
+std::filesystem::path ConfigNode::folder() const { return document_->file.parent_path(); }
+int ConfigNode::line() const { return value_->line; }
+
+}  // namespace morphe

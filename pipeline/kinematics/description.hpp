@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "pipeline/motion/plan.hpp"
+#include "pipeline/motion/robot_table.hpp"
+
+namespace morphe {
+
+struct RobotDescription {
+  RobotTable table;
+  std::vector<std::filesystem::path> files;  ///< every file it was read from, the first one named
+};
+
+/// Reads a robot description (docs/formats.md): DH chains, or `parts` that mount other descriptions
+/// (a hand on an arm). Throws InputError with file, line and key for unknown or missing keys, a
+/// joint without limits, a coupling to an unknown joint, a frame or capsule that names nothing.
+RobotDescription load_robot(const std::filesystem::path& file);
+
+}  // namespace morphe

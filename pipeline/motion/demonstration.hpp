@@ -1,0 +1,70 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/motion/geometry.hpp"
+#include "pipeline/motion/scene.hpp"
+
+namespace morphe {
+
+struct MarkerStream {
+  std::vector<std::string> names;  ///< [K]
+  std::vector<double> time;        ///< [N] [s]
+  Table<Vec3> position;            ///< [N, K] [m], NaN = not seen
+};
+
+/// Tracked bodies: `sensors` (Liberty: shoulder, elbow, wrist) or a `skeleton`.
+struct BodyStream {
+  std::vector<std::string> names;    ///< [S]
+  std::vector<std::string> parents;  ///< [S] skeleton only, "" = root
+  std::vector<double> time;          ///< [N] [s]
+  Table<Vec3> position;              ///< [N, S] [m]
+  Table<Quat> orientation;           ///< [N, S]
+};
+
+struct AngleStream {
+  std::vector<std::string> joints;  ///< [k]
+  std::vector<double> time;         ///< [N] [s]
+  JointRows angles;                 ///< [N, k] [rad]
+};
+
+enum class HandKind { glove, joint_angles, keypoints, fingertips };
+
+struct HandStream {
+  HandKind kind = HandKind::fingertips;
+  std::vector<std::string> names;  ///< sensors (glove) or joints (joint_angles), else empty
+  std::vector<double> time;        ///< [M] [s]
+  JointRows angles;                ///< [M, 22 or k] [rad]: glove, joint_angles
+  Table<Vec3> position;            ///< [M, 21 or 5] [m]: keypoints, fingertips (thumb … little)
+};
+
+/// What was recorded at one go, each stream at its own rate.
+struct Streams {
+  std::optional<MarkerStream> markers;
+  std::optional<BodyStream> sensors;
+  std::optional<BodyStream> skeleton;
+  std::optional<AngleStream> arm_angles;
+  std::optional<HandStream> hand;
+};
+
+struct Label {
+  double begin_s = 0, end_s = 0;
+  std::string phase;
+};
+
+/// One recording of one person's arm and hand. World frame: X to the subject's right, Y forward,
+/// Z up; the importer brings a recording into it.
+struct Demonstration {
+  std::string name, subject, task;
+  std::string hand = "right";
+  std::string source, licence;
+  std::optional<double> upper_arm, forearm, hand_length, hand_breadth;  ///< [m]
+  Streams streams;
+  Streams calibration;  ///< static trial or calibration pose
+  std::vector<SceneObject> objects;
+  std::vector<Label> labels;  ///< ground truth, where known
+};
+
+}  // namespace morphe

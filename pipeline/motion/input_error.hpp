@@ -1,0 +1,14 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace morphe {
+
+/// A bad file, config or argument. what() is one line, "FILE:LINE: KEY: message" or
+/// "FILE:/h5/path: message". Caught once, in main: exit code 2.
+struct InputError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace morphe

@@ -1,0 +1,139 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "pipeline/motion/geometry.hpp"
+#include "pipeline/motion/human_motion.hpp"
+#include "pipeline/motion/movement.hpp"
+#include "pipeline/motion/scene.hpp"
+
+namespace morphe {
+
+/// What the robot must reach, frame by frame, in the robot's base frame. NaN = no goal.
+/// Shoulder, elbow and wrist positions are those of the human arm moved into the paper's common
+/// base frame: shifted by `common_base_offset`, which puts the human shoulder at the movement's
+/// start on the robot's. Tip goals stay where they are in the world.
+struct Goals {
+  std::vector<double> time;       ///< [F] demonstration time [s]
+  Table<Vec3> tip_position;       ///< [F, m]
+  Table<Quat> tip_orientation;    ///< [F, m]
+  Table<std::uint8_t> reachable;  ///< [F, m] 1, 0; meaningless where there is no goal
+  std::vector<Vec3> shoulder_position, elbow_position, wrist_position;  ///< [F]
+  std::vector<Quat> wrist_orientation;                                  ///< [F] base_from_hand
+  Table<Vec3> finger_joint_position;                                    ///< [F, 5]
+  std::vector<std::string> estimated;  ///< names of what was not recorded but estimated
+  Vec3 common_base_offset = Vec3::Zero();
+
+  std::size_t frames() const { return time.size(); }
+};
+
+enum class FrameStatus : std::uint8_t { met = 0, compromise = 1, out_of_reach = 2, no_goal = 3 };
+inline constexpr const char* kFrameStatusNames[] = {"met", "compromise", "out_of_reach", "no_goal"};
+
+struct Mapped {
+  JointRows position;               ///< [F, n] [rad]
+  JointRows position_error;         ///< [F, m] [m], NaN = no goal
+  JointRows orientation_error;      ///< [F, m] full angle [rad], NaN = no goal
+  std::vector<double> objective;    ///< [F] value of the frame's objective
+  JointRows humanlikeness;          ///< [F, 3] A (sum) [m^2], B [m^2], C [m^3]
+  std::vector<FrameStatus> status;  ///< [F]
+};
+
+/// An interval of a path that cannot be executed.
+struct Finding {
+  double begin_s = 0, end_s = 0;  ///< demonstration time
+  std::string cause;              ///< self, object, table, limit, tracking, jump
+  std::string first, second;      ///< capsule and capsule or object; joint; tip
+  double depth = 0;               ///< how far beyond what is allowed [m or rad], > 0
+};
+
+enum class Origin : std::uint8_t { mapped = 0, resolved = 1, planned = 2 };
+inline constexpr const char* kOriginNames[] = {"mapped", "re-solved", "planned"};
+
+/// Joint positions along a movement; time here is only a label.
+struct JointPath {
+  JointRows position;                      ///< [W, n]
+  std::vector<Origin> origin;              ///< [W]
+  std::vector<double> demonstration_time;  ///< [W] [s], not decreasing
+};
+
+/// Between two samples: the quintic that meets position, velocity and acceleration at both.
+struct Trajectory {
+  std::vector<double> time;                    ///< [T] from 0, strictly increasing [s]
+  JointRows position, velocity, acceleration;  ///< [T, n]
+  std::vector<double> demonstration_time;      ///< [T]
+  std::vector<std::uint8_t> phase;             ///< [T] index into kPhaseNames
+  std::vector<Origin> origin;                  ///< [T]
+  std::vector<double> clearance;               ///< [T] [m], least over pairs that may not touch
+
+  std::size_t samples() const { return time.size(); }
+};
+
+/// The grasp, relative to the object, so that it can be executed on an object elsewhere.
+struct Grasp {
+  int sample = -1;  ///< trajectory sample (path sample if there is none), -1: no grasp
+  Pose base_from_object = Pose::Identity();
+  Pose object_from_palm = Pose::Identity();
+  std::vector<Vec3> tips_in_object;  ///< [m] all the robot's tips
+  JointVector hand_posture;          ///< all joints at the grasp [n]
+  JointVector pregrasp_posture;      ///< all joints where the hand is widest open [n]
+};
+
+/// What holds for the written trajectory as a controller would run it.
+struct Certificate {
+  double position_margin = kNotSeen;  ///< least distance to a joint limit [rad]
+  double velocity_ratio = kNotSeen, acceleration_ratio = kNotSeen, jerk_ratio = kNotSeen;
+  double clearance = kNotSeen;  ///< least over the motion [m]
+  double position_error_max = kNotSeen, position_error_mean = kNotSeen;  ///< over all goals [m]
+  double position_error_grasp = kNotSeen;   ///< largest in grasp and hold [m], NaN = no such phase
+  double orientation_error_max = kNotSeen;  ///< full angle [rad], NaN = no orientation goals
+  double upper_arm_error_mean = kNotSeen, upper_arm_error_max = kNotSeen;  ///< direction [rad]
+  double tempo = kNotSeen;  ///< duration / human duration
+  double humanlikeness_mapped = kNotSeen, humanlikeness_final = kNotSeen;  ///< mean A [m^2]
+  bool repaired = false;
+};
+
+/// What the plan was judged by; `verify` reads it from the file.
+struct Tolerances {
+  double margin = 0.001;          ///< clearance asked for [m]
+  double contact_depth = 0.005;   ///< allowed penetration of the target [m]
+  double tracking_grasp = 0.005;  ///< tips from their goals in grasp and hold [m]
+  double tracking = 0.020;        ///< elsewhere [m]
+};
+
+/// A movement and all that became of it. Every movement of every demonstration ends as one.
+struct Plan {
+  std::string demonstration;
+  std::string subject, task, hand;
+  Movement movement;
+  std::string reason = "unplanned";  ///< short code, "" = executable
+  std::string detail;                ///< a sentence
+  Tolerances tolerances;
+  Goals goals;
+  Scene scene;  ///< in the robot's base frame
+  Mapped mapped;
+  std::vector<Finding> findings;  ///< also those that repair removed
+  JointPath path;
+  Grasp grasp;
+  Trajectory trajectory;  ///< empty unless executable
+  Trajectory approach;    ///< empty unless asked for
+  Certificate certificate;
+
+  bool executable() const { return reason.empty(); }
+};
+
+/// What a plans.h5 says of itself as a whole.
+struct PlanFileHeader {
+  std::string config;  ///< effective YAML
+  std::string config_sha256, dataset_sha256;
+  std::string software;  ///< "morphe 0.1.0"
+  struct Input {
+    std::string path, text;  ///< relative path as the config named it
+  };
+  std::vector<Input> inputs;
+};
+
+}  // namespace morphe
