@@ -1,0 +1,19 @@
+#include "pipeline/humanlike/frame_goal.hpp"
+
+namespace morphe {
+
+FrameGoal frame_goal(const Goals& goals, std::size_t frame) {
+  FrameGoal goal;
+  for (std::size_t tip = 0; tip < goals.tip_position.cols; ++tip) {
+    goal.tip_position.push_back(goals.tip_position(frame, tip));
+    goal.tip_orientation.push_back(goals.tip_orientation(frame, tip));
+  }
+  goal.hand = goals.wrist_orientation[frame];
+  goal.elbow = goals.elbow_position[frame];
+  for (std::size_t finger = 0; finger < kFingers; ++finger) {
+    goal.finger_joint[finger] = goals.finger_joint_position(frame, finger);
+  }
+  return goal;
+}
+
+}  // namespace morphe

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/humanlike/frame_goal.hpp"
+#include "pipeline/solve/quadratic.hpp"
+
+namespace morphe {
+
+/// Where the robot is: what every term of a frame's objective reads.
+struct RobotState {
+  const RobotTable& robot;
+  const JointVector& q;  ///< [n]
+  const std::vector<Pose>& base_from_frame;
+};
+
+/// Each term adds weight * value, gradient and Gauss–Newton Hessian to a model. Goals that are NaN
+/// add nothing.
+
+/// Eq. (1): sum over tips of ‖x(q) - x_goal‖² [m²].
+struct TipPosition {
+  double weight = 1000;
+  void add(const RobotState& state, const FrameGoal& goal, Quadratic& model) const;
+};
+
+/// Eqs. (2), (3): acos|⟨h, g⟩| of the tips' orientations, half the rotation angle, not squared;
+/// smoothed at its kink to sqrt(d² + smoothing²).
+struct TipOrientation {
+  double weight = 0.01;
+  double smoothing_rad = 1e-3;
+  void add(const RobotState& state, const FrameGoal& goal, Quadratic& model) const;
+};
+
+/// The same distance for the hand's orientation: a weak goal where fewer than three tips are seen.
+struct HandOrientation {
+  double weight = 0.01;
+  double smoothing_rad = 1e-3;
+  void add(const RobotState& state, const FrameGoal& goal, Quadratic& model) const;
+};
+
+/// Humanlikeness A of the arm, Eq. (5): sum_j ‖s_elbow - s_j‖² over the k joint centres, divided by
+/// k so that the weight means the same for every robot [m²].
+struct JointDistance {
+  double weight = 1;
+  void add(const RobotState& state, const FrameGoal& goal, Quadratic& model) const;
+};
+
+/// Humanlikeness A of the fingers, second sum of Eq. (16): ‖s_middle - s_j‖² for each finger whose
+/// human middle joint was seen, divided by the number of centres of that finger [m²].
+struct FingerJointDistance {
+  double weight = 1;
+  void add(const RobotState& state, const FrameGoal& goal, Quadratic& model) const;
+};
+
+/// Natural posture of what no goal asks for: sum of (q_joint - q_follow - value)² over joints that
+/// move only tips without a goal in this frame [rad²].
+struct NaturalPosture {
+  struct Joint {
+    int joint = 0;
+    int follow = -1;        ///< joint to copy, -1 = none
+    double value = 0;       ///< [rad]
+    std::vector<int> tips;  ///< tips that the joint moves
+  };
+  double weight = 1e-3;
+  std::vector<Joint> joints;
+  void add(const RobotState& state, const FrameGoal& goal, Quadratic& model) const;
+  /// Root mean square distance from the natural posture over the active joints [rad]; NaN if none.
+  double distance(const JointVector& q, const FrameGoal& goal) const;
+};
+
+}  // namespace morphe

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+
+#include "pipeline/solve/quadratic.hpp"
+
+namespace morphe {
+
+/// A whole movement as one problem: minimise, over q_1 … q_F within lower <= q_f <= upper,
+///   sum_f F_f(q_f) + sum_f sum_j third_difference_weight[j] (q_{f+3} - 3 q_{f+2} + 3 q_{f+1} -
+///   q_f)_j^2.
+struct MovementProblem {
+  std::size_t frames = 0;
+  JointVector lower, upper;             ///< [n]
+  JointVector third_difference_weight;  ///< [n]
+  /// Model of F_f at q. `model` was reset to [n].
+  std::function<void(std::size_t frame, const JointVector& q, Quadratic& model)> frame_model;
+};
+
+struct MovementOptions {
+  int iterations = 60;
+  double relative_value = 1e-9;  ///< stop when an accepted step gains less than this share
+};
+template <class Fields>
+void fields(Fields& f, MovementOptions& o) {
+  f("iterations", o.iterations);
+  f("relative_value", o.relative_value);
+}
+
+struct MovementMinimum {
+  JointRows q;             ///< [F, n]
+  double value = 0;        ///< with the smoothness penalty
+  double frame_value = 0;  ///< sum of F_f alone
+  int iterations = 0;
+  bool converged = false;
+};
+
+/// Projected Levenberg–Marquardt: block-banded Gauss–Newton steps, variables on a bound that push
+/// outwards are held, steps are clamped into the bounds and taken only if they gain. Deterministic.
+MovementMinimum minimise_movement(const MovementProblem& problem, const JointRows& start,
+                                  const MovementOptions& options);
+
+}  // namespace morphe

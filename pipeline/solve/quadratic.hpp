@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "pipeline/motion/geometry.hpp"
+
+namespace morphe {
+
+/// Local model of a sum of terms at a point: value, gradient and a positive semidefinite
+/// (Gauss–Newton) Hessian. A least-squares term r(q) adds r², 2 Jᵀr and 2 JᵀJ.
+struct Quadratic {
+  double value = 0;
+  JointVector gradient;     ///< [n]
+  Eigen::MatrixXd hessian;  ///< [n, n], symmetric
+
+  void reset(Eigen::Index n) {
+    value = 0;
+    gradient.setZero(n);
+    hessian.setZero(n, n);
+  }
+  /// Adds weight * ‖residual‖² with its Jacobian [rows, n].
+  template <class Residual, class Jacobian>
+  void add_squares(double weight, const Residual& residual, const Jacobian& jacobian) {
+    value += weight * residual.squaredNorm();
+    gradient.noalias() += (2 * weight) * (jacobian.transpose() * residual);
+    hessian.noalias() += (2 * weight) * (jacobian.transpose() * jacobian);
+  }
+};
+
+}  // namespace morphe

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "pipeline/collision/world.hpp"
+#include "pipeline/solve/quadratic.hpp"
+
+namespace morphe {
+
+/// A term of ours beside the paper's: weight * sum over pairs of max(0, band - slack)², with the
+/// slack of the collision check (distance less the margin asked for), so that the mapping stays a
+/// little clear of itself and of fixed obstacles. Zero beyond the band; once differentiable.
+struct ClearanceTerm {
+  double weight = 1000;  ///< per m²; 0 = off, as in the paper's studies
+  double band_m = 0.005;
+};
+template <class Fields>
+void fields(Fields& f, ClearanceTerm& o) {
+  f("weight", o.weight);
+  f("band", o.band_m);
+}
+std::string check(const ClearanceTerm& term);
+
+struct ClearanceScratch {
+  CollisionScratch collision;
+  std::vector<PairSeparation> pairs;
+};
+
+void add_clearance(const ClearanceTerm& term, const CollisionWorld& world, const JointVector& q,
+                   double time_s, ClearanceScratch& scratch, Quadratic& model);
+
+}  // namespace morphe

@@ -1,0 +1,113 @@
+#include "stages/map/frame_search.hpp"
+
+#include <algorithm>
+#include <random>
+
+#include "pipeline/kinematics/forward.hpp"
+
+namespace morphe {
+namespace {
+
+BoundedProblem bounded(const MappingProblem& problem, std::size_t frame, MappingScratch& scratch) {
+  BoundedProblem result;
+  result.lower = problem.robot->lower;
+  result.upper = problem.robot->upper;
+  result.objective = [&problem, frame, &scratch](const JointVector& q, JointVector* gradient) {
+    scratch.model.reset(q.size());
+    add_frame(problem, frame, q, scratch, scratch.model);
+    if (gradient) *gradient = scratch.model.gradient;
+    return scratch.model.value;
+  };
+  return result;
+}
+
+JointVector random_position(const RobotTable& robot, std::mt19937_64& random) {
+  JointVector q(robot.lower.size());
+  for (Eigen::Index j = 0; j < q.size(); ++j) {
+    const double share = static_cast<double>(random() >> 11) * 0x1p-53;
+    q[j] = robot.lower[j] + share * (robot.upper[j] - robot.lower[j]);
+  }
+  return q;
+}
+
+bool same_minimum(const Minimum& a, const Minimum& b) {
+  return (a.x - b.x).cwiseAbs().maxCoeff() < 0.1;
+}
+
+/// Distance of each tip from its goal; 0 where there is none.
+JointVector tip_errors(const MappingProblem& problem, std::size_t frame, const JointVector& q,
+                       MappingScratch& scratch) {
+  const FrameGoal& goal = problem.goals[frame];
+  JointVector errors = JointVector::Zero(static_cast<Eigen::Index>(goal.tip_position.size()));
+  forward(*problem.robot, q, scratch.base_from_frame);
+  for (std::size_t i = 0; i < goal.tip_position.size(); ++i) {
+    if (!seen(goal.tip_position[i])) continue;
+    const Pose tip = tip_pose(*problem.robot, scratch.base_from_frame, i);
+    errors[static_cast<Eigen::Index>(i)] = (tip.translation() - goal.tip_position[i]).norm();
+  }
+  return errors;
+}
+
+}  // namespace
+
+Minimum solve_frame(const MappingProblem& problem, std::size_t frame, const JointVector& start,
+                    const MinimiseOptions& options, MappingScratch& scratch) {
+  return minimise(bounded(problem, frame, scratch), start, options);
+}
+
+std::vector<Minimum> search_frame(const MappingProblem& problem, std::size_t frame, int starts,
+                                  int keep, const MinimiseOptions& options, std::uint64_t seed,
+                                  MappingScratch& scratch) {
+  std::mt19937_64 random(seed);
+  std::vector<Minimum> minima;
+  for (int i = 0; i < starts; ++i) {
+    const JointVector start = random_position(*problem.robot, random);
+    Minimum found = solve_frame(problem, frame, start, options, scratch);
+    const auto known = std::find_if(minima.begin(), minima.end(), [&](const Minimum& other) {
+      return same_minimum(found, other);
+    });
+    if (known == minima.end()) {
+      minima.push_back(std::move(found));
+    } else if (found.value < known->value) {
+      *known = std::move(found);
+    }
+  }
+  std::stable_sort(minima.begin(), minima.end(),
+                   [](const Minimum& a, const Minimum& b) { return a.value < b.value; });
+  if (minima.size() > static_cast<std::size_t>(keep)) {
+    minima.resize(static_cast<std::size_t>(keep));
+  }
+  return minima;
+}
+
+std::vector<std::uint8_t> reachable_goals(const MappingProblem& problem, std::size_t frame,
+                                          const JointVector& near, int starts, double tolerance_m,
+                                          const MinimiseOptions& options, std::uint64_t seed,
+                                          MappingScratch& scratch) {
+  MappingProblem plain = problem;
+  plain.objective = {};
+  plain.objective.tip_position = problem.objective.tip_position;
+  plain.objective.tip_orientation.weight = 0;
+  plain.objective.hand_orientation.weight = 0;
+  plain.objective.joint_distance.weight = 0;
+  plain.objective.finger_joint_distance.weight = 0;
+  plain.clearance.weight = 0;
+  std::mt19937_64 random(seed);
+  JointVector best =
+      JointVector::Constant(static_cast<Eigen::Index>(problem.goals[frame].tip_position.size()),
+                            std::numeric_limits<double>::infinity());
+  for (int i = 0; i <= starts && best.maxCoeff() > tolerance_m; ++i) {
+    const JointVector start = i == 0 ? near : random_position(*problem.robot, random);
+    const Minimum found = solve_frame(plain, frame, start, options, scratch);
+    const JointVector errors = tip_errors(problem, frame, found.x, scratch);
+    if (errors.maxCoeff() < best.maxCoeff()) best = errors;
+  }
+  std::vector<std::uint8_t> reachable;
+  for (std::size_t i = 0; i < problem.goals[frame].tip_position.size(); ++i) {
+    const bool met = best[static_cast<Eigen::Index>(i)] <= tolerance_m;
+    reachable.push_back(seen(problem.goals[frame].tip_position[i]) && met ? 1 : 0);
+  }
+  return reachable;
+}
+
+}  // namespace morphe

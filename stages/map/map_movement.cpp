@@ -1,0 +1,187 @@
+#include "stages/map/map_movement.hpp"
+
+#include <algorithm>
+
+#include "pipeline/humanlike/metrics.hpp"
+#include "pipeline/kinematics/forward.hpp"
+#include "stages/map/frame_search.hpp"
+#include "stages/map/movement_search.hpp"
+
+namespace morphe {
+namespace {
+
+using Eigen::Index;
+constexpr double kMetBelow = 1e-3;  ///< tip error of a frame that counts as met [m]
+
+/// The robot's arm from the shoulder: its centres and, if it has one, the wrist's tip.
+Chain robot_chain(const RobotTable& robot, const std::vector<Pose>& base_from_frame) {
+  const auto origin = [&](int frame) -> Vec3 {
+    return base_from_frame[static_cast<std::size_t>(frame)].translation();
+  };
+  Chain chain{origin(robot.shoulder_frame)};
+  for (const auto& centre : robot.centres) {
+    if (centre.chain == "arm") chain.push_back(origin(centre.frame));
+  }
+  for (std::size_t i = 0; i < robot.tips.size(); ++i) {
+    if (robot.tips[i].finger < 0) {
+      chain.push_back(tip_pose(robot, base_from_frame, i).translation());
+    }
+  }
+  return chain;
+}
+
+void measure_humanlikeness(const MappingProblem& problem, const Goals& goals, std::size_t frame,
+                           const std::vector<Pose>& base_from_frame, Mapped& mapped) {
+  const auto row = static_cast<Index>(frame);
+  mapped.humanlikeness.row(row).setConstant(kNotSeen);
+  const Chain human{goals.shoulder_position[frame], goals.elbow_position[frame],
+                    goals.wrist_position[frame]};
+  if (!seen(human[0]) || !seen(human[1]) || !seen(human[2])) return;
+  const Chain robot = robot_chain(*problem.robot, base_from_frame);
+  std::vector<Vec3> inner;
+  for (const auto& centre : problem.robot->centres) {
+    if (centre.chain == "arm") {
+      inner.push_back(base_from_frame[static_cast<std::size_t>(centre.frame)].translation());
+    }
+  }
+  mapped.humanlikeness(row, 0) = joint_distance_sum(human[1], inner);
+  mapped.humanlikeness(row, 1) = triangle_area_sum(human, robot);
+  mapped.humanlikeness(row, 2) = hull_volume_sum(human, robot);
+}
+
+void measure_frame(const MappingProblem& problem, const Goals& goals, std::size_t frame,
+                   MappingScratch& scratch, Mapped& mapped) {
+  const auto row = static_cast<Index>(frame);
+  const JointVector q = mapped.position.row(row).transpose();
+  const FrameGoal& goal = problem.goals[frame];
+  scratch.model.reset(q.size());
+  add_frame(problem, frame, q, scratch, scratch.model);
+  mapped.objective.push_back(scratch.model.value);
+  bool any = false, met = true, reachable = true;
+  for (std::size_t i = 0; i < goal.tip_position.size(); ++i) {
+    const Pose tip = tip_pose(*problem.robot, scratch.base_from_frame, i);
+    const auto col = static_cast<Index>(i);
+    if (seen(goal.tip_orientation[i])) {
+      mapped.orientation_error(row, col) =
+          angle_between(Quat(tip.linear()), goal.tip_orientation[i]);
+    }
+    if (!seen(goal.tip_position[i])) continue;
+    any = true;
+    const double error = (tip.translation() - goal.tip_position[i]).norm();
+    mapped.position_error(row, col) = error;
+    met = met && error < kMetBelow;
+    reachable = reachable && goals.reachable(frame, i);
+  }
+  mapped.status.push_back(!any        ? FrameStatus::no_goal
+                          : met       ? FrameStatus::met
+                          : reachable ? FrameStatus::compromise
+                                      : FrameStatus::out_of_reach);
+  measure_humanlikeness(problem, goals, frame, scratch.base_from_frame, mapped);
+}
+
+Mapped measure(const MappingProblem& problem, const Goals& goals, const JointRows& q) {
+  const auto frames = q.rows();
+  const auto tips = static_cast<Index>(goals.tip_position.cols);
+  Mapped mapped;
+  mapped.position = q;
+  mapped.position_error = JointRows::Constant(frames, tips, kNotSeen);
+  mapped.orientation_error = JointRows::Constant(frames, tips, kNotSeen);
+  mapped.humanlikeness = JointRows::Constant(frames, 3, kNotSeen);
+  MappingScratch scratch;
+  for (std::size_t f = 0; f < problem.frames(); ++f) {
+    measure_frame(problem, goals, f, scratch, mapped);
+  }
+  return mapped;
+}
+
+double posture_error(const MappingProblem& problem, const JointRows& q) {
+  double sum = 0;
+  int count = 0;
+  for (std::size_t f = 0; f < problem.frames(); ++f) {
+    const double error = problem.objective.posture.distance(
+        q.row(static_cast<Index>(f)).transpose(), problem.goals[f]);
+    if (std::isnan(error)) continue;
+    sum += error * error;
+    ++count;
+  }
+  return count == 0 ? kNotSeen : std::sqrt(sum / count);
+}
+
+}  // namespace
+
+MappingProblem make_mapping_problem(const RobotTable& robot, const Goals& goals,
+                                    const CollisionWorld& world, const MapOptions& options) {
+  MappingProblem problem;
+  problem.robot = &robot;
+  problem.objective = make_objective(options, robot);
+  problem.clearance = options.clearance;
+  problem.world = &world;
+  problem.time = goals.time;
+  for (std::size_t f = 0; f < goals.frames(); ++f) problem.goals.push_back(frame_goal(goals, f));
+  return problem;
+}
+
+MapResult map_movement(const MappingProblem& problem, Goals& goals, const MapOptions& options,
+                       std::uint64_t seed) {
+  MapResult result;
+  const bool any_goal = std::any_of(problem.goals.begin(), problem.goals.end(),
+                                    [](const FrameGoal& goal) { return goal.tips_seen() > 0; });
+  if (problem.frames() < 5 || !any_goal) {
+    result.reason = "no_goal";
+    result.detail = any_goal ? "the movement has fewer than 5 frames"
+                             : "no fingertip was seen in the whole movement";
+    return result;
+  }
+  const std::vector<Course> courses = search_movement(problem, options, seed);
+  const JointRows& q = courses.front().q;
+  MappingScratch scratch;
+  for (std::size_t f = 0; f < problem.frames(); ++f) {
+    const std::vector<std::uint8_t> reachable = reachable_goals(
+        problem, f, q.row(static_cast<Index>(f)).transpose(), options.reachable_starts,
+        options.reachable_m, options.nlopt, seed + 1000 + f, scratch);
+    for (std::size_t i = 0; i < reachable.size(); ++i) goals.reachable(f, i) = reachable[i];
+  }
+  result.mapped = measure(problem, goals, q);
+  result.posture_error_rad = posture_error(problem, q);
+  result.path = {q, std::vector<Origin>(problem.frames(), Origin::mapped), problem.time};
+  for (std::size_t i = 1; i < courses.size(); ++i) result.candidates.push_back(courses[i].q);
+  return result;
+}
+
+JointPath resolve_path(const MappingProblem& problem, const JointPath& path,
+                       const std::vector<Finding>& findings, const MapOptions& options,
+                       double reach_s) {
+  const auto may_move = [&](double time_s) {
+    return std::any_of(findings.begin(), findings.end(), [&](const Finding& finding) {
+      return time_s >= finding.begin_s - reach_s && time_s <= finding.end_s + reach_s;
+    });
+  };
+  MovementProblem movement;
+  movement.frames = problem.frames();
+  movement.lower = problem.robot->lower;
+  movement.upper = problem.robot->upper;
+  movement.third_difference_weight =
+      third_difference_weight(*problem.robot, problem.time, options.smoothness);
+  MappingProblem clear = problem;
+  clear.clearance.weight *= 10;
+  MappingScratch scratch;
+  movement.frame_model = [&](std::size_t frame, const JointVector& q, Quadratic& model) {
+    add_frame(clear, frame, q, scratch, model);
+    if (may_move(problem.time[frame])) return;
+    constexpr double kHold = 100;  // per rad²: far stiffer than any term of a frame
+    const JointVector away = q - path.position.row(static_cast<Index>(frame)).transpose();
+    model.value += kHold * away.squaredNorm();
+    model.gradient += 2 * kHold * away;
+    model.hessian.diagonal().array() += 2 * kHold;
+  };
+  const MovementMinimum found = minimise_movement(movement, path.position, options.movement);
+  JointPath resolved = path;
+  for (Index f = 0; f < path.position.rows(); ++f) {
+    if ((found.q.row(f) - path.position.row(f)).cwiseAbs().maxCoeff() <= 1e-4) continue;
+    resolved.position.row(f) = found.q.row(f);
+    resolved.origin[static_cast<std::size_t>(f)] = Origin::resolved;
+  }
+  return resolved;
+}
+
+}  // namespace morphe

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "stages/map/map_options.hpp"
+#include "stages/map/mapping_problem.hpp"
+
+namespace morphe {
+
+struct MapResult {
+  std::string reason;  ///< "" or why there is no mapping: "no_goal"
+  std::string detail;
+  Mapped mapped;
+  JointPath path;                       ///< the mapped positions, all Origin::mapped
+  std::vector<JointRows> candidates;    ///< other continuous courses, the best first, for repair
+  double posture_error_rad = kNotSeen;  ///< rms from the natural posture where it is asked for
+};
+
+/// Frames to joint angles, the movement as one problem (search_movement). Fills goals.reachable.
+/// Frames without any goal take part through smoothness and posture alone.
+MapResult map_movement(const MappingProblem& problem, Goals& goals, const MapOptions& options,
+                       std::uint64_t seed);
+
+/// Re-solves a path near findings against `problem.world`, with a stronger clearance term: frames
+/// within `reach_s` of a finding may move, the others are drawn to where they are. Frames that
+/// moved by more than 1e-4 rad become Origin::resolved.
+JointPath resolve_path(const MappingProblem& problem, const JointPath& path,
+                       const std::vector<Finding>& findings, const MapOptions& options,
+                       double reach_s = 0.3);
+
+/// The problem of a movement: goals frame by frame and the world to stay clear of.
+MappingProblem make_mapping_problem(const RobotTable& robot, const Goals& goals,
+                                    const CollisionWorld& world, const MapOptions& options);
+
+}  // namespace morphe

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "stages/map/map_options.hpp"
+#include "stages/map/mapping_problem.hpp"
+
+namespace morphe {
+
+/// A continuous way through the whole movement.
+struct Course {
+  JointRows q;       ///< a row per frame
+  double value = 0;  ///< sum of the frames' objectives and of the smoothness penalty
+};
+
+/// The whole movement smoothed at once from a start: objective of every frame plus
+/// smoothness * (jerk / limit)² per 10 ms, inside the joint limits.
+Course smooth_movement(const MappingProblem& problem, const JointRows& start,
+                       const MapOptions& options);
+
+/// The movement as one problem: minima of key frames are followed through it on a coarse grid,
+/// smoothed as a whole, merged where they meet, and ordered by value. The first one is refined to
+/// every frame; the others stay on the coarse grid's accuracy (interpolated to every frame) and are
+/// kept for repair.
+std::vector<Course> search_movement(const MappingProblem& problem, const MapOptions& options,
+                                    std::uint64_t seed);
+
+}  // namespace morphe

@@ -1,0 +1,98 @@
+#include "stages/map/placement.hpp"
+
+#include "pipeline/kinematics/forward.hpp"
+
+namespace morphe {
+namespace {
+
+Vec3 robot_shoulder(const RobotTable& robot) {
+  std::vector<Pose> base_from_frame;
+  forward(robot, JointVector::Zero(static_cast<Eigen::Index>(robot.joints())), base_from_frame);
+  return base_from_frame[static_cast<std::size_t>(robot.shoulder_frame)].translation();
+}
+
+Vec3 axis_of(const std::string& name) {
+  return name == "x" ? Vec3::UnitX() : name == "y" ? Vec3::UnitY() : Vec3::UnitZ();
+}
+
+bool inside(const Movement& movement, double time_s) {
+  constexpr double kRounding = 1e-9;
+  return time_s >= movement.begin_s - kRounding && time_s <= movement.end_s + kRounding;
+}
+
+}  // namespace
+
+std::string check(const PlacementOptions& options) {
+  for (const auto& turn : options.rotation) {
+    if (turn.axis != "x" && turn.axis != "y" && turn.axis != "z") {
+      return "rotation: axis must be x, y or z, not '" + turn.axis + "'";
+    }
+  }
+  return "";
+}
+
+Pose place_robot(const RobotTable& robot, const Vec3& human_shoulder,
+                 const PlacementOptions& options) {
+  Pose world_from_base = Pose::Identity();
+  for (const auto& turn : options.rotation) {
+    world_from_base.rotate(Eigen::AngleAxisd(turn.angle, axis_of(turn.axis)));
+  }
+  world_from_base.translation() =
+      human_shoulder + options.shoulder_offset - world_from_base.linear() * robot_shoulder(robot);
+  return world_from_base;
+}
+
+Vec3 shoulder_at_begin(const HumanMotion& motion, const Movement& movement) {
+  for (std::size_t i = 0; i < motion.time.size(); ++i) {
+    if (inside(movement, motion.time[i]) && seen(motion.shoulder[i])) return motion.shoulder[i];
+  }
+  return unseen_point();
+}
+
+Goals make_goals(const RobotTable& robot, const HumanMotion& motion, const Movement& movement,
+                 const Pose& base_from_world) {
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < motion.time.size(); ++i) {
+    if (inside(movement, motion.time[i])) rows.push_back(i);
+  }
+  Goals goals;
+  goals.estimated = motion.estimated;
+  goals.tip_position = {rows.size(), robot.tips.size(), unseen_point()};
+  goals.tip_orientation = {rows.size(), robot.tips.size(), unseen_rotation()};
+  goals.reachable = {rows.size(), robot.tips.size(), 1};
+  goals.finger_joint_position = {rows.size(), kFingers, unseen_point()};
+  goals.common_base_offset =
+      robot_shoulder(robot) - base_from_world * shoulder_at_begin(motion, movement);
+  const Quat base_from_world_rotation(base_from_world.linear());
+  const auto in_common_base = [&](const Vec3& point) -> Vec3 {
+    return base_from_world * point + goals.common_base_offset;
+  };
+  const auto turned = [&](const Quat& rotation) -> Quat {
+    return seen(rotation) ? Quat((base_from_world_rotation * rotation).normalized()) : rotation;
+  };
+  for (std::size_t f = 0; f < rows.size(); ++f) {
+    const std::size_t row = rows[f];
+    goals.time.push_back(motion.time[row]);
+    goals.shoulder_position.push_back(in_common_base(motion.shoulder[row]));
+    goals.elbow_position.push_back(in_common_base(motion.elbow[row]));
+    goals.wrist_position.push_back(in_common_base(motion.wrist[row]));
+    goals.wrist_orientation.push_back(turned(motion.wrist_orientation[row]));
+    for (std::size_t i = 0; i < robot.tips.size(); ++i) {
+      const int finger = robot.tips[i].finger;
+      if (finger < 0) {
+        goals.tip_position(f, i) = base_from_world * motion.wrist[row];
+        goals.tip_orientation(f, i) = turned(motion.wrist_orientation[row]);
+        continue;
+      }
+      const auto human = static_cast<std::size_t>(finger);
+      goals.tip_position(f, i) = base_from_world * motion.tip(row, human);
+      goals.tip_orientation(f, i) = turned(motion.tip_orientation(row, human));
+    }
+    for (std::size_t finger = 0; finger < kFingers; ++finger) {
+      goals.finger_joint_position(f, finger) = in_common_base(motion.finger_joint(row, finger));
+    }
+  }
+  return goals;
+}
+
+}  // namespace morphe

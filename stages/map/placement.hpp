@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/motion/plan.hpp"
+#include "pipeline/motion/robot_table.hpp"
+
+namespace morphe {
+
+/// Where the robot stands relative to the human (config section `placement`): the paper's common
+/// base frame. Per movement the human shoulder is frozen where it is when the movement begins.
+struct PlacementOptions {
+  struct Turn {
+    std::string axis;  ///< x, y or z of the frame reached so far
+    double angle = 0;  ///< [rad]
+  };
+  /// world_from_base as elementary rotations, multiplied from left to right.
+  std::vector<Turn> rotation;
+  /// From the human shoulder to the robot's, in the world frame (X right, Y forward, Z up) [m].
+  Vec3 shoulder_offset = Vec3::Zero();
+};
+template <class Fields>
+void fields(Fields& f, PlacementOptions::Turn& o) {
+  f.required("axis", o.axis);
+  f.required("angle", o.angle);
+}
+template <class Fields>
+void fields(Fields& f, PlacementOptions& o) {
+  f("rotation", o.rotation);
+  f("shoulder_offset", o.shoulder_offset);
+}
+std::string check(const PlacementOptions& options);
+
+/// world_from_base = Translation(t) * R with R the product of the turns and t such that
+/// world_from_base * (robot shoulder) = human shoulder + shoulder_offset.
+Pose place_robot(const RobotTable& robot, const Vec3& human_shoulder,
+                 const PlacementOptions& options);
+
+/// Goals of the frames of a movement, in the base frame, each of the robot's tips following the
+/// human finger that it names. The human arm is shifted so that its shoulder at the begin of the
+/// movement coincides with the robot's.
+Goals make_goals(const RobotTable& robot, const HumanMotion& motion, const Movement& movement,
+                 const Pose& base_from_world);
+
+/// First frame of the movement whose shoulder was seen (or estimated); unseen if there is none.
+Vec3 shoulder_at_begin(const HumanMotion& motion, const Movement& movement);
+
+}  // namespace morphe
