@@ -13,7 +13,8 @@ namespace morphe {
 /// What must stay apart in one movement, everything in the robot's base frame. Robot and scene must
 /// outlive it. All pairs of capsules but the allowed ones, and every capsule against every object.
 /// A capsule that may touch the target may sink `contact_depth` into it while touching is allowed
-/// (preshape to release) and between `attach_s` and `release_s` the target moves with the hand.
+/// (preshape to release, borders included). Objects are where they were recorded, the target in the
+/// hand too: a query knows one joint position, not the one at which the hand took hold.
 struct CollisionWorld {
   const RobotTable* robot = nullptr;
   const Scene* scene = nullptr;
@@ -24,7 +25,8 @@ struct CollisionWorld {
 };
 
 /// Touching is allowed from the first preshape (or grasp, if there is none) to the end of the last
-/// of grasp, hold and transport.
+/// of grasp, hold and transport; never without a target or one of these three. Capsules that no
+/// joint moves relative to each other are no pair.
 CollisionWorld make_world(const RobotTable& robot, const Scene& scene, const Movement& movement,
                           const Tolerances& tolerances);
 
@@ -45,24 +47,39 @@ struct CollisionScratch {
   std::vector<Pose> object_poses;
 };
 
-/// The pair with the least slack at joint position q and demonstration time t. With no pair at all,
-/// slack is +infinity.
+/// Whether a capsule may touch an object at a demonstration time.
+bool may_touch(const CollisionWorld& world, int capsule, int object, double time_s);
+/// How far the two must stay apart then: the margin, or -contact_depth where touching is allowed.
+double required_m(const CollisionWorld& world, int capsule, int object, double time_s);
+
+/// Fills the scratch with all bodies at joint position q and demonstration time t.
+void place_bodies(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q,
+                  double time_s, CollisionScratch& scratch);
+
+/// The pair with the least slack at joint position q and demonstration time t, the first one of
+/// equals. With no pair at all, slack is +infinity and the capsule -1.
 PairSeparation least_slack(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q,
                            double time_s, CollisionScratch& scratch);
 
-/// All pairs with slack below `below_m`, in a fixed order.
+/// All pairs with slack below `below_m`: capsule pairs in the order of world.pairs, then every
+/// capsule with its objects.
 void near_pairs(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
                 double below_m, CollisionScratch& scratch, std::vector<PairSeparation>& out);
 
 /// Least distance over the pairs that may not touch at this time [m]: what a trajectory's
-/// `clearance` holds.
+/// `clearance` holds. +infinity if there is none.
 double clearance(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
                  CollisionScratch& scratch);
 
 /// The verdict of FCL alone (collide() of capsules grown or shrunk by what is required): true if
-/// every pair has slack >= 0.
+/// every pair has slack >= 0. FCL decides within about 1e-6 m.
 bool free_by_fcl(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
                  CollisionScratch& scratch);
+
+/// All pairs that FCL finds in collision, in the order of near_pairs(). FCL does not know how deep:
+/// the separations are those of the closed forms.
+void pairs_by_fcl(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q,
+                  double time_s, CollisionScratch& scratch, std::vector<PairSeparation>& out);
 
 /// "hand_palm", "table": the names of a pair's two sides.
 std::string first_name(const CollisionWorld& world, const PairSeparation& pair);

@@ -1,0 +1,71 @@
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/collision/world.hpp"
+
+namespace morphe {
+namespace {
+
+/// The nearest frame at or above `frame` that a joint turns, -1 if none does.
+int turning_frame(const RobotTable& robot, int frame) {
+  while (frame >= 0 && robot.frames[static_cast<std::size_t>(frame)].joint < 0) {
+    frame = robot.frames[static_cast<std::size_t>(frame)].parent;
+  }
+  return frame;
+}
+
+std::vector<std::array<int, 2>> pairs_to_check(const RobotTable& robot) {
+  const auto allowed = [&robot](int i, int j) {
+    return std::any_of(robot.allowed_pairs.begin(), robot.allowed_pairs.end(),
+                       [&](const auto& pair) {
+                         return (pair[0] == i && pair[1] == j) || (pair[0] == j && pair[1] == i);
+                       });
+  };
+  std::vector<std::array<int, 2>> pairs;
+  const int capsules = static_cast<int>(robot.capsules.size());
+  for (int i = 0; i < capsules; ++i) {
+    for (int j = i + 1; j < capsules; ++j) {
+      const int frame_i = robot.capsules[static_cast<std::size_t>(i)].frame;
+      const int frame_j = robot.capsules[static_cast<std::size_t>(j)].frame;
+      const bool rigid = turning_frame(robot, frame_i) == turning_frame(robot, frame_j);
+      if (!rigid && !allowed(i, j)) pairs.push_back({i, j});
+    }
+  }
+  return pairs;
+}
+
+void set_touching(const Movement& movement, CollisionWorld& world) {
+  double preshape_s = kNotSeen, grasp_s = kNotSeen, end_s = kNotSeen;
+  const auto lower = [](double& value, double with) {
+    if (!(value <= with)) value = with;
+  };
+  for (const Phase& phase : movement.phases) {
+    if (phase.name == "preshape") lower(preshape_s, phase.begin_s);
+    if (phase.name == "grasp") lower(grasp_s, phase.begin_s);
+    const bool holding = phase.name == "grasp" || phase.name == "hold" || phase.name == "transport";
+    if (holding && !(end_s >= phase.end_s)) end_s = phase.end_s;
+  }
+  const double begin_s = std::isnan(preshape_s) ? grasp_s : preshape_s;
+  if (std::isnan(begin_s) || std::isnan(end_s)) return;
+  world.touch_begin_s = begin_s;
+  world.touch_end_s = end_s;
+}
+
+}  // namespace
+
+CollisionWorld make_world(const RobotTable& robot, const Scene& scene, const Movement& movement,
+                          const Tolerances& tolerances) {
+  CollisionWorld world;
+  world.robot = &robot;
+  world.scene = &scene;
+  world.tolerances = tolerances;
+  for (std::size_t k = 0; k < scene.objects.size(); ++k) {
+    const bool named = !movement.target.empty() && scene.objects[k].name == movement.target;
+    if (named && world.target < 0) world.target = static_cast<int>(k);
+  }
+  if (world.target >= 0) set_touching(movement, world);
+  world.pairs = pairs_to_check(robot);
+  return world;
+}
+
+}  // namespace morphe

@@ -1,0 +1,148 @@
+#include "pipeline/collision/world.hpp"
+
+#include <limits>
+
+#include "pipeline/kinematics/forward.hpp"
+
+namespace morphe {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// The separation's distance is no less than this: two balls about the segments' middles.
+double apart_at_least(const CapsuleBody& a, const CapsuleBody& b) {
+  const double between = 0.5 * (a.from + a.to - b.from - b.to).norm();
+  return between - 0.5 * (a.to - a.from).norm() - 0.5 * (b.to - b.from).norm() - a.radius -
+         b.radius;
+}
+
+/// Visits every pair whose slack can be below `limit`, in the fixed order; `visit` may lower it.
+/// required(capsule, object) is called for objects only; -infinity leaves the pair out.
+template <class Required, class Visit>
+void visit_near(const CollisionWorld& world, const CollisionScratch& scratch, const double& limit,
+                Required required, Visit visit) {
+  PairSeparation pair;
+  pair.required = world.tolerances.margin;
+  for (const auto& [i, j] : world.pairs) {
+    const CapsuleBody& first = scratch.bodies[static_cast<std::size_t>(i)];
+    const CapsuleBody& second = scratch.bodies[static_cast<std::size_t>(j)];
+    if (apart_at_least(first, second) - pair.required >= limit) continue;
+    pair.capsule = i;
+    pair.other = j;
+    pair.separation = capsule_capsule(first, second);
+    visit(pair);
+  }
+  pair.object = true;
+  for (std::size_t i = 0; i < scratch.bodies.size(); ++i) {
+    const CapsuleBody& body = scratch.bodies[i];
+    const Vec3 middle = 0.5 * (body.from + body.to);
+    const double reach = 0.5 * (body.to - body.from).norm() + body.radius;
+    for (std::size_t k = 0; k < world.scene->objects.size(); ++k) {
+      pair.capsule = static_cast<int>(i);
+      pair.other = static_cast<int>(k);
+      pair.required = required(pair.capsule, pair.other);
+      const SceneObject& object = world.scene->objects[k];
+      const Pose& pose = scratch.object_poses[k];
+      Vec3 gradient;
+      const Vec3 in_object = pose.linear().transpose() * (middle - pose.translation());
+      if (signed_distance(object, in_object, gradient) - reach - pair.required >= limit) continue;
+      pair.separation = capsule_solid(body, object, pose);
+      visit(pair);
+    }
+  }
+}
+
+}  // namespace
+
+bool may_touch(const CollisionWorld& world, int capsule, int object, double time_s) {
+  return object == world.target && time_s >= world.touch_begin_s && time_s <= world.touch_end_s &&
+         world.robot->capsules[static_cast<std::size_t>(capsule)].may_touch_target;
+}
+
+double required_m(const CollisionWorld& world, int capsule, int object, double time_s) {
+  return may_touch(world, capsule, object, time_s) ? -world.tolerances.contact_depth
+                                                   : world.tolerances.margin;
+}
+
+void place_bodies(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q,
+                  double time_s, CollisionScratch& scratch) {
+  const RobotTable& robot = *world.robot;
+  forward(robot, q, scratch.base_from_frame);
+  scratch.bodies.resize(robot.capsules.size());
+  for (std::size_t i = 0; i < robot.capsules.size(); ++i) {
+    const RobotTable::Capsule& capsule = robot.capsules[i];
+    CapsuleBody& body = scratch.bodies[i];
+    body.radius = capsule.radius;
+    if (capsule.frame < 0) {
+      body.from = capsule.from;
+      body.to = capsule.to;
+      continue;
+    }
+    const Pose& pose = scratch.base_from_frame[static_cast<std::size_t>(capsule.frame)];
+    body.from = pose * capsule.from;
+    body.to = pose * capsule.to;
+  }
+  scratch.object_poses.resize(world.scene->objects.size());
+  for (std::size_t k = 0; k < world.scene->objects.size(); ++k) {
+    scratch.object_poses[k] = recorded_pose(world.scene->objects[k], time_s);
+  }
+}
+
+PairSeparation least_slack(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q,
+                           double time_s, CollisionScratch& scratch) {
+  place_bodies(world, q, time_s, scratch);
+  PairSeparation best;
+  best.capsule = -1;
+  best.separation.distance = kInfinity;
+  double least = kInfinity;
+  visit_near(
+      world, scratch, least,
+      [&](int capsule, int object) { return required_m(world, capsule, object, time_s); },
+      [&](const PairSeparation& pair) {
+        if (pair.slack() >= least) return;
+        best = pair;
+        least = pair.slack();
+      });
+  return best;
+}
+
+void near_pairs(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
+                double below_m, CollisionScratch& scratch, std::vector<PairSeparation>& out) {
+  place_bodies(world, q, time_s, scratch);
+  out.clear();
+  visit_near(
+      world, scratch, below_m,
+      [&](int capsule, int object) { return required_m(world, capsule, object, time_s); },
+      [&](const PairSeparation& pair) {
+        if (pair.slack() < below_m) out.push_back(pair);
+      });
+}
+
+double clearance(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
+                 CollisionScratch& scratch) {
+  place_bodies(world, q, time_s, scratch);
+  const double margin_m = world.tolerances.margin;
+  double least_m = kInfinity, limit = kInfinity;  // limit = least_m - margin_m
+  visit_near(
+      world, scratch, limit,
+      [&](int capsule, int object) {
+        return may_touch(world, capsule, object, time_s) ? -kInfinity : margin_m;
+      },
+      [&](const PairSeparation& pair) {
+        if (pair.separation.distance >= least_m) return;
+        least_m = pair.separation.distance;
+        limit = least_m - margin_m;
+      });
+  return least_m;
+}
+
+std::string first_name(const CollisionWorld& world, const PairSeparation& pair) {
+  return world.robot->capsules[static_cast<std::size_t>(pair.capsule)].name;
+}
+
+std::string second_name(const CollisionWorld& world, const PairSeparation& pair) {
+  const auto other = static_cast<std::size_t>(pair.other);
+  return pair.object ? world.scene->objects[other].name : world.robot->capsules[other].name;
+}
+
+}  // namespace morphe
