@@ -1,0 +1,77 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "pipeline/config/node.hpp"
+#include "pipeline/kinematics/dh.hpp"
+#include "pipeline/motion/robot_table.hpp"
+
+namespace morphe {
+
+/// A robot while its files are read; load_robot() puts it together.
+
+/// Where something hangs: a frame (-1 = the robot's base) and the fixed rest of the way.
+struct Place {
+  int frame = -1;
+  Pose frame_from_place = Pose::Identity();
+};
+
+struct Chain {
+  std::string name;
+  std::vector<int> frames;  ///< of its joints, base to tip
+  /// Those that turn across a link, where a person would see a joint: rows with d = 0. The frame of
+  /// a row with d != 0 turns about the link itself and lies, by convention, at either of its ends.
+  std::vector<int> hinges;
+  Place end;  ///< after the last link
+};
+
+struct Assembly {
+  RobotTable table;  ///< limits are filled from the lists below, allowed pairs and centres at last
+  std::vector<double> lower, upper, velocity, acceleration, jerk;
+  std::vector<Chain> chains;
+  std::vector<std::filesystem::path> files;
+  std::string shoulder, palm;  ///< frame names, "" = not named yet
+};
+
+/// One file's view: its own base, and where its frames and capsules begin (those of its parts
+/// included).
+struct FileScope {
+  Place base;
+  std::size_t first_capsule = 0;
+};
+
+/// position (default zero) and one of rpy (fixed axes: Rz(yaw) Ry(pitch) Rx(roll)), quaternion
+/// (w, x, y, z) or matrix (3 rows of 3, or 4 of 4 that hold the position too); default identity.
+Pose read_mount(const ConfigNode& node);
+/// The same below the key `mount`, identity if there is none.
+Pose read_mount_of(const ConfigNode& owner);
+
+/// True if a frame or chain has that name, or it is "base".
+bool has_place(const Assembly& assembly, const std::string& name);
+/// The base of the file ("base"), a frame or the end of a chain; InputError if it is none of them.
+Place place_named(const Assembly& assembly, const FileScope& scope, const ConfigNode& name);
+/// parent's place * mount; the file's base if `node` has no key `parent`.
+Place read_hanging(const Assembly& assembly, const FileScope& scope, const ConfigNode& node);
+int frame_index(const RobotTable& table, const std::string& name);  ///< -1 if unknown
+bool hangs_on(const RobotTable& table, int frame, int ancestor);    ///< or is it
+
+/// Adds a frame; InputError if the name is taken. Returns its index.
+int add_frame(Assembly& assembly, const ConfigNode& name, RobotTable::Frame frame);
+/// Adds a chain's frames and joints.
+void read_chain(Assembly& assembly, const FileScope& scope, DhConvention convention,
+                const ConfigNode& node);
+DhConvention read_convention(const ConfigNode& node);
+
+/// Adds a file's capsules; names may end in `*` in allowed_pairs and may_touch_target.
+void read_collision(Assembly& assembly, const FileScope& scope, const ConfigNode& node);
+/// Capsules of one rigid body, or of two that one joint connects.
+void allow_neighbours(RobotTable& table);
+
+/// Centres of metric A for every chain that the files gave none: for `arm` the distinct hinges
+/// beyond the shoulder, without the last one if the arm carries nothing (there it is the
+/// end-effector's), unless it is the only one; for a finger the first hinge away from its base.
+void derive_centres(Assembly& assembly);
+
+}  // namespace morphe

@@ -1,0 +1,171 @@
+#include "pipeline/kinematics/description.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "pipeline/kinematics/assembly.hpp"
+
+namespace morphe {
+namespace {
+
+constexpr std::array<const char*, 5> kFingers = {"thumb", "index", "middle", "ring", "little"};
+
+int read_finger(const ConfigNode& node) {
+  const std::string word = node.text();
+  if (word == "wrist") return -1;
+  const auto found = std::ranges::find(kFingers, word);
+  if (found != kFingers.end()) return static_cast<int>(found - kFingers.begin());
+  const std::int64_t number = node.integer();
+  if (number < 0 || number > 99) node.fail("must be a finger's name, wrist, or 0, 1, …");
+  return static_cast<int>(number);
+}
+
+void read_tip(Assembly& assembly, const FileScope& scope, const ConfigNode& node) {
+  const char* key = node.has("chain") ? "chain" : "frame";
+  const Place place = place_named(assembly, scope, node[key]);
+  RobotTable::Tip tip;
+  tip.name = node["name"].text();
+  tip.frame = place.frame;
+  if (tip.frame < 0) node[key].fail("a tip must move with a frame");
+  tip.transform = place.frame_from_place * read_mount_of(node);
+  tip.finger = read_finger(node["finger"]);
+  for (const RobotTable::Tip& other : assembly.table.tips) {
+    if (other.name == tip.name)
+      node["name"].fail(fmt::format("a tip '{}' exists already", tip.name));
+  }
+  assembly.table.tips.push_back(std::move(tip));
+}
+
+/// Adds the fixed frames whose parents exist by now; the others stay in the list.
+void add_ready_frames(Assembly& assembly, const FileScope& scope, std::vector<ConfigNode>& nodes) {
+  for (auto node = nodes.begin(); node != nodes.end();) {
+    if (node->has("parent") && !has_place(assembly, (*node)["parent"].text())) {
+      ++node;
+      continue;
+    }
+    const Place place = read_hanging(assembly, scope, *node);
+    RobotTable::Frame frame;
+    frame.parent = place.frame;
+    frame.transform = place.frame_from_place;
+    add_frame(assembly, (*node)["name"], frame);
+    node = nodes.erase(node);
+  }
+}
+
+void read_chains_and_frames(Assembly& assembly, const FileScope& scope, const ConfigNode& root) {
+  DhConvention convention = DhConvention::modified;
+  if (root.has("convention")) convention = read_convention(root["convention"]);
+  std::vector<ConfigNode> fixed;
+  if (root.has("frames")) fixed = root["frames"].items();
+  add_ready_frames(assembly, scope, fixed);
+  if (root.has("chains")) {
+    for (const ConfigNode& chain : root["chains"].items()) {
+      read_chain(assembly, scope, convention, chain);
+      add_ready_frames(assembly, scope, fixed);
+    }
+  }
+  if (!fixed.empty()) (void)place_named(assembly, scope, fixed.front()["parent"]);
+}
+
+void read_centres(Assembly& assembly, const FileScope& scope, const ConfigNode& list) {
+  for (const ConfigNode& node : list.items()) {
+    const ConfigNode chain = node["chain"];
+    const auto same = [&](const Chain& c) { return c.name == chain.text(); };
+    if (std::ranges::none_of(assembly.chains, same)) {
+      chain.fail(fmt::format("there is no chain '{}'", chain.text()));
+    }
+    const ConfigNode frame = node["frame"];
+    (void)place_named(assembly, scope, frame);
+    const int index = frame_index(assembly.table, frame.text());
+    if (index < 0) frame.fail("must be a frame");
+    assembly.table.centres.push_back({index, chain.text()});
+  }
+}
+
+/// A frame's name below `key` replaces what an earlier file said.
+void read_frame_name(const Assembly& assembly, const ConfigNode& root, const char* key,
+                     std::string& name) {
+  if (!root.has(key)) return;
+  name = root[key].text();
+  if (frame_index(assembly.table, name) < 0) {
+    root[key].fail(fmt::format("there is no frame '{}'", name));
+  }
+}
+
+void read_file(const std::filesystem::path& file, const Place& base, Assembly& assembly);
+
+void read_part(Assembly& assembly, const FileScope& scope, const ConfigNode& node) {
+  const ConfigNode file = node["file"];
+  const Place place = read_hanging(assembly, scope, node);
+  // What carries a part ends in that part's tips, no longer in its own wrist.
+  std::erase_if(assembly.table.tips, [&](const RobotTable::Tip& tip) {
+    return tip.finger < 0 && place.frame >= 0 &&
+           (hangs_on(assembly.table, tip.frame, place.frame) ||
+            hangs_on(assembly.table, place.frame, tip.frame));
+  });
+  if (assembly.files.size() > 32) file.fail("more than 32 files: does one name itself?");
+  read_file(node.folder() / file.text(), place, assembly);
+}
+
+void read_file(const std::filesystem::path& file, const Place& base, Assembly& assembly) {
+  const ConfigNode root = ConfigNode::load(file);
+  assembly.files.push_back(file);
+  const FileScope scope{base, assembly.table.capsules.size()};
+  const std::string name = root["name"].text();
+  if (root.has("parts")) {
+    for (const ConfigNode& part : root["parts"].items()) read_part(assembly, scope, part);
+  }
+  assembly.table.name = name;
+  read_chains_and_frames(assembly, scope, root);
+  read_frame_name(assembly, root, "shoulder", assembly.shoulder);
+  read_frame_name(assembly, root, "palm", assembly.palm);
+  if (root.has("tips")) {
+    for (const ConfigNode& tip : root["tips"].items()) read_tip(assembly, scope, tip);
+  }
+  if (root.has("centres")) read_centres(assembly, scope, root["centres"]);
+  if (root.has("collision")) read_collision(assembly, scope, root["collision"]);
+  root.expect_all_read();
+  if (assembly.chains.empty()) root.fail("has no chains");
+}
+
+JointVector vector_of(const std::vector<double>& values) {
+  return Eigen::Map<const JointVector>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+}  // namespace
+
+RobotDescription load_robot(const std::filesystem::path& file) {
+  Assembly assembly;
+  read_file(file, Place{}, assembly);
+  RobotTable& table = assembly.table;
+  table.lower = vector_of(assembly.lower);
+  table.upper = vector_of(assembly.upper);
+  table.velocity = vector_of(assembly.velocity);
+  table.acceleration = vector_of(assembly.acceleration);
+  table.jerk = vector_of(assembly.jerk);
+
+  const auto arm =
+      std::ranges::find_if(assembly.chains, [](const Chain& c) { return c.name == "arm"; });
+  const bool has_arm = arm != assembly.chains.end();
+  if (!assembly.shoulder.empty()) {
+    table.shoulder_frame = frame_index(table, assembly.shoulder);
+  } else if (has_arm) {
+    table.shoulder_frame = arm->frames.front();
+  }
+  if (!assembly.palm.empty()) {
+    table.palm_frame = frame_index(table, assembly.palm);
+  } else if (has_arm) {
+    table.palm_frame = arm->end.frame;
+  } else {
+    throw InputError(fmt::format("{}:1: palm: is missing, and there is no chain 'arm' to end in it",
+                                 file.string()));
+  }
+  if (table.tips.empty()) throw InputError(fmt::format("{}:1: tips: are missing", file.string()));
+  derive_centres(assembly);
+  allow_neighbours(table);
+  return {std::move(table), std::move(assembly.files)};
+}
+
+}  // namespace morphe
