@@ -72,10 +72,13 @@ Sparse damped_hessian(const MovementProblem& problem, const Point& point,
   };
   for (Index f = 0; f < frames; ++f) {
     const Eigen::MatrixXd& block = point.models[static_cast<std::size_t>(f)].hessian;
+    // Directions without curvature of their own are damped too, or they take wild steps.
+    const double floor = 1e-3 * block.diagonal().maxCoeff() + 1e-9;
     for (Index i = 0; i < n; ++i) {
       for (Index j = 0; j <= i; ++j) add(f * n + i, f * n + j, block(i, j));
       const auto row = static_cast<int>(f * n + i);
-      const double own = held[static_cast<std::size_t>(row)] ? 1.0 : damping * (block(i, i) + 1e-6);
+      const double own =
+          held[static_cast<std::size_t>(row)] ? 1.0 : damping * (block(i, i) + floor);
       entries.emplace_back(row, row, own);
     }
   }

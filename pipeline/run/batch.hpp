@@ -1,0 +1,42 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "pipeline/motion/demonstration.hpp"
+#include "pipeline/motion/plan.hpp"
+
+namespace morphe {
+
+/// What became of one demonstration: a plan for each of its movements, or why it could not be
+/// processed at all.
+struct DemonstrationOutcome {
+  std::string demonstration;
+  std::vector<Plan> plans;
+  std::string error;                            ///< "" unless it failed
+  std::map<std::string, double> stage_seconds;  ///< wall clock by stage, for the summary alone
+};
+
+/// Counts over a run, as `morphe run --json` prints them.
+struct BatchSummary {
+  int demonstrations = 0, movements = 0, executable = 0, infeasible = 0, repaired = 0, failed = 0;
+  std::map<std::string, int> reasons;  ///< of infeasible movements
+  std::map<std::string, double> stage_seconds;
+};
+
+struct Batch {
+  std::function<std::unique_ptr<Demonstration>()> next;  ///< null at the end
+  std::function<DemonstrationOutcome(const Demonstration&)> plan;
+  std::function<void(const DemonstrationOutcome&)> write;  ///< in the order of the dataset
+};
+
+/// Plans every demonstration on up to `jobs` threads. An exception thrown by `plan` makes that
+/// demonstration a failed one; the run goes on.
+BatchSummary run_batch(const Batch& batch, int jobs);
+
+std::string summary_json(const BatchSummary& summary);
+
+}  // namespace morphe

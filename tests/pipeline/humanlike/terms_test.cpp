@@ -1,0 +1,145 @@
+#include "pipeline/humanlike/terms.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "pipeline/humanlike/frame_objective.hpp"
+#include "pipeline/kinematics/description.hpp"
+#include "pipeline/kinematics/forward.hpp"
+#include "tests/support/finite_differences.hpp"
+#include "tests/support/random_positions.hpp"
+
+namespace morphe {
+namespace {
+
+/// One property for every term: its gradient is that of its value.
+class Terms : public testing::Test {
+ protected:
+  Terms() : robot(load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table) {
+    goal.tip_position.assign(robot.tips.size(), unseen_point());
+    goal.tip_orientation.assign(robot.tips.size(), unseen_rotation());
+    goal.finger_joint.fill(unseen_point());
+  }
+
+  void set_every_goal() {
+    for (std::size_t i = 0; i < robot.tips.size(); ++i) {
+      const double shift = 0.1 * static_cast<double>(i);
+      goal.tip_position[i] = Vec3(0.3 + shift, -0.2, 0.5);
+      goal.tip_orientation[i] = Quat(1, 0.2 + shift, -0.3, 0.4).normalized();
+    }
+    goal.elbow = Vec3(0.1, 0.2, 0.3);
+    goal.hand = Quat(0.3, -0.5, 0.2, 0.8).normalized();
+    for (Vec3& joint : goal.finger_joint) joint = Vec3(0.3, 0.1, 0.4);
+  }
+
+  template <class Term>
+  double value(const Term& term, const JointVector& q) const {
+    return model(term, q).value;
+  }
+
+  template <class Term>
+  Quadratic model(const Term& term, const JointVector& q) const {
+    std::vector<Pose> poses;
+    forward(robot, q, poses);
+    Quadratic result;
+    result.reset(q.size());
+    term.add(RobotState{robot, q, poses}, goal, result);
+    return result;
+  }
+
+  template <class Term>
+  void expect_gradient(const Term& term) const {
+    std::mt19937_64 random(7);
+    for (int i = 0; i < 20; ++i) {
+      const JointVector q = random_position(robot, random);
+      const Quadratic analytic = model(term, q);
+      EXPECT_GT(analytic.value, 0);
+      const JointVector numeric =
+          numeric_gradient([&](const JointVector& at) { return value(term, at); }, q);
+      const double scale = std::max(1.0, numeric.cwiseAbs().maxCoeff());
+      EXPECT_LT((analytic.gradient - numeric).cwiseAbs().maxCoeff(), 1e-6 * scale);
+      EXPECT_LT((analytic.hessian - analytic.hessian.transpose()).cwiseAbs().maxCoeff(), 1e-9);
+    }
+  }
+
+  RobotTable robot;
+  FrameGoal goal;
+};
+
+TEST_F(Terms, TipPosition) {
+  set_every_goal();
+  expect_gradient(TipPosition{});
+}
+TEST_F(Terms, TipOrientation) {
+  set_every_goal();
+  expect_gradient(TipOrientation{});
+}
+TEST_F(Terms, JointDistance) {
+  set_every_goal();
+  expect_gradient(JointDistance{});
+}
+TEST_F(Terms, FingerJointDistance) {
+  set_every_goal();
+  expect_gradient(FingerJointDistance{});
+}
+TEST_F(Terms, HandOrientation) {
+  goal.hand = Quat(0.3, -0.5, 0.2, 0.8).normalized();
+  expect_gradient(HandOrientation{});
+}
+TEST_F(Terms, NaturalPosture) {
+  NaturalPosture posture;
+  posture.joints = {{12, 9, 0.1, {2}}, {13, -1, 0.2, {2}}};
+  expect_gradient(posture);
+}
+
+TEST_F(Terms, OrientationCountsHalfTheAngle) {
+  // The goal is the tip itself turned by 40 degrees: Eq. (2) gives 20 degrees.
+  const JointVector q = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
+  std::vector<Pose> poses;
+  forward(robot, q, poses);
+  const double angle = 40 * std::numbers::pi / 180;
+  goal.tip_orientation[0] = Quat(Eigen::AngleAxisd(angle, Vec3(1, 2, 3).normalized())) *
+                            Quat(tip_pose(robot, poses, 0).linear());
+  TipOrientation term;
+  term.weight = 1;
+  EXPECT_NEAR(value(term, q), angle / 2, 2e-6);  // smoothing of 1e-3 adds 1.4e-6
+}
+
+TEST_F(Terms, JointDistanceIsTheMeanOverElbowAndWrist) {
+  const JointVector q = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
+  goal.elbow = Vec3(0.1, 0, 0.317 + 0.45);  // the stretched arm's elbow is at z = 0.767
+  EXPECT_NEAR(value(JointDistance{}, q), 0.5 * (0.01 + 0.01 + 0.48 * 0.48), 1e-12);
+}
+
+TEST_F(Terms, WithThreeTipsSeenTheHandIsFree) {
+  set_every_goal();
+  const JointVector q = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
+  EXPECT_EQ(value(HandOrientation{}, q), 0);
+}
+
+TEST_F(Terms, UnseenGoalsAddNothing) {
+  const JointVector q = JointVector::Constant(static_cast<Eigen::Index>(robot.joints()), 0.1);
+  FrameObjective objective;
+  std::vector<Pose> poses;
+  Quadratic result;
+  result.reset(q.size());
+  add_objective(objective, robot, q, goal, poses, result);
+  EXPECT_EQ(result.value, 0);
+  EXPECT_EQ(result.gradient.norm(), 0);
+}
+
+TEST_F(Terms, PostureIsForFingersWithoutAGoal) {
+  NaturalPosture posture;
+  posture.weight = 1;
+  posture.joints = {{8, -1, 0.2, {0}}};
+  const JointVector q = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
+  EXPECT_NEAR(value(posture, q), 0.04, 1e-15);
+  EXPECT_NEAR(posture.distance(q, goal), 0.2, 1e-15);
+  goal.tip_position[0] = Vec3::Zero();
+  EXPECT_EQ(value(posture, q), 0);
+  EXPECT_TRUE(std::isnan(posture.distance(q, goal)));
+}
+
+}  // namespace
+}  // namespace morphe
