@@ -7,11 +7,14 @@
 namespace morphe {
 
 /// How far any point of a capsule can travel per radian of each joint: |dx| <= sum_j reach(c, j)
-/// |dq_j|, whatever the robot's position. reach [capsules, joints] [m], computed once per robot.
+/// |dq_j|, whatever the robot's position. From the joint's axis to the capsule's far end along the
+/// fixed links between, times the coupling's ratio, summed over the frames that a joint turns.
+/// reach [capsules, joints] [m], computed once per robot.
 JointRows capsule_reach(const RobotTable& robot);
 
 /// A motion over a parameter s: where the joints are at s, and for each joint a bound on how far it
-/// gets from its position at (s0 + s1) / 2 anywhere within [s0, s1].
+/// gets from its position at (s0 + s1) / 2 anywhere within [s0, s1]. Both fill vectors that have
+/// the right size when position() has been called once.
 struct JointMotion {
   double begin = 0, end = 1;
   std::function<void(double s, JointVector& q)> position;
@@ -27,7 +30,8 @@ enum class MotionVerdict { free, colliding, undecided };
 
 /// Free means slack >= 0 all along: proved by bisection until the slack at the middle of each
 /// interval exceeds what any pair can close within it. What cannot be decided with intervals whose
-/// travel is below `band_m` is undecided and counts as not free.
+/// travel is below `band_m` is undecided and counts as not free. Where touching begins or ends
+/// within the motion it is cut there.
 struct MotionCheck {
   MotionVerdict verdict = MotionVerdict::free;
   double at = 0;        ///< parameter of the failure, or of the least slack seen
@@ -36,5 +40,14 @@ struct MotionCheck {
 MotionCheck check_motion(const CollisionWorld& world, const JointRows& reach,
                          const JointMotion& motion, CollisionScratch& scratch,
                          double band_m = 1e-4);
+
+/// The same for each pair by itself: one entry for every pair that is not free, where it was first
+/// found so, in the order in which they were found. Empty = free.
+void failing_pairs(const CollisionWorld& world, const JointRows& reach, const JointMotion& motion,
+                   CollisionScratch& scratch, std::vector<MotionCheck>& out, double band_m = 1e-4);
+
+/// How far any point of an object gets from where it is at `middle_s` within [begin_s, end_s]
+/// (demonstration time): the length of its way plus its radius times the angle turned on it [m].
+double object_travel(const SceneObject& object, double begin_s, double middle_s, double end_s);
 
 }  // namespace morphe

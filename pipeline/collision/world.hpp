@@ -45,6 +45,10 @@ struct CollisionScratch {
   std::vector<Pose> base_from_frame;
   std::vector<CapsuleBody> bodies;
   std::vector<Pose> object_poses;
+  JointVector position, travel;                ///< of certified motion
+  std::vector<double> body_travel;             ///< [capsules] [m]
+  std::vector<double> object_travel;           ///< [objects] [m]
+  std::vector<std::vector<std::size_t>> open;  ///< pairs not yet proved, by depth of bisection
 };
 
 /// Whether a capsule may touch an object at a demonstration time.
