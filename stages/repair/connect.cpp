@@ -1,0 +1,184 @@
+#include "stages/repair/connect.hpp"
+
+#include <ompl/base/MotionValidator.h>
+#include <ompl/base/ProblemDefinition.h>
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/base/terminationconditions/IterationTerminationCondition.h>
+#include <ompl/datastructures/NearestNeighborsLinear.h>
+#include <ompl/geometric/PathGeometric.h>
+#include <ompl/geometric/planners/rrt/RRTConnect.h>
+#include <ompl/util/Console.h>
+
+#include <algorithm>
+#include <cassert>
+
+namespace morphe {
+namespace {
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+using RealVector = ob::RealVectorStateSpace::StateType;
+
+/// Between joint positions and the planner's coordinates: the free joints in shares of their span,
+/// then the followers' progress, as long as their longest way.
+struct Coordinates {
+  const ConnectSpace& space;
+  const JointVector &from, &to;
+  JointVector span;
+  bool followers = false;
+  double follow_length = 0;
+
+  Coordinates(const RobotTable& robot, const ConnectSpace& searched, const JointVector& start,
+              const JointVector& goal)
+      : space(searched), from(start), to(goal), span((robot.upper - robot.lower).cwiseMax(1e-6)) {
+    followers = space.joints.size() < robot.joints();
+    for (int j = 0; j < static_cast<int>(robot.joints()); ++j) {
+      const bool free = std::count(space.joints.begin(), space.joints.end(), j) > 0;
+      if (!free) follow_length = std::max(follow_length, std::abs(to[j] - from[j]) / span[j]);
+    }
+    follow_length = std::max(follow_length, 1e-3);
+  }
+
+  std::size_t dimension() const { return space.joints.size() + (followers ? 1 : 0); }
+
+  void read(const ob::State* state, JointVector& q) const {
+    const double* values = state->as<RealVector>()->values;
+    const double share = followers ? values[space.joints.size()] / follow_length : 0;
+    q = from + share * (to - from);
+    for (std::size_t i = 0; i < space.joints.size(); ++i)
+      q[space.joints[i]] = values[i] * span[space.joints[i]];
+  }
+
+  void write(const JointVector& q, double share, ob::State* state) const {
+    double* values = state->as<RealVector>()->values;
+    for (std::size_t i = 0; i < space.joints.size(); ++i)
+      values[i] = q[space.joints[i]] / span[space.joints[i]];
+    if (followers) values[space.joints.size()] = share * follow_length;
+  }
+};
+
+/// What one call to connect() works with; never shared between threads.
+struct Query {
+  const IntervalWorld& interval;
+  const JointRows& reach;
+  const Coordinates& coordinates;
+  CollisionScratch scratch;
+  JointVector first, second;
+
+  bool state(const ob::State* state) {
+    coordinates.read(state, first);
+    return state_free(interval, first, scratch);
+  }
+  bool line(const ob::State* a, const ob::State* b) {
+    coordinates.read(a, first);
+    coordinates.read(b, second);
+    return line_free(interval, reach, first, second, scratch);
+  }
+};
+
+class CertifiedEdges : public ob::MotionValidator {
+ public:
+  CertifiedEdges(const ob::SpaceInformationPtr& information, Query& query)
+      : ob::MotionValidator(information), query_(query) {}
+  bool checkMotion(const ob::State* a, const ob::State* b) const override {
+    return query_.line(a, b);
+  }
+  bool checkMotion(const ob::State* a, const ob::State* b,
+                   std::pair<ob::State*, double>& last_valid) const override {
+    const bool free = query_.line(a, b);
+    if (!free) {
+      last_valid.second = 0;
+      if (last_valid.first) si_->copyState(last_valid.first, a);
+    }
+    return free;
+  }
+
+ private:
+  Query& query_;
+};
+
+// OMPL seeds what it makes in the order of making, over all threads; these are seeded by us.
+class SeededSampler : public ob::RealVectorStateSampler {
+ public:
+  SeededSampler(const ob::StateSpace* space, std::uint32_t seed)
+      : ob::RealVectorStateSampler(space) {
+    rng_.setLocalSeed(seed);
+  }
+};
+
+class SeededConnect : public og::RRTConnect {
+ public:
+  SeededConnect(const ob::SpaceInformationPtr& information, std::uint32_t seed)
+      : og::RRTConnect(information) {
+    rng_.setLocalSeed(seed);
+  }
+};
+
+}  // namespace
+
+std::vector<int> arm_joints(const RobotTable& robot) {
+  std::vector<int> joints;
+  for (int frame = robot.palm_frame; frame >= 0;
+       frame = robot.frames[static_cast<std::size_t>(frame)].parent) {
+    const int joint = robot.frames[static_cast<std::size_t>(frame)].joint;
+    if (joint >= 0) joints.push_back(joint);
+  }
+  std::sort(joints.begin(), joints.end());
+  joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
+  return joints;
+}
+
+std::vector<JointVector> connect(const IntervalWorld& interval, const JointRows& reach,
+                                 const ConnectSpace& space, const JointVector& from,
+                                 const JointVector& to, int iterations, double range,
+                                 std::uint64_t seed) {
+  assert(!space.joints.empty());
+  ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+  const Coordinates coordinates(*interval.world.robot, space, from, to);
+  Query query{interval, reach, coordinates, {}, {}, {}};
+
+  auto vectors = std::make_shared<ob::RealVectorStateSpace>(
+      static_cast<unsigned int>(coordinates.dimension()));
+  ob::RealVectorBounds bounds(static_cast<unsigned int>(coordinates.dimension()));
+  bounds.setLow(0);
+  bounds.setHigh(coordinates.follow_length);
+  for (unsigned int i = 0; i < space.joints.size(); ++i) {
+    const int j = space.joints[i];
+    bounds.setLow(i, space.lower[j] / coordinates.span[j]);
+    bounds.setHigh(i, space.upper[j] / coordinates.span[j] + 1e-12);
+  }
+  vectors->setBounds(bounds);
+  const auto low_bits = static_cast<std::uint32_t>(seed ^ (seed >> 32));
+  vectors->setStateSamplerAllocator([low_bits](const ob::StateSpace* sampled) {
+    return std::make_shared<SeededSampler>(sampled, low_bits + 1);
+  });
+
+  auto information = std::make_shared<ob::SpaceInformation>(vectors);
+  information->setStateValidityChecker([&query](const ob::State* s) { return query.state(s); });
+  information->setMotionValidator(std::make_shared<CertifiedEdges>(information, query));
+  information->setup();
+
+  ob::ScopedState<> start(vectors), goal(vectors);
+  coordinates.write(from, 0, start.get());
+  coordinates.write(to, 1, goal.get());
+  auto problem = std::make_shared<ob::ProblemDefinition>(information);
+  problem->setStartAndGoalStates(start, goal);
+
+  SeededConnect planner(information, low_bits + 2);
+  planner.setRange(range);
+  planner.setNearestNeighbors<ompl::NearestNeighborsLinear>();  // the default draws numbers too
+  planner.setProblemDefinition(problem);
+  planner.setup();
+  ob::IterationTerminationCondition limit(static_cast<unsigned int>(iterations));
+  if (planner.solve(limit) != ob::PlannerStatus::EXACT_SOLUTION) return {};
+
+  std::vector<JointVector> vertices;
+  for (const ob::State* state : problem->getSolutionPath()->as<og::PathGeometric>()->getStates())
+    coordinates.read(state, vertices.emplace_back());
+  vertices.front() = from;
+  vertices.back() = to;
+  return vertices;
+}
+
+}  // namespace morphe

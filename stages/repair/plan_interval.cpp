@@ -1,0 +1,110 @@
+#include "stages/repair/plan_interval.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+
+#include "stages/repair/connect.hpp"
+#include "stages/repair/draw_in.hpp"
+
+namespace morphe {
+namespace {
+
+/// Grows first and last until both are free; false if an end of the path is reached before.
+bool reach_free_ends(const CollisionWorld& world, const JointPath& path, double extra_m,
+                     TouchRule rule, Interval& interval) {
+  const auto& times = path.demonstration_time;
+  const int end = static_cast<int>(path.position.rows()) - 1;
+  CollisionScratch scratch;
+  while (true) {
+    interval.within = interval_world(world, times[static_cast<std::size_t>(interval.first)],
+                                     times[static_cast<std::size_t>(interval.last)], extra_m, rule);
+    if (!state_free(interval.within, path.position.row(interval.first), scratch)) {
+      if (--interval.first < 0) return false;
+    } else if (!state_free(interval.within, path.position.row(interval.last), scratch)) {
+      if (++interval.last > end) return false;
+    } else {
+      return true;
+    }
+  }
+}
+
+/// Around the original samples of the interval, `share` of each joint's span more to both sides.
+ConnectSpace space_around(const RobotTable& robot, const JointRows& original, double share) {
+  ConnectSpace space;
+  const JointVector more = share * (robot.upper - robot.lower);
+  const JointVector least = original.colwise().minCoeff(), most = original.colwise().maxCoeff();
+  space.lower = (least - more).cwiseMax(robot.lower).cwiseMin(least);
+  space.upper = (most + more).cwiseMin(robot.upper).cwiseMax(most);
+  return space;
+}
+
+}  // namespace
+
+std::optional<Interval> interval_around(const CollisionWorld& world, const JointPath& path,
+                                        double begin_s, double end_s, int widen,
+                                        double extra_clearance) {
+  const auto& times = path.demonstration_time;
+  const int end = static_cast<int>(times.size()) - 1;
+  const auto from = std::lower_bound(times.begin(), times.end(), begin_s) - times.begin();
+  const auto to = std::upper_bound(times.begin(), times.end(), end_s) - times.begin();
+  const int first = std::max(0, static_cast<int>(from) - 1 - widen);
+  const int last = std::min(end, static_cast<int>(to) + widen);
+  const int near = last - first + 4 * std::max(widen, 1);
+
+  std::optional<Interval> shortest;
+  for (const double share : {1.0, 0.3, 0.1}) {
+    for (const TouchRule rule : {TouchRule::strict, TouchRule::lenient}) {
+      Interval interval{first, last, {}, {}};
+      const double extra_m = share * extra_clearance;
+      if (!reach_free_ends(world, path, extra_m, rule, interval)) continue;
+      interval.timed = with_extra_clearance(world, extra_m);
+      const int length = interval.last - interval.first;
+      if (!shortest || length < shortest->last - shortest->first) shortest = interval;
+      if (length <= near) return interval;
+    }
+  }
+  return shortest;
+}
+
+bool plan_interval(const Interval& interval, const JointRows& reach, const RepairOptions& options,
+                   int attempt, std::uint64_t seed, JointPath& path) {
+  constexpr double kBox[] = {0.1, 0.3, 1};
+  const RobotTable& robot = *interval.within.world.robot;
+  const int count = interval.last - interval.first + 1;
+  if (count < 3) return false;
+  const JointRows original = path.position.middleRows(interval.first, count);
+  const JointVector from = original.row(0), to = original.row(count - 1);
+
+  ConnectSpace space = space_around(robot, original, kBox[std::min(attempt, 2)]);
+  std::vector<int> all(robot.joints());
+  std::iota(all.begin(), all.end(), 0);
+  std::vector<JointVector> vertices;
+  space.joints = arm_joints(robot);
+  if (!space.joints.empty() && space.joints.size() < all.size())
+    vertices =
+        connect(interval.within, reach, space, from, to, options.iterations, options.range, seed);
+  if (vertices.empty()) {
+    space.joints = all;
+    vertices = connect(interval.within, reach, space, from, to, options.iterations, options.range,
+                       seed + 10);
+  }
+  if (vertices.empty()) return false;
+
+  std::mt19937_64 random(seed + 20);
+  vertices =
+      shortcut(interval.within, reach, std::move(vertices), options.shortcut_attempts, random);
+  JointRows planned = spread(robot, vertices, count);
+  if (planned.rows() == 0) return false;
+  const auto begin = path.demonstration_time.begin() + interval.first;
+  draw_in(interval.timed, reach, {begin, begin + count}, original, options.draw_attempts, random,
+          planned);
+  for (int k = 1; k + 1 < count; ++k) {
+    if (planned.row(k) == original.row(k)) continue;
+    path.position.row(interval.first + k) = planned.row(k);
+    path.origin[static_cast<std::size_t>(interval.first + k)] = Origin::planned;
+  }
+  return true;
+}
+
+}  // namespace morphe

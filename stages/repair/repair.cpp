@@ -1,0 +1,172 @@
+#include "stages/repair/repair.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "stages/repair/plan_interval.hpp"
+
+namespace morphe {
+namespace {
+
+struct Judged {
+  JointPath path;
+  std::vector<Finding> findings;
+};
+
+bool is_collision(const Finding& finding) {
+  return finding.cause == "self" || finding.cause == "object" || finding.cause == "table";
+}
+bool collides(const std::vector<Finding>& findings) {
+  return std::any_of(findings.begin(), findings.end(), is_collision);
+}
+
+bool less(const std::vector<Finding>& a, const std::vector<Finding>& b) {
+  const auto rank = [](const std::vector<Finding>& findings) {
+    double depth = 0;
+    for (const Finding& finding : findings) depth += finding.depth;
+    return std::tuple(std::count_if(findings.begin(), findings.end(), is_collision),
+                      findings.size(), depth);
+  };
+  return rank(a) < rank(b);
+}
+
+std::string sentence(const Finding& finding) {
+  const std::string pair =
+      finding.second.empty() ? finding.first : finding.first + " – " + finding.second;
+  return fmt::format("{}: {} from {:.3f} s to {:.3f} s, {:.4f} {} too much", finding.cause, pair,
+                     finding.begin_s, finding.end_s, finding.depth,
+                     finding.cause == "limit" || finding.cause == "jump" ? "rad" : "m");
+}
+
+/// Intervals around all collisions; those that overlap become one.
+std::vector<Interval> intervals_of(const CollisionWorld& world, const Judged& judged, int attempt,
+                                   const RepairOptions& options) {
+  std::vector<std::pair<double, double>> spans;  // [s]
+  for (const Finding& finding : judged.findings)
+    if (is_collision(finding)) spans.emplace_back(finding.begin_s, finding.end_s);
+  std::sort(spans.begin(), spans.end());
+
+  const auto around = [&](const std::pair<double, double>& span) {
+    return interval_around(world, judged.path, span.first, span.second,
+                           options.widen_samples * (attempt + 1), options.extra_clearance);
+  };
+  std::vector<std::pair<double, double>> covered;
+  std::vector<Interval> intervals;
+  for (std::pair<double, double> span : spans) {
+    std::optional<Interval> interval = around(span);
+    while (interval && !intervals.empty() && intervals.back().last > interval->first) {
+      span = {covered.back().first, std::max(covered.back().second, span.second)};
+      interval = around(span);
+      if (!interval) break;  // what was found before stays as it is
+      covered.pop_back();
+      intervals.pop_back();
+    }
+    if (!interval) continue;
+    covered.push_back(span);
+    intervals.push_back(std::move(*interval));
+  }
+  return intervals;
+}
+
+/// Plans around all collisions; false if nothing could be planned.
+bool plan_around(const CollisionWorld& world, const JointRows& reach, const RepairOptions& options,
+                 int attempt, std::uint64_t seed, Judged& judged) {
+  bool planned = false;
+  std::uint64_t number = 0;
+  for (const Interval& interval : intervals_of(world, judged, attempt, options)) {
+    const std::uint64_t own = seed + 1000 * static_cast<std::uint64_t>(attempt) + 100 * number++;
+    planned |= plan_interval(interval, reach, options, attempt, own, judged.path);
+  }
+  return planned;
+}
+
+/// Takes what `resolve` gives if it leaves less to repair.
+void try_resolve(const Resolve& resolve, const Recheck& recheck, Judged& judged) {
+  if (!resolve || judged.findings.empty()) return;
+  Judged candidate{resolve(judged.path, judged.findings), {}};
+  candidate.findings = recheck(candidate.path);
+  if (less(candidate.findings, judged.findings)) judged = std::move(candidate);
+}
+
+std::string end_in_collision(const CollisionWorld& world, const JointPath& path,
+                             std::string& detail) {
+  const Eigen::Index last = path.position.rows() - 1;
+  CollisionScratch scratch;
+  for (const Eigen::Index row : {Eigen::Index{0}, last}) {
+    const JointVector q = path.position.row(row);
+    const double time_s = path.demonstration_time[static_cast<std::size_t>(row)];
+    const PairSeparation pair = least_slack(world, q, time_s, scratch);
+    if (pair.slack() >= 0) continue;
+    detail =
+        fmt::format("{} – {} at the {} ({:.3f} s): {:.4f} m too close", first_name(world, pair),
+                    second_name(world, pair), row == 0 ? "start" : "goal", time_s, -pair.slack());
+    return row == 0 ? "start_in_collision" : "goal_in_collision";
+  }
+  return "";
+}
+
+/// The reason and detail of what is left.
+void conclude(const RepairOptions& options, RepairResult& result) {
+  for (const char* cause : {"collision", "limit", "jump", "tracking"}) {
+    const Finding* worst = nullptr;
+    for (const Finding& finding : result.remaining) {
+      const bool same =
+          std::string(cause) == "collision" ? is_collision(finding) : finding.cause == cause;
+      if (same && (!worst || finding.depth > worst->depth)) worst = &finding;
+    }
+    if (!worst) continue;
+    const bool collision = is_collision(*worst);
+    result.reason = collision ? "no_path" : cause;
+    result.detail = sentence(*worst);
+    if (collision)
+      result.detail += fmt::format("; no free path in {} attempts of {} iterations",
+                                   options.attempts, options.iterations);
+    return;
+  }
+}
+
+}  // namespace
+
+std::string check(const RepairOptions& options) {
+  if (options.attempts < 0) return "attempts must not be negative";
+  if (options.iterations < 1) return "iterations must be at least 1";
+  if (options.widen_samples < 1) return "widen_samples must be at least 1";
+  if (!(options.range > 0)) return "range must be positive";
+  if (options.shortcut_attempts < 0) return "shortcut_attempts must not be negative";
+  if (options.draw_attempts < 0) return "draw_attempts must not be negative";
+  if (!(options.extra_clearance >= 0)) return "extra_clearance must not be negative";
+  return "";
+}
+
+RepairResult repair_path(const CollisionWorld& world, const JointRows& reach, JointPath path,
+                         std::vector<Finding> findings, const Resolve& resolve,
+                         const Recheck& recheck, const RepairOptions& options, std::uint64_t seed) {
+  RepairResult result;
+  const bool clean = findings.empty() || path.position.rows() == 0;
+  Judged base{std::move(path), std::move(findings)};
+  if (!clean) try_resolve(resolve, recheck, base);
+
+  Judged best = base;
+  if (collides(base.findings)) result.reason = end_in_collision(world, base.path, result.detail);
+  if (result.reason.empty() && collides(base.findings)) {
+    for (int attempt = 0; attempt < options.attempts && !best.findings.empty(); ++attempt) {
+      // A detour that is free but worse in other ways is planned again from where it began.
+      Judged candidate = collides(best.findings) ? best : base;
+      if (!plan_around(world, reach, options, attempt, seed, candidate)) continue;
+      candidate.findings = recheck(candidate.path);
+      try_resolve(resolve, recheck, candidate);
+      if (less(candidate.findings, best.findings)) best = std::move(candidate);
+    }
+  }
+  result.path = std::move(best.path);
+  result.remaining = std::move(best.findings);
+  if (result.reason.empty()) conclude(options, result);
+  result.repaired = !clean && result.remaining.empty();
+  return result;
+}
+
+}  // namespace morphe

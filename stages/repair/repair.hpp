@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "pipeline/collision/certified.hpp"
+#include "pipeline/motion/plan.hpp"
+
+namespace morphe {
+
+struct RepairOptions {
+  int attempts = 3;                ///< times the planner is tried, each wider than the last
+  int iterations = 3000;           ///< of the planner in one attempt at one interval
+  int widen_samples = 20;          ///< added on each side of a finding, once more each attempt
+  double range = 0.1;              ///< longest step of the planner, in shares of a joint's span
+  int shortcut_attempts = 100;     ///< straight lines tried through a planned interval
+  int draw_attempts = 200;         ///< windows of it drawn back to the original path
+  double extra_clearance = 0.005;  ///< planned with this much more than the margin [m]
+};
+template <class Fields>
+void fields(Fields& f, RepairOptions& o) {
+  f("attempts", o.attempts);
+  f("iterations", o.iterations);
+  f("widen_samples", o.widen_samples);
+  f("range", o.range);
+  f("shortcut_attempts", o.shortcut_attempts);
+  f("draw_attempts", o.draw_attempts);
+  f("extra_clearance", o.extra_clearance);
+}
+std::string check(const RepairOptions& options);
+
+struct RepairResult {
+  JointPath path;
+  bool repaired = false;  ///< the path has changed, and is free now
+  /// "" = free; start_in_collision, goal_in_collision, no_path, limit, jump, tracking
+  std::string reason;
+  std::string detail;              ///< a sentence that names the finding
+  std::vector<Finding> remaining;  ///< what the last check of `path` still found
+};
+
+/// Solves the mapping again near the findings, with a clearance term; the changed samples carry
+/// Origin::resolved. May be empty.
+using Resolve =
+    std::function<JointPath(const JointPath& path, const std::vector<Finding>& findings)>;
+/// The judge: all findings of a path.
+using Recheck = std::function<std::vector<Finding>(const JointPath& path)>;
+
+/// The smallest change that makes a path free, the least first: (1) what `resolve` gives; (2)
+/// around each collision that is left, an RRT-Connect between the nearest free samples with
+/// certified edges, the arm first and the fingers in proportion, then all joints; shortened, spread
+/// over the interval's samples and drawn back to the original path as far as it stays free. A step
+/// is kept if `recheck` finds less than before; samples outside the intervals keep their bits.
+/// `reach` is capsule_reach(). Depends on its arguments alone; `findings` are those of `path`.
+RepairResult repair_path(const CollisionWorld& world, const JointRows& reach, JointPath path,
+                         std::vector<Finding> findings, const Resolve& resolve,
+                         const Recheck& recheck, const RepairOptions& options, std::uint64_t seed);
+
+}  // namespace morphe

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "pipeline/collision/certified.hpp"
+#include "pipeline/motion/plan.hpp"
+
+namespace morphe::test {
+
+/// Three links of 0.4 m in the plane z = 0, joints about z, one capsule a link.
+RobotTable planar_arm();
+
+/// A cylinder of radius 0.04 m that stands on the plane's point (x, y).
+SceneObject post(const std::string& name, double x, double y);
+
+/// 101 samples in 1 s from `from` to `to`, a straight line in joint space at minimum jerk.
+JointPath sweep(const JointVector& from, const JointVector& to);
+
+/// Robot, scene and world that belong together; not to be copied.
+struct Bench {
+  RobotTable robot = planar_arm();
+  Scene scene;
+  CollisionWorld world;
+  JointRows reach;
+
+  explicit Bench(std::vector<SceneObject> objects);
+  Bench(const Bench&) = delete;
+
+  /// Certified collisions of a path, one finding a run of bad edges.
+  std::vector<Finding> collisions(const JointPath& path) const;
+  /// Least slack over 20 states an edge.
+  double densely_sampled_slack(const JointPath& path) const;
+};
+
+}  // namespace morphe::test

@@ -1,0 +1,184 @@
+#include "stages/repair/repair.hpp"
+
+#include <gmock/gmock.h>
+
+#include <thread>
+
+#include "tests/stages/repair/planar_arm.hpp"
+
+namespace morphe {
+namespace {
+
+using test::Bench;
+using test::post;
+using test::sweep;
+using ::testing::HasSubstr;
+
+const JointVector kFrom = Vec3(-0.9, 0.3, 0.3), kTo = Vec3(0.9, 0.3, 0.3);
+
+RepairResult repair(const Bench& bench, const JointPath& path, const Resolve& resolve = nullptr,
+                    RepairOptions options = {}) {
+  return repair_path(
+      bench.world, bench.reach, path, bench.collisions(path), resolve,
+      [&](const JointPath& p) { return bench.collisions(p); }, options, 42);
+}
+
+TEST(Repair, LeavesAFreePathAlone) {
+  const Bench bench({});
+  const JointPath path = sweep(kFrom, kTo);
+  const RepairResult result = repair(bench, path);
+  EXPECT_EQ(result.reason, "");
+  EXPECT_FALSE(result.repaired);
+  EXPECT_EQ(result.path.position, path.position);
+}
+
+TEST(Repair, GoesAroundAPost) {
+  const Bench bench({post("post", 0.9, 0)});
+  const JointPath path = sweep(kFrom, kTo);
+  ASSERT_FALSE(bench.collisions(path).empty());
+  ASSERT_LT(bench.densely_sampled_slack(path), 0);
+
+  const RepairResult result = repair(bench, path);
+  EXPECT_EQ(result.reason, "") << result.detail;
+  EXPECT_TRUE(result.repaired);
+  EXPECT_TRUE(result.remaining.empty());
+  EXPECT_GE(bench.densely_sampled_slack(result.path), 0);
+
+  const Eigen::Index rows = path.position.rows();
+  ASSERT_EQ(result.path.position.rows(), rows);
+  EXPECT_EQ(result.path.demonstration_time, path.demonstration_time);
+  EXPECT_EQ(result.path.position.row(0), path.position.row(0));
+  EXPECT_EQ(result.path.position.row(rows - 1), path.position.row(rows - 1));
+  int planned = 0;
+  for (Eigen::Index k = 0; k < rows; ++k) {
+    const bool same = result.path.position.row(k) == path.position.row(k);
+    const Origin origin = result.path.origin[static_cast<std::size_t>(k)];
+    EXPECT_EQ(origin, same ? Origin::mapped : Origin::planned) << k;
+    planned += same ? 0 : 1;
+  }
+  EXPECT_GT(planned, 5);
+  EXPECT_LT(planned, rows - 2);
+}
+
+TEST(Repair, TheDetourIsSmallAndHasNoCorners) {
+  const Bench bench({post("post", 0.9, 0)});
+  const JointPath path = sweep(kFrom, kTo);
+  const RepairResult result = repair(bench, path);
+  ASSERT_TRUE(result.repaired);
+  // Bending just enough to pass at a radius of 0.81 m takes less than 1.7 rad of any joint.
+  EXPECT_LT((result.path.position - path.position).cwiseAbs().maxCoeff(), 1.7);
+  const Eigen::Index rows = path.position.rows();
+  double step = 0, turn = 0;
+  for (Eigen::Index k = 1; k + 1 < rows; ++k) {
+    const JointVector before = result.path.position.row(k) - result.path.position.row(k - 1);
+    const JointVector after = result.path.position.row(k + 1) - result.path.position.row(k);
+    step = std::max(step, before.cwiseAbs().maxCoeff());
+    turn = std::max(turn, (after - before).cwiseAbs().maxCoeff());
+  }
+  EXPECT_LT(step, 0.06);
+  EXPECT_LT(turn, 0.015);
+}
+
+TEST(Repair, FingersFollowTheArmAndTheRestIsTheSame) {
+  Bench bench({post("post", 0.9, 0)});
+  bench.robot.palm_frame = 1;  // the third joint is the hand's
+  const RepairResult result = repair(bench, sweep(kFrom, kTo));
+  EXPECT_EQ(result.reason, "") << result.detail;
+  EXPECT_GE(bench.densely_sampled_slack(result.path), 0);
+}
+
+TEST(Repair, SaysWhenThereIsNoPath) {
+  // The first link has to cross the post at a radius of 0.2 m; its limits forbid the way behind.
+  const Bench bench({post("post", 0.2, 0), post("outer", 0.6, 0)});
+  const JointPath path = sweep(kFrom, kTo);
+  RepairOptions options;
+  options.iterations = 300;
+  const RepairResult result = repair(bench, path, nullptr, options);
+  EXPECT_EQ(result.reason, "no_path");
+  EXPECT_THAT(result.detail, HasSubstr("post"));
+  EXPECT_THAT(result.detail, HasSubstr("300 iterations"));
+  EXPECT_FALSE(result.repaired);
+  EXPECT_FALSE(result.remaining.empty());
+}
+
+TEST(Repair, SaysWhenAnEndIsInCollision) {
+  const JointPath path = sweep(kFrom, kTo);
+  const Vec3 tip_at_goal(0.4 * (std::cos(0.9) + std::cos(1.2) + std::cos(1.5)),
+                         0.4 * (std::sin(0.9) + std::sin(1.2) + std::sin(1.5)), 0);
+  const Bench goal({post("cupboard", tip_at_goal.x(), tip_at_goal.y())});
+  const RepairResult at_goal = repair(goal, path);
+  EXPECT_EQ(at_goal.reason, "goal_in_collision");
+  EXPECT_THAT(at_goal.detail, HasSubstr("link3"));
+  EXPECT_THAT(at_goal.detail, HasSubstr("cupboard"));
+
+  const Bench start({post("shelf", 0.4 * std::cos(0.9), -0.4 * std::sin(0.9))});
+  EXPECT_EQ(repair(start, path).reason, "start_in_collision");
+}
+
+TEST(Repair, TakesWhatTheMappingCanSolveItself) {
+  const Bench bench({post("post", 0.9, 0)});
+  const JointPath path = sweep(kFrom, kTo);
+  JointPath around = repair(bench, path).path;
+  for (Origin& origin : around.origin)
+    if (origin == Origin::planned) origin = Origin::resolved;
+  const RepairResult result =
+      repair(bench, path, [&](const JointPath&, const std::vector<Finding>&) { return around; });
+  EXPECT_TRUE(result.repaired);
+  EXPECT_EQ(result.path.position, around.position);
+  EXPECT_EQ(result.path.origin, around.origin);
+}
+
+TEST(Repair, DropsASolutionThatMakesItWorse) {
+  const Bench bench({post("post", 0.9, 0)});
+  const JointPath path = sweep(kFrom, kTo);
+  const JointPath without = repair(bench, path).path;
+  const RepairResult result = repair(bench, path, [&](JointPath worse, const auto&) {
+    for (Eigen::Index k = 0; k < 101; ++k)  // there and back: through the post twice
+      worse.position.row(k) = path.position.row(k <= 50 ? 2 * k : std::abs(100 - 2 * (k - 50)));
+    return worse;
+  });
+  EXPECT_TRUE(result.repaired);
+  EXPECT_EQ(result.path.position, without.position);
+}
+
+TEST(Repair, NamesTheWorstOfWhatPlanningCannotCure) {
+  const Bench bench({post("post", 0.9, 0)});
+  const JointPath path = sweep(kFrom, kTo);
+  const auto recheck = [&](const JointPath& p) {
+    std::vector<Finding> findings = bench.collisions(p);
+    findings.push_back({0.2, 0.3, "tracking", "index_tip", "", 0.004});
+    findings.push_back({0.4, 0.6, "tracking", "thumb_tip", "", 0.020});
+    return findings;
+  };
+  const RepairResult result = repair_path(bench.world, bench.reach, path, recheck(path), nullptr,
+                                          recheck, RepairOptions{}, 1);
+  EXPECT_EQ(result.reason, "tracking");
+  EXPECT_THAT(result.detail, HasSubstr("thumb_tip"));
+  EXPECT_EQ(result.remaining.size(), 2u);
+  EXPECT_TRUE(bench.collisions(result.path).empty());
+}
+
+TEST(Repair, IsTheSameToTheBitOnEveryThread) {
+  const Bench bench({post("post", 0.9, 0), post("other", 0.2, 0.55)});
+  const JointPath path = sweep(kFrom, kTo);
+  std::vector<RepairResult> results(4);
+  std::vector<std::thread> threads;
+  for (RepairResult& result : results) threads.emplace_back([&] { result = repair(bench, path); });
+  for (std::thread& thread : threads) thread.join();
+  const RepairResult alone = repair(bench, path);
+  for (const RepairResult& result : results) {
+    EXPECT_EQ(result.path.position, alone.path.position);
+    EXPECT_EQ(result.path.origin, alone.path.origin);
+    EXPECT_EQ(result.reason, alone.reason);
+  }
+}
+
+TEST(Repair, OptionsAreChecked) {
+  EXPECT_EQ(check(RepairOptions{}), "");
+  RepairOptions options;
+  options.range = 0;
+  EXPECT_THAT(check(options), HasSubstr("range"));
+}
+
+}  // namespace
+}  // namespace morphe
