@@ -1,0 +1,105 @@
+#include "stages/scene/build_scene.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "stages/scene/inferred.hpp"
+
+namespace morphe {
+namespace {
+
+SceneObject body(const ConfiguredObject& configured, double time_s) {
+  SceneObject object;
+  object.name = configured.name;
+  parse_shape(configured.shape, object.shape);
+  object.size = configured.size;
+  object.time = {time_s};
+  object.position = {configured.position};
+  object.orientation = {Eigen::AngleAxisd(configured.rpy.z(), Vec3::UnitZ()) *
+                        Eigen::AngleAxisd(configured.rpy.y(), Vec3::UnitY()) *
+                        Eigen::AngleAxisd(configured.rpy.x(), Vec3::UnitX())};
+  return object;
+}
+
+const SceneObject* find_object(const std::vector<SceneObject>& objects, const std::string& name) {
+  const auto found = std::find_if(objects.begin(), objects.end(),
+                                  [&](const SceneObject& object) { return object.name == name; });
+  return found == objects.end() ? nullptr : &*found;
+}
+
+/// Name of the recorded object whose centre is nearest to the seen tips at the end of the grasp.
+std::string nearest_object(const std::vector<SceneObject>& objects, const HumanMotion& motion,
+                           const Phase& grasp) {
+  const GraspTips tips = tips_at_grasp(motion, grasp);
+  Vec3 hand = (tips.thumb + tips.index) / 2;
+  if (!seen(hand)) hand = seen(tips.thumb) ? tips.thumb : tips.index;
+  std::string name;
+  double least = std::numeric_limits<double>::infinity();
+  for (const SceneObject& object : objects) {
+    if (object.time.empty()) continue;
+    const double distance = (recorded_pose(object, grasp.end_s).translation() - hand).norm();
+    if (distance < least) {
+      least = distance;
+      name = object.name;
+    }
+  }
+  return name;
+}
+
+}  // namespace
+
+Scene build_scene(const SceneOptions& options, const Demonstration& demonstration,
+                  const HumanMotion& motion, Movement& movement) {
+  Scene scene;
+  for (const auto* list : {&options.objects, &options.file_objects}) {
+    for (const ConfiguredObject& object : *list) {
+      scene.objects.push_back(body(object, movement.begin_s));
+    }
+  }
+  const std::optional<SceneObject> table = infer_table(options.table, motion, movement);
+  if (table) scene.objects.push_back(*table);
+  for (const SceneObject& object : demonstration.objects) {
+    if (!object.time.empty()) scene.objects.push_back(object);
+  }
+  const Phase* grasp = last_phase(movement, "grasp");
+  if (!grasp) {
+    movement.target.clear();
+    return scene;
+  }
+  if (find_object(demonstration.objects, movement.target)) return scene;
+  movement.target = nearest_object(demonstration.objects, motion, *grasp);
+  if (!movement.target.empty()) return scene;
+  const std::optional<SceneObject> target =
+      infer_target(options.target, motion, movement, table ? &*table : nullptr);
+  if (target) {
+    movement.target = target->name;
+    scene.objects.push_back(*target);
+  }
+  return scene;
+}
+
+Scene move_scene(const Scene& scene, const Pose& base_from_world) {
+  Scene moved = scene;
+  const Quat turn(base_from_world.linear());
+  for (SceneObject& object : moved.objects) {
+    for (Vec3& position : object.position) position = base_from_world * position;
+    for (Quat& orientation : object.orientation) orientation = (turn * orientation).normalized();
+  }
+  return moved;
+}
+
+std::vector<std::string> mapping_objects(const SceneOptions& options, const Scene& scene) {
+  std::vector<std::string> names;
+  if (find_object(scene.objects, "table")) names.push_back("table");
+  for (const auto* list : {&options.objects, &options.file_objects}) {
+    for (const ConfiguredObject& object : *list) {
+      if (object.in_mapping && find_object(scene.objects, object.name)) {
+        names.push_back(object.name);
+      }
+    }
+  }
+  return names;
+}
+
+}  // namespace morphe

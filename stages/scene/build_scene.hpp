@@ -1,0 +1,132 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/config/node.hpp"
+#include "pipeline/motion/demonstration.hpp"
+#include "pipeline/motion/human_motion.hpp"
+#include "pipeline/motion/movement.hpp"
+#include "pipeline/motion/scene.hpp"
+
+namespace morphe {
+
+/// A fixed body of the world frame (X right, Y forward, Z up, origin as in the recording).
+struct ConfiguredObject {
+  std::string name;
+  std::string shape = "box";     ///< sphere | box | cylinder | capsule
+  std::vector<double> size;      ///< sphere: r; box: x y z; cylinder, capsule: r, length [m]
+  Vec3 position = Vec3::Zero();  ///< of its centre [m]
+  Vec3 rpy = Vec3::Zero();       ///< Rz(yaw) Ry(pitch) Rx(roll) [rad]
+  bool in_mapping = true;        ///< the mapping's clearance term knows it
+};
+template <class Fields>
+void fields(Fields& f, ConfiguredObject& o) {
+  f.required("name", o.name);
+  f.required("shape", o.shape);
+  f.required("size", o.size);
+  f.required("position", o.position);
+  f("rpy", o.rpy);
+  f("in_mapping", o.in_mapping);
+}
+std::string check(const ConfiguredObject& object);
+
+/// The box "table". Nobody records the table, but hands rest on it: its height is taken from the
+/// lowest fingertips.
+struct TableOptions {
+  bool infer = true;             ///< false without `height`: no table
+  std::optional<double> height;  ///< of its top; overrides what is inferred [m]
+  double low_percentile = 5;     ///< the tips' resting height: this percentile of all heights
+                                 ///< in the recording, so that one stray sample does not count
+  double tip_clearance = 0.012;  ///< a tip goal is the finger's axis: the top lies at least
+                                 ///< this far below the resting height and below every tip goal
+                                 ///< that is planned (the robot's finger radius 0.011, and a
+                                 ///< millimetre to spare) [m]
+  double thickness = 0.04;       ///< thin, so that nothing can be deep inside unnoticed, and
+                                 ///< thick enough that a finger cannot pass in one sample [m]
+  std::vector<double> size = {1.2, 0.8};  ///< least extent in x, y; grows to hold all planned tips
+  double front_margin = 0.05;  ///< the front edge lies this far before the hand (wrist or
+                               ///< tips, whichever is nearer to the chest) at the start: the
+                               ///< elbow hangs beside the table, not over it [m]
+  double side_margin = 0.15;   ///< the table goes on this far beyond the planned tips [m]
+};
+template <class Fields>
+void fields(Fields& f, TableOptions& o) {
+  f("infer", o.infer);
+  f("height", o.height);
+  f("low_percentile", o.low_percentile);
+  f("tip_clearance", o.tip_clearance);
+  f("thickness", o.thickness);
+  f("size", o.size);
+  f("front_margin", o.front_margin);
+  f("side_margin", o.side_margin);
+}
+std::string check(const TableOptions& options);
+
+/// The object that is grasped, if it was not recorded: an upright cylinder on the table, its axis
+/// midway between thumb and index tip.
+struct TargetOptions {
+  bool infer = true;
+  std::string name = "cup";
+  double height = 0.10;      ///< grows to `rim` above the tips: they hold the side, not the rim [m]
+  double rim = 0.02;         ///< [m]
+  double pad_depth = 0.011;  ///< goals are finger axes: radius = half the tips' horizontal distance
+                             ///< less the robot's fingertip radius, so that surfaces meet [m]
+  double min_radius = 0.015;     ///< [m]
+  double max_radius = 0.060;     ///< [m]
+  std::optional<double> radius;  ///< overrides what is inferred [m]
+};
+template <class Fields>
+void fields(Fields& f, TargetOptions& o) {
+  f("infer", o.infer);
+  f("name", o.name);
+  f("height", o.height);
+  f("rim", o.rim);
+  f("pad_depth", o.pad_depth);
+  f("min_radius", o.min_radius);
+  f("max_radius", o.max_radius);
+  f("radius", o.radius);
+}
+std::string check(const TargetOptions& options);
+
+struct SceneOptions {
+  std::string file;                       ///< YAML with more `objects`, relative to the config
+  std::vector<ConfiguredObject> objects;  ///< fixed bodies
+  TableOptions table;
+  TargetOptions target;
+  std::vector<ConfiguredObject> file_objects;  ///< those of `file`, filled in by read_scene()
+};
+template <class Fields>
+void fields(Fields& f, SceneOptions& o) {
+  f("file", o.file);
+  f("objects", o.objects);
+  f("table", o.table);
+  f("target", o.target);
+}
+std::string check(const SceneOptions& options);
+
+/// The section `scene` of a config, its file included. InputError for a wrong value (with file,
+/// line and key), a mesh, a name used twice, a file that cannot be read.
+SceneOptions read_scene(const ConfigNode& node);
+/// For options read otherwise: loads `file` (if any) from `folder` into file_objects.
+void load_scene_file(SceneOptions& options, const std::filesystem::path& folder);
+
+/// The bodies around one movement, in the world frame: configured objects, then "table", then
+/// recorded objects with their motion, then the inferred target. Sets `movement.target` if the
+/// movement has a grasp: to the recorded object that it names already, else to the recorded object
+/// nearest to the tips at the grasp, else to the inferred cylinder, else "" (tips not seen). The
+/// cylinder's attach_s and release_s span the carrying (end of the grasp to the end of the last
+/// transport); which robot frame carries it is the caller's business.
+Scene build_scene(const SceneOptions& options, const Demonstration& demonstration,
+                  const HumanMotion& motion, Movement& movement);
+
+/// The same scene seen from another frame.
+Scene move_scene(const Scene& scene, const Pose& base_from_world);
+
+/// Names of the objects that the mapping keeps clear of: the table and the configured objects with
+/// `in_mapping`; never the target.
+std::vector<std::string> mapping_objects(const SceneOptions& options, const Scene& scene);
+
+}  // namespace morphe

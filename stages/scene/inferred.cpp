@@ -1,0 +1,162 @@
+#include "stages/scene/inferred.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace morphe {
+namespace {
+
+constexpr std::size_t kThumb = 0, kIndex = 1;
+constexpr double kTimeSlack = 1e-9;
+
+struct Extent {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
+  void add(const Vec3& point) {
+    if (!seen(point)) return;
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  bool empty() const { return !low.allFinite(); }
+};
+
+bool has_tips(const HumanMotion& motion) { return motion.tip.rows == motion.time.size(); }
+
+Extent planned_tips(const HumanMotion& motion, const Movement& movement) {
+  Extent extent;
+  if (!has_tips(motion)) return extent;
+  for (std::size_t i = 0; i < motion.time.size(); ++i) {
+    if (motion.time[i] < movement.begin_s - kTimeSlack) continue;
+    if (motion.time[i] > movement.end_s + kTimeSlack) continue;
+    for (std::size_t k = 0; k < motion.tip.cols; ++k) extent.add(motion.tip(i, k));
+  }
+  return extent;
+}
+
+/// Least y of tips and wrist in the first frame of the movement in which any is seen.
+double hand_front(const HumanMotion& motion, const Movement& movement) {
+  for (std::size_t i = 0; i < motion.time.size(); ++i) {
+    if (motion.time[i] < movement.begin_s - kTimeSlack) continue;
+    Extent hand;
+    if (motion.wrist.size() == motion.time.size()) hand.add(motion.wrist[i]);
+    if (has_tips(motion)) {
+      for (std::size_t k = 0; k < motion.tip.cols; ++k) hand.add(motion.tip(i, k));
+    }
+    if (!hand.empty()) return hand.low.y();
+  }
+  return kNotSeen;
+}
+
+std::optional<double> resting_height(const HumanMotion& motion, double percentile) {
+  std::vector<double> heights;
+  if (!has_tips(motion)) return std::nullopt;
+  for (const Vec3& tip : motion.tip.values) {
+    if (seen(tip)) heights.push_back(tip.z());
+  }
+  if (heights.empty()) return std::nullopt;
+  const double rank = percentile / 100 * static_cast<double>(heights.size() - 1);
+  const auto at = heights.begin() + static_cast<std::ptrdiff_t>(std::floor(rank));
+  std::nth_element(heights.begin(), at, heights.end());
+  return *at;
+}
+
+SceneObject fixed_body(std::string name, Shape shape, std::vector<double> size, const Vec3& centre,
+                       double time_s) {
+  SceneObject object;
+  object.name = std::move(name);
+  object.shape = shape;
+  object.size = std::move(size);
+  object.time = {time_s};
+  object.position = {centre};
+  object.orientation = {Quat::Identity()};
+  return object;
+}
+
+}  // namespace
+
+const Phase* last_phase(const Movement& movement, const char* name) {
+  const Phase* found = nullptr;
+  for (const Phase& phase : movement.phases) {
+    if (phase.name == name) found = &phase;
+  }
+  return found;
+}
+
+std::optional<SceneObject> infer_table(const TableOptions& options, const HumanMotion& motion,
+                                       const Movement& movement) {
+  if (!options.infer && !options.height) return std::nullopt;
+  const Extent tips = planned_tips(motion, movement);
+  double top = 0;
+  if (options.height) {
+    top = *options.height;
+  } else {
+    const std::optional<double> rest = resting_height(motion, options.low_percentile);
+    if (!rest) return std::nullopt;
+    top = (tips.empty() ? *rest : std::min(*rest, tips.low.z())) - options.tip_clearance;
+  }
+  double left = -options.size[0] / 2, right = options.size[0] / 2;
+  double back = options.size[1];
+  double front = hand_front(motion, movement) - options.front_margin;
+  if (!std::isfinite(front)) front = 0;
+  if (!tips.empty()) {
+    const double middle = (tips.low.x() + tips.high.x()) / 2;
+    left = std::min(middle + left, tips.low.x() - options.side_margin);
+    right = std::max(middle + right, tips.high.x() + options.side_margin);
+    back = std::max(front + back, tips.high.y() + options.side_margin);
+  } else {
+    back += front;
+  }
+  const Vec3 centre((left + right) / 2, (front + back) / 2, top - options.thickness / 2);
+  return fixed_body("table", Shape::box, {right - left, back - front, options.thickness}, centre,
+                    movement.begin_s);
+}
+
+GraspTips tips_at_grasp(const HumanMotion& motion, const Phase& grasp) {
+  GraspTips tips{unseen_point(), unseen_point()};
+  if (!has_tips(motion) || motion.tip.cols <= kIndex) return tips;
+  const double half_s = (grasp.begin_s + grasp.end_s) / 2;
+  const auto mean = [&](std::size_t finger) -> Vec3 {
+    Vec3 sum = Vec3::Zero();
+    double count = 0;
+    for (std::size_t i = 0; i < motion.time.size(); ++i) {
+      const bool inside =
+          motion.time[i] >= half_s - kTimeSlack && motion.time[i] <= grasp.end_s + kTimeSlack;
+      if (!inside || !seen(motion.tip(i, finger))) continue;
+      sum += motion.tip(i, finger);
+      count += 1;
+    }
+    return count > 0 ? Vec3(sum / count) : unseen_point();
+  };
+  tips.thumb = mean(kThumb);
+  tips.index = mean(kIndex);
+  return tips;
+}
+
+std::optional<SceneObject> infer_target(const TargetOptions& options, const HumanMotion& motion,
+                                        const Movement& movement, const SceneObject* table) {
+  const Phase* grasp = last_phase(movement, "grasp");
+  if (!options.infer || !grasp) return std::nullopt;
+  const GraspTips tips = tips_at_grasp(motion, *grasp);
+  if (!seen(tips.thumb) || !seen(tips.index)) return std::nullopt;
+  const double apart = (tips.thumb - tips.index).head<2>().norm();
+  const double radius = options.radius ? *options.radius
+                                       : std::clamp(apart / 2 - options.pad_depth,
+                                                    options.min_radius, options.max_radius);
+  const double highest = std::max(tips.thumb.z(), tips.index.z());
+  const double middle = (tips.thumb.z() + tips.index.z()) / 2;
+  const double foot =
+      table ? table->position[0].z() + table->size[2] / 2 : middle - options.height / 2;
+  const double height = std::max(options.height, highest + options.rim - foot);
+  const Vec3 between = (tips.thumb + tips.index) / 2;
+  SceneObject target =
+      fixed_body(options.name, Shape::cylinder, {radius, height},
+                 Vec3(between.x(), between.y(), foot + height / 2), movement.begin_s);
+  const Phase* transport = last_phase(movement, "transport");
+  target.attach_s = grasp->end_s;
+  target.release_s = transport ? transport->end_s : std::max(movement.end_s, grasp->end_s);
+  return target;
+}
+
+}  // namespace morphe

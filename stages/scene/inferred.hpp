@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+
+#include "stages/scene/build_scene.hpp"
+
+namespace morphe {
+
+/// The part of `phase` in a movement, nullptr if there is none; the last one of that name.
+const Phase* last_phase(const Movement& movement, const char* name);
+
+/// The box "table": top at `height`, or
+///   min(percentile of all tip heights, lowest planned tip) − tip_clearance.
+/// Nothing if it is switched off, or no tip is seen and no height is given.
+std::optional<SceneObject> infer_table(const TableOptions& options, const HumanMotion& motion,
+                                       const Movement& movement);
+
+/// Mean thumb and index tips over the second half of the grasp, when the hand has closed. NaN where
+/// one is not seen.
+struct GraspTips {
+  Vec3 thumb, index;
+};
+GraspTips tips_at_grasp(const HumanMotion& motion, const Phase& grasp);
+
+/// The cylinder between the tips, standing on `table` (without one: centred at their height).
+/// Nothing if a tip was not seen.
+std::optional<SceneObject> infer_target(const TargetOptions& options, const HumanMotion& motion,
+                                        const Movement& movement, const SceneObject* table);
+
+}  // namespace morphe

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/motion/human_motion.hpp"
+#include "pipeline/motion/movement.hpp"
+#include "pipeline/motion/scene.hpp"
+
+namespace morphe {
+
+/// Speeds are those of the index tip (of the wrist where the tip is not seen), after a Gaussian of
+/// `smoothing`; "peak" without more is the highest speed of the recording.
+struct SegmentOptions {
+  double smoothing = 0.02;    ///< standard deviation of the Gaussian on velocities [s]
+  double stop_share = 0.05;   ///< slower than this share of the peak is rest
+  double onset_share = 0.05;  ///< a bout begins where its fitted rise reaches this share of the
+                              ///< peak; 0: where the fitted rise leaves zero
+  double least_peak = 0.05;   ///< a recording that is never faster holds no movement [m/s]
+  double weak_share = 0.12;   ///< bouts whose own peak is below this share are no bouts
+  double dip_share = 0.35;    ///< two peaks are two bouts if the dip is below this share of the
+                              ///< smaller one
+  double least_reach = 0.05;  ///< a bout that stays nearer to its start is no reach [m]
+  double home_radius = 0.10;  ///< back this near to its start (and half its reach) it is over [m]
+  double widening_share = 0.15;  ///< a reach to grasp opens the hand by this share of the start's
+  double closing_share = 0.15;   ///< … and closes again by this share of the widening
+  double preshape_share = 0.10;  ///< preshape begins at this share of the widening
+  double least_grasp = 0.06;  ///< length of a grasp without a pause, around the slowest point [s]
+  double object_motion = 0.005;  ///< a recorded object that went this far is being moved [m]
+  double touch_hold = 0.1;  ///< how much of the hold after a reach without a grasp is planned [s]
+  std::string plan_until = "grasp";  ///< grasp | transport | return: the last phase that is planned
+};
+template <class Fields>
+void fields(Fields& f, SegmentOptions& o) {
+  f("smoothing", o.smoothing);
+  f("stop_share", o.stop_share);
+  f("onset_share", o.onset_share);
+  f("least_peak", o.least_peak);
+  f("weak_share", o.weak_share);
+  f("dip_share", o.dip_share);
+  f("least_reach", o.least_reach);
+  f("home_radius", o.home_radius);
+  f("widening_share", o.widening_share);
+  f("closing_share", o.closing_share);
+  f("preshape_share", o.preshape_share);
+  f("least_grasp", o.least_grasp);
+  f("object_motion", o.object_motion);
+  f("touch_hold", o.touch_hold);
+  f("plan_until", o.plan_until);
+}
+std::string check(const SegmentOptions& options);
+
+/// The movements of a recording in order of time, each an out-and-back cycle of bouts of motion:
+///
+///   reach (preshape inside it) · grasp · transport · hold · transport · … · return
+///
+/// The first bout is the reach, the one that ends near the start the return, those between are
+/// transport and the pauses hold. It is a grasp if a recorded object moves afterwards, or without
+/// objects if the thumb–index opening widens in the reach and closes on something; otherwise the
+/// phases are reach, hold, return. `begin_s`, `end_s` span what is planned (`plan_until`); if that
+/// phase is missing, up to the grasp, and without a grasp to `touch_hold` after the reach.
+/// `target` is the recorded object that moves, or "".
+///
+/// A boundary's confidence is 1 − v / (dip_share · p), within 0 … 1: v the slowest speed in the
+/// pause at the boundary, p the smaller of the peaks on its sides; 0 where the recording begins or
+/// ends in motion. A phase has the mean of its two boundaries, times the share of its frames in
+/// which the hand was seen.
+///
+/// Too short, motionless or unseen: no movements. Never throws.
+std::vector<Movement> segment(const HumanMotion& motion, const SegmentOptions& options,
+                              const std::vector<SceneObject>& objects = {});
+
+}  // namespace morphe
