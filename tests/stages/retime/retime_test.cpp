@@ -1,0 +1,257 @@
+#include "stages/retime/retime.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "pipeline/config/fields.hpp"
+#include "pipeline/motion/quintic.hpp"
+
+namespace morphe {
+namespace {
+
+RobotTable robot_with(Eigen::Index joints, double velocity, double acceleration, double jerk) {
+  RobotTable robot;
+  robot.joint_names.assign(static_cast<std::size_t>(joints), "joint");
+  robot.lower = JointVector::Constant(joints, -3);
+  robot.upper = JointVector::Constant(joints, 3);
+  robot.velocity = JointVector::Constant(joints, velocity);
+  robot.acceleration = JointVector::Constant(joints, acceleration);
+  robot.jerk = JointVector::Constant(joints, jerk);
+  return robot;
+}
+
+JointPath path_of(int samples, Eigen::Index joints, double duration_s,
+                  const std::function<double(double, Eigen::Index)>& position) {
+  JointPath path;
+  path.position.resize(samples, joints);
+  for (int i = 0; i < samples; ++i) {
+    const double t = samples > 1 ? duration_s * i / (samples - 1) : 0;
+    path.demonstration_time.push_back(t);
+    path.origin.push_back(Origin::mapped);
+    for (Eigen::Index k = 0; k < joints; ++k) path.position(i, k) = position(t, k);
+  }
+  return path;
+}
+
+double minimum_jerk(double z) { return z * z * z * (10 - 15 * z + 6 * z * z); }
+
+/// Everything that holds for each result; the limits are judged by dense sampling of the quintics.
+void expect_valid(const RobotTable& robot, const JointPath& path, const RetimeResult& result) {
+  ASSERT_EQ(result.reason, "") << result.detail;
+  const Trajectory& t = result.trajectory;
+  ASSERT_GE(t.samples(), 2u);
+  const Eigen::Index last = t.position.rows() - 1;
+  EXPECT_EQ(t.velocity.row(0).cwiseAbs().maxCoeff(), 0);
+  EXPECT_EQ(t.acceleration.row(0).cwiseAbs().maxCoeff(), 0);
+  EXPECT_EQ(t.velocity.row(last).cwiseAbs().maxCoeff(), 0);
+  EXPECT_EQ(t.acceleration.row(last).cwiseAbs().maxCoeff(), 0);
+  const double off_s = (t.position.row(0) - path.position.row(0)).cwiseAbs().maxCoeff();
+  const double off_e =
+      (t.position.row(last) - path.position.row(path.position.rows() - 1)).cwiseAbs().maxCoeff();
+  EXPECT_LT(std::max(off_s, off_e), 1e-4);
+  double worst[3] = {0, 0, 0};
+  for (std::size_t i = 0; i + 1 < t.samples(); ++i) {
+    ASSERT_NEAR(t.time[i + 1] - t.time[i], 0.002, 1e-12);
+    ASSERT_GE(t.demonstration_time[i + 1], t.demonstration_time[i]);
+    for (Eigen::Index k = 0; k < t.position.cols(); ++k) {
+      const QuinticPiece piece = quintic_piece(t, i, k);
+      for (int part = 0; part <= 8; ++part) {
+        const double s = piece.duration * part / 8;
+        worst[0] = std::max(worst[0], std::abs(value_at(piece, s, 1)) / robot.velocity[k]);
+        worst[1] = std::max(worst[1], std::abs(value_at(piece, s, 2)) / robot.acceleration[k]);
+        worst[2] = std::max(worst[2], std::abs(value_at(piece, s, 3)) / robot.jerk[k]);
+        ASSERT_GE(value_at(piece, s), robot.lower[k]);
+        ASSERT_LE(value_at(piece, s), robot.upper[k]);
+      }
+    }
+  }
+  EXPECT_LE(worst[0], 1);
+  EXPECT_LE(worst[1], 1);
+  EXPECT_LE(worst[2], 1);
+}
+
+RetimeResult retime_valid(const RobotTable& robot, const JointPath& path,
+                          const RetimeOptions& options = {}) {
+  RetimeResult result = retime(robot, path, Movement{}, options);
+  expect_valid(robot, path, result);
+  return result;
+}
+
+TEST(Retime, StraightLineComesCloseToTheMinimumTimeAndIsNotFaster) {
+  // Rest to rest under all three limits: distance / v + v / a + a / j.
+  const RobotTable robot = robot_with(1, 0.99, 3.1, 31);
+  const double least = 1.2 / 0.99 + 0.99 / 3.1 + 3.1 / 31;
+  const JointPath line = path_of(101, 1, 1, [](double t, Eigen::Index) { return 1.2 * t; });
+  const double taken = retime_valid(robot, line).trajectory.time.back();
+  EXPECT_GE(taken, least);
+  EXPECT_LE(taken, 1.03 * least);
+}
+
+TEST(Retime, HumanReachFasterThanTheRobot) {
+  const RobotTable robot = robot_with(1, 0.99, 3.1, 31);
+  const double least = 1.2 / 0.99 + 0.99 / 3.1 + 3.1 / 31;
+  const JointPath reach =
+      path_of(101, 1, 1, [](double t, Eigen::Index) { return 1.2 * minimum_jerk(t); });
+  const RetimeResult result = retime_valid(robot, reach);
+  EXPECT_GE(result.trajectory.time.back(), least);
+  EXPECT_LE(result.trajectory.time.back(), 1.1 * least);
+  EXPECT_LE(result.path_deviation, 5e-4);
+}
+
+TEST(Retime, GenerousLimitsKeepTheHumanTempo) {
+  const RobotTable robot = robot_with(3, 10, 100, 10000);
+  const JointPath reach = path_of(121, 3, 1.2, [](double t, Eigen::Index k) {
+    return (1.0 - 0.3 * static_cast<double>(k)) * minimum_jerk(t / 1.2);
+  });
+  const Trajectory& t = retime_valid(robot, reach).trajectory;
+  EXPECT_GE(t.time.back(), 1.2);
+  EXPECT_LE(t.time.back(), 1.25);
+  for (std::size_t i = 1; i < t.samples(); ++i) {
+    EXPECT_LE(t.demonstration_time[i] - t.demonstration_time[i - 1], 0.002 * 1.01);
+  }
+}
+
+TEST(Retime, RandomSmoothPathsHoldTheirLimits) {
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> unit(0, 1);
+    RobotTable robot = robot_with(22, 1.5, 10, 100);
+    robot.velocity.head(2).setConstant(0.99);
+    robot.acceleration.head(2).setConstant(3.1);
+    robot.jerk.head(2).setConstant(31);
+    std::vector<double> amplitude, phase;
+    for (int k = 0; k < 44; ++k) {
+      amplitude.push_back(0.15 * unit(random));
+      phase.push_back(6.3 * unit(random));
+    }
+    const JointPath path = path_of(121, 22, 1.2, [&](double t, Eigen::Index k) {
+      const auto i = static_cast<std::size_t>(k);
+      return amplitude[i] * std::sin(5 * t + phase[i]) +
+             0.4 * amplitude[i + 22] * std::sin(13 * t + phase[i + 22]);
+    });
+    const RetimeResult result = retime_valid(robot, path);
+    EXPECT_LE(result.path_deviation, 1e-3);
+    EXPECT_LE(result.trajectory.time.back(), 2.2 * 1.2);
+
+    RobotTable stronger = robot;
+    stronger.velocity *= 2;
+    stronger.acceleration *= 2;
+    stronger.jerk *= 2;
+    EXPECT_LT(retime_valid(stronger, path).trajectory.time.back(), result.trajectory.time.back());
+  }
+}
+
+TEST(Retime, PolylineWithCornersSlowsDown) {
+  const RobotTable robot = robot_with(2, 1, 3, 30);
+  JointPath path = path_of(121, 2, 1.2, [](double t, Eigen::Index k) {
+    const double turn = t < 0.6 ? 0 : t - 0.6;
+    return k == 0 ? std::min(t, 0.6) : turn;
+  });
+  RetimeOptions exact;
+  exact.smoothing_tolerance = 0;
+  const RetimeResult sharp = retime_valid(robot, path, exact);
+  EXPECT_LE(sharp.path_deviation, 1e-5);
+  const RetimeResult mapped = retime_valid(robot, path);
+  EXPECT_LE(mapped.path_deviation, 1.01e-3);
+  EXPECT_LT(mapped.trajectory.time.back(), sharp.trajectory.time.back());
+  // A planned stretch at one instant of the demonstration gets a clock of its own.
+  path.origin.assign(path.origin.size(), Origin::planned);
+  path.demonstration_time.assign(path.origin.size(), 0.5);
+  const RetimeResult planned = retime_valid(robot, path);
+  EXPECT_LE(planned.path_deviation, 4.1e-3);
+  EXPECT_EQ(planned.trajectory.origin[10], Origin::planned);
+}
+
+TEST(Retime, NoisyPathStaysWithinTolerance) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> noise(-5e-4, 5e-4);
+  const RobotTable robot = robot_with(2, 1, 3, 30);
+  const JointPath path = path_of(121, 2, 1.2, [&](double t, Eigen::Index) {
+    return 0.6 * minimum_jerk(t / 1.2) + noise(random);
+  });
+  const RetimeResult result = retime_valid(robot, path);
+  EXPECT_LE(result.path_deviation, 1.01e-3);
+  EXPECT_LE(result.trajectory.time.back(), 2.2 * 1.2);
+}
+
+TEST(Retime, PathAlongAPositionLimitDoesNotLeaveIt) {
+  const RobotTable robot = robot_with(1, 1, 10, 100);
+  const JointPath path =
+      path_of(121, 1, 1.2, [](double t, Eigen::Index) { return std::min(3.0, 2.8 + 0.5 * t); });
+  retime_valid(robot, path);
+}
+
+TEST(Retime, DegeneratePathsStandStill) {
+  const RobotTable robot = robot_with(3, 1, 3, 30);
+  const auto still = [](double, Eigen::Index k) { return 0.1 * static_cast<double>(k); };
+  const Trajectory rest = retime_valid(robot, path_of(121, 3, 1.2, still)).trajectory;
+  EXPECT_NEAR(rest.time.back(), 1.2, 0.05);
+  EXPECT_LT((rest.position.rowwise() - rest.position.row(0)).cwiseAbs().maxCoeff(), 1e-12);
+  retime_valid(robot, path_of(2, 3, 0, still));
+  retime_valid(robot, path_of(1, 3, 0, still));
+}
+
+TEST(Retime, TwoSamplesAndDuplicates) {
+  const RobotTable robot = robot_with(2, 1, 3, 30);
+  const auto line = [](double t, Eigen::Index k) { return k == 0 ? t : 0.3 * t; };
+  retime_valid(robot, path_of(2, 2, 0.8, line));
+  JointPath path = path_of(81, 2, 0.8, line);
+  for (std::size_t i = 31; i < 36; ++i) {
+    path.demonstration_time[i] = path.demonstration_time[30];
+    path.position.row(static_cast<Eigen::Index>(i)) = path.position.row(30);
+  }
+  retime_valid(robot, path);
+}
+
+TEST(Retime, AStretchWhereDemonstrationTimeStandsStill) {
+  const RobotTable robot = robot_with(2, 1, 3, 30);
+  JointPath path = path_of(121, 2, 1.2, [](double t, Eigen::Index k) {
+    return k == 0 ? 0.5 * minimum_jerk(t / 1.2) : 0.2 * std::sin(3 * t);
+  });
+  for (std::size_t i = 40; i < 80; ++i) {
+    path.demonstration_time[i] = 0.4;
+    path.origin[i] = Origin::planned;
+  }
+  for (std::size_t i = 80; i < 121; ++i) path.demonstration_time[i] -= 0.39;
+  retime_valid(robot, path);
+}
+
+TEST(Retime, PhasesFollowTheDemonstration) {
+  const RobotTable robot = robot_with(1, 1, 3, 30);
+  Movement movement;
+  movement.phases = {{"reach", 0, 0.6, 1}, {"grasp", 0.6, 1.2, 1}};
+  const JointPath path =
+      path_of(121, 1, 1.2, [](double t, Eigen::Index) { return 0.5 * minimum_jerk(t / 1.2); });
+  const Trajectory t = retime(robot, path, movement, {}).trajectory;
+  EXPECT_EQ(t.phase.front(), 1);
+  EXPECT_EQ(t.phase.back(), 3);
+  EXPECT_TRUE(std::isnan(t.clearance[3]));
+  EXPECT_DOUBLE_EQ(t.demonstration_time.back(), 1.2);
+}
+
+TEST(Retime, RefusesWhatIsNoPath) {
+  const RobotTable robot = robot_with(2, 1, 3, 30);
+  const auto line = [](double t, Eigen::Index) { return t; };
+  EXPECT_EQ(retime(robot, JointPath{}, {}, {}).reason, "path");
+  JointPath path = path_of(11, 2, 1, line);
+  path.position(3, 1) = kNotSeen;
+  EXPECT_EQ(retime(robot, path, {}, {}).reason, "path");
+  path = path_of(11, 2, 1, line);
+  path.demonstration_time[5] = 0;
+  EXPECT_EQ(retime(robot, path, {}, {}).reason, "path");
+}
+
+TEST(Retime, OptionsAreReadAndChecked) {
+  RetimeOptions options;
+  read_options(ConfigNode::parse("{sample_rate_hz: 250, limit_share: 0.8}", "x"), options);
+  EXPECT_EQ(options.sample_rate_hz, 250);
+  EXPECT_EQ(options.limit_share, 0.8);
+  options.limit_share = 1.5;
+  EXPECT_NE(check(options), "");
+}
+
+}  // namespace
+}  // namespace morphe
