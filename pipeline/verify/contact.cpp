@@ -1,0 +1,196 @@
+#include "pipeline/verify/contact.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "pipeline/verify/frame_poses.hpp"
+#include "pipeline/verify/separation.hpp"
+
+namespace morphe::judge {
+namespace {
+
+constexpr double kDistanceTolerance_m = 1e-6;
+/// Where nothing moves more than this any longer, what is not proved counts as a violation. Finer
+/// than the 0.1 mm of planning, so that what was proved there by other intervals is not left open.
+constexpr double kBand_m = 1e-5;
+/// More travel than this between two samples is not worth bisecting: it counts as a violation.
+constexpr double kHopeless_m = 10;
+
+/// How far any point of an object has travelled since its first sample, at each of its samples.
+struct ObjectTravel {
+  const SceneObject* object = nullptr;
+  std::vector<double> travelled;  ///< [K] [m]
+
+  double at(double time_s) const {
+    const auto& time = object->time;
+    const auto after =
+        static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), time_s) - time.begin());
+    if (after == 0) return travelled.front();
+    if (after == time.size()) return travelled.back();
+    const double share = (time_s - time[after - 1]) / (time[after] - time[after - 1]);
+    return travelled[after - 1] + share * (travelled[after] - travelled[after - 1]);
+  }
+};
+
+ObjectTravel object_travel(const SceneObject& object) {
+  ObjectTravel travel{&object, {0.0}};
+  if (!can_judge(object)) return travel;
+  const double radius = object.shape == Shape::sphere ? 0.0 : bounding_radius(object);
+  for (std::size_t k = 1; k < object.time.size(); ++k) {
+    travel.travelled.push_back(
+        travel.travelled.back() + (object.position[k] - object.position[k - 1]).norm() +
+        radius * angle_between(object.orientation[k - 1], object.orientation[k]));
+  }
+  return travel;
+}
+
+/// All bodies at one instant.
+struct Snapshot {
+  std::vector<Pose> base_from_frame, object_from_base;
+  std::vector<Segment> axes;  ///< of the capsules, in the base frame
+  double demonstration_time = 0;
+};
+
+class ContactJudge {
+ public:
+  ContactJudge(const RobotTable& robot, const Plan& plan, const Curve& curve, ViolationRuns& runs)
+      : robot_(robot), plan_(plan), curve_(curve), runs_(runs) {
+    pairs_ = contact_pairs(robot, plan);
+    window_ = touch_window(plan.movement.phases);
+    for (const SceneObject& object : plan.scene.objects) travels_.push_back(object_travel(object));
+  }
+
+  double run() {
+    double clearance = std::numeric_limits<double>::infinity();
+    std::vector<std::size_t> all(pairs_.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+    for (std::size_t sample = 0; sample <= curve_.pieces; ++sample) {
+      judge_sample(sample, clearance);
+      if (sample < curve_.pieces) judge_interval(sample, 0, 1, all);
+    }
+    return clearance;
+  }
+
+ private:
+  void judge_sample(std::size_t sample, double& clearance) {
+    const auto row = static_cast<Eigen::Index>(sample);
+    const double time_s = curve_.trajectory->demonstration_time[sample];
+    take(curve_.trajectory->position.row(row).transpose(), time_s);
+    for (const ContactPair& pair : pairs_) {
+      const bool touching = pair.may_touch && window_.contains(time_s, time_s);
+      const double required = required_distance(touching);
+      const double enough = touching ? required : std::max(required, clearance);
+      const double value = distance(pair, enough);
+      if (!touching) clearance = std::min(clearance, value);
+      if (!(value >= required - kDistanceTolerance_m))
+        note(pair,
+             {static_cast<int>(2 * sample), static_cast<int>(sample),
+              curve_.trajectory->time[sample]},
+             value, required, required - value);
+    }
+  }
+
+  /// Proves the pairs clear for s in [s0, s1], bisecting for those that are not proved at once.
+  void judge_interval(std::size_t piece, double s0, double s1,
+                      const std::vector<std::size_t>& pairs) {
+    const double middle = 0.5 * (s0 + s1);
+    const double begin_s = curve_.demonstration_time_at(piece, s0);
+    const double middle_s = curve_.demonstration_time_at(piece, middle);
+    const double end_s = curve_.demonstration_time_at(piece, s1);
+    curve_.position_at(piece, middle, q_);
+    take(q_, middle_s);
+    const auto row = static_cast<Eigen::Index>(piece);
+    const auto& time = curve_.trajectory->time;
+    const double half_s = 0.5 * (s1 - s0) * (time[piece + 1] - time[piece]);
+
+    std::vector<std::size_t> open;
+    for (const std::size_t index : pairs) {
+      const ContactPair& pair = pairs_[index];
+      double travel = half_s * curve_.speed.row(row).dot(pair.lever);
+      if (pair.object) {
+        const ObjectTravel& moved = travels_[static_cast<std::size_t>(pair.other)];
+        const double here = moved.at(middle_s);
+        travel += std::max(here - moved.at(begin_s), moved.at(end_s) - here);
+      }
+      const double everywhere =
+          required_distance(pair.may_touch && window_.contains(begin_s, end_s));
+      const double here = required_distance(pair.may_touch && window_.contains(middle_s, middle_s));
+      const double value = distance(pair, everywhere + travel);
+      if (value >= everywhere + travel - kDistanceTolerance_m) continue;
+      const bool violated = !(value >= here - kDistanceTolerance_m);
+      if (!violated && travel > kBand_m && travel < kHopeless_m) {
+        open.push_back(index);
+      } else {
+        const double required = violated ? here : everywhere;
+        note(pair, place(piece, middle), value, required, required - value);
+      }
+    }
+    if (open.empty()) return;
+    judge_interval(piece, s0, middle, open);
+    judge_interval(piece, middle, s1, open);
+  }
+
+  double required_distance(bool touching) const {
+    return touching ? -plan_.tolerances.contact_depth : plan_.tolerances.margin;
+  }
+
+  void take(const JointVector& q, double time_s) {
+    frame_poses(robot_, q, now_.base_from_frame);
+    now_.axes.resize(robot_.capsules.size());
+    for (std::size_t i = 0; i < now_.axes.size(); ++i) {
+      const RobotTable::Capsule& capsule = robot_.capsules[i];
+      now_.axes[i] = {in_base(now_.base_from_frame, capsule.frame, capsule.from),
+                      in_base(now_.base_from_frame, capsule.frame, capsule.to)};
+    }
+    now_.object_from_base.resize(plan_.scene.objects.size());
+    for (std::size_t k = 0; k < now_.object_from_base.size(); ++k)
+      now_.object_from_base[k] = recorded_pose(plan_.scene.objects[k], time_s).inverse();
+  }
+
+  /// Exact if below `enough`, else any lower bound that is at least `enough`.
+  double distance(const ContactPair& pair, double enough) const {
+    const Segment& axis = now_.axes[static_cast<std::size_t>(pair.capsule)];
+    const auto other = static_cast<std::size_t>(pair.other);
+    if (pair.object) {
+      const Pose& object_from_base = now_.object_from_base[other];
+      return segment_solid_distance(plan_.scene.objects[other],
+                                    {object_from_base * axis.from, object_from_base * axis.to},
+                                    enough + pair.radii) -
+             pair.radii;
+    }
+    const Segment& second = now_.axes[other];
+    const double spheres = 0.5 * ((axis.from + axis.to - second.from - second.to).norm() -
+                                  (axis.to - axis.from).norm() - (second.to - second.from).norm()) -
+                           pair.radii;
+    return spheres >= enough ? spheres : segment_distance(axis, second) - pair.radii;
+  }
+
+  Place place(std::size_t piece, double s) const {
+    return {static_cast<int>(2 * piece + 1), static_cast<int>(s < 0.5 ? piece : piece + 1),
+            curve_.time_at(piece, s)};
+  }
+
+  void note(const ContactPair& pair, const Place& place, double value, double required,
+            double excess) {
+    runs_.note(pair.object ? "object" : "self", pair.subject, place, value, required, excess);
+  }
+
+  const RobotTable& robot_;
+  const Plan& plan_;
+  const Curve& curve_;
+  ViolationRuns& runs_;
+  std::vector<ContactPair> pairs_;
+  TouchWindow window_;
+  std::vector<ObjectTravel> travels_;
+  Snapshot now_;
+  JointVector q_;
+};
+
+}  // namespace
+
+double judge_contacts(const RobotTable& robot, const Plan& plan, const Curve& curve,
+                      ViolationRuns& runs) {
+  return ContactJudge(robot, plan, curve, runs).run();
+}
+
+}  // namespace morphe::judge

@@ -1,0 +1,59 @@
+#include "pipeline/verify/frame_poses.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace morphe::judge {
+namespace {
+
+bool carries(const RobotTable& robot, int ancestor, int frame) {
+  for (; frame >= 0; frame = robot.frames[static_cast<std::size_t>(frame)].parent) {
+    if (frame == ancestor) return true;
+  }
+  return false;
+}
+
+/// Adds the joints that carry `capsule` but not a body that sits on `other_frame`.
+void add_levers(const RobotTable& robot, const RobotTable::Capsule& capsule, int other_frame,
+                JointVector& lever) {
+  double distance = std::max(capsule.from.norm(), capsule.to.norm());
+  for (int index = capsule.frame; index >= 0;) {
+    if (carries(robot, index, other_frame)) return;
+    const RobotTable::Frame& frame = robot.frames[static_cast<std::size_t>(index)];
+    if (frame.joint >= 0) lever(frame.joint) += std::abs(frame.ratio) * distance;
+    distance += frame.transform.translation().norm();
+    index = frame.parent;
+  }
+}
+
+}  // namespace
+
+void frame_poses(const RobotTable& robot, const JointVector& q,
+                 std::vector<Pose>& base_from_frame) {
+  base_from_frame.resize(robot.frames.size());
+  for (std::size_t i = 0; i < robot.frames.size(); ++i) {
+    const RobotTable::Frame& frame = robot.frames[i];
+    Pose& pose = base_from_frame[i];
+    pose = frame.parent < 0
+               ? frame.transform
+               : base_from_frame[static_cast<std::size_t>(frame.parent)] * frame.transform;
+    if (frame.joint < 0) continue;
+    const double angle = frame.ratio * q(frame.joint) + frame.offset;
+    pose.linear() = pose.linear() * Eigen::AngleAxisd(angle, frame.axis).toRotationMatrix();
+  }
+}
+
+JointVector relative_lever(const RobotTable& robot, int first, int second) {
+  JointVector lever = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
+  const RobotTable::Capsule& a = robot.capsules[static_cast<std::size_t>(first)];
+  if (second < 0) {
+    add_levers(robot, a, -1, lever);
+    return lever;
+  }
+  const RobotTable::Capsule& b = robot.capsules[static_cast<std::size_t>(second)];
+  add_levers(robot, a, b.frame, lever);
+  add_levers(robot, b, a.frame, lever);
+  return lever;
+}
+
+}  // namespace morphe::judge

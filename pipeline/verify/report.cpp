@@ -1,0 +1,59 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "pipeline/verify/verify.hpp"
+
+namespace morphe {
+namespace {
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      out += '\\';
+      out += c;
+    } else if (static_cast<unsigned char>(c) < 0x20) {
+      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    } else {
+      out += c;
+    }
+  }
+  return out + '"';
+}
+
+std::string number(double value) {
+  return std::isfinite(value) ? fmt::format("{}", value) : "null";
+}
+
+}  // namespace
+
+std::string verify_json(const VerifyReport& report) {
+  std::string out = fmt::format("{{\"executable\": {}, \"infeasible\": {}, \"violations\": [",
+                                report.executable, report.infeasible);
+  const char* separator = "";
+  for (const Violation& v : report.violations) {
+    out += fmt::format(
+        "{}\n  {{\"plan\": {}, \"sample\": {}, \"time_s\": {}, \"cause\": {}, \"subject\": {}, "
+        "\"value\": {}, \"limit\": {}}}",
+        separator, quoted(v.plan), v.sample, number(v.time_s), quoted(v.cause), quoted(v.subject),
+        number(v.value), number(v.limit));
+    separator = ",";
+  }
+  return out + (report.violations.empty() ? "]}\n" : "\n]}\n");
+}
+
+std::string verify_text(const VerifyReport& report) {
+  std::string out;
+  for (const Violation& v : report.violations) {
+    const std::string where = v.sample < 0
+                                  ? std::string("plan")
+                                  : fmt::format("sample {} ({:.4f} s)", v.sample, v.time_s);
+    out += fmt::format("{}: {}: {} {}: {:.6g}, limit {:.6g}\n", v.plan, where, v.cause, v.subject,
+                       v.value, v.limit);
+  }
+  return out + fmt::format("{} executable, {} infeasible, {} violations\n", report.executable,
+                           report.infeasible, report.violations.size());
+}
+
+}  // namespace morphe

@@ -1,0 +1,163 @@
+#include "pipeline/verify/structure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "pipeline/verify/separation.hpp"
+
+namespace morphe::judge {
+namespace {
+
+constexpr double kCoverage_s = 0.05;
+constexpr double kJoint_rad = 1e-6;
+
+bool all_finite(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
+}
+
+bool judge_motion(const RobotTable& robot, const Trajectory& trajectory, ViolationRuns& runs) {
+  const auto samples = static_cast<Eigen::Index>(trajectory.samples());
+  const auto joints = static_cast<Eigen::Index>(robot.joints());
+  const auto fits = [&](const JointRows& rows) {
+    return rows.rows() == samples && rows.cols() == joints;
+  };
+  const bool whole = samples >= 2 && fits(trajectory.position) && fits(trajectory.velocity) &&
+                     fits(trajectory.acceleration) &&
+                     trajectory.demonstration_time.size() == trajectory.samples();
+  if (!whole) {
+    runs.note_plan("structure", "trajectory", static_cast<double>(samples), 2);
+    return false;
+  }
+  bool good = true;
+  const auto finite = [&](bool is_finite, const char* subject) {
+    if (!is_finite) runs.note_plan("finite", subject, kNotSeen, kNotSeen);
+    good = good && is_finite;
+  };
+  finite(all_finite(trajectory.time), "time");
+  finite(trajectory.position.allFinite(), "position");
+  finite(trajectory.velocity.allFinite(), "velocity");
+  finite(trajectory.acceleration.allFinite(), "acceleration");
+  finite(all_finite(trajectory.demonstration_time), "demonstration_time");
+  if (!good) return false;
+
+  const auto wrong_time = [&](const char* subject, std::size_t sample, double value, double limit) {
+    runs.note("time", subject,
+              {static_cast<int>(2 * sample), static_cast<int>(sample), trajectory.time[sample]},
+              value, limit, limit - value);
+    good = false;
+  };
+  const auto& time = trajectory.time;
+  const auto& demonstration = trajectory.demonstration_time;
+  if (time[0] != 0) wrong_time("time", 0, time[0], 0);
+  for (std::size_t k = 1; k < time.size(); ++k) {
+    if (time[k] <= time[k - 1]) wrong_time("time", k, time[k], time[k - 1]);
+    if (demonstration[k] < demonstration[k - 1])
+      wrong_time("demonstration_time", k, demonstration[k], demonstration[k - 1]);
+  }
+  return good;
+}
+
+/// Fault of the values of a robot whose indices fit, nullptr if there is none.
+const char* robot_fault(const RobotTable& robot) {
+  const auto positive = [](const JointVector& limits) {
+    return limits.allFinite() && (limits.array() > 0).all();
+  };
+  if (!robot.lower.allFinite() || !robot.upper.allFinite()) return "robot/lower, upper";
+  if (!((robot.upper - robot.lower).array() >= 0).all()) return "robot/lower, upper";
+  if (!positive(robot.velocity)) return "robot/velocity";
+  if (!positive(robot.acceleration)) return "robot/acceleration";
+  if (!positive(robot.jerk)) return "robot/jerk";
+  const auto rigid = [](const Pose& pose) {
+    return pose.matrix().allFinite() && pose.linear().isUnitary(1e-6) &&
+           pose.linear().determinant() > 0;
+  };
+  for (const RobotTable::Frame& frame : robot.frames) {
+    const bool turns = std::abs(frame.axis.norm() - 1) < 1e-6 && std::isfinite(frame.ratio) &&
+                       std::isfinite(frame.offset);
+    if (!rigid(frame.transform) || (frame.joint >= 0 && !turns)) return "robot/frames";
+  }
+  for (const RobotTable::Tip& tip : robot.tips)
+    if (!rigid(tip.transform)) return "robot/tips";
+  for (const RobotTable::Capsule& capsule : robot.capsules)
+    if (!seen(capsule.from) || !seen(capsule.to) || !(capsule.radius >= 0)) return "robot/capsules";
+  return nullptr;
+}
+
+bool judge_object(const SceneObject& object, ViolationRuns& runs) {
+  const std::size_t poses = object.time.size();
+  const bool fits = poses > 0 && object.position.size() == poses &&
+                    object.orientation.size() == poses && can_judge(object);
+  if (!fits) {
+    runs.note_plan("structure", object.name, kNotSeen, kNotSeen);
+    return false;
+  }
+  bool finite = poses == 1 || all_finite(object.time);
+  for (const Vec3& position : object.position) finite = finite && seen(position);
+  for (const Quat& orientation : object.orientation)
+    finite = finite && std::abs(orientation.norm() - 1) < 1e-6;
+  if (!finite) runs.note_plan("finite", object.name, kNotSeen, kNotSeen);
+  const bool ordered = std::adjacent_find(object.time.begin(), object.time.end(),
+                                          std::greater_equal<>()) == object.time.end();
+  if (!ordered) runs.note_plan("time", object.name, kNotSeen, kNotSeen);
+  return finite && ordered;
+}
+
+bool judge_goals(const RobotTable& robot, const Plan& plan, ViolationRuns& runs) {
+  const Goals& goals = plan.goals;
+  if (goals.frames() == 0) return true;
+  if (goals.tip_position.rows != goals.frames() || goals.tip_position.cols != robot.tips.size()) {
+    runs.note_plan("structure", "goals", static_cast<double>(goals.tip_position.cols),
+                   static_cast<double>(robot.tips.size()));
+    return false;
+  }
+  const bool ordered = std::adjacent_find(goals.time.begin(), goals.time.end(),
+                                          std::greater_equal<>()) == goals.time.end();
+  if (!ordered || !all_finite(goals.time)) {
+    runs.note_plan("time", "goals", kNotSeen, kNotSeen);
+    return false;
+  }
+  return true;
+}
+
+/// Standing still, or leaving the hard part out, is not a plan.
+void judge_coverage(const Plan& plan, ViolationRuns& runs) {
+  if (plan.goals.time.empty()) return;
+  const auto& reached = plan.trajectory.demonstration_time;
+  const double first = plan.goals.time.front(), last = plan.goals.time.back();
+  if (reached.front() > first + kCoverage_s)
+    runs.note_plan("time", "demonstration_time", reached.front(), first);
+  if (reached.back() < last - kCoverage_s)
+    runs.note_plan("time", "demonstration_time", reached.back(), last);
+}
+
+}  // namespace
+
+bool judge_structure(const RobotTable& robot, const Plan& plan, ViolationRuns& runs) {
+  const bool empty = plan.trajectory.samples() == 0;
+  if (plan.executable() == empty) {
+    runs.note_plan("structure", "trajectory", static_cast<double>(plan.trajectory.samples()), 0);
+    return false;
+  }
+  if (!plan.executable()) return false;
+  if (const char* fault = robot_fault(robot)) {
+    runs.note_plan("structure", fault, kNotSeen, kNotSeen);
+    return false;
+  }
+  bool good = judge_motion(robot, plan.trajectory, runs);
+  good = judge_goals(robot, plan, runs) && good;
+  for (const SceneObject& object : plan.scene.objects) good = judge_object(object, runs) && good;
+  if (good) judge_coverage(plan, runs);
+  return good;
+}
+
+bool judge_approach_structure(const RobotTable& robot, const Plan& plan, ViolationRuns& runs) {
+  if (plan.approach.samples() == 0 || !judge_motion(robot, plan.approach, runs)) return false;
+  const auto last = static_cast<Eigen::Index>(plan.approach.samples()) - 1;
+  const double gap =
+      (plan.approach.position.row(last) - plan.trajectory.position.row(0)).cwiseAbs().maxCoeff();
+  if (gap > kJoint_rad) runs.note_plan("structure", "approach", gap, kJoint_rad);
+  return true;
+}
+
+}  // namespace morphe::judge

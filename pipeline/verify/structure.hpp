@@ -1,0 +1,17 @@
+#pragma once
+
+#include "pipeline/motion/plan.hpp"
+#include "pipeline/motion/robot_table.hpp"
+#include "pipeline/verify/violation_runs.hpp"
+
+namespace morphe::judge {
+
+/// Whether status and content go together, shapes fit, numbers are numbers, time runs on from 0 and
+/// demonstration_time never back; the trajectory must lead through the goals' time, to 0.05 s.
+/// Notes `structure`, `finite` and `time`. False if the motion cannot be judged any further.
+bool judge_structure(const RobotTable& robot, const Plan& plan, ViolationRuns& runs);
+
+/// The same for the approach, which has no goals and ends where the trajectory begins.
+bool judge_approach_structure(const RobotTable& robot, const Plan& plan, ViolationRuns& runs);
+
+}  // namespace morphe::judge

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "pipeline/motion/plan.hpp"
+#include "pipeline/motion/robot_table.hpp"
+
+namespace morphe {
+
+/// One thing that does not hold, at its worst place; neighbouring samples with the same cause and
+/// subject are one violation.
+///
+/// cause        subject                  value, limit
+/// structure    dataset or object        status and content do not go together, shapes do not fit
+/// finite       dataset or object        a number that is none
+/// time         dataset                  time or demonstration_time runs back, or leaves goals out
+/// rest         joint                    velocity or acceleration at an end; 1e-9
+/// position     joint                    rad; limit, tolerance 1e-6 of the joint's range
+/// velocity, acceleration, jerk  joint   magnitude; limit, relative tolerance 1e-6
+/// tracking     tip                      m from its goal; tolerance of the plan at that phase
+/// self         capsule/capsule          m of clearance; clearance required, tolerance 1e-6 m
+/// object       capsule/object           the same
+/// certificate  attribute                what is stored; what was recomputed
+struct Violation {
+  std::string plan;
+  int sample = -1;    ///< the trajectory's sample nearest to time_s, -1: the plan as a whole
+  double time_s = 0;  ///< on the trajectory's clock
+  std::string cause, subject;
+  double value = 0, limit = 0;
+};
+
+struct VerifyReport {
+  int executable = 0, infeasible = 0;  ///< plans, as the file has them
+  std::vector<Violation> violations;
+};
+
+/// Judges one plan by what docs/formats.md promises of it, with code of its own. Limits hold along
+/// the quintic between samples (exact extrema); clearance is proved there by bisection, and what
+/// stays open when nothing moves more than 0.01 mm counts as a violation; tips are judged at every
+/// sample; the certificate must agree with what is recomputed (position_margin 1e-6 rad, ratios
+/// and tempo 1e-4 of their value, position_error_max 1e-4 m, clearance at most 1e-4 m too high).
+/// In the order of samples, then of causes and subjects.
+std::vector<Violation> verify_plan(const RobotTable& robot, const std::string& plan_path,
+                                   const Plan& plan);
+
+/// Every plan of a plans.h5. Throws InputError if the file cannot be read.
+VerifyReport verify_file(const std::filesystem::path& file);
+
+/// {executable, infeasible, violations: [{plan, sample, time_s, cause, subject, value, limit}]};
+/// a number that is not finite is null.
+std::string verify_json(const VerifyReport& report);
+
+/// A line per violation, then the sum.
+std::string verify_text(const VerifyReport& report);
+
+}  // namespace morphe

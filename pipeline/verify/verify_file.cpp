@@ -1,0 +1,18 @@
+#include "pipeline/store/plan_file.hpp"
+#include "pipeline/verify/verify.hpp"
+
+namespace morphe {
+
+VerifyReport verify_file(const std::filesystem::path& file) {
+  const PlanReader reader(file);
+  VerifyReport report;
+  for (std::size_t i = 0; i < reader.plan_paths().size(); ++i) {
+    const Plan plan = reader.read(i);
+    ++(plan.executable() ? report.executable : report.infeasible);
+    const std::vector<Violation> found = verify_plan(reader.robot(), reader.plan_paths()[i], plan);
+    report.violations.insert(report.violations.end(), found.begin(), found.end());
+  }
+  return report;
+}
+
+}  // namespace morphe

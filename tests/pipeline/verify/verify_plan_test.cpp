@@ -1,0 +1,285 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "pipeline/verify/verify.hpp"
+#include "planar_plan.hpp"
+
+namespace morphe {
+namespace {
+
+std::vector<Violation> verify(const Plan& plan, const RobotTable& robot = planar::robot()) {
+  return verify_plan(robot, "reach/000", plan);
+}
+
+std::vector<Violation> of(const std::string& cause, const std::vector<Violation>& violations) {
+  std::vector<Violation> found;
+  for (const Violation& violation : violations)
+    if (violation.cause == cause) found.push_back(violation);
+  return found;
+}
+
+SceneObject& object(Plan& plan, const std::string& name) {
+  for (SceneObject& candidate : plan.scene.objects)
+    if (candidate.name == name) return candidate;
+  throw std::logic_error(name);
+}
+
+/// An arm at rest between two ways of the shoulder whose jerk is zero at the samples 0 and 1 and
+/// 10 p / h^3 half-way between them, and at most 8.9 p / h^3 from there on (p = 0.01, h = 0.5).
+Plan jerk_between_samples() {
+  Plan plan = planar::plan();
+  Trajectory& trajectory = plan.trajectory;
+  constexpr double p = 0.01, h = 0.5;
+  trajectory.time = {0, h, 4 * h};
+  trajectory.demonstration_time = {2.0, 2.4, 2.8};
+  trajectory.phase = {1, 1, 1};
+  trajectory.origin = std::vector<Origin>(3, Origin::mapped);
+  trajectory.clearance = {0, 0, 0};
+  const Eigen::RowVector3d start = planar::position_at(0).transpose();
+  trajectory.position = start.replicate(3, 1);
+  trajectory.velocity = trajectory.acceleration = JointRows::Zero(3, 3);
+  trajectory.position.col(0) += Eigen::Vector3d(0, p, 12 * p);
+  trajectory.velocity(1, 0) = 10 * p / 3 / h;
+  trajectory.acceleration(1, 0) = 20 * p / 3 / (h * h);
+  return plan;
+}
+
+TEST(VerifyPlan, AcceptsAValidPlan) {
+  for (const Violation& v : verify(planar::plan()))
+    ADD_FAILURE() << v.sample << " " << v.cause << " " << v.subject << " " << v.value << " "
+                  << v.limit;
+  EXPECT_TRUE(verify(planar::plan(0.001)).empty());
+}
+
+TEST(VerifyPlan, FindsAJointOverItsLimit) {
+  Plan plan = planar::plan();
+  plan.trajectory.position(50, 1) = 1.6;
+  const auto found = of("position", verify(plan));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].plan, "reach/000");
+  EXPECT_EQ(found[0].subject, "elbow");
+  EXPECT_EQ(found[0].sample, 50);
+  EXPECT_NEAR(found[0].time_s, 0.5, 0.005);
+  EXPECT_GE(found[0].value, 1.6);
+  EXPECT_EQ(found[0].limit, 1.5);
+}
+
+TEST(VerifyPlan, FindsARaisedVelocity) {
+  Plan plan = planar::plan();
+  plan.trajectory.velocity(30, 0) = -2.5;
+  const auto found = of("velocity", verify(plan));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].subject, "shoulder");
+  EXPECT_NEAR(found[0].sample, 30, 1);
+  EXPECT_GE(found[0].value, 2.5);
+  EXPECT_EQ(found[0].limit, 2);
+}
+
+TEST(VerifyPlan, FindsAnEndThatIsNotAtRest) {
+  Plan plan = planar::plan();
+  plan.trajectory.acceleration(100, 2) = 0.01;
+  const auto found = of("rest", verify(plan));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].subject, "proximal");
+  EXPECT_EQ(found[0].sample, 100);
+  EXPECT_EQ(found[0].value, 0.01);
+}
+
+TEST(VerifyPlan, FindsAnObstacleMovedIntoThePath) {
+  Plan plan = planar::plan();
+  object(plan, "bottle").position[0] = planar::tip_at(planar::position_at(0.5));
+  const auto violations = verify(plan);
+  bool distal = false;
+  for (const Violation& v : of("object", violations)) {
+    if (v.subject != "distal/bottle") continue;
+    distal = true;
+    EXPECT_EQ(v.sample, 50);
+    EXPECT_NEAR(v.value, -0.02 - 0.01, 1e-4);  // the axis goes through the bottle's
+    EXPECT_EQ(v.limit, 0.001);
+  }
+  EXPECT_TRUE(distal);
+}
+
+TEST(VerifyPlan, FindsAThinObstacleBetweenTwoSamples) {
+  Plan plan = planar::plan(0.1);
+  SceneObject& rod = object(plan, "rod");
+  rod.position[0] = planar::tip_at(planar::position_at(0.53));
+  for (const double t : {0.5, 0.6})  // clear at both samples around
+    ASSERT_GT((planar::tip_at(planar::position_at(t)) - rod.position[0]).norm(), 0.02);
+  const auto found = of("object", verify(plan));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].subject, "distal/rod");
+  EXPECT_THAT(found[0].sample, testing::AnyOf(5, 6));
+  EXPECT_NEAR(found[0].time_s, 0.53, 0.03);
+}
+
+TEST(VerifyPlan, FindsAnObstacleThatCrossesBetweenTwoSamples) {
+  Plan plan = planar::plan(0.1);
+  SceneObject& rod = object(plan, "rod");  // flies through the waiting arm within 2 ms
+  rod.time = {2.0, 2.001, 2.003};
+  rod.position = {Vec3(0.3, -0.8, 0.2), Vec3(0.3, -0.8, 0.2), Vec3(0.3, 0.8, 0.2)};
+  rod.orientation = std::vector<Quat>(3, Quat::Identity());
+  const auto found = of("object", verify(plan));
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found[0].sample, 0);
+  EXPECT_NEAR(found[0].time_s, 0.002 / 0.8, 0.00125);
+}
+
+TEST(VerifyPlan, FindsAGoalMovedAtTheGrasp) {
+  Plan plan = planar::plan();
+  plan.goals.tip_position(75, 1).z() += 0.008;  // 2.75 s; 0.8 of it at sample 94
+  plan.goals.tip_position(40, 1).z() += 0.008;  // in the reach 20 mm are tolerated
+  const auto found = of("tracking", verify(plan));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].subject, "index");
+  EXPECT_EQ(found[0].sample, 94);
+  EXPECT_NEAR(found[0].value, 0.0064, 1e-4);
+  EXPECT_EQ(found[0].limit, 0.005);
+}
+
+TEST(VerifyPlan, AsksNothingWhereATipWasNotSeen) {
+  Plan plan = planar::plan();
+  plan.goals.tip_position(75, 1).z() += 0.008;
+  plan.goals.tip_position(74, 1) = plan.goals.tip_position(76, 1) = unseen_point();
+  EXPECT_TRUE(of("tracking", verify(plan)).empty());
+}
+
+TEST(VerifyPlan, FindsJerkThatIsExceededOnlyBetweenSamples) {
+  RobotTable robot = planar::robot();
+  robot.jerk(0) = 0.76;
+  const auto found = of("jerk", verify(jerk_between_samples(), robot));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].subject, "shoulder");
+  EXPECT_THAT(found[0].sample, testing::AnyOf(0, 1));
+  EXPECT_NEAR(found[0].time_s, 0.25, 1e-9);
+  EXPECT_NEAR(found[0].value, 0.8, 1e-9);
+  robot.jerk(0) = 0.81;
+  EXPECT_TRUE(of("jerk", verify(jerk_between_samples(), robot)).empty());
+}
+
+TEST(VerifyPlan, FindsAFalseCertificate) {
+  const std::pair<const char*, double Certificate::*> attributes[] = {
+      {"position_margin", &Certificate::position_margin},
+      {"velocity_ratio", &Certificate::velocity_ratio},
+      {"acceleration_ratio", &Certificate::acceleration_ratio},
+      {"jerk_ratio", &Certificate::jerk_ratio},
+      {"clearance", &Certificate::clearance},
+      {"position_error_max", &Certificate::position_error_max},
+      {"tempo", &Certificate::tempo}};
+  for (const auto& [name, attribute] : attributes) {
+    for (const bool missing : {false, true}) {
+      Plan plan = planar::plan();
+      plan.certificate.*attribute = missing ? kNotSeen : plan.certificate.*attribute + 0.001;
+      const auto found = verify(plan);
+      ASSERT_EQ(found.size(), 1u) << name;
+      EXPECT_EQ(found[0].cause, "certificate");
+      EXPECT_EQ(found[0].subject, name);
+      EXPECT_EQ(found[0].sample, -1);
+    }
+  }
+}
+
+TEST(VerifyPlan, LetsOnlyAllowedCapsulesTouchTheTargetAndOnlyInTime) {
+  Plan plan = planar::plan();
+  plan.movement.target = "";
+  auto found = of("object", verify(plan));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].subject, "distal/cup");
+  EXPECT_EQ(found[0].sample, 100);
+  EXPECT_NEAR(found[0].value, -0.002, 1e-9);
+  EXPECT_EQ(found[0].limit, 0.001);
+
+  RobotTable robot = planar::robot();
+  robot.capsules[3].may_touch_target = false;
+  EXPECT_EQ(of("object", verify(planar::plan(), robot)).size(), 1u);
+
+  plan = planar::plan();
+  plan.movement.phases.back().end_s = 2.79;  // lets go while still touching
+  EXPECT_EQ(of("object", verify(plan)).size(), 1u);
+
+  plan = planar::plan();
+  plan.tolerances.contact_depth = 0.0019;
+  found = of("object", verify(plan));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].limit, -0.0019);
+}
+
+TEST(VerifyPlan, FindsTheRobotInItsOwnWay) {
+  RobotTable robot = planar::robot();
+  robot.capsules[3].to = Vec3(-0.1, 0, 0);  // the distal link reaches back into the forearm
+  const auto found = of("self", verify(planar::plan(), robot));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].subject, "forearm/distal");
+  robot.allowed_pairs.push_back({1, 3});
+  EXPECT_TRUE(of("self", verify(planar::plan(), robot)).empty());
+}
+
+TEST(VerifyPlan, FindsTimeThatRunsBackOrLeavesGoalsOut) {
+  Plan plan = planar::plan();
+  plan.trajectory.time[10] = plan.trajectory.time[9];
+  ASSERT_EQ(verify(plan).size(), 1u);
+  EXPECT_EQ(verify(plan)[0].cause, "time");
+  EXPECT_EQ(verify(plan)[0].sample, 10);
+
+  plan = planar::plan();
+  plan.trajectory.demonstration_time[20] = 2.1;
+  EXPECT_EQ(verify(plan).at(0).subject, "demonstration_time");
+
+  plan = planar::plan();
+  for (double& time_s : plan.trajectory.demonstration_time) time_s = 2.0;  // stands still
+  const auto found = of("time", verify(plan));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].limit, 2.8);
+}
+
+TEST(VerifyPlan, FindsWhatIsNotANumber) {
+  Plan plan = planar::plan();
+  plan.trajectory.velocity(3, 1) = kNotSeen;
+  EXPECT_EQ(verify(plan).at(0).cause, "finite");
+  plan = planar::plan();
+  object(plan, "cup").position[0].x() = kNotSeen;
+  EXPECT_EQ(verify(plan).at(0).subject, "cup");
+}
+
+TEST(VerifyPlan, FindsStatusAndContentApart) {
+  Plan plan = planar::plan();
+  plan.reason = "smoothing";
+  EXPECT_EQ(verify(plan).at(0).cause, "structure");
+  plan.trajectory = {};
+  EXPECT_TRUE(verify(plan).empty());
+  plan.reason = "";
+  EXPECT_EQ(verify(plan).at(0).cause, "structure");
+  plan = planar::plan();
+  object(plan, "bottle").shape = Shape::mesh;  // nothing that could be judged
+  EXPECT_EQ(verify(plan).at(0).subject, "bottle");
+}
+
+TEST(VerifyPlan, JudgesTheApproachToo) {
+  Plan plan = planar::plan();
+  plan.approach = plan.trajectory;
+  for (double& time_s : plan.approach.demonstration_time) time_s = 2.0;
+  const auto found = verify(plan);
+  ASSERT_EQ(found.size(), 2u);  // it does not end where the trajectory begins, and meets the cup
+  EXPECT_EQ(found[0].plan, "reach/000/approach");
+  EXPECT_EQ(found[0].subject, "approach");
+  EXPECT_EQ(found[1].subject, "distal/cup");
+}
+
+TEST(VerifyReport, IsWrittenAsTheDocumentsSay) {
+  VerifyReport report{2, 1, {}};
+  EXPECT_EQ(verify_json(report), "{\"executable\": 2, \"infeasible\": 1, \"violations\": []}\n");
+  report.violations = {{"a\"b/000", 7, 0.014, "jerk", "S1", 31.5, 31},
+                       {"c/001", -1, 0, "certificate", "tempo", kNotSeen, 1.25}};
+  EXPECT_EQ(verify_json(report),
+            "{\"executable\": 2, \"infeasible\": 1, \"violations\": [\n"
+            "  {\"plan\": \"a\\\"b/000\", \"sample\": 7, \"time_s\": 0.014, \"cause\": \"jerk\", "
+            "\"subject\": \"S1\", \"value\": 31.5, \"limit\": 31},\n"
+            "  {\"plan\": \"c/001\", \"sample\": -1, \"time_s\": 0, \"cause\": \"certificate\", "
+            "\"subject\": \"tempo\", \"value\": null, \"limit\": 1.25}\n]}\n");
+  EXPECT_THAT(verify_text(report), testing::HasSubstr("sample 7 (0.0140 s): jerk S1: 31.5"));
+}
+
+}  // namespace
+}  // namespace morphe
