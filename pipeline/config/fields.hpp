@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <concepts>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,10 +56,17 @@ class FieldReader {
 
  private:
   static void read(const ConfigNode& n, bool& value) { value = n.boolean(); }
-  static void read(const ConfigNode& n, int& value) { value = static_cast<int>(n.integer()); }
+  static void read(const ConfigNode& n, int& value) {
+    const std::int64_t number = n.integer();
+    value = static_cast<int>(number);
+    if (value != number) n.fail(fmt::format("is out of range: {}", number));
+  }
   static void read(const ConfigNode& n, std::uint64_t& value) {
-    if (n.integer() < 0) n.fail("must not be negative");
-    value = static_cast<std::uint64_t>(n.integer());
+    const std::string word = n.text();
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size()) {
+      n.fail(fmt::format("must be a whole number from 0 to 2^64 - 1, not '{}'", word));
+    }
   }
   static void read(const ConfigNode& n, double& value) { value = n.number(); }
   static void read(const ConfigNode& n, std::string& value) { value = n.text(); }

@@ -69,11 +69,12 @@ std::string join(const std::string& path, std::string_view key) {
 
 ConfigNode ConfigNode::load(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError(fmt::format("{}: cannot be read", file.string()));
+  if (!stream || std::filesystem::is_directory(file)) {
+    throw InputError(fmt::format("{}: cannot be read", file.string()));
+  }
   std::stringstream text;
   text << stream.rdbuf();
-  if (stream.bad() || text.fail())
-    throw InputError(fmt::format("{}: cannot be read", file.string()));
+  if (stream.bad()) throw InputError(fmt::format("{}: cannot be read", file.string()));
   ConfigNode node = parse(text.str(), file.string());
   node.document_->file = file;
   return node;
@@ -99,7 +100,10 @@ bool ConfigNode::is_map() const { return value_->kind == Value::Kind::map; }
 bool ConfigNode::is_list() const { return value_->kind == Value::Kind::list; }
 bool ConfigNode::is_scalar() const { return value_->kind == Value::Kind::scalar; }
 bool ConfigNode::has(std::string_view key) const {
-  return is_map() && value_->find(key) && value_->find(key)->kind != Value::Kind::empty;
+  Value* child = is_map() ? value_->find(key) : nullptr;
+  if (!child) return false;
+  if (child->kind == Value::Kind::empty) child->read = true;  // "key:" alone asks for the default
+  return child->kind != Value::Kind::empty;
 }
 
 std::vector<std::string> ConfigNode::keys() const {
@@ -158,7 +162,7 @@ double ConfigNode::number() const {
     word.resize(word.size() - 3);
     while (word.ends_with(' ')) word.pop_back();
   }
-  const char* begin = word.data() + (word.starts_with('+') ? 1 : 0);
+  const char* begin = word.data() + (word.starts_with('+') && !word.starts_with("+-") ? 1 : 0);
   double number = 0;
   const auto [end, error] = std::from_chars(begin, word.data() + word.size(), number);
   if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(number)) {

@@ -26,7 +26,7 @@ class ConfigNode {
   bool is_map() const;
   bool is_list() const;
   bool is_scalar() const;
-  bool has(std::string_view key) const;
+  bool has(std::string_view key) const;   ///< with a value; "key:" alone counts as absent
   std::vector<std::string> keys() const;  ///< of a map, in the file's order; marks none as read
   ConfigNode operator[](std::string_view key) const;  ///< marks the key as read; throws if missing
   std::vector<ConfigNode> items() const;              ///< of a list; throws if it is none
