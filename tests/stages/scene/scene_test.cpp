@@ -1,0 +1,252 @@
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "pipeline/config/fields.hpp"
+#include "stages/scene/build_scene.hpp"
+
+namespace morphe {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// Two seconds of a hand that rests at z = 0.02, and closes around an upright cylinder of radius
+/// 0.036 at (0.2, 0.3): tips' axes 0.047 from its axis.
+struct Grasping {
+  HumanMotion motion;
+  Movement movement;
+  Grasping() {
+    const std::size_t frames = 201;
+    motion.tip = Table<Vec3>(frames, kFingers, unseen_point());
+    for (std::size_t i = 0; i < frames; ++i) {
+      const double share = std::min(1.0, static_cast<double>(i) / 100);
+      motion.time.push_back(5 + 0.01 * static_cast<double>(i));
+      motion.wrist.push_back(Vec3(0.2, 0.0 + 0.1 * share, 0.05));
+      motion.tip(i, 0) = Vec3(0.2, 0.1, 0.02) + share * Vec3(-0.047 * 0.6, 0.2 - 0.047 * 0.8, 0.07);
+      motion.tip(i, 1) = Vec3(0.2, 0.1, 0.02) + share * Vec3(0.047 * 0.6, 0.2 + 0.047 * 0.8, 0.05);
+    }
+    movement.begin_s = 5;
+    movement.end_s = 6.5;
+    movement.phases = {{"reach", 5, 6, 1}, {"preshape", 5.3, 6, 1}, {"grasp", 6, 6.5, 1}};
+  }
+};
+
+const SceneObject& object(const Scene& scene, const std::string& name) {
+  for (const SceneObject& o : scene.objects) {
+    if (o.name == name) return o;
+  }
+  throw std::runtime_error("no object " + name);
+}
+
+std::vector<std::string> names(const Scene& scene) {
+  std::vector<std::string> result;
+  for (const SceneObject& o : scene.objects) result.push_back(o.name);
+  return result;
+}
+
+double top(const SceneObject& box) { return box.position[0].z() + box.size[2] / 2; }
+
+TEST(BuildScene, InfersTableAndCup) {
+  Grasping g;
+  const Scene scene = build_scene({}, {}, g.motion, g.movement);
+  EXPECT_THAT(names(scene), ElementsAre("table", "cup"));
+  EXPECT_EQ(g.movement.target, "cup");
+  const SceneObject &table = object(scene, "table"), &cup = object(scene, "cup");
+  EXPECT_EQ(table.shape, Shape::box);
+  EXPECT_NEAR(top(table), 0.02 - 0.012, 1e-12);
+  EXPECT_NEAR(table.position[0].y() - table.size[1] / 2, 0.0 - 0.05, 1e-12);
+  EXPECT_EQ(cup.shape, Shape::cylinder);
+  EXPECT_NEAR(cup.size[0], 0.036, 1e-12);
+  EXPECT_NEAR(cup.position[0].x(), 0.2, 1e-12);
+  EXPECT_NEAR(cup.position[0].y(), 0.3, 1e-12);
+  // It stands on the table and ends 20 mm above the higher tip (0.09).
+  EXPECT_NEAR(cup.position[0].z() - cup.size[1] / 2, top(table), 1e-12);
+  EXPECT_NEAR(cup.position[0].z() + cup.size[1] / 2, 0.11, 1e-12);
+  EXPECT_EQ(cup.attach_s, 6.5);
+  EXPECT_EQ(cup.release_s, 6.5);
+  EXPECT_TRUE(cup.orientation[0].isApprox(Quat::Identity()));
+}
+
+TEST(BuildScene, TheTableIsBelowEveryPlannedTipButNotBelowAStrayOne) {
+  Grasping g;
+  g.motion.tip(50, 1).z() = 0.015;   // planned
+  g.motion.tip(180, 1).z() = -0.30;  // after the movement: a marker that was swapped
+  const Scene scene = build_scene({}, {}, g.motion, g.movement);
+  EXPECT_NEAR(top(object(scene, "table")), 0.015 - 0.012, 1e-12);
+}
+
+TEST(BuildScene, TheTableHoldsAllPlannedTips) {
+  Grasping g;
+  SceneOptions options;
+  options.table.size = {0.1, 0.1};
+  const SceneObject table = build_scene(options, {}, g.motion, g.movement).objects[0];
+  for (std::size_t i = 0; i <= 150; ++i) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Vec3 away = g.motion.tip(i, k) - table.position[0];
+      EXPECT_LT(std::abs(away.x()), table.size[0] / 2);
+      EXPECT_LT(std::abs(away.y()), table.size[1] / 2);
+    }
+  }
+}
+
+TEST(BuildScene, TableHeightAndCupRadiusCanBeGiven) {
+  Grasping g;
+  SceneOptions options;
+  options.table.infer = false;
+  options.table.height = -0.03;
+  options.target.radius = 0.02;
+  const Scene scene = build_scene(options, {}, g.motion, g.movement);
+  EXPECT_NEAR(top(object(scene, "table")), -0.03, 1e-12);
+  EXPECT_EQ(object(scene, "cup").size[0], 0.02);
+  EXPECT_NEAR(object(scene, "cup").size[1], 0.11 + 0.03, 1e-12);
+}
+
+TEST(BuildScene, WithoutTableTheCupIsCentredAtTheTips) {
+  Grasping g;
+  SceneOptions options;
+  options.table.infer = false;
+  const Scene scene = build_scene(options, {}, g.motion, g.movement);
+  EXPECT_THAT(names(scene), ElementsAre("cup"));
+  EXPECT_NEAR(object(scene, "cup").position[0].z(), 0.08, 1e-12);
+}
+
+TEST(BuildScene, ACupIsCarriedUntilTheLastTransportEnds) {
+  Grasping g;
+  g.movement.phases.push_back({"transport", 6.5, 6.7, 1});
+  g.movement.phases.push_back({"transport", 6.8, 6.9, 1});
+  EXPECT_EQ(object(build_scene({}, {}, g.motion, g.movement), "cup").release_s, 6.9);
+}
+
+TEST(BuildScene, NoGraspNoTarget) {
+  Grasping g;
+  g.movement.phases.resize(1);
+  EXPECT_THAT(names(build_scene({}, {}, g.motion, g.movement)), ElementsAre("table"));
+  EXPECT_EQ(g.movement.target, "");
+}
+
+TEST(BuildScene, UnseenTipsGiveNoTarget) {
+  Grasping g;
+  for (std::size_t i = 0; i < g.motion.time.size(); ++i) g.motion.tip(i, 0) = unseen_point();
+  EXPECT_THAT(names(build_scene({}, {}, g.motion, g.movement)), ElementsAre("table"));
+  EXPECT_EQ(g.movement.target, "");
+  for (Vec3& tip : g.motion.tip.values) tip = unseen_point();
+  EXPECT_THAT(names(build_scene({}, {}, g.motion, g.movement)), testing::IsEmpty());
+}
+
+TEST(BuildScene, ARecordedObjectIsTheTarget) {
+  Grasping g;
+  Demonstration demonstration;
+  for (const double y : {0.6, 0.33}) {
+    SceneObject o;
+    o.name = y > 0.5 ? "far" : "near";
+    o.shape = Shape::sphere;
+    o.size = {0.03};
+    o.time = {5, 7};
+    o.position = {Vec3(0.2, y, 0.05), Vec3(0.2, y, 0.25)};
+    o.orientation = {Quat::Identity(), Quat::Identity()};
+    demonstration.objects.push_back(o);
+  }
+  const Scene scene = build_scene({}, demonstration, g.motion, g.movement);
+  EXPECT_THAT(names(scene), ElementsAre("table", "far", "near"));
+  EXPECT_EQ(g.movement.target, "near");
+  EXPECT_EQ(object(scene, "near").position.size(), 2u);
+  g.movement.target = "far";  // known already, from its motion
+  build_scene({}, demonstration, g.motion, g.movement);
+  EXPECT_EQ(g.movement.target, "far");
+}
+
+TEST(MoveScene, MovesEveryPose) {
+  Grasping g;
+  Scene scene = build_scene({}, {}, g.motion, g.movement);
+  scene.objects[0].time = {0, 1};
+  scene.objects[0].position = {Vec3(1, 2, 3), Vec3(1, 2, 4)};
+  scene.objects[0].orientation = {Quat::Identity(), Quat(0, 0, 0, 1)};
+  // Quarter turn about z: (x, y, z) → (−y, x, z), then shifted.
+  const Pose pose = make_pose(Vec3(10, 0, 0), Quat(std::sqrt(0.5), 0, 0, std::sqrt(0.5)));
+  const Scene moved = move_scene(scene, pose);
+  EXPECT_TRUE(moved.objects[0].position[0].isApprox(Vec3(8, 1, 3), 1e-12));
+  EXPECT_TRUE(moved.objects[0].position[1].isApprox(Vec3(8, 1, 4), 1e-12));
+  const Vec3 x = moved.objects[0].orientation[0] * Vec3::UnitX();
+  EXPECT_TRUE(x.isApprox(Vec3::UnitY(), 1e-12));
+  const Vec3 x1 = moved.objects[0].orientation[1] * Vec3::UnitX();
+  EXPECT_TRUE(x1.isApprox(-Vec3::UnitY(), 1e-12));
+  EXPECT_EQ(moved.objects[1].size, scene.objects[1].size);
+  EXPECT_EQ(moved.objects[1].attach_s, scene.objects[1].attach_s);
+}
+
+SceneOptions read(const std::string& yaml) {
+  const ConfigNode node = ConfigNode::parse(yaml, "c.yaml");
+  SceneOptions options = read_scene(node);
+  node.expect_all_read();
+  return options;
+}
+
+std::string error_of(const std::string& yaml) {
+  try {
+    read(yaml);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(SceneOptions, ConfiguredObjectsStandInTheScene) {
+  const SceneOptions options = read(
+      "objects:\n"
+      "  - {name: post, shape: cylinder, size: [0.02, 0.3], position: [0.1, 0.2, 0.15],\n"
+      "     rpy: [0, 90 deg, 0]}\n"
+      "  - {name: hidden, shape: sphere, size: [0.05], position: [1, 1, 1], in_mapping: false}\n");
+  Grasping g;
+  const Scene scene = build_scene(options, {}, g.motion, g.movement);
+  EXPECT_THAT(names(scene), ElementsAre("post", "hidden", "table", "cup"));
+  EXPECT_THAT(mapping_objects(options, scene), ElementsAre("table", "post"));
+  const Vec3 axis = object(scene, "post").orientation[0] * Vec3::UnitZ();
+  EXPECT_TRUE(axis.isApprox(Vec3::UnitX(), 1e-12));
+}
+
+TEST(SceneOptions, WrittenOptionsReadBackTheSame) {
+  SceneOptions options;
+  options.table.height = 0.01;
+  options.objects.push_back({"post", "box", {0.1, 0.2, 0.3}, Vec3(1, 2, 3), Vec3(0, 0, 1), false});
+  const std::string written = write_options(options);
+  EXPECT_EQ(write_options(read(written)), written);
+}
+
+TEST(SceneOptions, ErrorsNameFileLineAndKey) {
+  const auto with = [](const std::string& body) {
+    return "table: {infer: true}\nobjects:\n  - {name: a, position: [0, 0, 0], " + body + "}\n";
+  };
+  EXPECT_EQ(error_of(with("shape: box, size: [1, 1, 1]")), "");
+  const std::string mesh = error_of(with("shape: mesh, size: []"));
+  EXPECT_THAT(mesh, testing::StartsWith("c.yaml:3: objects[0]: shape: "));
+  EXPECT_THAT(mesh, HasSubstr("mesh"));
+  EXPECT_THAT(error_of(with("shape: box, size: [1, -1, 1]")),
+              testing::StartsWith("c.yaml:3: objects[0]: size: must be positive"));
+  EXPECT_THAT(error_of(with("shape: sphere, size: [1, 1]")),
+              testing::StartsWith("c.yaml:3: objects[0]: size: a sphere needs 1 numbers"));
+  EXPECT_THAT(error_of(with("shape: box")), HasSubstr("size"));
+  EXPECT_THAT(error_of("target: {max_radius: 0.001}"), HasSubstr("max_radius"));
+  EXPECT_THAT(error_of("table: {thickness: 0}"), HasSubstr("c.yaml:1: table: thickness"));
+  EXPECT_THAT(error_of("objects: [{name: cup, shape: sphere, size: [1], position: [0, 0, 0]}]"),
+              HasSubstr("the name 'cup' is taken"));
+  EXPECT_THAT(error_of("tabel: {}"), HasSubstr("tabel"));
+  EXPECT_THAT(error_of("file: nowhere.yaml"), HasSubstr("nowhere.yaml"));
+}
+
+TEST(SceneOptions, EveryShippedSceneLoads) {
+  const std::filesystem::path folder = std::filesystem::path(MORPHE_SOURCE_DIR) / "configs/scenes";
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".yaml") continue;
+    SceneOptions options;
+    options.file = entry.path().filename();
+    load_scene_file(options, folder);
+    EXPECT_FALSE(options.file_objects.empty()) << entry.path();
+    ++count;
+  }
+  EXPECT_GE(count, 1);
+}
+
+}  // namespace
+}  // namespace morphe

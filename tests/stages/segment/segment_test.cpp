@@ -1,0 +1,263 @@
+#include "stages/segment/segment.hpp"
+
+#include <gmock/gmock.h>
+
+#include <stdexcept>
+
+#include "tests/stages/segment/synthetic_hand.hpp"
+
+namespace morphe {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+std::vector<std::string> names(const Movement& movement) {
+  std::vector<std::string> result;
+  for (const Phase& phase : movement.phases) result.push_back(phase.name);
+  return result;
+}
+
+const Phase& phase(const Movement& movement, const std::string& name) {
+  for (const Phase& p : movement.phases) {
+    if (p.name == name) return p;
+  }
+  throw std::runtime_error("no phase " + name);
+}
+
+/// Time from the start of a minimum-jerk stroke until its speed is `share` of its peak.
+double rise_s(double share, double length_s) {
+  return length_s * (1 - std::sqrt(1 - std::sqrt(share))) / 2;
+}
+
+double peak_speed(const SyntheticHand::Stroke& stroke) {
+  return 1.875 * stroke.by.norm() / stroke.length_s;
+}
+
+TEST(Segment, FindsThePhasesOfADrinkingCycle) {
+  const auto movements = segment(drinking_hand().motion(), {});
+  ASSERT_EQ(movements.size(), 1u);
+  EXPECT_THAT(names(movements[0]),
+              ElementsAre("reach", "preshape", "grasp", "transport", "hold", "return"));
+  for (const Phase& p : movements[0].phases) {
+    EXPECT_LT(p.begin_s, p.end_s) << p.name;
+    EXPECT_GT(p.confidence, 0.8) << p.name;
+    EXPECT_LE(p.confidence, 1.0) << p.name;
+  }
+  EXPECT_EQ(movements[0].target, "");
+}
+
+TEST(Segment, OnsetIsWhereTheStrokeBegins) {
+  for (const double noise_m : {0.0, 0.0005}) {
+    SyntheticHand hand = drinking_hand();
+    hand.noise_m = noise_m;
+    SegmentOptions options;
+    options.onset_share = 0;
+    const auto movements = segment(hand.motion(), options);
+    ASSERT_EQ(movements.size(), 1u);
+    EXPECT_NEAR(phase(movements[0], "reach").begin_s, 0.8, 0.02) << noise_m;
+    EXPECT_NEAR(phase(movements[0], "transport").begin_s, 1.9, 0.02) << noise_m;
+    EXPECT_NEAR(phase(movements[0], "return").begin_s, 3.2, 0.02) << noise_m;
+  }
+}
+
+TEST(Segment, BoundariesAreWhereSpeedPassesFivePercentOfThePeak) {
+  for (const double noise_m : {0.0, 0.0005}) {
+    SyntheticHand hand = drinking_hand();
+    hand.noise_m = noise_m;
+    double top = 0;
+    for (const auto& stroke : hand.strokes) top = std::max(top, peak_speed(stroke));
+    const auto movements = segment(hand.motion(), {});
+    ASSERT_EQ(movements.size(), 1u);
+    const char* phases[] = {"reach", "transport", "return"};
+    for (int k = 0; k < 3; ++k) {
+      const auto& stroke = hand.strokes[static_cast<std::size_t>(k)];
+      const double rise = rise_s(0.05 * top / peak_speed(stroke), stroke.length_s);
+      const Phase& p = phase(movements[0], phases[k]);
+      EXPECT_NEAR(p.begin_s, stroke.begin_s + rise, 0.02) << phases[k] << noise_m;
+      EXPECT_NEAR(p.end_s, stroke.begin_s + stroke.length_s - rise, 0.02) << phases[k] << noise_m;
+    }
+  }
+}
+
+TEST(Segment, PreshapeLiesInsideTheReachAndGraspFollowsIt) {
+  const auto movements = segment(drinking_hand().motion(), {});
+  ASSERT_EQ(movements.size(), 1u);
+  const Phase &reach = phase(movements[0], "reach"), &preshape = phase(movements[0], "preshape");
+  const Phase &grasp = phase(movements[0], "grasp"), &lift = phase(movements[0], "transport");
+  // 10 % of the opening's rise: 10 τ³ − 15 τ⁴ + 6 τ⁵ = 0.1 at τ = 0.2466.
+  EXPECT_NEAR(preshape.begin_s, 0.85 + 0.2466 * 0.45, 0.03);
+  EXPECT_EQ(preshape.end_s, reach.end_s);
+  EXPECT_EQ(grasp.begin_s, reach.end_s);
+  EXPECT_EQ(grasp.end_s, lift.begin_s);
+}
+
+TEST(Segment, PlansAsFarAsAsked) {
+  SegmentOptions options;
+  const HumanMotion motion = drinking_hand().motion();
+  for (const char* until : {"grasp", "transport", "return"}) {
+    options.plan_until = until;
+    const auto movements = segment(motion, options);
+    ASSERT_EQ(movements.size(), 1u);
+    EXPECT_EQ(movements[0].begin_s, phase(movements[0], "reach").begin_s);
+    EXPECT_EQ(movements[0].end_s, phase(movements[0], until).end_s);
+  }
+}
+
+TEST(Segment, TwoPeaksWithAShallowDipAreOneReach) {
+  SyntheticHand hand = drinking_hand();
+  // A correction of the same direction that overlaps the reach: dips to 0.65 of the smaller peak.
+  hand.strokes = {{0.8, 0.7, Vec3(0.06, 0.20, 0.06)},
+                  {1.2, 0.5, Vec3(0.01, 0.11, 0)},
+                  {2.0, 0.9, Vec3(-0.1, -0.25, 0.4)},
+                  {3.2, 0.8, Vec3(0.03, -0.06, -0.46)}};
+  const auto movements = segment(hand.motion(), {});
+  ASSERT_EQ(movements.size(), 1u);
+  EXPECT_THAT(names(movements[0]),
+              ElementsAre("reach", "preshape", "grasp", "transport", "hold", "return"));
+  EXPECT_NEAR(phase(movements[0], "reach").end_s, 1.7, 0.06);
+}
+
+TEST(Segment, AReachWithoutAPauseEndsAtTheSlowestPoint) {
+  SyntheticHand hand = drinking_hand();
+  // Reach ends at 1.6, lift starts at 1.5: the hand never stops; the slowest point is between.
+  hand.strokes[1].begin_s = 1.5;
+  const auto movements = segment(hand.motion(), {});
+  ASSERT_EQ(movements.size(), 1u);
+  const Phase &grasp = phase(movements[0], "grasp"), &reach = phase(movements[0], "reach");
+  EXPECT_GT(grasp.begin_s, 1.45);
+  EXPECT_LT(grasp.end_s, 1.65);
+  EXPECT_NEAR(grasp.end_s - grasp.begin_s, SegmentOptions{}.least_grasp, 1e-9);
+  EXPECT_EQ(reach.end_s, grasp.begin_s);
+  EXPECT_LT(grasp.confidence, 1);
+}
+
+TEST(Segment, TwoCyclesAreTwoMovements) {
+  SyntheticHand hand = drinking_hand();
+  hand.length_s = 10;
+  for (std::size_t k = 0; k < 3; ++k) {
+    auto stroke = hand.strokes[k];
+    stroke.begin_s += 4.5;
+    hand.strokes.push_back(stroke);
+  }
+  for (std::size_t k = 1, n = hand.opening.size(); k < n; ++k) {
+    hand.opening.emplace_back(hand.opening[k].first + 4.5, hand.opening[k].second);
+  }
+  hand.noise_m = 0.0003;
+  const auto movements = segment(hand.motion(), {});
+  ASSERT_EQ(movements.size(), 2u);
+  for (const Movement& movement : movements) {
+    EXPECT_THAT(names(movement),
+                ElementsAre("reach", "preshape", "grasp", "transport", "hold", "return"));
+  }
+  EXPECT_EQ(movements[0].index, 0);
+  EXPECT_EQ(movements[1].index, 1);
+  EXPECT_NEAR(movements[1].begin_s - movements[0].begin_s, 4.5, 0.02);
+}
+
+TEST(Segment, AReachThatTouchesATargetHasNoGrasp) {
+  SyntheticHand hand;
+  hand.strokes = {{0.8, 0.9, Vec3(0, 0.25, 0)}, {2.5, 0.9, Vec3(0, -0.25, 0)}};
+  const auto movements = segment(hand.motion(), {});
+  ASSERT_EQ(movements.size(), 1u);
+  EXPECT_THAT(names(movements[0]), ElementsAre("reach", "hold", "return"));
+  const Phase& reach = phase(movements[0], "reach");
+  EXPECT_EQ(movements[0].begin_s, reach.begin_s);
+  EXPECT_NEAR(movements[0].end_s, reach.end_s + SegmentOptions{}.touch_hold, 1e-9);
+}
+
+TEST(Segment, ARecordedObjectThatMovesMarksTheTransport) {
+  SyntheticHand hand = drinking_hand();
+  hand.opening = {{0, 0.09}};  // no help from the hand
+  SceneObject box;
+  box.name = "box";
+  box.shape = Shape::sphere;
+  box.size = {0.02};
+  for (int i = 0; i <= 500; ++i) {
+    const double t = 0.01 * i;
+    box.time.push_back(t);
+    box.position.push_back(SyntheticHand::progress((t - 1.9) / 0.9) * Vec3(-0.1, -0.25, 0.4));
+    box.orientation.push_back(Quat::Identity());
+  }
+  const auto movements = segment(hand.motion(), {}, {box});
+  ASSERT_EQ(movements.size(), 1u);
+  EXPECT_EQ(movements[0].target, "box");
+  EXPECT_THAT(names(movements[0]),
+              ElementsAre("reach", "preshape", "grasp", "transport", "hold", "return"));
+  // The hand starts at 5 % of the peak, the box has gone 5 mm a little later.
+  EXPECT_NEAR(phase(movements[0], "grasp").end_s, 1.96, 0.04);
+}
+
+TEST(Segment, ARecordingThatStartsOrEndsInAMovementIsLessSure) {
+  const HumanMotion whole = drinking_hand().motion();
+  const auto cut = [&](std::size_t first, std::size_t last) {
+    HumanMotion part;
+    part.tip = Table<Vec3>(last - first, kFingers, unseen_point());
+    for (std::size_t i = first; i < last; ++i) {
+      part.time.push_back(whole.time[i]);
+      part.wrist.push_back(whole.wrist[i]);
+      for (std::size_t k = 0; k < kFingers; ++k) part.tip(i - first, k) = whole.tip(i, k);
+    }
+    return part;
+  };
+  const double sure = phase(segment(whole, {})[0], "reach").confidence;
+  const auto late = segment(cut(100, 501), {});  // 0.2 s into the reach
+  ASSERT_EQ(late.size(), 1u);
+  EXPECT_NEAR(late[0].begin_s, 1.0, 1e-9);
+  EXPECT_LT(phase(late[0], "reach").confidence, sure - 0.3);
+  const auto early = segment(cut(0, 235), {});  // ends in the lift
+  ASSERT_EQ(early.size(), 1u);
+  EXPECT_EQ(names(early[0]).back(), "transport");
+  EXPECT_LT(early[0].phases.back().confidence, 0.6);
+  for (std::size_t last = 1; last < 501; last += 7) {
+    (void)segment(cut(0, last), {});
+    (void)segment(cut(501 - last, 501), {});
+  }
+}
+
+TEST(Segment, UnseenTipsAreBridgedByTheWrist) {
+  HumanMotion motion = drinking_hand().motion();
+  for (std::size_t i = 0; i < motion.time.size(); ++i) {
+    if (i % 50 < 5) motion.tip(i, 1) = unseen_point();
+    if (i > 120 && i < 128) motion.wrist[i] = motion.tip(i, 1) = unseen_point();
+  }
+  const auto movements = segment(motion, {});
+  ASSERT_EQ(movements.size(), 1u);
+  EXPECT_THAT(names(movements[0]),
+              ElementsAre("reach", "preshape", "grasp", "transport", "hold", "return"));
+  EXPECT_LT(phase(movements[0], "reach").confidence,
+            phase(segment(drinking_hand().motion(), {})[0], "reach").confidence);
+}
+
+TEST(Segment, NothingSeenShortOrStillGivesNoMovement) {
+  EXPECT_THAT(segment(HumanMotion{}, {}), IsEmpty());
+  SyntheticHand still;
+  still.noise_m = 0.0005;
+  EXPECT_THAT(segment(still.motion(), {}), IsEmpty());
+  HumanMotion unseen = drinking_hand().motion();
+  for (Vec3& tip : unseen.tip.values) tip = unseen_point();
+  for (Vec3& wrist : unseen.wrist) wrist = unseen_point();
+  EXPECT_THAT(segment(unseen, {}), IsEmpty());
+  SyntheticHand brief = drinking_hand();
+  brief.length_s = 0.05;
+  EXPECT_THAT(segment(brief.motion(), {}), IsEmpty());
+  HumanMotion stopped = drinking_hand().motion();
+  for (double& t : stopped.time) t = 1;
+  EXPECT_THAT(segment(stopped, {}), IsEmpty());
+}
+
+TEST(SegmentOptions, CheckNamesTheKey) {
+  SegmentOptions options;
+  EXPECT_EQ(check(options), "");
+  options.plan_until = "lunch";
+  EXPECT_THAT(check(options), testing::StartsWith("plan_until: "));
+  options = {};
+  options.dip_share = 1.5;
+  EXPECT_THAT(check(options), testing::StartsWith("dip_share: "));
+  options = {};
+  options.least_reach = -1;
+  EXPECT_THAT(check(options), testing::StartsWith("least_reach: "));
+}
+
+}  // namespace
+}  // namespace morphe
