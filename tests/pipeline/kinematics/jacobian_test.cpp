@@ -1,0 +1,100 @@
+// Jacobians against central differences of forward(), for every shipped robot and every frame.
+#include <gtest/gtest.h>
+
+#include "pipeline/kinematics/forward.hpp"
+#include "shipped_robots.hpp"
+
+namespace morphe {
+namespace {
+
+constexpr double kStep = 1e-5;
+
+class Jacobian : public testing::TestWithParam<std::string> {
+ protected:
+  RobotTable robot = shipped_robot(GetParam());
+  std::mt19937 random{3};
+  std::vector<Pose> at, before, after;
+
+  void move(const JointVector& q, Eigen::Index joint) {
+    JointVector moved = q;
+    moved[joint] = q[joint] - kStep;
+    forward(robot, moved, before);
+    moved[joint] = q[joint] + kStep;
+    forward(robot, moved, after);
+  }
+};
+
+TEST_P(Jacobian, OfAPointMatchesDifferences) {
+  const Vec3 point_in_frame(0.03, -0.05, 0.11);
+  double worst = 0;
+  for (int i = 0; i < 5; ++i) {
+    const JointVector q = random_position(robot, random);
+    forward(robot, q, at);
+    for (Eigen::Index joint = 0; joint < q.size(); ++joint) {
+      move(q, joint);
+      for (std::size_t f = 0; f < robot.frames.size(); ++f) {
+        Eigen::Matrix3Xd jacobian = Eigen::Matrix3Xd::Constant(3, q.size(), kNotSeen);
+        point_jacobian(robot, at, static_cast<int>(f), at[f] * point_in_frame, jacobian);
+        const Vec3 expected =
+            (after[f] * point_in_frame - before[f] * point_in_frame) / (2 * kStep);
+        const double error = (jacobian.col(joint) - expected).norm();
+        ASSERT_TRUE(std::isfinite(error));
+        worst = std::max(worst, error);
+      }
+    }
+  }
+  EXPECT_LT(worst, 1e-7);
+}
+
+TEST_P(Jacobian, OfARotationMatchesDifferences) {
+  double worst = 0;
+  for (int i = 0; i < 5; ++i) {
+    const JointVector q = random_position(robot, random);
+    forward(robot, q, at);
+    for (Eigen::Index joint = 0; joint < q.size(); ++joint) {
+      move(q, joint);
+      for (std::size_t f = 0; f < robot.frames.size(); ++f) {
+        Eigen::Matrix3Xd jacobian = Eigen::Matrix3Xd::Constant(3, q.size(), kNotSeen);
+        rotation_jacobian(robot, at, static_cast<int>(f), jacobian);
+        const Eigen::Matrix3d change =
+            (after[f].linear() - before[f].linear()) / (2 * kStep) * at[f].linear().transpose();
+        const Vec3 expected(change(2, 1), change(0, 2), change(1, 0));
+        const double error = (jacobian.col(joint) - expected).norm();
+        ASSERT_TRUE(std::isfinite(error));
+        worst = std::max(worst, error);
+      }
+    }
+  }
+  EXPECT_LT(worst, 1e-7);
+}
+
+TEST_P(Jacobian, OfTheBaseIsZero) {
+  const JointVector q = random_position(robot, random);
+  forward(robot, q, at);
+  Eigen::Matrix3Xd jacobian = Eigen::Matrix3Xd::Constant(3, q.size(), kNotSeen);
+  point_jacobian(robot, at, -1, Vec3(1, 2, 3), jacobian);
+  EXPECT_TRUE(jacobian.isZero(0));
+  jacobian.setConstant(kNotSeen);
+  rotation_jacobian(robot, at, -1, jacobian);
+  EXPECT_TRUE(jacobian.isZero(0));
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, Jacobian, testing::ValuesIn(shipped_robots()),
+                         [](const auto& instance) { return instance.param; });
+
+TEST(CoupledJoint, CountsForTheJointThatDrivesIt) {
+  const RobotTable robot = shipped_robot("dlr_hit2");
+  std::vector<Pose> at;
+  forward(robot, zero_position(robot), at);
+  const std::size_t distal = frame_named(robot, "index_distal");
+  const Vec3 tip = tip_pose(robot, at, tip_named(robot, "index_tip")).translation();
+  Eigen::Matrix3Xd jacobian(3, 15);
+  point_jacobian(robot, at, static_cast<int>(distal), tip, jacobian);
+  // Stretched: 50 mm from the middle joint and 25 mm from the distal one, which turn together.
+  EXPECT_NEAR(jacobian.col(5).norm(), 0.050 + 0.025, 1e-15);
+  rotation_jacobian(robot, at, static_cast<int>(distal), jacobian);
+  EXPECT_NEAR(jacobian.col(5).norm(), 2, 1e-14);
+}
+
+}  // namespace
+}  // namespace morphe
