@@ -90,6 +90,21 @@ TEST(Description, CentresOfTheArmAloneAndWithTheHand) {
                           "middle:middle_middle", "ring:ring_middle", "little:little_middle"));
 }
 
+TEST(Description, CentresOfAnArmWithAnOffsetElbow) {
+  // Barrett WAM: axes 3 and 4 are 45 mm apart, so the frames of rows 3 and 5 lie beside the elbow.
+  std::string yaml = "name: wam\nchains:\n  - name: arm\n    joints:\n";
+  const char* rows[] = {"d: 0.31, a: 0, alpha: 0",          "d: 0, a: 0, alpha: -90 deg",
+                        "d: 0.55, a: 0, alpha: 90 deg",     "d: 0, a: 0.045, alpha: -90 deg",
+                        "d: 0.3, a: -0.045, alpha: 90 deg", "d: 0, a: 0, alpha: -90 deg",
+                        "d: 0.06, a: 0, alpha: 90 deg"};
+  for (int i = 0; i < 7; ++i) {
+    yaml += "      - {name: J" + std::to_string(i + 1) + ", theta: 0, " + rows[i] +
+            ", lower: -1, upper: 1, velocity: 1, acceleration: 1, jerk: 1}\n";
+  }
+  yaml += "tips: [{name: end, chain: arm, finger: wrist}]\n";
+  EXPECT_THAT(centres_of(written_robot("wam", yaml)), ElementsAre("arm:J4"));
+}
+
 TEST(Description, OnlyPalmAndFingersMayTouchTheTarget) {
   const RobotTable robot = shipped_robot("pa10_dlr_hit2");
   for (const RobotTable::Capsule& capsule : robot.capsules) {
