@@ -1,0 +1,118 @@
+// Adroit demonstrations as text: an optional '#' line, column names, then a row every 10 ms.
+// Their world has Z up, the hand starts at Y = -0.24 m and reaches to a door at Y > 0.1 m: Y is
+// forward and X to the right, so coordinates are taken as they are.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "stages/import/adroit_hand.hpp"
+#include "stages/import/csv.hpp"
+#include "stages/import/format.hpp"
+
+namespace morphe {
+namespace {
+
+/// The door handle's bar, as a ball around the point that was recorded of it. At the grasp the
+/// nearest fingertip centres lie 26 to 40 mm from that point and contact is expected at about
+/// 28 mm; a fingertip of that hand is about 8 mm thick (half), which leaves 20 mm.
+constexpr double kHandleRadius_m = 0.020;
+
+struct Row {
+  double time_s = 0;
+  AdroitAngles angles{};
+  Vec3 palm, handle;
+};
+
+/// Every column by its name: all that are needed, none twice.
+std::map<std::string, std::size_t, std::less<>> read_columns(const CsvText& csv, std::size_t line) {
+  std::map<std::string, std::size_t, std::less<>> columns;
+  const auto cells = csv.cells(line);
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    if (!columns.emplace(cells[c], c).second) csv.fail(line, cells[c], "the column stands twice");
+  }
+  std::vector<std::string> needed(std::begin(kAdroitJoints), std::end(kAdroitJoints));
+  for (const char* name : {"t_s", "palm_x", "palm_y", "palm_z", "handle_x", "handle_y", "handle_z"})
+    needed.push_back(name);
+  for (const std::string& name : needed) {
+    if (!columns.contains(name)) csv.fail(line, name, "the column is missing");
+  }
+  return columns;
+}
+
+std::vector<Row> read_rows(const CsvText& csv) {
+  const std::size_t header = !csv.lines.empty() && csv.lines[0].starts_with('#') ? 2 : 1;
+  if (csv.lines.size() <= header) csv.fail(csv.lines.size(), "", "ends before the first row");
+  const auto columns = read_columns(csv, header);
+  std::vector<Row> rows;
+  for (std::size_t line = header + 1; line <= csv.lines.size(); ++line) {
+    const auto cells = csv.cells(line);
+    if (cells.size() != columns.size()) {
+      csv.fail(line, "",
+               fmt::format("the row has {} cells, the header {}", cells.size(), columns.size()));
+    }
+    const auto value = [&](std::string_view name) {
+      return csv.number(line, name, cells[columns.find(name)->second]);
+    };
+    Row& row = rows.emplace_back();
+    row.time_s = value("t_s");
+    for (std::size_t j = 0; j < kAdroitJointCount; ++j) row.angles[j] = value(kAdroitJoints[j]);
+    row.palm = {value("palm_x"), value("palm_y"), value("palm_z")};
+    row.handle = {value("handle_x"), value("handle_y"), value("handle_z")};
+    if (rows.size() > 1 && !(row.time_s > rows[rows.size() - 2].time_s)) {
+      csv.fail(line, "t_s", "does not follow the row before");
+    }
+  }
+  return rows;
+}
+
+}  // namespace
+
+bool recognises_adroit_csv(std::string_view head) {
+  if (head.starts_with('#')) head.remove_prefix(std::min(head.size(), head.find('\n') + 1));
+  return head.starts_with("t_s,") && head.find(",ARRx,") != std::string_view::npos;
+}
+
+Demonstration read_adroit_csv(const RecordingFiles& files) {
+  const CsvText csv = read_csv(files.file);
+  if (!files.static_trial.empty()) csv.fail(1, "static", "this format has no static trial");
+  const std::vector<Row> rows = read_rows(csv);
+  std::vector<double> time;
+  for (const Row& row : rows) time.push_back(row.time_s);
+
+  BodyStream wrist{
+      {"wrist"}, {}, time, {rows.size(), 1, unseen_point()}, {rows.size(), 1, unseen_rotation()}};
+  AngleStream angles{{std::begin(kAdroitJoints), std::end(kAdroitJoints)}, time, {}};
+  angles.angles.resize(static_cast<Eigen::Index>(rows.size()), kAdroitJointCount);
+  HandStream tips{HandKind::fingertips, {}, time, {}, {rows.size(), 5, unseen_point()}};
+  SceneObject handle;
+  handle.name = "handle";
+  handle.shape = Shape::sphere;
+  handle.size = {kHandleRadius_m};
+  handle.time = time;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const AdroitAngles& q = rows[i].angles;
+    // Orientation from the angles, position from the palm point itself: it was recorded at the
+    // same instant as the handle's.
+    Pose world_from_palm = adroit_world_from_palm(q, 0);
+    world_from_palm.translation() += rows[i].palm - world_from_palm * adroit_palm_point();
+    wrist.position(i, 0) = world_from_palm.translation();
+    wrist.orientation(i, 0) = Quat(world_from_palm.linear() * adroit_palm_from_hand()).normalized();
+    const std::array<Vec3, 5> in_palm = adroit_fingertips(q);
+    for (std::size_t finger = 0; finger < 5; ++finger) {
+      tips.position(i, finger) = world_from_palm * in_palm[finger];
+    }
+    angles.angles.row(static_cast<Eigen::Index>(i)) =
+        Eigen::Map<const Eigen::RowVectorXd>(q.data(), kAdroitJointCount);
+    handle.position.push_back(rows[i].handle);
+    handle.orientation.push_back(Quat::Identity());
+  }
+  Demonstration demonstration;
+  demonstration.streams.sensors = std::move(wrist);
+  demonstration.streams.arm_angles = std::move(angles);
+  demonstration.streams.hand = std::move(tips);
+  demonstration.objects.push_back(std::move(handle));
+  return demonstration;
+}
+
+}  // namespace morphe

@@ -1,0 +1,112 @@
+#include "stages/import/import.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <fstream>
+#include <set>
+
+#include "pipeline/config/node.hpp"
+#include "stages/import/format.hpp"
+#include "stages/import/manifest.hpp"
+
+namespace morphe {
+
+const std::vector<RecordingFormat>& recording_formats() {
+  static const std::vector<RecordingFormat> formats = {
+      {"vicon-csv", &recognises_vicon_csv, &read_vicon_csv},
+      {"adroit-csv", &recognises_adroit_csv, &read_adroit_csv},
+  };
+  return formats;
+}
+
+std::vector<std::string> import_format_names() {
+  std::vector<std::string> names;
+  for (const RecordingFormat& format : recording_formats()) names.push_back(format.name);
+  return names;
+}
+
+namespace {
+
+std::string head_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::error_code error;
+  if (!stream || std::filesystem::is_directory(file, error)) {
+    throw InputError(fmt::format("{}: cannot be read", file.string()));
+  }
+  std::string head(4096, '\0');
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(stream.gcount()));
+  return head.starts_with("\xEF\xBB\xBF") ? head.substr(3) : head;
+}
+
+const RecordingFormat& format_of(const std::filesystem::path& file, const std::string& wanted) {
+  const std::string known = fmt::format("{}", fmt::join(import_format_names(), ", "));
+  for (const RecordingFormat& format : recording_formats()) {
+    if (wanted.empty() ? format.recognises(head_of(file)) : format.name == wanted) return format;
+  }
+  throw InputError(
+      wanted.empty()
+          ? fmt::format("{}:1: format: not recognised; known: {}", file.string(), known)
+          : fmt::format("{}: format: unknown '{}'; known: {}", file.string(), wanted, known));
+}
+
+std::map<std::string, std::string> read_names(const std::filesystem::path& file) {
+  std::map<std::string, std::string> renamed;
+  if (file.empty()) return renamed;
+  const ConfigNode root = ConfigNode::load(file);
+  if (!root.is_map()) root.fail("must map recorded marker names to names");
+  for (const std::string& key : root.keys()) renamed[key] = root[key].text();
+  return renamed;
+}
+
+std::vector<ManifestEntry> entries_of(const ImportRequest& request) {
+  std::vector<ManifestEntry> entries;
+  for (const std::filesystem::path& path : request.paths) {
+    if (path.extension() == ".yaml" || path.extension() == ".yml") {
+      for (ManifestEntry& entry : read_manifest(path)) entries.push_back(std::move(entry));
+    } else {
+      ManifestEntry& entry = entries.emplace_back();
+      entry.file = path.string();
+      entry.static_trial = request.static_trial.string();
+    }
+  }
+  std::set<std::string> names;
+  for (ManifestEntry& entry : entries) {
+    if (!request.format.empty()) entry.format = request.format;
+    if (entry.name.empty()) entry.name = std::filesystem::path(entry.file).stem().string();
+    if (entry.name.find('/') != std::string::npos || entry.name == "." || entry.name == "..") {
+      throw InputError(fmt::format("{}: name: '{}' cannot name a group", entry.file, entry.name));
+    }
+    if (!names.insert(entry.name).second) {
+      throw InputError(fmt::format("{}: name: '{}' stands twice", entry.file, entry.name));
+    }
+  }
+  return entries;
+}
+
+}  // namespace
+
+std::size_t import_recordings(const ImportRequest& request,
+                              const std::function<void(Demonstration&&)>& sink) {
+  const std::vector<ManifestEntry> entries = entries_of(request);
+  const std::map<std::string, std::string> renamed = read_names(request.names);
+  for (const ManifestEntry& entry : entries) {
+    Demonstration demonstration =
+        format_of(entry.file, entry.format).read({entry.file, entry.static_trial, renamed});
+    demonstration.name = entry.name;
+    if (!entry.subject.empty()) demonstration.subject = entry.subject;
+    demonstration.task = entry.task;
+    demonstration.hand = entry.hand;
+    demonstration.source = entry.source;
+    demonstration.licence = entry.licence;
+    demonstration.upper_arm = entry.upper_arm;
+    demonstration.forearm = entry.forearm;
+    demonstration.hand_length = entry.hand_length;
+    demonstration.hand_breadth = entry.hand_breadth;
+    sink(std::move(demonstration));
+  }
+  return entries.size();
+}
+
+}  // namespace morphe

@@ -1,0 +1,54 @@
+#include "stages/import/manifest.hpp"
+
+#include "pipeline/config/fields.hpp"
+
+namespace morphe {
+namespace {
+
+void shared_fields(FieldReader& f, ManifestEntry& e) {
+  f("static", e.static_trial);
+  f("format", e.format);
+  f("subject", e.subject);
+  f("task", e.task);
+  f("hand", e.hand);
+  f("source", e.source);
+  f("licence", e.licence);
+  f("upper_arm", e.upper_arm);
+  f("forearm", e.forearm);
+  f("hand_length", e.hand_length);
+  f("hand_breadth", e.hand_breadth);
+}
+
+}  // namespace
+
+std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file) {
+  const ConfigNode root = ConfigNode::load(file);
+  if (!root.is_map()) root.fail("must be a mapping of keys to values");
+  ManifestEntry defaults;
+  FieldReader root_reader(root);
+  shared_fields(root_reader, defaults);
+  std::vector<ManifestEntry> entries;
+  for (const ConfigNode& item : root["recordings"].items()) {
+    ManifestEntry entry = defaults;
+    FieldReader reader(item);
+    reader.required("file", entry.file);
+    reader("name", entry.name);
+    shared_fields(reader, entry);
+    if (entry.hand != "right" && entry.hand != "left") {
+      item.fail("hand must be right or left");
+    }
+    for (const auto& length :
+         {entry.upper_arm, entry.forearm, entry.hand_length, entry.hand_breadth}) {
+      if (length && *length <= 0) item.fail("lengths must be positive (metres)");
+    }
+    entry.file = (file.parent_path() / entry.file).string();
+    if (!entry.static_trial.empty()) {
+      entry.static_trial = (file.parent_path() / entry.static_trial).string();
+    }
+    entries.push_back(std::move(entry));
+  }
+  root.expect_all_read();
+  return entries;
+}
+
+}  // namespace morphe

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace morphe {
+
+/// One line of a manifest. Paths are as written there joined to the manifest's folder.
+struct ManifestEntry {
+  std::string file, static_trial;  ///< static: "" = none
+  std::string name;                ///< "" = the file's name without its extension
+  std::string format;              ///< "" = by content
+  std::string subject, task, hand = "right", source, licence;
+  std::optional<double> upper_arm, forearm, hand_length, hand_breadth;  ///< [m]
+};
+
+/// A manifest lists recordings and says what their files do not:
+///
+///     format: vicon-csv            # keys at the top are defaults of every recording
+///     recordings:
+///       - {file: a.csv, static: a_static.csv, name: a, task: drink}
+///
+/// Throws InputError for a missing file key, an unknown key, a length that is not positive or a
+/// hand that is neither right nor left.
+std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file);
+
+}  // namespace morphe

@@ -1,0 +1,62 @@
+#include "stages/reconstruct/mirror.hpp"
+
+#include <utility>
+
+namespace morphe {
+namespace {
+
+void mirror(Vec3& point) { point.x() = -point.x(); }
+
+void mirror(Quat& rotation) {
+  rotation.y() = -rotation.y();
+  rotation.z() = -rotation.z();
+}
+
+template <class Values>
+void mirror_all(Values& values) {
+  for (auto& value : values) mirror(value);
+}
+
+/// Arm markers, whose names begin with the side.
+bool is_sided(const std::string& name) {
+  static constexpr const char* kParts[] = {"SHO", "UAR", "LAR", "HAN", "FTP", "THUM",
+                                           "FB",  "GTH", "LEP", "MEP", "SPR", "SPU"};
+  if (name.empty() || (name[0] != 'L' && name[0] != 'R')) return false;
+  for (const char* part : kParts) {
+    if (name.compare(1, std::string(part).size(), part) == 0) return true;
+  }
+  return false;
+}
+
+void mirror(Streams& streams) {
+  if (streams.markers) {
+    mirror_all(streams.markers->position.values);
+    for (std::string& name : streams.markers->names) {
+      if (is_sided(name)) name[0] = name[0] == 'L' ? 'R' : 'L';
+    }
+  }
+  for (auto* bodies : {&streams.sensors, &streams.skeleton}) {
+    if (!*bodies) continue;
+    mirror_all((*bodies)->position.values);
+    mirror_all((*bodies)->orientation.values);
+  }
+  if (streams.hand) mirror_all(streams.hand->position.values);
+}
+
+}  // namespace
+
+Demonstration mirrored(const Demonstration& demonstration) {
+  Demonstration result = demonstration;
+  result.hand = "right";
+  mirror(result.streams);
+  mirror(result.calibration);
+  for (SceneObject& object : result.objects) {
+    mirror_all(object.position);
+    mirror_all(object.orientation);
+    mirror_all(object.vertices);
+    for (Eigen::Vector3i& triangle : object.triangles) std::swap(triangle[1], triangle[2]);
+  }
+  return result;
+}
+
+}  // namespace morphe

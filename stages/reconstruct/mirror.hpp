@@ -1,0 +1,14 @@
+#pragma once
+
+#include "pipeline/motion/demonstration.hpp"
+
+namespace morphe {
+
+/// A left-handed demonstration seen in the mirror X -> -X: the same movement of a right hand.
+/// Points are mirrored, orientations become M R M with M = diag(-1, 1, 1), markers of the left side
+/// swap their first letter with those of the right, objects are mirrored too; joint angles, being
+/// anatomical, stay. `hand` of the result is "right". Applying it twice gives the original
+/// (except for `hand`).
+Demonstration mirrored(const Demonstration& demonstration);
+
+}  // namespace morphe

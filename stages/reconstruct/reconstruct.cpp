@@ -1,0 +1,54 @@
+#include "stages/reconstruct/reconstruct.hpp"
+
+#include "stages/reconstruct/mirror.hpp"
+#include "stages/reconstruct/streams.hpp"
+
+namespace morphe {
+
+std::string check(const ReconstructOptions& o) {
+  if (!(o.rate_hz > 0)) return "rate_hz must be positive";
+  if (!(o.cutoff_hz > 0 && o.cutoff_hz < 0.4 * o.rate_hz)) {
+    return "cutoff_hz must lie between 0 and 0.4 rate_hz";
+  }
+  if (!(o.max_gap_s > 0)) return "max_gap_s must be positive";
+  for (const double shift : {o.thumb_marker_to_axis_m, o.index_marker_to_axis_m}) {
+    if (!(shift >= 0 && shift < 0.05)) return "marker_to_axis must lie between 0 and 0.05 m";
+  }
+  return "";
+}
+
+std::string check(const HumanOptions& o) {
+  if (!(o.stature_m > 0.5 && o.stature_m < 2.5)) return "stature_m must lie between 0.5 and 2.5 m";
+  for (const auto& length : {o.upper_arm, o.forearm}) {
+    if (length && !(*length > 0)) return "upper_arm and forearm must be positive";
+  }
+  if (!(o.reach_share > 0 && o.reach_share < 1)) return "reach_share must lie between 0 and 1";
+  return "";
+}
+
+HumanMotion unseen_motion(const Clock& clock) {
+  HumanMotion motion;
+  const std::size_t n = clock.count;
+  for (std::size_t i = 0; i < n; ++i) motion.time.push_back(clock.at(i));
+  motion.shoulder = motion.elbow = motion.wrist = std::vector<Vec3>(n, unseen_point());
+  motion.wrist_orientation = std::vector<Quat>(n, unseen_rotation());
+  motion.tip = motion.finger_joint = Table<Vec3>(n, kFingers, unseen_point());
+  motion.tip_orientation = Table<Quat>(n, kFingers, unseen_rotation());
+  return motion;
+}
+
+HumanMotion reconstruct(const Demonstration& demonstration, const ReconstructOptions& options,
+                        const HumanOptions& human) {
+  if (demonstration.hand == "left") {
+    HumanMotion motion = reconstruct(mirrored(demonstration), options, human);
+    motion.problems.push_back("a left hand, mirrored at X = 0 into a right one");
+    return motion;
+  }
+  if (demonstration.streams.markers) return motion_from_markers(demonstration, options);
+  if (demonstration.streams.sensors) return motion_from_sensors(demonstration, options, human);
+  HumanMotion nothing = unseen_motion({});
+  nothing.problems.push_back("neither markers nor tracked bodies: no arm can be rebuilt");
+  return nothing;
+}
+
+}  // namespace morphe
