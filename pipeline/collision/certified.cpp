@@ -141,7 +141,7 @@ struct Bisection {
       if (pair.slack() < least.pair.slack()) least = {MotionVerdict::free, middle, pair};
       const double travel_m = travel_of(pair);
       if (pair.slack() >= travel_m) continue;
-      if (pair.slack() < 0) {
+      if (!(pair.slack() >= 0)) {  // NaN too
         fail(number, MotionVerdict::colliding, middle, pair);
       } else if (travel_m < band_m || depth + 1 >= kDeepest) {
         fail(number, MotionVerdict::undecided, middle, pair);

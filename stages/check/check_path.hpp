@@ -9,7 +9,8 @@ namespace morphe {
 
 struct CheckOptions {
   Tolerances tolerances;
-  std::string engine = "closed";  ///< closed: exact distances, FCL beside; fcl: FCL alone
+  std::string engine = "closed";  ///< closed: exact distances, certified between samples; fcl:
+                                  ///< FCL's verdict alone, at samples less than a margin apart
   double jump_step = 0.06;        ///< a joint step that may be a change of basin [rad per 10 ms]
 };
 template <class Fields>
@@ -23,10 +24,21 @@ void fields(Fields& f, CheckOptions& o) {
 }
 std::string check(const CheckOptions& options);
 
-/// Everything that keeps a path from being executed, joined into intervals and ordered by begin:
-/// `self`, `object`, `table` (certified between samples too; an object named "table" is the table),
-/// `limit` (joint beyond its limits), `tracking` (tip farther from its goal than allowed in its
-/// phase), `jump`. Empty = free. Tips follow the goals at the path's demonstration times.
+/// Everything that keeps a path from being executed, one finding for each cause and pair of names
+/// in a row of samples, ordered by begin, then cause and names. Empty = free. Times are the path's
+/// demonstration times, the tips follow the goals at them.
+///   self, object, table  the pair comes nearer than it may, at a sample or on the straight line to
+///                        the next one (an object named "table" is the table). From the last sample
+///                        before to the first one after. Depth: what is missing at the worst place
+///                        that was looked at; where nothing was found but freedom could not be
+///                        proved either, the band of 0.1 mm that is left open, less the slack
+///   limit                a joint beyond a limit by more than 1e-9 rad (or not a number); depth: by
+///                        how much
+///   tracking             a tip farther from its goal than its phase allows (grasp and hold:
+///                        tracking_grasp); depth: what is beyond that
+///   jump                 a joint's step that is larger than jump_step in its time and 3 times the
+///                        mean of its neighbours: a fast smooth motion is none. Steps to or from a
+///                        planned sample are none either. Depth: what is beyond jump_step
 std::vector<Finding> check_path(const CollisionWorld& world, const Goals& goals,
                                 const Movement& movement, const JointPath& path,
                                 const CheckOptions& options);

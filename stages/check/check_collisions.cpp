@@ -1,0 +1,108 @@
+#include "stages/check/check_collisions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace morphe {
+namespace {
+
+constexpr double kBand_m = 1e-4;
+constexpr double kLeastStep_m = 5e-4;  ///< FCL's sub-samples with a margin near zero
+
+void add_pair(const CollisionWorld& world, const PairSeparation& pair, std::size_t first,
+              std::size_t last, double depth_m, FindingRows& rows) {
+  const std::string one = first_name(world, pair), other = second_name(world, pair);
+  rows.add(!pair.object       ? "self"
+           : other == "table" ? "table"
+                              : "object",
+           one, other, first, last, depth_m);
+}
+
+/// What a sample shows, it shows for the steps to both its neighbours: they cannot be free.
+void add_at_sample(const CollisionWorld& world, const std::vector<PairSeparation>& pairs,
+                   std::size_t sample, std::size_t samples, FindingRows& rows) {
+  const std::size_t before = sample > 0 ? sample - 1 : 0;
+  const std::size_t after = std::min(sample + 1, samples - 1);
+  for (const PairSeparation& pair : pairs) {
+    add_pair(world, pair, before, after, std::max(-pair.slack(), 1e-9), rows);
+  }
+}
+
+struct Walk {
+  const CollisionWorld& world;
+  const JointPath& path;
+  JointRows reach;
+  CollisionScratch scratch;
+  std::vector<PairSeparation> pairs;
+  std::vector<MotionCheck> failing;
+
+  std::size_t samples() const { return path.demonstration_time.size(); }
+  JointVector position(std::size_t sample) const {
+    return path.position.row(static_cast<Eigen::Index>(sample));
+  }
+  double time_s(std::size_t sample) const { return path.demonstration_time[sample]; }
+
+  void certified(FindingRows& rows) {
+    for (std::size_t k = 0; k < samples(); ++k) {
+      near_pairs(world, position(k), time_s(k), 0, scratch, pairs);
+      add_at_sample(world, pairs, k, samples(), rows);
+      if (k + 1 == samples()) return;
+      const JointMotion motion =
+          straight_motion(position(k), position(k + 1), time_s(k), time_s(k + 1));
+      failing_pairs(world, reach, motion, scratch, failing, kBand_m);
+      for (const MotionCheck& found : failing) {
+        const double slack_m = found.pair.slack();
+        const double depth_m = slack_m < 0 ? -slack_m : std::max(kBand_m - slack_m, 1e-9);
+        add_pair(world, found.pair, k, k + 1, depth_m, rows);
+      }
+    }
+  }
+
+  /// So many equal steps that nothing travels farther than the margin in one of them, objects taken
+  /// to move evenly from sample to sample.
+  int fcl_steps(std::size_t k) const {
+    const JointVector travel = (position(k + 1) - position(k)).cwiseAbs();
+    double farthest_m = reach.rows() ? (reach * travel).maxCoeff() : 0;
+    double object_m = 0;
+    for (const SceneObject& object : world.scene->objects) {
+      if (object.time.size() < 2) continue;
+      object_m = std::max(object_m, object_travel(object, time_s(k), time_s(k), time_s(k + 1)));
+    }
+    const double step_m = std::max(world.tolerances.margin, kLeastStep_m);
+    return std::max(1, static_cast<int>(std::ceil((farthest_m + object_m) / step_m)));
+  }
+
+  void by_fcl(FindingRows& rows) {
+    for (std::size_t k = 0; k < samples(); ++k) {
+      pairs_by_fcl(world, position(k), time_s(k), scratch, pairs);
+      add_at_sample(world, pairs, k, samples(), rows);
+      if (k + 1 == samples()) return;
+      const JointMotion motion =
+          straight_motion(position(k), position(k + 1), time_s(k), time_s(k + 1));
+      const int steps = fcl_steps(k);
+      JointVector q;
+      for (int step = 1; step < steps; ++step) {
+        const double s = static_cast<double>(step) / steps;
+        motion.position(s, q);
+        pairs_by_fcl(world, q, motion.demonstration_time(s), scratch, pairs);
+        for (const PairSeparation& pair : pairs) {
+          add_pair(world, pair, k, k + 1, std::max(-pair.slack(), 1e-9), rows);
+        }
+      }
+    }
+  }
+};
+
+}  // namespace
+
+void check_collisions(const CollisionWorld& world, const JointPath& path, const std::string& engine,
+                      FindingRows& rows) {
+  Walk walk{world, path, capsule_reach(*world.robot), {}, {}, {}};
+  if (engine == "fcl") {
+    walk.by_fcl(rows);
+  } else {
+    walk.certified(rows);
+  }
+}
+
+}  // namespace morphe

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "stages/check/check_path.hpp"
+#include "stages/check/finding_rows.hpp"
+
+namespace morphe {
+
+/// The causes self, object and table of check_path().
+void check_collisions(const CollisionWorld& world, const JointPath& path, const std::string& engine,
+                      FindingRows& rows);
+
+}  // namespace morphe

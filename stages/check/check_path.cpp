@@ -1,0 +1,125 @@
+#include "stages/check/check_path.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "pipeline/kinematics/forward.hpp"
+#include "stages/check/check_collisions.hpp"
+#include "stages/check/finding_rows.hpp"
+
+namespace morphe {
+namespace {
+
+constexpr double kLimitTolerance = 1e-9;  ///< rounding of what was clamped to a limit [rad]
+constexpr double kClock_s = 0.01;         ///< jump_step is a step in this time
+constexpr double kIsolated = 3;           ///< a jump is so many times its neighbours' mean
+
+void check_limits(const RobotTable& robot, const JointPath& path, FindingRows& rows) {
+  for (std::size_t k = 0; k < path.demonstration_time.size(); ++k) {
+    for (std::size_t j = 0; j < robot.joints(); ++j) {
+      const auto joint = static_cast<Eigen::Index>(j);
+      const double q = path.position(static_cast<Eigen::Index>(k), joint);
+      const double beyond = std::isnan(q)
+                                ? std::numeric_limits<double>::infinity()
+                                : std::max(robot.lower[joint] - q, q - robot.upper[joint]);
+      if (beyond > kLimitTolerance) rows.add("limit", robot.joint_names[j], "", k, k, beyond);
+    }
+  }
+}
+
+/// A tip's goal at a demonstration time, linear between frames, held at the ends. Not seen where
+/// one of the two frames has none.
+Vec3 goal_at(const Goals& goals, std::size_t tip, double time_s) {
+  const auto next = std::lower_bound(goals.time.begin(), goals.time.end(), time_s);
+  const auto after = static_cast<std::size_t>(next - goals.time.begin());
+  if (after == goals.frames()) return goals.tip_position(after - 1, tip);
+  if (after == 0 || *next == time_s) return goals.tip_position(after, tip);
+  const double before_s = goals.time[after - 1];
+  const double share = (time_s - before_s) / (goals.time[after] - before_s);
+  return (1 - share) * goals.tip_position(after - 1, tip) + share * goals.tip_position(after, tip);
+}
+
+void check_tracking(const RobotTable& robot, const Goals& goals, const Movement& movement,
+                    const JointPath& path, const Tolerances& tolerances, FindingRows& rows) {
+  if (goals.frames() == 0) return;
+  assert(goals.tip_position.cols == robot.tips.size());
+  std::vector<Pose> base_from_frame;
+  for (std::size_t k = 0; k < path.demonstration_time.size(); ++k) {
+    const double time_s = path.demonstration_time[k];
+    const std::string phase = kPhaseNames[phase_at(movement.phases, time_s)];
+    const bool grasping = phase == "grasp" || phase == "hold";
+    const double allowed_m = grasping ? tolerances.tracking_grasp : tolerances.tracking;
+    const JointVector q = path.position.row(static_cast<Eigen::Index>(k));
+    forward(robot, q, base_from_frame);
+    for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
+      const Vec3 goal = goal_at(goals, tip, time_s);
+      if (!seen(goal)) continue;
+      const Vec3 reached = tip_pose(robot, base_from_frame, tip).translation();
+      const double beyond_m = (reached - goal).norm() - allowed_m;
+      if (beyond_m > 0) rows.add("tracking", robot.tips[tip].name, "", k, k, beyond_m);
+    }
+  }
+}
+
+/// Steps in one joint, each as what it would be in 10 ms. Without time between two samples the step
+/// counts as it is.
+std::vector<double> steps_of(const JointPath& path, Eigen::Index joint) {
+  std::vector<double> steps;
+  for (std::size_t k = 0; k + 1 < path.demonstration_time.size(); ++k) {
+    const auto row = static_cast<Eigen::Index>(k);
+    const double taken_s = path.demonstration_time[k + 1] - path.demonstration_time[k];
+    const double step = std::abs(path.position(row + 1, joint) - path.position(row, joint));
+    steps.push_back(taken_s > 0 ? step * kClock_s / taken_s : step);
+  }
+  return steps;
+}
+
+double mean_of_neighbours(const std::vector<double>& steps, std::size_t k) {
+  if (steps.size() == 1) return 0;
+  if (k == 0) return steps[1];
+  if (k + 1 == steps.size()) return steps[k - 1];
+  return 0.5 * (steps[k - 1] + steps[k + 1]);
+}
+
+void check_jumps(const RobotTable& robot, const JointPath& path, double jump_step,
+                 FindingRows& rows) {
+  const auto planned = [&path](std::size_t k) {
+    return k < path.origin.size() && path.origin[k] == Origin::planned;
+  };
+  for (std::size_t j = 0; j < robot.joints(); ++j) {
+    const std::vector<double> steps = steps_of(path, static_cast<Eigen::Index>(j));
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      if (steps[k] <= jump_step || planned(k) || planned(k + 1)) continue;
+      if (steps[k] <= kIsolated * mean_of_neighbours(steps, k)) continue;
+      rows.add("jump", robot.joint_names[j], "", k, k + 1, steps[k] - jump_step);
+    }
+  }
+}
+
+}  // namespace
+
+std::string check(const CheckOptions& options) {
+  const Tolerances& t = options.tolerances;
+  if (!(t.margin >= 0)) return "margin must not be negative";
+  if (!(t.contact_depth >= 0)) return "contact_depth must not be negative";
+  if (!(t.tracking_grasp > 0 && t.tracking > 0)) return "tracking tolerances must be positive";
+  if (!(options.jump_step > 0)) return "jump_step must be positive";
+  if (options.engine != "closed" && options.engine != "fcl") return "engine must be closed or fcl";
+  return "";
+}
+
+std::vector<Finding> check_path(const CollisionWorld& world, const Goals& goals,
+                                const Movement& movement, const JointPath& path,
+                                const CheckOptions& options) {
+  assert(path.position.rows() == static_cast<Eigen::Index>(path.demonstration_time.size()));
+  FindingRows rows;
+  check_collisions(world, path, options.engine, rows);
+  check_limits(*world.robot, path, rows);
+  check_tracking(*world.robot, goals, movement, path, options.tolerances, rows);
+  check_jumps(*world.robot, path, options.jump_step, rows);
+  return rows.join(path.demonstration_time);
+}
+
+}  // namespace morphe
