@@ -12,7 +12,8 @@ struct ObjectMotion {
   std::string name;
 };
 
-/// The first recorded object to move away from where it was at the peak of the reach.
+/// The first recorded object to move away from where it was at the peak of the reach. The time is
+/// not traced back to the first stir: a hand that closes pushes an object by a millimetre or two.
 ObjectMotion first_object_motion(const HandSignals& signals, double distance_m,
                                  const std::vector<SceneObject>& objects,
                                  const std::vector<Bout>& bouts) {
@@ -59,9 +60,6 @@ void end_at_object(const HandSignals& signals, const SegmentOptions& options,
   std::size_t next = reach;
   while (next < bouts.size() && bouts[next].end_s <= lift_s) ++next;
   grasp.end_s = lift_s;
-  if (next < bouts.size() && next > reach && bouts[next].begin_s > lift_s - 0.15) {
-    grasp.end_s = std::min(lift_s, bouts[next].begin_s);
-  }
   grasp.bouts_used = next;
 }
 
@@ -87,6 +85,15 @@ void judge_opening(const HandSignals& signals, const SegmentOptions& options, do
       std::clamp(rise / (2 * options.widening_share * opening[first]), 0.0, 1.0);
 }
 
+/// Without a pause the grasp is a short interval around the slowest point.
+void last_at_least(double least_s, double reach_begin_s, double recording_end_s,
+                   GraspTimes& grasp) {
+  const double missing_s = least_s - (grasp.end_s - grasp.begin_s);
+  if (missing_s <= 0) return;
+  grasp.begin_s = std::max(reach_begin_s, grasp.begin_s - missing_s / 2);
+  grasp.end_s = std::min(recording_end_s, grasp.begin_s + least_s);
+}
+
 }  // namespace
 
 GraspTimes find_grasp(const HandSignals& signals, const SegmentOptions& options,
@@ -99,6 +106,7 @@ GraspTimes find_grasp(const HandSignals& signals, const SegmentOptions& options,
     grasp.found = true;
     grasp.object = motion.name;
     end_at_object(signals, options, motion, bouts, grasp);
+    last_at_least(options.least_grasp, bouts.front().begin_s, recording_end_s, grasp);
     judge_opening(signals, options, bouts.front().begin_s, grasp.end_s, grasp, widens, closes);
     if (!widens) grasp.preshape_s = signals.time(static_cast<double>(bouts.front().peak));
     return grasp;
@@ -116,12 +124,7 @@ GraspTimes find_grasp(const HandSignals& signals, const SegmentOptions& options,
     grasp.end_confidence = grasp.begin_confidence;
     return grasp;
   }
-  // No pause: the grasp is a short interval around the slowest point.
-  const double missing_s = options.least_grasp - (grasp.end_s - grasp.begin_s);
-  if (missing_s > 0) {
-    grasp.begin_s = std::max(reach.begin_s, grasp.begin_s - missing_s / 2);
-    grasp.end_s = std::min(recording_end_s, grasp.begin_s + options.least_grasp);
-  }
+  last_at_least(options.least_grasp, reach.begin_s, recording_end_s, grasp);
   return grasp;
 }
 

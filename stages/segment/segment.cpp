@@ -89,6 +89,7 @@ void add_later_phases(const HandSignals& signals, const std::vector<Bout>& bouts
                       bool carries, double from_s, double from_confidence, Movement& movement) {
   for (std::size_t k = 0; k < bouts.size(); ++k) {
     const Bout& bout = bouts[k];
+    if (bout.end_s <= from_s) continue;
     add_phase(signals, "hold", from_s, bout.begin_s, from_confidence, bout.begin_confidence,
               movement);
     const bool home = comes_home && k + 1 == bouts.size();
