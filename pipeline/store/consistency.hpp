@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "pipeline/motion/demonstration.hpp"
+#include "pipeline/motion/plan.hpp"
+#include "pipeline/motion/robot_table.hpp"
+
+namespace morphe {
+
+/// What keeps the arrays of a struct from fitting together: lengths that differ, indices out of
+/// range. "goals/tip_position: has 3 rows, not 4" with the path below the struct's group, "" if
+/// all is well. Asked before writing and after reading, so that nobody reads beyond an end; values
+/// (limits, times, unit norms) are not judged.
+std::string inconsistency(const Demonstration& demonstration);
+std::string inconsistency(const RobotTable& robot);
+std::string inconsistency(const Plan& plan, const RobotTable& robot);
+
+}  // namespace morphe

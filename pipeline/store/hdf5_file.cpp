@@ -1,0 +1,181 @@
+#include "pipeline/store/hdf5_file.hpp"
+
+#include <fmt/format.h>
+#include <hdf5.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <type_traits>
+#include <utility>
+
+namespace morphe {
+namespace {
+
+static_assert(std::is_same_v<hid_t, Hdf5Id::Id> && std::is_same_v<herr_t, int>);
+
+// Groups and attributes up to this number stay inside the object header, which is far smaller
+// than the heaps and trees that HDF5 makes beyond.
+constexpr unsigned kMostInHeader = 64;
+constexpr unsigned kLeastInHeap = 32;
+
+/// Properties of a group's (or the root's) creation that make its bytes reproducible and its links
+/// ordered.
+void describe_group(hid_t properties) {
+  H5Pset_obj_track_times(properties, false);
+  H5Pset_link_creation_order(properties, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
+  H5Pset_link_phase_change(properties, kMostInHeader, kLeastInHeap);
+  H5Pset_attr_phase_change(properties, kMostInHeader, kLeastInHeap);
+}
+
+Hdf5Id properties(hid_t kind) { return {H5Pcreate(kind), H5Pclose}; }
+
+Hdf5Id access_properties() {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  Hdf5Id access = properties(H5P_FILE_ACCESS);
+  // Checksummed headers, and no tree for a dataset of one chunk.
+  H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110);
+  H5Pset_fclose_degree(access.get(), H5F_CLOSE_STRONG);
+  return access;
+}
+
+herr_t collect_name(hid_t, const char* name, const H5L_info_t*, void* names) {
+  static_cast<std::vector<std::string>*>(names)->emplace_back(name);
+  return 0;
+}
+
+}  // namespace
+
+Hdf5Id::Hdf5Id(Hdf5Id&& other) noexcept
+    : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
+
+Hdf5Id& Hdf5Id::operator=(Hdf5Id&& other) noexcept {
+  if (this != &other) {
+    reset();
+    id_ = std::exchange(other.id_, H5I_INVALID_HID);
+    close_ = other.close_;
+  }
+  return *this;
+}
+
+bool Hdf5Id::reset() {
+  const bool closed = !valid() || close_(id_) >= 0;
+  id_ = H5I_INVALID_HID;
+  return closed;
+}
+
+Hdf5File Hdf5File::create(const std::filesystem::path& path) {
+  Hdf5File file;
+  const Hdf5Id access = access_properties();
+  const Hdf5Id creation = properties(H5P_FILE_CREATE);
+  describe_group(creation.get());
+  file.name_ = path.string();
+  file.id_ = {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose};
+  if (!file.id_.valid()) throw InputError(fmt::format("{}: cannot be created", file.name_));
+  return file;
+}
+
+Hdf5File Hdf5File::open(const std::filesystem::path& path) {
+  Hdf5File file;
+  file.name_ = path.string();
+  errno = 0;
+  if (!std::ifstream(path, std::ios::binary))
+    throw InputError(fmt::format("{}: cannot be opened: {}", file.name_, std::strerror(errno)));
+  const Hdf5Id access = access_properties();
+  file.id_ = {H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose};
+  if (!file.id_.valid())
+    throw InputError(fmt::format("{}: is not a readable HDF5 file", file.name_));
+  return file;
+}
+
+Hdf5Group Hdf5File::root() const {
+  Hdf5Id id(H5Gopen2(id_.get(), "/", H5P_DEFAULT), H5Gclose);
+  if (!id.valid()) throw InputError(fmt::format("{}: is not a readable HDF5 file", name_));
+  return {std::move(id), name_, ""};
+}
+
+void Hdf5File::close() {
+  const bool flushed = H5Fflush(id_.get(), H5F_SCOPE_GLOBAL) >= 0;
+  if (!id_.reset() || !flushed) throw InputError(fmt::format("{}: cannot be written", name_));
+}
+
+Hdf5Group Hdf5Group::create(const std::string& name) const {
+  if (name.empty() || name == "." || name.find('/') != std::string::npos ||
+      name.find('\0') != std::string::npos)
+    fail(fmt::format("'{}' cannot be a name: it must not be empty or hold '/'", name));
+  if (has(name)) fail(name, "is there already");
+  const Hdf5Id creation = properties(H5P_GROUP_CREATE);
+  describe_group(creation.get());
+  Hdf5Id id(H5Gcreate2(id_.get(), name.c_str(), H5P_DEFAULT, creation.get(), H5P_DEFAULT),
+            H5Gclose);
+  if (!id.valid()) fail(name, "cannot be written");
+  return {std::move(id), file_, path_ + "/" + name};
+}
+
+bool Hdf5Group::has(const std::string& name) const {
+  return H5Lexists(id_.get(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
+bool Hdf5Group::is_group(const std::string& name) const {
+  const Hdf5Id id(H5Oopen(id_.get(), name.c_str(), H5P_DEFAULT), H5Oclose);
+  return id.valid() && H5Iget_type(id.get()) == H5I_GROUP;
+}
+
+Hdf5Group Hdf5Group::open(const std::string& name) const {
+  if (!has(name)) fail(name, "is missing");
+  Hdf5Id id(H5Gopen2(id_.get(), name.c_str(), H5P_DEFAULT), H5Gclose);
+  if (!id.valid()) fail(name, "is not a readable group");
+  return {std::move(id), file_, path_ + "/" + name};
+}
+
+std::vector<std::string> Hdf5Group::children() const {
+  unsigned order = 0;
+  const Hdf5Id creation(H5Gget_create_plist(id_.get()), H5Pclose);
+  if (creation.valid()) H5Pget_link_creation_order(creation.get(), &order);
+  const H5_index_t index = (order & H5P_CRT_ORDER_TRACKED) ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME;
+  std::vector<std::string> names;
+  if (H5Literate(id_.get(), index, H5_ITER_INC, nullptr, collect_name, &names) < 0)
+    fail("is not a readable group");
+  return names;
+}
+
+void Hdf5Group::fail(const std::string& message) const {
+  throw InputError(fmt::format("{}:{}: {}", file_, path_.empty() ? "/" : path_, message));
+}
+
+void Hdf5Group::fail(const std::string& name, const std::string& message) const {
+  throw InputError(fmt::format("{}: {}", where(name), message));
+}
+
+void Hdf5Group::refuse(const std::string& fault) const {
+  if (!fault.empty()) throw InputError(where(fault));
+}
+
+std::string Hdf5Group::where(const std::string& name) const {
+  return fmt::format("{}:{}/{}", file_, path_, name);
+}
+
+std::size_t Hdf5Group::file_bytes() const {
+  const Hdf5Id file(H5Iget_file_id(id_.get()), H5Fclose);
+  hsize_t bytes = 0;
+  if (!file.valid() || H5Fget_filesize(file.get(), &bytes) < 0) return 0;
+  return static_cast<std::size_t>(bytes);
+}
+
+void write_format(const Hdf5Group& root, const std::string& format, int version) {
+  root.set("format", format);
+  root.set("version", std::int32_t{version});
+}
+
+void check_format(const Hdf5Group& root, const std::string& format, int version) {
+  if (!root.has_attribute("format")) root.fail(fmt::format("@format is missing: not {}", format));
+  std::string found;
+  root.get("format", found);
+  if (found != format) root.fail(fmt::format("is '{}', not '{}'", found, format));
+  std::int32_t number = 0;
+  root.get("version", number);
+  if (number < 1 || number > version)
+    root.fail(fmt::format("@version is {}; this program reads up to {}", number, version));
+}
+
+}  // namespace morphe

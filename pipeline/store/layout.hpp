@@ -1,0 +1,189 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pipeline/store/array_codec.hpp"
+#include "pipeline/store/hdf5_file.hpp"
+
+namespace morphe {
+
+/// Attributes of a dataset.
+struct Tags {
+  std::string unit;     ///< "m", "rad", "1" for a number without one, "" for names
+  std::string frame;    ///< of a pose or point, else ""
+  std::string meaning;  ///< of a coded number: "0=rest,1=reach,…"
+};
+
+/// "0=rest,1=reach,…" of a table of names.
+template <std::size_t N>
+std::string meaning_of(const char* const (&names)[N]) {
+  std::string text;
+  for (std::size_t i = 0; i < N; ++i) text += fmt::format("{}{}={}", i > 0 ? "," : "", i, names[i]);
+  return text;
+}
+
+/// A layout is written once, as a function template over these two classes and over a struct
+/// (const for writing): what one writes, the other takes back bit for bit.
+class LayoutWriter {
+ public:
+  static constexpr bool reading = false;
+  explicit LayoutWriter(Hdf5Group group) : group_(std::move(group)) {}
+  const Hdf5Group& here() const { return group_; }
+
+  template <class T>
+  void dataset(const char* name, const T& values, const Tags& tags) {
+    group_.write(name, ArrayCodec<T>::encode(values));
+    tag(name, tags);
+  }
+  void names(const char* name, const std::vector<std::string>& values) {
+    group_.write_strings(name, values);
+    tag(name, {});
+  }
+  /// One member of a vector of rows, as a dataset of its own.
+  template <class Row, class Member>
+  void column(const char* name, const std::vector<Row>& rows, Member Row::*member,
+              const Tags& tags) {
+    using Item = std::conditional_t<std::is_same_v<Member, bool>, std::uint8_t, Member>;
+    std::vector<Item> values;
+    for (const Row& row : rows) values.push_back(row.*member);
+    if constexpr (std::is_same_v<Member, std::string>) {
+      names(name, values);
+    } else {
+      dataset(name, values, tags);
+    }
+  }
+  template <class T>
+  void attribute(const char* name, const T& value) {
+    group_.set(name, value);
+  }
+  void attribute(const char* name, bool value) { group_.set(name, std::uint8_t{value}); }
+  void attribute(const char* name, const Vec3& value) {
+    group_.set(name, std::vector<double>{value.x(), value.y(), value.z()});
+  }
+  void maybe(const char* name, const std::string& value) { group_.set(name, value); }
+  void maybe(const char* name, const std::optional<double>& value) {
+    if (value) group_.set(name, *value);
+  }
+  /// An attribute that holds the name of an enum's value.
+  template <class Enum, std::size_t N>
+  void choice(const char* name, Enum value, const char* const (&choices)[N]) {
+    group_.set(name, std::string(choices[static_cast<std::size_t>(value)]));
+  }
+  template <class Body>
+  void group(const std::string& name, const Body& body) {
+    LayoutWriter inner(group_.create(name));
+    body(inner);
+  }
+  template <class Body>
+  void group_if(bool present, const char* name, const Body& body) {
+    if (present) group(name, body);
+  }
+  /// A group for each, in order, under its name.
+  template <class Item, class Body>
+  void each(const std::vector<Item>& items, const Body& body) {
+    for (const Item& item : items)
+      group(item.name, [&](LayoutWriter& inner) { body(inner, item); });
+  }
+
+ private:
+  void tag(const char* name, const Tags& tags) {
+    group_.set("unit", tags.unit, name);
+    if (!tags.frame.empty()) group_.set("frame", tags.frame, name);
+    if (!tags.meaning.empty()) group_.set("meaning", tags.meaning, name);
+  }
+
+  Hdf5Group group_;
+};
+
+class LayoutReader {
+ public:
+  static constexpr bool reading = true;
+  explicit LayoutReader(Hdf5Group group) : group_(std::move(group)) {}
+  const Hdf5Group& here() const { return group_; }
+
+  template <class T>
+  void dataset(const char* name, T& values, const Tags&) {
+    using Codec = ArrayCodec<T>;
+    Codec::decode(group_.read<typename Codec::Scalar>(name, Codec::shape()), values);
+  }
+  void names(const char* name, std::vector<std::string>& values) {
+    values = group_.read_strings(name);
+  }
+  /// The first column read decides how many rows there are.
+  template <class Row, class Member>
+  void column(const char* name, std::vector<Row>& rows, Member Row::*member, const Tags& tags) {
+    using Item = std::conditional_t<std::is_same_v<Member, bool>, std::uint8_t, Member>;
+    std::vector<Item> values;
+    if constexpr (std::is_same_v<Member, std::string>) {
+      names(name, values);
+    } else {
+      dataset(name, values, tags);
+    }
+    if (!rows_known_) rows.resize(values.size());
+    rows_known_ = true;
+    if (rows.size() != values.size())
+      group_.fail(name, fmt::format("has {} rows, not {}", values.size(), rows.size()));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      rows[i].*member = static_cast<Member>(std::move(values[i]));
+  }
+  template <class T>
+  void attribute(const char* name, T& value) {
+    group_.get(name, value);
+  }
+  void attribute(const char* name, bool& value) {
+    std::uint8_t number = 0;
+    group_.get(name, number);
+    value = number != 0;
+  }
+  void attribute(const char* name, Vec3& value) {
+    std::vector<double> values;
+    group_.get(name, values);
+    if (values.size() != 3) group_.fail(fmt::format("@{} does not hold 3 numbers", name));
+    ItemCodec<Vec3>::decode(values.data(), value);
+  }
+  void maybe(const char* name, std::string& value) {
+    if (group_.has_attribute(name)) group_.get(name, value);
+  }
+  void maybe(const char* name, std::optional<double>& value) {
+    if (group_.has_attribute(name)) group_.get(name, value.emplace());
+  }
+  template <class Enum, std::size_t N>
+  void choice(const char* name, Enum& value, const char* const (&choices)[N]) {
+    std::string text;
+    group_.get(name, text);
+    const auto found = std::find(std::begin(choices), std::end(choices), text);
+    if (found == std::end(choices))
+      group_.fail(fmt::format("@{} is '{}', which is not known", name, text));
+    value = static_cast<Enum>(found - std::begin(choices));
+  }
+  template <class Body>
+  void group(const std::string& name, const Body& body) {
+    LayoutReader inner(group_.open(name));
+    body(inner);
+  }
+  template <class Body>
+  void group_if(bool, const char* name, const Body& body) {
+    if (group_.has(name)) group(name, body);
+  }
+  template <class Item, class Body>
+  void each(std::vector<Item>& items, const Body& body) {
+    for (const std::string& name : group_.children()) {
+      Item& item = items.emplace_back();
+      item.name = name;
+      group(name, [&](LayoutReader& inner) { body(inner, item); });
+    }
+  }
+
+ private:
+  Hdf5Group group_;
+  bool rows_known_ = false;
+};
+
+}  // namespace morphe

@@ -1,0 +1,139 @@
+#pragma once
+
+#include <string>
+
+#include "pipeline/motion/plan.hpp"
+#include "pipeline/store/layout.hpp"
+#include "pipeline/store/scene_layout.hpp"
+
+namespace morphe {
+
+template <class Io, class T>
+void lay_out_goals(Io& io, T& goals) {
+  io.attribute("common_base_offset", goals.common_base_offset);
+  io.dataset("time", goals.time, {"s", "", ""});
+  io.dataset("tip_position", goals.tip_position, {"m", "base", ""});
+  io.dataset("tip_orientation", goals.tip_orientation, {"1", "base", ""});
+  io.dataset("reachable", goals.reachable, {"1", "", "0=no,1=yes"});
+  io.dataset("shoulder_position", goals.shoulder_position, {"m", "base", ""});
+  io.dataset("elbow_position", goals.elbow_position, {"m", "base", ""});
+  io.dataset("wrist_position", goals.wrist_position, {"m", "base", ""});
+  io.dataset("wrist_orientation", goals.wrist_orientation, {"1", "base", ""});
+  io.dataset("finger_joint_position", goals.finger_joint_position, {"m", "base", ""});
+  io.names("estimated", goals.estimated);
+}
+
+template <class Io, class T>
+void lay_out_mapped(Io& io, T& mapped) {
+  io.dataset("position", mapped.position, {"rad", "", ""});
+  io.dataset("position_error", mapped.position_error, {"m", "", ""});
+  io.dataset("orientation_error", mapped.orientation_error, {"rad", "", ""});
+  io.dataset("objective", mapped.objective, {"1", "", ""});
+  io.dataset("humanlikeness", mapped.humanlikeness, {"m^2,m^2,m^3", "", ""});
+  io.dataset("status", mapped.status, {"1", "", meaning_of(kFrameStatusNames)});
+}
+
+template <class Io, class T>
+void lay_out_findings(Io& io, T& findings) {
+  io.column("begin_s", findings, &Finding::begin_s, {"s", "", ""});
+  io.column("end_s", findings, &Finding::end_s, {"s", "", ""});
+  io.column("cause", findings, &Finding::cause, {});
+  io.column("first", findings, &Finding::first, {});
+  io.column("second", findings, &Finding::second, {});
+  io.column("depth", findings, &Finding::depth, {"m or rad", "", ""});
+}
+
+template <class Io, class T>
+void lay_out_grasp(Io& io, T& grasp) {
+  io.attribute("sample", grasp.sample);
+  io.dataset("object_pose", grasp.base_from_object, {"m", "base", ""});
+  io.dataset("wrist_pose_in_object", grasp.object_from_palm, {"m", "object", ""});
+  io.dataset("tips_in_object", grasp.tips_in_object, {"m", "object", ""});
+  io.dataset("hand_posture", grasp.hand_posture, {"rad", "", ""});
+  io.dataset("pregrasp_posture", grasp.pregrasp_posture, {"rad", "", ""});
+}
+
+template <class Io, class T>
+void lay_out_trajectory(Io& io, T& trajectory) {
+  io.dataset("time", trajectory.time, {"s", "", ""});
+  io.dataset("position", trajectory.position, {"rad", "", ""});
+  io.dataset("velocity", trajectory.velocity, {"rad/s", "", ""});
+  io.dataset("acceleration", trajectory.acceleration, {"rad/s^2", "", ""});
+  io.dataset("demonstration_time", trajectory.demonstration_time, {"s", "", ""});
+  io.dataset("phase", trajectory.phase, {"1", "", meaning_of(kPhaseNames)});
+  io.dataset("origin", trajectory.origin, {"1", "", meaning_of(kOriginNames)});
+  io.dataset("clearance", trajectory.clearance, {"m", "", ""});
+}
+
+template <class Io, class T>
+void lay_out_certificate(Io& io, T& certificate) {
+  io.attribute("position_margin", certificate.position_margin);
+  io.attribute("velocity_ratio", certificate.velocity_ratio);
+  io.attribute("acceleration_ratio", certificate.acceleration_ratio);
+  io.attribute("jerk_ratio", certificate.jerk_ratio);
+  io.attribute("clearance", certificate.clearance);
+  io.attribute("position_error_max", certificate.position_error_max);
+  io.attribute("position_error_mean", certificate.position_error_mean);
+  io.attribute("position_error_grasp", certificate.position_error_grasp);
+  io.attribute("orientation_error_max", certificate.orientation_error_max);
+  io.attribute("upper_arm_error_mean", certificate.upper_arm_error_mean);
+  io.attribute("upper_arm_error_max", certificate.upper_arm_error_max);
+  io.attribute("tempo", certificate.tempo);
+  io.attribute("humanlikeness_mapped", certificate.humanlikeness_mapped);
+  io.attribute("humanlikeness_final", certificate.humanlikeness_final);
+  io.attribute("repaired", certificate.repaired);
+}
+
+/// "executable" exactly if there is no reason; reading refuses a file that says otherwise.
+template <class Io, class T>
+void lay_out_status(Io& io, T& plan) {
+  io.attribute("reason", plan.reason);
+  io.attribute("detail", plan.detail);
+  const std::string expected = plan.executable() ? "executable" : "infeasible";
+  std::string status = expected;
+  io.attribute("status", status);
+  if (status != expected)
+    io.here().fail(fmt::format("@status is '{}' with the @reason '{}'", status, plan.reason));
+}
+
+/// /plans/<demonstration>/<movement> of docs/formats.md.
+template <class Io, class T>
+void lay_out_plan(Io& io, T& plan) {
+  lay_out_status(io, plan);
+  io.attribute("subject", plan.subject);
+  io.attribute("task", plan.task);
+  io.attribute("hand", plan.hand);
+  io.attribute("start_s", plan.movement.begin_s);
+  io.attribute("end_s", plan.movement.end_s);
+  io.attribute("target", plan.movement.target);
+  io.attribute("margin", plan.tolerances.margin);
+  io.attribute("contact_depth", plan.tolerances.contact_depth);
+  io.attribute("tracking_grasp", plan.tolerances.tracking_grasp);
+  io.attribute("tracking", plan.tolerances.tracking);
+  io.group("goals", [&](Io& in) { lay_out_goals(in, plan.goals); });
+  io.group("phases", [&](Io& in) {
+    in.column("name", plan.movement.phases, &Phase::name, {});
+    in.column("begin_s", plan.movement.phases, &Phase::begin_s, {"s", "", ""});
+    in.column("end_s", plan.movement.phases, &Phase::end_s, {"s", "", ""});
+    in.column("confidence", plan.movement.phases, &Phase::confidence, {"1", "", ""});
+  });
+  io.group("scene", [&](Io& in) {
+    in.each(plan.scene.objects,
+            [](Io& inner, auto& object) { lay_out_object(inner, object, "base"); });
+  });
+  io.group("mapped", [&](Io& in) { lay_out_mapped(in, plan.mapped); });
+  io.group("findings", [&](Io& in) { lay_out_findings(in, plan.findings); });
+  io.group("path", [&](Io& in) {
+    in.dataset("position", plan.path.position, {"rad", "", ""});
+    in.dataset("origin", plan.path.origin, {"1", "", meaning_of(kOriginNames)});
+    in.dataset("demonstration_time", plan.path.demonstration_time, {"s", "", ""});
+  });
+  io.group_if(plan.grasp.sample >= 0, "grasp", [&](Io& in) { lay_out_grasp(in, plan.grasp); });
+  io.group_if(plan.executable(), "trajectory",
+              [&](Io& in) { lay_out_trajectory(in, plan.trajectory); });
+  io.group_if(plan.approach.samples() > 0, "approach",
+              [&](Io& in) { lay_out_trajectory(in, plan.approach); });
+  io.group("certificate", [&](Io& in) { lay_out_certificate(in, plan.certificate); });
+}
+
+}  // namespace morphe

@@ -1,0 +1,140 @@
+"""Reads a plans.h5 of one full and one infeasible plan with h5py alone; fails on any difference."""
+import sys
+
+import h5py
+import numpy as np
+
+from contract import attributes, shapes, text
+
+PHASES = "0=rest,1=reach,2=preshape,3=grasp,4=hold,5=transport,6=return"
+ORIGINS = "0=mapped,1=re-solved,2=planned"
+
+
+def trajectory(name, samples):
+    return {f"{name}/{data}": (shape, kind, unit, None) for data, shape, kind, unit in [
+        ("time", (samples,), "f", "s"), ("position", (samples, 3), "f", "rad"),
+        ("velocity", (samples, 3), "f", "rad/s"), ("acceleration", (samples, 3), "f", "rad/s^2"),
+        ("demonstration_time", (samples,), "f", "s"), ("phase", (samples,), "u", "1"),
+        ("origin", (samples,), "u", "1"), ("clearance", (samples,), "f", "m")]}
+
+
+def frames(f, m, n):
+    """goals, mapped: f frames, m tips, n joints."""
+    return {
+        "goals/time": ((f,), "f", "s", None),
+        "goals/tip_position": ((f, m, 3), "f", "m", "base"),
+        "goals/tip_orientation": ((f, m, 4), "f", "1", "base"),
+        "goals/reachable": ((f, m), "u", "1", None),
+        "goals/shoulder_position": ((f, 3), "f", "m", "base"),
+        "goals/elbow_position": ((f, 3), "f", "m", "base"),
+        "goals/wrist_position": ((f, 3), "f", "m", "base"),
+        "goals/wrist_orientation": ((f, 4), "f", "1", "base"),
+        "goals/finger_joint_position": ((f, 5 if f else 0, 3), "f", "m", "base"),
+        "mapped/position": ((f, n), "f", "rad", None),
+        "mapped/position_error": ((f, m), "f", "m", None),
+        "mapped/orientation_error": ((f, m), "f", "rad", None),
+        "mapped/objective": ((f,), "f", "1", None),
+        "mapped/humanlikeness": ((f, 3 if f else 0), "f", "m^2,m^2,m^3", None),
+        "mapped/status": ((f,), "u", "1", None),
+    }
+
+
+def rows(phases, findings, waypoints, joints, estimated):
+    return {
+        "goals/estimated": ((estimated,), "S", "", None),
+        "phases/name": ((phases,), "S", "", None),
+        **{f"phases/{d}": ((phases,), "f", "s", None) for d in ("begin_s", "end_s")},
+        "phases/confidence": ((phases,), "f", "1", None),
+        **{f"findings/{d}": ((findings,), "f", "s", None) for d in ("begin_s", "end_s")},
+        **{f"findings/{d}": ((findings,), "S", "", None) for d in ("cause", "first", "second")},
+        "findings/depth": ((findings,), "f", "m or rad", None),
+        "path/position": ((waypoints, joints), "f", "rad", None),
+        "path/origin": ((waypoints,), "u", "1", None),
+        "path/demonstration_time": ((waypoints,), "f", "s", None),
+    }
+
+
+PLAN_ATTRIBUTES = ["status", "reason", "detail", "subject", "task", "hand", "start_s", "end_s",
+                   "target", "margin", "contact_depth", "tracking_grasp", "tracking"]
+CERTIFICATE = ["position_margin", "velocity_ratio", "acceleration_ratio", "jerk_ratio", "clearance",
+               "position_error_max", "position_error_mean", "position_error_grasp",
+               "orientation_error_max", "upper_arm_error_mean", "upper_arm_error_max", "tempo",
+               "humanlikeness_mapped", "humanlikeness_final", "repaired"]
+
+with h5py.File(sys.argv[1]) as file:
+    attributes(file, ["format", "version", "config", "config_sha256", "dataset_sha256", "software",
+                      "robot"])
+    assert text(file.attrs["format"]) == "morphe-plans" and file.attrs["version"] == 1
+    assert text(file.attrs["config"]) == "seed: 7\n" + "#" * 100000 + "\n"
+    assert file["inputs/../robots/dlr.yaml"].asstr()[()] == "name: dlr_hit2 °\n"
+
+    robot = file["robot"]
+    attributes(robot, ["name", "shoulder_frame", "palm_frame"])
+    assert file.attrs["robot"] == robot.attrs["name"] == b"three"
+    shapes(robot, {
+        "joint_names": ((3,), "S", "", None),
+        "lower": ((3,), "f", "rad", None), "upper": ((3,), "f", "rad", None),
+        "velocity": ((3,), "f", "rad/s", None), "acceleration": ((3,), "f", "rad/s^2", None),
+        "jerk": ((3,), "f", "rad/s^3", None),
+        "frames/name": ((4,), "S", "", None), "frames/parent": ((4,), "i", "1", None),
+        "frames/transform": ((4, 4, 4), "f", "m", "parent"),
+        "frames/axis": ((4, 3), "f", "1", "joint"), "frames/joint": ((4,), "i", "1", None),
+        "frames/ratio": ((4,), "f", "1", None), "frames/offset": ((4,), "f", "rad", None),
+        "tips/name": ((2,), "S", "", None), "tips/frame": ((2,), "i", "1", None),
+        "tips/transform": ((2, 4, 4), "f", "m", "joint"), "tips/finger": ((2,), "i", "1", None),
+        "centres/frame": ((2,), "i", "1", None), "centres/chain": ((2,), "S", "", None),
+        "capsules/name": ((3,), "S", "", None), "capsules/frame": ((3,), "i", "1", None),
+        "capsules/from": ((3, 3), "f", "m", "joint"), "capsules/to": ((3, 3), "f", "m", "joint"),
+        "capsules/radius": ((3,), "f", "m", None),
+        "capsules/may_touch_target": ((3,), "u", "1", None),
+        "allowed_pairs": ((2, 2), "i", "1", None),
+    })
+    assert list(robot["joint_names"].asstr()) == ["S1", "E1", "index_distal"]
+    transform = robot["frames/transform"][0]
+    assert np.array_equal(transform[3], [0, 0, 0, 1]) and np.array_equal(transform[1:3, 3], [2, 3])
+    assert np.allclose(transform[:3, :3], [[np.cos(.3), 0, np.sin(.3)], [0, 1, 0],
+                                           [-np.sin(.3), 0, np.cos(.3)]], rtol=0, atol=1e-15)
+
+    assert list(file["plans"]) == ["zz"] and list(file["plans/zz"]) == ["000", "001"]
+    full, bare = file["plans/zz/000"], file["plans/zz/001"]
+    for plan in (full, bare):
+        attributes(plan, PLAN_ATTRIBUTES)
+        attributes(plan["certificate"], CERTIFICATE)
+        attributes(plan["goals"], ["common_base_offset"])
+        assert text(plan["mapped/status"].attrs["meaning"]) == \
+            "0=met,1=compromise,2=out_of_reach,3=no_goal"
+        assert text(plan["path/origin"].attrs["meaning"]) == ORIGINS
+    scene = ["zebra", "cup", "bottle", "pen", "apple"]
+    assert list(full["scene"]) == scene
+    shapes(full, {
+        **frames(4, 2, 3), **rows(2, 2, 5, 3, 2), **trajectory("trajectory", 6),
+        **trajectory("approach", 2),
+        **{f"scene/{name}/{data}": what for k, name in enumerate(scene)
+           for data, what in {"time": ((k + 1,), "f", "s", None),
+                              "position": ((k + 1, 3), "f", "m", "base"),
+                              "orientation": ((k + 1, 4), "f", "1", "base")}.items()},
+        "scene/apple/vertices": ((4, 3), "f", "m", "object"),
+        "scene/apple/triangles": ((2, 3), "i", "1", None),
+        "grasp/object_pose": ((4, 4), "f", "m", "base"),
+        "grasp/wrist_pose_in_object": ((4, 4), "f", "m", "object"),
+        "grasp/tips_in_object": ((2, 3), "f", "m", "object"),
+        "grasp/hand_posture": ((3,), "f", "rad", None),
+        "grasp/pregrasp_posture": ((3,), "f", "rad", None),
+    })
+    assert text(full.attrs["status"]) == "executable" and text(full.attrs["reason"]) == ""
+    assert (full.attrs["start_s"], full.attrs["end_s"], text(full.attrs["target"])) == (0.5, 2.75, "cup")
+    assert [full.attrs[name] for name in PLAN_ATTRIBUTES[-4:]] == [0.002, 0.004, 0.006, 0.03]
+    assert full["grasp"].attrs["sample"] == 2
+    assert full["certificate"].attrs["repaired"] == 1
+    assert np.isnan(full["certificate"].attrs["orientation_error_max"])
+    assert text(full["trajectory/phase"].attrs["meaning"]) == PHASES
+    assert list(full["trajectory/phase"]) == [1, 2, 3, 4, 5, 6]
+    assert list(full["path/origin"]) == [2, 1, 0, 0, 2]
+    assert list(full["findings/cause"].asstr()) == ["object", "limit"]
+    assert text(full["scene/cup"].attrs["attached_frame"]) == "palm"
+    assert full["scene/cup"].attrs["attach_s"] == 1.25
+    assert full["goals"].attrs["common_base_offset"].shape == (3,)
+
+    shapes(bare, {**frames(0, 0, 0), **rows(0, 0, 0, 0, 0)})
+    assert text(bare.attrs["status"]) == "infeasible"
+    assert text(bare.attrs["reason"]) == "no_target"
