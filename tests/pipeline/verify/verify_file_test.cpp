@@ -87,6 +87,20 @@ TEST_F(VerifyFile, AgreesWithThePythonScriptOnEveryMutation) {
       {"certificate tempo", [](Plan& plan) { plan.certificate.tempo = 1; }},
       {"certificate clearance", [](Plan& plan) { plan.certificate.clearance = 0.006; }},
       {"object distal/cup", [](Plan& plan) { plan.movement.target = ""; }},
+      {"object distal/crate",
+       [&](Plan& plan) {  // a box that falls and turns into the way
+         SceneObject crate = plan.scene.objects[3];
+         crate.name = "crate";
+         crate.size = {0.3, 0.004, 0.3};
+         crate.time = {2.1, 2.3, 2.5};
+         const Vec3 at = planar::tip_at(planar::position_at(0.5));
+         crate.position = {at + Vec3(0, 0, 0.8), at + Vec3(0.1, 0, 0.2), at + Vec3(0.1, 0.1, 0)};
+         crate.orientation = {Quat::Identity(), Quat(Eigen::AngleAxisd(1, Vec3::UnitZ())),
+                              Quat(Eigen::AngleAxisd(2, Vec3(0.6, 0, 0.8)))};
+         plan.scene.objects.push_back(crate);
+       }},
+      {"self forearm/distal",  // the finger folds back onto the arm
+       [](Plan& plan) { plan.trajectory.position.col(2) *= 4.4; }},
       {"time time", [](Plan& plan) { plan.trajectory.time[10] = plan.trajectory.time[9]; }},
       {"finite velocity", [](Plan& plan) { plan.trajectory.velocity(3, 1) = kNotSeen; }},
   };
