@@ -12,6 +12,8 @@ namespace morphe {
 namespace {
 
 constexpr double kFastest = 6;  ///< cap on dw/dt, for the ramps, where g' does not bound it
+constexpr double kFirstBarrier = 1e-2, kLastBarrier = 3e-6;  ///< share of the duration
+constexpr int kNewtonSteps = 60;                             ///< at most, for each barrier
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using Local = Eigen::Vector3d;  ///< of (x, x_w, x_ww) at a collocation point
@@ -256,10 +258,10 @@ Progress fastest_progress(const RobotTable& robot, const RampedPath& path,
                                                            0.9 * steady_pace(points))};
   Eigen::VectorXd& c = progress.coefficient;
   Eigen::VectorXd step, trial;
-  for (double barrier = 1e-2 * path.length / static_cast<double>(points.size());
-       barrier > 1e-7 * path.length / static_cast<double>(points.size()) * 30; barrier *= 0.2) {
+  const double each = path.length / static_cast<double>(points.size());
+  for (double barrier = kFirstBarrier * each; barrier > kLastBarrier * each; barrier *= 0.2) {
     double now = merit(points, c, barrier);
-    for (int newton = 0; newton < 12; ++newton) {
+    for (int newton = 0; newton < kNewtonSteps; ++newton) {
       double decrement = 0;
       if (!newton_step(points, c, barrier, step, decrement)) break;
       double length = 1, then = kInfinity;

@@ -162,6 +162,21 @@ std::string what_is_wrong(const RobotTable& robot, const JointPath& path) {
   return "";
 }
 
+/// Samples are drawn onto a limit that they exceed by no more than rounding.
+std::string what_is_beyond_limits(const RobotTable& robot, const JointPath& path) {
+  constexpr double kRounding = 1e-4;  ///< [rad]
+  for (Eigen::Index i = 0; i < path.position.rows(); ++i) {
+    for (Eigen::Index joint = 0; joint < path.position.cols(); ++joint) {
+      const double q = path.position(i, joint);
+      const double beyond = std::max(robot.lower[joint] - q, q - robot.upper[joint]);
+      if (beyond <= kRounding) continue;
+      return fmt::format("joint {} is {:.3g} rad beyond its limit at path sample {}",
+                         robot.joint_names[static_cast<std::size_t>(joint)], beyond, i);
+    }
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string check(const RetimeOptions& o) {
@@ -180,6 +195,11 @@ RetimeResult retime(const RobotTable& robot, const JointPath& path, const Moveme
   result.detail = what_is_wrong(robot, path);
   if (!result.detail.empty()) {
     result.reason = "path";
+    return result;
+  }
+  result.detail = what_is_beyond_limits(robot, path);
+  if (!result.detail.empty()) {
+    result.reason = "limit";
     return result;
   }
   const ClockedPath given = clock_path(robot, path, kKnotStep_s);

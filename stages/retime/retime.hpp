@@ -27,7 +27,7 @@ void fields(Fields& f, RetimeOptions& o) {
 std::string check(const RetimeOptions& options);
 
 struct RetimeResult {
-  std::string reason;         ///< "" = ok; "path" (not a path of this robot), "limit", "smoothing"
+  std::string reason;         ///< "" = ok, path (not a path of this robot), limit
   std::string detail;         ///< a sentence
   Trajectory trajectory;      ///< clearance is NaN until it is certified
   double path_deviation = 0;  ///< largest over joints and path samples [rad]

@@ -242,6 +242,9 @@ TEST(Retime, RefusesWhatIsNoPath) {
   path = path_of(11, 2, 1, line);
   path.demonstration_time[5] = 0;
   EXPECT_EQ(retime(robot, path, {}, {}).reason, "path");
+  path = path_of(11, 2, 1, line);
+  path.position(4, 0) = 3.01;
+  EXPECT_EQ(retime(robot, path, {}, {}).reason, "limit");
 }
 
 TEST(Retime, OptionsAreReadAndChecked) {

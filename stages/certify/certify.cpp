@@ -1,0 +1,134 @@
+#include "stages/certify/certify.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "pipeline/collision/certified.hpp"
+#include "pipeline/motion/quintic.hpp"
+#include "stages/certify/goal_errors.hpp"
+#include "stages/certify/trajectory_motion.hpp"
+
+namespace morphe {
+namespace {
+
+double mean_of_seen(const Eigen::Ref<const Eigen::VectorXd>& values) {
+  double sum = 0;
+  int count = 0;
+  for (const double value : values) {
+    if (std::isnan(value)) continue;
+    sum += value;
+    ++count;
+  }
+  return count > 0 ? sum / count : kNotSeen;
+}
+
+/// A sentence for the first limit that does not hold, "" if all do.
+std::string beyond_limits(const RobotTable& robot, const Trajectory& trajectory,
+                          const LimitReport& report) {
+  const auto sentence = [&](const char* what, int sample, int joint, const std::string& value) {
+    return fmt::format("{} of joint {} is {} after sample {} ({:.3f} s)", what,
+                       robot.joint_names[static_cast<std::size_t>(joint)], value, sample,
+                       trajectory.time[static_cast<std::size_t>(sample)]);
+  };
+  if (!(report.position_margin >= 0)) {
+    return sentence("position", report.margin_sample, report.margin_joint,
+                    fmt::format("{:.3g} rad beyond its limit", -report.position_margin));
+  }
+  const auto over = [&](const char* what, const LimitUse& use) {
+    return use.ratio <= 1 ? std::string()
+                          : sentence(what, use.sample, use.joint,
+                                     fmt::format("{:.4f} times its limit", use.ratio));
+  };
+  for (const std::string& found :
+       {over("velocity", report.velocity), over("acceleration", report.acceleration),
+        over("jerk", report.jerk)}) {
+    if (!found.empty()) return found;
+  }
+  return "";
+}
+
+void fill_clearance(const CollisionWorld& world, Trajectory& trajectory,
+                    CollisionScratch& scratch) {
+  trajectory.clearance.resize(trajectory.samples());
+  for (std::size_t i = 0; i < trajectory.samples(); ++i) {
+    const JointVector q = trajectory.position.row(static_cast<Eigen::Index>(i)).transpose();
+    trajectory.clearance[i] = clearance(world, q, trajectory.demonstration_time[i], scratch);
+  }
+}
+
+/// A sentence for a contact that is not allowed, or not excluded; "" if there is none.
+std::string contacts(const CollisionWorld& world, const Trajectory& trajectory,
+                     CollisionScratch& scratch) {
+  const JointMotion motion = trajectory_motion(trajectory);
+  const MotionCheck found = check_motion(world, capsule_reach(*world.robot), motion, scratch);
+  if (found.verdict == MotionVerdict::free) return "";
+  return fmt::format(
+      "{} and {} are {:.2f} mm apart at {:.3f} s (sample {}), {} than the {:.2f} mm "
+      "required",
+      first_name(world, found.pair), second_name(world, found.pair),
+      1e3 * found.pair.separation.distance, found.at, sample_before(trajectory, found.at),
+      found.verdict == MotionVerdict::colliding ? "less" : "not provably more",
+      1e3 * found.pair.required);
+}
+
+std::string off_goals(const RobotTable& robot, const Trajectory& trajectory,
+                      const GoalErrors& errors) {
+  if (errors.worst_sample < 0 || errors.worst_excess <= 0) return "";
+  const auto sample = static_cast<std::size_t>(errors.worst_sample);
+  return fmt::format("tip {} is {:.2f} mm from its goal at sample {} ({:.3f} s), {:.2f} mm allowed",
+                     robot.tips[static_cast<std::size_t>(errors.worst_tip)].name,
+                     1e3 * errors.worst_error, sample, trajectory.time[sample],
+                     1e3 * errors.worst_tolerance);
+}
+
+}  // namespace
+
+CertifyResult certify(const CollisionWorld& world, const Goals& goals, const Movement& movement,
+                      Trajectory& trajectory, const Mapped& mapped, bool path_was_free) {
+  CertifyResult result;
+  const auto fail = [&](const char* reason, const std::string& sentence) {
+    if (!result.reason.empty() || sentence.empty()) return;
+    result.reason = reason;
+    result.detail = sentence;
+  };
+  if (trajectory.samples() < 2) {
+    fail("limit", "the trajectory has fewer than two samples");
+    return result;
+  }
+  Certificate& c = result.certificate;
+  const LimitReport limits = judge_limits(*world.robot, trajectory);
+  c.position_margin = limits.position_margin;
+  c.velocity_ratio = limits.velocity.ratio;
+  c.acceleration_ratio = limits.acceleration.ratio;
+  c.jerk_ratio = limits.jerk.ratio;
+  fail("limit", beyond_limits(*world.robot, trajectory, limits));
+
+  CollisionScratch scratch;
+  fill_clearance(world, trajectory, scratch);
+  c.clearance = *std::min_element(trajectory.clearance.begin(), trajectory.clearance.end());
+  fail(path_was_free ? "smoothing" : "collision", contacts(world, trajectory, scratch));
+
+  const GoalErrors errors =
+      goal_errors(*world.robot, goals, movement, world.tolerances, trajectory);
+  c.position_error_max = errors.position_max;
+  c.position_error_mean = errors.position_mean;
+  c.position_error_grasp = errors.position_grasp;
+  c.orientation_error_max = errors.orientation_max;
+  c.upper_arm_error_max = errors.upper_arm_max;
+  c.upper_arm_error_mean = errors.upper_arm_mean;
+  fail("tracking", off_goals(*world.robot, trajectory, errors));
+
+  c.tempo = trajectory.time.back() / (movement.end_s - movement.begin_s);
+  if (mapped.humanlikeness.cols() > 0) {
+    c.humanlikeness_mapped = mean_of_seen(mapped.humanlikeness.col(0));
+  }
+  c.humanlikeness_final = errors.humanlikeness;
+  c.repaired = std::any_of(trajectory.origin.begin(), trajectory.origin.end(),
+                           [](Origin origin) { return origin != Origin::mapped; });
+  return result;
+}
+
+}  // namespace morphe

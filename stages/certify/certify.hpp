@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "pipeline/collision/world.hpp"
+#include "pipeline/motion/plan.hpp"
+
+namespace morphe {
+
+struct CertifyResult {
+  Certificate certificate;  ///< filled in as far as it could be, also if something fails
+  std::string reason;       ///< "" = all of it holds; limit, smoothing, collision, tracking
+  std::string detail;       ///< a sentence with sample or time, what and how much
+};
+
+/// What holds for a trajectory as a controller runs it, the quintic between samples:
+///   limits     position, velocity, acceleration, jerk: exact extremes of every piece;
+///   contacts   certified over the whole motion, not only at samples; a failure is `smoothing` if
+///              the path was certified free before retiming (`path_was_free`), else `collision`;
+///   tracking   tips against goals interpolated at the samples' demonstration times, with
+///              tracking_grasp in the phases grasp and hold and tracking elsewhere.
+/// Fills in the trajectory's clearance. The first failure in this order is the reason.
+CertifyResult certify(const CollisionWorld& world, const Goals& goals, const Movement& movement,
+                      Trajectory& trajectory, const Mapped& mapped, bool path_was_free = true);
+
+}  // namespace morphe

@@ -1,0 +1,127 @@
+#include "stages/certify/goal_errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/humanlike/metrics.hpp"
+#include "pipeline/kinematics/forward.hpp"
+
+namespace morphe {
+namespace {
+
+struct Between {
+  std::size_t before = 0, after = 0;
+  double share = 0;
+};
+
+Between frames_at(const Goals& goals, double time_s) {
+  const auto next = std::lower_bound(goals.time.begin(), goals.time.end(), time_s);
+  const auto after = static_cast<std::size_t>(next - goals.time.begin());
+  if (after == goals.frames()) return {after - 1, after - 1, 0};
+  if (after == 0 || *next == time_s) return {after, after, 0};
+  const double before_s = goals.time[after - 1];
+  return {after - 1, after, (time_s - before_s) / (goals.time[after] - before_s)};
+}
+
+Vec3 point_at(const std::vector<Vec3>& points, const Between& at) {
+  if (points.empty()) return unseen_point();
+  return (1 - at.share) * points[at.before] + at.share * points[at.after];
+}
+
+bool grasping(const Movement& movement, double time_s) {
+  return std::any_of(movement.phases.begin(), movement.phases.end(), [&](const Phase& phase) {
+    return (phase.name == "grasp" || phase.name == "hold") && time_s >= phase.begin_s &&
+           time_s <= phase.end_s;
+  });
+}
+
+struct Mean {
+  double sum = 0;
+  int count = 0;
+  void add(double value) {
+    sum += value;
+    ++count;
+  }
+  double value() const { return count > 0 ? sum / count : kNotSeen; }
+};
+
+/// Joint centres of metric A that belong to the arm.
+std::vector<Vec3> arm_centres(const RobotTable& robot, const std::vector<Pose>& base_from_frame) {
+  std::vector<Vec3> centres;
+  for (const RobotTable::Centre& centre : robot.centres) {
+    if (centre.chain != "arm") continue;
+    centres.push_back(base_from_frame[static_cast<std::size_t>(centre.frame)].translation());
+  }
+  return centres;
+}
+
+double angle_of(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+}  // namespace
+
+Vec3 tip_goal_at(const Goals& goals, std::size_t tip, double time_s) {
+  const Between at = frames_at(goals, time_s);
+  return (1 - at.share) * goals.tip_position(at.before, tip) +
+         at.share * goals.tip_position(at.after, tip);
+}
+
+Quat tip_orientation_goal_at(const Goals& goals, std::size_t tip, double time_s) {
+  if (goals.tip_orientation.rows == 0) return unseen_rotation();
+  const Between at = frames_at(goals, time_s);
+  const Quat& before = goals.tip_orientation(at.before, tip);
+  const Quat& after = goals.tip_orientation(at.after, tip);
+  if (!seen(before) || !seen(after)) return unseen_rotation();
+  return before.slerp(at.share, after);
+}
+
+GoalErrors goal_errors(const RobotTable& robot, const Goals& goals, const Movement& movement,
+                       const Tolerances& tolerances, const Trajectory& trajectory) {
+  GoalErrors out;
+  if (goals.frames() == 0) return out;
+  Mean position, upper_arm, humanlikeness;
+  std::vector<Pose> base_from_frame;
+  const auto shoulder = static_cast<std::size_t>(robot.shoulder_frame);
+  for (std::size_t sample = 0; sample < trajectory.samples(); ++sample) {
+    const double time_s = trajectory.demonstration_time[sample];
+    const bool grasp = grasping(movement, time_s);
+    const double tolerance = grasp ? tolerances.tracking_grasp : tolerances.tracking;
+    forward(robot, trajectory.position.row(static_cast<Eigen::Index>(sample)).transpose(),
+            base_from_frame);
+    for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
+      const Pose base_from_tip = tip_pose(robot, base_from_frame, tip);
+      const Quat turned = tip_orientation_goal_at(goals, tip, time_s);
+      if (seen(turned)) {
+        const double angle = angle_between(Quat(base_from_tip.linear()), turned);
+        out.orientation_max = std::fmax(out.orientation_max, angle);
+      }
+      const Vec3 goal = tip_goal_at(goals, tip, time_s);
+      if (!seen(goal)) continue;
+      const double error = (base_from_tip.translation() - goal).norm();
+      position.add(error);
+      out.position_max = std::fmax(out.position_max, error);
+      if (grasp) out.position_grasp = std::fmax(out.position_grasp, error);
+      if (out.worst_sample >= 0 && error - tolerance <= out.worst_excess) continue;
+      out.worst_excess = error - tolerance;
+      out.worst_error = error;
+      out.worst_tolerance = tolerance;
+      out.worst_sample = static_cast<int>(sample);
+      out.worst_tip = static_cast<int>(tip);
+    }
+    const Between at = frames_at(goals, time_s);
+    const std::vector<Vec3> centres = arm_centres(robot, base_from_frame);
+    const Vec3 elbow = point_at(goals.elbow_position, at);
+    if (centres.empty() || !seen(elbow)) continue;
+    humanlikeness.add(joint_distance_sum(elbow, centres));
+    const Vec3 human = elbow - point_at(goals.shoulder_position, at);
+    if (!seen(human)) continue;
+    const double angle = angle_of(human, centres.front() - base_from_frame[shoulder].translation());
+    upper_arm.add(angle);
+    out.upper_arm_max = std::fmax(out.upper_arm_max, angle);
+  }
+  out.position_mean = position.value();
+  out.upper_arm_mean = upper_arm.value();
+  out.humanlikeness = humanlikeness.value();
+  return out;
+}
+
+}  // namespace morphe

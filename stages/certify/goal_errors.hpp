@@ -1,0 +1,28 @@
+#pragma once
+
+#include "pipeline/motion/plan.hpp"
+#include "pipeline/motion/robot_table.hpp"
+
+namespace morphe {
+
+/// Goals at a demonstration time: linear (slerp) between frames, held at the ends, NaN where one of
+/// the two frames has none. goals must have a frame.
+Vec3 tip_goal_at(const Goals& goals, std::size_t tip, double time_s);
+Quat tip_orientation_goal_at(const Goals& goals, std::size_t tip, double time_s);
+
+/// Where a trajectory's tips and upper arm are, against the goals at each sample's demonstration
+/// time. NaN = nothing to compare.
+struct GoalErrors {
+  double position_max = kNotSeen, position_mean = kNotSeen;    ///< all tips with goals [m]
+  double position_grasp = kNotSeen;                            ///< largest in grasp and hold [m]
+  double orientation_max = kNotSeen;                           ///< full angle [rad]
+  double upper_arm_max = kNotSeen, upper_arm_mean = kNotSeen;  ///< between directions [rad]
+  double humanlikeness = kNotSeen;  ///< mean of metric A's sum over the arm's centres [m^2]
+  /// The tip farthest beyond what is tolerated; excess <= 0: none is.
+  double worst_excess = kNotSeen, worst_error = kNotSeen, worst_tolerance = kNotSeen;
+  int worst_sample = -1, worst_tip = -1;
+};
+GoalErrors goal_errors(const RobotTable& robot, const Goals& goals, const Movement& movement,
+                       const Tolerances& tolerances, const Trajectory& trajectory);
+
+}  // namespace morphe

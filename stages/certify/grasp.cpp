@@ -1,0 +1,77 @@
+#include "stages/certify/grasp.hpp"
+
+#include <algorithm>
+
+#include "pipeline/kinematics/forward.hpp"
+
+namespace morphe {
+namespace {
+
+const SceneObject* target_of(const Scene& scene, const Movement& movement) {
+  if (movement.target.empty()) return nullptr;
+  for (const SceneObject& object : scene.objects) {
+    if (object.name == movement.target) return &object;
+  }
+  return nullptr;
+}
+
+int tip_of_finger(const RobotTable& robot, int finger) {
+  for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
+    if (robot.tips[tip].finger == finger) return static_cast<int>(tip);
+  }
+  return -1;
+}
+
+JointVector posture_at(const Trajectory& trajectory, std::size_t sample) {
+  return trajectory.position.row(static_cast<Eigen::Index>(sample)).transpose();
+}
+
+JointVector widest_open(const RobotTable& robot, const Trajectory& trajectory,
+                        std::size_t grasp_sample) {
+  const int thumb = tip_of_finger(robot, 0), index = tip_of_finger(robot, 1);
+  std::size_t widest = 0;
+  double most_m = -1;
+  std::vector<Pose> base_from_frame;
+  for (std::size_t i = 0; thumb >= 0 && index >= 0 && i <= grasp_sample; ++i) {
+    forward(robot, posture_at(trajectory, i), base_from_frame);
+    const auto place = [&](int tip) -> Vec3 {
+      return tip_pose(robot, base_from_frame, static_cast<std::size_t>(tip)).translation();
+    };
+    const double opening_m = (place(thumb) - place(index)).norm();
+    if (opening_m <= most_m) continue;
+    most_m = opening_m;
+    widest = i;
+  }
+  return posture_at(trajectory, widest);
+}
+
+}  // namespace
+
+Grasp find_grasp(const RobotTable& robot, const Scene& scene, const Movement& movement,
+                 const Trajectory& trajectory) {
+  Grasp grasp;
+  const SceneObject* target = target_of(scene, movement);
+  const auto phase = std::find_if(movement.phases.begin(), movement.phases.end(),
+                                  [](const Phase& p) { return p.name == "grasp"; });
+  if (!target || phase == movement.phases.end() || trajectory.samples() == 0) return grasp;
+  const auto& times = trajectory.demonstration_time;
+  const auto found = std::lower_bound(times.begin(), times.end(), phase->begin_s);
+  const std::size_t sample =
+      std::min(static_cast<std::size_t>(found - times.begin()), times.size() - 1);
+  grasp.sample = static_cast<int>(sample);
+  grasp.hand_posture = posture_at(trajectory, sample);
+  grasp.pregrasp_posture = widest_open(robot, trajectory, sample);
+  grasp.base_from_object = recorded_pose(*target, times[sample]);
+  const Pose object_from_base = grasp.base_from_object.inverse();
+  std::vector<Pose> base_from_frame;
+  forward(robot, grasp.hand_posture, base_from_frame);
+  grasp.object_from_palm =
+      object_from_base * base_from_frame[static_cast<std::size_t>(robot.palm_frame)];
+  for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
+    grasp.tips_in_object.push_back(object_from_base *
+                                   tip_pose(robot, base_from_frame, tip).translation());
+  }
+  return grasp;
+}
+
+}  // namespace morphe

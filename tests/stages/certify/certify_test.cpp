@@ -1,0 +1,180 @@
+#include "stages/certify/certify.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "stages/certify/goal_errors.hpp"
+#include "stages/certify/trajectory_motion.hpp"
+#include "tests/stages/certify/planar_arm.hpp"
+
+namespace morphe {
+namespace {
+
+constexpr double kSweep = 0.5;
+
+Vec3 turned(double angle, double x, double y) {
+  return Eigen::AngleAxisd(angle, Vec3::UnitZ()) * Vec3(x, y, 0);
+}
+
+/// Goals that the sweep meets at both its ends but for `off`; the human's upper arm points 0.2 rad
+/// to the left all the time.
+Goals goals_off_by(const Vec3& off) {
+  Goals goals;
+  goals.time = {0, 1};
+  goals.tip_position = Table<Vec3>(2, 2, unseen_point());
+  goals.tip_orientation = Table<Quat>(2, 2, unseen_rotation());
+  goals.reachable = Table<std::uint8_t>(2, 2, 1);
+  for (const std::size_t frame : {0u, 1u}) {
+    const double angle = frame == 0 ? 0 : kSweep;
+    goals.tip_position(frame, 0) = turned(angle, 0.55, 0.04) + off;
+    goals.tip_orientation(frame, 0) =
+        Quat(Eigen::AngleAxisd(angle, Vec3::UnitZ())) * Quat(Eigen::AngleAxisd(0.4, Vec3::UnitX()));
+  }
+  goals.shoulder_position = {Vec3::Zero(), Vec3::Zero()};
+  goals.elbow_position = {turned(0.2, 0.3, 0), turned(0.2, 0.3, 0)};
+  return goals;
+}
+
+SceneObject ball(const Vec3& at, double radius) {
+  SceneObject object;
+  object.name = "ball";
+  object.shape = Shape::sphere;
+  object.size = {radius};
+  object.time = {0};
+  object.position = {at};
+  object.orientation = {Quat::Identity()};
+  return object;
+}
+
+struct Case {
+  RobotTable robot = planar_arm();
+  Scene scene;
+  Movement movement;
+  Goals goals = goals_off_by(Vec3::Zero());
+  Trajectory trajectory = sweep(kSweep);
+  Mapped mapped;
+  bool path_was_free = true;
+
+  Case() { movement.end_s = 0.8; }
+  CertifyResult run() {
+    const CollisionWorld world = make_world(robot, scene, movement, Tolerances{});
+    return certify(world, goals, movement, trajectory, mapped, path_was_free);
+  }
+};
+
+TEST(Certify, FiguresInClosedForm) {
+  Case c;
+  c.goals = goals_off_by(Vec3(0, 0, 0.001));
+  c.scene.objects = {ball(Vec3(0.4, 0, 0.2), 0.05)};
+  c.mapped.humanlikeness = JointRows::Zero(3, 3);
+  c.mapped.humanlikeness.col(0) << 0.1, kNotSeen, 0.3;
+  const CertifyResult result = c.run();
+  EXPECT_EQ(result.reason, "") << result.detail;
+  const Certificate& k = result.certificate;
+  // Minimum-jerk rest to rest: 15/8, 10/sqrt(3) and 60 times the way.
+  EXPECT_NEAR(k.velocity_ratio, kSweep * 15 / 8, 1e-12);
+  EXPECT_NEAR(k.acceleration_ratio, kSweep * 10 / std::sqrt(3.0) / 5, 1e-12);
+  EXPECT_NEAR(k.jerk_ratio, kSweep, 1e-12);
+  EXPECT_NEAR(k.position_margin, 2 - kSweep, 1e-12);
+  EXPECT_NEAR(k.clearance, 0.2 - 0.05 - 0.03, 1e-9);
+  EXPECT_NEAR(c.trajectory.clearance[0], 0.12, 1e-9);
+  EXPECT_NEAR(k.position_error_max, 0.001, 1e-12);
+  EXPECT_NEAR(k.position_error_mean, 0.001, 1e-12);
+  EXPECT_TRUE(std::isnan(k.position_error_grasp));
+  EXPECT_NEAR(k.orientation_error_max, 0.4, 1e-9);
+  EXPECT_NEAR(k.upper_arm_error_max, 0.3, 1e-9);
+  EXPECT_NEAR(k.upper_arm_error_mean, 0.25, 1e-9);
+  EXPECT_NEAR(k.tempo, 1 / 0.8, 1e-12);
+  const auto chord = [](double angle) { return std::pow(0.6 * std::sin(angle / 2), 2); };
+  EXPECT_NEAR(k.humanlikeness_final, 0.5 * (chord(0.2) + chord(0.3)), 1e-12);
+  EXPECT_NEAR(k.humanlikeness_mapped, 0.2, 1e-12);
+  EXPECT_FALSE(k.repaired);
+}
+
+TEST(Certify, LimitBetweenSamplesIsFound) {
+  Case c;
+  c.robot.velocity[0] = 0.9 * kSweep * 15 / 8;  // both samples are at rest
+  const CertifyResult result = c.run();
+  EXPECT_EQ(result.reason, "limit");
+  EXPECT_THAT(result.detail, testing::HasSubstr("velocity of joint shoulder is 1.1111 times"));
+}
+
+TEST(Certify, PositionBeyondItsLimit) {
+  Case c;
+  c.robot.upper[0] = kSweep - 0.01;
+  const CertifyResult result = c.run();
+  EXPECT_EQ(result.reason, "limit");
+  EXPECT_NEAR(result.certificate.position_margin, -0.01, 1e-12);
+}
+
+TEST(Certify, ContactBetweenSamplesIsFound) {
+  Case c;
+  // The forearm sweeps through a ball that is clear of it at both samples.
+  c.scene.objects = {ball(turned(0.25, 0.5, 0), 0.02)};
+  const CertifyResult result = c.run();
+  EXPECT_GT(result.certificate.clearance, 0.03);
+  EXPECT_EQ(result.reason, "smoothing");
+  EXPECT_THAT(result.detail, testing::HasSubstr("forearm and ball"));
+  c.path_was_free = false;
+  EXPECT_EQ(c.run().reason, "collision");
+}
+
+TEST(Certify, AMissByAHairIsProvedFree) {
+  Case c;
+  // At height 0.06 + margin + 0.2 mm above the sweep of the forearm's axis.
+  c.scene.objects = {ball(turned(0.25, 0.5, 0) + Vec3(0, 0, 0.0612), 0.03)};
+  EXPECT_EQ(c.run().reason, "");
+  c.scene.objects = {ball(turned(0.25, 0.5, 0) + Vec3(0, 0, 0.0608), 0.03)};
+  EXPECT_EQ(c.run().reason, "smoothing");
+}
+
+TEST(Certify, TrackingIsTighterInTheGrasp) {
+  Case c;
+  c.goals = goals_off_by(Vec3(0, 0, 0.006));
+  EXPECT_EQ(c.run().reason, "");
+  c.movement.phases = {{"reach", 0, 0.8, 1}, {"grasp", 0.8, 1, 1}};
+  const CertifyResult result = c.run();
+  EXPECT_EQ(result.reason, "tracking");
+  EXPECT_THAT(result.detail, testing::HasSubstr("thumb_tip is 6.00 mm"));
+  EXPECT_NEAR(result.certificate.position_error_grasp, 0.006, 1e-12);
+}
+
+TEST(Certify, MarksWhatWasRepaired) {
+  Case c;
+  c.trajectory.origin[1] = Origin::planned;
+  EXPECT_TRUE(c.run().certificate.repaired);
+}
+
+TEST(Certify, GoalsBetweenFrames) {
+  Goals goals = goals_off_by(Vec3::Zero());
+  const Vec3 middle = 0.5 * (goals.tip_position(0, 0) + goals.tip_position(1, 0));
+  EXPECT_LT((tip_goal_at(goals, 0, 0.5) - middle).norm(), 1e-15);
+  EXPECT_EQ(tip_goal_at(goals, 0, 7), goals.tip_position(1, 0));
+  EXPECT_EQ(tip_goal_at(goals, 0, -1), goals.tip_position(0, 0));
+  EXPECT_FALSE(seen(tip_goal_at(goals, 1, 0.5)));
+  goals.tip_position(1, 0) = unseen_point();
+  EXPECT_TRUE(seen(tip_goal_at(goals, 0, 0)));
+  EXPECT_FALSE(seen(tip_goal_at(goals, 0, 0.1)));
+}
+
+TEST(TrajectoryMotion, TravelBoundsTheMotion) {
+  Trajectory t = sweep(kSweep);
+  t.velocity(0, 1) = 0.4;  // the elbow swings out and back
+  t.acceleration(1, 2) = -3;
+  const JointMotion motion = trajectory_motion(t);
+  JointVector middle, q, travel;
+  for (double s0 = 0; s0 < 0.9; s0 += 0.13) {
+    const double s1 = s0 + 0.1;
+    motion.position(0.5 * (s0 + s1), middle);
+    motion.travel(s0, s1, travel);
+    for (double s = s0; s <= s1; s += 0.004) {
+      motion.position(s, q);
+      for (Eigen::Index k = 0; k < 3; ++k) EXPECT_LE(std::abs(q[k] - middle[k]), travel[k] + 1e-15);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace morphe
