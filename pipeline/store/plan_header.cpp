@@ -5,9 +5,9 @@
 namespace morphe {
 namespace {
 
-// A file whose groups link in a circle ends here.
-constexpr std::size_t kMostInputs = 10000;
-constexpr int kMostFolders = 64;
+// A file whose groups link in circles ends here.
+constexpr int kMostInputs = 10000;
+constexpr int kDeepest = 64;
 
 void write_input(const Hdf5Group& folder, const std::string& path, const std::string& text) {
   const std::size_t slash = path.find('/');
@@ -24,13 +24,14 @@ void write_input(const Hdf5Group& folder, const std::string& path, const std::st
   }
 }
 
-void read_inputs(const Hdf5Group& folder, const std::string& prefix, int depth,
+/// `left` is how many members may still be visited.
+void read_inputs(const Hdf5Group& folder, const std::string& prefix, int depth, int& left,
                  std::vector<PlanFileHeader::Input>& inputs) {
-  if (depth > kMostFolders) folder.fail("lies too deep");
+  if (depth > kDeepest) folder.fail("lies too deep");
   for (const std::string& name : folder.children()) {
-    if (inputs.size() >= kMostInputs) folder.fail("holds too many files");
+    if (--left < 0) folder.fail("holds too many files");
     if (folder.is_group(name)) {
-      read_inputs(folder.open(name), prefix + name + "/", depth + 1, inputs);
+      read_inputs(folder.open(name), prefix + name + "/", depth + 1, left, inputs);
     } else {
       inputs.push_back({prefix + name, folder.read_text(name)});
     }
@@ -57,7 +58,8 @@ PlanFileHeader read_plan_header(const Hdf5Group& root) {
   root.get("config_sha256", header.config_sha256);
   root.get("dataset_sha256", header.dataset_sha256);
   root.get("software", header.software);
-  read_inputs(root.open("inputs"), "", 0, header.inputs);
+  int left = kMostInputs;
+  read_inputs(root.open("inputs"), "", 0, left, header.inputs);
   return header;
 }
 
