@@ -95,20 +95,17 @@ struct Bisection {
 
   /// No more than the pair's slack, at little cost.
   double slack_at_least(const PairSeparation& pair) const {
-    const CapsuleBody& a = scratch.bodies[static_cast<std::size_t>(pair.capsule)];
-    const Vec3 middle = 0.5 * (a.from + a.to);
-    const double around = 0.5 * (a.to - a.from).norm() + a.radius + pair.required;
+    const CollisionScratch::Ball& a = scratch.balls[static_cast<std::size_t>(pair.capsule)];
+    const double around = a.radius + pair.required;
     const auto other = static_cast<std::size_t>(pair.other);
     if (!pair.object) {
-      const CapsuleBody& b = scratch.bodies[other];
-      return (middle - 0.5 * (b.from + b.to)).norm() - 0.5 * (b.to - b.from).norm() - b.radius -
-             around;
+      const CollisionScratch::Ball& b = scratch.balls[other];
+      return (a.centre - b.centre).norm() - b.radius - around;
     }
     Vec3 gradient;
     const Pose& pose = scratch.object_poses[other];
-    return signed_distance(world.scene->objects[other],
-                           pose.linear().transpose() * (middle - pose.translation()), gradient) -
-           around;
+    const Vec3 in_object = pose.linear().transpose() * (a.centre - pose.translation());
+    return signed_distance(world.scene->objects[other], in_object, gradient) - around;
   }
 
   void measure(PairSeparation& pair) const {

@@ -9,11 +9,10 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The separation's distance is no less than this: two balls about the segments' middles.
-double apart_at_least(const CapsuleBody& a, const CapsuleBody& b) {
-  const double between = 0.5 * (a.from + a.to - b.from - b.to).norm();
-  return between - 0.5 * (a.to - a.from).norm() - 0.5 * (b.to - b.from).norm() - a.radius -
-         b.radius;
+/// Whether two balls are at least so far apart: then the bodies in them are, too.
+bool apart(const CollisionScratch::Ball& a, const CollisionScratch::Ball& b, double distance_m) {
+  const double least_m = a.radius + b.radius + distance_m;
+  return least_m <= 0 || (a.centre - b.centre).squaredNorm() >= least_m * least_m;
 }
 
 /// Visits every pair whose slack can be below `limit`, in the fixed order; `visit` may lower it.
@@ -24,19 +23,16 @@ void visit_near(const CollisionWorld& world, const CollisionScratch& scratch, co
   PairSeparation pair;
   pair.required = world.tolerances.margin;
   for (const auto& [i, j] : world.pairs) {
-    const CapsuleBody& first = scratch.bodies[static_cast<std::size_t>(i)];
-    const CapsuleBody& second = scratch.bodies[static_cast<std::size_t>(j)];
-    if (apart_at_least(first, second) - pair.required >= limit) continue;
+    const auto first = static_cast<std::size_t>(i), second = static_cast<std::size_t>(j);
+    if (apart(scratch.balls[first], scratch.balls[second], limit + pair.required)) continue;
     pair.capsule = i;
     pair.other = j;
-    pair.separation = capsule_capsule(first, second);
+    pair.separation = capsule_capsule(scratch.bodies[first], scratch.bodies[second]);
     visit(pair);
   }
   pair.object = true;
   for (std::size_t i = 0; i < scratch.bodies.size(); ++i) {
-    const CapsuleBody& body = scratch.bodies[i];
-    const Vec3 middle = 0.5 * (body.from + body.to);
-    const double reach = 0.5 * (body.to - body.from).norm() + body.radius;
+    const CollisionScratch::Ball& ball = scratch.balls[i];
     for (std::size_t k = 0; k < world.scene->objects.size(); ++k) {
       pair.capsule = static_cast<int>(i);
       pair.other = static_cast<int>(k);
@@ -44,9 +40,11 @@ void visit_near(const CollisionWorld& world, const CollisionScratch& scratch, co
       const SceneObject& object = world.scene->objects[k];
       const Pose& pose = scratch.object_poses[k];
       Vec3 gradient;
-      const Vec3 in_object = pose.linear().transpose() * (middle - pose.translation());
-      if (signed_distance(object, in_object, gradient) - reach - pair.required >= limit) continue;
-      pair.separation = capsule_solid(body, object, pose);
+      const Vec3 in_object = pose.linear().transpose() * (ball.centre - pose.translation());
+      if (signed_distance(object, in_object, gradient) - ball.radius - pair.required >= limit) {
+        continue;
+      }
+      pair.separation = capsule_solid(scratch.bodies[i], object, pose);
       visit(pair);
     }
   }
@@ -69,18 +67,18 @@ void place_bodies(const CollisionWorld& world, const Eigen::Ref<const JointVecto
   const RobotTable& robot = *world.robot;
   forward(robot, q, scratch.base_from_frame);
   scratch.bodies.resize(robot.capsules.size());
+  scratch.balls.resize(robot.capsules.size());
   for (std::size_t i = 0; i < robot.capsules.size(); ++i) {
     const RobotTable::Capsule& capsule = robot.capsules[i];
     CapsuleBody& body = scratch.bodies[i];
-    body.radius = capsule.radius;
     if (capsule.frame < 0) {
-      body.from = capsule.from;
-      body.to = capsule.to;
-      continue;
+      body = {capsule.from, capsule.to, capsule.radius};
+    } else {
+      const Pose& pose = scratch.base_from_frame[static_cast<std::size_t>(capsule.frame)];
+      body = {pose * capsule.from, pose * capsule.to, capsule.radius};
     }
-    const Pose& pose = scratch.base_from_frame[static_cast<std::size_t>(capsule.frame)];
-    body.from = pose * capsule.from;
-    body.to = pose * capsule.to;
+    scratch.balls[i].centre = 0.5 * (body.from + body.to);
+    scratch.balls[i].radius = 0.5 * (body.to - body.from).norm() + body.radius;
   }
   scratch.object_poses.resize(world.scene->objects.size());
   for (std::size_t k = 0; k < world.scene->objects.size(); ++k) {

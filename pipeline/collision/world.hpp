@@ -42,8 +42,13 @@ struct PairSeparation {
 
 /// Per-thread scratch of the queries.
 struct CollisionScratch {
+  struct Ball {
+    Vec3 centre;
+    double radius = 0;
+  };
   std::vector<Pose> base_from_frame;
   std::vector<CapsuleBody> bodies;
+  std::vector<Ball> balls;  ///< [capsules] each holds its body
   std::vector<Pose> object_poses;
   JointVector position, travel;                ///< of certified motion
   std::vector<double> body_travel;             ///< [capsules] [m]
