@@ -19,10 +19,12 @@ Vec3 natural_elbow(const Vec3& shoulder, const Vec3& wrist, const ArmLengths& le
   // Foot of the elbow on the shoulder-wrist line, by the law of cosines; u == f folded: distance 0.
   const double foot = distance > 0 ? (u * u - f * f + distance * distance) / (2 * distance) : 0.0;
   const double radius = std::sqrt(std::max(0.0, u * u - foot * foot));
-  Vec3 aside = Vec3(std::sin(outward), 0, -std::cos(outward));
+  Vec3 aside = Vec3(0, -2, -1);
   aside -= along * along.dot(aside);
-  if (aside.norm() < 1e-6) aside = -Vec3::UnitY() + along * along.y();
-  return shoulder + foot * along + radius * aside.normalized();
+  if (aside.norm() < 1e-9) return unseen_point();
+  aside.normalize();
+  const Vec3 right = aside.cross(along);
+  return shoulder + foot * along + radius * (std::cos(outward) * aside + std::sin(outward) * right);
 }
 
 std::optional<Vec3> shoulder_within_reach(const Vec3& wanted, const std::vector<Vec3>& wrists,

@@ -14,11 +14,13 @@ struct ArmLengths {
 /// Segment lengths of an average adult: 0.186 and 0.146 of the stature (Drillis and Contini 1966).
 ArmLengths arm_lengths_of_stature(double stature_m);
 
-/// The elbow of an arm that hangs naturally: on the circle |elbow - shoulder| = upper_arm,
-/// |elbow - wrist| = forearm the point furthest along (sin a, 0, -cos a), where `outward` = a turns
-/// from straight down to the right (world: X right, Y forward, Z up; a right arm). If that
-/// direction lies along the shoulder-wrist line, furthest back. A wrist out of reach is taken at
-/// the nearest distance that can be reached. NaN if shoulder or wrist is, or if they coincide.
+/// The elbow of an arm that hangs naturally (world: X right, Y forward, Z up; a right arm). It lies
+/// on the circle |elbow - shoulder| = upper_arm, |elbow - wrist| = forearm, turned about the
+/// shoulder-wrist line by `outward` to the right of the circle's point furthest along (0, -2, -1):
+/// the lowest one while the wrist is ahead, the one furthest back while it is below the shoulder,
+/// so that the elbow does not flip when the hand is drawn back past the body. A wrist out of reach
+/// is taken at the nearest distance that can be reached. NaN if shoulder or wrist is, if they
+/// coincide, or if the wrist lies along that very direction.
 Vec3 natural_elbow(const Vec3& shoulder, const Vec3& wrist, const ArmLengths& lengths,
                    double outward);
 

@@ -13,9 +13,9 @@
 namespace morphe {
 namespace {
 
-/// The door handle's bar, as a ball around the point that was recorded of it. At the grasp the
-/// nearest fingertip centres lie 26 to 40 mm from that point and contact is expected at about
-/// 28 mm; a fingertip of that hand is about 8 mm thick (half), which leaves 20 mm.
+/// The door handle's bar, as a ball around the one point that was recorded of it. While the latch
+/// turns, the nearest fingertip centre comes to 26 to 30 mm from that point in all five recordings:
+/// contact; a fingertip of that hand is about 8 mm thick (half), which leaves 20 mm.
 constexpr double kHandleRadius_m = 0.020;
 
 struct Row {
