@@ -12,8 +12,7 @@ constexpr int kRounds = 30;
 constexpr double kEndWeight = 1e5;    ///< the path's ends are kept
 constexpr double kLimitWeight = 1e3;  ///< pulls a coefficient beyond a joint limit onto it
 constexpr double kLeastRoughness = 1e-8;
-constexpr double kLeastTolerance = 1e-9;  ///< [rad]
-constexpr double kLimitInset = 1e-7;      ///< [rad]: rounding must not leave the limits
+constexpr double kLimitInset = 1e-7;  ///< [rad]: rounding must not leave the limits
 
 struct Place {
   Eigen::Index interval = 0;
@@ -42,13 +41,11 @@ Rows rows_of(const std::vector<double>& clock, const std::vector<SmoothingAt>& s
     const Place at = place_of(clock[i], spline.step(), spline.intervals);
     rows.interval.push_back(at.interval);
     rows.weights.push_back(bspline_weights<5>(at.z));
-    rows.tolerance.push_back(std::max(smoothing[i].tolerance, kLeastTolerance));
-    if (smoothing[i].tolerance > 0) {
-      const double lambda = std::pow(smoothing[i].duration / spline.step(), 6);
-      for (Eigen::Index k = 0; k < 3; ++k) {
-        double& here = rows.roughness[at.interval + k];
-        here = std::max(here, lambda);
-      }
+    rows.tolerance.push_back(smoothing[i].tolerance);
+    const double lambda = std::pow(smoothing[i].duration / spline.step(), 6);
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      double& here = rows.roughness[at.interval + k];
+      here = std::max(here, lambda);
     }
     const double before = i > 0 ? clock[i] - clock[i - 1] : 0;
     const double after = i + 1 < clock.size() ? clock[i + 1] - clock[i] : 0;

@@ -38,7 +38,7 @@ void evaluate(const JointSpline& spline, double u, JointRows& out);
 /// What a fit may do at one sample.
 struct SmoothingAt {
   double duration = 0.02;   ///< features shorter than about this are smoothed away … [s]
-  double tolerance = 1e-3;  ///< … unless that moves the sample by more than this; 0: none [rad]
+  double tolerance = 1e-3;  ///< … unless that moves the sample by more than this [rad]
 };
 
 /// Minimises sum_i w_i |q(u_i) - y_i|^2 + sum (duration/step)^6 |third difference|^2 for each

@@ -10,7 +10,8 @@ namespace {
 /// stretched; below, the time law slows down smoothly.
 constexpr double kRecordedHaste = 4;
 constexpr double kMostStretch = 6;
-constexpr std::size_t kCellsPerKnot = 4;  ///< samples of a spline when its clock is stretched
+/// Samples of a spline when its clock is stretched: two a knot even where it is stretched most.
+constexpr std::size_t kCellsPerKnot = 12;
 
 double least_step_s(const RobotTable& robot, const JointPath& path, std::size_t i) {
   const auto row = static_cast<Eigen::Index>(i);

@@ -18,6 +18,8 @@ namespace {
 constexpr double kKnotStep_s = 0.01;  ///< of the path's spline and of the progress
 constexpr double kRamp_s = 0.25;      ///< of the path parameter at both ends
 constexpr int kCellsPerKnot = 4;      ///< of the table of times
+/// A tolerance of zero: only as much as keeps the spline from ringing between samples.
+constexpr SmoothingAt kExact{0.003, 1e-5};
 constexpr int kSlowdowns = 12;
 constexpr double kBearable = 1.5;
 
@@ -140,7 +142,8 @@ std::vector<SmoothingAt> smoothing_of(const ClockedPath& path, const RetimeOptio
   std::vector<SmoothingAt> out;
   for (const Origin origin : path.origin) {
     const double factor = origin == Origin::planned ? options.planned_smoothing : 1;
-    out.push_back({factor * options.smoothing_s, factor * options.smoothing_tolerance});
+    const SmoothingAt at{factor * options.smoothing_s, factor * options.smoothing_tolerance};
+    out.push_back(at.tolerance > kExact.tolerance ? at : kExact);
   }
   return out;
 }
@@ -206,7 +209,7 @@ RetimeResult retime(const RobotTable& robot, const JointPath& path, const Moveme
   const JointSpline smooth = fit_spline(given.clock, given.position, smoothing_of(given, options),
                                         robot.lower, robot.upper, kKnotStep_s);
   const ClockedPath clocked = stretch_clock(robot, given, smooth, kBearable);
-  const std::vector<SmoothingAt> exact(clocked.clock.size(), {0, 0});
+  const std::vector<SmoothingAt> exact(clocked.clock.size(), {0, kExact.tolerance});
   const JointSpline spline =
       fit_spline(clocked.clock, clocked.position, exact, robot.lower, robot.upper, kKnotStep_s);
   result.path_deviation = deviation(smooth, given.clock, given.position) +

@@ -40,7 +40,7 @@ TEST(JointSpline, DerivativesOfASine) {
     clock.push_back(0.005 * i);
     y(i, 0) = std::sin(4 * clock.back());
   }
-  const std::vector<SmoothingAt> exact(clock.size(), {0, 0});
+  const std::vector<SmoothingAt> exact(clock.size(), {0, 1e-9});
   const JointVector lower = JointVector::Constant(1, -2), upper = JointVector::Constant(1, 2);
   const JointSpline spline = fit_spline(clock, y, exact, lower, upper, 0.01);
   EXPECT_LT(deviation(spline, clock, y), 1e-8);
