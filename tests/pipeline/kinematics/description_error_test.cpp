@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "pipeline/motion/input_error.hpp"
-#include "written_robot.hpp"
+#include "tests/pipeline/kinematics/written_robot.hpp"
 
 namespace morphe {
 namespace {

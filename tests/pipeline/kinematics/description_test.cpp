@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "pipeline/kinematics/forward.hpp"
-#include "shipped_robots.hpp"
-#include "written_robot.hpp"
+#include "tests/pipeline/kinematics/shipped_robots.hpp"
+#include "tests/pipeline/kinematics/written_robot.hpp"
 
 namespace morphe {
 namespace {

@@ -9,7 +9,7 @@
 #include <map>
 #include <numbers>
 
-#include "shipped_robots.hpp"
+#include "tests/pipeline/kinematics/shipped_robots.hpp"
 
 namespace morphe {
 namespace {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "pipeline/kinematics/forward.hpp"
-#include "shipped_robots.hpp"
+#include "tests/pipeline/kinematics/shipped_robots.hpp"
 
 namespace morphe {
 namespace {

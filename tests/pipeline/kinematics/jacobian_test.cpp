@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/kinematics/forward.hpp"
-#include "shipped_robots.hpp"
+#include "tests/pipeline/kinematics/shipped_robots.hpp"
 
 namespace morphe {
 namespace {
