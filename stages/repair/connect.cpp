@@ -135,7 +135,7 @@ std::vector<JointVector> connect(const IntervalWorld& interval, const JointRows&
                                  std::uint64_t seed) {
   assert(!space.joints.empty());
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-  const Coordinates coordinates(*interval.world.robot, space, from, to);
+  const Coordinates coordinates(*interval.world.around.robot, space, from, to);
   Query query{interval, reach, coordinates, {}, {}, {}};
 
   auto vectors = std::make_shared<ob::RealVectorStateSpace>(

@@ -49,18 +49,16 @@ Eigen::MatrixXd best_correction(const Eigen::MatrixXd& d, int first, int last, d
   return normal.ldlt().solve(right);
 }
 
-bool rows_free(const CollisionWorld& world, const JointRows& reach,
-               const std::vector<double>& times, const JointRows& rows, int first, int last,
-               CollisionScratch& scratch) {
-  const RobotTable& robot = *world.robot;
+bool rows_free(const ClearWorld& world, const JointRows& reach, const std::vector<double>& times,
+               const JointRows& rows, int first, int last, CollisionScratch& scratch) {
+  const RobotTable& robot = *world.around.robot;
   JointVector from = rows.row(first), to;
   for (int k = first + 1; k <= last; ++k, from = to) {
     to = rows.row(k);
     if ((to.array() < robot.lower.array()).any() || (to.array() > robot.upper.array()).any())
       return false;
     const auto sample = static_cast<std::size_t>(k);
-    const JointMotion line = straight_motion(from, to, times[sample - 1], times[sample]);
-    if (check_motion(world, reach, line, scratch).verdict != MotionVerdict::free) return false;
+    if (!line_free(world, reach, from, to, times[sample - 1], times[sample], scratch)) return false;
   }
   return true;
 }
@@ -72,7 +70,7 @@ std::vector<JointVector> shortcut(const IntervalWorld& interval, const JointRows
                                   std::mt19937_64& random) {
   CollisionScratch scratch;
   for (int attempt = 0; attempt < attempts && vertices.size() > 2; ++attempt) {
-    const std::vector<double> lengths = edge_lengths(*interval.world.robot, vertices);
+    const std::vector<double> lengths = edge_lengths(*interval.world.around.robot, vertices);
     double total = 0;
     for (const double length : lengths) total += length;
     const auto locate = [&](double along, std::size_t& edge, JointVector& point) {
@@ -122,7 +120,7 @@ JointRows spread(const RobotTable& robot, const std::vector<JointVector>& vertic
   return rows;
 }
 
-void draw_in(const CollisionWorld& world, const JointRows& reach, const std::vector<double>& times,
+void draw_in(const ClearWorld& world, const JointRows& reach, const std::vector<double>& times,
              const JointRows& original, int attempts, std::mt19937_64& random, JointRows& planned) {
   constexpr std::array<double, 4> kSteps = {1, 0.5, 0.25, 0.1};
   const int rows = static_cast<int>(planned.rows()), joints = static_cast<int>(planned.cols());

@@ -22,7 +22,7 @@ JointRows spread(const RobotTable& robot, const std::vector<JointVector>& vertic
 /// Each attempt moves a random window, of all joints or some, towards the minimum of the cost
 /// with the rest held: the farthest of a few steps that is certified free in `world` at the
 /// samples' own times, and inside the joint limits. planned and original [times, joints].
-void draw_in(const CollisionWorld& world, const JointRows& reach, const std::vector<double>& times,
+void draw_in(const ClearWorld& world, const JointRows& reach, const std::vector<double>& times,
              const JointRows& original, int attempts, std::mt19937_64& random, JointRows& planned);
 
 }  // namespace morphe

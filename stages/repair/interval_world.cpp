@@ -1,6 +1,7 @@
 #include "stages/repair/interval_world.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace morphe {
 namespace {
@@ -22,26 +23,55 @@ void apply(TouchRule rule, double begin_s, double end_s, CollisionWorld& world) 
   world.touch_end_s = rule == TouchRule::strict ? kNotSeen : end_s;
 }
 
+/// Whether a capsule hangs on the palm or on a frame beyond it.
+bool in_hand(const RobotTable& robot, int capsule) {
+  int frame = robot.capsules[static_cast<std::size_t>(capsule)].frame;
+  while (frame >= 0 && frame != robot.palm_frame)
+    frame = robot.frames[static_cast<std::size_t>(frame)].parent;
+  return frame >= 0;
+}
+
+bool line_free(const CollisionWorld& world, const JointRows& reach, const JointMotion& line,
+               CollisionScratch& scratch) {
+  return check_motion(world, reach, line, scratch).verdict == MotionVerdict::free;
+}
+
 }  // namespace
 
-CollisionWorld with_extra_clearance(const CollisionWorld& world, double extra_m) {
-  CollisionWorld grown = world;
-  grown.tolerances.margin += extra_m;
-  grown.tolerances.contact_depth -= std::min(extra_m, grown.tolerances.contact_depth) / 2;
-  return grown;
+ClearWorld clear_world(const CollisionWorld& world, double extra_m) {
+  ClearWorld clear{world, world, std::make_shared<Scene>(*world.scene), std::make_shared<Scene>()};
+  clear.around.scene = clear.scene.get();
+  clear.around.tolerances.margin += extra_m;
+  clear.around.tolerances.contact_depth -= std::min(extra_m, world.tolerances.contact_depth) / 2;
+  clear.hand.scene = clear.nothing.get();
+  clear.hand.target = -1;
+  const auto within_hand = [&](const std::array<int, 2>& pair) {
+    return in_hand(*world.robot, pair[0]) && in_hand(*world.robot, pair[1]);
+  };
+  std::erase_if(clear.around.pairs, within_hand);
+  std::erase_if(clear.hand.pairs, [&](const auto& pair) { return !within_hand(pair); });
+  return clear;
+}
+
+bool line_free(const ClearWorld& world, const JointRows& reach, const JointVector& from,
+               const JointVector& to, double from_s, double to_s, CollisionScratch& scratch) {
+  const JointMotion line = straight_motion(from, to, from_s, to_s);
+  return line_free(world.around, reach, line, scratch) &&
+         (world.hand.pairs.empty() || line_free(world.hand, reach, line, scratch));
 }
 
 IntervalWorld interval_world(const CollisionWorld& world, double begin_s, double end_s,
                              double extra_m, TouchRule rule) {
-  IntervalWorld interval{with_extra_clearance(world, extra_m), nullptr, {begin_s}};
-  apply(rule, begin_s, end_s, interval.world);
+  IntervalWorld interval{clear_world(world, extra_m), {begin_s}};
+  CollisionWorld& around = interval.world.around;
+  apply(rule, begin_s, end_s, around);
 
   auto scene = std::make_shared<Scene>(*world.scene);
   if (world.target >= 0) {
     const auto target = scene->objects.begin() + world.target;
     if (moves(*target, begin_s, end_s)) {
       scene->objects.erase(target);
-      interval.world.target = -1;
+      around.target = -1;
     }
   }
   const bool still =
@@ -50,22 +80,28 @@ IntervalWorld interval_world(const CollisionWorld& world, double begin_s, double
   for (int k = 1; !still && k < kTimes; ++k)
     interval.times.push_back(k + 1 == kTimes ? end_s
                                              : begin_s + (end_s - begin_s) * k / (kTimes - 1));
-  interval.scene = std::move(scene);
-  interval.world.scene = interval.scene.get();
+  interval.world.scene = std::move(scene);
+  around.scene = interval.world.scene.get();
   return interval;
 }
 
 bool state_free(const IntervalWorld& interval, const JointVector& q, CollisionScratch& scratch) {
+  const CollisionWorld& hand = interval.world.hand;
+  if (least_slack(hand, q, interval.times.front(), scratch).slack() < 0) return false;
   return std::all_of(interval.times.begin(), interval.times.end(), [&](double time_s) {
-    return least_slack(interval.world, q, time_s, scratch).slack() >= 0;
+    return least_slack(interval.world.around, q, time_s, scratch).slack() >= 0;
   });
 }
 
 bool line_free(const IntervalWorld& interval, const JointRows& reach, const JointVector& from,
                const JointVector& to, CollisionScratch& scratch) {
+  const CollisionWorld& hand = interval.world.hand;
+  const JointMotion line =
+      straight_motion(from, to, interval.times.front(), interval.times.front());
+  if (!hand.pairs.empty() && !line_free(hand, reach, line, scratch)) return false;
   return std::all_of(interval.times.begin(), interval.times.end(), [&](double time_s) {
-    const JointMotion line = straight_motion(from, to, time_s, time_s);
-    return check_motion(interval.world, reach, line, scratch).verdict == MotionVerdict::free;
+    return line_free(interval.world.around, reach, straight_motion(from, to, time_s, time_s),
+                     scratch);
   });
 }
 

@@ -58,7 +58,7 @@ std::optional<Interval> interval_around(const CollisionWorld& world, const Joint
       Interval interval{first, last, {}, {}};
       const double extra_m = share * extra_clearance;
       if (!reach_free_ends(world, path, extra_m, rule, interval)) continue;
-      interval.timed = with_extra_clearance(world, extra_m);
+      interval.timed = clear_world(world, extra_m);
       const int length = interval.last - interval.first;
       if (!shortest || length < shortest->last - shortest->first) shortest = interval;
       if (length <= near) return interval;
@@ -70,7 +70,7 @@ std::optional<Interval> interval_around(const CollisionWorld& world, const Joint
 bool plan_interval(const Interval& interval, const JointRows& reach, const RepairOptions& options,
                    int attempt, std::uint64_t seed, JointPath& path) {
   constexpr double kBox[] = {0.1, 0.3, 1};
-  const RobotTable& robot = *interval.within.world.robot;
+  const RobotTable& robot = *interval.timed.around.robot;
   const int count = interval.last - interval.first + 1;
   if (count < 3) return false;
   const JointRows original = path.position.middleRows(interval.first, count);

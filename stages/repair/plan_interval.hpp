@@ -12,7 +12,7 @@ namespace morphe {
 struct Interval {
   int first = 0, last = 0;
   IntervalWorld within;
-  CollisionWorld timed;  ///< with the same clearance, for states that have their time
+  ClearWorld timed;  ///< with the same clearance, for states that have their time
 };
 
 /// The interval around a finding: `widen` samples wider on each side, then on to the nearest

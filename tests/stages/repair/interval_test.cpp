@@ -18,13 +18,13 @@ TEST(IntervalWorld, TouchingNeedsTheWholeIntervalUnlessLenient) {
   bench.world.touch_begin_s = 1;
   bench.world.touch_end_s = 2;
   const IntervalWorld inside = interval_world(bench.world, 1.2, 1.8, 0.002, TouchRule::strict);
-  EXPECT_EQ(inside.world.touch_begin_s, 1);
-  EXPECT_DOUBLE_EQ(inside.world.tolerances.margin, 0.003);
-  EXPECT_DOUBLE_EQ(inside.world.tolerances.contact_depth, 0.004);
+  EXPECT_EQ(inside.world.around.touch_begin_s, 1);
+  EXPECT_DOUBLE_EQ(inside.world.around.tolerances.margin, 0.003);
+  EXPECT_DOUBLE_EQ(inside.world.around.tolerances.contact_depth, 0.004);
   const IntervalWorld strict = interval_world(bench.world, 0.5, 1.5, 0, TouchRule::strict);
-  EXPECT_TRUE(std::isnan(strict.world.touch_begin_s));
+  EXPECT_TRUE(std::isnan(strict.world.around.touch_begin_s));
   const IntervalWorld lenient = interval_world(bench.world, 0.5, 1.5, 0, TouchRule::lenient);
-  EXPECT_EQ(lenient.world.touch_begin_s, 0.5);
+  EXPECT_EQ(lenient.world.around.touch_begin_s, 0.5);
   EXPECT_EQ(lenient.times, std::vector<double>{0.5});
 }
 
@@ -42,8 +42,8 @@ TEST(IntervalWorld, WhatMovesIsLookedAtSeveralTimesAndAMovingTargetIsLeftOut) {
 
   bench.world.target = 0;
   const IntervalWorld carried = interval_world(bench.world, 0, 1, 0, TouchRule::strict);
-  EXPECT_TRUE(carried.scene->objects.empty());
-  EXPECT_EQ(carried.world.target, -1);
+  EXPECT_TRUE(carried.world.scene->objects.empty());
+  EXPECT_EQ(carried.world.around.target, -1);
   EXPECT_TRUE(state_free(carried, JointVector::Zero(3), scratch));
 }
 
@@ -98,7 +98,8 @@ TEST(DrawIn, ReturnsToTheOriginalWhereNothingIsInTheWay) {
       spread(bench.robot, {path.position.row(0), Vec3(0, 1.5, 0.3), path.position.row(100)}, 101);
   JointRows planned = rows;
   std::mt19937_64 random(1);
-  draw_in(bench.world, bench.reach, path.demonstration_time, path.position, 300, random, planned);
+  draw_in(clear_world(bench.world, 0), bench.reach, path.demonstration_time, path.position, 300,
+          random, planned);
   EXPECT_EQ(planned.row(0), path.position.row(0));
   EXPECT_EQ(planned.row(100), path.position.row(100));
   const double before = (rows - path.position).cwiseAbs().maxCoeff();
