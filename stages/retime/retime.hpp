@@ -12,7 +12,7 @@ struct RetimeOptions {
   double limit_share = 0.99;    ///< share of velocity, acceleration and jerk that may be used
   double tempo_cap = 1;         ///< demonstration seconds per second at most; 1 = the human's tempo
   double smoothing_s = 0.02;    ///< features of the path shorter than about this are smoothed …
-  double smoothing_tolerance = 1e-3;  ///< … as far as no sample moves by more [rad]; 0: none
+  double smoothing_tolerance = 1e-3;  ///< … as far as no sample moves by more [rad]; 0: 1e-5
   double planned_smoothing = 4;       ///< planned stretches: this many times duration and tolerance
 };
 template <class Fields>
