@@ -1,0 +1,19 @@
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace morphe {
+
+/// A command of the program: adds its arguments to its subcommand and returns what to run once they
+/// are parsed. The result is the exit code; InputError is caught in main.
+using Command = std::function<int()>;
+Command import_command(CLI::App& app);
+Command inspect_command(CLI::App& app);
+Command run_command(CLI::App& app);
+Command verify_command(CLI::App& app);
+
+}  // namespace morphe

@@ -1,0 +1,51 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cstdio>
+
+#include "pipeline/motion/input_error.hpp"
+#include "stages/commands.hpp"
+
+namespace {
+
+struct Entry {
+  const char* name;
+  const char* description;
+  morphe::Command (*add)(CLI::App&);
+};
+
+constexpr std::array<Entry, 4> kCommands{{
+    {"import", "Recordings -> demonstrations.h5", morphe::import_command},
+    {"inspect", "What a demonstrations.h5 holds and what will be usable", morphe::inspect_command},
+    {"run", "Demonstrations and a config -> DIR/plans.h5", morphe::run_command},
+    {"verify", "Judge a plans.h5 from the file alone", morphe::verify_command},
+}};
+
+constexpr int kBadInput = 2;
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Morphe: recorded human reaches -> executable robot trajectories", "morphe");
+  app.set_version_flag("--version", "morphe " MORPHE_VERSION);
+  app.require_subcommand(1);
+  std::array<morphe::Command, kCommands.size()> commands;
+  for (std::size_t i = 0; i < kCommands.size(); ++i) {
+    commands[i] =
+        kCommands[i].add(*app.add_subcommand(kCommands[i].name, kCommands[i].description));
+  }
+  try {
+    app.parse(argc, argv);
+    for (std::size_t i = 0; i < kCommands.size(); ++i) {
+      if (app.got_subcommand(kCommands[i].name)) return commands[i]();
+    }
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : kBadInput;
+  } catch (const morphe::InputError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "morphe: {}\n", error.what());
+  }
+  return kBadInput;
+}

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "pipeline/kinematics/description.hpp"
+#include "pipeline/motion/plan.hpp"
+#include "stages/check/check_path.hpp"
+#include "stages/map/map_options.hpp"
+#include "stages/map/placement.hpp"
+#include "stages/reconstruct/reconstruct.hpp"
+#include "stages/repair/repair.hpp"
+#include "stages/retime/retime.hpp"
+#include "stages/scene/build_scene.hpp"
+#include "stages/segment/segment.hpp"
+
+namespace morphe {
+
+/// A file that the config names, relative to the config's folder.
+struct FileOption {
+  std::string file;
+};
+template <class Fields>
+void fields(Fields& f, FileOption& o) {
+  f.required("file", o.file);
+}
+
+/// A config file, section by section.
+struct PipelineConfig {
+  std::optional<FileOption> dataset;  ///< demonstrations.h5 or a recordings manifest (.yaml)
+  FileOption robot;
+  HumanOptions human;
+  PlacementOptions placement;
+  SceneOptions scene;
+  std::uint64_t seed = 1;
+  ReconstructOptions reconstruct;
+  SegmentOptions segment;
+  MapOptions map;
+  CheckOptions check;
+  RepairOptions repair;
+  RetimeOptions retime;
+};
+template <class Fields>
+void fields(Fields& f, PipelineConfig& o) {
+  f("dataset", o.dataset);
+  f.required("robot", o.robot);
+  f("human", o.human);
+  f("placement", o.placement);
+  f("scene", o.scene);
+  f("seed", o.seed);
+  f("reconstruct", o.reconstruct);
+  f("segment", o.segment);
+  f("map", o.map);
+  f("check", o.check);
+  f("repair", o.repair);
+  f("retime", o.retime);
+}
+
+/// A config with everything that it names.
+struct LoadedConfig {
+  PipelineConfig options;
+  RobotTable robot;
+  std::filesystem::path dataset;  ///< resolved against the config's folder; empty if not named
+  std::string effective;          ///< YAML with every key, defaults included
+  std::vector<PlanFileHeader::Input> inputs;
+};
+
+/// Reads a config, applies "a.b=value" settings, loads what it names. Throws InputError for bad
+/// files and values and for keys that nobody reads.
+LoadedConfig load_config(const std::filesystem::path& file,
+                         const std::vector<std::string>& settings = {});
+
+}  // namespace morphe

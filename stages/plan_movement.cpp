@@ -1,0 +1,186 @@
+#include "stages/plan_movement.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "pipeline/config/hash.hpp"
+#include "stages/certify/certify.hpp"
+#include "stages/certify/grasp.hpp"
+#include "stages/map/map_movement.hpp"
+
+namespace morphe {
+namespace {
+
+/// Adds the wall clock of one step to the summary's stage_seconds.
+template <class Step>
+auto timed(StageSeconds& seconds, const char* stage, const Step& step) {
+  const auto begin = std::chrono::steady_clock::now();
+  auto result = step();
+  seconds[stage] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+Plan begin_plan(const Demonstration& demonstration, const Movement& movement,
+                const CheckOptions& options) {
+  Plan plan;
+  plan.demonstration = demonstration.name;
+  plan.subject = demonstration.subject;
+  plan.task = demonstration.task;
+  plan.hand = demonstration.hand;
+  plan.movement = movement;
+  plan.tolerances = options.tolerances;
+  return plan;
+}
+
+Plan fail(Plan plan, const std::string& reason, const std::string& detail) {
+  plan.reason = reason;
+  plan.detail = detail;
+  plan.trajectory = {};
+  return plan;
+}
+
+/// The part of the scene that the mapping's clearance term knows.
+Scene mapping_scene(const PipelineConfig& config, const Scene& scene, const Movement& movement) {
+  std::vector<std::string> names = mapping_objects(config.scene, scene);
+  if (config.map.clear_of_target) names.push_back(movement.target);
+  Scene part;
+  for (const SceneObject& object : scene.objects) {
+    if (std::find(names.begin(), names.end(), object.name) != names.end()) {
+      part.objects.push_back(object);
+    }
+  }
+  return part;
+}
+
+/// The cheapest change of the mapping: the path itself re-solved against the whole scene, then the
+/// other courses the mapping kept; the first without collisions, or what has the fewest findings.
+JointPath resolve_with_candidates(const MappingProblem& problem, const MapResult& mapped,
+                                  const JointPath& path, const std::vector<Finding>& findings,
+                                  const MapOptions& options, const Recheck& recheck) {
+  JointPath best = resolve_path(problem, path, findings, options);
+  std::size_t fewest = recheck(best).size();
+  for (const JointRows& candidate : mapped.candidates) {
+    if (fewest == 0) break;
+    JointPath other = path;
+    other.position = candidate;
+    std::fill(other.origin.begin(), other.origin.end(), Origin::resolved);
+    other = resolve_path(problem, other, recheck(other), options);
+    const std::size_t count = recheck(other).size();
+    if (count < fewest) {
+      fewest = count;
+      best = std::move(other);
+    }
+  }
+  return best;
+}
+
+/// Time law and certificate. Smoothing that makes a path collide is taken back before giving up.
+void finish(const Planner& planner, const CollisionWorld& world, Plan& plan,
+            StageSeconds& seconds) {
+  RetimeOptions options = planner.config.retime;
+  while (true) {
+    RetimeResult retimed = timed(seconds, "retime", [&] {
+      return retime(planner.robot, plan.path, plan.movement, options);
+    });
+    CertifyResult certified;
+    if (retimed.reason.empty()) {
+      plan.trajectory = std::move(retimed.trajectory);
+      certified = timed(seconds, "certify", [&] {
+        return certify(world, plan.goals, plan.movement, plan.trajectory, plan.mapped);
+      });
+    } else {
+      certified.reason = retimed.reason;
+      certified.detail = retimed.detail;
+    }
+    const bool repaired = plan.certificate.repaired;
+    plan.certificate = certified.certificate;
+    plan.certificate.repaired = repaired;
+    if (certified.reason == "smoothing" && options.smoothing_tolerance > 0) {
+      options.smoothing_tolerance = 0;
+      continue;
+    }
+    plan.reason = certified.reason;
+    plan.detail = certified.detail;
+    if (!plan.executable()) plan.trajectory = {};
+    return;
+  }
+}
+
+}  // namespace
+
+Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
+                   const HumanMotion& motion, const Movement& movement, StageSeconds& seconds) {
+  const PipelineConfig& config = planner.config;
+  const RobotTable& robot = planner.robot;
+  Plan plan = begin_plan(demonstration, movement, config.check);
+  const std::uint64_t seed =
+      seed_from(config.seed, fmt::format("{}/{}", demonstration.name, movement.index));
+
+  const Vec3 shoulder = shoulder_at_begin(motion, movement);
+  if (!seen(shoulder)) return fail(plan, "no_shoulder", "the shoulder was never seen");
+  const Pose base_from_world = place_robot(robot, shoulder, config.placement).inverse();
+  plan.scene = timed(seconds, "scene", [&] {
+    return move_scene(build_scene(config.scene, demonstration, motion, plan.movement),
+                      base_from_world);
+  });
+  plan.goals = make_goals(robot, motion, plan.movement, base_from_world);
+  const CollisionWorld world = make_world(robot, plan.scene, plan.movement, plan.tolerances);
+
+  const Scene known = mapping_scene(config, plan.scene, plan.movement);
+  const CollisionWorld known_world = make_world(robot, known, plan.movement, plan.tolerances);
+  const MappingProblem problem = make_mapping_problem(robot, plan.goals, known_world, config.map);
+  MapResult mapped =
+      timed(seconds, "map", [&] { return map_movement(problem, plan.goals, config.map, seed); });
+  if (!mapped.reason.empty()) return fail(plan, mapped.reason, mapped.detail);
+  plan.mapped = std::move(mapped.mapped);
+  plan.path = mapped.path;
+
+  const Recheck recheck = [&](const JointPath& path) {
+    return check_path(world, plan.goals, plan.movement, path, config.check);
+  };
+  plan.findings = timed(seconds, "check", [&] { return recheck(plan.path); });
+  if (!plan.findings.empty()) {
+    const MappingProblem whole = make_mapping_problem(robot, plan.goals, world, config.map);
+    const Resolve resolve = [&](const JointPath& path, const std::vector<Finding>& findings) {
+      return resolve_with_candidates(whole, mapped, path, findings, config.map, recheck);
+    };
+    const RepairResult repaired = timed(seconds, "repair", [&] {
+      return repair_path(world, planner.capsule_reach, plan.path, plan.findings, resolve, recheck,
+                         config.repair, seed);
+    });
+    plan.path = repaired.path;
+    plan.certificate.repaired = repaired.repaired;
+    if (!repaired.reason.empty()) return fail(plan, repaired.reason, repaired.detail);
+  }
+  finish(planner, world, plan, seconds);
+  if (plan.executable()) {
+    plan.grasp = find_grasp(robot, plan.scene, plan.movement, plan.trajectory);
+  }
+  return plan;
+}
+
+DemonstrationOutcome plan_demonstration(const Planner& planner,
+                                        const Demonstration& demonstration) {
+  DemonstrationOutcome outcome;
+  StageSeconds& seconds = outcome.stage_seconds;
+  const PipelineConfig& config = planner.config;
+  const HumanMotion motion = timed(seconds, "reconstruct", [&] {
+    return reconstruct(demonstration, config.reconstruct, config.human);
+  });
+  const std::vector<Movement> movements = timed(
+      seconds, "segment", [&] { return segment(motion, config.segment, demonstration.objects); });
+  for (const Movement& movement : movements) {
+    outcome.plans.push_back(plan_movement(planner, demonstration, motion, movement, seconds));
+  }
+  if (movements.empty()) {
+    const std::string detail =
+        motion.problems.empty() ? "nothing in it reaches for anything" : motion.problems.front();
+    outcome.plans.push_back(
+        fail(begin_plan(demonstration, {}, config.check), "no_movement", detail));
+  }
+  return outcome;
+}
+
+}  // namespace morphe

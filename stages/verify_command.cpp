@@ -1,0 +1,26 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "pipeline/verify/verify.hpp"
+#include "stages/commands.hpp"
+
+namespace morphe {
+
+Command verify_command(CLI::App& app) {
+  struct Arguments {
+    std::string file;
+    bool json = false;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  app.add_option("FILE", arguments->file, "plans.h5")->required();
+  app.add_flag("--json", arguments->json, "Print JSON");
+  return [arguments] {
+    const VerifyReport report = verify_file(arguments->file);
+    fmt::print("{}\n", arguments->json ? verify_json(report) : verify_text(report));
+    return report.violations.empty() ? 0 : 1;
+  };
+}
+
+}  // namespace morphe
