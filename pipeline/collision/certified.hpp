@@ -13,8 +13,8 @@ namespace morphe {
 JointRows capsule_reach(const RobotTable& robot);
 
 /// A motion over a parameter s: where the joints are at s, and for each joint a bound on how far it
-/// gets from its position at (s0 + s1) / 2 anywhere within [s0, s1]. Both fill vectors that have
-/// the right size when position() has been called once.
+/// gets from its position at (s0 + s1) / 2 anywhere within [s0, s1]. Both set the
+/// size of the vector they fill.
 struct JointMotion {
   double begin = 0, end = 1;
   std::function<void(double s, JointVector& q)> position;
