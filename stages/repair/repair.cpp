@@ -158,7 +158,11 @@ RepairResult repair_path(const CollisionWorld& world, const JointRows& reach, Jo
       Judged candidate = collides(best.findings) ? best : base;
       if (!plan_around(world, reach, options, attempt, seed, candidate)) continue;
       candidate.findings = recheck(candidate.path);
+      // A detour costs tracking; the mapping may win it back from where the detour leads.
+      const std::vector<Origin> origin = candidate.path.origin;
       try_resolve(resolve, recheck, candidate);
+      for (std::size_t k = 0; k < origin.size(); ++k)
+        if (origin[k] == Origin::planned) candidate.path.origin[k] = Origin::planned;
       if (less(candidate.findings, best.findings)) best = std::move(candidate);
     }
   }

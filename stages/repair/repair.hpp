@@ -50,9 +50,11 @@ using Recheck = std::function<std::vector<Finding>(const JointPath& path)>;
 /// The smallest change that makes a path free, the least first: (1) what `resolve` gives; (2)
 /// around each collision that is left, an RRT-Connect between the nearest free samples with
 /// certified edges, the arm first and the fingers in proportion, then all joints; shortened, spread
-/// over the interval's samples and drawn back to the original path as far as it stays free. A step
-/// is kept if `recheck` finds less than before; samples outside the intervals keep their bits.
-/// `reach` is capsule_reach(). Depends on its arguments alone; `findings` are those of `path`.
+/// over the interval's samples and drawn back to the original path as far as it stays free; what
+/// that costs in tracking goes to `resolve` once more. A step is kept if `recheck` finds less than
+/// before. Samples outside the intervals keep their bits; those that went through the planner are
+/// Origin::planned. `reach` is capsule_reach(); `findings` are those of `path`. Depends on its
+/// arguments alone.
 RepairResult repair_path(const CollisionWorld& world, const JointRows& reach, JointPath path,
                          std::vector<Finding> findings, const Resolve& resolve,
                          const Recheck& recheck, const RepairOptions& options, std::uint64_t seed);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace morphe::test {
 
@@ -60,7 +61,7 @@ JointPath sweep(const JointVector& from, const JointVector& to) {
   return path;
 }
 
-Bench::Bench(std::vector<SceneObject> objects) {
+Bench::Bench(std::vector<SceneObject> objects, RobotTable of) : robot(std::move(of)) {
   scene.objects = std::move(objects);
   world = make_world(robot, scene, Movement{}, Tolerances{});
   reach = capsule_reach(robot);

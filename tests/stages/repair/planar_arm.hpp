@@ -16,14 +16,14 @@ SceneObject post(const std::string& name, double x, double y);
 /// 101 samples in 1 s from `from` to `to`, a straight line in joint space at minimum jerk.
 JointPath sweep(const JointVector& from, const JointVector& to);
 
-/// Robot, scene and world that belong together; not to be copied.
+/// Robot, scene and world that belong together; not to be copied, as the world points into it.
 struct Bench {
-  RobotTable robot = planar_arm();
+  RobotTable robot;
   Scene scene;
   CollisionWorld world;
   JointRows reach;
 
-  explicit Bench(std::vector<SceneObject> objects);
+  explicit Bench(std::vector<SceneObject> objects, RobotTable of = planar_arm());
   Bench(const Bench&) = delete;
 
   /// Certified collisions of a path, one finding a run of bad edges.

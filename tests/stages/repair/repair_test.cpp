@@ -4,6 +4,8 @@
 
 #include <thread>
 
+#include "pipeline/kinematics/description.hpp"
+#include "pipeline/kinematics/forward.hpp"
 #include "tests/stages/repair/planar_arm.hpp"
 
 namespace morphe {
@@ -156,6 +158,52 @@ TEST(Repair, NamesTheWorstOfWhatPlanningCannotCure) {
   EXPECT_THAT(result.detail, HasSubstr("thumb_tip"));
   EXPECT_EQ(result.remaining.size(), 2u);
   EXPECT_TRUE(bench.collisions(result.path).empty());
+}
+
+TEST(Repair, TheMappingWinsBackWhatADetourCost) {
+  const Bench bench({post("post", 0.9, 0)});
+  const JointPath path = sweep(kFrom, kTo);
+  const auto tracks = [](const JointPath& p) { return p.origin[1] == Origin::resolved; };
+  const auto recheck = [&](const JointPath& p) {
+    std::vector<Finding> findings = bench.collisions(p);
+    if (findings.empty() && !tracks(p)) findings.push_back({0, 0.1, "tracking", "tip", "", 0.01});
+    return findings;
+  };
+  const auto resolve = [&](JointPath p, const std::vector<Finding>& findings) {
+    if (findings.front().cause == "tracking") p.origin[1] = Origin::resolved;
+    return p;
+  };
+  RepairOptions options;
+  options.widen_samples = 5;
+  const RepairResult result =
+      repair_path(bench.world, bench.reach, path, recheck(path), resolve, recheck, options, 1);
+  EXPECT_EQ(result.reason, "") << result.detail;
+  EXPECT_EQ(result.path.origin[1], Origin::resolved);
+  EXPECT_EQ(result.path.origin[50], Origin::planned);
+}
+
+TEST(Repair, TheReferenceRobotTakesItsForearmAroundABall) {
+  const RobotTable robot = load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table;
+  JointVector from = JointVector::Constant(22, 0.2), to = JointVector::Constant(22, 0.3);
+  for (int finger = 0; finger < 5; ++finger) from[7 + 3 * finger] = to[7 + 3 * finger] = 0;
+  from.head<7>() << 0, 0.6, 0, 1.2, 0, 0.5, 0;
+  to.head<7>() << 0.8, 0.8, 0.2, 1.0, 0.2, 0.4, 0.1;
+  const JointPath path = sweep(from, to);
+  std::vector<Pose> frames;
+  forward(robot, path.position.row(50), frames);
+  const Vec3 elbow = frames[static_cast<std::size_t>(robot.centres[0].frame)].translation();
+  const Vec3 palm = frames[static_cast<std::size_t>(robot.palm_frame)].translation();
+  SceneObject ball = post("ball", 0, 0);
+  ball.shape = Shape::sphere;
+  ball.size = {0.04};
+  ball.position = {0.5 * (elbow + palm)};
+
+  const Bench bench({ball}, robot);
+  ASSERT_FALSE(bench.collisions(path).empty());
+  const RepairResult result = repair(bench, path);
+  EXPECT_EQ(result.reason, "") << result.detail;
+  EXPECT_GE(bench.densely_sampled_slack(result.path), 0);
+  EXPECT_TRUE((result.path.position.row(100) - path.position.row(100)).isZero(0));
 }
 
 TEST(Repair, IsTheSameToTheBitOnEveryThread) {
