@@ -11,7 +11,8 @@ namespace {
 
 using Eigen::Index;
 using Sparse = Eigen::SparseMatrix<double>;
-constexpr std::array<double, 4> kThirdDifference{-1, 3, -3, 1};
+/// Coefficients of the forward differences of order 1, 2 and 3.
+const std::array<std::vector<double>, 3> kDifferences{{{-1, 1}, {1, -2, 1}, {-1, 3, -3, 1}}};
 
 /// Everything at one point of the search.
 struct Point {
@@ -20,12 +21,23 @@ struct Point {
   double frame_value = 0, value = 0;
 };
 
-JointVector third_difference(const JointRows& q, Index f) {
+JointVector difference(const JointRows& q, Index f, const std::vector<double>& coefficients) {
   JointVector sum = JointVector::Zero(q.cols());
-  for (Index k = 0; k < 4; ++k) {
-    sum += kThirdDifference[static_cast<std::size_t>(k)] * q.row(f + k).transpose();
+  for (std::size_t k = 0; k < coefficients.size(); ++k) {
+    sum += coefficients[k] * q.row(f + static_cast<Index>(k)).transpose();
   }
   return sum;
+}
+
+/// Calls visit(first frame, coefficients, weight) for every difference of the movement.
+template <class Visit>
+void each_difference(const MovementProblem& problem, const Visit& visit) {
+  for (std::size_t order = 0; order < kDifferences.size(); ++order) {
+    const auto span = static_cast<Index>(kDifferences[order].size());
+    for (Index f = 0; f + span <= static_cast<Index>(problem.frames); ++f) {
+      visit(f, kDifferences[order], problem.difference_weight[order]);
+    }
+  }
 }
 
 void evaluate(const MovementProblem& problem, Point& point) {
@@ -40,9 +52,9 @@ void evaluate(const MovementProblem& problem, Point& point) {
     point.frame_value += point.models[f].value;
   }
   point.value = point.frame_value;
-  for (Index f = 0; f + 3 < point.q.rows(); ++f) {
-    point.value += third_difference(point.q, f).cwiseAbs2().dot(problem.third_difference_weight);
-  }
+  each_difference(problem, [&](Index f, const auto& coefficients, const JointVector& weight) {
+    point.value += difference(point.q, f, coefficients).cwiseAbs2().dot(weight);
+  });
 }
 
 JointRows gradient(const MovementProblem& problem, const Point& point) {
@@ -50,13 +62,12 @@ JointRows gradient(const MovementProblem& problem, const Point& point) {
   for (Index f = 0; f < g.rows(); ++f) {
     g.row(f) = point.models[static_cast<std::size_t>(f)].gradient.transpose();
   }
-  for (Index f = 0; f + 3 < g.rows(); ++f) {
-    const JointVector weighted =
-        2 * third_difference(point.q, f).cwiseProduct(problem.third_difference_weight);
-    for (Index k = 0; k < 4; ++k) {
-      g.row(f + k) += kThirdDifference[static_cast<std::size_t>(k)] * weighted.transpose();
+  each_difference(problem, [&](Index f, const auto& coefficients, const JointVector& weight) {
+    const JointVector weighted = 2 * difference(point.q, f, coefficients).cwiseProduct(weight);
+    for (std::size_t k = 0; k < coefficients.size(); ++k) {
+      g.row(f + static_cast<Index>(k)) += coefficients[k] * weighted.transpose();
     }
-  }
+  });
   return g;
 }
 
@@ -65,7 +76,7 @@ Sparse damped_hessian(const MovementProblem& problem, const Point& point,
                       const std::vector<bool>& held, double damping) {
   const Index frames = point.q.rows(), n = point.q.cols();
   std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(static_cast<std::size_t>(frames * n * (n + 1) / 2 + frames * n * 16));
+  entries.reserve(static_cast<std::size_t>(frames * n * (n + 1) / 2 + frames * n * 20));
   const auto add = [&](Index row, Index col, double value) {
     if (held[static_cast<std::size_t>(row)] || held[static_cast<std::size_t>(col)]) value = 0;
     entries.emplace_back(static_cast<int>(row), static_cast<int>(col), value);
@@ -82,17 +93,15 @@ Sparse damped_hessian(const MovementProblem& problem, const Point& point,
       entries.emplace_back(row, row, own);
     }
   }
-  for (Index f = 0; f + 3 < frames; ++f) {
-    for (Index a = 0; a < 4; ++a) {
-      for (Index b = 0; b <= a; ++b) {
-        const double product = 2 * kThirdDifference[static_cast<std::size_t>(a)] *
-                               kThirdDifference[static_cast<std::size_t>(b)];
-        for (Index j = 0; j < n; ++j) {
-          add((f + a) * n + j, (f + b) * n + j, product * problem.third_difference_weight[j]);
-        }
+  each_difference(problem, [&](Index f, const auto& coefficients, const JointVector& weight) {
+    for (std::size_t a = 0; a < coefficients.size(); ++a) {
+      for (std::size_t b = 0; b <= a; ++b) {
+        const double product = 2 * coefficients[a] * coefficients[b];
+        const Index row = (f + static_cast<Index>(a)) * n, col = (f + static_cast<Index>(b)) * n;
+        for (Index j = 0; j < n; ++j) add(row + j, col + j, product * weight[j]);
       }
     }
-  }
+  });
   Sparse hessian(frames * n, frames * n);
   hessian.setFromTriplets(entries.begin(), entries.end());
   return hessian;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 
 #include "pipeline/solve/quadratic.hpp"
@@ -7,12 +8,12 @@
 namespace morphe {
 
 /// A whole movement as one problem: minimise, over q_1 … q_F within lower <= q_f <= upper,
-///   sum_f F_f(q_f) + sum_f sum_j third_difference_weight[j] (q_{f+3} - 3 q_{f+2} + 3 q_{f+1} -
-///   q_f)_j^2.
+///   sum_f F_f(q_f) + sum over k = 1, 2, 3, f and j of difference_weight[k - 1][j] (Δ^k q_f)_j²,
+/// Δ^k the k-th forward difference: what velocity, acceleration and jerk cost.
 struct MovementProblem {
   std::size_t frames = 0;
-  JointVector lower, upper;             ///< [n]
-  JointVector third_difference_weight;  ///< [n]
+  JointVector lower, upper;                      ///< [n]
+  std::array<JointVector, 3> difference_weight;  ///< [n] each
   /// Model of F_f at q. `model` was reset to [n].
   std::function<void(std::size_t frame, const JointVector& q, Quadratic& model)> frame_model;
 };

@@ -160,8 +160,8 @@ JointPath resolve_path(const MappingProblem& problem, const JointPath& path,
   movement.frames = problem.frames();
   movement.lower = problem.robot->lower;
   movement.upper = problem.robot->upper;
-  movement.third_difference_weight =
-      third_difference_weight(*problem.robot, problem.time, options.smoothness);
+  movement.difference_weight =
+      difference_weights(*problem.robot, problem.time, options.movement_cost);
   MappingProblem clear = problem;
   clear.clearance.weight *= 10;
   MappingScratch scratch;

@@ -31,9 +31,11 @@ std::vector<int> tips_moved_by(const RobotTable& robot, int joint) {
 }  // namespace
 
 std::string check(const MapOptions& o) {
-  const double weights[] = {o.tip_position,  o.tip_orientation,   o.hand_orientation,
-                            o.humanlike_arm, o.humanlike_fingers, o.posture,
-                            o.smoothness};
+  const double weights[] = {o.tip_position,           o.tip_orientation,
+                            o.hand_orientation,       o.humanlike_arm,
+                            o.humanlike_fingers,      o.posture,
+                            o.movement_cost.velocity, o.movement_cost.acceleration,
+                            o.movement_cost.jerk};
   if (*std::min_element(std::begin(weights), std::end(weights)) < 0) {
     return "weights must not be negative";
   }

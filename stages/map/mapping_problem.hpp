@@ -32,12 +32,4 @@ struct MappingScratch {
 void add_frame(const MappingProblem& problem, std::size_t frame, const JointVector& q,
                MappingScratch& scratch, Quadratic& model);
 
-/// smoothness * (jerk / limit)² per 10 ms as a weight on squared third differences of a path whose
-/// frames are (time.back() - time.front()) / (F - 1) apart. [n]
-JointVector third_difference_weight(const RobotTable& robot, const std::vector<double>& time,
-                                    double smoothness);
-
-inline constexpr double kReferenceStep = 0.01;  ///< weights count per frame of this length [s]
-double mean_step(const std::vector<double>& time);
-
 }  // namespace morphe

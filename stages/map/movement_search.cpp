@@ -91,8 +91,7 @@ Course smooth_movement(const MappingProblem& problem, const JointRows& start,
   movement.frames = problem.frames();
   movement.lower = robot.lower;
   movement.upper = robot.upper;
-  movement.third_difference_weight =
-      third_difference_weight(robot, problem.time, options.smoothness);
+  movement.difference_weight = difference_weights(robot, problem.time, options.movement_cost);
   // A coarser grid has fewer frames: each stands for more time, in both sums alike.
   const double share = mean_step(problem.time) / kReferenceStep;
   MappingScratch scratch;

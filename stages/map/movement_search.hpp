@@ -11,11 +11,11 @@ namespace morphe {
 /// A continuous way through the whole movement.
 struct Course {
   JointRows q;       ///< a row per frame
-  double value = 0;  ///< sum of the frames' objectives and of the smoothness penalty
+  double value = 0;  ///< sum of the frames' objectives and of the movement cost
 };
 
 /// The whole movement smoothed at once from a start: objective of every frame plus
-/// smoothness * (jerk / limit)² per 10 ms, inside the joint limits.
+/// the movement's cost, inside the joint limits.
 Course smooth_movement(const MappingProblem& problem, const JointRows& start,
                        const MapOptions& options);
 

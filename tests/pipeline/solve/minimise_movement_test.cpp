@@ -16,7 +16,8 @@ MovementProblem quadratic_problem(const JointRows& target, double weight) {
   problem.frames = static_cast<std::size_t>(target.rows());
   problem.lower = JointVector::Constant(target.cols(), -100);
   problem.upper = JointVector::Constant(target.cols(), 100);
-  problem.third_difference_weight = JointVector::Constant(target.cols(), weight);
+  problem.difference_weight = {JointVector::Zero(target.cols()), JointVector::Zero(target.cols()),
+                               JointVector::Constant(target.cols(), weight)};
   problem.frame_model = [target](std::size_t f, const JointVector& q, Quadratic& model) {
     const JointVector away = q - target.row(static_cast<Index>(f)).transpose();
     model.add_squares(1, away, Eigen::MatrixXd::Identity(q.size(), q.size()));
@@ -48,6 +49,22 @@ TEST(MinimiseMovement, SolvesALinearProblemLikeADenseSolver) {
   const Eigen::MatrixXd expected = normal.ldlt().solve(Eigen::MatrixXd(target));
   EXPECT_LT((Eigen::MatrixXd(found.q) - expected).cwiseAbs().maxCoeff(), 1e-6);
   EXPECT_TRUE(found.converged);
+}
+
+TEST(MinimiseMovement, EveryOrderOfDifferenceCounts) {
+  const JointRows target = noisy_target(25, 1);
+  MovementProblem problem = quadratic_problem(target, 0.5);
+  problem.difference_weight[0].setConstant(3);
+  problem.difference_weight[1].setConstant(2);
+  const MovementMinimum found = minimise_movement(problem, JointRows::Zero(25, 1), {});
+  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(25, 25);
+  const Eigen::MatrixXd first = identity.bottomRows(24) - identity.topRows(24);
+  const Eigen::MatrixXd second = first.bottomRows(23) - first.topRows(23);
+  const Eigen::MatrixXd third = second.bottomRows(22) - second.topRows(22);
+  const Eigen::MatrixXd normal = identity + 3 * first.transpose() * first +
+                                 2 * second.transpose() * second + 0.5 * third.transpose() * third;
+  const Eigen::MatrixXd expected = normal.ldlt().solve(Eigen::MatrixXd(target));
+  EXPECT_LT((Eigen::MatrixXd(found.q) - expected).cwiseAbs().maxCoeff(), 1e-6);
 }
 
 TEST(MinimiseMovement, BoundsHoldAndTheKktConditionsWithThem) {
@@ -93,7 +110,8 @@ TEST(MinimiseMovement, ConvergesOnACurvedProblem) {
   problem.frames = 20;
   problem.lower = JointVector::Constant(2, -3);
   problem.upper = JointVector::Constant(2, 3);
-  problem.third_difference_weight = JointVector::Constant(2, 1e-3);
+  problem.difference_weight.fill(JointVector::Zero(2));
+  problem.difference_weight[2].setConstant(1e-3);
   problem.frame_model = [](std::size_t, const JointVector& q, Quadratic& model) {
     model.add_squares(1, Eigen::Matrix<double, 1, 1>(q.squaredNorm() - 1),
                       Eigen::RowVectorXd(2 * q.transpose()));
