@@ -31,11 +31,29 @@ std::vector<PlanFileHeader::Input> collect(std::vector<std::filesystem::path> fi
   return inputs;
 }
 
+/// A config and, where it says `extends: FILE`, what it leaves out taken from that one.
+ConfigNode load_extended(const std::filesystem::path& file,
+                         std::vector<std::filesystem::path>& files) {
+  ConfigNode node = ConfigNode::load(file);
+  files.push_back(file);
+  if (!node.has("extends")) return node;
+  const ConfigNode extends = node["extends"];
+  const std::filesystem::path base = node.folder() / extends.text();
+  for (const auto& known : files) {
+    if (std::filesystem::weakly_canonical(known) == std::filesystem::weakly_canonical(base)) {
+      extends.fail("comes back to a config that extends this one");
+    }
+  }
+  node.extend(load_extended(base, files));
+  return node;
+}
+
 }  // namespace
 
 LoadedConfig load_config(const std::filesystem::path& file,
                          const std::vector<std::string>& settings) {
-  ConfigNode node = ConfigNode::load(file);
+  std::vector<std::filesystem::path> files;
+  ConfigNode node = load_extended(file, files);
   for (const std::string& setting : settings) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos || equals == 0) {
@@ -47,15 +65,18 @@ LoadedConfig load_config(const std::filesystem::path& file,
   read_options(node, loaded.options);
   node.expect_all_read();
 
-  std::vector<std::filesystem::path> files{file};
-  const RobotDescription robot = load_robot(node.folder() / loaded.options.robot.file);
+  const RobotDescription robot =
+      load_robot(node["robot"]["file"].folder() / loaded.options.robot.file);
   loaded.robot = robot.table;
   files.insert(files.end(), robot.files.begin(), robot.files.end());
   if (!loaded.options.scene.file.empty()) {
-    load_scene_file(loaded.options.scene, node.folder());
-    files.push_back(node.folder() / loaded.options.scene.file);
+    const std::filesystem::path folder = node["scene"]["file"].folder();
+    load_scene_file(loaded.options.scene, folder);
+    files.push_back(folder / loaded.options.scene.file);
   }
-  if (loaded.options.dataset) loaded.dataset = node.folder() / loaded.options.dataset->file;
+  if (loaded.options.dataset) {
+    loaded.dataset = node["dataset"]["file"].folder() / loaded.options.dataset->file;
+  }
   make_objective(loaded.options.map, loaded.robot);  // the posture's joints exist
   loaded.effective = write_options(loaded.options);
   loaded.inputs = collect(std::move(files));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "pipeline/config/hash.hpp"
 #include "stages/certify/certify.hpp"
@@ -54,24 +55,43 @@ Scene mapping_scene(const PipelineConfig& config, const Scene& scene, const Move
   return part;
 }
 
-/// The cheapest change of the mapping: the path itself re-solved against the whole scene, then the
-/// other courses the mapping kept; the first without collisions, or what has the fewest findings.
+/// How bad findings are: contacts count before everything else.
+std::pair<double, double> badness(const std::vector<Finding>& findings) {
+  std::pair<double, double> sum{0, 0};
+  for (const Finding& finding : findings) {
+    const bool contact =
+        finding.cause == "self" || finding.cause == "object" || finding.cause == "table";
+    (contact ? sum.first : sum.second) += finding.depth;
+  }
+  return sum;
+}
+
+/// The least change of the mapping first: the path itself re-solved against the whole scene, the
+/// clearance term made firmer until tips give way to it; then the other courses that the mapping
+/// kept. The first without findings, or the one with the least of them.
 JointPath resolve_with_candidates(const MappingProblem& problem, const MapResult& mapped,
                                   const JointPath& path, const std::vector<Finding>& findings,
                                   const MapOptions& options, const Recheck& recheck) {
-  JointPath best = resolve_path(problem, path, findings, options);
-  std::size_t fewest = recheck(best).size();
+  JointPath best = path;
+  std::pair<double, double> least = badness(findings);
+  const std::pair<double, double> none{0, 0};
+  const auto attempt = [&](const JointPath& from, const std::vector<Finding>& found,
+                           double firmness) {
+    JointPath changed = resolve_path(problem, from, found, options, firmness);
+    const std::pair<double, double> left = badness(recheck(changed));
+    if (left >= least) return;
+    least = left;
+    best = std::move(changed);
+  };
+  for (const double firmness : {10.0, 100.0, 1000.0}) {
+    if (least > none) attempt(path, findings, firmness);
+  }
   for (const JointRows& candidate : mapped.candidates) {
-    if (fewest == 0) break;
+    if (least == none) break;
     JointPath other = path;
     other.position = candidate;
     std::fill(other.origin.begin(), other.origin.end(), Origin::resolved);
-    other = resolve_path(problem, other, recheck(other), options);
-    const std::size_t count = recheck(other).size();
-    if (count < fewest) {
-      fewest = count;
-      best = std::move(other);
-    }
+    attempt(other, recheck(other), 100.0);
   }
   return best;
 }

@@ -16,6 +16,7 @@ struct ConfigNode::Value {
   enum class Kind { empty, scalar, list, map } kind = Kind::empty;
   std::string scalar;
   std::vector<std::pair<std::string, std::unique_ptr<Value>>> children;  ///< list: empty keys
+  std::string file;                                                      ///< it stands in this file
   std::string origin;  ///< "FILE:LINE" or "--set a.b"
   int line = 0;
   bool read = false;
@@ -27,9 +28,38 @@ struct ConfigNode::Value {
     return nullptr;
   }
 
+  std::unique_ptr<Value> clone() const {
+    auto copy = std::make_unique<Value>();
+    copy->kind = kind;
+    copy->scalar = scalar;
+    copy->file = file;
+    copy->origin = origin;
+    copy->line = line;
+    copy->read = read;
+    for (const auto& [key, child] : children) copy->children.emplace_back(key, child->clone());
+    return copy;
+  }
+
+  void extend(const Value& base) {
+    if (kind != Kind::map || base.kind != Kind::map) return;
+    for (const auto& [key, child] : base.children) {
+      if (Value* own = find(key)) {
+        own->extend(*child);
+      } else {
+        children.emplace_back(key, child->clone());
+      }
+    }
+  }
+
+  void set_file(const std::string& name) {
+    file = name;
+    for (auto& entry : children) entry.second->set_file(name);
+  }
+
   static std::unique_ptr<Value> convert(const YAML::Node& node, const std::string& label) {
     auto value = std::make_unique<Value>();
     value->line = node.Mark().line + 1;
+    value->file = label;
     value->origin = fmt::format("{}:{}", label, value->line);
     if (node.IsScalar()) {
       value->kind = Kind::scalar;
@@ -198,6 +228,7 @@ void ConfigNode::set(const std::string& dotted_path, const std::string& value) {
     throw InputError(fmt::format("{}: not valid YAML: {}", label, error.msg));
   }
   replacement->origin = label;
+  replacement->set_file(document_->root->file);
   Value* parent = value_;
   std::stringstream path(dotted_path);
   std::vector<std::string> steps;
@@ -209,6 +240,7 @@ void ConfigNode::set(const std::string& dotted_path, const std::string& value) {
       auto made = std::make_unique<Value>();
       made->kind = Value::Kind::map;
       made->origin = label;
+      made->file = document_->root->file;
       child = made.get();
       parent->children.emplace_back(steps[i], std::move(made));
     }
@@ -226,6 +258,8 @@ void ConfigNode::set(const std::string& dotted_path, const std::string& value) {
   }
   parent->children.emplace_back(steps.back(), std::move(replacement));
 }
+
+void ConfigNode::extend(const ConfigNode& base) { value_->extend(*base.value_); }
 
 void ConfigNode::expect_all_read() const {
   const auto visit = [](const auto& self, const Value& value, const std::string& path) -> void {
@@ -247,8 +281,10 @@ void ConfigNode::fail(const std::string& message) const {
                                 : fmt::format("{}: {}: {}", value_->origin, key_, message));
 }
 
-std::filesystem::path ConfigNode::file() const { return document_->file; }
-std::filesystem::path ConfigNode::folder() const { return document_->file.parent_path(); }
+std::filesystem::path ConfigNode::file() const { return value_->file; }
+std::filesystem::path ConfigNode::folder() const {
+  return std::filesystem::path(value_->file).parent_path();
+}
 int ConfigNode::line() const { return value_->line; }
 
 }  // namespace morphe

@@ -41,12 +41,15 @@ class ConfigNode {
 
   /// Replaces or adds the value at a dotted path below this node ("map.w_x"); value is YAML.
   void set(const std::string& dotted_path, const std::string& value);
+  /// Takes from `base` what is missing here: mappings key by key, anything else as a whole. What is
+  /// taken keeps its file and line.
+  void extend(const ConfigNode& base);
   /// Throws for the first key of this document that nobody has read.
   void expect_all_read() const;
   [[noreturn]] void fail(const std::string& message) const;
 
   std::filesystem::path file() const;    ///< as given to load()
-  std::filesystem::path folder() const;  ///< paths in the document are relative to it
+  std::filesystem::path folder() const;  ///< of the file this value stands in: paths start there
   int line() const;
   const std::string& key() const { return key_; }  ///< dotted path from the root, "" for the root
 

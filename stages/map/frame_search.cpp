@@ -34,18 +34,18 @@ bool same_minimum(const Minimum& a, const Minimum& b) {
   return (a.x - b.x).cwiseAbs().maxCoeff() < 0.1;
 }
 
-/// Distance of each tip from its goal; 0 where there is none.
-JointVector tip_errors(const MappingProblem& problem, std::size_t frame, const JointVector& q,
-                       MappingScratch& scratch) {
+/// Largest distance of a tip from its goal; 0 without goals.
+double tip_error(const MappingProblem& problem, std::size_t frame, const JointVector& q,
+                 MappingScratch& scratch) {
   const FrameGoal& goal = problem.goals[frame];
-  JointVector errors = JointVector::Zero(static_cast<Eigen::Index>(goal.tip_position.size()));
+  double largest = 0;
   forward(*problem.robot, q, scratch.base_from_frame);
   for (std::size_t i = 0; i < goal.tip_position.size(); ++i) {
     if (!seen(goal.tip_position[i])) continue;
     const Pose tip = tip_pose(*problem.robot, scratch.base_from_frame, i);
-    errors[static_cast<Eigen::Index>(i)] = (tip.translation() - goal.tip_position[i]).norm();
+    largest = std::max(largest, (tip.translation() - goal.tip_position[i]).norm());
   }
-  return errors;
+  return largest;
 }
 
 }  // namespace
@@ -80,10 +80,9 @@ std::vector<Minimum> search_frame(const MappingProblem& problem, std::size_t fra
   return minima;
 }
 
-std::vector<std::uint8_t> reachable_goals(const MappingProblem& problem, std::size_t frame,
-                                          const JointVector& near, int starts, double tolerance_m,
-                                          const MinimiseOptions& options, std::uint64_t seed,
-                                          MappingScratch& scratch) {
+bool goals_reachable(const MappingProblem& problem, std::size_t frame, const JointVector& near,
+                     int starts, double tolerance_m, const MinimiseOptions& options,
+                     std::uint64_t seed, MappingScratch& scratch) {
   MappingProblem plain = problem;
   plain.objective = {};
   plain.objective.tip_position = problem.objective.tip_position;
@@ -93,21 +92,12 @@ std::vector<std::uint8_t> reachable_goals(const MappingProblem& problem, std::si
   plain.objective.finger_joint_distance.weight = 0;
   plain.clearance.weight = 0;
   std::mt19937_64 random(seed);
-  JointVector best =
-      JointVector::Constant(static_cast<Eigen::Index>(problem.goals[frame].tip_position.size()),
-                            std::numeric_limits<double>::infinity());
-  for (int i = 0; i <= starts && best.maxCoeff() > tolerance_m; ++i) {
+  for (int i = 0; i <= starts; ++i) {
     const JointVector start = i == 0 ? near : random_position(*problem.robot, random);
     const Minimum found = solve_frame(plain, frame, start, options, scratch);
-    const JointVector errors = tip_errors(problem, frame, found.x, scratch);
-    if (errors.maxCoeff() < best.maxCoeff()) best = errors;
+    if (tip_error(problem, frame, found.x, scratch) <= tolerance_m) return true;
   }
-  std::vector<std::uint8_t> reachable;
-  for (std::size_t i = 0; i < problem.goals[frame].tip_position.size(); ++i) {
-    const bool met = best[static_cast<Eigen::Index>(i)] <= tolerance_m;
-    reachable.push_back(seen(problem.goals[frame].tip_position[i]) && met ? 1 : 0);
-  }
-  return reachable;
+  return false;
 }
 
 }  // namespace morphe

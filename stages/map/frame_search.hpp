@@ -19,12 +19,11 @@ std::vector<Minimum> search_frame(const MappingProblem& problem, std::size_t fra
                                   int keep, const MinimiseOptions& options, std::uint64_t seed,
                                   MappingScratch& scratch);
 
-/// Which goals of a frame the robot can reach: the best of solves without the humanlikeness terms,
-/// from `near` and then from up to `starts` random positions, until every tip that has a goal is
-/// within `tolerance_m`. [tips], 1 or 0; 0 also where there is no goal.
-std::vector<std::uint8_t> reachable_goals(const MappingProblem& problem, std::size_t frame,
-                                          const JointVector& near, int starts, double tolerance_m,
-                                          const MinimiseOptions& options, std::uint64_t seed,
-                                          MappingScratch& scratch);
+/// Whether the robot can reach a frame's fingertip goals, all of them at once: a solve without the
+/// humanlikeness terms, from `near` and then from up to `starts` random positions, brings every tip
+/// that has a goal within `tolerance_m`.
+bool goals_reachable(const MappingProblem& problem, std::size_t frame, const JointVector& near,
+                     int starts, double tolerance_m, const MinimiseOptions& options,
+                     std::uint64_t seed, MappingScratch& scratch);
 
 }  // namespace morphe

@@ -136,10 +136,10 @@ MapResult map_movement(const MappingProblem& problem, Goals& goals, const MapOpt
   const JointRows& q = courses.front().q;
   MappingScratch scratch;
   for (std::size_t f = 0; f < problem.frames(); ++f) {
-    const std::vector<std::uint8_t> reachable = reachable_goals(
-        problem, f, q.row(static_cast<Index>(f)).transpose(), options.reachable_starts,
-        options.reachable_m, options.nlopt, seed + 1000 + f, scratch);
-    for (std::size_t i = 0; i < reachable.size(); ++i) goals.reachable(f, i) = reachable[i];
+    const bool reachable = goals_reachable(problem, f, q.row(static_cast<Index>(f)).transpose(),
+                                           options.reachable_starts, options.reachable_m,
+                                           options.nlopt, seed + 1000 + f, scratch);
+    for (std::size_t i = 0; i < goals.reachable.cols; ++i) goals.reachable(f, i) = reachable;
   }
   result.mapped = measure(problem, goals, q);
   result.posture_error_rad = posture_error(problem, q);
@@ -150,7 +150,7 @@ MapResult map_movement(const MappingProblem& problem, Goals& goals, const MapOpt
 
 JointPath resolve_path(const MappingProblem& problem, const JointPath& path,
                        const std::vector<Finding>& findings, const MapOptions& options,
-                       double reach_s) {
+                       double firmness, double reach_s) {
   const auto may_move = [&](double time_s) {
     return std::any_of(findings.begin(), findings.end(), [&](const Finding& finding) {
       return time_s >= finding.begin_s - reach_s && time_s <= finding.end_s + reach_s;
@@ -163,7 +163,7 @@ JointPath resolve_path(const MappingProblem& problem, const JointPath& path,
   movement.difference_weight =
       difference_weights(*problem.robot, problem.time, options.movement_cost);
   MappingProblem clear = problem;
-  clear.clearance.weight *= 10;
+  clear.clearance.weight *= firmness;
   MappingScratch scratch;
   movement.frame_model = [&](std::size_t frame, const JointVector& q, Quadratic& model) {
     add_frame(clear, frame, q, scratch, model);
