@@ -145,7 +145,7 @@ def synopsis(block):
 def wrong_commands(morphe):
     part = text_of("docs/formats.md").split("\n## Command line\n")[1]
     present, planned = [synopsis(block) for _, block in FENCE.findall(part)[:2]]
-    listed = run([morphe, "--help"], ROOT).stdout.split("Subcommands:")[1]
+    listed = run([morphe, "--help"], ROOT).stdout.partition("Subcommands:")[2]
     commands = set(re.findall(r"^  (\w+)", listed, re.M))
     for name in sorted(commands ^ set(present)):
         yield f"docs/formats.md: morphe {name}: " + ("is not listed" if name in commands else "does not exist")
