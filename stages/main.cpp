@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <cstdio>
+#include <string_view>
 
 #include "pipeline/motion/input_error.hpp"
 #include "stages/commands.hpp"
@@ -24,6 +26,10 @@ constexpr std::array<Entry, 4> kCommands{{
 
 constexpr int kBadInput = 2;
 
+bool is_command(std::string_view word) {
+  return std::ranges::any_of(kCommands, [&](const Entry& entry) { return word == entry.name; });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -34,6 +40,12 @@ int main(int argc, char** argv) {
   for (std::size_t i = 0; i < kCommands.size(); ++i) {
     commands[i] =
         kCommands[i].add(*app.add_subcommand(kCommands[i].name, kCommands[i].description));
+  }
+  if (const std::string_view word = argc > 1 ? argv[1] : ""; !word.empty() && word[0] != '-') {
+    if (!is_command(word)) {
+      fmt::print(stderr, "There is no command '{}'\nRun with --help for more information.\n", word);
+      return kBadInput;
+    }
   }
   try {
     app.parse(argc, argv);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -48,6 +49,20 @@ ConfigNode load_extended(const std::filesystem::path& file,
   return node;
 }
 
+/// The joints that the natural posture names are the robot's.
+void check_natural(const ConfigNode& node, const RobotTable& robot) {
+  if (!node.has("map") || !node["map"].has("natural")) return;
+  for (const ConfigNode& entry : node["map"]["natural"].items()) {
+    for (const char* key : {"joint", "follow"}) {
+      if (!entry.has(key) || entry[key].text().empty()) continue;
+      const std::string joint = entry[key].text();
+      if (std::ranges::find(robot.joint_names, joint) == robot.joint_names.end()) {
+        entry[key].fail(fmt::format("robot {} has no actuated joint '{}'", robot.name, joint));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 LoadedConfig load_config(const std::filesystem::path& file,
@@ -77,7 +92,7 @@ LoadedConfig load_config(const std::filesystem::path& file,
   if (loaded.options.dataset) {
     loaded.dataset = node["dataset"]["file"].folder() / loaded.options.dataset->file;
   }
-  make_objective(loaded.options.map, loaded.robot);  // the posture's joints exist
+  check_natural(node, loaded.robot);
   loaded.effective = write_options(loaded.options);
   loaded.inputs = collect(std::move(files));
   return loaded;

@@ -28,20 +28,24 @@ struct RunArguments {
   bool strict = false, json = false;
 };
 
-/// The run's folder. If the run fails before anything is finished and the folder did not exist
-/// before, it is taken away again.
+/// The run's folder. If the run fails before anything is finished, every folder on its path that
+/// did not exist before is taken away again.
 class OutputFolder {
  public:
-  explicit OutputFolder(fs::path path) : path_(std::move(path)), made_(!fs::exists(path_)) {
+  explicit OutputFolder(fs::path path) : path_(std::move(path)) {
     std::error_code error;
+    for (fs::path at = fs::absolute(path_).lexically_normal(); !fs::exists(at, error);
+         at = at.parent_path()) {
+      made_.push_back(at);
+    }
     fs::create_directories(path_, error);
     if (error || !fs::is_directory(path_)) {
+      remove_made();
       throw InputError(fmt::format("{}: cannot be made a folder", path_.string()));
     }
   }
   ~OutputFolder() {
-    std::error_code ignored;
-    if (made_ && !kept_) fs::remove_all(path_, ignored);
+    if (!kept_) remove_made();
   }
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
@@ -49,8 +53,16 @@ class OutputFolder {
   const fs::path& path() const { return path_; }
 
  private:
+  /// Those above the run's own folder only if they are empty: another run may have come into them.
+  void remove_made() const {
+    std::error_code ignored;
+    if (!made_.empty()) fs::remove_all(made_.front(), ignored);
+    for (const fs::path& folder : made_) fs::remove(folder, ignored);
+  }
+
   fs::path path_;
-  bool made_, kept_ = false;
+  std::vector<fs::path> made_;  ///< deepest first
+  bool kept_ = false;
 };
 
 fs::path dataset_of(const RunArguments& arguments, const LoadedConfig& config) {
