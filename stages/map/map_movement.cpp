@@ -168,7 +168,7 @@ JointPath resolve_path(const MappingProblem& problem, const JointPath& path,
   movement.frame_model = [&](std::size_t frame, const JointVector& q, Quadratic& model) {
     add_frame(clear, frame, q, scratch, model);
     if (may_move(problem.time[frame])) return;
-    constexpr double kHold = 100;  // per rad²: far stiffer than any term of a frame
+    constexpr double kHold = 1e6;  // per rad²: far stiffer than any term of a frame
     const JointVector away = q - path.position.row(static_cast<Index>(frame)).transpose();
     model.value += kHold * away.squaredNorm();
     model.gradient += 2 * kHold * away;

@@ -1,0 +1,76 @@
+#include "stages/map/clearance_term.hpp"
+
+#include <gtest/gtest.h>
+
+#include "pipeline/kinematics/description.hpp"
+#include "tests/support/finite_differences.hpp"
+#include "tests/support/random_positions.hpp"
+
+namespace morphe {
+namespace {
+
+/// The reference robot beside a table top through its workspace.
+struct Bench {
+  Bench() : robot(load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table) {
+    SceneObject table;
+    table.name = "table";
+    table.size = {0.8, 0.8, 0.04};
+    table.time = {0};
+    table.position = {Vec3(0.6, 0, 0.7)};
+    table.orientation = {Quat::Identity()};
+    scene.objects.push_back(table);
+    world = make_world(robot, scene, Movement{}, Tolerances{});
+  }
+  RobotTable robot;
+  Scene scene;
+  CollisionWorld world;
+};
+
+TEST(ClearanceTerm, GradientIsThatOfTheValue) {
+  const Bench bench;
+  ClearanceTerm term;
+  term.band_m = 0.02;
+  ClearanceScratch scratch;
+  const auto model_at = [&](const JointVector& q) {
+    Quadratic model;
+    model.reset(q.size());
+    add_clearance(term, bench.world, q, 0, scratch, model);
+    return model;
+  };
+  // Fingers of a half-open hand, a centimetre or less from each other.
+  JointVector reaching(static_cast<Eigen::Index>(bench.robot.joints()));
+  reaching << 1.2, -1.0, -1.6, 1.6, 2.5, 0.7, 0.5, 0.1, 0.5, 0.4, 0, 0.3, 0.3, 0, 0.4, 0.3, 0, 0.4,
+      0.3, 0, 0.4, 0.3;
+  const JointVector middle = 0.5 * (bench.robot.lower + bench.robot.upper);
+  std::mt19937_64 random(3);
+  int compared = 0;
+  for (int i = 0; i < 3000 && compared < 40; ++i) {
+    const JointVector q = reaching + 0.03 * (random_position(bench.robot, random) - middle);
+    const double least = least_slack(bench.world, q, 0, scratch.collision).slack();
+    // Deep inside one another, nearest points jump; the term is for what barely touches.
+    if (least < -0.004 || least > term.band_m) continue;
+    const Quadratic model = model_at(q);
+    const JointVector numeric =
+        numeric_gradient([&](const JointVector& at) { return model_at(at).value; }, q, 1e-7);
+    EXPECT_LT((model.gradient - numeric).cwiseAbs().maxCoeff(),
+              1e-4 * std::max(1.0, numeric.cwiseAbs().maxCoeff()));
+    ++compared;
+  }
+  EXPECT_GE(compared, 20);
+}
+
+TEST(ClearanceTerm, NothingBeyondTheBandOrSwitchedOff) {
+  const Bench bench;
+  ClearanceScratch scratch;
+  const JointVector q = JointVector::Zero(static_cast<Eigen::Index>(bench.robot.joints()));
+  ClearanceTerm term;
+  term.weight = 0;
+  Quadratic model;
+  model.reset(q.size());
+  add_clearance(term, bench.world, q, 0, scratch, model);
+  EXPECT_EQ(model.value, 0);
+  EXPECT_EQ(model.gradient.norm(), 0);
+}
+
+}  // namespace
+}  // namespace morphe

@@ -1,0 +1,94 @@
+#include "stages/map/placement.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "pipeline/kinematics/description.hpp"
+
+namespace morphe {
+namespace {
+
+RobotTable reference_robot() {
+  return load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table;
+}
+
+PlacementOptions lateral() {
+  PlacementOptions options;
+  options.rotation = {{"y", 105 * std::numbers::pi / 180}, {"z", std::numbers::pi / 2}};
+  options.shoulder_offset = {0.10, -0.30, 0.30};
+  return options;
+}
+
+/// Three frames of a person whose shoulder moves, thumb and index seen.
+HumanMotion small_motion() {
+  HumanMotion motion;
+  motion.time = {1.00, 1.01, 1.02};
+  motion.shoulder = {{0.2, -0.2, 0.3}, {0.21, -0.2, 0.3}, {0.22, -0.2, 0.3}};
+  motion.elbow = {{0.25, -0.2, 0.05}, {0.26, -0.2, 0.05}, {0.27, -0.2, 0.05}};
+  motion.wrist = {{0.2, 0, 0.05}, {0.2, 0.01, 0.05}, {0.2, 0.02, 0.05}};
+  motion.wrist_orientation.assign(3, Quat::Identity());
+  motion.tip = {3, kFingers, unseen_point()};
+  motion.tip_orientation = {3, kFingers, unseen_rotation()};
+  motion.finger_joint = {3, kFingers, unseen_point()};
+  for (std::size_t f = 0; f < 3; ++f) {
+    motion.tip(f, 0) = Vec3(0.15, 0.1 + 0.01 * static_cast<double>(f), 0.02);
+    motion.tip(f, 1) = Vec3(0.20, 0.1 + 0.01 * static_cast<double>(f), 0.02);
+  }
+  return motion;
+}
+
+Movement whole_movement() {
+  Movement movement;
+  movement.begin_s = 1.00;
+  movement.end_s = 1.02;
+  return movement;
+}
+
+TEST(Placement, TheShouldersStandAtTheOffset) {
+  const Vec3 human(0.2, -0.25, 0.3);
+  const Pose world_from_base = place_robot(reference_robot(), human, lateral());
+  // The PA10's shoulder is 0.317 m above its base.
+  const Vec3 robot_shoulder = world_from_base * Vec3(0, 0, 0.317);
+  EXPECT_LT((robot_shoulder - human - Vec3(0.10, -0.30, 0.30)).norm(), 1e-12);
+}
+
+TEST(Placement, TheBaseAxisPointsRightAndFifteenDegreesDown) {
+  const Pose world_from_base = place_robot(reference_robot(), Vec3::Zero(), lateral());
+  const double tilt = 15 * std::numbers::pi / 180;
+  const Vec3 axis = world_from_base.linear() * Vec3::UnitZ();
+  EXPECT_LT((axis - Vec3(std::cos(tilt), 0, -std::sin(tilt))).norm(), 1e-12);
+}
+
+TEST(Goals, TipsStayInTheWorldAndTheArmMovesIntoTheCommonBase) {
+  const RobotTable robot = reference_robot();
+  const HumanMotion motion = small_motion();
+  const Pose base_from_world = place_robot(robot, motion.shoulder[0], lateral()).inverse();
+  const Goals goals = make_goals(robot, motion, whole_movement(), base_from_world);
+  ASSERT_EQ(goals.frames(), 3U);
+  EXPECT_LT((base_from_world.inverse() * goals.tip_position(2, 0) - motion.tip(2, 0)).norm(),
+            1e-12);
+  EXPECT_FALSE(seen(goals.tip_position(0, 2)));
+  // The human shoulder at the begin is the robot's; later it may wander.
+  EXPECT_LT((goals.shoulder_position[0] - Vec3(0, 0, 0.317)).norm(), 1e-12);
+  EXPECT_NEAR((goals.shoulder_position[2] - goals.shoulder_position[0]).norm(), 0.02, 1e-12);
+  // The upper arm keeps length and direction.
+  const Vec3 upper_arm = goals.elbow_position[1] - goals.shoulder_position[1];
+  const Vec3 recorded = base_from_world.linear() * (motion.elbow[1] - motion.shoulder[1]);
+  EXPECT_LT((upper_arm - recorded).norm(), 1e-12);
+}
+
+TEST(Goals, AShoulderNeverSeenIsUnseen) {
+  HumanMotion motion = small_motion();
+  for (Vec3& shoulder : motion.shoulder) shoulder = unseen_point();
+  EXPECT_FALSE(seen(shoulder_at_begin(motion, whole_movement())));
+}
+
+TEST(PlacementOptions, RefusesAnUnknownAxis) {
+  PlacementOptions options;
+  options.rotation = {{"w", 1}};
+  EXPECT_NE(check(options).find("'w'"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace morphe
