@@ -1,0 +1,97 @@
+"""What the end-to-end tests share. Every test file is a script of its own:
+/usr/bin/python3 -B test_run.py BUILD/morphe [unittest options]"""
+import hashlib
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+SOURCE = Path(__file__).resolve().parents[2]
+MORPHE = Path(sys.argv.pop(1)).resolve()
+REFERENCE = SOURCE / "configs/pipelines/pa10_dlr_hit2.yaml"
+RECORDINGS = SOURCE / "datasets/ue-adl"
+
+# A search so small that a movement takes a second. What it finds is no good measure of the mapping.
+QUICK = ("--set", "map.starts=4", "--set", "map.candidates=1", "--set", "map.coarse_step_s=0.1")
+TWO_RECORDINGS = """\
+format: vicon-csv
+hand: right
+recordings:
+  - {file: recorded/ADL001DR2.csv, static: recorded/ADL001_static.csv, upper_arm: 0.274, forearm: 0.254}
+  - {file: recorded/ADL001AR1.csv, static: recorded/ADL001_static.csv, upper_arm: 0.274, forearm: 0.254}
+"""
+
+
+def morphe(*arguments, cwd=None):
+    return subprocess.run([MORPHE, *map(str, arguments)], cwd=cwd, capture_output=True, text=True)
+
+
+def python_verify(file):
+    return subprocess.run([sys.executable, SOURCE / "tests/verify_plans.py", file, "--json"],
+                          capture_output=True, text=True)
+
+
+def sha256(file):
+    return hashlib.sha256(Path(file).read_bytes()).hexdigest()
+
+
+def temporary_folder():
+    """Never in the source tree; the path holds nothing that a message could be mistaken for."""
+    return tempfile.TemporaryDirectory(prefix="morphe_cli_")
+
+
+def write_two_recordings(folder):
+    """A manifest that names the shipped files by relative paths."""
+    os.symlink(RECORDINGS, folder / "recorded")
+    manifest = folder / "two.yaml"
+    manifest.write_text(TWO_RECORDINGS)
+    return manifest
+
+
+def line_of(file, needle):
+    for number, line in enumerate(Path(file).read_text().splitlines(), 1):
+        if needle in line:
+            return number
+    raise AssertionError(f"{needle!r} does not stand in {file}")
+
+
+class CommandCase(unittest.TestCase):
+    """A fresh folder for every test, and what is asked of every answer."""
+    maxDiff = None
+
+    def setUp(self):
+        holder = temporary_folder()
+        self.addCleanup(holder.cleanup)
+        self.folder = Path(holder.name).resolve()
+
+    def succeeds(self, *arguments, cwd=None):
+        result = morphe(*arguments, cwd=cwd)
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        return result
+
+    def json_of(self, *arguments):
+        """Nothing but JSON on standard output."""
+        return json.loads(self.succeeds(*arguments, "--json").stdout)
+
+    def refuses(self, result, beginning, *mentioned):
+        """Exit 2, and one line on standard error that begins with the place of the fault."""
+        self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
+        self.assertEqual(result.stdout, "")
+        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        self.assertTrue(result.stderr.startswith(f"{beginning}: "), (str(beginning), result.stderr))
+        for word in mentioned:
+            self.assertIn(word, result.stderr)
+
+
+def replace(file, old, new):
+    text = Path(file).read_text()
+    assert re.search(old, text), f"{old!r} does not stand in {file}"
+    Path(file).write_text(re.sub(old, lambda _: new, text, count=1))
+
+
+def main():
+    unittest.main(module="__main__")

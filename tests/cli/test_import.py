@@ -1,0 +1,187 @@
+"""`morphe import` and `morphe inspect`, and what `run` makes of a recording without a usable arm."""
+import os
+
+import h5py
+import numpy as np
+
+from support import QUICK, RECORDINGS, REFERENCE, SOURCE, CommandCase, main, morphe, sha256
+
+DEMONSTRATIONS = ["ADL001DR2", "ADL004DR2", "ADL006DR2", "ADL001FR1", "ADL001AR1"]
+
+
+def points_of(csv):
+    """[N, K, 3] in metres, read apart from the program: NaN where a cell is empty."""
+    rows = csv.read_text(encoding="utf-8-sig").splitlines()[5:]
+    cells = [[float(c) if c.strip() else np.nan for c in row.split(",")[2:]] for row in rows if row]
+    width = min(len(row) for row in cells) // 3 * 3
+    return np.array([row[:width] for row in cells]).reshape(len(cells), -1, 3) / 1000
+
+
+class Import(CommandCase):
+    def test_the_shipped_manifest(self):
+        file = self.folder / "all.h5"
+        self.assertIn("5 demonstrations",
+                      self.succeeds("import", RECORDINGS / "recordings.yaml", "--out", file).stdout)
+        with h5py.File(file) as imported:
+            self.assertEqual(list(imported["demonstrations"]), DEMONSTRATIONS)
+            group = imported["demonstrations/ADL004DR2"]
+            self.assertEqual({name: group.attrs[name] for name in
+                              ("subject", "task", "hand", "licence", "upper_arm", "forearm")},
+                             {"subject": b"ADL004", "task": b"drink", "hand": b"right",
+                              "licence": b"MIT", "upper_arm": 0.261, "forearm": 0.234})
+
+    def test_one_recording_with_its_static_trial(self):
+        file, csv, static = (self.folder / "one.h5", RECORDINGS / "ADL001DR2.csv",
+                             RECORDINGS / "ADL001_static.csv")
+        self.succeeds("import", csv, "--static", static, "--out", file)
+        with h5py.File(file) as imported:
+            self.assertEqual(list(imported["demonstrations"]), ["ADL001DR2"])
+            group = imported["demonstrations/ADL001DR2"]
+            for where, source in (("markers", csv), ("calibration/markers", static)):
+                np.testing.assert_allclose(group[where]["position"], points_of(source), rtol=0,
+                                           atol=1e-12)
+                np.testing.assert_allclose(np.diff(group[where]["time"]), 0.01, rtol=0, atol=1e-12)
+            self.assertEqual(list(group["markers"].attrs["names"][:2]), [b"RSHO1", b"RSHO2"])
+
+    def test_without_a_static_trial(self):
+        file = self.folder / "one.h5"
+        self.succeeds("import", RECORDINGS / "ADL001FR1.csv", "--out", file)
+        with h5py.File(file) as imported:
+            self.assertNotIn("calibration", imported["demonstrations/ADL001FR1"])
+
+    def test_several_sources_into_one_file(self):
+        file = self.folder / "mixed.h5"
+        self.succeeds("import", RECORDINGS / "ADL001FR1.csv",
+                      SOURCE / "datasets/adroit-dapg/recordings.yaml", "--out", file)
+        entries = self.json_of("inspect", file)["demonstrations"]
+        self.assertEqual(entries[0]["name"], "ADL001FR1")
+        self.assertGreater(len(entries), 1)
+
+    def test_twice_is_the_same_file(self):
+        for name in ("a.h5", "b.h5"):
+            self.succeeds("import", RECORDINGS / "recordings.yaml", "--out", self.folder / name)
+        self.assertEqual(sha256(self.folder / "a.h5"), sha256(self.folder / "b.h5"))
+
+    def test_failure_leaves_the_older_file(self):
+        file, csv = self.folder / "one.h5", self.folder / "bad.csv"
+        file.write_text("an older file")
+        csv.write_text("Trajectories\n100\n")
+        self.refuses(morphe("import", csv, "--out", file), f"{csv}:2")
+        self.assertEqual(file.read_text(), "an older file")
+        self.assertEqual(sorted(os.listdir(self.folder)), ["bad.csv", "one.h5"])
+
+    def test_the_same_name_twice(self):
+        csv = RECORDINGS / "ADL001FR1.csv"
+        self.refuses(morphe("import", csv, csv, "--out", self.folder / "two.h5"), csv, "ADL001FR1")
+        self.assertEqual(os.listdir(self.folder), [])
+
+
+class Inspect(CommandCase):
+    def test_the_shipped_recordings_each_hold_a_movement(self):
+        file = self.folder / "all.h5"
+        self.succeeds("import", RECORDINGS / "recordings.yaml", "--out", file)
+        found = self.json_of("inspect", file)
+        self.assertEqual(list(found), ["demonstrations"])
+        self.assertEqual([entry["name"] for entry in found["demonstrations"]], DEMONSTRATIONS)
+        for entry in found["demonstrations"]:
+            with self.subTest(entry["name"]):
+                self.assertEqual(list(entry), ["name", "duration_s", "streams", "movements",
+                                               "problems"])
+                self.assertEqual(entry["problems"], [])
+                rows = len(points_of(RECORDINGS / f"{entry['name']}.csv"))
+                self.assertAlmostEqual(entry["duration_s"], (rows - 1) / 100)
+                stream, = entry["streams"]
+                self.assertEqual(list(stream), ["name", "rate_hz", "seen"])
+                self.assertEqual(stream["name"], "markers")
+                self.assertAlmostEqual(stream["rate_hz"], 100)
+                self.assertTrue(0.5 < stream["seen"] <= 1)
+                self.assertGreaterEqual(len(entry["movements"]), 1)
+                for movement in entry["movements"]:
+                    self.assertEqual(list(movement), ["begin_s", "end_s", "phases"])
+                    self.assertTrue(0 <= movement["begin_s"] < movement["end_s"]
+                                    <= entry["duration_s"])
+                    for phase in movement["phases"]:
+                        self.assertEqual(list(phase), ["name", "begin_s", "end_s", "confidence"])
+                        self.assertTrue(0 <= phase["confidence"] <= 1)
+                    self.assertIn("reach", [phase["name"] for phase in movement["phases"]])
+        self.assertIn("ADL001DR2: ", self.succeeds("inspect", file).stdout)
+
+    def test_broken_files(self):
+        file = self.folder / "broken.h5"
+        self.refuses(morphe("inspect", file), file)
+        file.write_text("no HDF5\n")
+        self.refuses(morphe("inspect", file), file)
+        whole = self.folder / "whole.h5"
+        self.succeeds("import", RECORDINGS / "ADL001FR1.csv", "--out", whole)
+        content = whole.read_bytes()
+        file.write_bytes(content[:len(content) // 2])
+        self.refuses(morphe("inspect", file), file)
+
+    def test_a_file_that_is_broken_further_on_prints_no_half_json(self):
+        file = self.folder / "all.h5"
+        self.succeeds("import", RECORDINGS / "recordings.yaml", "--out", file)
+        with h5py.File(file, "r+") as imported:
+            del imported["demonstrations/ADL001AR1/markers/time"]
+        self.refuses(morphe("inspect", file, "--json"),
+                     f"{file}:/demonstrations/ADL001AR1/markers/time")
+
+
+class WithoutAnArm(CommandCase):
+    """Two markers are no arm: nothing is dropped in silence, the recording still ends as a plan."""
+
+    def setUp(self):
+        super().setUp()
+        self.csv = self.folder / "few.csv"
+        rows = "".join(f"{i + 1},0,{100 + i},200,300,400,{500 - i},600\n" for i in range(200))
+        self.csv.write_text("Trajectories\n100\n,,A:RFTP,,,A:RHAN1,,\n"
+                            "Frame,Sub Frame,X,Y,Z,X,Y,Z\n,,mm,mm,mm,mm,mm,mm\n" + rows)
+        self.dataset = self.folder / "few.h5"
+        self.succeeds("import", self.csv, "--out", self.dataset)
+        self.out = self.folder / "out"
+
+    def run_it(self, *arguments):
+        return morphe("run", REFERENCE, "--dataset", self.dataset, "--out", self.out, *QUICK,
+                      *arguments)
+
+    def test_ends_as_an_infeasible_plan_with_its_reason(self):
+        result = self.run_it()
+        self.assertEqual(result.returncode, 0, result.stderr)
+        with h5py.File(self.out / "plans.h5") as file:
+            plan = file["plans/few/000"]
+            self.assertEqual(plan.attrs["status"], b"infeasible")
+            self.assertNotEqual(plan.attrs["reason"], b"")
+            self.assertNotEqual(plan.attrs["detail"], b"")
+            self.assertNotIn("trajectory", plan)
+            self.assertIn(plan.attrs["reason"].decode(), result.stdout)
+        self.succeeds("verify", self.out / "plans.h5")
+
+    def test_is_counted(self):
+        summary = self.json_of("run", REFERENCE, "--dataset", self.dataset, "--out", self.out)
+        self.assertEqual((summary["demonstrations"], summary["infeasible"], summary["failed"]),
+                         (1, 1, 0))
+        self.assertEqual(sum(summary["reasons"].values()), 1)
+
+    def test_strict_makes_it_a_failure_but_keeps_the_file(self):
+        self.assertEqual(self.run_it("--strict").returncode, 1)
+        self.assertTrue((self.out / "plans.h5").exists())
+
+    def test_inspect_says_so_before(self):
+        entry, = self.json_of("inspect", self.dataset)["demonstrations"]
+        self.assertGreater(len(entry["problems"]), 0)
+        self.assertEqual([phase["confidence"] for movement in entry["movements"]
+                          for phase in movement["phases"] if phase["confidence"] > 0], [])
+
+    def test_does_not_hinder_the_others(self):
+        both = self.folder / "both.h5"
+        self.succeeds("import", self.csv, RECORDINGS / "ADL001AR1.csv", "--static",
+                      RECORDINGS / "ADL001_static.csv", "--out", both)
+        self.dataset = both
+        result = self.run_it("--json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        with h5py.File(self.out / "plans.h5") as file:
+            self.assertEqual(list(file["plans"]), ["few", "ADL001AR1"])
+            self.assertGreater(len(file["plans/ADL001AR1/000/mapped/position"]), 0)
+
+
+if __name__ == "__main__":
+    main()
