@@ -33,6 +33,7 @@ struct RunArguments {
 class OutputFolder {
  public:
   explicit OutputFolder(fs::path path) : path_(std::move(path)) {
+    if (path_.empty()) throw InputError("--out: names no folder");
     std::error_code error;
     for (fs::path at = fs::absolute(path_).lexically_normal(); !fs::exists(at, error);
          at = at.parent_path()) {

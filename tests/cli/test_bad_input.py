@@ -286,6 +286,9 @@ class Places(RunCase):
         self.refuses(morphe("run", self.config, "--out", out), out)
         self.assertEqual(out.read_text(), "kept")
 
+    def test_out_is_empty(self):
+        self.refuses(morphe("run", self.config, "--out", ""), "--out")
+
     def test_out_lies_below_a_file(self):
         (self.folder / "file").write_text("kept")
         out = self.folder / "file/out"

@@ -3,6 +3,7 @@ bytes whatever the number of threads and the place it is called from."""
 import hashlib
 import os
 import re
+import shutil
 import socket
 import unittest
 from pathlib import Path
@@ -202,6 +203,11 @@ class SameBytes(CommandCase):
         manifest = os.path.relpath(self.manifest, self.folder)
         third = self.run_into("third", config=config, dataset=manifest, cwd=self.folder)
         self.assertEqual(third, self.first)
+
+    def test_a_copy_of_the_configs_elsewhere(self):
+        shutil.copytree(SOURCE / "configs", self.folder / "copy/of/configs")
+        config = self.folder / "copy/of/configs/pipelines" / REFERENCE.name
+        self.assertEqual(self.run_into("copied", config=config), self.first)
 
     def test_an_imported_dataset_instead_of_the_manifest(self):
         imported = self.folder / "elsewhere.h5"
