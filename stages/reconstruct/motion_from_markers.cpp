@@ -125,7 +125,15 @@ std::vector<Pose> cluster_motion(const MarkerStream& markers, const std::string&
     note_unseen(fmt::format("cluster {} (three of its markers needed)", cluster), origin,
                 motion.problems);
   }
-  motion.residuals.push_back(residual_of(fmt::format("{} rigid fit", cluster), misfit));
+  // The trials' own static poses fit to 0.2-1.1 mm; another subject's forearm plate is off by 9.
+  constexpr double kMisfit = 0.004;
+  const Residual& fit =
+      motion.residuals.emplace_back(residual_of(fmt::format("{} rigid fit", cluster), misfit));
+  if (fit.rms_m > kMisfit) {
+    motion.problems.push_back(fmt::format(
+        "cluster {} does not fit the static trial (rms {:.1f} mm): moved, or not this subject's",
+        cluster, 1000 * fit.rms_m));
+  }
   return poses;
 }
 
@@ -163,6 +171,37 @@ Eigen::Matrix3d static_from_hand(const Vec3& wrist, const Vec3& finger_base, con
   return frame;
 }
 
+/// From thumb to index marker in every frame. Where one of them is hidden the line turns with the
+/// hand, from what it was in the hand's frame before the gap to what it is after; NaN where the
+/// hand is not seen either.
+std::vector<Vec3> line_of_tips(const std::vector<Vec3>& thumb, const std::vector<Vec3>& index,
+                               const std::vector<Quat>& world_from_hand) {
+  constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  const std::size_t n = thumb.size();
+  std::vector<Vec3> line(n), in_hand(n, unseen_point());
+  std::vector<std::size_t> before(n, kNone), after(n, kNone);
+  std::size_t last = kNone;
+  for (std::size_t i = 0; i < n; ++i) {
+    line[i] = index[i] - thumb[i];
+    if (seen(world_from_hand[i])) in_hand[i] = world_from_hand[i].conjugate() * line[i];
+    if (seen(in_hand[i])) last = i;
+    before[i] = last;
+  }
+  last = kNone;
+  for (std::size_t i = n; i-- > 0;) {
+    if (seen(in_hand[i])) last = i;
+    after[i] = last;
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t a = before[i] == kNone ? after[i] : before[i];
+    const std::size_t b = after[i] == kNone ? before[i] : after[i];
+    if (seen(line[i]) || a == kNone || !seen(world_from_hand[i])) continue;
+    const double share = a == b ? 0 : static_cast<double>(i - a) / static_cast<double>(b - a);
+    line[i] = world_from_hand[i] * Vec3((1 - share) * in_hand[a] + share * in_hand[b]);
+  }
+  return line;
+}
+
 /// Marker tracks of thumb and index moved onto the fingers' axes, each towards the other, at most
 /// to the middle between them.
 void set_tips(const std::vector<Vec3>& thumb, const std::vector<Vec3>& index,
@@ -176,11 +215,11 @@ void set_tips(const std::vector<Vec3>& thumb, const std::vector<Vec3>& index,
     return;
   }
   const double total = options.thumb_marker_to_axis_m + options.index_marker_to_axis_m;
+  const std::vector<Vec3> line = line_of_tips(thumb, index, motion.wrist_orientation);
   for (std::size_t i = 0; i < thumb.size(); ++i) {
-    const Vec3 across = index[i] - thumb[i];
-    const double distance = across.norm();
-    // NaN in one of them makes both NaN: a tip on the nail would be a step beside one on the axis.
-    const Vec3 step = distance > total ? Vec3(across / distance) : Vec3(across / total);
+    const double distance = line[i].norm();
+    // Without the line a tip stays NaN: on the nail it would be a step beside those on the axis.
+    const Vec3 step = distance > total ? Vec3(line[i] / distance) : Vec3(line[i] / total);
     motion.tip(i, kThumb) = thumb[i] + options.thumb_marker_to_axis_m * step;
     motion.tip(i, kIndex) = index[i] - options.index_marker_to_axis_m * step;
   }

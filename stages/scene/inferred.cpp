@@ -117,20 +117,23 @@ GraspTips tips_at_grasp(const HumanMotion& motion, const Phase& grasp) {
   GraspTips tips{unseen_point(), unseen_point()};
   if (!has_tips(motion) || motion.tip.cols <= kIndex) return tips;
   const double half_s = (grasp.begin_s + grasp.end_s) / 2;
-  const auto mean = [&](std::size_t finger) -> Vec3 {
+  const auto mean = [&](std::size_t finger, double from_s) -> Vec3 {
     Vec3 sum = Vec3::Zero();
     double count = 0;
     for (std::size_t i = 0; i < motion.time.size(); ++i) {
       const bool inside =
-          motion.time[i] >= half_s - kTimeSlack && motion.time[i] <= grasp.end_s + kTimeSlack;
+          motion.time[i] >= from_s - kTimeSlack && motion.time[i] <= grasp.end_s + kTimeSlack;
       if (!inside || !seen(motion.tip(i, finger))) continue;
       sum += motion.tip(i, finger);
       count += 1;
     }
     return count > 0 ? Vec3(sum / count) : unseen_point();
   };
-  tips.thumb = mean(kThumb);
-  tips.index = mean(kIndex);
+  // Hidden while the hand closes: where it was as it arrived, slow already.
+  for (const double from_s : {half_s, grasp.begin_s, grasp.begin_s - 0.1}) {
+    if (!seen(tips.thumb)) tips.thumb = mean(kThumb, from_s);
+    if (!seen(tips.index)) tips.index = mean(kIndex, from_s);
+  }
   return tips;
 }
 

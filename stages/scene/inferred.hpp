@@ -15,8 +15,8 @@ const Phase* last_phase(const Movement& movement, const char* name);
 std::optional<SceneObject> infer_table(const TableOptions& options, const HumanMotion& motion,
                                        const Movement& movement);
 
-/// Mean thumb and index tips over the second half of the grasp, when the hand has closed. NaN where
-/// one is not seen.
+/// Mean thumb and index tips over the second half of the grasp, when the hand has closed; over the
+/// whole grasp, or that and the 0.1 s before it, if one is hidden. NaN where it is not seen then.
 struct GraspTips {
   Vec3 thumb, index;
 };

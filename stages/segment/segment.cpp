@@ -52,6 +52,29 @@ std::size_t cycle_length(const HandSignals& signals, const SegmentOptions& optio
   return bouts.size() - begin;
 }
 
+/// Number of bouts at the head of a recording that begins inside a reach, after its peak: with the
+/// start unseen they are one cycle, up to the first that ends where the hand finally rests. Without
+/// it the way to the mouth would pass for a reach. 1 if the first bout is no such reach, which is
+/// one that leads away from the shoulder, or the recording does not end at rest.
+std::size_t headless_cycle(const HumanMotion& motion, const HandSignals& signals,
+                           const SegmentOptions& options, const std::vector<Bout>& bouts) {
+  const Bout& reach = bouts.front();
+  const auto shoulder = std::find_if(motion.shoulder.begin(), motion.shoulder.end(),
+                                     [](const Vec3& point) { return seen(point); });
+  if (!reach.cut || shoulder == motion.shoulder.end()) return 1;
+  if (bouts.back().last + 1 >= signals.frames()) return 1;
+  const auto away = [&](double time_s) {
+    return (signals.position[signals.frame(time_s)] - *shoulder).norm();
+  };
+  if (away(reach.end_s) <= away(reach.begin_s)) return 1;
+  const Vec3 home = signals.position.back();
+  for (std::size_t k = 0; k < bouts.size(); ++k) {
+    const Vec3 end = signals.position[signals.frame(bouts[k].end_s)];
+    if ((end - home).norm() < 0.5 * options.home_radius) return k + 1;
+  }
+  return 1;
+}
+
 void add_phase(const HandSignals& signals, const char* name, double begin_s, double end_s,
                double begin_confidence, double end_confidence, Movement& movement) {
   if (end_s - begin_s < 0.5 * signals.step_s) return;
@@ -171,7 +194,7 @@ std::vector<Movement> segment(const HumanMotion& motion, const SegmentOptions& o
   std::vector<Movement> movements;
   for (std::size_t i = 0; i < bouts.size();) {
     bool comes_home = false;
-    const std::size_t count = cycle_length(signals, options, bouts, i, comes_home);
+    std::size_t count = cycle_length(signals, options, bouts, i, comes_home);
     if (count > 0) {
       const auto begin = bouts.begin() + static_cast<std::ptrdiff_t>(i);
       Movement movement =
@@ -183,7 +206,8 @@ std::vector<Movement> segment(const HumanMotion& motion, const SegmentOptions& o
         movements.push_back(std::move(movement));
       }
     }
-    i += std::max<std::size_t>(1, count);
+    if (count == 0) count = i == 0 ? headless_cycle(motion, signals, options, bouts) : 1;
+    i += count;
   }
   return movements;
 }

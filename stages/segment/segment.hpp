@@ -66,7 +66,8 @@ std::string check(const SegmentOptions& options);
 /// ends in motion. A phase has the mean of its two boundaries, times the share of its frames in
 /// which the hand was seen.
 ///
-/// Too short, motionless or unseen: no movements. Never throws.
+/// A recording that begins after the peak of a reach holds no movement before the hand first comes
+/// back to where it rests at the end. Too short, motionless or unseen: no movements. Never throws.
 std::vector<Movement> segment(const HumanMotion& motion, const SegmentOptions& options,
                               const std::vector<SceneObject>& objects = {});
 

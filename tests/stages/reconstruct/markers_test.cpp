@@ -92,6 +92,30 @@ TEST(MotionFromMarkers, OneMarkerMissingChangesNothingTwoAreReported) {
   EXPECT_TRUE(seen(unknown.tip(0, 1)));
 }
 
+TEST(MotionFromMarkers, AHiddenTipDoesNotHideTheOther) {
+  SyntheticArm arm = synthetic_arm();
+  MarkerStream& markers = *arm.demonstration.streams.markers;
+  const HumanMotion whole = reconstruct(arm.demonstration, {}, {});
+  const std::size_t index = markers.names.size() - 1;
+  ASSERT_EQ(markers.names[index], "RFTP");
+  for (std::size_t i = 130; i < 170; ++i) markers.position(i, index) = unseen_point();
+  const HumanMotion part = reconstruct(arm.demonstration, {}, {});
+  for (std::size_t i = 0; i < whole.time.size(); ++i) {
+    EXPECT_LT((part.tip(i, 0) - whole.tip(i, 0)).norm(), 1e-3);  // the hand is one rigid body
+    EXPECT_EQ(seen(part.tip(i, 1)), i < 130 || i >= 170);
+  }
+}
+
+TEST(MotionFromMarkers, AClusterThatDoesNotFitTheStaticTrialIsReported) {
+  SyntheticArm arm = synthetic_arm();
+  EXPECT_TRUE(reconstruct(arm.demonstration, {}, {}).problems.empty());
+  MarkerStream& still = *arm.demonstration.calibration.markers;
+  ASSERT_EQ(still.names[5], "RLAR2");
+  still.position(0, 5) += Vec3(0, 0.02, 0);
+  EXPECT_THAT(reconstruct(arm.demonstration, {}, {}).problems,
+              Contains(HasSubstr("cluster RLAR does not fit the static trial")));
+}
+
 TEST(MotionFromMarkers, LeftHandIsTheMirroredRightOne) {
   const SyntheticArm arm = synthetic_arm();
   const HumanMotion right = reconstruct(arm.demonstration, {}, {});

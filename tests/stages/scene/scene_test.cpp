@@ -134,6 +134,16 @@ TEST(BuildScene, UnseenTipsGiveNoTarget) {
   EXPECT_THAT(names(build_scene({}, {}, g.motion, g.movement)), testing::IsEmpty());
 }
 
+TEST(BuildScene, ATipHiddenInTheGraspIsWhereItArrived) {
+  Grasping g;
+  const Phase grasp = g.movement.phases.back();
+  for (std::size_t i = 0; i < g.motion.time.size(); ++i) {
+    if (g.motion.time[i] >= grasp.begin_s - 1e-9) g.motion.tip(i, 1) = unseen_point();
+  }
+  EXPECT_THAT(names(build_scene({}, {}, g.motion, g.movement)), ElementsAre("table", "cup"));
+  EXPECT_EQ(g.movement.target, "cup");
+}
+
 TEST(BuildScene, ARecordedObjectIsTheTarget) {
   Grasping g;
   Demonstration demonstration;

@@ -249,6 +249,35 @@ TEST(Segment, ARecordingThatStartsOrEndsInAMovementIsLessSure) {
   }
 }
 
+TEST(Segment, WhatFollowsAReachWithoutItsBeginningIsNoReach) {
+  SyntheticHand hand = drinking_hand();
+  const std::vector<SyntheticHand::Stroke> once = hand.strokes;
+  for (SyntheticHand::Stroke stroke : once) {
+    stroke.begin_s += 5;
+    hand.strokes.push_back(stroke);
+  }
+  hand.length_s = 10;
+  const HumanMotion whole = hand.motion();
+  ASSERT_EQ(segment(whole, {}).size(), 2u);
+  const auto from_half_reach = [&](std::size_t last) {
+    HumanMotion part;
+    const std::size_t first = 130;  // the reach is fastest in frame 120
+    part.tip = Table<Vec3>(last - first, kFingers, unseen_point());
+    for (std::size_t i = first; i < last; ++i) {
+      part.time.push_back(whole.time[i]);
+      part.shoulder.push_back(hand.start + Vec3(0, -0.3, 0.3));
+      part.wrist.push_back(whole.wrist[i]);
+      for (std::size_t k = 0; k < kFingers; ++k) part.tip(i - first, k) = whole.tip(i, k);
+    }
+    return part;
+  };
+  EXPECT_THAT(segment(from_half_reach(501), {}), IsEmpty());
+  const auto movements = segment(from_half_reach(1001), {});
+  ASSERT_EQ(movements.size(), 1u);
+  EXPECT_EQ(movements[0].index, 0);
+  EXPECT_NEAR(movements[0].begin_s, 5.8, 0.1);
+}
+
 TEST(Segment, UnseenTipsAreBridgedByTheWrist) {
   HumanMotion motion = drinking_hand().motion();
   for (std::size_t i = 0; i < motion.time.size(); ++i) {
