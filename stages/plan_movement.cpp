@@ -42,6 +42,42 @@ Plan fail(Plan plan, const std::string& reason, const std::string& detail) {
   return plan;
 }
 
+/// Whether any fingertip goal was seen while the hand grasps (or holds); true without such a phase.
+bool grasp_seen(const Goals& goals, const Movement& movement) {
+  bool asked = false;
+  for (std::size_t f = 0; f < goals.frames(); ++f) {
+    const std::string phase = kPhaseNames[phase_at(movement.phases, goals.time[f])];
+    if (phase != "grasp" && phase != "hold") continue;
+    asked = true;
+    for (std::size_t tip = 0; tip < goals.tip_position.cols; ++tip) {
+      if (seen(goals.tip_position(f, tip))) return true;
+    }
+  }
+  return !asked;
+}
+
+std::string joined(const std::vector<std::string>& sentences) {
+  return fmt::format("{}", fmt::join(sentences, "; "));
+}
+
+/// What a user must know of an executable plan: tips whose goals are missing in some frames, a hand
+/// of which one tip alone was seen, and what reconstruction had to complain of.
+std::string warnings(const RobotTable& robot, const Goals& goals, const HumanMotion& motion) {
+  std::vector<std::string> sentences, asked;
+  for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
+    std::size_t count = 0;
+    for (std::size_t f = 0; f < goals.frames(); ++f) count += seen(goals.tip_position(f, tip));
+    if (count > 0) asked.push_back(robot.tips[tip].name);
+    if (count > 0 && count < goals.frames()) {
+      sentences.push_back(fmt::format("{} has a goal in {} of {} frames", robot.tips[tip].name,
+                                      count, goals.frames()));
+    }
+  }
+  if (asked.size() == 1) sentences.push_back("no tip but " + asked.front() + " has goals");
+  sentences.insert(sentences.end(), motion.problems.begin(), motion.problems.end());
+  return joined(sentences);
+}
+
 /// The part of the scene that the mapping's clearance term knows.
 Scene mapping_scene(const PipelineConfig& config, const Scene& scene, const Movement& movement) {
   std::vector<std::string> names = mapping_objects(config.scene, scene);
@@ -114,9 +150,9 @@ void finish(const Planner& planner, const CollisionWorld& world, Plan& plan,
       certified.reason = retimed.reason;
       certified.detail = retimed.detail;
     }
-    const bool repaired = plan.certificate.repaired;
+    certified.certificate.repaired = plan.certificate.repaired;
+    certified.certificate.natural_posture_error = plan.certificate.natural_posture_error;
     plan.certificate = certified.certificate;
-    plan.certificate.repaired = repaired;
     if (certified.reason == "smoothing" && options.smoothing_tolerance > 0) {
       options.smoothing_tolerance = 0;
       continue;
@@ -145,7 +181,16 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
     return move_scene(build_scene(config.scene, demonstration, motion, plan.movement),
                       base_from_world);
   });
+  for (const SceneObject& object : plan.scene.objects) {
+    if (object.shape == Shape::mesh) {
+      return fail(plan, "mesh",
+                  fmt::format("{} is a mesh, which has no distances yet", object.name));
+    }
+  }
   plan.goals = make_goals(robot, motion, plan.movement, base_from_world);
+  if (!grasp_seen(plan.goals, plan.movement)) {
+    return fail(plan, "no_goal", "no fingertip was seen in the grasp");
+  }
   const CollisionWorld world = make_world(robot, plan.scene, plan.movement, plan.tolerances);
 
   const Scene known = mapping_scene(config, plan.scene, plan.movement);
@@ -156,6 +201,7 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
   if (!mapped.reason.empty()) return fail(plan, mapped.reason, mapped.detail);
   plan.mapped = std::move(mapped.mapped);
   plan.path = mapped.path;
+  plan.certificate.natural_posture_error = mapped.posture_error_rad;
 
   const Recheck recheck = [&](const JointPath& path) {
     return check_path(world, plan.goals, plan.movement, path, config.check);
@@ -177,6 +223,7 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
   finish(planner, world, plan, seconds);
   if (plan.executable()) {
     plan.grasp = find_grasp(robot, plan.scene, plan.movement, plan.trajectory);
+    plan.detail = warnings(robot, plan.goals, motion);
   }
   return plan;
 }
@@ -195,8 +242,9 @@ DemonstrationOutcome plan_demonstration(const Planner& planner,
     outcome.plans.push_back(plan_movement(planner, demonstration, motion, movement, seconds));
   }
   if (movements.empty()) {
+    const std::string nothing = "no complete reach in it";
     const std::string detail =
-        motion.problems.empty() ? "nothing in it reaches for anything" : motion.problems.front();
+        motion.problems.empty() ? nothing : nothing + "; " + joined(motion.problems);
     outcome.plans.push_back(
         fail(begin_plan(demonstration, {}, config.check), "no_movement", detail));
   }

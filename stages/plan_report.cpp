@@ -68,10 +68,15 @@ void PlanReport::add(const Plan& plan) {
       number(largest_step(plan), 3), number(1e3 * c.position_error_grasp, 2),
       number(1e3 * c.position_error_max, 2), number(kDegrees * c.upper_arm_error_mean, 1),
       number(1e3 * c.clearance, 1), number(c.tempo, 2)));
-  if (!plan.executable()) rows_.push_back(fmt::format("  {}: {}", plan.reason, plan.detail));
+  if (!plan.executable()) {
+    const bool said = plan.detail.starts_with(plan.reason + ":");
+    rows_.push_back(said ? "  " + plan.detail : fmt::format("  {}: {}", plan.reason, plan.detail));
+  }
+  if (plan.executable() && !plan.detail.empty()) rows_.push_back("  note: " + plan.detail);
   for (const Finding& finding : plan.findings) {
-    rows_.push_back(fmt::format("  found: {} {} {} at {:.2f}-{:.2f} s, {:.4f} too far",
-                                finding.cause, finding.first, finding.second, finding.begin_s,
+    rows_.push_back(fmt::format("  found: {} {}{} at {:.2f}-{:.2f} s, {:.4f} too far",
+                                finding.cause, finding.first,
+                                finding.second.empty() ? "" : " " + finding.second, finding.begin_s,
                                 finding.end_s, finding.depth));
   }
 }

@@ -18,7 +18,7 @@ Command verify_command(CLI::App& app) {
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] {
     const VerifyReport report = verify_file(arguments->file);
-    fmt::print("{}\n", arguments->json ? verify_json(report) : verify_text(report));
+    fmt::print("{}", arguments->json ? verify_json(report) + "\n" : verify_text(report));
     return report.violations.empty() ? 0 : 1;
   };
 }

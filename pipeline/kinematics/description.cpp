@@ -18,7 +18,7 @@ int read_finger(const ConfigNode& node) {
   const auto found = std::ranges::find(kFingers, word);
   if (found != kFingers.end()) return static_cast<int>(found - kFingers.begin());
   const std::int64_t number = node.integer();
-  if (number < 0 || number > 99) node.fail("must be a finger's name, wrist, or 0, 1, …");
+  if (number < 0 || number > 4) node.fail("must be a finger's name, wrist, or 0 (thumb) … 4");
   return static_cast<int>(number);
 }
 

@@ -93,8 +93,8 @@ void allow_neighbours(RobotTable& table) {
     }
   }
   std::ranges::sort(table.allowed_pairs);
-  const auto repeated = std::ranges::unique(table.allowed_pairs);
-  table.allowed_pairs.erase(repeated.begin(), repeated.end());
+  table.allowed_pairs.erase(std::unique(table.allowed_pairs.begin(), table.allowed_pairs.end()),
+                            table.allowed_pairs.end());
 }
 
 }  // namespace morphe

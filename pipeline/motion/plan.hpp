@@ -93,6 +93,7 @@ struct Certificate {
   double upper_arm_error_mean = kNotSeen, upper_arm_error_max = kNotSeen;  ///< direction [rad]
   double tempo = kNotSeen;  ///< duration / human duration
   double humanlikeness_mapped = kNotSeen, humanlikeness_final = kNotSeen;  ///< mean A [m^2]
+  double natural_posture_error = kNotSeen;  ///< rms of joints that no goal asked for, mapped [rad]
   bool repaired = false;
 };
 

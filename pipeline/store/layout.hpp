@@ -52,6 +52,7 @@ class LayoutWriter {
               const Tags& tags) {
     using Item = std::conditional_t<std::is_same_v<Member, bool>, std::uint8_t, Member>;
     std::vector<Item> values;
+    values.reserve(rows.size());
     for (const Row& row : rows) values.push_back(row.*member);
     if constexpr (std::is_same_v<Member, std::string>) {
       names(name, values);

@@ -89,7 +89,7 @@ PlanReader::PlanReader(const std::filesystem::path& path) : state_(new State) {
     const Hdf5Group group = state_->plans.open(demonstration);
     for (const std::string& movement : group.children()) {
       movement_index(group, movement);
-      paths_.push_back(demonstration + "/" + movement);
+      paths_.push_back(fmt::format("{}/{}", demonstration, movement));
     }
   }
 }

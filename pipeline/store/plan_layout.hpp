@@ -78,6 +78,7 @@ void lay_out_certificate(Io& io, T& certificate) {
   io.attribute("orientation_error_max", certificate.orientation_error_max);
   io.attribute("upper_arm_error_mean", certificate.upper_arm_error_mean);
   io.attribute("upper_arm_error_max", certificate.upper_arm_error_max);
+  io.attribute("natural_posture_error", certificate.natural_posture_error);
   io.attribute("tempo", certificate.tempo);
   io.attribute("humanlikeness_mapped", certificate.humanlikeness_mapped);
   io.attribute("humanlikeness_final", certificate.humanlikeness_final);

@@ -58,7 +58,7 @@ PLAN_ATTRIBUTES = ["status", "reason", "detail", "subject", "task", "hand", "sta
                    "target", "margin", "contact_depth", "tracking_grasp", "tracking"]
 CERTIFICATE = ["position_margin", "velocity_ratio", "acceleration_ratio", "jerk_ratio", "clearance",
                "position_error_max", "position_error_mean", "position_error_grasp",
-               "orientation_error_max", "upper_arm_error_mean", "upper_arm_error_max", "tempo",
+               "orientation_error_max", "upper_arm_error_mean", "upper_arm_error_max", "natural_posture_error", "tempo",
                "humanlikeness_mapped", "humanlikeness_final", "repaired"]
 
 with h5py.File(sys.argv[1]) as file:

@@ -92,6 +92,7 @@ void expect_same(const Certificate& a, const Certificate& b) {
   EXPECT_SAME(orientation_error_max);
   EXPECT_SAME(upper_arm_error_mean);
   EXPECT_SAME(upper_arm_error_max);
+  EXPECT_SAME(natural_posture_error);
   EXPECT_SAME(tempo);
   EXPECT_SAME(humanlikeness_mapped);
   EXPECT_SAME(humanlikeness_final);
