@@ -61,8 +61,11 @@ std::string joined(const std::vector<std::string>& sentences) {
 }
 
 /// What a user must know of an executable plan: tips whose goals are missing in some frames, a hand
-/// of which one tip alone was seen, and what reconstruction had to complain of.
-std::string warnings(const RobotTable& robot, const Goals& goals, const HumanMotion& motion) {
+/// of which one tip alone was seen, phases that may begin or end elsewhere (a recording that is cut
+/// off in them), and what reconstruction had to complain of.
+std::string warnings(const RobotTable& robot, const Goals& goals, const Movement& movement,
+                     const HumanMotion& motion) {
+  constexpr double kUncertain = 0.5;
   std::vector<std::string> sentences, asked;
   for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
     std::size_t count = 0;
@@ -74,6 +77,11 @@ std::string warnings(const RobotTable& robot, const Goals& goals, const HumanMot
     }
   }
   if (asked.size() == 1) sentences.push_back("no tip but " + asked.front() + " has goals");
+  for (const Phase& phase : movement.phases) {
+    if (phase.begin_s > movement.end_s || phase.confidence > kUncertain) continue;
+    sentences.push_back(fmt::format("{} begins or ends uncertainly ({:.0f} %)", phase.name,
+                                    100 * phase.confidence));
+  }
   sentences.insert(sentences.end(), motion.problems.begin(), motion.problems.end());
   return joined(sentences);
 }
@@ -223,7 +231,7 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
   finish(planner, world, plan, seconds);
   if (plan.executable()) {
     plan.grasp = find_grasp(robot, plan.scene, plan.movement, plan.trajectory);
-    plan.detail = warnings(robot, plan.goals, motion);
+    plan.detail = warnings(robot, plan.goals, plan.movement, motion);
   }
   return plan;
 }
