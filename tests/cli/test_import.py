@@ -126,6 +126,40 @@ class Inspect(CommandCase):
                      f"{file}:/demonstrations/ADL001AR1/markers/time")
 
 
+class PartlySeen(CommandCase):
+    """What was missing in an executable plan stands in its detail and in what `run` prints."""
+
+    def detail_of(self, rows):
+        """Plans ADL001FR1 with its rows changed, returns the plan's status and detail."""
+        lines = (RECORDINGS / "ADL001FR1.csv").read_text(encoding="utf-8-sig").splitlines()
+        csv, dataset, out = (self.folder / name for name in ("reach.csv", "reach.h5", "out"))
+        csv.write_text("\n".join(lines[:5] + rows(lines[2].split(","), lines[5:])) + "\n")
+        self.succeeds("import", csv, "--static", RECORDINGS / "ADL001_static.csv", "--out", dataset)
+        printed = self.succeeds("run", REFERENCE, "--dataset", dataset, "--out", out, *QUICK).stdout
+        with h5py.File(out / "plans.h5") as file:
+            plan = file["plans/reach/000"]
+            detail = plan.attrs["detail"].decode()
+            self.assertIn(detail, printed)
+            return plan.attrs["status"], detail
+
+    def test_a_hidden_tip_is_named(self):
+        def hide_thumb(names, rows):
+            column = names.index("ADL001:RTHUM")
+            for i in range(100, 130):
+                cells = rows[i].split(",")
+                cells[column:column + 3] = ["", "", ""]
+                rows[i] = ",".join(cells)
+            return rows
+        status, detail = self.detail_of(hide_thumb)
+        self.assertEqual(status, b"executable")
+        self.assertRegex(detail, r"thumb_tip has a goal in \d+ of \d+ frames")
+
+    def test_a_reach_that_is_cut_off_is_called_uncertain(self):
+        status, detail = self.detail_of(lambda names, rows: rows[:150])
+        self.assertEqual(status, b"executable")
+        self.assertIn("reach begins or ends uncertainly", detail)
+
+
 class WithoutAnArm(CommandCase):
     """Two markers are no arm: nothing is dropped in silence, the recording still ends as a plan."""
 
