@@ -77,7 +77,7 @@ fs::path dataset_of(const RunArguments& arguments, const LoadedConfig& config) {
 /// demonstrations.h5 that lies beside them.
 fs::path as_demonstrations(const fs::path& dataset, const fs::path& folder) {
   if (dataset.extension() != ".yaml") return dataset;
-  const fs::path file = folder / "demonstrations.h5";
+  fs::path file = folder / "demonstrations.h5";
   DemonstrationWriter writer(file);
   import_recordings({.paths = {dataset}, .static_trial = {}, .format = {}, .names = {}},
                     [&](Demonstration&& demonstration) { writer.add(demonstration); });

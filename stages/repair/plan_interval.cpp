@@ -102,7 +102,8 @@ bool plan_interval(const Interval& interval, const JointRows& reach, const Repai
   for (int k = 1; k + 1 < count; ++k) {
     if (planned.row(k) == original.row(k)) continue;
     path.position.row(interval.first + k) = planned.row(k);
-    path.origin[static_cast<std::size_t>(interval.first + k)] = Origin::planned;
+    path.origin[static_cast<std::size_t>(interval.first) + static_cast<std::size_t>(k)] =
+        Origin::planned;
   }
   return true;
 }
