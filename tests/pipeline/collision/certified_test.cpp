@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "tests/pipeline/collision/random_robot.hpp"
+#include "tests/support/two_link_arm.hpp"
 
 namespace morphe {
 namespace {
@@ -39,17 +40,7 @@ TEST(CapsuleReach, IsNeverExceeded) {
 
 /// Two links of 0.5 m that turn about z, a capsule along the second one.
 RobotTable two_links() {
-  RobotTable robot;
-  robot.joint_names = {"shoulder", "elbow"};
-  robot.lower = JointVector::Constant(2, -3);
-  robot.upper = JointVector::Constant(2, 3);
-  RobotTable::Frame frame;
-  frame.joint = 0;
-  robot.frames.push_back(frame);
-  frame.parent = 0;
-  frame.joint = 1;
-  frame.transform.translation() = Vec3(0.5, 0, 0);
-  robot.frames.push_back(frame);
+  RobotTable robot = two_link_arm();
   robot.capsules.push_back({"forearm", 1, Vec3::Zero(), Vec3(0.5, 0, 0), 0.01, true});
   return robot;
 }

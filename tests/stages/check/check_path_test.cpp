@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "tests/support/two_link_arm.hpp"
+
 namespace morphe {
 namespace {
 
@@ -12,17 +14,7 @@ constexpr double kStep_s = 0.01;
 
 /// Two links of 0.5 m that turn about z, a forearm, a post at the base, a tip at the end.
 RobotTable two_links() {
-  RobotTable robot;
-  robot.joint_names = {"shoulder", "elbow"};
-  robot.lower = JointVector::Constant(2, -3);
-  robot.upper = JointVector::Constant(2, 3);
-  RobotTable::Frame frame;
-  frame.joint = 0;
-  robot.frames.push_back(frame);
-  frame.parent = 0;
-  frame.joint = 1;
-  frame.transform.translation() = Vec3(0.5, 0, 0);
-  robot.frames.push_back(frame);
+  RobotTable robot = two_link_arm();
   RobotTable::Tip tip;
   tip.name = "tip";
   tip.frame = 1;
