@@ -79,8 +79,9 @@ fs::path as_demonstrations(const fs::path& dataset, const fs::path& folder) {
   if (dataset.extension() != ".yaml") return dataset;
   fs::path file = folder / "demonstrations.h5";
   DemonstrationWriter writer(file);
-  import_recordings({.paths = {dataset}, .static_trial = {}, .format = {}, .names = {}},
-                    [&](Demonstration&& demonstration) { writer.add(demonstration); });
+  ImportRequest request;
+  request.paths = {dataset};
+  import_recordings(request, [&](Demonstration&& demonstration) { writer.add(demonstration); });
   writer.finish();
   return file;
 }

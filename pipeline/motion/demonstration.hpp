@@ -15,7 +15,9 @@ struct MarkerStream {
   Table<Vec3> position;            ///< [N, K] [m], NaN = not seen
 };
 
-/// Tracked bodies: `sensors` (Liberty: shoulder, elbow, wrist) or a `skeleton`.
+/// Tracked bodies: `sensors` (Liberty: shoulder, elbow, wrist) or a `skeleton`, whose joints of the
+/// arm are called right_shoulder, right_elbow, right_wrist, right_index_mcp, _pip, _dip, _tip
+/// (thumb: _cmc, _mcp, _ip, _tip) and left_… once the names of the recording are mapped to ours.
 struct BodyStream {
   std::vector<std::string> names;    ///< [S]
   std::vector<std::string> parents;  ///< [S] skeleton only, "" = root
@@ -49,6 +51,14 @@ struct Streams {
   std::optional<HandStream> hand;
 };
 
+/// Where a tracked sensor sits on the body: the joint centre it stands for and the axes of its
+/// segment (those of HumanMotion's hand frame for the wrist), in the sensor's frame.
+struct SensorOffsets {
+  std::vector<std::string> sensors;       ///< [S]
+  std::vector<Vec3> joint_in_sensor;      ///< [S] [m]
+  std::vector<Quat> sensor_from_segment;  ///< [S]
+};
+
 struct Label {
   double begin_s = 0, end_s = 0;
   std::string phase;
@@ -62,9 +72,12 @@ struct Demonstration {
   std::string source, licence;
   std::optional<double> upper_arm, forearm, hand_length, hand_breadth;  ///< [m]
   Streams streams;
-  Streams calibration;  ///< static trial or calibration pose
+  Streams calibration;                          ///< static trial or calibration pose
+  std::optional<SensorOffsets> sensor_offsets;  ///< from the calibration pose; none = at the joints
   std::vector<SceneObject> objects;
   std::vector<Label> labels;  ///< ground truth, where known
+  /// What the importer assumed, repaired or left out, a sentence each.
+  std::vector<std::string> reports;
 };
 
 }  // namespace morphe

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,19 @@ namespace morphe {
 inline constexpr std::size_t kFingers = 5;  ///< thumb, index, middle, ring, little
 inline constexpr const char* kFingerNames[kFingers] = {"thumb", "index", "middle", "ring",
                                                        "little"};
+
+/// The human arm's angles: zero hangs straight down, the palm to the thigh; see pipeline/human/arm.
+inline constexpr const char* kArmAngleNames[] = {
+    "shoulder_flexion",  "shoulder_abduction", "shoulder_internal_rotation", "elbow_flexion",
+    "forearm_pronation", "wrist_flexion",      "wrist_radial_deviation"};
+inline constexpr std::size_t kArmAngles = std::size(kArmAngleNames);
+/// The human hand's: zero is the flat hand; see pipeline/human/hand.
+inline constexpr const char* kHandAngleNames[] = {
+    "thumb_rotation", "thumb_abduction",  "thumb_mcp",      "thumb_ip",         "index_abduction",
+    "index_mcp",      "index_pip",        "index_dip",      "middle_abduction", "middle_mcp",
+    "middle_pip",     "middle_dip",       "ring_abduction", "ring_mcp",         "ring_pip",
+    "ring_dip",       "little_abduction", "little_mcp",     "little_pip",       "little_dip"};
+inline constexpr std::size_t kHandAngles = std::size(kHandAngleNames);
 
 /// How well one quantity was rebuilt: what the redundant measurements disagree by.
 struct Residual {
@@ -27,6 +41,8 @@ struct HumanMotion {
   Table<Vec3> tip;                           ///< [N, 5] fingertips (finger's axis, not the skin)
   Table<Quat> tip_orientation;               ///< [N, 5]
   Table<Vec3> finger_joint;                  ///< [N, 5] middle joint of each finger
+  JointRows arm_angles;                      ///< [N, 7] kArmAngleNames [rad], or no rows
+  JointRows hand_angles;                     ///< [N, 20] kHandAngleNames [rad], or no rows
   std::vector<std::string> estimated;        ///< what was not recorded but estimated
   std::vector<Residual> residuals;
   std::vector<std::string> problems;  ///< sentences for `morphe inspect`

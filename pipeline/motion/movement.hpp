@@ -12,8 +12,9 @@ inline constexpr const char* kPhaseNames[] = {"rest", "reach",     "preshape", "
 
 struct Phase {
   std::string name;
-  double begin_s = 0, end_s = 0;  ///< in the demonstration
-  double confidence = 1;          ///< 0 … 1
+  double begin_s = 0, end_s = 0;                    ///< in the demonstration
+  double confidence = 1;                            ///< 0 … 1
+  double begin_confidence = 1, end_confidence = 1;  ///< how sure each boundary is, 0 … 1
 };
 
 /// One reach-to-grasp inside a demonstration. Phases follow each other without overlap, except

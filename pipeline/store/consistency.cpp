@@ -182,6 +182,11 @@ std::string inconsistency(const Demonstration& demonstration) {
                  fmt::format("is '{}', not right or left", demonstration.hand));
   faults.take(faults_of(demonstration.streams, ""));
   faults.take(faults_of(demonstration.calibration, "calibration/"));
+  if (const auto& offsets = demonstration.sensor_offsets) {
+    const std::size_t sensors = offsets->sensors.size();
+    faults.length("calibration/offsets/position", offsets->joint_in_sensor.size(), sensors);
+    faults.length("calibration/offsets/orientation", offsets->sensor_from_segment.size(), sensors);
+  }
   for (const SceneObject& object : demonstration.objects)
     faults.take(faults_of(object, "objects/"));
   return faults.first;

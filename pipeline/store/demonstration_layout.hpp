@@ -76,8 +76,14 @@ void lay_out_demonstration(Io& io, T& demo) {
   io.maybe("hand_length", demo.hand_length);
   io.maybe("hand_breadth", demo.hand_breadth);
   lay_out_streams(io, demo.streams);
-  io.group_if(any(demo.calibration), "calibration",
-              [&](Io& in) { lay_out_streams(in, demo.calibration); });
+  io.group_if(any(demo.calibration) || demo.sensor_offsets.has_value(), "calibration", [&](Io& in) {
+    lay_out_streams(in, demo.calibration);
+    lay_out_stream(in, "offsets", demo.sensor_offsets, [](Io& inner, auto& offsets) {
+      inner.attribute("sensors", offsets.sensors);
+      inner.dataset("position", offsets.joint_in_sensor, {"m", "sensor", ""});
+      inner.dataset("orientation", offsets.sensor_from_segment, {"1", "sensor", ""});
+    });
+  });
   io.group_if(!demo.objects.empty(), "objects", [&](Io& in) {
     in.each(demo.objects, [](Io& inner, auto& object) { lay_out_object(inner, object, "world"); });
   });
@@ -86,6 +92,7 @@ void lay_out_demonstration(Io& io, T& demo) {
     in.column("end_s", demo.labels, &Label::end_s, {"s", "", ""});
     in.column("phase", demo.labels, &Label::phase, {});
   });
+  io.names_if_any("reports", demo.reports);
 }
 
 }  // namespace morphe

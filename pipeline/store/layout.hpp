@@ -46,6 +46,9 @@ class LayoutWriter {
     group_.write_strings(name, values);
     tag(name, {});
   }
+  void names_if_any(const char* name, const std::vector<std::string>& values) {
+    if (!values.empty()) names(name, values);
+  }
   /// One member of a vector of rows, as a dataset of its own.
   template <class Row, class Member>
   void column(const char* name, const std::vector<Row>& rows, Member Row::*member,
@@ -116,6 +119,9 @@ class LayoutReader {
   }
   void names(const char* name, std::vector<std::string>& values) {
     values = group_.read_strings(name);
+  }
+  void names_if_any(const char* name, std::vector<std::string>& values) {
+    if (group_.has(name)) names(name, values);
   }
   /// The first column read decides how many rows there are.
   template <class Row, class Member>

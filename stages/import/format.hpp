@@ -7,18 +7,24 @@
 #include <vector>
 
 #include "pipeline/motion/demonstration.hpp"
+#include "stages/import/conventions.hpp"
 
 namespace morphe {
 
 /// One recording on disk and what belongs to it.
 struct RecordingFiles {
   std::filesystem::path file;
-  std::filesystem::path static_trial;          ///< empty = none
-  std::map<std::string, std::string> renamed;  ///< recorded marker name -> name used here
+  std::filesystem::path static_trial;          ///< or calibration pose; empty = none
+  std::map<std::string, std::string> renamed;  ///< recorded marker or joint name -> name used here
+  std::string hand = "right";                  ///< which one was recorded
+  Conventions conventions;                     ///< what the file itself does not say
 };
 
-/// A recording format: `recognises` judges the first bytes of a file, `read` fills the streams,
-/// the calibration and the objects (and the subject, if the file names one).
+/// A recording format: `recognises` judges the first bytes of a file (without a UTF-8 mark), `read`
+/// fills the streams, the calibration and the objects (and the subject, if the file names one), in
+/// the world frame and in metres, and says in `reports` what it assumed or repaired. InputError for
+/// what is not exactly what the format says, and for axes, a unit or a rate that neither the file
+/// nor `conventions` gives.
 struct RecordingFormat {
   std::string name;
   bool (*recognises)(std::string_view head);

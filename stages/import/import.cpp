@@ -69,11 +69,13 @@ std::vector<ManifestEntry> entries_of(const ImportRequest& request) {
       ManifestEntry& entry = entries.emplace_back();
       entry.file = path.string();
       entry.static_trial = request.static_trial.string();
+      entry.conventions = request.conventions;
     }
   }
   std::set<std::string> names;
   for (ManifestEntry& entry : entries) {
     if (!request.format.empty()) entry.format = request.format;
+    if (!request.names.empty()) entry.names = request.names.string();
     if (entry.name.empty()) entry.name = std::filesystem::path(entry.file).stem().string();
     if (entry.name.find('/') != std::string::npos || entry.name == "." || entry.name == "..") {
       throw InputError(fmt::format("{}: name: '{}' cannot name a group", entry.file, entry.name));
@@ -90,10 +92,11 @@ std::vector<ManifestEntry> entries_of(const ImportRequest& request) {
 std::size_t import_recordings(const ImportRequest& request,
                               const std::function<void(Demonstration&&)>& sink) {
   const std::vector<ManifestEntry> entries = entries_of(request);
-  const std::map<std::string, std::string> renamed = read_names(request.names);
   for (const ManifestEntry& entry : entries) {
     Demonstration demonstration =
-        format_of(entry.file, entry.format).read({entry.file, entry.static_trial, renamed});
+        format_of(entry.file, entry.format)
+            .read({entry.file, entry.static_trial, read_names(entry.names), entry.hand,
+                   entry.conventions});
     demonstration.name = entry.name;
     if (!entry.subject.empty()) demonstration.subject = entry.subject;
     demonstration.task = entry.task;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pipeline/motion/demonstration.hpp"
+#include "stages/import/conventions.hpp"
 
 namespace morphe {
 
@@ -15,7 +16,8 @@ struct ImportRequest {
   std::vector<std::filesystem::path> paths;
   std::filesystem::path static_trial;  ///< for recordings given directly; empty = none
   std::string format;                  ///< one of import_format_names(); "" = by content
-  std::filesystem::path names;  ///< YAML map "recorded marker name: name used here"; empty = none
+  std::filesystem::path names;         ///< YAML map "recorded name: name used here"; empty = none
+  Conventions conventions;             ///< for recordings given directly
 };
 
 /// Reads every recording and hands it to the sink, in the order of the request; returns how many.

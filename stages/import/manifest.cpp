@@ -8,6 +8,10 @@ namespace {
 void shared_fields(FieldReader& f, ManifestEntry& e) {
   f("static", e.static_trial);
   f("format", e.format);
+  f("names", e.names);
+  f("axes", e.conventions.axes);
+  f("unit", e.conventions.unit);
+  f("rate_hz", e.conventions.rate_hz);
   f("subject", e.subject);
   f("task", e.task);
   f("hand", e.hand);
@@ -42,8 +46,11 @@ std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file) {
       if (length && *length <= 0) item.fail("lengths must be positive (metres)");
     }
     entry.file = (file.parent_path() / entry.file).string();
-    if (!entry.static_trial.empty()) {
-      entry.static_trial = (file.parent_path() / entry.static_trial).string();
+    for (std::string* other : {&entry.static_trial, &entry.names}) {
+      if (!other->empty()) *other = (file.parent_path() / *other).string();
+    }
+    if (entry.conventions.rate_hz && !(*entry.conventions.rate_hz > 0)) {
+      item.fail("rate_hz must be positive");
     }
     entries.push_back(std::move(entry));
   }

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "stages/import/conventions.hpp"
+
 namespace morphe {
 
 /// One line of a manifest. Paths are as written there joined to the manifest's folder.
@@ -12,7 +14,9 @@ struct ManifestEntry {
   std::string file, static_trial;  ///< static: "" = none
   std::string name;                ///< "" = the file's name without its extension
   std::string format;              ///< "" = by content
+  std::string names;               ///< YAML map of recorded names to ours; "" = none
   std::string subject, task, hand = "right", source, licence;
+  Conventions conventions;
   std::optional<double> upper_arm, forearm, hand_length, hand_breadth;  ///< [m]
 };
 

@@ -26,8 +26,9 @@ class ViconCsv : public testing::Test {
   }
   Demonstration read(const std::filesystem::path& file) {
     std::vector<Demonstration> read;
-    import_recordings({{file}, {}, "", {}},
-                      [&](Demonstration&& d) { read.push_back(std::move(d)); });
+    ImportRequest request;
+    request.paths = {file};
+    import_recordings(request, [&](Demonstration&& d) { read.push_back(std::move(d)); });
     return read.at(0);
   }
   std::string error_of(const std::string& text) {
@@ -137,7 +138,7 @@ TEST_F(ViconCsv, NamesAreMapped) {
   const auto file = write(
       "Trajectories\n100\n,,P:INDEX\nFrame,Sub Frame,X,Y,Z\n,,mm,mm,mm\n"
       "1,0,1,2,3\n");
-  ImportRequest request{{file}, {}, "", write("INDEX: RFTP\n", "names.yaml")};
+  ImportRequest request{{file}, {}, "", write("INDEX: RFTP\n", "names.yaml"), {}};
   import_recordings(request, [](Demonstration&& d) {
     EXPECT_EQ(d.streams.markers->names, std::vector<std::string>{"RFTP"});
   });
@@ -148,21 +149,21 @@ TEST_F(ViconCsv, NamesAreMapped) {
 TEST_F(ViconCsv, UnknownContentAndFormatListWhatIsKnown) {
   EXPECT_EQ(error_of("time,x\n0,1\n"),
             "trial.csv:1: format: not recognised; known: vicon-csv, adroit-csv");
-  ImportRequest request{{write("x")}, {}, "c4d", {}};
+  ImportRequest request{{write("x")}, {}, "c4d", {}, {}};
   try {
     import_recordings(request, [](Demonstration&&) {});
     FAIL();
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("unknown 'c4d'; known: vicon-csv, adroit-csv"));
   }
-  request = {{folder_ / "absent.csv"}, {}, "", {}};
+  request = {{folder_ / "absent.csv"}, {}, "", {}, {}};
   EXPECT_THROW(import_recordings(request, [](Demonstration&&) {}), InputError);
 }
 
 TEST_F(ViconCsv, ManifestErrors) {
   write(kHeader + "1,0,1,2,3,4,5,6\n");
   const auto manifest_error = [&](const std::string& text) -> std::string {
-    ImportRequest request{{write(text, "recordings.yaml")}, {}, "", {}};
+    ImportRequest request{{write(text, "recordings.yaml")}, {}, "", {}, {}};
     try {
       import_recordings(request, [](Demonstration&&) {});
     } catch (const InputError& error) {

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "pipeline/motion/human_motion.hpp"
+#include "pipeline/motion/robot_table.hpp"
+
+namespace morphe {
+
+struct HandSize {
+  double length = 0, breadth = 0;  ///< wrist to middle fingertip; across the knuckles [m]
+};
+
+/// Hand of an average adult: ANSUR II ratios to stature.
+HandSize hand_size_of_stature(double stature_m);
+
+/// kHandAngleNames [rad]: flexion curls towards the palm, abduction towards the thumb's side;
+/// `palm_arch` lowers the little finger's metacarpal (and the ring's, in proportion).
+struct HandAngles {
+  std::array<double, kHandAngles> joint{};
+  double palm_arch = 0;
+};
+
+/// The human hand as a kinematic tree: digit lengths and bases by the ratios of Buchholz et al.
+/// (1992) to hand length and breadth. Base: the hand frame of HumanMotion (origin at the wrist, z
+/// to the fingers, y to the thumb's side, x out of the palm). Joints: kHandAngleNames, then
+/// palm_arch, with their human limits. Tips: thumb … little, on the finger's axis; z of a tip
+/// points along its distal bone, x out of the pad.
+RobotTable human_hand(const HandSize& size);
+
+/// What the hand's joints place, in the hand frame.
+struct HandPoints {
+  std::array<Vec3, kFingers> tip;
+  std::array<Quat, kFingers> tip_orientation;
+  std::array<Vec3, kFingers> middle_joint;  ///< PIP; of the thumb the MCP
+};
+/// By pipeline/kinematics' forward(); `frames` is scratch that may be reused.
+HandPoints hand_points(const RobotTable& hand, const HandAngles& angles, std::vector<Pose>& frames);
+
+}  // namespace morphe

@@ -1,0 +1,7 @@
+#pragma once
+
+namespace morphe {
+
+struct SynthesizeOptions {};
+
+}  // namespace morphe
