@@ -107,6 +107,7 @@ std::size_t import_recordings(const ImportRequest& request,
     demonstration.forearm = entry.forearm;
     demonstration.hand_length = entry.hand_length;
     demonstration.hand_breadth = entry.hand_breadth;
+    demonstration.labels = entry.labels;
     sink(std::move(demonstration));
   }
   return entries.size();

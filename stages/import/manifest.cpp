@@ -1,6 +1,11 @@
 #include "stages/import/manifest.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "pipeline/config/fields.hpp"
+#include "pipeline/motion/movement.hpp"
 
 namespace morphe {
 namespace {
@@ -23,6 +28,22 @@ void shared_fields(FieldReader& f, ManifestEntry& e) {
   f("hand_breadth", e.hand_breadth);
 }
 
+std::vector<Label> read_labels(const ConfigNode& node) {
+  std::vector<Label> labels;
+  for (const ConfigNode& item : node.items()) {
+    Label& label = labels.emplace_back();
+    FieldReader reader(item);
+    reader.required("phase", label.phase);
+    reader.required("begin_s", label.begin_s);
+    reader.required("end_s", label.end_s);
+    if (std::ranges::find(kPhaseNames, label.phase) == std::end(kPhaseNames)) {
+      item["phase"].fail(fmt::format("'{}' is no phase", label.phase));
+    }
+    if (!(label.end_s > label.begin_s)) item.fail("must end after it begins");
+  }
+  return labels;
+}
+
 }  // namespace
 
 std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file) {
@@ -38,6 +59,7 @@ std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file) {
     reader.required("file", entry.file);
     reader("name", entry.name);
     shared_fields(reader, entry);
+    if (item.has("labels")) entry.labels = read_labels(item["labels"]);
     if (entry.hand != "right" && entry.hand != "left") {
       item.fail("hand must be right or left");
     }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/motion/demonstration.hpp"
 #include "stages/import/conventions.hpp"
 
 namespace morphe {
@@ -17,6 +18,7 @@ struct ManifestEntry {
   std::string names;               ///< YAML map of recorded names to ours; "" = none
   std::string subject, task, hand = "right", source, licence;
   Conventions conventions;
+  std::vector<Label> labels;  ///< phases that somebody marked
   std::optional<double> upper_arm, forearm, hand_length, hand_breadth;  ///< [m]
 };
 
