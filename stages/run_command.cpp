@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -9,6 +8,7 @@
 
 #include "pipeline/collision/certified.hpp"
 #include "pipeline/config/hash.hpp"
+#include "pipeline/run/output_folder.hpp"
 #include "pipeline/store/demonstration_file.hpp"
 #include "pipeline/store/plan_file.hpp"
 #include "stages/commands.hpp"
@@ -26,44 +26,6 @@ struct RunArguments {
   std::vector<std::string> settings;
   int jobs = 0;
   bool strict = false, json = false;
-};
-
-/// The run's folder. If the run fails before anything is finished, every folder on its path that
-/// did not exist before is taken away again.
-class OutputFolder {
- public:
-  explicit OutputFolder(fs::path path) : path_(std::move(path)) {
-    if (path_.empty()) throw InputError("--out: names no folder");
-    std::error_code error;
-    for (fs::path at = fs::absolute(path_).lexically_normal(); !fs::exists(at, error);
-         at = at.parent_path()) {
-      made_.push_back(at);
-    }
-    fs::create_directories(path_, error);
-    if (error || !fs::is_directory(path_)) {
-      remove_made();
-      throw InputError(fmt::format("{}: cannot be made a folder", path_.string()));
-    }
-  }
-  ~OutputFolder() {
-    if (!kept_) remove_made();
-  }
-  OutputFolder(const OutputFolder&) = delete;
-  OutputFolder& operator=(const OutputFolder&) = delete;
-  void keep() { kept_ = true; }
-  const fs::path& path() const { return path_; }
-
- private:
-  /// Those above the run's own folder only if they are empty: another run may have come into them.
-  void remove_made() const {
-    std::error_code ignored;
-    if (!made_.empty()) fs::remove_all(made_.front(), ignored);
-    for (const fs::path& folder : made_) fs::remove(folder, ignored);
-  }
-
-  fs::path path_;
-  std::vector<fs::path> made_;  ///< deepest first
-  bool kept_ = false;
 };
 
 fs::path dataset_of(const RunArguments& arguments, const LoadedConfig& config) {

@@ -8,6 +8,12 @@ from support import QUICK, RECORDINGS, REFERENCE, SOURCE, CommandCase, main, mor
 
 DEMONSTRATIONS = ["ADL001DR2", "ADL004DR2", "ADL006DR2", "ADL001FR1", "ADL001AR1"]
 
+ENTRY = ["name", "duration_s", "streams", "movements", "problems", "subject", "task", "hand",
+         "calibration", "objects", "rebuilt", "residuals", "estimated", "missing", "reports"]
+STREAM = ["name", "rate_hz", "seen", "begin_s", "duration_s", "columns", "gaps", "longest_gap_s",
+          "longest_gap_of", "unseen"]
+PHASE = ["name", "begin_s", "end_s", "confidence", "begin_confidence", "end_confidence"]
+
 
 def points_of(csv):
     """[N, K, 3] in metres, read apart from the program: NaN where a cell is empty."""
@@ -85,26 +91,56 @@ class Inspect(CommandCase):
         self.assertEqual([entry["name"] for entry in found["demonstrations"]], DEMONSTRATIONS)
         for entry in found["demonstrations"]:
             with self.subTest(entry["name"]):
-                self.assertEqual(list(entry), ["name", "duration_s", "streams", "movements",
-                                               "problems"])
+                self.assertEqual(list(entry), ENTRY)
                 self.assertEqual(entry["problems"], [])
                 rows = len(points_of(RECORDINGS / f"{entry['name']}.csv"))
                 self.assertAlmostEqual(entry["duration_s"], (rows - 1) / 100)
                 stream, = entry["streams"]
-                self.assertEqual(list(stream), ["name", "rate_hz", "seen"])
+                self.assertEqual(list(stream), STREAM)
+                points = points_of(RECORDINGS / f"{entry['name']}.csv")
+                hidden = np.isnan(points).any(axis=2)
+                self.assertAlmostEqual(stream["seen"], 1 - hidden.mean())
+                starts = hidden & ~np.vstack([np.zeros((1, hidden.shape[1]), bool), hidden[:-1]])
+                self.assertEqual(stream["gaps"], starts.sum())
+                self.assertEqual(len(stream["unseen"]), hidden.all(axis=0).sum())
                 self.assertEqual(stream["name"], "markers")
                 self.assertAlmostEqual(stream["rate_hz"], 100)
                 self.assertTrue(0.5 < stream["seen"] <= 1)
                 self.assertGreaterEqual(len(entry["movements"]), 1)
                 for movement in entry["movements"]:
-                    self.assertEqual(list(movement), ["begin_s", "end_s", "phases"])
+                    self.assertEqual(list(movement), ["begin_s", "end_s", "phases", "target",
+                                                      "unusable"])
+                    self.assertEqual(movement["unusable"], "")
                     self.assertTrue(0 <= movement["begin_s"] < movement["end_s"]
                                     <= entry["duration_s"])
                     for phase in movement["phases"]:
-                        self.assertEqual(list(phase), ["name", "begin_s", "end_s", "confidence"])
-                        self.assertTrue(0 <= phase["confidence"] <= 1)
+                        self.assertEqual(list(phase), PHASE)
+                        for key in PHASE[3:]:
+                            self.assertTrue(0 <= phase[key] <= 1)
                     self.assertIn("reach", [phase["name"] for phase in movement["phases"]])
-        self.assertIn("ADL001DR2: ", self.succeeds("inspect", file).stdout)
+        printed = self.succeeds("inspect", file).stdout
+        self.assertIn("ADL001DR2: ", printed)
+        movements = sum(len(entry["movements"]) for entry in found["demonstrations"])
+        self.assertIn(f"5 demonstrations, {movements} movements, {movements} of them usable",
+                      printed)
+
+    def test_says_what_will_not_be_usable_and_why(self):
+        few, file = self.folder / "few.csv", self.folder / "few.h5"
+        rows = "".join(f"{i + 1},0,{100 + i},200,300\n" for i in range(200))
+        few.write_text("Trajectories\n100\n,,A:RFTP\nFrame,Sub Frame,X,Y,Z\n,,mm,mm,mm\n" + rows)
+        self.succeeds("import", few, "--out", file)
+        entry, = self.json_of("inspect", file)["demonstrations"]
+        self.assertTrue(any("shoulder" in what for what in entry["missing"]), entry["missing"])
+        self.assertEqual(entry["rebuilt"]["shoulder"], 0)
+
+    def test_takes_the_options_of_a_config(self):
+        file, config = self.folder / "one.h5", self.folder / "other.yaml"
+        self.succeeds("import", RECORDINGS / "recordings.yaml", "--out", file)
+        config.write_text(f"extends: {REFERENCE}\nsegment: {{least_reach: 5}}\n")
+        default = self.json_of("inspect", file)
+        asked = self.json_of("inspect", file, "--config", config)
+        self.assertTrue(all(entry["movements"] for entry in default["demonstrations"]))
+        self.assertFalse(any(entry["movements"] for entry in asked["demonstrations"]))
 
     def test_broken_files(self):
         file = self.folder / "broken.h5"

@@ -1,0 +1,36 @@
+#include "pipeline/run/output_folder.hpp"
+
+#include <fmt/format.h>
+
+#include "pipeline/motion/input_error.hpp"
+
+namespace morphe {
+
+namespace fs = std::filesystem;
+
+OutputFolder::OutputFolder(fs::path path) : path_(std::move(path)) {
+  if (path_.empty()) throw InputError("--out: names no folder");
+  std::error_code error;
+  for (fs::path at = fs::absolute(path_).lexically_normal(); !fs::exists(at, error);
+       at = at.parent_path()) {
+    made_.push_back(at);
+  }
+  fs::create_directories(path_, error);
+  if (error || !fs::is_directory(path_)) {
+    remove_made();
+    throw InputError(fmt::format("{}: cannot be made a folder", path_.string()));
+  }
+}
+
+OutputFolder::~OutputFolder() {
+  if (!kept_) remove_made();
+}
+
+/// Those above the run's own folder only if they are empty: another run may have come into them.
+void OutputFolder::remove_made() const {
+  std::error_code ignored;
+  if (!made_.empty()) fs::remove_all(made_.front(), ignored);
+  for (const fs::path& folder : made_) fs::remove(folder, ignored);
+}
+
+}  // namespace morphe

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace morphe {
+
+/// Lines over one x axis, drawn as SVG.
+struct Plot {
+  struct Line {
+    std::string name;
+    std::vector<double> x, y;  ///< a NaN ends a stroke
+  };
+  /// A shaded interval of x, named at its top.
+  struct Band {
+    std::string name;
+    double begin = 0, end = 0;
+  };
+  std::string title, x_label, y_label;
+  std::vector<Line> lines;
+  std::vector<Band> bands;
+};
+
+/// 900 x 360 pixels, self-contained; axes hold all finite points. The same plot gives the same
+/// text.
+std::string svg_of(const Plot& plot);
+
+}  // namespace morphe

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pipeline/motion/geometry.hpp"
+#include "stages/study/plot.hpp"
+
+namespace morphe {
+
+/// One figure of a study: what was measured, on what, and what is asked of it.
+struct StudyRow {
+  std::vector<std::pair<std::string, std::string>> of;  ///< the case: name and value, in order
+  std::string metric, unit;                             ///< unit "1": a number without one
+  double ours = kNotSeen;
+  double published = kNotSeen;  ///< by others on the same case, NaN = nothing is
+  double reachable = kNotSeen;  ///< share of the goals that the figure is about, NaN = all
+  std::size_t n = 0;            ///< how many values it is made of
+  double at_least = kNotSeen, at_most = kNotSeen;  ///< what is asked for, NaN = nothing
+  bool timed = false;  ///< depends on the machine: printed, never written
+
+  bool holds() const { return !(ours < at_least) && !(ours > at_most) && !(ours != ours); }
+  bool asked() const { return at_least == at_least || at_most == at_most; }
+};
+
+struct StudyResult {
+  std::string study;
+  std::vector<StudyRow> rows;
+  std::vector<std::pair<std::string, Plot>> plots;  ///< file name without .svg
+};
+
+struct StudyRun {
+  std::filesystem::path config;
+  bool quick = false;  ///< the small version that the tests run
+  int jobs = 1;
+  std::function<void(const std::string&)> progress;  ///< a line about what is done
+};
+
+/// Runs the study that the config's key `study` names. InputError for a bad config. The rows that
+/// are not timed depend on config and inputs alone, not on the number of jobs.
+StudyResult run_study(const StudyRun& run);
+
+/// Movements and boundaries, and what is rebuilt, against annotations and synthetic truth.
+class ConfigNode;
+StudyResult recordings_study(const ConfigNode& config, const StudyRun& run);
+
+}  // namespace morphe
