@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <iterator>
+#include <set>
 
 #include "pipeline/motion/input_error.hpp"
 
@@ -19,31 +22,45 @@ std::string_view trimmed(std::string_view text) {
 
 }  // namespace
 
-CsvText read_csv(const std::filesystem::path& file) {
+CsvText read_csv(const std::filesystem::path& file, char separator) {
   std::error_code error;
   std::ifstream stream(file, std::ios::binary);
   if (!stream || std::filesystem::is_directory(file, error)) {
     throw InputError(fmt::format("{}: cannot be read", file.string()));
   }
-  CsvText csv{file.string(), {}};
-  for (std::string line; std::getline(stream, line);) {
-    if (csv.lines.empty() && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
-    if (line.ends_with('\r')) line.pop_back();
-    csv.lines.push_back(std::move(line));
-  }
+  const std::string text((std::istreambuf_iterator<char>(stream)), {});
   if (stream.bad()) throw InputError(fmt::format("{}: cannot be read", file.string()));
-  while (!csv.lines.empty() && trimmed(csv.lines.back()).empty()) csv.lines.pop_back();
+  CsvText csv{file.string(), {}, {}, separator};
+  std::set<std::string_view> line_ends;
+  std::string_view rest = text;
+  if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
+  while (!rest.empty()) {
+    const std::size_t length = std::min(rest.find_first_of("\r\n"), rest.size());
+    csv.lines.emplace_back(rest.substr(0, length));
+    rest.remove_prefix(length);
+    const std::string_view end = rest.substr(0, rest.starts_with("\r\n") ? 2 : 1);
+    if (!end.empty()) line_ends.insert(end);
+    rest.remove_prefix(end.size());
+  }
+  if (line_ends.size() > 1)
+    csv.reports.push_back("its lines end in different ways; all were taken");
+  while (!csv.lines.empty() && csv.blank(csv.lines.size())) csv.lines.pop_back();
   return csv;
+}
+
+bool CsvText::blank(std::size_t line) const {
+  return std::ranges::all_of(lines[line - 1],
+                             [&](char c) { return c == separator || c == ' ' || c == '\t'; });
 }
 
 std::vector<std::string_view> CsvText::cells(std::size_t line) const {
   std::vector<std::string_view> cells;
   std::string_view rest = lines[line - 1];
   while (true) {
-    const std::size_t comma = rest.find(',');
-    cells.push_back(trimmed(rest.substr(0, comma)));
-    if (comma == std::string_view::npos) return cells;
-    rest.remove_prefix(comma + 1);
+    const std::size_t end = rest.find(separator);
+    cells.push_back(trimmed(rest.substr(0, end)));
+    if (end == std::string_view::npos) return cells;
+    rest.remove_prefix(end + 1);
   }
 }
 

@@ -37,7 +37,22 @@ const std::vector<RecordingFormat>& recording_formats();
 bool recognises_vicon_csv(std::string_view head);
 Demonstration read_vicon_csv(const RecordingFiles& files);
 
+bool recognises_trc(std::string_view head);
+Demonstration read_trc(const RecordingFiles& files);
+
+bool recognises_c3d(std::string_view head);
+Demonstration read_c3d(const RecordingFiles& files);
+
 bool recognises_adroit_csv(std::string_view head);
 Demonstration read_adroit_csv(const RecordingFiles& files);
+
+bool recognises_bvh(std::string_view head);
+Demonstration read_bvh(const RecordingFiles& files);
+
+bool recognises_mot(std::string_view head);
+Demonstration read_mot(const RecordingFiles& files);
+
+bool recognises_keypoints_csv(std::string_view head);
+Demonstration read_keypoints_csv(const RecordingFiles& files);
 
 }  // namespace morphe

@@ -15,7 +15,12 @@ namespace morphe {
 const std::vector<RecordingFormat>& recording_formats() {
   static const std::vector<RecordingFormat> formats = {
       {"vicon-csv", &recognises_vicon_csv, &read_vicon_csv},
+      {"trc", &recognises_trc, &read_trc},
+      {"c3d", &recognises_c3d, &read_c3d},
       {"adroit-csv", &recognises_adroit_csv, &read_adroit_csv},
+      {"bvh", &recognises_bvh, &read_bvh},
+      {"mot", &recognises_mot, &read_mot},
+      {"keypoints-csv", &recognises_keypoints_csv, &read_keypoints_csv},
   };
   return formats;
 }

@@ -1,0 +1,167 @@
+#include "stages/import/marker_recording.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "pipeline/motion/input_error.hpp"
+#include "stages/import/rename.hpp"
+
+namespace morphe {
+namespace {
+
+constexpr double kRoom = 30, kHand = 0.002;  // [m]
+
+/// Diagonal of the box around every point that was seen, NaN if none was.
+double extent(const Table<Vec3>& position) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& point : position.values) {
+    if (seen(point)) box.extend(point);
+  }
+  return box.isEmpty() ? kNotSeen : box.diagonal().norm();
+}
+
+void hide_points_at_origin(MarkerRecording& recording) {
+  std::size_t hidden = 0;
+  for (Vec3& point : recording.markers.position.values) {
+    if (!point.isZero(0)) continue;
+    point = unseen_point();
+    ++hidden;
+  }
+  if (hidden > 0) {
+    recording.reports.push_back(
+        fmt::format("{} points stand exactly at the origin: taken as not seen", hidden));
+  }
+}
+
+void report_never_seen(MarkerRecording& recording) {
+  const MarkerStream& markers = recording.markers;
+  std::vector<std::string> never;
+  for (std::size_t k = 0; k < markers.names.size(); ++k) {
+    bool once = false;
+    for (std::size_t i = 0; i < markers.time.size() && !once; ++i) {
+      once = seen(markers.position(i, k));
+    }
+    if (!once) never.push_back(markers.names[k]);
+  }
+  if (never.size() == markers.names.size()) {
+    recording.reports.push_back("no marker was seen in any frame");
+  } else if (!never.empty()) {
+    recording.reports.push_back(fmt::format("never seen: {}", fmt::join(never, ", ")));
+  }
+}
+
+void bring_into_world(MarkerRecording& recording, const std::string& source,
+                      const std::string& given, const std::string& usual) {
+  std::string axes = given;
+  if (axes.empty()) axes = recording.axes;
+  if (axes.empty() && !usual.empty()) {
+    axes = usual;
+    recording.reports.push_back(fmt::format(
+        "the file does not say its axes: '{}' point right, forward and up, as is usual", usual));
+  }
+  if (axes.empty()) {
+    throw InputError(
+        fmt::format("{}: axes: the file does not say which axes point right, forward and up; give "
+                    "--axes or `axes:` such as 'x y z'",
+                    source));
+  }
+  const Eigen::Matrix3d turn = world_from_recorded(axes, source);
+  for (Vec3& point : recording.markers.position.values) point = turn * point;
+}
+
+void check_extent(const MarkerRecording& recording, const std::string& source) {
+  const double apart = extent(recording.markers.position);
+  if (apart > kRoom || (recording.markers.names.size() > 1 && apart < kHand)) {
+    throw InputError(fmt::format(
+        "{}: unit: the markers spread over {:.3g} m; give --unit or `unit:` if the file's is wrong",
+        source, apart));
+  }
+}
+
+MarkerRecording read_into_world(const std::filesystem::path& file, const RecordingFiles& files,
+                                MarkerRecording (*read)(const std::filesystem::path&,
+                                                        const Conventions&),
+                                const std::string& usual_axes) {
+  MarkerRecording recording = read(file, files.conventions);
+  hide_points_at_origin(recording);
+  bring_into_world(recording, file.string(), files.conventions.axes, usual_axes);
+  check_extent(recording, file.string());
+  return recording;
+}
+
+bool has(const MarkerRecording& recording, const std::string& name) {
+  return std::ranges::find(recording.markers.names, name) != recording.markers.names.end();
+}
+
+/// A static trial holds markers that the recording lacks, and the other way round.
+void rename_both(const RecordingFiles& files, MarkerRecording& recording, MarkerRecording& still) {
+  std::map<std::string, std::string> here, there;
+  for (const auto& entry : files.renamed) {
+    const bool in_still = has(still, entry.first);
+    if (in_still) there.insert(entry);
+    if (has(recording, entry.first) || !in_still) here.insert(entry);
+  }
+  rename(files.file.string(), here, recording.markers.names);
+  rename(files.static_trial.string(), there, still.markers.names);
+}
+
+}  // namespace
+
+double metres_of(const std::string& in_file, const Conventions& conventions,
+                 const std::string& source, std::vector<std::string>& reports) {
+  const std::string& unit = conventions.unit.empty() ? in_file : conventions.unit;
+  if (unit.empty()) {
+    throw InputError(fmt::format(
+        "{}: unit: the file does not say it; give --unit or `unit:` such as mm", source));
+  }
+  if (!in_file.empty() && unit != in_file) {
+    reports.push_back(
+        fmt::format("the file says the unit {}; {} was given and used", in_file, unit));
+  }
+  return metres_per_unit(unit, source);
+}
+
+double rate_of(double in_file, const Conventions& conventions, const std::string& source,
+               std::vector<std::string>& reports) {
+  const double rate_hz = conventions.rate_hz.value_or(in_file);
+  if (!(rate_hz > 0) || !std::isfinite(rate_hz)) {
+    throw InputError(fmt::format(
+        "{}: rate: the file does not say it; give --rate or `rate_hz:` in frames a second",
+        source));
+  }
+  if (in_file > 0 && rate_hz != in_file) {
+    reports.push_back(
+        fmt::format("the file says {} frames a second; {} was given and used", in_file, rate_hz));
+  }
+  return rate_hz;
+}
+
+Demonstration read_marker_recording(const RecordingFiles& files,
+                                    MarkerRecording (*read)(const std::filesystem::path&,
+                                                            const Conventions&),
+                                    const std::string& usual_axes) {
+  MarkerRecording recording = read_into_world(files.file, files, read, usual_axes), still;
+  if (!files.static_trial.empty()) {
+    still = read_into_world(files.static_trial, files, read, usual_axes);
+  }
+  rename_both(files, recording, still);
+  Demonstration demonstration;
+  demonstration.subject = recording.subject;
+  report_never_seen(recording);
+  demonstration.reports = recording.reports;
+  demonstration.streams.markers = std::move(recording.markers);
+  if (!files.static_trial.empty()) {
+    report_never_seen(still);
+    for (const std::string& report : still.reports) {
+      demonstration.reports.push_back("static trial: " + report);
+    }
+    demonstration.calibration.markers = std::move(still.markers);
+  }
+  return demonstration;
+}
+
+}  // namespace morphe

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "stages/import/format.hpp"
+
+namespace morphe {
+
+/// A file of markers as it stands there: its own axes, but metres.
+struct MarkerRecording {
+  MarkerStream markers;
+  std::string subject;  ///< "" = not said
+  std::string axes;     ///< as Conventions::axes; "" = not said
+  std::vector<std::string> reports;
+};
+
+/// Unit and rate of a file: what was given comes before what the file says ("" or 0 = nothing),
+/// and is reported if it differs. InputError with `source` in front if neither says it.
+double metres_of(const std::string& in_file, const Conventions& conventions,
+                 const std::string& source, std::vector<std::string>& reports);
+double rate_of(double in_file, const Conventions& conventions, const std::string& source,
+               std::vector<std::string>& reports);
+
+/// Recording and static trial in the world: axes as given, else as the file says, else
+/// `usual_axes`, which is reported ("" = an InputError that asks for them); names renamed. A point
+/// exactly at the origin is how some programs write what was not seen: it becomes that. Markers
+/// that were never seen and such points are reported. InputError "FILE: unit: …" if the markers
+/// stand farther apart than in any room or nearer than on any hand, and for names that stand twice.
+Demonstration read_marker_recording(const RecordingFiles& files,
+                                    MarkerRecording (*read)(const std::filesystem::path&,
+                                                            const Conventions&),
+                                    const std::string& usual_axes = "");
+
+}  // namespace morphe
