@@ -1,0 +1,159 @@
+// 21 points of a hand as text: column names, then a row a frame. Columns, in any order: `frame`
+// (whole numbers that grow) or `time_s`, and kp00_x … kp20_z: the wrist, then four a finger from
+// its base to its tip, thumb first. An empty cell or "nan" was not seen. Neither unit nor rate is
+// said.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "stages/import/csv.hpp"
+#include "stages/import/format.hpp"
+#include "stages/import/marker_recording.hpp"
+
+namespace morphe {
+namespace {
+
+constexpr std::size_t kPoints = 21;
+
+struct Columns {
+  std::size_t count = 0;
+  std::optional<std::size_t> frame, time_s;
+  std::size_t of_point[kPoints][3] = {};
+};
+
+std::string column_name(std::size_t point, std::size_t axis) {
+  return fmt::format("kp{:02}_{}", point, "xyz"[axis]);
+}
+
+Columns read_columns(const CsvText& csv) {
+  std::map<std::string, std::size_t, std::less<>> at;
+  Columns columns;
+  for (const std::string_view cell : csv.cells(1)) {
+    if (!at.emplace(cell, columns.count++).second) csv.fail(1, cell, "the column stands twice");
+  }
+  const auto take = [&](const std::string& name) -> std::optional<std::size_t> {
+    const auto found = at.find(name);
+    if (found == at.end()) return std::nullopt;
+    const std::size_t column = found->second;
+    at.erase(found);
+    return column;
+  };
+  columns.frame = take("frame");
+  columns.time_s = take("time_s");
+  if (!columns.frame && !columns.time_s) csv.fail(1, "frame", "neither this nor time_s is there");
+  for (std::size_t point = 0; point < kPoints; ++point) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto column = take(column_name(point, axis));
+      if (!column) csv.fail(1, column_name(point, axis), "the column is missing");
+      columns.of_point[point][axis] = *column;
+    }
+  }
+  if (!at.empty()) csv.fail(1, at.begin()->first, "the column is not known");
+  return columns;
+}
+
+Vec3 read_point(const CsvText& csv, std::size_t line, const std::vector<std::string_view>& cells,
+                const Columns& columns, std::size_t point) {
+  Vec3 result = unseen_point();
+  int filled = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::string_view cell = cells[columns.of_point[point][axis]];
+    if (cell.empty() || cell == "nan" || cell == "NaN") continue;
+    result[static_cast<Eigen::Index>(axis)] = csv.number(line, column_name(point, axis), cell);
+    ++filled;
+  }
+  if (filled != 0 && filled != 3) {
+    csv.fail(line, column_name(point, 0), "has some of x, y, z but not all");
+  }
+  return result;
+}
+
+double read_time(const CsvText& csv, std::size_t line, const std::vector<std::string_view>& cells,
+                 const Columns& columns, double rate_hz) {
+  if (columns.time_s) return csv.number(line, "time_s", cells[*columns.time_s]);
+  const double frame = csv.number(line, "frame", cells[*columns.frame]);
+  if (frame != std::floor(frame) || frame < 0) {
+    csv.fail(line, "frame", "must be a whole number from 0");
+  }
+  return frame / rate_hz;
+}
+
+/// Says what of the points is not known, and refuses a hand that no unit explains.
+void judge(const CsvText& csv, const HandStream& hand, std::vector<std::string>& reports) {
+  std::size_t unseen = 0, centred = 0;
+  double farthest = 0;
+  for (std::size_t i = 0; i < hand.position.rows; ++i) {
+    const Vec3& wrist = hand.position(i, 0);
+    if (seen(wrist) && wrist.norm() < 1e-6) ++centred;
+    for (std::size_t point = 0; point < kPoints; ++point) {
+      const Vec3& here = hand.position(i, point);
+      if (!seen(here)) ++unseen;
+      if (seen(here) && seen(wrist)) farthest = std::max(farthest, (here - wrist).norm());
+    }
+  }
+  if (unseen == hand.position.values.size()) {
+    reports.push_back("no point was seen in any frame");
+  } else if (unseen > 0) {
+    reports.push_back(
+        fmt::format("{} of {} points were not seen", unseen, hand.position.values.size()));
+  }
+  if (farthest > 0 && (farthest < 0.05 || farthest > 0.5)) {
+    csv.fail(1, "unit",
+             fmt::format("cannot be right: a point would be {:.3g} m from the wrist", farthest));
+  }
+  reports.push_back(
+      centred == hand.position.rows
+          ? "the wrist is the origin of every frame: the points stay in the hand's own frame and "
+            "say nothing about where it was"
+          : "the points stay in the axes of the file; only the hand's shape is taken from them");
+}
+
+}  // namespace
+
+bool recognises_keypoints_csv(std::string_view head) {
+  const std::string_view line = head.substr(0, head.find_first_of("\r\n"));
+  return line.find("kp00_x") != std::string_view::npos &&
+         line.find("kp20_z") != std::string_view::npos;
+}
+
+Demonstration read_keypoints_csv(const RecordingFiles& files) {
+  const CsvText csv = read_csv(files.file);
+  if (!files.static_trial.empty()) csv.fail(1, "static", "this format has no static trial");
+  if (!files.renamed.empty()) csv.fail(1, "names", "this format has no names to map");
+  if (!files.conventions.axes.empty()) {
+    csv.fail(1, "axes", "of the points do not matter: only the hand's shape is taken from them");
+  }
+  if (csv.lines.empty()) csv.fail(1, "", "the file is empty");
+  const Columns columns = read_columns(csv);
+  Demonstration demonstration;
+  std::vector<std::string>& reports = demonstration.reports;
+  reports = csv.reports;
+  const double metres = metres_of("", files.conventions, csv.file, reports);
+  const double rate_hz = columns.time_s ? 0 : rate_of(0, files.conventions, csv.file, reports);
+
+  if (csv.lines.size() < 2) csv.fail(1, "", "the file ends before the first row");
+  HandStream hand;
+  hand.kind = HandKind::keypoints;
+  hand.position = Table<Vec3>(csv.lines.size() - 1, kPoints, unseen_point());
+  for (std::size_t line = 2; line <= csv.lines.size(); ++line) {
+    const auto cells = csv.cells(line);
+    if (cells.size() != columns.count) {
+      csv.fail(line, "",
+               fmt::format("the row has {} cells, the header {}", cells.size(), columns.count));
+    }
+    hand.time.push_back(read_time(csv, line, cells, columns, rate_hz));
+    if (hand.time.size() > 1 && !(hand.time.back() > hand.time[hand.time.size() - 2])) {
+      csv.fail(line, columns.time_s ? "time_s" : "frame", "does not follow the row before");
+    }
+    for (std::size_t point = 0; point < kPoints; ++point) {
+      hand.position(line - 2, point) = metres * read_point(csv, line, cells, columns, point);
+    }
+  }
+  judge(csv, hand, reports);
+  demonstration.streams.hand = std::move(hand);
+  return demonstration;
+}
+
+}  // namespace morphe
