@@ -50,6 +50,10 @@ Demonstration mirrored(const Demonstration& demonstration) {
   result.hand = "right";
   mirror(result.streams);
   mirror(result.calibration);
+  if (result.sensor_offsets) {
+    mirror_all(result.sensor_offsets->joint_in_sensor);
+    mirror_all(result.sensor_offsets->sensor_from_segment);
+  }
   for (SceneObject& object : result.objects) {
     mirror_all(object.position);
     mirror_all(object.orientation);

@@ -3,24 +3,16 @@
 #include <algorithm>
 
 #include "pipeline/human/arm.hpp"
+#include "stages/reconstruct/arm_chain.hpp"
+#include "stages/reconstruct/clock_offset.hpp"
+#include "stages/reconstruct/glove_hand.hpp"
+#include "stages/reconstruct/sensor_joints.hpp"
 #include "stages/reconstruct/streams.hpp"
 
 namespace morphe {
 namespace {
 
-/// Index of a body, or nothing.
-std::optional<std::size_t> find_body(const BodyStream& bodies, const std::string& name) {
-  const auto found = std::find(bodies.names.begin(), bodies.names.end(), name);
-  if (found == bodies.names.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - bodies.names.begin());
-}
-
-template <class T>
-std::vector<T> column_of(const Table<T>& table, std::size_t column) {
-  std::vector<T> values;
-  for (std::size_t i = 0; i < table.rows; ++i) values.push_back(table(i, column));
-  return values;
-}
+constexpr std::size_t kWristPitch = 20, kWristYaw = 21;  ///< glove sensors
 
 ArmLengths lengths_of(const Demonstration& demonstration, const HumanOptions& human) {
   ArmLengths lengths = arm_lengths_of_stature(human.stature_m);
@@ -55,45 +47,118 @@ void estimate_elbow(const ArmLengths& lengths, const HumanOptions& human, HumanM
   motion.estimated.push_back("elbow");
 }
 
+/// Flexion and radial deviation of the wrist from the forearm's direction in the hand's frame,
+/// (-sin f, -sin d cos f, cos d cos f) as in pipeline/human/arm_angles.
+std::array<std::vector<double>, 2> wrist_angles(const HumanMotion& motion) {
+  std::array<std::vector<double>, 2> angles;
+  for (std::size_t i = 0; i < motion.time.size(); ++i) {
+    const Vec3 forearm =
+        motion.wrist_orientation[i].conjugate() * (motion.wrist[i] - motion.elbow[i]).normalized();
+    angles[0].push_back(std::asin(std::clamp(-forearm.x(), -1.0, 1.0)));
+    angles[1].push_back(std::atan2(-forearm.y(), forearm.z()));
+  }
+  return angles;
+}
+
+/// By how much the glove's clock is ahead of the arm's, from what both saw of the wrist; 0 if that
+/// does not tell.
+double late_by(const GloveColumns& glove, const Clock& clock, const ReconstructOptions& options,
+               HumanMotion& motion) {
+  const auto [flexion, deviation] = wrist_angles(motion);
+  const ClockOffset offset =
+      clock_offset({{flexion, glove[kWristPitch]}, {deviation, glove[kWristYaw]}}, clock.rate_hz,
+                   options.cutoff_hz);
+  if (!clear(offset)) {
+    constexpr double kMuch = 0.1, kLittle = 0.5;  // [rad]; a correlation
+    if (offset.moved > kMuch && offset.correlation < kLittle) {
+      motion.problems.push_back(
+          fmt::format("the glove's wrist does not move as the arm's does (correlation {:.2f}): "
+                      "their clocks could not be compared",
+                      offset.correlation));
+    }
+    return 0;
+  }
+  if (std::abs(offset.late_s) < 3 * offset.sure_s) return 0;
+  motion.problems.push_back(fmt::format(
+      "the glove's clock was {:.3f} s {} the arm's (within {:.3f} s): corrected",
+      std::abs(offset.late_s), offset.late_s > 0 ? "ahead of" : "behind", offset.sure_s));
+  return offset.late_s;
+}
+
+/// Hand angles, and fingers at the wrist, if there is one.
+void add_glove(const Demonstration& demonstration, const Clock& clock,
+               const ReconstructOptions& options, const HumanOptions& human, bool arm_tracked,
+               HumanMotion& motion) {
+  const HandStream& glove = *demonstration.streams.hand;
+  const auto& flat_hand = demonstration.calibration.hand;
+  if (glove.time.empty() || glove.time.back() < clock.start_s ||
+      glove.time.front() > clock.at(clock.count)) {
+    motion.problems.push_back("the glove's clock has no instant in common with the arm's");
+    return;
+  }
+  GloveColumns columns = glove_on_clock(glove, flat_hand, 0, clock, options, motion.problems);
+  if (options.align_clocks && arm_tracked) {
+    const double late_s = late_by(columns, clock, options, motion);
+    std::vector<std::string> said;
+    if (late_s != 0) columns = glove_on_clock(glove, flat_hand, late_s, clock, options, said);
+  }
+  place_fingers(columns, hand_size_of(demonstration, human, motion.estimated), motion);
+}
+
+void add_fingertips(const HandStream& hand, const Clock& clock, const ReconstructOptions& options,
+                    HumanMotion& motion) {
+  std::vector<Vec3> recorded(hand.time.size());
+  for (std::size_t finger = 0; finger < kFingers; ++finger) {
+    for (std::size_t i = 0; i < recorded.size(); ++i) recorded[i] = hand.position(i, finger);
+    const auto tip = on_clock(hand.time, recorded, clock, options);
+    for (std::size_t i = 0; i < tip.size(); ++i) motion.tip(i, finger) = tip[i];
+  }
+}
+
 }  // namespace
 
 HumanMotion motion_from_sensors(const Demonstration& demonstration,
                                 const ReconstructOptions& options, const HumanOptions& human) {
-  const BodyStream& sensors = *demonstration.streams.sensors;
+  const std::optional<BodyStream>& sensors = demonstration.streams.sensors;
   const std::optional<HandStream>& hand = demonstration.streams.hand;
-  std::vector<const std::vector<double>*> times = {&sensors.time};
-  if (hand) times.push_back(&hand->time);
+  const bool gloved = hand && hand->kind == HandKind::glove;
+  // A glove's fingers hang on the wrist: without one they are nowhere.
+  std::vector<const std::vector<double>*> times;
+  if (sensors) times.push_back(&sensors->time);
+  if (hand && !(gloved && sensors)) times.push_back(&hand->time);
   const Clock clock = clock_over(times, options.rate_hz);
   HumanMotion motion = unseen_motion(clock);
 
-  const auto shoulder = find_body(sensors, "shoulder"), elbow = find_body(sensors, "elbow");
-  const auto wrist = find_body(sensors, "wrist");
-  const auto position = [&](std::size_t body) {
-    return on_clock(sensors.time, column_of(sensors.position, body), clock, options);
+  const auto track = [&](const std::string& name) -> std::optional<BodyTrack> {
+    if (!sensors) return std::nullopt;
+    return joint_of_sensor(demonstration, name, motion.problems);
   };
+  const auto shoulder = track("shoulder"), elbow = track("elbow"), wrist = track("wrist");
   if (wrist) {
-    motion.wrist = position(*wrist);
-    motion.wrist_orientation =
-        on_clock(sensors.time, column_of(sensors.orientation, *wrist), clock, options);
+    motion.wrist = on_clock(sensors->time, wrist->position, clock, options);
+    motion.wrist_orientation = on_clock(sensors->time, wrist->orientation, clock, options);
   } else {
     motion.problems.push_back("no body called wrist is tracked");
   }
   const ArmLengths lengths = lengths_of(demonstration, human);
   if (shoulder) {
-    motion.shoulder = position(*shoulder);
+    motion.shoulder = on_clock(sensors->time, shoulder->position, clock, options);
   } else {
     estimate_shoulder(lengths, human, motion);
   }
   if (elbow) {
-    motion.elbow = position(*elbow);
+    motion.elbow = on_clock(sensors->time, elbow->position, clock, options);
   } else {
     estimate_elbow(lengths, human, motion);
   }
-  if (hand && hand->kind == HandKind::fingertips) {
-    for (std::size_t finger = 0; finger < kFingers; ++finger) {
-      const auto tip = on_clock(hand->time, column_of(hand->position, finger), clock, options);
-      for (std::size_t i = 0; i < tip.size(); ++i) motion.tip(i, finger) = tip[i];
-    }
+  if (shoulder && elbow && wrist) {
+    keep_bone_lengths(motion);
+    add_arm_angles(motion);
+  }
+  if (gloved) {
+    add_glove(demonstration, clock, options, human, elbow && wrist, motion);
+  } else if (hand && hand->kind == HandKind::fingertips) {
+    add_fingertips(*hand, clock, options, motion);
   } else {
     motion.problems.push_back("no fingertips were recorded");
   }

@@ -45,7 +45,10 @@ HumanMotion reconstruct(const Demonstration& demonstration, const ReconstructOpt
     return motion;
   }
   if (demonstration.streams.markers) return motion_from_markers(demonstration, options);
-  if (demonstration.streams.sensors) return motion_from_sensors(demonstration, options, human);
+  const auto& hand = demonstration.streams.hand;
+  if (demonstration.streams.sensors || (hand && hand->kind == HandKind::glove)) {
+    return motion_from_sensors(demonstration, options, human);
+  }
   HumanMotion nothing = unseen_motion({});
   nothing.problems.push_back("neither markers nor tracked bodies: no arm can be rebuilt");
   return nothing;

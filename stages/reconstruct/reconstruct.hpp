@@ -16,6 +16,8 @@ struct ReconstructOptions {
   /// taken away is still noise, and every Hz less helps jerk.
   double cutoff_hz = 8;
   double max_gap_s = 0.1;  ///< longer gaps stay unseen; shorter ones are bridged by the spline
+  /// Correct a glove's clock by what glove and arm both saw of the wrist, where that is clear.
+  bool align_clocks = true;
   /// From a marker's centre to the finger's axis under it, towards the other of the two tips. The
   /// markers sit on the nails: half a 14 mm marker and about 5 mm of nail and finger. Along the
   /// line of the two tips, because pads oppose each other in a grasp, while the pad's normal
@@ -27,6 +29,7 @@ void fields(Fields& f, ReconstructOptions& o) {
   f("rate_hz", o.rate_hz);
   f("cutoff_hz", o.cutoff_hz);
   f("max_gap_s", o.max_gap_s);
+  f("align_clocks", o.align_clocks);
   f("thumb_marker_to_axis_m", o.thumb_marker_to_axis_m);
   f("index_marker_to_axis_m", o.index_marker_to_axis_m);
 }
@@ -65,8 +68,11 @@ std::string check(const HumanOptions& options);
 /// the upper-arm and the forearm cluster and kept at the static trial's distance from the shoulder,
 /// the wrist from forearm and hand; what they disagree by is in `residuals`.
 ///
-/// Sensors (`wrist`, and `shoulder`, `elbow` where tracked; hand kind fingertips) are taken as they
-/// are; a shoulder and elbow that were not tracked are estimated and listed in `estimated`.
+/// Sensors (`wrist`, and `shoulder`, `elbow` where tracked): each pose is carried to the joint centre
+/// by its calibrated offset before filtering; upper arm and forearm keep their median lengths; the
+/// arm's angles follow in closed form. A shoulder and elbow that were not tracked are estimated and
+/// listed in `estimated`. Fingertips that were recorded are taken as they are; a glove's angles
+/// become fingers by pipeline/human/hand, its clock corrected first (align_clocks).
 HumanMotion reconstruct(const Demonstration& demonstration, const ReconstructOptions& options,
                         const HumanOptions& human);
 

@@ -12,7 +12,8 @@ HumanMotion unseen_motion(const Clock& clock);
 HumanMotion motion_from_markers(const Demonstration& demonstration,
                                 const ReconstructOptions& options);
 
-/// Tracked bodies and recorded fingertips, and an estimate of what arm was not tracked.
+/// Tracked bodies, recorded fingertips or a glove (which may come alone), and an estimate of what
+/// arm was not tracked.
 HumanMotion motion_from_sensors(const Demonstration& demonstration,
                                 const ReconstructOptions& options, const HumanOptions& human);
 

@@ -1,0 +1,80 @@
+#include "stages/reconstruct/clock_offset.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace morphe {
+namespace {
+
+constexpr double kLongest_s = 0.5;
+constexpr double kMoves = 0.03;  ///< RMS of a signal [its unit]
+
+/// Sums over the pairs of samples that a shift brings together, all signals about their own means.
+struct Overlap {
+  double product = 0, reference = 0, other = 0;  ///< sums of products and of squares
+  double count = 0;
+
+  double correlation() const {
+    return reference > 0 && other > 0 ? product / std::sqrt(reference * other) : 0;
+  }
+};
+
+Overlap overlap(const std::vector<SeenTwice>& signals, std::ptrdiff_t shift) {
+  Overlap all;
+  for (const auto& [reference, other] : signals) {
+    const auto n = static_cast<std::ptrdiff_t>(reference.size());
+    double a = 0, b = 0, aa = 0, bb = 0, ab = 0, count = 0;
+    for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(0, -shift); i < std::min(n, n - shift); ++i) {
+      const double x = reference[static_cast<std::size_t>(i)];
+      const double y = other[static_cast<std::size_t>(i + shift)];
+      if (!std::isfinite(x * y)) continue;
+      a += x;
+      b += y;
+      aa += x * x;
+      bb += y * y;
+      ab += x * y;
+      ++count;
+    }
+    if (count < 2) continue;
+    all.product += ab - a * b / count;
+    all.reference += aa - a * a / count;
+    all.other += bb - b * b / count;
+    all.count = std::max(all.count, count);
+  }
+  return all;
+}
+
+}  // namespace
+
+ClockOffset clock_offset(const std::vector<SeenTwice>& signals, double rate_hz, double cutoff_hz) {
+  const auto longest = static_cast<std::ptrdiff_t>(std::ceil(kLongest_s * rate_hz));
+  std::vector<double> correlation;
+  for (std::ptrdiff_t shift = -longest; shift <= longest; ++shift) {
+    correlation.push_back(overlap(signals, shift).correlation());
+  }
+  const auto best = std::max_element(correlation.begin(), correlation.end());
+  const std::ptrdiff_t shift = best - correlation.begin() - longest;
+  const Overlap there = overlap(signals, shift);
+  ClockOffset offset;
+  offset.correlation = *best;
+  offset.moved = std::sqrt(std::min(there.reference, there.other) / std::max(1.0, there.count));
+  const double bend = best == correlation.begin() || best + 1 == correlation.end()
+                          ? 0
+                          : 2 * best[0] - best[-1] - best[1];
+  if (!(bend > 0)) {
+    offset.sure_s = kLongest_s;
+    return offset;
+  }
+  const double between = (best[1] - best[-1]) / (2 * bend);
+  offset.late_s = (static_cast<double>(shift) + between) / rate_hz;
+  const double curvature = bend * rate_hz * rate_hz;
+  const double independent = 2 * cutoff_hz * there.count / rate_hz;
+  offset.sure_s = std::sqrt(std::max(0.0, 1 - *best * *best) / (curvature * independent));
+  return offset;
+}
+
+bool clear(const ClockOffset& offset) {
+  return offset.correlation > 0.8 && offset.moved > kMoves && offset.sure_s < 0.015;
+}
+
+}  // namespace morphe

@@ -1,0 +1,119 @@
+#include "stages/reconstruct/glove_hand.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/human/glove.hpp"
+
+namespace morphe {
+namespace {
+
+constexpr std::size_t kPalmArch = 19;
+/// Last joints of the fingers, each behind its middle joint.
+constexpr std::size_t kLastJoints[] = {6, 9, 13, 17};
+/// Their flexion goes with the middle joint's: the tendons couple the two, by about 2/3.
+constexpr double kLastToMiddle = 2.0 / 3;
+
+double mean_seen(const HandStream& glove, Eigen::Index sensor) {
+  double sum = 0, count = 0;
+  for (Eigen::Index row = 0; row < glove.angles.rows(); ++row) {
+    const double angle = glove.angles(row, sensor);
+    if (!std::isfinite(angle)) continue;
+    sum += angle;
+    ++count;
+  }
+  return sum / count;
+}
+
+bool never_seen(const std::vector<double>& column) {
+  return std::none_of(column.begin(), column.end(), [](double a) { return std::isfinite(a); });
+}
+
+/// Columns that no sensor measured, from what goes with them.
+GloveColumns completed(const GloveColumns& glove, std::vector<std::string>& estimated) {
+  GloveColumns whole = glove;
+  const auto note = [&](std::size_t sensor) {
+    estimated.push_back(std::string("glove sensor ") + kGloveSensors[sensor]);
+  };
+  for (const std::size_t last : kLastJoints) {
+    if (!never_seen(whole[last]) || never_seen(whole[last - 1])) continue;
+    for (std::size_t i = 0; i < whole[last].size(); ++i) {
+      whole[last][i] = kLastToMiddle * whole[last - 1][i];
+    }
+    note(last);
+  }
+  if (never_seen(whole[kPalmArch]) && !std::all_of(whole.begin(), whole.end(), never_seen)) {
+    std::fill(whole[kPalmArch].begin(), whole[kPalmArch].end(), 0.0);
+    note(kPalmArch);
+  }
+  return whole;
+}
+
+}  // namespace
+
+GloveColumns glove_on_clock(const HandStream& glove, const std::optional<HandStream>& flat_hand,
+                            double late_s, const Clock& clock, const ReconstructOptions& options,
+                            std::vector<std::string>& problems) {
+  const bool calibrated = flat_hand && flat_hand->kind == HandKind::glove;
+  if (!calibrated) problems.push_back("no flat hand was recorded: the glove's own zero is used");
+  std::vector<double> time = glove.time;
+  for (double& t : time) t -= late_s;
+  GloveColumns columns;
+  std::vector<double> column(time.size());
+  for (Eigen::Index sensor = 0; sensor < glove.angles.cols(); ++sensor) {
+    double zero = 0;
+    if (calibrated) zero = mean_seen(*flat_hand, sensor);
+    if (!std::isfinite(zero)) zero = 0;
+    for (std::size_t i = 0; i < time.size(); ++i) {
+      column[i] = glove.angles(static_cast<Eigen::Index>(i), sensor) - zero;
+    }
+    columns.push_back(on_clock(time, column, clock, options));
+  }
+  return columns;
+}
+
+void place_fingers(const GloveColumns& glove, const HandSize& size, HumanMotion& motion) {
+  const GloveColumns columns = completed(glove, motion.estimated);
+  const RobotTable hand = human_hand(size);
+  std::vector<Pose> frames;
+  const auto rows = static_cast<Eigen::Index>(motion.time.size());
+  motion.hand_angles.resize(rows, static_cast<Eigen::Index>(kHandAngles));
+  for (std::size_t i = 0; i < motion.time.size(); ++i) {
+    GloveAngles angles;
+    for (std::size_t k = 0; k < kGloveSensorCount; ++k) angles[k] = columns[k][i];
+    const HandAngles decoded = decode_glove(angles).hand;
+    for (std::size_t k = 0; k < kHandAngles; ++k) {
+      motion.hand_angles(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) =
+          decoded.joint[k];
+    }
+    const HandPoints points = hand_points(hand, decoded, frames);
+    const Quat& world_from_hand = motion.wrist_orientation[i];
+    for (std::size_t finger = 0; finger < kFingers; ++finger) {
+      if (!seen(points.tip[finger])) continue;
+      motion.tip(i, finger) = motion.wrist[i] + world_from_hand * points.tip[finger];
+      motion.finger_joint(i, finger) =
+          motion.wrist[i] + world_from_hand * points.middle_joint[finger];
+      motion.tip_orientation(i, finger) = world_from_hand * points.tip_orientation[finger];
+    }
+  }
+}
+
+HandSize hand_size_of(const Demonstration& demonstration, const HumanOptions& human,
+                      std::vector<std::string>& estimated) {
+  HandSize size = hand_size_of_stature(human.stature_m);
+  if (demonstration.hand_length) {
+    // The breadth that goes with this length, unless it was measured too.
+    size.breadth *= *demonstration.hand_length / size.length;
+    size.length = *demonstration.hand_length;
+  } else {
+    estimated.push_back("hand length");
+  }
+  if (demonstration.hand_breadth) {
+    size.breadth = *demonstration.hand_breadth;
+  } else {
+    estimated.push_back("hand breadth");
+  }
+  return size;
+}
+
+}  // namespace morphe
