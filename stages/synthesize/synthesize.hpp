@@ -8,14 +8,17 @@
 
 namespace morphe {
 
-/// A recording that never was, and what it should have shown.
+/// A recording that never was, and what it should have shown. Both have the same name, labels and
+/// (if there is one) object, and say in `reports` what was drawn: the kind of every movement, the
+/// glove's clock offset.
 struct SyntheticRecording {
-  /// Sensors shoulder, elbow, wrist with noise, the glove, their calibration pose, the objects and
-  /// the true labels.
+  /// Sensors shoulder, elbow (on the upper arm), wrist (on the hand) and the glove, with noise; the
+  /// calibration pose and the sensor offsets that follow from it; the true labels.
   Demonstration recorded;
-  /// The same movement without sensors: stream `sensors` holds the joint centres shoulder, elbow,
-  /// wrist (the wrist's orientation is the hand frame's, the other two are the identity), `hand`
-  /// the fingertips, `arm_angles` kArmAngleNames and kHandAngleNames, all on the arm's clock.
+  /// The same movement without sensors, at the sensors' instants: stream `sensors` holds the joint
+  /// centres shoulder, elbow, wrist (the wrist's orientation is the hand frame's, the other two are
+  /// the identity), `hand` the fingertips, `arm_angles` kArmAngleNames, kHandAngleNames and
+  /// palm_arch; also the arm's lengths and the object without noise.
   Demonstration truth;
 };
 

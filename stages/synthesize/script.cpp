@@ -1,0 +1,300 @@
+#include "stages/synthesize/script.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace morphe {
+namespace {
+
+/// Where the arm is led, within reach: the way from `from` shortened until it is.
+class Places {
+ public:
+  Places(const SynthesizeOptions& options, const Subject& subject, RandomStream& random)
+      : options_(options.movements), subject_(subject), random_(random) {}
+
+  /// Palm down on the table before the body.
+  ArmState home() {
+    ArmState state;
+    const Vec3 ahead(random_.between(-0.1, 0.02), random_.between(0.17, 0.25), 0);
+    Vec3 wrist = subject_.shoulder + ahead;
+    wrist.z() = random_.between(0.035, 0.05);
+    state << wrist, random_.between(0.8, 1.15), random_.between(-0.2, 0.05),
+        random_.between(-0.1, 0.1), swivel(), subject_.shoulder;
+    return within_reach(subject_.shoulder, state);
+  }
+  /// Thumb up, the palm beside the object.
+  ArmState target(const ArmState& home) {
+    constexpr int kTries = 20;
+    ArmState state = home, best = home;
+    double farthest = 0;
+    for (int k = 0; k < kTries; ++k) {
+      const double direction = random_.between(options_.direction);
+      const double distance = random_.between(options_.distance);
+      Vec3 wrist =
+          home.segment<3>(kWristAt) + distance * Vec3(std::sin(direction), std::cos(direction), 0);
+      wrist.z() = random_.between(options_.height);
+      state.segment<3>(kWristAt) = wrist;
+      const ArmState reached = within_reach(home.segment<3>(kWristAt), state);
+      const double way = (reached - home).segment<3>(kWristAt).norm();
+      if (way > farthest) {
+        farthest = way;
+        best = reached;
+      }
+      if (reached == state) break;
+    }
+    best[kPronation] = random_.between(0, 0.45);
+    best[kFlexion] = random_.between(-0.45, -0.1);
+    best[kDeviation] = random_.between(-0.2, 0.2);
+    best[kSwivel] = swivel();
+    const Vec3 leaning = best.segment<3>(kWristAt) - home.segment<3>(kWristAt);
+    best.segment<3>(kShoulderAt) += random_.between(0, 0.06) * leaning;
+    return best;
+  }
+  /// Up and towards the body.
+  ArmState lifted(const ArmState& target) {
+    ArmState state = target;
+    state.segment<3>(kWristAt) +=
+        Vec3(random_.between(-0.1, 0.1), random_.between(-0.15, 0), random_.between(0.08, 0.2));
+    state[kPronation] += random_.between(-0.2, 0.2);
+    state[kFlexion] += random_.between(-0.15, 0.15);
+    state[kSwivel] += random_.between(-0.1, 0.2);
+    return within_reach(target.segment<3>(kWristAt), state);
+  }
+  /// Not quite the same place every time.
+  ArmState again(const ArmState& place, double spread_m, double spread_rad) {
+    ArmState state = place;
+    state.segment<3>(kWristAt) += spread_m * random_.normals();
+    for (int k = kPronation; k <= kSwivel; ++k) state[k] += spread_rad * random_.normal();
+    return within_reach(place.segment<3>(kWristAt), state);
+  }
+
+ private:
+  double swivel() { return random_.between(options_.elbow_swivel); }
+  ArmState within_reach(const Vec3& from, ArmState state) const {
+    const double reach =
+        options_.reach_share * (subject_.body.arm.upper_arm + subject_.body.arm.forearm);
+    const Vec3 shoulder = state.segment<3>(kShoulderAt), to = state.segment<3>(kWristAt);
+    const auto out_of_reach = [&](double share) {
+      return (from + share * (to - from) - shoulder).norm() > reach;
+    };
+    if (!out_of_reach(1)) return state;
+    double within = 0, beyond = 1;
+    for (int halving = 0; halving < 30; ++halving) {
+      const double middle = 0.5 * (within + beyond);
+      (out_of_reach(middle) ? beyond : within) = middle;
+    }
+    state.segment<3>(kWristAt) = from + within * (to - from);
+    return state;
+  }
+
+  const SyntheticMovements& options_;
+  const Subject& subject_;
+  RandomStream& random_;
+};
+
+MovementKind draw_kind(const KindWeights& w, RandomStream& random) {
+  const double weights[] = {w.minimum_jerk, w.lognormal,          w.asymmetric, w.curved,
+                            w.two_peaks,    w.pause_before_grasp, w.no_grasp};
+  double sum = 0;
+  for (const double weight : weights) sum += weight;
+  double left = sum * random.uniform();
+  int last = 0;  // rounding must not end on a kind without weight
+  for (int k = 0; k < 7; ++k) {
+    if (weights[k] == 0) continue;
+    last = k;
+    left -= weights[k];
+    if (left < 0) break;
+  }
+  return static_cast<MovementKind>(last);
+}
+
+/// The speed profile that goes with a kind.
+Profile draw_profile(MovementKind kind, double begin_s, double duration_s, RandomStream& random) {
+  const double sigma = random.between(0.2, 0.35), peak = random.between(0.3, 0.45);
+  if (kind == MovementKind::lognormal) {
+    return {ProfileShape::lognormal, begin_s, duration_s, sigma};
+  }
+  if (kind == MovementKind::asymmetric) return {ProfileShape::beta, begin_s, duration_s, peak};
+  return {ProfileShape::minimum_jerk, begin_s, duration_s, 0};
+}
+
+/// A direction across a way, somewhere between its side and up.
+Vec3 across(const Vec3& way, RandomStream& random) {
+  const Vec3 along = way.normalized();
+  const Vec3 aside = along.cross(Vec3::UnitZ()).normalized();
+  const double turn = random.between(0, 3.14159265358979);
+  return std::cos(turn) * aside + std::sin(turn) * aside.cross(along);
+}
+
+/// Draws a recording movement by movement; `now_s_` is where it has got to.
+class Writer {
+ public:
+  Writer(const SynthesizeOptions& options, const Subject& subject, RandomStream& random)
+      : o_(options),
+        m_(options.movements),
+        subject_(subject),
+        random_(random),
+        places_(options, subject, random) {
+    script_.motion.arm.start = home_ = places_.home();
+    script_.motion.hand.start = hand_ = subject.postures.resting;
+    script_.motion.drift = draw_drift(options.body, random);
+    script_.motion.tremor = draw_tremor(options.body, random);
+    arm_ = home_;
+    target_ = places_.target(home_);
+    const double widest = aperture(subject.hand, subject.postures.open);
+    const double fits = 0.5 * (widest - options.hand.opening_excess[0]) - options.hand.pad;
+    script_.object_radius = std::min(random.between(options.object.radius), fits);
+  }
+
+  Script write() {
+    const int count = random_.whole(m_.per_recording);
+    now_s_ = random_.between(m_.rest_s);
+    for (int k = 0; k < count; ++k) {
+      write_movement();
+      now_s_ += random_.between(m_.rest_s);
+    }
+    script_.begin_s = 0;
+    script_.end_s = script_.length_s = now_s_;
+    const auto within = [&](const ScriptedMovement& movement) {
+      return random_.between(movement.bouts.front().begin_s, movement.bouts.back().end_s);
+    };
+    if (random_.chance(m_.starts_inside_share)) script_.begin_s = within(script_.movements.front());
+    if (random_.chance(m_.ends_inside_share)) {
+      script_.end_s = std::max(within(script_.movements.back()), script_.begin_s + kLeastLength_s);
+    }
+    return std::move(script_);
+  }
+
+ private:
+  static constexpr double kLeastLength_s = 0.5;
+
+  void write_movement() {
+    ScriptedMovement& movement = script_.movements.emplace_back();
+    movement.kind = draw_kind(m_.kinds, random_);
+    movement.grasps = movement.kind != MovementKind::no_grasp;
+    if (movement.grasps) {
+      write_reach(movement, places_.again(target_, 0.004, 0.04));
+      write_carrying(movement);
+      write_return(movement, now_s_ + random_.between(0.08, 0.2));
+    } else {
+      write_touch(movement);
+      write_return(movement, now_s_);
+    }
+  }
+
+  void write_reach(ScriptedMovement& movement, const ArmState& target) {
+    const double begin_s = now_s_;
+    double duration_s = random_.between(m_.reach_s), opening_s = duration_s, closing_s = 0;
+    const double peak_share = random_.between(o_.hand.peak_share);
+    const ArmState way = target - arm_;
+    if (movement.kind == MovementKind::two_peaks) {
+      const double first_s = random_.between(0.62, 0.72) * duration_s;
+      const double second_s = begin_s + random_.between(0.5, 0.6) * duration_s;
+      ArmState first = random_.between(0.75, 0.9) * way;
+      first.segment<3>(kWristAt) +=
+          random_.between(0.005, 0.02) * across(way.segment<3>(kWristAt), random_);
+      move_arm({ProfileShape::minimum_jerk, begin_s, first_s, 0}, first, 0);
+      move_arm({ProfileShape::minimum_jerk, second_s, begin_s + duration_s - second_s, 0},
+               way - first, 0);
+    } else if (movement.kind == MovementKind::pause_before_grasp) {
+      const double pause_s = random_.between(m_.pause_s), last_s = random_.between(0.3, 0.45);
+      const ArmState first = random_.between(0.85, 0.95) * way;
+      move_arm({ProfileShape::minimum_jerk, begin_s, duration_s, 0}, first, detour());
+      opening_s = duration_s;
+      closing_s = begin_s + duration_s + pause_s;
+      duration_s += pause_s + last_s;
+      move_arm({ProfileShape::minimum_jerk, closing_s, last_s, 0}, way - first, 0);
+    } else {
+      const double aside =
+          movement.kind == MovementKind::curved ? random_.between(0.05, 0.12) : detour();
+      move_arm(draw_profile(movement.kind, begin_s, duration_s, random_), way, aside);
+    }
+    now_s_ = begin_s + duration_s;
+    movement.bouts.push_back({"reach", begin_s, now_s_});
+    if (movement.grasps) {
+      const double widest_s = begin_s + peak_share * opening_s;
+      shape_hand(begin_s, widest_s, std::max(closing_s, widest_s));
+    } else {
+      move_hand(begin_s, now_s_, subject_.postures.pointing);
+    }
+  }
+
+  /// Opens, and closes on the object when the hand has arrived.
+  void shape_hand(double begin_s, double widest_s, double closing_s) {
+    const double grasp_m = 2 * (script_.object_radius + o_.hand.pad);
+    const double wide_m = std::max(grasp_m + random_.between(o_.hand.opening_excess),
+                                   aperture(subject_.hand, hand_) + o_.hand.least_widening);
+    const double lag_s = random_.between(0, 0.05);
+    move_hand(begin_s + lag_s, widest_s, posture(wide_m));
+    move_hand(closing_s, now_s_ + lag_s, posture(grasp_m));
+  }
+
+  void write_carrying(ScriptedMovement& movement) {
+    const ArmState put_down = arm_;
+    now_s_ += random_.between(m_.grasp_s);
+    movement.attach_s = now_s_;
+    write_bout(movement, "transport", now_s_, random_.between(m_.transport_s),
+               places_.lifted(arm_));
+    now_s_ += random_.between(m_.hold_s);
+    write_bout(movement, "transport", now_s_, random_.between(m_.transport_s), put_down);
+    now_s_ += random_.between(m_.grasp_s);
+    movement.release_s = now_s_;
+    const double opened_m = aperture(subject_.hand, hand_) + random_.between(0.015, 0.03);
+    move_hand(now_s_, now_s_ + random_.between(0.22, 0.35), posture(opened_m));
+  }
+
+  void write_touch(ScriptedMovement& movement) {
+    write_reach(movement, places_.target(home_));
+    now_s_ += random_.between(m_.hold_s);
+  }
+
+  /// The arm sets out at `begin_s`; the hand may have begun to let go at now_s_.
+  void write_return(ScriptedMovement& movement, double begin_s) {
+    const double release_s = now_s_, duration_s = random_.between(m_.return_s);
+    write_bout(movement, "return", begin_s, duration_s, places_.again(home_, 0.006, 0.04));
+    movement.bouts.back().begin_s = release_s;
+    move_hand(begin_s + 0.3 * duration_s, now_s_, subject_.postures.resting);
+  }
+
+  void write_bout(ScriptedMovement& movement, const char* phase, double begin_s, double duration_s,
+                  const ArmState& to) {
+    move_arm(draw_profile(movement.kind, begin_s, duration_s, random_), to - arm_, detour());
+    now_s_ = begin_s + duration_s;
+    movement.bouts.push_back({phase, begin_s, now_s_});
+  }
+
+  double detour() { return random_.between(0, 0.02); }
+
+  void move_arm(const Profile& profile, const ArmState& delta, double detour_m) {
+    ArmState aside = ArmState::Zero();
+    aside.segment<3>(kWristAt) = detour_m * across(delta.segment<3>(kWristAt), random_);
+    script_.motion.arm.steps.push_back({profile, delta, aside});
+    arm_ += delta;
+  }
+  void move_hand(double begin_s, double end_s, const HandState& to) {
+    script_.motion.hand.steps.push_back(
+        {{ProfileShape::minimum_jerk, begin_s, end_s - begin_s, 0}, to - hand_, HandState::Zero()});
+    hand_ = to;
+  }
+  HandState posture(double aperture_m) const {
+    return posture_of_aperture(subject_.hand, subject_.postures, aperture_m);
+  }
+
+  const SynthesizeOptions& o_;
+  const SyntheticMovements& m_;
+  const Subject& subject_;
+  RandomStream& random_;
+  Places places_;
+  Script script_;
+  ArmState home_, target_, arm_;
+  HandState hand_;
+  double now_s_ = 0;
+};
+
+}  // namespace
+
+Script draw_script(const SynthesizeOptions& options, const Subject& subject, RandomStream& random) {
+  return Writer(options, subject, random).write();
+}
+
+}  // namespace morphe

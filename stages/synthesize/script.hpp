@@ -1,0 +1,42 @@
+#pragma once
+
+#include "stages/synthesize/body_motion.hpp"
+
+namespace morphe {
+
+enum class MovementKind {
+  minimum_jerk,
+  lognormal,
+  asymmetric,
+  curved,
+  two_peaks,
+  pause_before_grasp,
+  no_grasp
+};
+inline constexpr const char* kMovementKindNames[] = {
+    "minimum_jerk", "lognormal",          "asymmetric", "curved",
+    "two_peaks",    "pause_before_grasp", "no_grasp"};
+
+/// From still to still; when it was meant to be, the labels say when it was.
+struct Bout {
+  const char* phase = "";  ///< reach, transport or return
+  double begin_s = 0, end_s = 0;
+};
+struct ScriptedMovement {
+  MovementKind kind = MovementKind::minimum_jerk;
+  bool grasps = true;
+  std::vector<Bout> bouts;
+  double attach_s = 0, release_s = 0;  ///< while the hand carries the object
+};
+
+/// What one recording shows.
+struct Script {
+  BodyMotion motion;
+  std::vector<ScriptedMovement> movements;
+  double length_s = 0;            ///< from rest to rest
+  double begin_s = 0, end_s = 0;  ///< what was recorded of it
+  double object_radius = 0;       ///< what the hand closes on [m]
+};
+Script draw_script(const SynthesizeOptions& options, const Subject& subject, RandomStream& random);
+
+}  // namespace morphe

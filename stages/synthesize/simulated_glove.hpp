@@ -1,0 +1,23 @@
+#pragma once
+
+#include <functional>
+
+#include "pipeline/human/glove.hpp"
+#include "pipeline/motion/demonstration.hpp"
+#include "stages/synthesize/sensor_noise.hpp"
+
+namespace morphe {
+
+/// What each sensor of one glove reads too much [rad].
+using GloveBias = Eigen::Matrix<double, static_cast<int>(kGloveSensorCount), 1>;
+GloveBias draw_bias(const SyntheticGlove& options, RandomStream& random);
+
+/// What the glove says of a hand over [0, length_s], reading(t) being what an ideal one would; its
+/// clock reads `clock_offset_s` more than t.
+HandStream simulate_glove(const SyntheticGlove& options, const GloveBias& bias,
+                          const std::function<GloveAngles(double time_s)>& reading, double length_s,
+                          double clock_offset_s, RandomStream& random);
+/// Replaces what was lost by NaN.
+void drop(const SyntheticGlove& options, RandomStream& random, HandStream& glove);
+
+}  // namespace morphe

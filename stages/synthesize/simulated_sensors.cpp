@@ -1,0 +1,97 @@
+#include "stages/synthesize/simulated_sensors.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace morphe {
+namespace {
+
+NoiseLaw noise_law(const SyntheticSensors& o) { return {o.slow_share, o.slow_s, o.rate_hz}; }
+
+/// Position and orientation noise of one tracked body.
+class PoseNoise {
+ public:
+  PoseNoise(const SyntheticSensors& o, RandomStream& random)
+      : position_(noise_law(o), o.position_noise, random),
+        rotation_(noise_law(o), o.orientation_noise, random) {}
+  void add_to(Vec3& position, Quat& orientation) {
+    position += position_.next();
+    const Vec3 turn = rotation_.next();
+    const double angle = turn.norm();
+    if (angle > 0) orientation = orientation * Quat(Eigen::AngleAxisd(angle, turn / angle));
+  }
+
+ private:
+  SensorNoise<3> position_, rotation_;
+};
+
+/// Axes that turn with the upper arm: those of the hand if the elbow were bent at a right angle.
+Quat upper_arm_axes(const ArmAt& arm, const ArmLengths& lengths) {
+  const ArmAngles bent = {
+      arm.angles[0], arm.angles[1], arm.angles[2], std::numbers::pi / 2, 0, 0, 0};
+  return arm_pose(arm.pose.shoulder, lengths, bent).world_from_hand;
+}
+
+}  // namespace
+
+SensorMounts draw_mounts(const SyntheticSensors& options, RandomStream& random) {
+  SensorMounts mounts;
+  for (Pose& mount : mounts.segment_from_sensor) {
+    const Vec3 away = random.normals().normalized() * random.between(options.mount);
+    mount = make_pose(away, random.rotation());
+  }
+  return mounts;
+}
+
+BodyStream simulate_sensors(const SyntheticSensors& options, const SensorMounts& mounts,
+                            const std::vector<ArmAt>& arm, const ArmLengths& lengths,
+                            RandomStream& random) {
+  BodyStream stream;
+  stream.names = {"shoulder", "elbow", "wrist"};
+  stream.position = Table<Vec3>(arm.size(), 3, Vec3::Zero());
+  stream.orientation = Table<Quat>(arm.size(), 3, Quat::Identity());
+  std::array<Quat, 3> segment_from_sensor;
+  for (std::size_t k = 0; k < 3; ++k) {
+    segment_from_sensor[k] = Quat(mounts.segment_from_sensor[k].linear());
+  }
+  std::array<PoseNoise, 3> noise{PoseNoise(options, random), PoseNoise(options, random),
+                                 PoseNoise(options, random)};
+  for (std::size_t i = 0; i < arm.size(); ++i) {
+    stream.time.push_back(static_cast<double>(i) / options.rate_hz);
+    const ArmPose& pose = arm[i].pose;
+    const std::array<Vec3, 3> joint = {pose.shoulder, pose.elbow, pose.wrist};
+    const std::array<Quat, 3> segment = {Quat::Identity(), upper_arm_axes(arm[i], lengths),
+                                         pose.world_from_hand};
+    for (std::size_t k = 0; k < 3; ++k) {
+      Vec3& position = stream.position(i, k);
+      Quat& orientation = stream.orientation(i, k);
+      position = joint[k] + segment[k] * mounts.segment_from_sensor[k].translation();
+      orientation = segment[k] * segment_from_sensor[k];
+      noise[k].add_to(position, orientation);
+      orientation.normalize();
+    }
+  }
+  return stream;
+}
+
+void drop(const SyntheticSensors& options, RandomStream& random, BodyStream& sensors) {
+  for (std::size_t k = 0; k < sensors.names.size(); ++k) {
+    const std::vector<bool> lost = draw_dropouts(sensors.time.size(), options.rate_hz,
+                                                 options.dropout_share, options.dropout_s, random);
+    for (std::size_t i = 0; i < lost.size(); ++i) {
+      if (!lost[i]) continue;
+      sensors.position(i, k) = unseen_point();
+      sensors.orientation(i, k) = unseen_rotation();
+    }
+  }
+}
+
+void add_noise(const SyntheticSensors& options, RandomStream& random, SceneObject& object) {
+  PoseNoise noise(options, random);
+  for (std::size_t i = 0; i < object.time.size(); ++i) {
+    noise.add_to(object.position[i], object.orientation[i]);
+    object.orientation[i].normalize();
+  }
+}
+
+}  // namespace morphe

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "pipeline/human/anthropometry.hpp"
+#include "stages/synthesize/hand_postures.hpp"
+
+namespace morphe {
+
+/// One person at a table (top z = 0, origin on its near edge before the middle of the body).
+struct Subject {
+  Anthropometry body;
+  RobotTable hand;  ///< human_hand()
+  HandPostures postures;
+  Vec3 shoulder = Vec3::Zero();
+};
+/// Measures go with stature as far as one person's do: z = 0.8 z_stature + 0.6 of its own.
+Subject draw_subject(const SyntheticSubject& options, RandomStream& random);
+
+}  // namespace morphe
