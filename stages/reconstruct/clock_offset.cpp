@@ -7,7 +7,6 @@ namespace morphe {
 namespace {
 
 constexpr double kLongest_s = 0.5;
-constexpr double kMoves = 0.03;  ///< RMS of a signal [its unit]
 
 /// Sums over the pairs of samples that a shift brings together, all signals about their own means.
 struct Overlap {
@@ -39,14 +38,26 @@ Overlap overlap(const std::vector<SeenTwice>& signals, std::ptrdiff_t shift) {
     all.product += ab - a * b / count;
     all.reference += aa - a * a / count;
     all.other += bb - b * b / count;
-    all.count = std::max(all.count, count);
+    all.count += count;
   }
   return all;
 }
 
+std::vector<double> rates(const std::vector<double>& values, double rate_hz) {
+  std::vector<double> rate;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    rate.push_back((values[i] - values[i - 1]) * rate_hz);
+  }
+  return rate;
+}
+
 }  // namespace
 
-ClockOffset clock_offset(const std::vector<SeenTwice>& signals, double rate_hz, double cutoff_hz) {
+ClockOffset clock_offset(const std::vector<SeenTwice>& seen, double rate_hz, double cutoff_hz) {
+  std::vector<SeenTwice> signals;
+  for (const auto& [reference, other] : seen) {
+    signals.push_back({rates(reference, rate_hz), rates(other, rate_hz)});
+  }
   const auto longest = static_cast<std::ptrdiff_t>(std::ceil(kLongest_s * rate_hz));
   std::vector<double> correlation;
   for (std::ptrdiff_t shift = -longest; shift <= longest; ++shift) {
@@ -73,8 +84,6 @@ ClockOffset clock_offset(const std::vector<SeenTwice>& signals, double rate_hz, 
   return offset;
 }
 
-bool clear(const ClockOffset& offset) {
-  return offset.correlation > 0.8 && offset.moved > kMoves && offset.sure_s < 0.015;
-}
+bool clear(const ClockOffset& offset) { return offset.correlation > 0.6 && offset.sure_s < 0.02; }
 
 }  // namespace morphe

@@ -61,15 +61,19 @@ std::array<std::vector<double>, 2> wrist_angles(const HumanMotion& motion) {
 }
 
 /// By how much the glove's clock is ahead of the arm's, from what both saw of the wrist; 0 if that
-/// does not tell.
-double late_by(const GloveColumns& glove, const Clock& clock, const ReconstructOptions& options,
+/// does not tell. Below 3 Hz: faster, a wrist moves less than the glove's noise.
+double late_by(const GloveColumns& glove, const Clock& clock, ReconstructOptions options,
                HumanMotion& motion) {
+  options.cutoff_hz = std::min(options.cutoff_hz, 3.0);
+  const auto slowed = [&](const std::vector<double>& values) {
+    return on_clock(motion.time, values, clock, options);
+  };
   const auto [flexion, deviation] = wrist_angles(motion);
-  const ClockOffset offset =
-      clock_offset({{flexion, glove[kWristPitch]}, {deviation, glove[kWristYaw]}}, clock.rate_hz,
-                   options.cutoff_hz);
+  const ClockOffset offset = clock_offset({{slowed(flexion), slowed(glove[kWristPitch])},
+                                           {slowed(deviation), slowed(glove[kWristYaw])}},
+                                          clock.rate_hz, options.cutoff_hz);
   if (!clear(offset)) {
-    constexpr double kMuch = 0.1, kLittle = 0.5;  // [rad]; a correlation
+    constexpr double kMuch = 0.3, kLittle = 0.5;  // [rad/s]; a correlation
     if (offset.moved > kMuch && offset.correlation < kLittle) {
       motion.problems.push_back(
           fmt::format("the glove's wrist does not move as the arm's does (correlation {:.2f}): "
@@ -78,7 +82,7 @@ double late_by(const GloveColumns& glove, const Clock& clock, const ReconstructO
     }
     return 0;
   }
-  if (std::abs(offset.late_s) < 3 * offset.sure_s) return 0;
+  if (std::abs(offset.late_s) < 4 * offset.sure_s) return 0;
   motion.problems.push_back(fmt::format(
       "the glove's clock was {:.3f} s {} the arm's (within {:.3f} s): corrected",
       std::abs(offset.late_s), offset.late_s > 0 ? "ahead of" : "behind", offset.sure_s));
