@@ -15,6 +15,8 @@ namespace morphe {
 struct RecordingFiles {
   std::filesystem::path file;
   std::filesystem::path static_trial;          ///< or calibration pose; empty = none
+  std::filesystem::path glove, static_glove;   ///< of their own, beside the two; empty = none
+  std::filesystem::path glove_calibration;     ///< YAML, for raw counts; empty = none
   std::map<std::string, std::string> renamed;  ///< recorded marker or joint name -> name used here
   std::string hand = "right";                  ///< which one was recorded
   Conventions conventions;                     ///< what the file itself does not say
@@ -42,6 +44,9 @@ Demonstration read_trc(const RecordingFiles& files);
 
 bool recognises_c3d(std::string_view head);
 Demonstration read_c3d(const RecordingFiles& files);
+
+bool recognises_liberty_csv(std::string_view head);
+Demonstration read_liberty_csv(const RecordingFiles& files);
 
 bool recognises_adroit_csv(std::string_view head);
 Demonstration read_adroit_csv(const RecordingFiles& files);

@@ -17,6 +17,7 @@ const std::vector<RecordingFormat>& recording_formats() {
       {"vicon-csv", &recognises_vicon_csv, &read_vicon_csv},
       {"trc", &recognises_trc, &read_trc},
       {"c3d", &recognises_c3d, &read_c3d},
+      {"liberty-csv", &recognises_liberty_csv, &read_liberty_csv},
       {"adroit-csv", &recognises_adroit_csv, &read_adroit_csv},
       {"bvh", &recognises_bvh, &read_bvh},
       {"mot", &recognises_mot, &read_mot},
@@ -98,10 +99,17 @@ std::size_t import_recordings(const ImportRequest& request,
                               const std::function<void(Demonstration&&)>& sink) {
   const std::vector<ManifestEntry> entries = entries_of(request);
   for (const ManifestEntry& entry : entries) {
-    Demonstration demonstration =
-        format_of(entry.file, entry.format)
-            .read({entry.file, entry.static_trial, read_names(entry.names), entry.hand,
-                   entry.conventions});
+    const RecordingFormat& format = format_of(entry.file, entry.format);
+    if (format.name != "liberty-csv" && !(entry.glove + entry.static_glove).empty()) {
+      throw InputError(
+          fmt::format("{}: glove: only liberty-csv takes one, not {}", entry.file, format.name));
+    }
+    Demonstration demonstration = format.read(
+        {entry.file, entry.static_trial, entry.glove, entry.static_glove, entry.glove_calibration,
+         read_names(entry.names), entry.hand, entry.conventions});
+    for (const MarkerObject& object : entry.objects) {
+      add_marker_object(entry.file, object, demonstration);
+    }
     demonstration.name = entry.name;
     if (!entry.subject.empty()) demonstration.subject = entry.subject;
     demonstration.task = entry.task;

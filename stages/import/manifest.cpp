@@ -12,6 +12,9 @@ namespace {
 
 void shared_fields(FieldReader& f, ManifestEntry& e) {
   f("static", e.static_trial);
+  f("glove", e.glove);
+  f("static_glove", e.static_glove);
+  f("glove_calibration", e.glove_calibration);
   f("format", e.format);
   f("names", e.names);
   f("axes", e.conventions.axes);
@@ -26,6 +29,7 @@ void shared_fields(FieldReader& f, ManifestEntry& e) {
   f("forearm", e.forearm);
   f("hand_length", e.hand_length);
   f("hand_breadth", e.hand_breadth);
+  f("objects", e.objects);
 }
 
 std::vector<Label> read_labels(const ConfigNode& node) {
@@ -68,7 +72,8 @@ std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file) {
       if (length && *length <= 0) item.fail("lengths must be positive (metres)");
     }
     entry.file = (file.parent_path() / entry.file).string();
-    for (std::string* other : {&entry.static_trial, &entry.names}) {
+    for (std::string* other : {&entry.static_trial, &entry.glove, &entry.static_glove,
+                               &entry.glove_calibration, &entry.names}) {
       if (!other->empty()) *other = (file.parent_path() / *other).string();
     }
     if (entry.conventions.rate_hz && !(*entry.conventions.rate_hz > 0)) {

@@ -7,18 +7,21 @@
 
 #include "pipeline/motion/demonstration.hpp"
 #include "stages/import/conventions.hpp"
+#include "stages/import/marker_objects.hpp"
 
 namespace morphe {
 
 /// One line of a manifest. Paths are as written there joined to the manifest's folder.
 struct ManifestEntry {
-  std::string file, static_trial;  ///< static: "" = none
-  std::string name;                ///< "" = the file's name without its extension
-  std::string format;              ///< "" = by content
-  std::string names;               ///< YAML map of recorded names to ours; "" = none
+  std::string file, static_trial;                      ///< static: "" = none
+  std::string glove, static_glove, glove_calibration;  ///< "" = none
+  std::string name;    ///< "" = the file's name without its extension
+  std::string format;  ///< "" = by content
+  std::string names;   ///< YAML map of recorded names to ours; "" = none
   std::string subject, task, hand = "right", source, licence;
   Conventions conventions;
-  std::vector<Label> labels;  ///< phases that somebody marked
+  std::vector<Label> labels;          ///< phases that somebody marked
+  std::vector<MarkerObject> objects;  ///< bodies that carry markers
   std::optional<double> upper_arm, forearm, hand_length, hand_breadth;  ///< [m]
 };
 

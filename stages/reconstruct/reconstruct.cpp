@@ -44,13 +44,20 @@ HumanMotion reconstruct(const Demonstration& demonstration, const ReconstructOpt
     motion.problems.push_back("a left hand, mirrored at X = 0 into a right one");
     return motion;
   }
-  if (demonstration.streams.markers) return motion_from_markers(demonstration, options);
+  if (demonstration.streams.markers && !demonstration.streams.sensors) {
+    return motion_from_markers(demonstration, options);
+  }
   const auto& hand = demonstration.streams.hand;
   if (demonstration.streams.sensors || (hand && hand->kind == HandKind::glove)) {
     return motion_from_sensors(demonstration, options, human);
   }
+  if (demonstration.streams.skeleton) return motion_from_skeleton(demonstration, options);
+  if (hand && hand->kind == HandKind::keypoints) return motion_from_hand(demonstration, options);
   HumanMotion nothing = unseen_motion({});
-  nothing.problems.push_back("neither markers nor tracked bodies: no arm can be rebuilt");
+  nothing.problems.push_back(
+      demonstration.streams.arm_angles
+          ? "joint angles alone: the body that they belong to is not known, so no arm is rebuilt"
+          : "neither markers nor tracked bodies: no arm can be rebuilt");
   return nothing;
 }
 
