@@ -28,6 +28,15 @@ bool is_sided(const std::string& name) {
   return false;
 }
 
+/// Joints of a skeleton, whose names begin with the side.
+void swap_side(std::string& name) {
+  if (name.starts_with("left_")) {
+    name.replace(0, 4, "right");
+  } else if (name.starts_with("right_")) {
+    name.replace(0, 5, "left");
+  }
+}
+
 void mirror(Streams& streams) {
   if (streams.markers) {
     mirror_all(streams.markers->position.values);
@@ -39,6 +48,10 @@ void mirror(Streams& streams) {
     if (!*bodies) continue;
     mirror_all((*bodies)->position.values);
     mirror_all((*bodies)->orientation.values);
+  }
+  if (streams.skeleton) {
+    for (std::string& name : streams.skeleton->names) swap_side(name);
+    for (std::string& name : streams.skeleton->parents) swap_side(name);
   }
   if (streams.hand) mirror_all(streams.hand->position.values);
 }

@@ -6,7 +6,8 @@ namespace morphe {
 
 /// A left-handed demonstration seen in the mirror X -> -X: the same movement of a right hand.
 /// Points are mirrored, orientations become M R M with M = diag(-1, 1, 1), markers of the left side
-/// swap their first letter with those of the right, objects are mirrored too; joint angles, being
+/// swap their first letter with those of the right, joints of a skeleton their left_ with right_;
+/// keypoints, sensor offsets and objects are mirrored too. Joint angles and gloves, being
 /// anatomical, stay. `hand` of the result is "right". Applying it twice gives the original
 /// (except for `hand`).
 Demonstration mirrored(const Demonstration& demonstration);

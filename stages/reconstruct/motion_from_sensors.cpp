@@ -6,6 +6,7 @@
 #include "stages/reconstruct/arm_chain.hpp"
 #include "stages/reconstruct/clock_offset.hpp"
 #include "stages/reconstruct/glove_hand.hpp"
+#include "stages/reconstruct/hand_from_keypoints.hpp"
 #include "stages/reconstruct/sensor_joints.hpp"
 #include "stages/reconstruct/streams.hpp"
 
@@ -163,6 +164,8 @@ HumanMotion motion_from_sensors(const Demonstration& demonstration,
     add_glove(demonstration, clock, options, human, elbow && wrist, motion);
   } else if (hand && hand->kind == HandKind::fingertips) {
     add_fingertips(*hand, clock, options, motion);
+  } else if (hand && hand->kind == HandKind::keypoints) {
+    add_hand_from_keypoints(*hand, demonstration.hand_length, clock, options, motion);
   } else {
     motion.problems.push_back("no fingertips were recorded");
   }
