@@ -14,6 +14,7 @@ using Command = std::function<int()>;
 Command import_command(CLI::App& app);
 Command inspect_command(CLI::App& app);
 Command run_command(CLI::App& app);
+Command synthesize_command(CLI::App& app);
 Command verify_command(CLI::App& app);
 
 }  // namespace morphe
