@@ -139,7 +139,7 @@ std::vector<std::string> read_labels(const C3dParameters& parameters, std::size_
       parameters.fail("POINT:LABELS", fmt::format("'{}' stands twice", labels[k]));
     }
   }
-  if (unnamed > 0) reports.push_back(fmt::format("{} points have no name", unnamed));
+  if (unnamed > 0) reports.push_back(fmt::format("points without a name: {}", unnamed));
   if (named > points) {
     reports.push_back(fmt::format("POINT:LABELS names {} points, {} are there", named, points));
   }

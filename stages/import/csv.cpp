@@ -70,12 +70,16 @@ void CsvText::fail(std::size_t line, std::string_view key, std::string_view mess
 }
 
 double CsvText::number(std::size_t line, std::string_view column, std::string_view cell) const {
+  const std::optional<double> value = finite_number(cell);
+  if (!value) fail(line, column, fmt::format("must be a number, not '{}'", cell));
+  return *value;
+}
+
+std::optional<double> finite_number(std::string_view cell) {
   const char* begin = cell.data() + (cell.starts_with('+') ? 1 : 0);
   double value = 0;
   const auto [end, error] = std::from_chars(begin, cell.data() + cell.size(), value);
-  if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) {
-    fail(line, column, fmt::format("must be a number, not '{}'", cell));
-  }
+  if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) return {};
   return value;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,9 @@ struct CsvText {
   /// A finite decimal number, or fails naming the column.
   double number(std::size_t line, std::string_view column, std::string_view cell) const;
 };
+
+/// A finite decimal number, if the cell is one.
+std::optional<double> finite_number(std::string_view cell);
 
 /// InputError if the file cannot be read.
 CsvText read_csv(const std::filesystem::path& file, char separator = ',');

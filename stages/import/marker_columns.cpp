@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <set>
 
 namespace morphe {
@@ -54,7 +55,9 @@ void read_points(const CsvText& csv, std::size_t line, const std::vector<std::st
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::size_t c = MarkerColumns::kFirst + 3 * k + axis;
       if (cells[c].empty() || not_a_number(cells[c])) continue;
-      point[static_cast<Eigen::Index>(axis)] = csv.number(line, columns.name(c), cells[c]) * metres;
+      const std::optional<double> value = finite_number(cells[c]);
+      if (!value) csv.number(line, columns.name(c), cells[c]);  // fails, and says where
+      point[static_cast<Eigen::Index>(axis)] = *value * metres;
       ++filled;
     }
     if (filled == 3) {

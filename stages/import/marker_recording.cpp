@@ -75,7 +75,7 @@ void bring_into_world(MarkerRecording& recording, const std::string& source,
 
 void check_extent(const MarkerRecording& recording, const std::string& source) {
   const double apart = extent(recording.markers.position);
-  if (apart > kRoom || (recording.markers.names.size() > 1 && apart < kHand)) {
+  if (apart > kRoom || (apart > 0 && apart < kHand)) {
     throw InputError(fmt::format(
         "{}: unit: the markers spread over {:.3g} m; give --unit or `unit:` if the file's is wrong",
         source, apart));

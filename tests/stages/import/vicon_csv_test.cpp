@@ -3,49 +3,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <filesystem>
-#include <fstream>
-
-#include "pipeline/motion/input_error.hpp"
-#include "stages/import/import.hpp"
+#include "tests/stages/import/recording_folder.hpp"
 
 namespace morphe {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 const std::filesystem::path kData = std::filesystem::path(MORPHE_SOURCE_DIR) / "datasets/ue-adl";
 
-class ViconCsv : public testing::Test {
+class ViconCsv : public RecordingFolder {
  protected:
-  ViconCsv() { std::filesystem::create_directories(folder_); }
-  ~ViconCsv() override { std::filesystem::remove_all(folder_); }
-
-  std::filesystem::path write(const std::string& text, const std::string& name = "trial.csv") {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-    return folder_ / name;
-  }
-  Demonstration read(const std::filesystem::path& file) {
-    std::vector<Demonstration> read;
-    ImportRequest request;
-    request.paths = {file};
-    import_recordings(request, [&](Demonstration&& d) { read.push_back(std::move(d)); });
-    return read.at(0);
-  }
-  std::string error_of(const std::string& text) {
-    const std::filesystem::path file = write(text);
-    try {
-      read(file);
-    } catch (const InputError& error) {
-      return std::string(error.what()).substr(folder_.string().size() + 1);
-    }
-    return "no error";
-  }
-
-  std::filesystem::path folder_ =
-      std::filesystem::path(testing::TempDir()) /
-      ("morphe_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+  std::string error_of(const std::string& text) { return RecordingFolder::error_of(write(text)); }
 };
 
 const std::string kHeader =
@@ -148,6 +118,160 @@ TEST_F(ViconCsv, NamesAreMapped) {
   });
   request.names = write("MIDDLE: RFTP\n", "names.yaml");
   EXPECT_THROW(import_recordings(request, [](Demonstration&&) {}), InputError);
+}
+
+TEST_F(ViconCsv, NamesMayBeInTheRecordingOrInTheStaticTrial) {
+  const std::string rows = "Frame,Sub Frame,X,Y,Z,X,Y,Z\n,,mm,mm,mm,mm,mm,mm\n1,0,1,2,3,40,50,60\n";
+  ImportRequest request;
+  request.paths = {write("Trajectories\n100\n,,P:HAND,,,P:INDEX\n" + rows)};
+  request.static_trial = write("Trajectories\n100\n,,P:HAND,,,P:ELBOW\n" + rows, "static.csv");
+  request.names = write("{HAND: RHAN1, INDEX: RFTP, ELBOW: RLEP}", "names.yaml");
+  const Demonstration d = read(request);
+  EXPECT_THAT(d.streams.markers->names, ElementsAre("RHAN1", "RFTP"));
+  EXPECT_THAT(d.calibration.markers->names, ElementsAre("RHAN1", "RLEP"));
+  request.names = write("{HAND: RHAN1, THUMB: RTHUM}", "names.yaml");
+  try {
+    read(request);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(),
+                HasSubstr("trial.csv: names: 'THUMB' is renamed but was not recorded"));
+  }
+}
+
+TEST_F(ViconCsv, SeveralSubjectsKeepTheirNames) {
+  const std::string rows = "Frame,Sub Frame,X,Y,Z,X,Y,Z\n,,mm,mm,mm,mm,mm,mm\n1,0,1,2,3,40,50,60\n";
+  Demonstration d = read(write("Trajectories\n100\n,,A:HAND,,,box:TOP\n" + rows));
+  EXPECT_THAT(d.streams.markers->names, ElementsAre("A:HAND", "box:TOP"));
+  EXPECT_EQ(d.subject, "");
+  EXPECT_THAT(d.reports, testing::Contains("markers keep the names of their subjects: A, box"));
+  d = read(write("Trajectories\n100\n,,A:HAND,,,HAND\n" + rows));
+  EXPECT_THAT(d.streams.markers->names, ElementsAre("A:HAND", "HAND"));
+  d = read(write("Trajectories\n100\n,,A:HAND,,,*5\n" + rows));  // a point without a name
+  EXPECT_THAT(d.streams.markers->names, ElementsAre("HAND", "*5"));
+  EXPECT_EQ(d.subject, "A");
+}
+
+TEST_F(ViconCsv, AxesAreTheUsualOnesOrAsGiven) {
+  const auto file = write(kHeader + "1,0,1,2,3,40,50,60\n");
+  EXPECT_THAT(read(file).reports,
+              ElementsAre("the file does not say its axes: 'x y z' point right, forward and up, as "
+                          "is usual"));
+  const Demonstration d = read(file, {"y -x z", "", {}});
+  EXPECT_LT((d.streams.markers->position(0, 1) - Vec3(0.05, -0.04, 0.06)).norm(), 1e-15);
+  EXPECT_THAT(d.reports, ElementsAre());
+  EXPECT_THAT(RecordingFolder::error_of(file, {"y x z", "", {}}), HasSubstr("is left-handed"));
+}
+
+TEST_F(ViconCsv, OtherSectionsAreLeftOut) {
+  const Demonstration d = read(
+      write("Devices\n1000\n,,Force\nFrame,Sub Frame,Fx\n,,N\n1,0,5\n1,1,6\n\n" + kHeader +
+            "1,0,1,2,3,40,50,60\n2,0,1,2,3,40,50,60\n,,,\n" + "Model Outputs\n100\n,,Angle\n"));
+  EXPECT_EQ(d.streams.markers->time.size(), 2u);
+  EXPECT_THAT(d.reports, testing::Contains("sections left out: Devices, Model Outputs"));
+  EXPECT_EQ(error_of("Devices\n1000\n,,Force\n"),
+            "trial.csv:1: there is no section 'Trajectories'");
+}
+
+struct Damage {
+  const char* name;
+  const char* text;    ///< behind kHeader
+  const char* error;   ///< "" = it is read
+  const char* report;  ///< "" = none
+};
+class DamagedViconCsv : public ViconCsv, public testing::WithParamInterface<Damage> {};
+
+TEST_P(DamagedViconCsv, IsRefusedOrReported) {
+  const Damage& damage = GetParam();
+  if (*damage.error != 0) {
+    EXPECT_EQ(error_of(kHeader + damage.text), std::string("trial.csv:") + damage.error);
+  } else {
+    const Demonstration d = read(write(kHeader + damage.text));
+    EXPECT_THAT(d.reports, testing::Contains(HasSubstr(damage.report)));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, DamagedViconCsv,
+    testing::Values(
+        Damage{"MixedLineEnds", "1,0,1,2,3,40,50,60\r\n2,0,1,2,3,40,50,60\r3,0,1,2,3,4,5,6\n", "",
+               "its lines end in different ways"},
+        Damage{"BlankLine", "1,0,1,2,3,40,50,60\n\n2,0,1,2,3,4,5,6\n",
+               "8: a section must begin here, but '2' is none", ""},
+        Damage{"TooFewCells", "1,0,1,2,3,40,50\n", "6: RTHUM.Z: the row has 7 cells, the header 8",
+               ""},
+        Damage{"CutInARow", "1,0,1,2,3,40,50,60\n2,0,1,",
+               "7: RFTP.Z: the row has 4 cells, the header 8", ""},
+        Damage{"TooManyCells", "1,0,1,2,3,40,50,60,7\n",
+               "6: column 9: the row has 9 cells, the header 8", ""},
+        Damage{"OtherSeparator", "1;0;1;2;3;40;50;60\n",
+               "6: Sub Frame: the row has 1 cells, the header 8", ""},
+        Damage{"DecimalComma", "1,0,1,5,2,3,40,50,60\n",
+               "6: column 9: the row has 9 cells, the header 8", ""},
+        Damage{"NothingSeen", "1,0,,,,,,\n2,0,nan,nan,nan,NaN,NaN,NaN\n", "",
+               "no marker was seen in any frame"},
+        Damage{"MarkerNeverSeen", "1,0,,,,40,50,60\n", "", "never seen: RFTP"},
+        Damage{"OriginForNotSeen", "1,0,0,0,0,40,50,60\n", "",
+               "1 points stand exactly at the origin"},
+        Damage{"Infinite", "1,0,inf,2,3,40,50,60\n", "6: RFTP.X: must be a number, not 'inf'", ""},
+        Damage{"TimeRunsBack", "2,0,1,2,3,40,50,60\n1,0,1,2,3,40,50,60\n",
+               "7: Frame: does not follow the frame before", ""},
+        Damage{"TimeStands", "1,0,1,2,3,40,50,60\n1,0,1,2,3,40,50,60\n",
+               "7: Frame: does not follow the frame before", ""},
+        Damage{"FramesLeftOut", "1,0,1,2,3,40,50,60\n5,0,1,2,3,40,50,60\n", "",
+               "3 frame numbers are left out"},
+        Damage{"SubFrames", "1,0,1,2,3,40,50,60\n1,1,1,2,3,40,50,60\n",
+               "7: Sub Frame: must be 0: no sub-frame data is read", ""},
+        Damage{"FrameIsNoNumber", "one,0,1,2,3,40,50,60\n", "6: Frame: must be a number, not 'one'",
+               ""},
+        Damage{"NoFrame", "", "5: ends before the first frame", ""}),
+    [](const auto& parameter) { return std::string(parameter.param.name); });
+
+TEST_F(ViconCsv, CarriageReturnsAloneEndLines) {
+  std::string text = kHeader + "1,0,1,2,3,40,50,60\n";
+  std::ranges::replace(text, '\n', '\r');
+  EXPECT_EQ(read(write(text)).streams.markers->time.size(), 1u);
+}
+
+TEST_F(ViconCsv, WrongUnitIsNoticedAndCanBeOverruled) {
+  std::string text = kHeader;
+  for (std::size_t at = 0; (at = text.find("mm")) != std::string::npos;) text.replace(at, 2, "m");
+  const auto file = write(text + "1,0,100,200,300,400,500,600\n");
+  EXPECT_EQ(RecordingFolder::error_of(file),
+            "trial.csv: unit: the markers spread over 520 m; give --unit or `unit:` if the file's "
+            "is wrong");
+  const Demonstration d = read(file, {"", "mm", 25});
+  EXPECT_LT((d.streams.markers->position(0, 0) - Vec3(0.1, 0.2, 0.3)).norm(), 1e-15);
+  EXPECT_THAT(d.reports, testing::Contains("the file says the unit m; mm was given and used"));
+  EXPECT_THAT(d.reports,
+              testing::Contains("the file says 50 frames a second; 25 was given and used"));
+}
+
+TEST_F(ViconCsv, EmptyFilesAreNotRecognised) {
+  for (const char* text : {"", "\xEF\xBB\xBF", "\n\n", ",,,\n"}) {
+    EXPECT_THAT(error_of(text), HasSubstr("trial.csv:1: format: not recognised"));
+    ImportRequest request;
+    request.paths = {folder_ / "trial.csv"};
+    request.format = "vicon-csv";
+    EXPECT_THROW(read(request), InputError);
+  }
+}
+
+/// Numbers that Python read from the text.
+TEST_F(ViconCsv, TwoSubjectsMatchTheirText) {
+  ImportRequest request;
+  request.paths = {std::filesystem::path(MORPHE_SOURCE_DIR) / "datasets/pyomeca/recordings.yaml"};
+  const Demonstration d = read(request);
+  const MarkerStream& markers = *d.streams.markers;
+  ASSERT_EQ(markers.time.size(), 580u);
+  ASSERT_EQ(markers.names.size(), 51u);
+  EXPECT_EQ(markers.names[0], "boite:gauche_ext");
+  EXPECT_EQ(markers.names[24], "RGTH");
+  EXPECT_DOUBLE_EQ(markers.time.back(), 5.79);
+  EXPECT_LT((markers.position(0, 0) - Vec3(-0.276862, -0.0441628, 0.675697)).norm(), 1e-12);
+  EXPECT_LT((markers.position(579, 50) - Vec3(0.610845, -0.623752, 0.0996826)).norm(), 1e-12);
+  EXPECT_EQ(std::ranges::count_if(markers.position.values, [](const Vec3& p) { return seen(p); }),
+            29275);
 }
 
 TEST_F(ViconCsv, UnknownContentAndFormatListWhatIsKnown) {

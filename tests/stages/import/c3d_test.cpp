@@ -1,0 +1,209 @@
+#include <gmock/gmock.h>
+
+#include "tests/stages/import/c3d_text.hpp"
+#include "tests/stages/import/recording_folder.hpp"
+
+namespace morphe {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const Conventions kAxes{"x y z", "", {}};
+
+class C3d : public RecordingFolder {
+ protected:
+  std::filesystem::path write(const C3dText& c3d) {
+    return RecordingFolder::write(c3d.text(), "trial.c3d");
+  }
+};
+
+/// Quarters of a millimetre are exact in every way of writing.
+C3dText three_frames() {
+  C3dText c3d;
+  c3d.frames = {{{100.25, -20, 3}, {-1000, 0.5, 2047.75}},
+                {unseen_point(), {1, 2, 3}},
+                {{110, -30.5, 5}, {4, 5, 6}}};
+  return c3d;
+}
+
+struct Writing {
+  int processor;
+  double scale;
+  int analog;
+};
+class C3dWriting : public C3d, public testing::WithParamInterface<Writing> {};
+
+TEST_P(C3dWriting, GivesTheSamePoints) {
+  C3dText c3d = three_frames();
+  c3d.processor = GetParam().processor;
+  c3d.scale = GetParam().scale;
+  c3d.analog = GetParam().analog;
+  c3d.analog_per_frame = c3d.analog / 3;
+  const Demonstration d = read(write(c3d), kAxes);
+  const MarkerStream& markers = *d.streams.markers;
+  EXPECT_THAT(markers.names, ElementsAre("A", "B"));
+  EXPECT_THAT(markers.time, ElementsAre(0, 0.01, 0.02));
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Vec3& truth = c3d.frames[i][k];
+      if (!seen(truth)) {
+        EXPECT_FALSE(seen(markers.position(i, k)));
+      } else {
+        EXPECT_LT((markers.position(i, k) - truth / 1000).norm(), 1e-12) << i << " " << k;
+      }
+    }
+  }
+  EXPECT_THAT(d.reports, ElementsAre());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, C3dWriting,
+                         testing::Values(Writing{84, -1, 0}, Writing{84, 0.25, 0},
+                                         Writing{84, -1, 12}, Writing{84, 0.25, 12},
+                                         Writing{85, -1, 0}, Writing{85, 0.25, 3},
+                                         Writing{86, -1, 6}, Writing{86, 0.25, 0}));
+
+/// Numbers that Python read from the bytes.
+TEST_F(C3d, PropulsionMatchesItsBytes) {
+  ImportRequest request;
+  request.paths = {std::filesystem::path(MORPHE_SOURCE_DIR) /
+                   "datasets/kineticstoolkit/recordings.yaml"};
+  const Demonstration d = read(request);
+  const MarkerStream& markers = *d.streams.markers;
+  ASSERT_EQ(markers.time.size(), 700u);
+  ASSERT_EQ(markers.names.size(), 41u);
+  EXPECT_EQ(markers.names[40], "RHAN3");
+  EXPECT_EQ(markers.names[33], "RLEP");
+  EXPECT_NEAR(markers.time.back(), 699 / 69.99261474609375, 1e-12);
+  EXPECT_LT(
+      (markers.position(0, 40) - Vec3(0.2515324056148529, -0.9149888753890991, 0.9688568115234375))
+          .norm(),
+      1e-15);
+  EXPECT_LT((markers.position(699, 40) -
+             Vec3(0.1857684850692749, -0.5875105261802673, 0.6192331910133362))
+                .norm(),
+            1e-15);
+  std::size_t seen_points = 0, gaps = 0;
+  for (std::size_t k = 0; k < 41; ++k) {
+    bool before = true;
+    for (std::size_t i = 0; i < 700; ++i) {
+      const bool now = seen(markers.position(i, k));
+      if (now) ++seen_points;
+      if (before && !now) ++gaps;
+      before = now;
+    }
+  }
+  EXPECT_EQ(seen_points, 22316u);
+  EXPECT_EQ(gaps, 234u);
+  EXPECT_THAT(d.reports, ElementsAre("never seen: Probe1, Probe2, Probe3, Probe4, Probe5, Probe6"));
+}
+
+TEST_F(C3d, MoreFramesThanAWordHolds) {
+  C3dText c3d = three_frames();
+  c3d.frames.assign(70000, c3d.frames[0]);
+  c3d.trial_fields = true;
+  const Demonstration d = read(write(c3d), kAxes);
+  EXPECT_EQ(d.streams.markers->time.size(), 70000u);
+  EXPECT_EQ(d.streams.markers->time.back(), 699.99);
+}
+
+TEST_F(C3d, LaterFirstFrameIsLater) {
+  C3dText c3d = three_frames();
+  c3d.first = 51;
+  EXPECT_EQ(read(write(c3d), kAxes).streams.markers->time.front(), 0.5);
+}
+
+TEST_F(C3d, AxesFromTheScreenAreReportedAndGivenWay) {
+  C3dText c3d = three_frames();
+  EXPECT_THAT(error_of(write(c3d)), HasSubstr("trial.c3d: axes: the file does not say"));
+  c3d.x_screen = "+X";
+  c3d.y_screen = "+Z";
+  Demonstration d = read(write(c3d));
+  EXPECT_EQ(d.streams.markers->position(2, 0), Vec3(0.110, -0.0305, 0.005));
+  EXPECT_THAT(d.reports, ElementsAre(HasSubstr("axes 'x y z' from POINT:X_SCREEN")));
+  c3d.x_screen = "-Z";
+  c3d.y_screen = "Y";  // forward = up x right = Y x -Z = -X
+  d = read(write(c3d));
+  EXPECT_EQ(d.streams.markers->position(2, 0), Vec3(-0.005, -0.110, -0.0305));
+  d = read(write(c3d), kAxes);
+  EXPECT_EQ(d.streams.markers->position(2, 0), Vec3(0.110, -0.0305, 0.005));
+}
+
+TEST_F(C3d, UnitIsTheFilesOrAskedFor) {
+  C3dText c3d = three_frames();
+  c3d.units = "";
+  EXPECT_THAT(error_of(write(c3d), kAxes), HasSubstr("trial.c3d: unit: the file does not say it"));
+  EXPECT_EQ(read(write(c3d), {"x y z", "cm", {}}).streams.markers->position(2, 1),
+            Vec3(0.04, 0.05, 0.06));
+  c3d.units = "m";
+  EXPECT_THAT(error_of(write(c3d), kAxes), HasSubstr("trial.c3d: unit: the markers spread over"));
+  const Demonstration d = read(write(c3d), {"x y z", "mm", {}});
+  EXPECT_THAT(d.reports, ElementsAre("the file says the unit m; mm was given and used"));
+  c3d.units = "ell";
+  EXPECT_THAT(error_of(write(c3d), kAxes), HasSubstr("trial.c3d: unit: must be m, cm, mm, in"));
+}
+
+TEST_F(C3d, LiesAreErrorsOrReported) {
+  const C3dText honest = three_frames();
+  const std::string text = honest.text();
+  const auto with = [&](std::size_t offset, std::size_t value) {
+    return RecordingFolder::write(std::string(text).replace(offset, 2, honest.word(value)),
+                                  "trial.c3d");
+  };
+  const auto value_of = [&](const std::string& name, std::size_t behind) {
+    return text.find(name) + name.size() + behind;
+  };
+  EXPECT_EQ(error_of(with(2, 3), kAxes), "trial.c3d: POINT:USED: 2 points here, 3 in the header");
+  EXPECT_THAT(error_of(with(4, 5), kAxes), HasSubstr("trial.c3d: ANALOG:USED: 0 channels"));
+  EXPECT_THAT(error_of(with(0, 0x507f), kAxes), HasSubstr("byte 64512: the section of parameters"));
+  EXPECT_THAT(error_of(with(514, 80 * 256), kAxes), HasSubstr("byte 515: processor 80 is none"));
+  const std::size_t frames = value_of("FRAMES", 4);
+  EXPECT_EQ(error_of(with(frames, 4), kAxes),
+            "trial.c3d: POINT:FRAMES: 4 frames from byte 1536 on are promised, 3 are there");
+  EXPECT_THAT(error_of(with(frames, 0), kAxes), HasSubstr("POINT:FRAMES: 0 frames"));
+  EXPECT_THAT(read(with(frames, 2), kAxes).reports,
+              ElementsAre("the header says 3 frames; 2 were read"));
+  EXPECT_THAT(error_of(with(value_of("DATA_START", 4), 999), kAxes), HasSubstr("0 are there"));
+  EXPECT_THAT(error_of(with(value_of("LABELS", 5), 200), kAxes),
+              HasSubstr("parameter LABELS reaches into the next one"));
+}
+
+TEST_F(C3d, LabelsThatLackOrRepeat) {
+  C3dText c3d = three_frames();
+  c3d.labels = {"A"};
+  const Demonstration d = read(write(c3d), kAxes);
+  EXPECT_THAT(d.streams.markers->names, ElementsAre("A", "*2"));
+  EXPECT_THAT(d.reports, ElementsAre("points without a name: 1"));
+  c3d.labels = {"A", "A"};
+  EXPECT_EQ(error_of(write(c3d), kAxes), "trial.c3d: POINT:LABELS: 'A' stands twice");
+}
+
+TEST_F(C3d, PointsThatAreNoPointsWereNotSeen) {
+  C3dText c3d = three_frames();
+  c3d.frames.assign(3, {Vec3::Zero(), unseen_point()});
+  const Demonstration d = read(write(c3d), kAxes);
+  EXPECT_THAT(d.reports, ElementsAre("3 points stand exactly at the origin: taken as not seen",
+                                     "no marker was seen in any frame"));
+}
+
+/// No length in the file is believed: cut anywhere, or with any byte changed, it is read or
+/// refused.
+TEST_F(C3d, DamageIsNeverACrash) {
+  const std::string text = three_frames().text();
+  for (std::size_t length = 0; length < text.size(); length += 7) {
+    EXPECT_NE(error_of(RecordingFolder::write(text.substr(0, length), "trial.c3d"), kAxes),
+              "no error")
+        << length;
+  }
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == 0 && text[at - (at > 0)] == 0 && at % 16 != 0) continue;
+    for (const char value : {'\0', '\x7f', '\xff'}) {
+      std::string damaged = text;
+      damaged[at] = value;
+      error_of(RecordingFolder::write(damaged, "trial.c3d"), kAxes);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace morphe
