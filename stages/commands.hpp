@@ -15,6 +15,7 @@ Command import_command(CLI::App& app);
 Command inspect_command(CLI::App& app);
 Command run_command(CLI::App& app);
 Command synthesize_command(CLI::App& app);
+Command study_command(CLI::App& app);
 Command verify_command(CLI::App& app);
 
 }  // namespace morphe

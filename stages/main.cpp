@@ -17,11 +17,12 @@ struct Entry {
   morphe::Command (*add)(CLI::App&);
 };
 
-constexpr std::array<Entry, 5> kCommands{{
+constexpr std::array<Entry, 6> kCommands{{
     {"import", "Recordings -> demonstrations.h5", morphe::import_command},
     {"inspect", "What a demonstrations.h5 holds and what will be usable", morphe::inspect_command},
     {"run", "Demonstrations and a config -> DIR/plans.h5", morphe::run_command},
     {"synthesize", "Recordings that never were, with their truth", morphe::synthesize_command},
+    {"study", "Figures against ground truth -> DIR/results.json", morphe::study_command},
     {"verify", "Judge a plans.h5 from the file alone", morphe::verify_command},
 }};
 

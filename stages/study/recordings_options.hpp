@@ -1,0 +1,79 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/config/fields.hpp"
+#include "stages/reconstruct/reconstruct.hpp"
+#include "stages/segment/segment.hpp"
+
+namespace morphe {
+
+struct AngleFile {
+  std::string recording, file;
+};
+template <class Fields>
+void fields(Fields& f, AngleFile& o) {
+  f.required("recording", o.recording);
+  f.required("file", o.file);
+}
+
+/// Recordings that somebody marked.
+struct RealSet {
+  std::string name, manifest;
+  bool same_boundaries = false;   ///< the labels are what segmentation calls a boundary
+  std::vector<AngleFile> angles;  ///< joint angles of others (see angle_files.hpp)
+};
+template <class Fields>
+void fields(Fields& f, RealSet& o) {
+  f.required("name", o.name);
+  f.required("manifest", o.manifest);
+  f("same_boundaries", o.same_boundaries);
+  f("angles", o.angles);
+}
+
+/// Recordings made by stages/synthesize.
+struct SyntheticSet {
+  std::string name, config;
+  int count = 500, quick_count = 20;
+  std::uint64_t seed = 1;
+  std::vector<std::string> set;              ///< "a.b=value" on the config
+  double least_recall = 0;                   ///< what is asked for, 0 = nothing
+  double median_s = 0, percentile_95_s = 0;  ///< of boundary errors
+  bool accuracy = false;                     ///< positions are judged too
+};
+template <class Fields>
+void fields(Fields& f, SyntheticSet& o) {
+  f.required("name", o.name);
+  f.required("config", o.config);
+  f("count", o.count);
+  f("quick_count", o.quick_count);
+  f("seed", o.seed);
+  f("set", o.set);
+  f("least_recall", o.least_recall);
+  f("median_s", o.median_s);
+  f("percentile_95_s", o.percentile_95_s);
+  f("accuracy", o.accuracy);
+}
+std::string check(const SyntheticSet& set);
+
+/// configs/studies/recordings.yaml.
+struct RecordingsStudyOptions {
+  std::string study;
+  std::vector<RealSet> real;
+  std::vector<SyntheticSet> synthetic;
+  ReconstructOptions reconstruct;
+  HumanOptions human;
+  SegmentOptions segment;
+};
+template <class Fields>
+void fields(Fields& f, RecordingsStudyOptions& o) {
+  f.required("study", o.study);
+  f("real", o.real);
+  f("synthetic", o.synthetic);
+  f("reconstruct", o.reconstruct);
+  f("human", o.human);
+  f("segment", o.segment);
+}
+
+}  // namespace morphe

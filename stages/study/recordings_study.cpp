@@ -1,0 +1,62 @@
+#include <algorithm>
+#include <cmath>
+
+#include "stages/study/judge.hpp"
+
+namespace morphe {
+
+std::string check(const SyntheticSet& o) {
+  if (o.count < 1 || o.quick_count < 1) return "count and quick_count must be positive";
+  return "";
+}
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return kNotSeen;
+  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
+  std::ranges::sort(values);
+  return values[std::min(values.size(), std::max<std::size_t>(rank, 1)) - 1];
+}
+
+StudyRow row_of(const Case& of, const std::string& metric, const std::string& unit, double ours,
+                std::size_t n) {
+  StudyRow row;
+  row.of = of;
+  row.metric = metric;
+  row.unit = unit;
+  row.ours = ours;
+  row.n = n;
+  return row;
+}
+
+double duration_of(const Demonstration& d) {
+  double duration = 0;
+  const auto take = [&](const std::vector<double>& time) {
+    if (!time.empty()) duration = std::max(duration, time.back() - time.front());
+  };
+  if (d.streams.markers) take(d.streams.markers->time);
+  if (d.streams.sensors) take(d.streams.sensors->time);
+  if (d.streams.skeleton) take(d.streams.skeleton->time);
+  if (d.streams.arm_angles) take(d.streams.arm_angles->time);
+  if (d.streams.hand) take(d.streams.hand->time);
+  return duration;
+}
+
+StudyResult recordings_study(const ConfigNode& config, const StudyRun& run) {
+  JudgeOptions options;
+  options.folder = run.config.parent_path();
+  read_options(config, static_cast<RecordingsStudyOptions&>(options));
+  config.expect_all_read();
+  StudyResult result;
+  for (const RealSet& set : options.real) judge_real(options, set, run, result);
+  Plot errors;
+  errors.title = "Boundaries of reaches on synthetic recordings";
+  errors.x_label = "error [ms]";
+  errors.y_label = "share of boundaries below it [%]";
+  for (const SyntheticSet& set : options.synthetic) {
+    judge_synthetic(options, set, run, result, errors);
+  }
+  if (!errors.lines.empty()) result.plots.emplace_back("boundary_errors", std::move(errors));
+  return result;
+}
+
+}  // namespace morphe
