@@ -6,12 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <span>
 
-#include "pipeline/human/glove.hpp"
 #include "pipeline/motion/input_error.hpp"
-#include "stages/import/capture_columns.hpp"
-#include "stages/import/glove_calibration.hpp"
+#include "stages/import/capture_table.hpp"
+#include "stages/import/glove_columns.hpp"
 #include "stages/import/marker_recording.hpp"
 
 namespace morphe {
@@ -19,60 +17,6 @@ namespace {
 
 using Columns = CaptureColumns;
 constexpr double kPi = std::numbers::pi;
-
-/// Every cell as a number, NaN = not seen.
-struct Rows {
-  std::vector<double> time;  ///< [N] [s]
-  std::size_t columns = 0;
-  std::vector<double> values;  ///< [N, columns]
-
-  std::span<const double> operator[](std::size_t row) const {
-    return {values.data() + row * columns, columns};
-  }
-};
-
-bool not_seen(std::string_view cell) {
-  return cell.empty() || cell == "NaN" || cell == "nan" || cell == "NAN";
-}
-
-Rows read_rows(const CsvText& csv, const Columns& columns, double rate_hz) {
-  if (csv.lines.size() < 2) csv.fail(1, "", "ends before the first row");
-  std::vector<bool> needed(columns.names.size(), true);
-  for (std::size_t c = 0; c < needed.size(); ++c) {
-    needed[c] = std::ranges::find(columns.left_out, columns.names[c]) == columns.left_out.end();
-  }
-  const std::size_t clock = columns.time != Columns::kNone ? columns.time : columns.frame;
-  const double step = columns.time != Columns::kNone ? 1 : 1 / rate_hz;
-  Rows rows;
-  rows.columns = columns.names.size();
-  rows.values.reserve((csv.lines.size() - 1) * rows.columns);
-  double first = 0;
-  for (std::size_t line = 2; line <= csv.lines.size(); ++line) {
-    const auto cells = csv.cells(line);
-    if (cells.size() != rows.columns) {
-      csv.fail(line, "",
-               fmt::format("the row has {} cells, the header {}", cells.size(), rows.columns));
-    }
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      rows.values.push_back(!needed[c] || not_seen(cells[c])
-                                ? kNotSeen
-                                : csv.number(line, columns.names[c], cells[c]));
-    }
-    const double now = rows[rows.time.size()][clock];
-    if (!std::isfinite(now)) csv.fail(line, columns.names[clock], "is empty");
-    if (line == 2 && columns.time == Columns::kNone) first = now;
-    const double t = (now - first) * step;
-    constexpr double kHour = 3600;
-    if (!rows.time.empty() && !(t > rows.time.back())) {
-      csv.fail(line, columns.names[clock], "does not follow the row before");
-    }
-    if (!rows.time.empty() && t - rows.time.back() > kHour) {
-      csv.fail(line, columns.names[clock], "jumps by more than an hour");
-    }
-    rows.time.push_back(t);
-  }
-  return rows;
-}
 
 /// What a file's bodies and points have in common.
 struct Place {
@@ -151,8 +95,8 @@ void report_never_seen(const std::vector<std::string>& names, const Table<Vec3>&
   }
 }
 
-void read_bodies(const Place& place, const Columns& columns, const Rows& rows, Streams& streams,
-                 std::vector<std::string>& reports) {
+void read_bodies(const Place& place, const Columns& columns, const CaptureTable& rows,
+                 Streams& streams, std::vector<std::string>& reports) {
   const std::size_t n = rows.time.size();
   const auto metres = [&](const Columns::Body& body) {
     return body.unit.empty() ? place.metres : metres_per_unit(body.unit, place.csv.file);
@@ -222,50 +166,6 @@ Place place_of(const CsvText& csv, const Columns& columns, const Conventions& co
   return place;
 }
 
-HandStream read_glove(const CsvText& csv, const Columns& columns, const Rows& rows,
-                      const std::map<std::string, RawToAngle>& calibration,
-                      std::vector<std::string>& reports) {
-  using Unit = Columns::GloveSensor::Unit;
-  HandStream hand;
-  hand.kind = HandKind::glove;
-  hand.names.assign(std::begin(kGloveSensors), std::end(kGloveSensors));
-  hand.time = rows.time;
-  const auto n = static_cast<Eigen::Index>(rows.time.size());
-  hand.angles = JointRows::Constant(n, static_cast<Eigen::Index>(kGloveSensorCount), kNotSeen);
-  std::vector<std::string> missing(hand.names), never;
-  for (const auto& [sensor, column, unit] : columns.glove) {
-    const std::string name = kGloveSensors[sensor];
-    std::erase(missing, name);
-    const auto raw = calibration.find(name);
-    if (unit == Unit::raw && raw == calibration.end()) {
-      csv.fail(1, columns.names[column],
-               "raw counts need two calibration points: give them in the glove_calibration");
-    }
-    bool once = false;
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const double value = rows[static_cast<std::size_t>(i)][column];
-      if (!std::isfinite(value)) continue;
-      once = true;
-      const double angle = unit == Unit::raw       ? raw->second.angle(value)
-                           : unit == Unit::degrees ? value * kPi / 180
-                                                   : value;
-      if (std::abs(angle) > kPi) {
-        csv.fail(static_cast<std::size_t>(i) + 2, columns.names[column],
-                 "is more than half a turn: is its unit right?");
-      }
-      hand.angles(i, static_cast<Eigen::Index>(sensor)) = angle;
-    }
-    if (!once) never.push_back(name);
-  }
-  if (!missing.empty()) {
-    reports.push_back(fmt::format("the glove has no sensor {}", fmt::join(missing, ", ")));
-  }
-  if (!never.empty()) {
-    reports.push_back(fmt::format("glove sensors without a number: {}", fmt::join(never, ", ")));
-  }
-  return hand;
-}
-
 }  // namespace
 
 Streams read_capture_file(const std::filesystem::path& file, const RecordingFiles& files,
@@ -286,7 +186,7 @@ Streams read_capture_file(const std::filesystem::path& file, const RecordingFile
   if (!columns.left_out.empty()) {
     said.push_back(fmt::format("columns left out: {}", fmt::join(columns.left_out, ", ")));
   }
-  const Rows rows = read_rows(csv, columns, rate_hz);
+  const CaptureTable rows = read_capture_table(csv, columns, rate_hz);
   Streams streams;
   if (placed) {
     const Place place = place_of(csv, columns, files.conventions, said);
@@ -297,7 +197,7 @@ Streams read_capture_file(const std::filesystem::path& file, const RecordingFile
     if (!files.glove_calibration.empty()) {
       calibration = read_glove_calibration(files.glove_calibration);
     }
-    streams.hand = read_glove(csv, columns, rows, calibration, said);
+    streams.hand = read_glove_columns(csv, columns, rows, calibration, said);
   }
   for (const std::string& report : said) {
     reports.push_back(fmt::format("{}: {}", file.filename().string(), report));
