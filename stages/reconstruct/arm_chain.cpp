@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "pipeline/human/arm_angles.hpp"
@@ -72,9 +73,9 @@ void meet_length(double length, Vec3& a, Vec3& b) {
 
 }  // namespace
 
-void keep_bone_lengths(HumanMotion& motion) {
-  const double upper_arm = median_distance(motion.shoulder, motion.elbow);
-  const double forearm = median_distance(motion.elbow, motion.wrist);
+void keep_bone_lengths(HumanMotion& motion, const std::optional<ArmLengths>& known) {
+  const auto [upper_arm, forearm] = known.value_or(ArmLengths{
+      median_distance(motion.shoulder, motion.elbow), median_distance(motion.elbow, motion.wrist)});
   Deviations upper_arm_off, forearm_off;
   for (std::size_t i = 0; i < motion.time.size(); ++i) {
     upper_arm_off.add((motion.elbow[i] - motion.shoulder[i]).norm() - upper_arm);
@@ -82,7 +83,7 @@ void keep_bone_lengths(HumanMotion& motion) {
   }
   upper_arm_off.report("upper arm length", motion.residuals);
   forearm_off.report("forearm length", motion.residuals);
-  if (upper_arm_off.rms() > kNoBone || forearm_off.rms() > kNoBone) {
+  if (!known && (upper_arm_off.rms() > kNoBone || forearm_off.rms() > kNoBone)) {
     motion.problems.push_back(fmt::format(
         "the tracked joints are no arm: its bones' lengths vary by {:.0f} and {:.0f} mm "
         "RMS; they are left as they are",
@@ -121,6 +122,13 @@ void add_arm_angles(HumanMotion& motion) {
   motion.arm_angles = std::move(angles);
   missed.report("arm angles", motion.residuals);
   turned.report("arm angles, hand", motion.residuals);
+  constexpr double kFar = 0.02, kTurned = 0.3 * kHand;  // [m]
+  if (missed.rms() > kFar || turned.rms() > kTurned) {
+    motion.problems.push_back(fmt::format(
+        "arm angles: within human limits they miss elbow or wrist by {:.0f} mm RMS, the hand by "
+        "{:.0f} degrees RMS",
+        1000 * missed.rms(), turned.rms() / kHand * 180 / std::numbers::pi));
+  }
 }
 
 }  // namespace morphe

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "pipeline/human/arm.hpp"
 #include "pipeline/motion/human_motion.hpp"
 
 namespace morphe {
@@ -8,8 +11,9 @@ namespace morphe {
 /// three joint centres move as little as that takes (least sum of squares): a measurement error is
 /// shared between the joints. A bone with an unseen end is left. What the bones' lengths were off
 /// by goes into `residuals` ("upper arm length", "forearm length"). Where that is more than 20 mm
-/// RMS nothing moves, and `problems` says so.
-void keep_bone_lengths(HumanMotion& motion);
+/// RMS nothing moves, and `problems` says so. Lengths that are `known` (of a static trial) hold in
+/// place of the medians, whatever the recording says.
+void keep_bone_lengths(HumanMotion& motion, const std::optional<ArmLengths>& known = {});
 
 /// Fills `arm_angles` from shoulder, elbow, wrist and the hand's orientation, where all are seen
 /// (pipeline/human/arm_angles; the trunk is taken to face Y). Residuals: "arm angles", what elbow

@@ -1,67 +1,93 @@
 #include "stages/reconstruct/cluster.hpp"
 
-#include <optional>
+#include <algorithm>
+
+#include "stages/reconstruct/gaps.hpp"
 
 namespace morphe {
 namespace {
 
-/// Deviation of one marker from where the others carry it, in the static trial's frame.
-struct Deviation {
-  std::size_t frame;
-  Vec3 in_static;
-};
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-void complete_marker(const std::vector<Vec3>& still, std::vector<std::vector<Vec3>>& tracks,
-                     std::size_t marker) {
-  const std::size_t frames = tracks[marker].size();
-  const auto carried_by_others = [&](std::size_t frame) {
-    std::vector<Vec3> now;
-    for (const auto& track : tracks) now.push_back(track[frame]);
-    now[marker] = unseen_point();
-    return fit_rigid(still, now);
-  };
-  const auto deviation_at = [&](std::size_t frame, const Pose& world_from_static) {
-    return Deviation{frame, world_from_static.inverse() * tracks[marker][frame] - still[marker]};
-  };
-  std::optional<Deviation> before;
-  for (std::size_t i = 0; i < frames; ++i) {
-    if (seen(tracks[marker][i])) continue;
-    std::size_t end = i;
-    while (end < frames && !seen(tracks[marker][end])) ++end;
-    before.reset();
-    if (i > 0) {
-      if (const Pose pose = carried_by_others(i - 1); pose.matrix().allFinite()) {
-        before = deviation_at(i - 1, pose);
-      }
-    }
-    std::optional<Deviation> after;
-    if (end < frames) {
-      if (const Pose pose = carried_by_others(end); pose.matrix().allFinite()) {
-        after = deviation_at(end, pose);
-      }
-    }
-    for (; i < end; ++i) {
-      const Pose pose = carried_by_others(i);
-      Vec3 deviation = Vec3::Zero();
-      if (before && after) {
-        const double share = static_cast<double>(i - before->frame) /
-                             static_cast<double>(after->frame - before->frame);
-        deviation = (1 - share) * before->in_static + share * after->in_static;
-      } else if (before || after) {
-        deviation = before ? before->in_static : after->in_static;
-      }
-      if (pose.matrix().allFinite()) tracks[marker][i] = pose * (still[marker] + deviation);
-    }
-  }
+/// Pose of the body in one frame, without what `left_out` shows.
+Pose pose_at(const std::vector<Vec3>& shape, const std::vector<std::vector<Vec3>>& tracks,
+             std::size_t frame, std::size_t left_out = kNone) {
+  std::vector<Vec3> now;
+  for (const auto& track : tracks) now.push_back(track[frame]);
+  if (left_out != kNone) now[left_out] = unseen_point();
+  return fit_rigid(shape, now);
+}
+
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
 
 }  // namespace
 
-void complete_cluster(const std::vector<Vec3>& still, std::vector<std::vector<Vec3>>& tracks) {
+Vec3 median_in_body(const std::vector<Pose>& world_from_body, const std::vector<Vec3>& track) {
+  std::vector<double> places[3];
+  for (std::size_t i = 0; i < track.size(); ++i) {
+    const Vec3 place = world_from_body[i].inverse() * track[i];
+    if (!seen(place)) continue;
+    for (int c = 0; c < 3; ++c) places[c].push_back(place[c]);
+  }
+  if (places[0].empty()) return unseen_point();
+  return {median(places[0]), median(places[1]), median(places[2])};
+}
+
+std::vector<Pose> poses_of(const std::vector<Vec3>& shape,
+                           const std::vector<std::vector<Vec3>>& tracks) {
+  std::vector<Pose> poses;
+  const std::size_t frames = tracks.empty() ? 0 : tracks.front().size();
+  for (std::size_t i = 0; i < frames; ++i) poses.push_back(pose_at(shape, tracks, i));
+  return poses;
+}
+
+std::vector<Vec3> median_shape(const std::vector<std::vector<Vec3>>& tracks) {
+  constexpr int kRounds = 3;
+  std::vector<Vec3> shape(tracks.size(), unseen_point());
+  const std::size_t frames = tracks.empty() ? 0 : tracks.front().size();
+  std::ptrdiff_t most = 2;
+  for (std::size_t i = 0; i < frames; ++i) {
+    const auto shown =
+        std::ranges::count_if(tracks, [&](const auto& track) { return seen(track[i]); });
+    if (shown <= most) continue;
+    most = shown;
+    for (std::size_t k = 0; k < tracks.size(); ++k) shape[k] = tracks[k][i];
+  }
+  for (int round = 0; round < kRounds; ++round) {
+    const std::vector<Pose> poses = poses_of(shape, tracks);
+    for (std::size_t k = 0; k < tracks.size(); ++k) shape[k] = median_in_body(poses, tracks[k]);
+  }
+  return shape;
+}
+
+void complete_marker(const std::vector<Vec3>& shape, std::vector<std::vector<Vec3>>& tracks,
+                     std::size_t marker) {
+  std::vector<Vec3>& track = tracks[marker];
+  if (!seen(shape[marker]) || std::ranges::all_of(track, [](auto& p) { return seen(p); })) return;
+  std::vector<Pose> world_from_body;
+  std::vector<Vec3> deviation;  // in the body
+  for (std::size_t i = 0; i < track.size(); ++i) {
+    world_from_body.push_back(pose_at(shape, tracks, i, marker));
+    deviation.push_back(world_from_body[i].inverse() * track[i] - shape[marker]);
+  }
+  interpolate_unseen(deviation);
+  for (std::size_t i = 0; i < track.size(); ++i) {
+    if (seen(track[i])) continue;
+    const Vec3 slid = seen(deviation[i]) ? deviation[i] : Vec3::Zero();
+    const Vec3 carried = world_from_body[i] * (shape[marker] + slid);
+    if (seen(carried)) track[i] = carried;
+  }
+}
+
+void complete_cluster(const std::vector<Vec3>& shape, std::vector<std::vector<Vec3>>& tracks) {
   std::vector<std::vector<Vec3>> completed = tracks;
   for (std::size_t k = 0; k < tracks.size(); ++k) {
-    std::vector<std::vector<Vec3>> work = tracks;  // only what was recorded carries a marker
-    if (seen(still[k])) complete_marker(still, work, k);
+    std::vector<std::vector<Vec3>> work = tracks;
+    complete_marker(shape, work, k);
     completed[k] = std::move(work[k]);
   }
   tracks = std::move(completed);

@@ -16,6 +16,13 @@ namespace {
 
 using testing::Contains;
 using testing::HasSubstr;
+using testing::IsSupersetOf;
+
+std::vector<std::string> names_of(const std::vector<Residual>& residuals) {
+  std::vector<std::string> names;
+  for (const Residual& residual : residuals) names.push_back(residual.name);
+  return names;
+}
 
 TEST(MotionFromMarkers, FindsTheExactArmOfSyntheticClusters) {
   ReconstructOptions options;
@@ -37,8 +44,10 @@ TEST(MotionFromMarkers, FindsTheExactArmOfSyntheticClusters) {
     EXPECT_FALSE(seen(motion.tip(i, 2)));
     EXPECT_NEAR((motion.elbow[i] - motion.shoulder[i]).norm(), arm.upper_arm, 1e-9);
   }
-  ASSERT_EQ(motion.residuals.size(), 5u);
-  for (const Residual& residual : motion.residuals) EXPECT_LT(residual.max_m, 2e-3);
+  EXPECT_THAT(names_of(motion.residuals),
+              IsSupersetOf({"RUAR rigid fit", "elbow, RUAR against RLAR",
+                            "wrist, RLAR against RHAN", "upper arm length", "forearm length"}));
+  for (const Residual& residual : motion.residuals) EXPECT_LT(residual.max_m, 3e-3);
 }
 
 TEST(MotionFromMarkers, HandFrameFollowsTheConventionOfARightHand) {
@@ -75,7 +84,7 @@ TEST(MotionFromMarkers, OneMarkerMissingChangesNothingTwoAreReported) {
   const HumanMotion one = reconstruct(arm.demonstration, {}, {});
   EXPECT_TRUE(one.problems.empty());
   for (std::size_t i = 0; i < whole.time.size(); ++i) {
-    EXPECT_LT((one.wrist[i] - whole.wrist[i]).norm(), 1e-9);
+    EXPECT_LT((one.wrist[i] - whole.wrist[i]).norm(), 1e-5);  // rotations of 1e-5 by the filter
   }
   hide("RHAN3");
   const HumanMotion two = reconstruct(arm.demonstration, {}, {});
@@ -87,8 +96,9 @@ TEST(MotionFromMarkers, OneMarkerMissingChangesNothingTwoAreReported) {
   }
   arm.demonstration.calibration.markers.reset();
   const HumanMotion unknown = reconstruct(arm.demonstration, {}, {});
-  EXPECT_THAT(unknown.problems, Contains(HasSubstr("no static trial")));
-  EXPECT_FALSE(seen(unknown.shoulder[0]));
+  EXPECT_THAT(unknown.estimated, testing::ElementsAre("shoulder", "elbow"));
+  EXPECT_THAT(unknown.problems, Contains(HasSubstr("wrist: RSPR, RSPU were not seen")));
+  EXPECT_FALSE(seen(unknown.wrist[0]));
   EXPECT_TRUE(seen(unknown.tip(0, 1)));
 }
 

@@ -1,0 +1,50 @@
+#include "stages/reconstruct/pivot.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace morphe {
+
+Pivot find_pivot(const std::vector<Pose>& world_from_a, const std::vector<Pose>& world_from_b,
+                 const PivotPrior& prior) {
+  using Matrix6 = Eigen::Matrix<double, 6, 6>;
+  using Vector6 = Eigen::Matrix<double, 6, 1>;
+  // Unknown: how far c_a and c_b are from the prior. Means over the frames of J^T J, -J^T b, b^T b
+  // with J = (R_a, -R_b) and b the step from the one prior to the other.
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Zero();
+  Vector6 right = Vector6::Zero();
+  double apart = 0, frames = 0;
+  for (std::size_t i = 0; i < world_from_a.size(); ++i) {
+    const Pose &a = world_from_a[i], &b = world_from_b[i];
+    const Vec3 step = a * prior.in_a - b * prior.in_b;
+    if (!seen(step)) continue;
+    turn += a.linear().transpose() * b.linear();
+    right.head<3>() -= a.linear().transpose() * step;
+    right.tail<3>() += b.linear().transpose() * step;
+    apart += step.squaredNorm();
+    ++frames;
+  }
+  if (frames == 0) return {unseen_point(), unseen_point(), kNotSeen, kNotSeen};
+  Matrix6 normal = Matrix6::Identity();
+  normal.topRightCorner<3, 3>() = -turn / frames;
+  normal.bottomLeftCorner<3, 3>() = -turn.transpose() / frames;
+  right /= frames;
+  apart /= frames;
+
+  constexpr int kRounds = 30;
+  constexpr double kFloor = 1e-5;  // [m]
+  Vector6 moved = Vector6::Zero();
+  double residual = std::sqrt(apart), weight = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    weight = std::pow(std::max(residual, kFloor) / prior.sd_m, 2);
+    moved = (normal + weight * Matrix6::Identity()).ldlt().solve(right);
+    residual = std::sqrt(std::max(0.0, moved.dot(normal * moved) - 2 * moved.dot(right) + apart));
+  }
+  const double least = Eigen::SelfAdjointEigenSolver<Matrix6>(normal).eigenvalues()[0];
+  return {prior.in_a + moved.head<3>(), prior.in_b + moved.tail<3>(), residual,
+          std::max(residual, kFloor) / std::sqrt(std::max(0.0, least) + weight)};
+}
+
+}  // namespace morphe

@@ -1,0 +1,35 @@
+#include "stages/reconstruct/static_trial.hpp"
+
+#include <fmt/format.h>
+
+namespace morphe {
+
+StaticTrial::StaticTrial(const std::optional<MarkerStream>& trial) : given_(trial.has_value()) {
+  for (std::size_t k = 0; given_ && k < trial->names.size(); ++k) {
+    Eigen::AlignedBox3d box;
+    Vec3 sum = Vec3::Zero();
+    int count = 0;
+    for (std::size_t i = 0; i < trial->position.rows; ++i) {
+      const Vec3& point = trial->position(i, k);
+      if (!seen(point)) continue;
+      sum += point;
+      box.extend(point);
+      ++count;
+    }
+    if (count > 0) markers_[trial->names[k]] = {sum / count, box.diagonal().norm()};
+  }
+}
+
+Vec3 StaticTrial::at(const std::string& marker, std::vector<std::string>& problems) {
+  constexpr double kStill = 0.010;  // breathing and drift of the quiet trials: 1 to 5 mm
+  const auto found = markers_.find(marker);
+  if (found == markers_.end()) return unseen_point();
+  double& moved_m = found->second.moved_m;
+  if (moved_m > kStill) {
+    problems.push_back(fmt::format("static trial: {} moves by {:.1f} mm", marker, 1000 * moved_m));
+    moved_m = 0;
+  }
+  return found->second.mean;
+}
+
+}  // namespace morphe
