@@ -53,8 +53,7 @@ Streams simulate_calibration(const SynthesizeOptions& options, const Subject& su
   const SyntheticSensors& o = options.sensors;
   const auto count = static_cast<std::size_t>(std::floor(o.calibration_s * o.rate_hz)) + 1;
   Streams calibration;
-  calibration.sensors =
-      simulate_sensors(o, mounts, std::vector<ArmAt>(count, arm), subject.body.arm, random);
+  calibration.sensors = simulate_sensors(o, mounts, std::vector<ArmAt>(count, arm), random);
   calibration.markers = digitise(o, subject, arm.pose, random);
   calibration.hand = simulate_glove(
       options.glove, bias, [](double) { return GloveAngles{}; }, o.calibration_s, 0, random);

@@ -1,7 +1,6 @@
 #include "stages/synthesize/random_stream.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "pipeline/config/hash.hpp"
 
@@ -29,11 +28,16 @@ double RandomStream::normal() {
     has_spare_ = false;
     return spare_;
   }
-  const double radius = std::sqrt(-2 * std::log(1 - uniform()));
-  const double angle = 2 * std::numbers::pi * uniform();
-  spare_ = radius * std::sin(angle);
+  double x = 0, y = 0, square = 0;
+  do {
+    x = 2 * uniform() - 1;
+    y = 2 * uniform() - 1;
+    square = x * x + y * y;
+  } while (square >= 1 || square == 0);
+  const double scale = std::sqrt(-2 * std::log(square) / square);
+  spare_ = scale * y;
   has_spare_ = true;
-  return radius * std::cos(angle);
+  return scale * x;
 }
 
 Quat RandomStream::rotation() {

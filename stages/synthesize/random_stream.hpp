@@ -19,7 +19,7 @@ class RandomStream {
   double between(const FromTo& range) { return between(range[0], range[1]); }
   bool chance(double share) { return uniform() < share; }
   int whole(const FromTo& range);  ///< from … to, both included
-  double normal();                 ///< mean 0, variance 1 (Box-Muller)
+  double normal();                 ///< mean 0, variance 1 (Marsaglia's polar method)
   Vec3 normals() {
     const double x = normal(), y = normal();
     return {x, y, normal()};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace morphe {
 namespace {
@@ -122,8 +123,23 @@ Profile draw_profile(MovementKind kind, double begin_s, double duration_s, Rando
 Vec3 across(const Vec3& way, RandomStream& random) {
   const Vec3 along = way.normalized();
   const Vec3 aside = along.cross(Vec3::UnitZ()).normalized();
-  const double turn = random.between(0, 3.14159265358979);
+  const double turn = random.between(0, std::numbers::pi);
   return std::cos(turn) * aside + std::sin(turn) * aside.cross(along);
+}
+
+/// No angle of the arm comes near a limit, where it would have to stop at once.
+bool within_human_limits(const Script& script, const Subject& subject) {
+  constexpr double kStep_s = 0.02, kMargin = 0.05;  // [rad]
+  const ArmLimits& limits = human_arm_limits();
+  for (double t = 0; t < script.length_s; t += kStep_s) {
+    const ArmAngles angles = arm_at(subject, arm_state(script.motion, t)).angles;
+    for (std::size_t k = 0; k < kArmAngles; ++k) {
+      if (angles[k] < limits.lower[k] + kMargin || angles[k] > limits.upper[k] - kMargin) {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 /// Draws a recording movement by movement; `now_s_` is where it has got to.
@@ -294,7 +310,12 @@ class Writer {
 }  // namespace
 
 Script draw_script(const SynthesizeOptions& options, const Subject& subject, RandomStream& random) {
-  return Writer(options, subject, random).write();
+  constexpr int kTries = 100;
+  Script script = Writer(options, subject, random).write();
+  for (int k = 1; k < kTries && !within_human_limits(script, subject); ++k) {
+    script = Writer(options, subject, random).write();
+  }
+  return script;
 }
 
 }  // namespace morphe

@@ -37,6 +37,8 @@ struct Script {
   double begin_s = 0, end_s = 0;  ///< what was recorded of it
   double object_radius = 0;       ///< what the hand closes on [m]
 };
+/// Drawn again, at most 100 times, while an angle of the arm comes within 0.05 rad of its human
+/// limit.
 Script draw_script(const SynthesizeOptions& options, const Subject& subject, RandomStream& random);
 
 }  // namespace morphe

@@ -1,8 +1,5 @@
 #include "stages/synthesize/simulated_sensors.hpp"
 
-#include <cmath>
-#include <numbers>
-
 namespace morphe {
 namespace {
 
@@ -16,20 +13,22 @@ class PoseNoise {
         rotation_(noise_law(o), o.orientation_noise, random) {}
   void add_to(Vec3& position, Quat& orientation) {
     position += position_.next();
-    const Vec3 turn = rotation_.next();
-    const double angle = turn.norm();
-    if (angle > 0) orientation = orientation * Quat(Eigen::AngleAxisd(angle, turn / angle));
+    const Vec3 half_turn = 0.5 * rotation_.next();
+    orientation *= Quat(1, half_turn.x(), half_turn.y(), half_turn.z());
+    orientation.normalize();
   }
 
  private:
   SensorNoise<3> position_, rotation_;
 };
 
-/// Axes that turn with the upper arm: those of the hand if the elbow were bent at a right angle.
-Quat upper_arm_axes(const ArmAt& arm, const ArmLengths& lengths) {
-  const ArmAngles bent = {
-      arm.angles[0], arm.angles[1], arm.angles[2], std::numbers::pi / 2, 0, 0, 0};
-  return arm_pose(arm.pose.shoulder, lengths, bent).world_from_hand;
+/// Axes that turn with the upper arm: z along it, x along the hinge of the elbow, which is bent.
+Quat upper_arm_axes(const ArmPose& arm) {
+  Eigen::Matrix3d axes;
+  axes.col(2) = (arm.shoulder - arm.elbow).normalized();
+  axes.col(0) = axes.col(2).cross(arm.elbow - arm.wrist).normalized();
+  axes.col(1) = axes.col(2).cross(axes.col(0));
+  return Quat(axes);
 }
 
 }  // namespace
@@ -44,8 +43,7 @@ SensorMounts draw_mounts(const SyntheticSensors& options, RandomStream& random) 
 }
 
 BodyStream simulate_sensors(const SyntheticSensors& options, const SensorMounts& mounts,
-                            const std::vector<ArmAt>& arm, const ArmLengths& lengths,
-                            RandomStream& random) {
+                            const std::vector<ArmAt>& arm, RandomStream& random) {
   BodyStream stream;
   stream.names = {"shoulder", "elbow", "wrist"};
   stream.position = Table<Vec3>(arm.size(), 3, Vec3::Zero());
@@ -60,7 +58,7 @@ BodyStream simulate_sensors(const SyntheticSensors& options, const SensorMounts&
     stream.time.push_back(static_cast<double>(i) / options.rate_hz);
     const ArmPose& pose = arm[i].pose;
     const std::array<Vec3, 3> joint = {pose.shoulder, pose.elbow, pose.wrist};
-    const std::array<Quat, 3> segment = {Quat::Identity(), upper_arm_axes(arm[i], lengths),
+    const std::array<Quat, 3> segment = {Quat::Identity(), upper_arm_axes(pose),
                                          pose.world_from_hand};
     for (std::size_t k = 0; k < 3; ++k) {
       Vec3& position = stream.position(i, k);
@@ -68,7 +66,6 @@ BodyStream simulate_sensors(const SyntheticSensors& options, const SensorMounts&
       position = joint[k] + segment[k] * mounts.segment_from_sensor[k].translation();
       orientation = segment[k] * segment_from_sensor[k];
       noise[k].add_to(position, orientation);
-      orientation.normalize();
     }
   }
   return stream;
@@ -90,7 +87,6 @@ void add_noise(const SyntheticSensors& options, RandomStream& random, SceneObjec
   PoseNoise noise(options, random);
   for (std::size_t i = 0; i < object.time.size(); ++i) {
     noise.add_to(object.position[i], object.orientation[i]);
-    object.orientation[i].normalize();
   }
 }
 

@@ -17,8 +17,7 @@ SensorMounts draw_mounts(const SyntheticSensors& options, RandomStream& random);
 
 /// What the tracker says of an arm that moves so, with noise, on its own clock from `first` on.
 BodyStream simulate_sensors(const SyntheticSensors& options, const SensorMounts& mounts,
-                            const std::vector<ArmAt>& arm, const ArmLengths& lengths,
-                            RandomStream& random);
+                            const std::vector<ArmAt>& arm, RandomStream& random);
 /// Replaces what was lost by NaN.
 void drop(const SyntheticSensors& options, RandomStream& random, BodyStream& sensors);
 

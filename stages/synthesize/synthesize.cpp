@@ -60,14 +60,14 @@ GloveAngles ideal_glove(const BodyMotion& motion, double time_s) {
   return encode_glove({hand_angles(motion.hand.at(time_s)), arm[kFlexion], arm[kDeviation]});
 }
 
-Streams recorded_streams(const SynthesizeOptions& options, const Subject& subject,
-                         const Script& script, const MotionSamples& samples, const Recorded& part,
+Streams recorded_streams(const SynthesizeOptions& options, const Script& script,
+                         const MotionSamples& samples, const Recorded& part,
                          const SensorMounts& mounts, const GloveBias& bias, double clock_offset_s,
                          RandomStream& random) {
   Streams streams;
   const auto first = samples.arm.begin() + static_cast<std::ptrdiff_t>(part.first);
   const std::vector<ArmAt> arm(first, first + static_cast<std::ptrdiff_t>(part.count()));
-  streams.sensors = simulate_sensors(options.sensors, mounts, arm, subject.body.arm, random);
+  streams.sensors = simulate_sensors(options.sensors, mounts, arm, random);
   drop(options.sensors, random, *streams.sensors);
   const double begin_s = samples.time(part.first);
   streams.hand = simulate_glove(
@@ -126,8 +126,8 @@ SyntheticRecording synthesize(const SynthesizeOptions& options, std::uint64_t se
 
   const SensorMounts mounts = draw_mounts(options.sensors, of_sensors);
   const GloveBias bias = draw_bias(options.glove, of_sensors);
-  made.recorded.streams = recorded_streams(options, subject, script, samples, part, mounts, bias,
-                                           clock_offset_s, of_sensors);
+  made.recorded.streams =
+      recorded_streams(options, script, samples, part, mounts, bias, clock_offset_s, of_sensors);
   made.recorded.calibration =
       simulate_calibration(options, subject, script.motion.arm.start, mounts, bias, of_calibration);
   made.recorded.sensor_offsets = sensor_offsets(made.recorded.calibration, made.recorded.reports);
