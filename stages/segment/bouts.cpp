@@ -3,174 +3,200 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stages/segment/edges.hpp"
+
 namespace morphe {
 namespace {
 
 using Speeds = std::vector<double>;
 
-constexpr double kNearlyRest = 1.25;  ///< a dip to this multiple of the rest speed is a rest too,
-constexpr double kNearlyRestRatio = 0.6;  ///< … if it is also below this share of the smaller peak
-constexpr double kLeastBout = 0.08;       ///< [s]
-constexpr double kFitLow = 0.03, kFitHigh = 0.3;
+constexpr double kDeepest = 0.15, kShallowest = 0.6;  ///< dips that always, that never separate
+constexpr double kNoisePeak = 4;  ///< times the rms of noise: hardly ever reached by it
+constexpr double kLeastBout_s = 0.08;
+constexpr double kSplitWithin_s = 0.15;
+constexpr double kSpread_s = 0.04;  ///< an edge that is as uncertain as this is half as sure
+constexpr std::size_t kNeighbours = 2;
 
-std::size_t fastest(const Speeds& speed, std::size_t first, std::size_t last) {
-  const auto begin = speed.begin();
-  return static_cast<std::size_t>(std::max_element(begin + static_cast<std::ptrdiff_t>(first),
-                                                   begin + static_cast<std::ptrdiff_t>(last) + 1) -
-                                  begin);
+/// A stretch with one or more peaks between two slow points.
+struct Piece {
+  std::size_t first = 0, last = 0, peak = 0;
+};
+
+std::size_t extreme(const Speeds& speed, std::size_t first, std::size_t last, bool fastest) {
+  const auto begin = speed.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto end = speed.begin() + static_cast<std::ptrdiff_t>(last) + 1;
+  const auto at = fastest ? std::max_element(begin, end) : std::min_element(begin, end);
+  return static_cast<std::size_t>(at - speed.begin());
 }
 
-double slowest_speed(const Speeds& speed, std::size_t first, std::size_t last) {
-  return *std::min_element(speed.begin() + static_cast<std::ptrdiff_t>(first),
-                           speed.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+/// What noise adds to a speed is added everywhere, so that ratios in a rest mean nothing.
+double lifted(const HandSignals& signals, std::size_t i) {
+  return signals.speed[i] + 2 * signals.speed_noise + 1e-6;
 }
 
-/// Cuts [first, last] at its relatively deepest dip, then both sides; the dip ends the left bout
-/// and begins the right one.
-void split_at_dips(const Speeds& speed, std::size_t first, std::size_t last, double rest,
-                   double dip_share, std::vector<Bout>& out) {
-  std::size_t best = first;
-  double best_ratio = 1;
-  if (last > first + 1) {
-    Speeds right(last - first + 1);
-    right.back() = speed[last];
-    for (std::size_t i = last; i-- > first;) {
-      right[i - first] = std::max(speed[i], right[i - first + 1]);
-    }
-    double left = speed[first];
-    for (std::size_t i = first + 1; i < last; ++i) {
-      left = std::max(left, speed[i]);
-      if (speed[i] >= speed[i - 1] || speed[i] > speed[i + 1]) continue;
-      const double ratio = speed[i] / std::min(left, right[i - first]);
-      const bool deep =
-          ratio < dip_share || (speed[i] <= kNearlyRest * rest && ratio < kNearlyRestRatio);
-      if (deep && ratio < best_ratio) {
-        best = i;
-        best_ratio = ratio;
-      }
+/// Cuts at every dip below kShallowest of the peaks on both sides, in one pass.
+std::vector<Piece> cut_at_dips(const HandSignals& signals) {
+  std::vector<std::size_t> bounds = {0};
+  std::size_t low = 0, high = 0;
+  bool rising = false, falling = false;
+  for (std::size_t i = 1; i < signals.frames(); ++i) {
+    const double v = lifted(signals, i);
+    if (v > lifted(signals, high)) high = i;
+    if (v < lifted(signals, low)) low = i;
+    if (!falling && v < kShallowest * lifted(signals, high)) {
+      falling = true;
+      rising = false;
+      low = i;
+    } else if (!rising && lifted(signals, low) < kShallowest * v) {
+      rising = true;
+      falling = false;
+      if (low > 0) bounds.push_back(low);
+      high = i;
     }
   }
-  if (best == first) {
-    Bout bout;
-    bout.first = first;
-    bout.last = last;
-    bout.peak = fastest(speed, first, last);
-    out.push_back(bout);
+  bounds.push_back(falling ? low : signals.frames() - 1);
+  std::vector<Piece> pieces;
+  for (std::size_t k = 1; k < bounds.size(); ++k) {
+    if (bounds[k] <= bounds[k - 1]) continue;
+    pieces.push_back(
+        {bounds[k - 1], bounds[k], extreme(signals.speed, bounds[k - 1], bounds[k], true)});
+  }
+  return pieces;
+}
+
+/// Above 1: the dip between two pieces is too shallow to separate them.
+double shallowness(const HandSignals& signals, const Piece& a, const Piece& b, double dip_share) {
+  const auto way = [&](const Piece& piece) -> Vec3 {
+    return (signals.position[piece.last] - signals.position[piece.first]).normalized();
+  };
+  const double allowed = std::clamp(dip_share * (1 - way(a).dot(way(b))), kDeepest, kShallowest);
+  const double smaller = std::min(lifted(signals, a.peak), lifted(signals, b.peak));
+  return lifted(signals, a.last) / smaller / allowed;
+}
+
+/// Joins pieces over shallow dips, the shallowest of each neighbourhood first.
+void join_over_shallow_dips(const HandSignals& signals, double dip_share,
+                            std::vector<Piece>& pieces) {
+  for (bool changed = true; changed && pieces.size() > 1;) {
+    changed = false;
+    std::vector<double> shallow(pieces.size() + 1, 0.0);  // of the dip before each piece
+    for (std::size_t k = 1; k < pieces.size(); ++k) {
+      shallow[k] = shallowness(signals, pieces[k - 1], pieces[k], dip_share);
+    }
+    std::vector<Piece> joined = {pieces[0]};
+    bool just_joined = false;
+    for (std::size_t k = 1; k < pieces.size(); ++k) {
+      const bool join = !just_joined && shallow[k] > 1 && shallow[k] >= shallow[k - 1] &&
+                        shallow[k] >= shallow[k + 1];
+      just_joined = join;
+      if (!join) {
+        joined.push_back(pieces[k]);
+        continue;
+      }
+      Piece& left = joined.back();
+      left.last = pieces[k].last;
+      if (signals.speed[pieces[k].peak] > signals.speed[left.peak]) left.peak = pieces[k].peak;
+      changed = true;
+    }
+    pieces = std::move(joined);
+  }
+}
+
+void split_at(const HandSignals& signals, double time_s, std::vector<Piece>& pieces) {
+  const std::size_t first = signals.frame(time_s - kSplitWithin_s);
+  const std::size_t last = signals.frame(time_s + kSplitWithin_s);
+  const std::size_t slowest = extreme(signals.speed, first, last, false);
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    const Piece piece = pieces[k];
+    if (slowest <= piece.first || slowest >= piece.last) continue;
+    const Piece left{piece.first, slowest, extreme(signals.speed, piece.first, slowest, true)};
+    const Piece right{slowest, piece.last, extreme(signals.speed, slowest, piece.last, true)};
+    const double smaller = std::min(signals.speed[left.peak], signals.speed[right.peak]);
+    if (signals.speed[slowest] < kDeepest * smaller) return;  // a rest already
+    if (left.peak == slowest || right.peak == slowest) return;
+    pieces[k] = left;
+    pieces.insert(pieces.begin() + static_cast<std::ptrdiff_t>(k) + 1, right);
     return;
   }
-  split_at_dips(speed, first, best, rest, dip_share, out);
-  split_at_dips(speed, best, last, rest, dip_share, out);
 }
 
-/// First peak that matters: at least a quarter of the fastest, followed by a fall of a fifth.
-std::size_t first_peak(const Speeds& speed, std::size_t first, std::size_t last) {
-  const double least = 0.25 * speed[fastest(speed, first, last)];
-  std::size_t peak = first;
-  for (std::size_t i = first; i <= last; ++i) {
-    if (speed[i] > speed[peak]) peak = i;
-    if (speed[peak] >= least && speed[i] < 0.8 * speed[peak]) break;
+Bout make_bout(const HandSignals& signals, const SegmentOptions& options, const Piece& piece) {
+  Bout bout;
+  bout.first = piece.first;
+  bout.last = piece.last;
+  bout.peak = piece.peak;
+  const Edge begin =
+      find_edge(signals, piece.first, piece.peak, options.onset_share, options.weak_share);
+  const Edge end =
+      find_edge(signals, piece.last, piece.peak, options.onset_share, options.weak_share);
+  bout.begin_s = signals.time(begin.frame);
+  bout.end_s = signals.time(end.frame);
+  bout.begin_confidence = 1 / (1 + std::pow(begin.spread_s / kSpread_s, 2));
+  bout.end_confidence = 1 / (1 + std::pow(end.spread_s / kSpread_s, 2));
+  bout.cut_begin = begin.frame <= 0;
+  bout.cut_end = end.frame >= static_cast<double>(signals.frames() - 1);
+  bout.from = signals.position[signals.frame(bout.begin_s)];
+  bout.to = signals.position[signals.frame(bout.end_s)];
+  for (std::size_t i = signals.frame(bout.begin_s); i <= signals.frame(bout.end_s); ++i) {
+    bout.extent = std::max(bout.extent, (signals.position[i] - bout.from).norm());
   }
-  return peak;
+  return bout;
 }
 
-void place_ends(const HandSignals& signals, const SegmentOptions& options, double top, Bout& bout) {
-  const Speeds& speed = signals.speed;
-  const double rest = options.stop_share * top;
-  const bool from_rest = bout.first > 0 && speed[bout.first - 1] <= rest;
-  const bool to_rest = bout.last + 1 < speed.size() && speed[bout.last + 1] <= rest;
-  bout.cut = bout.first == 0 && speed[0] > rest;
-
-  // A rise that starts from rest may reach back into it; one that starts at a dip may not.
-  std::size_t back = bout.first;
-  while (from_rest && back > 0 && speed[back - 1] < speed[back]) --back;
-  double onset = static_cast<double>(bout.first);
-  if (!bout.cut) {
-    const double fit = fitted_onset(speed, back, bout.last, options.onset_share * top);
-    const double earliest =
-        from_rest ? std::max(0.0, static_cast<double>(bout.first) - 0.3 / signals.step_s) : onset;
-    if (std::isfinite(fit)) onset = std::clamp(fit, earliest, static_cast<double>(bout.peak));
+void mark_weak(const SegmentOptions& options, const Speeds& speed, std::vector<Bout>& bouts) {
+  for (std::size_t k = 0; k < bouts.size(); ++k) {
+    double farthest = 0;
+    const std::size_t last = std::min(bouts.size() - 1, k + kNeighbours);
+    for (std::size_t m = k - std::min(k, kNeighbours); m <= last; ++m) {
+      farthest = std::max(farthest, bouts[m].extent);
+    }
+    bouts[k].weak = bouts[k].extent < options.weak_share * farthest ||
+                    speed[bouts[k].peak] < options.least_peak;
   }
-  double stop = static_cast<double>(bout.last);
-  if (to_rest) {
-    const double fall = speed[bout.last] - speed[bout.last + 1];
-    if (fall > 0) stop += std::clamp((speed[bout.last] - rest) / fall, 0.0, 1.0);
-  }
-  bout.begin_s = signals.time(onset);
-  bout.end_s = signals.time(stop);
 }
 
-void judge_ends(const Speeds& speed, double dip_share, std::vector<Bout>& bouts) {
+void judge_dips(const Speeds& speed, double dip_share, std::vector<Bout>& bouts) {
   for (std::size_t k = 0; k < bouts.size(); ++k) {
     const double peak = speed[bouts[k].peak];
     if (k == 0) {
-      const double slowest = slowest_speed(speed, 0, bouts[k].first);
-      bouts[k].begin_confidence = bouts[k].cut ? 0 : boundary_confidence(slowest, peak, dip_share);
+      const double slowest = speed[extreme(speed, 0, bouts[k].first, false)];
+      bouts[k].begin_confidence *=
+          bouts[k].cut_begin ? 0 : dip_confidence(slowest, peak, dip_share);
     }
     if (k + 1 == bouts.size()) {
-      const double slowest = slowest_speed(speed, bouts[k].last, speed.size() - 1);
-      const bool ends_in_motion = bouts[k].last + 1 == speed.size();
-      bouts[k].end_confidence = ends_in_motion ? 0 : boundary_confidence(slowest, peak, dip_share);
+      const double slowest = speed[extreme(speed, bouts[k].last, speed.size() - 1, false)];
+      bouts[k].end_confidence *= bouts[k].cut_end ? 0 : dip_confidence(slowest, peak, dip_share);
       continue;
     }
-    const double smaller = std::min(peak, speed[bouts[k + 1].peak]);
-    const double slowest = slowest_speed(speed, bouts[k].last, bouts[k + 1].first);
-    bouts[k].end_confidence = boundary_confidence(slowest, smaller, dip_share);
-    bouts[k + 1].begin_confidence = bouts[k].end_confidence;
-    bouts[k + 1].begin_s = std::max(bouts[k + 1].begin_s, bouts[k].end_s);
+    const double slowest = speed[extreme(speed, bouts[k].last, bouts[k + 1].first, false)];
+    const double sure =
+        dip_confidence(slowest, std::min(peak, speed[bouts[k + 1].peak]), dip_share);
+    bouts[k].end_confidence *= sure;
+    bouts[k + 1].begin_confidence *= sure;
   }
 }
 
 }  // namespace
 
-double boundary_confidence(double slowest, double smaller_peak, double dip_share) {
+double dip_confidence(double slowest, double smaller_peak, double dip_share) {
   return std::clamp(1 - slowest / (dip_share * smaller_peak), 0.0, 1.0);
 }
 
-double fitted_onset(const Speeds& speed, std::size_t first, std::size_t last, double level) {
-  const std::size_t top = first_peak(speed, first, last);
-  const double peak = speed[top];
-  const auto share_of_time = [peak](double v) {
-    return (1 - std::sqrt(1 - std::sqrt(std::clamp(v / peak, 0.0, 1.0)))) / 2;
-  };
-  std::size_t i = top;
-  while (i > first && speed[i] > kFitHigh * peak) --i;
-  double count = 0, mean_x = 0, mean_y = 0, xx = 0, xy = 0;
-  for (; speed[i] > kFitLow * peak; --i) {
-    const double x = share_of_time(speed[i]), y = static_cast<double>(i);
-    count += 1;
-    const double dx = x - mean_x, dy = y - mean_y;
-    mean_x += dx / count;
-    mean_y += dy / count;
-    xx += dx * (x - mean_x);
-    xy += dx * (y - mean_y);
-    if (i == first || speed[i - 1] >= speed[i]) break;
-  }
-  if (count < 3 || !(xx > 0) || !(xy > 0)) return kNotSeen;
-  return mean_y + xy / xx * (share_of_time(level) - mean_x);
-}
-
-std::vector<Bout> find_bouts(const HandSignals& signals, const SegmentOptions& options) {
-  const Speeds& speed = signals.speed;
-  if (speed.empty()) return {};
-  const double top = *std::max_element(speed.begin(), speed.end());
-  if (top < options.least_peak) return {};
-  const double rest = options.stop_share * top;
-
-  std::vector<Bout> pieces;
-  for (std::size_t i = 0; i < speed.size(); ++i) {
-    if (speed[i] <= rest) continue;
-    const std::size_t first = i;
-    while (i + 1 < speed.size() && speed[i + 1] > rest) ++i;
-    split_at_dips(speed, first, i, rest, options.dip_share, pieces);
-  }
+std::vector<Bout> find_bouts(const HandSignals& signals, const SegmentOptions& options,
+                             const std::vector<double>& splits_s) {
+  if (signals.frames() == 0) return {};
+  std::vector<Piece> pieces = cut_at_dips(signals);
+  join_over_shallow_dips(signals, options.dip_share, pieces);
+  for (const double time_s : splits_s) split_at(signals, time_s, pieces);
+  const double least = std::max(0.2 * options.least_peak, kNoisePeak * signals.speed_noise);
   std::vector<Bout> bouts;
-  for (Bout& piece : pieces) {
-    const double length_s = static_cast<double>(piece.last - piece.first) * signals.step_s;
-    if (speed[piece.peak] < options.weak_share * top || length_s < kLeastBout) continue;
-    place_ends(signals, options, top, piece);
-    bouts.push_back(piece);
+  for (const Piece& piece : pieces) {
+    if (signals.speed[piece.peak] < least) continue;
+    const Bout bout = make_bout(signals, options, piece);
+    if (bout.end_s - bout.begin_s >= kLeastBout_s) bouts.push_back(bout);
   }
-  judge_ends(speed, options.dip_share, bouts);
+  mark_weak(options, signals.speed, bouts);
+  judge_dips(signals.speed, options.dip_share, bouts);
   return bouts;
 }
 

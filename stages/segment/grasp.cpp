@@ -2,129 +2,121 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "stages/segment/edges.hpp"
 
 namespace morphe {
 namespace {
 
-struct ObjectMotion {
-  double time_s = std::numeric_limits<double>::infinity();
-  std::string name;
-};
+constexpr double kLonelyGrasp_s = 0.3;
+constexpr double kClosing_s = 0.1;  ///< the hand may close this much after it has arrived
 
-/// The first recorded object to move away from where it was at the peak of the reach. The time is
-/// not traced back to the first stir: a hand that closes pushes an object by a millimetre or two.
-ObjectMotion first_object_motion(const HandSignals& signals, double distance_m,
-                                 const std::vector<SceneObject>& objects,
-                                 const std::vector<Bout>& bouts) {
-  ObjectMotion first;
+const ObjectMotion* first_motion(const std::vector<ObjectMotion>& motions,
+                                 const HandSignals& signals, const std::vector<Bout>& bouts) {
   const double from_s = signals.time(static_cast<double>(bouts.front().peak));
-  for (const SceneObject& object : objects) {
-    if (object.time.size() < 2) continue;
-    const Vec3 rest = recorded_pose(object, from_s).translation();
-    for (std::size_t i = 0; i < object.time.size(); ++i) {
-      const double at_s = object.time[i];
-      if (at_s < from_s || at_s > bouts.back().end_s || at_s >= first.time_s) continue;
-      if ((object.position[i] - rest).norm() > distance_m) first = {at_s, object.name};
-    }
+  for (const ObjectMotion& motion : motions) {
+    if (motion.begin_s > from_s && motion.begin_s < bouts.back().end_s) return &motion;
   }
-  return first;
+  return nullptr;
 }
 
-double path_extent(const HandSignals& signals, const Bout& bout) {
-  const std::size_t end = signals.frame(bout.end_s);
-  return (signals.position[end] - signals.position[signals.frame(bout.begin_s)]).norm();
+/// The bout in which an object that starts to move at `time_s` is carried.
+std::size_t lifting_bout(const std::vector<Bout>& bouts, double time_s) {
+  std::size_t lift = 1;
+  while (lift < bouts.size() && bouts[lift].end_s <= time_s) ++lift;
+  return lift;
 }
 
-/// Reach and grasp when the transport is known to begin at `motion.time_s`.
-void end_at_object(const HandSignals& signals, const SegmentOptions& options,
-                   const ObjectMotion& motion, std::vector<Bout>& bouts, GraspTimes& grasp) {
-  const double lift_s = motion.time_s;
-  std::size_t reach = 0;
-  for (std::size_t k = 1; k < bouts.size() && bouts[k].end_s < lift_s; ++k) {
-    if (path_extent(signals, bouts[k]) > options.least_reach) reach = k;
-  }
-  const Bout& last_reach = bouts[reach];
-  grasp.begin_s = last_reach.end_s;
-  grasp.begin_confidence = last_reach.end_confidence;
-  if (last_reach.end_s >= lift_s) {
-    const auto begin = signals.speed.begin();
-    const std::size_t lift = std::max(signals.frame(lift_s), last_reach.peak + 1);
-    const auto slowest =
-        std::min_element(begin + static_cast<std::ptrdiff_t>(last_reach.peak),
-                         begin + static_cast<std::ptrdiff_t>(std::min(lift, last_reach.last)) + 1);
-    grasp.begin_s = std::min(lift_s, signals.time(static_cast<double>(slowest - begin)));
-    grasp.begin_confidence = boundary_confidence(*slowest, signals.speed[last_reach.peak], 1.0);
-  }
-  // The transport: the bout in which the object moves, or from there on what is left of it.
-  std::size_t next = reach;
-  while (next < bouts.size() && bouts[next].end_s <= lift_s) ++next;
-  grasp.end_s = lift_s;
-  grasp.bouts_used = next;
+/// Whether a bout after a pause still leads to the target: in the pause the hand has closed by less
+/// than half of what it has closed by when the bout is over, and the wrist goes on as the tip does
+/// (it would stay if the tip only moved to close the hand).
+bool goes_on_reaching(const HandSignals& signals, const SegmentOptions& options, const Bout& reach,
+                      const Bout& bout) {
+  const double closed_s = bout.end_s + kClosing_s;
+  if (!judge_opening(signals, options, reach.begin_s, bout.begin_s, closed_s).grasps())
+    return false;
+  const auto at = [&](double time_s) {
+    return signals.opening.begin() + static_cast<std::ptrdiff_t>(signals.frame(time_s));
+  };
+  const auto widest = std::max_element(at(reach.begin_s), at(bout.end_s) + 1);
+  const double closed = *widest - *std::min_element(widest, at(closed_s) + 1);
+  const Vec3 wrist =
+      signals.wrist[signals.frame(bout.end_s)] - signals.wrist[signals.frame(bout.begin_s)];
+  const Vec3 way = reach.to - reach.from;
+  return *widest - *at(bout.begin_s) < 0.5 * closed && wrist.dot(way) > 0 &&
+         wrist.norm() > 0.5 * (bout.to - bout.from).norm();
 }
 
-/// Whether the opening widened in the reach and closed again by the transport; where it began to.
-void judge_opening(const HandSignals& signals, const SegmentOptions& options, double reach_begin_s,
-                   double closed_by_s, GraspTimes& grasp, bool& widens, bool& closes) {
-  widens = closes = false;
-  grasp.preshape_s = reach_begin_s;
-  if (signals.opening.empty()) return;
-  const std::vector<double>& opening = signals.opening;
-  const std::size_t first = signals.frame(reach_begin_s), end = signals.frame(grasp.begin_s);
-  const std::size_t closed = std::max(end, signals.frame(closed_by_s));
-  const auto at = [&](std::size_t i) { return opening.begin() + static_cast<std::ptrdiff_t>(i); };
-  const auto widest = std::max_element(at(first), at(end) + 1);
-  const double rise = *widest - opening[first];
-  widens = rise > options.widening_share * opening[first];
-  closes = *widest - *std::min_element(widest, at(closed) + 1) > options.closing_share * rise;
-  if (!(rise > 0)) return;
-  std::size_t opens = first;
-  while (opens < end && opening[opens] < opening[first] + options.preshape_share * rise) ++opens;
-  grasp.preshape_s = signals.time(static_cast<double>(opens));
-  grasp.opening_confidence =
-      std::clamp(rise / (2 * options.widening_share * opening[first]), 0.0, 1.0);
+/// Lengthens a reach by a bout: its end is that of the two taken as one.
+void go_on(const HandSignals& signals, const SegmentOptions& options, const Bout& bout,
+           Bout& reach) {
+  if (signals.speed[bout.peak] > signals.speed[reach.peak]) reach.peak = bout.peak;
+  reach.last = bout.last;
+  const Edge end =
+      find_edge(signals, bout.last, reach.peak, options.onset_share, options.onset_share);
+  reach.end_s = signals.time(end.frame);
+  reach.to = bout.to;
+  reach.end_confidence = bout.end_confidence;
 }
 
-/// Without a pause the grasp is a short interval around the slowest point.
-void last_at_least(double least_s, double reach_begin_s, double recording_end_s,
-                   GraspTimes& grasp) {
+void last_at_least(double least_s, double from_s, double to_s, GraspTimes& grasp) {
   const double missing_s = least_s - (grasp.end_s - grasp.begin_s);
   if (missing_s <= 0) return;
-  grasp.begin_s = std::max(reach_begin_s, grasp.begin_s - missing_s / 2);
-  grasp.end_s = std::min(recording_end_s, grasp.begin_s + least_s);
+  grasp.begin_s = std::max(from_s, grasp.begin_s - missing_s / 2);
+  grasp.end_s = std::min(to_s, grasp.begin_s + least_s);
 }
 
 }  // namespace
 
 GraspTimes find_grasp(const HandSignals& signals, const SegmentOptions& options,
-                      const std::vector<SceneObject>& objects, std::vector<Bout>& bouts) {
+                      const std::vector<ObjectMotion>& motions, const std::vector<Bout>& bouts,
+                      const std::vector<Bout>& weak, bool comes_home) {
   GraspTimes grasp;
-  const double recording_end_s = signals.time(static_cast<double>(signals.frames() - 1));
-  const ObjectMotion motion = first_object_motion(signals, options.object_motion, objects, bouts);
-  bool widens = false, closes = false;
-  if (std::isfinite(motion.time_s)) {
-    grasp.found = true;
-    grasp.object = motion.name;
-    end_at_object(signals, options, motion, bouts, grasp);
-    last_at_least(options.least_grasp, bouts.front().begin_s, recording_end_s, grasp);
-    judge_opening(signals, options, bouts.front().begin_s, grasp.end_s, grasp, widens, closes);
-    if (!widens) grasp.preshape_s = signals.time(static_cast<double>(bouts.front().peak));
-    return grasp;
+  const ObjectMotion* moved = first_motion(motions, signals, bouts);
+  std::size_t next = 1;
+  if (moved) {
+    grasp.object = moved->object;
+    next = lifting_bout(bouts, moved->begin_s);
+  } else {
+    while (next + (comes_home ? 1 : 0) < bouts.size() &&
+           goes_on_reaching(signals, options, bouts.front(), bouts[next])) {
+      ++next;
+    }
   }
-  const Bout& reach = bouts.front();
-  const bool alone = bouts.size() < 2;
+  std::size_t last = next - 1;
+  while (last > 0 && bouts[last].extent < options.least_reach) --last;
+  Bout reach = bouts.front();
+  for (std::size_t k = 1; k <= last; ++k) go_on(signals, options, bouts[k], reach);
+  for (const Bout& bout : weak) {
+    if (bout.begin_s < reach.end_s || (next < bouts.size() && bout.end_s > bouts[next].begin_s)) {
+      continue;
+    }
+    if (goes_on_reaching(signals, options, reach, bout)) go_on(signals, options, bout, reach);
+  }
+  const bool alone = next >= bouts.size();
+  grasp.bouts_used = next;
   grasp.begin_s = reach.end_s;
-  grasp.end_s = alone ? std::min(recording_end_s, reach.end_s + 0.3) : bouts[1].begin_s;
   grasp.begin_confidence = reach.end_confidence;
-  grasp.end_confidence = alone ? reach.end_confidence : bouts[1].begin_confidence;
-  judge_opening(signals, options, reach.begin_s, grasp.end_s, grasp, widens, closes);
-  grasp.found = widens && closes;
+  if (alone) {
+    grasp.end_s = moved ? std::max(grasp.begin_s, moved->begin_s) : grasp.begin_s + kLonelyGrasp_s;
+    grasp.end_s = std::min(signals.end_s(), grasp.end_s);
+    grasp.end_confidence = grasp.begin_confidence;
+  } else {
+    grasp.end_s = bouts[next].begin_s;
+    grasp.end_confidence = bouts[next].begin_confidence;
+  }
+  const double begin_s = bouts.front().begin_s;
+  grasp.opening = judge_opening(signals, options, begin_s, grasp.begin_s, grasp.end_s);
+  if (moved && !grasp.opening.widens) {
+    grasp.opening.preshape_s = signals.time(static_cast<double>(bouts.front().peak));
+  }
+  grasp.found = moved || grasp.opening.grasps();
   if (!grasp.found) {
     grasp.end_s = grasp.begin_s;
     grasp.end_confidence = grasp.begin_confidence;
     return grasp;
   }
-  last_at_least(options.least_grasp, reach.begin_s, recording_end_s, grasp);
+  last_at_least(options.least_grasp, begin_s, signals.end_s(), grasp);
   return grasp;
 }
 

@@ -10,17 +10,16 @@
 namespace morphe {
 
 /// Speeds are those of the index tip (of the wrist where the tip is not seen), after a Gaussian of
-/// `smoothing`; "peak" without more is the highest speed of the recording.
+/// `smoothing`, wider in noise. Shares are of a bout's own peak or way, never of another's.
 struct SegmentOptions {
-  double smoothing = 0.02;    ///< standard deviation of the Gaussian on velocities [s]
-  double stop_share = 0.05;   ///< slower than this share of the peak is rest
-  double onset_share = 0.05;  ///< a bout begins where its fitted rise reaches this share of the
-                              ///< peak; 0: where the fitted rise leaves zero
-  double least_peak = 0.05;   ///< a recording that is never faster holds no movement [m/s]
-  double weak_share = 0.12;   ///< bouts whose own peak is below this share are no bouts
+  double smoothing = 0.02;    ///< least standard deviation of the Gaussian on velocities [s]
+  double onset_share = 0.05;  ///< a bout begins and ends where it passes this share of its peak
+  double least_peak = 0.05;   ///< what is never faster is no bout [m/s]
+  double weak_share = 0.12;   ///< after its last part above this share of its peak a bout is over;
+                              ///< one that goes less than this share of its neighbours' way is none
   double dip_share = 0.35;    ///< two peaks are two bouts if the dip is below this share of the
-                              ///< smaller one
-  double least_reach = 0.05;  ///< a bout that stays nearer to its start is no reach [m]
+                              ///< smaller one, where the way turns by a right angle
+  double least_reach = 0.05;  ///< a bout that goes less far is no reach [m]
   double home_radius = 0.10;  ///< back this near to its start (and half its reach) it is over [m]
   double widening_share = 0.15;  ///< a reach to grasp opens the hand by this share of the start's
   double closing_share = 0.15;   ///< … and closes again by this share of the widening
@@ -33,7 +32,6 @@ struct SegmentOptions {
 template <class Fields>
 void fields(Fields& f, SegmentOptions& o) {
   f("smoothing", o.smoothing);
-  f("stop_share", o.stop_share);
   f("onset_share", o.onset_share);
   f("least_peak", o.least_peak);
   f("weak_share", o.weak_share);
@@ -54,20 +52,19 @@ std::string check(const SegmentOptions& options);
 ///
 ///   reach (preshape inside it) · grasp · transport · hold · transport · … · return
 ///
-/// The first bout is the reach, the one that ends near the start the return, those between are
-/// transport and the pauses hold. It is a grasp if a recorded object moves afterwards, or without
-/// objects if the thumb–index opening widens in the reach and closes on something; otherwise the
-/// phases are reach, hold, return. `begin_s`, `end_s` span what is planned (`plan_until`); if that
-/// phase is missing, up to the grasp, and without a grasp to `touch_hold` after the reach.
-/// `target` is the recorded object that moves, or "".
+/// Bouts are found in the speed (bouts.hpp), movements in the places between them, the opening of
+/// the hand and the recorded objects (cycles.hpp). The first bout is the reach, the one that comes
+/// home the return, as is what follows after a recorded object has come to rest; those between are
+/// transport and the pauses hold. Without a grasp the phases are reach, hold, return. `begin_s`,
+/// `end_s` span what is planned (`plan_until`); if that phase is missing, up to the grasp, and
+/// without a grasp to `touch_hold` after the reach. `target` is the recorded object that moves.
 ///
-/// A boundary's confidence is 1 − v / (dip_share · p), within 0 … 1: v the slowest speed in the
-/// pause at the boundary, p the smaller of the peaks on its sides; 0 where the recording begins or
-/// ends in motion. A phase has the mean of its two boundaries, times the share of its frames in
-/// which the hand was seen.
+/// A boundary's confidence is 1 − v / (dip_share · p), within 0 … 1, times 1 / (1 + (δ / 40 ms)²):
+/// v the slowest speed in the pause at the boundary, p the smaller of the peaks on its sides, δ the
+/// noise over the slope of speed there; 0 where the recording begins or ends in motion. A phase has
+/// the mean of its two boundaries, times the share of its frames in which the hand was seen.
 ///
-/// A recording that begins after the peak of a reach holds no movement before the hand first comes
-/// back to where it rests at the end. Too short, motionless or unseen: no movements. Never throws.
+/// Too short, motionless, or the wrist never seen: no movements. Never throws.
 std::vector<Movement> segment(const HumanMotion& motion, const SegmentOptions& options,
                               const std::vector<SceneObject>& objects = {});
 

@@ -3,26 +3,52 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stages/segment/noise.hpp"
+
 namespace morphe {
 namespace {
 
 constexpr std::size_t kThumb = 0, kIndex = 1, kLeastFrames = 10;
+constexpr std::size_t kSlopeFrames = 5;   ///< velocity beside a gap: over this many
+constexpr double kTolerableNoise = 0.02;  ///< share of the speed of travel
+constexpr double kWiden = 1.5, kWidest = 4;
 
 bool is_seen(double value) { return std::isfinite(value); }
 bool is_seen(const Vec3& point) { return seen(point); }
 
-/// Bridges gaps linearly and holds the first and last value seen; false if there is none.
+/// Slope per frame of the run of seen values that ends (step -1) or begins (step +1) at `at`.
 template <class T>
-bool bridge_gaps(std::vector<T>& values) {
+T slope_beside(const std::vector<T>& values, std::size_t at, int step) {
+  std::size_t far = at;
+  for (std::size_t k = 0; k < kSlopeFrames; ++k) {
+    const auto next = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(far) + step);
+    if (next >= values.size() || !is_seen(values[next])) break;
+    far = next;
+  }
+  if (far == at) return T(values[at] - values[at]);
+  return T((values[far] - values[at]) / (static_cast<double>(far) - static_cast<double>(at)));
+}
+
+/// Bridges gaps by cubics with the slopes beside them (by straight lines if not `cubic`), holds the
+/// first and last value seen; false if there is none.
+template <class T>
+bool bridge_gaps(std::vector<T>& values, bool cubic) {
   std::size_t last = values.size();
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!is_seen(values[i])) continue;
-    const T from = last == values.size() ? values[i] : values[last];
-    const std::size_t begin = last == values.size() ? 0 : last + 1;
-    const double span = last == values.size() ? 1.0 : static_cast<double>(i - last);
-    for (std::size_t k = begin; k < i; ++k) {
-      const double share = last == values.size() ? 0.0 : static_cast<double>(k - last) / span;
-      values[k] = T((1 - share) * from + share * values[i]);
+    if (last == values.size()) {
+      for (std::size_t k = 0; k < i; ++k) values[k] = values[i];
+    } else if (i > last + 1) {
+      const double span = static_cast<double>(i - last);
+      const T chord = T((values[i] - values[last]) / span);
+      const T from = cubic ? slope_beside(values, last, -1) : chord;
+      const T to = cubic ? slope_beside(values, i, +1) : chord;
+      for (std::size_t k = last + 1; k < i; ++k) {
+        const double u = static_cast<double>(k - last) / span;
+        values[k] =
+            T(values[last] +
+              span * (u * chord + u * (1 - u) * ((1 - u) * (from - chord) - u * (to - chord))));
+      }
     }
     last = i;
   }
@@ -31,38 +57,64 @@ bool bridge_gaps(std::vector<T>& values) {
   return true;
 }
 
-/// Gaussian average over what is there (weights are normalised, so that ends are not pulled down).
+/// Gaussian average (weights are normalised, so that ends are not pulled down).
 template <class T>
-std::vector<T> smoothed(const std::vector<T>& values, double sigma_frames, const T& zero,
-                        const T& unseen) {
+std::vector<T> smoothed(const std::vector<T>& values, double sigma_frames) {
+  if (!(sigma_frames > 0)) return values;
   const auto reach = static_cast<std::ptrdiff_t>(std::ceil(3 * sigma_frames));
   const auto count = static_cast<std::ptrdiff_t>(values.size());
-  std::vector<T> result(values.size(), unseen);
+  std::vector<double> weights;
+  for (std::ptrdiff_t k = 0; k <= reach; ++k) {
+    const double away = static_cast<double>(k) / sigma_frames;
+    weights.push_back(std::exp(-0.5 * away * away));
+  }
+  std::vector<T> result = values;
   for (std::ptrdiff_t i = 0; i < count; ++i) {
-    if (!is_seen(values[static_cast<std::size_t>(i)])) continue;
-    T sum = zero;
-    double weights = 0;
+    T sum = weights[0] * values[static_cast<std::size_t>(i)];
+    double total = weights[0];
     for (std::ptrdiff_t k = std::max<std::ptrdiff_t>(0, i - reach);
          k <= std::min(count - 1, i + reach); ++k) {
-      const T& value = values[static_cast<std::size_t>(k)];
-      if (!is_seen(value)) continue;
-      const double away = sigma_frames > 0 ? static_cast<double>(k - i) / sigma_frames : 0;
-      const double weight = std::exp(-0.5 * away * away);
-      sum += weight * value;
-      weights += weight;
+      if (k == i) continue;
+      const double weight = weights[static_cast<std::size_t>(std::abs(k - i))];
+      sum += weight * values[static_cast<std::size_t>(k)];
+      total += weight;
     }
-    result[static_cast<std::size_t>(i)] = sum / weights;
+    result[static_cast<std::size_t>(i)] = sum / total;
   }
   return result;
 }
 
-/// Central difference, one-sided at the ends and beside a gap; unseen where only one point is.
-Vec3 velocity_at(const std::vector<Vec3>& points, std::size_t i, double step_s) {
-  if (!seen(points[i])) return unseen_point();
-  const std::size_t before = i > 0 && seen(points[i - 1]) ? i - 1 : i;
-  const std::size_t after = i + 1 < points.size() && seen(points[i + 1]) ? i + 1 : i;
-  if (before == after) return unseen_point();
-  return (points[after] - points[before]) / (static_cast<double>(after - before) * step_s);
+std::vector<Vec3> velocities(const std::vector<Vec3>& points, double step_s) {
+  std::vector<Vec3> result(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::size_t before = i > 0 ? i - 1 : i, after = std::min(i + 1, points.size() - 1);
+    result[i] = (points[after] - points[before]) / (static_cast<double>(after - before) * step_s);
+  }
+  return result;
+}
+
+/// Index tip; where only the wrist is seen, the wrist and the way from it to the tip (bridged).
+std::vector<Vec3> hand_positions(const HumanMotion& motion, bool has_tips) {
+  const std::size_t n = motion.time.size();
+  std::vector<Vec3> position = motion.wrist, from_wrist(n, unseen_point());
+  if (!has_tips) return position;
+  for (std::size_t i = 0; i < n; ++i) from_wrist[i] = motion.tip(i, kIndex) - motion.wrist[i];
+  if (!bridge_gaps(from_wrist, false)) return position;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec3& tip = motion.tip(i, kIndex);
+    position[i] = seen(tip) ? tip : Vec3(position[i] + from_wrist[i]);
+  }
+  return position;
+}
+
+/// sum v^2 / sum v: the speed at which the average metre is travelled, whatever the rests.
+double travel_speed(const std::vector<double>& speed) {
+  double sum = 0, squares = 0;
+  for (const double v : speed) {
+    sum += v;
+    squares += v * v;
+  }
+  return sum > 0 ? squares / sum : 0;
 }
 
 }  // namespace
@@ -75,38 +127,38 @@ std::size_t HandSignals::frame(double time_s) const {
 HandSignals hand_signals(const HumanMotion& motion, double smoothing_s) {
   const std::size_t n = motion.time.size();
   const bool has_tips = motion.tip.rows == n && motion.tip.cols > kIndex;
-  const bool has_wrist = motion.wrist.size() == n;
-  if (n < kLeastFrames || (!has_tips && !has_wrist)) return {};
+  if (n < kLeastFrames || motion.wrist.size() != n) return {};
   HandSignals signals;
   signals.begin_s = motion.time.front();
   signals.step_s = (motion.time.back() - motion.time.front()) / static_cast<double>(n - 1);
   if (!(signals.step_s > 0) || !std::isfinite(signals.step_s)) return {};
-
-  std::vector<Vec3> tip(n, unseen_point()), wrist(n, unseen_point());
-  std::vector<double> opening(n, kNotSeen);
-  std::size_t tips_seen = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (has_tips) tip[i] = motion.tip(i, kIndex);
-    if (has_tips) opening[i] = (motion.tip(i, kThumb) - tip[i]).norm();
-    if (has_wrist) wrist[i] = motion.wrist[i];
-    tips_seen += seen(tip[i]) ? 1 : 0;
-    signals.seen.push_back(seen(tip[i]) || seen(wrist[i]));
+  signals.position = hand_positions(motion, has_tips);
+  for (const Vec3& point : signals.position) signals.seen.push_back(seen(point));
+  signals.wrist = motion.wrist;
+  if (!bridge_gaps(signals.position, true) || !bridge_gaps(signals.wrist, true)) return {};
+  const std::vector<Vec3> velocity = velocities(signals.position, signals.step_s);
+  double wider = 1;
+  for (;; wider = std::min(kWidest, wider * kWiden)) {
+    const std::vector<Vec3> smooth = smoothed(velocity, wider * smoothing_s / signals.step_s);
+    signals.speed_noise = noise_rms(smooth, signals.step_s);
+    const double noise = signals.speed_noise * signals.speed_noise;
+    signals.speed.clear();
+    for (const Vec3& v : smooth) {
+      signals.speed.push_back(std::sqrt(std::max(0.0, v.squaredNorm() - noise)));
+    }
+    const double tolerable = kTolerableNoise * travel_speed(signals.speed);
+    if (signals.speed_noise <= tolerable || wider >= kWidest || !(smoothing_s > 0)) break;
   }
-  std::vector<Vec3> velocity(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    velocity[i] = velocity_at(tip, i, signals.step_s);
-    if (!seen(velocity[i])) velocity[i] = velocity_at(wrist, i, signals.step_s);
+  if (has_tips) {
+    std::vector<double> opening(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      opening[i] = (motion.tip(i, kThumb) - motion.tip(i, kIndex)).norm();
+    }
+    if (bridge_gaps(opening, false)) {
+      signals.opening = smoothed(opening, wider * smoothing_s / signals.step_s);
+      signals.opening_noise = noise_rms(signals.opening, signals.step_s);
+    }
   }
-  const double sigma = smoothing_s / signals.step_s;
-  const Vec3 zero = Vec3::Zero();
-  velocity = smoothed(velocity, sigma, zero, unseen_point());
-  signals.position = 2 * tips_seen >= n ? tip : wrist;
-  std::vector<double> speed(n);
-  for (std::size_t i = 0; i < n; ++i) speed[i] = velocity[i].norm();
-  if (!bridge_gaps(speed) || !bridge_gaps(signals.position)) return {};
-  signals.speed = std::move(speed);
-  opening = smoothed(opening, sigma, 0.0, kNotSeen);
-  if (bridge_gaps(opening)) signals.opening = std::move(opening);
   return signals;
 }
 

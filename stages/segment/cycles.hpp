@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "stages/segment/bouts.hpp"
+#include "stages/segment/objects.hpp"
+
+namespace morphe {
+
+/// Consecutive bouts that are one movement: out to a target, and back if `comes_home`.
+struct Cycle {
+  std::size_t first = 0, count = 0;  ///< bouts
+  bool comes_home = false;
+};
+
+/// An object was on its way during most of the bout (or all its motion lies inside it).
+bool carries(const Bout& bout, const std::vector<ObjectMotion>& motions);
+
+/// Splits the bouts of a recording into movements: the split with the highest sum of evidence, by
+/// dynamic programming over the rests between bouts. A movement from rest i to rest j counts as
+/// often as it has bouts, with ¼ and
+///   home    1 − (d / h)², at least −1: d the distance of rest j from rest i, h = home_radius or
+///           half the reach if that is less; at least 0 where the recording ends before it; and
+///           the same, if positive, taken off for every rest between that is at home
+///   grasp   1 if an object moves, or else ½ if the opening widens and closes, −½ if it does not
+///   away    the way gained from the shoulder by the reach, over the reach's way
+///   target  ¼ if the reach halves the distance to a recorded object
+/// Bouts outside of movements cost up to ¾ each, by the way they go; together ½ at the head of a
+/// recording, and nothing if it begins inside one: the rest of a movement without its reach.
+/// No movement begins with a bout that is no reach: shorter than `least_reach`, back at once, or
+/// cut by the recording's begin after its peak.
+std::vector<Cycle> find_cycles(const HandSignals& signals, const HumanMotion& motion,
+                               const SegmentOptions& options, const std::vector<Bout>& bouts,
+                               const std::vector<SceneObject>& objects,
+                               const std::vector<ObjectMotion>& motions);
+
+}  // namespace morphe

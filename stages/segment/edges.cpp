@@ -1,0 +1,81 @@
+#include "stages/segment/edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace morphe {
+namespace {
+
+constexpr double kAboveNoise = 2;     ///< rms of noise that a level must exceed to be read off
+constexpr double kFlank = 0.35;       ///< share of the peak over which the flank is fitted
+constexpr double kFarthest_s = 0.15;  ///< extrapolated at most
+constexpr double kFallen = 0.8;       ///< a flank's own peak is followed by a fall to this share
+
+double share_of_time(double share_of_peak) {
+  return (1 - std::sqrt(1 - std::sqrt(std::clamp(share_of_peak, 0.0, 1.0)))) / 2;
+}
+
+/// Walks frames from `at` on in one direction: position k is frame at + k * step.
+struct Walk {
+  const std::vector<double>& speed;
+  std::size_t at;
+  int step;
+  std::size_t frame(std::size_t k) const {
+    return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(at) +
+                                    step * static_cast<std::ptrdiff_t>(k));
+  }
+  double operator[](std::size_t k) const { return speed[frame(k)]; }
+};
+
+/// Steps from `crossing` (positive: towards the peak) at which the fitted flank has speed `level`;
+/// `crossing` if there is nothing to fit.
+double extrapolated(const Walk& inward, std::size_t first, std::size_t last, double low,
+                    double level) {
+  double top = 0;
+  std::size_t end = first;
+  for (std::size_t k = first; k <= last && inward[k] >= kFallen * top; ++k) {
+    top = std::max(top, inward[k]);
+    end = k;
+  }
+  double count = 0, mean_x = 0, mean_y = 0, xx = 0, xy = 0;
+  for (std::size_t k = first; k <= end && inward[k] <= low + kFlank * top; ++k) {
+    const double x = share_of_time(inward[k] / top), y = static_cast<double>(k);
+    count += 1;
+    const double dx = x - mean_x, dy = y - mean_y;
+    mean_x += dx / count;
+    mean_y += dy / count;
+    xx += dx * (x - mean_x);
+    xy += dx * (y - mean_y);
+  }
+  if (count < 3 || !(xx > 0) || !(xy > 0)) return static_cast<double>(first);
+  return mean_y + xy / xx * (share_of_time(level / top) - mean_x);
+}
+
+}  // namespace
+
+Edge find_edge(const HandSignals& signals, std::size_t rest, std::size_t peak, double level,
+               double weak_share) {
+  const Walk inward{signals.speed, rest, rest < peak ? 1 : -1};
+  const std::size_t count = rest < peak ? peak - rest : rest - peak;
+  const double top = signals.speed[peak], wanted = level * top;
+  const double low = std::max(wanted, std::min(kAboveNoise * signals.speed_noise, 0.5 * top));
+  std::size_t k = 0;
+  while (k < count && inward[k] < std::max(low, weak_share * top)) ++k;
+  while (k > 0 && inward[k - 1] > low) --k;
+  double at = static_cast<double>(k);
+  if (k > 0) {
+    at -= (inward[k] - low) / (inward[k] - inward[k - 1]);
+    if (low > wanted) {
+      const double earliest = std::max(0.0, at - kFarthest_s / signals.step_s);
+      at = std::clamp(extrapolated(inward, k, count, low, wanted), earliest, at);
+    }
+  }
+  Edge edge;
+  edge.frame = static_cast<double>(rest) + inward.step * at;
+  const std::size_t before = k >= 2 ? k - 2 : 0, after = std::min(count, k + 2);
+  const double rise = std::max(inward[after] - inward[before], 1e-9);
+  edge.spread_s = signals.speed_noise * static_cast<double>(after - before) * signals.step_s / rise;
+  return edge;
+}
+
+}  // namespace morphe

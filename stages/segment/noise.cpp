@@ -1,0 +1,53 @@
+#include "stages/segment/noise.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace morphe {
+namespace {
+
+constexpr double kWindow_s = 0.25, kShare = 0.1;
+
+double squared(double value) { return value * value; }
+double squared(const Vec3& value) { return value.squaredNorm(); }
+
+/// Mean square of values[first …, count] about its least-squares line, for count > 2.
+template <class T>
+double about_line(const std::vector<T>& values, std::size_t first, std::size_t count) {
+  const double n = static_cast<double>(count), middle = 0.5 * (n - 1);
+  T mean = values[first] - values[first], slope = mean;
+  for (std::size_t k = 0; k < count; ++k) {
+    mean += values[first + k] / n;
+    slope += (static_cast<double>(k) - middle) * values[first + k];
+  }
+  slope /= n * (n * n - 1) / 12;
+  double sum = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    sum += squared(T(values[first + k] - mean - (static_cast<double>(k) - middle) * slope));
+  }
+  return sum / (n - 2);
+}
+
+template <class T>
+double rms_of_quiet_windows(const std::vector<T>& values, double step_s) {
+  const auto count = std::max<std::size_t>(4, static_cast<std::size_t>(kWindow_s / step_s));
+  std::vector<double> windows;
+  for (std::size_t i = 0; i + count <= values.size(); i += count / 2) {
+    windows.push_back(about_line(values, i, count));
+  }
+  if (windows.empty()) return 0;
+  const auto rank = static_cast<std::ptrdiff_t>(kShare * static_cast<double>(windows.size() - 1));
+  std::nth_element(windows.begin(), windows.begin() + rank, windows.end());
+  return std::sqrt(windows[static_cast<std::size_t>(rank)]);
+}
+
+}  // namespace
+
+double noise_rms(const std::vector<Vec3>& values, double step_s) {
+  return rms_of_quiet_windows(values, step_s);
+}
+double noise_rms(const std::vector<double>& values, double step_s) {
+  return rms_of_quiet_windows(values, step_s);
+}
+
+}  // namespace morphe
