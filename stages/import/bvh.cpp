@@ -63,6 +63,38 @@ double frame_rate(const BvhFile& bvh, const Conventions& conventions,
   return rate_of(plausible ? 1 / bvh.frame_s : 0, conventions, bvh.text.file, reports);
 }
 
+/// Whether the first frame is none of the recording: some programs put the pose of the rest
+/// skeleton there. A joint turns by more than 30 degrees to the next frame, and by more than three
+/// times as much as any does between later ones.
+bool begins_with_a_pose(const BodyStream& body) {
+  constexpr double kJump = 30 * M_PI / 180, kShare = 3;
+  const auto most = [&](std::size_t row) {
+    double turned = 0;
+    for (std::size_t j = 0; j < body.names.size(); ++j) {
+      turned =
+          std::max(turned, angle_between(body.orientation(row, j), body.orientation(row + 1, j)));
+    }
+    return turned;
+  };
+  if (body.time.size() < 3) return false;
+  const double first = most(0);
+  if (first < kJump) return false;
+  for (std::size_t row = 1; row + 1 < body.time.size(); ++row) {
+    if (most(row) * kShare > first) return false;
+  }
+  return true;
+}
+
+void drop_first_frame(BodyStream& body) {
+  const auto joints = static_cast<std::ptrdiff_t>(body.names.size());
+  body.time.erase(body.time.begin());
+  body.position.values.erase(body.position.values.begin(), body.position.values.begin() + joints);
+  body.orientation.values.erase(body.orientation.values.begin(),
+                                body.orientation.values.begin() + joints);
+  --body.position.rows;
+  --body.orientation.rows;
+}
+
 void report_file(const BvhFile& bvh, std::vector<std::string>& reports) {
   const auto frames = static_cast<std::size_t>(bvh.rows.rows());
   if (frames != bvh.frames_said) {
@@ -117,6 +149,11 @@ Demonstration read_bvh(const RecordingFiles& files) {
       body.position(i, j) = metres * poses.position[j];
       body.orientation(i, j) = poses.orientation[j];
     }
+  }
+  if (begins_with_a_pose(body)) {
+    drop_first_frame(body);
+    reports.push_back(
+        "the first frame was left out: it is a pose, from which joints jump to the second");
   }
   const std::string& axes = files.conventions.axes;
   const Eigen::Matrix3d world = axes.empty()

@@ -3,121 +3,140 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "pipeline/kinematics/forward.hpp"
 
 namespace morphe {
 namespace {
 
-constexpr std::size_t kJoints = 4;  ///< of each finger
-constexpr int kIterations = 60;
-constexpr double kSmallStep = 1e-10;  // [rad]
-/// The half-closed hand must be better than the last frame by this share to be taken instead.
-constexpr double kBetter = 0.99;
-
-using Step = Eigen::Vector4d;
-
-/// One finger on its way to the least error.
-struct Finger {
-  double error = kNotSeen;  ///< of `joint`
-  double damping = 1e-3;
-  Step joint, trial;
-  Eigen::Matrix<double, 9, 4> jacobian;
-  Eigen::Matrix<double, 9, 1> rest;
-  bool done = false;
-};
+constexpr int kIterations = 60, kFirstRounds = 50;
+constexpr double kSmallStep = 1e-8;  // [rad]
+constexpr double kStay = 0.005;      // weight of the last frame's angles [m/rad]
 
 }  // namespace
 
-HandFit::HandFit(RobotTable hand) : hand_(std::move(hand)) {
-  for (std::size_t k = 0; k < kHandAngles; ++k) {
-    const auto row = static_cast<Eigen::Index>(k);
-    half_closed_[k] = 0.5 * (hand_.lower[row] + hand_.upper[row]);
+/// One finger on its way to the least error.
+struct HandFit::Task {
+  Angles lower, upper, joint, trial;
+  double error = kNotSeen;  ///< of `joint`
+  double damping = 1e-3;
+  Eigen::Matrix<double, 9, 4> jacobian = Eigen::Matrix<double, 9, 4>::Zero();
+  Eigen::Matrix<double, 9, 1> rest;
+  bool done = false;
+
+  /// The next trial: joints at a limit that the error pushes further stay there.
+  void step(const Angles& last) {
+    Angles downhill = jacobian.transpose() * rest + kStay * kStay * (last - joint);
+    Eigen::Matrix4d normal = jacobian.transpose() * jacobian;
+    normal.diagonal().array() += kStay * kStay + damping * normal.trace() / 4;
+    for (Eigen::Index k = 0; k < 4; ++k) {
+      const bool low = joint[k] <= lower[k] && downhill[k] < 0;
+      const bool high = joint[k] >= upper[k] && downhill[k] > 0;
+      if (!low && !high) continue;
+      normal.row(k).setZero();
+      normal.col(k).setZero();
+      normal(k, k) = 1;
+      downhill[k] = 0;
+    }
+    trial = (joint + normal.ldlt().solve(downhill)).cwiseMax(lower).cwiseMin(upper);
+    done = !((trial - joint).cwiseAbs().maxCoeff() > kSmallStep);
   }
-  last_ = half_closed_;
+};
+
+HandFit::HandFit(RobotTable hand, double most_step)
+    : hand_(std::move(hand)), most_step_(most_step) {
+  for (std::size_t frame = 0; frame < hand_.frames.size(); ++frame) {
+    const auto joint = static_cast<std::size_t>(hand_.frames[frame].joint);
+    if (hand_.frames[frame].joint >= 0 && joint < kHandAngles) {
+      fingers_[joint / kJoints].frames[joint % kJoints] = frame;
+    }
+  }
+  for (std::size_t f = 0; f < kFingers; ++f) {
+    fingers_[f].lower = hand_.lower.segment<4>(static_cast<Eigen::Index>(kJoints * f));
+    fingers_[f].upper = hand_.upper.segment<4>(static_cast<Eigen::Index>(kJoints * f));
+    fingers_[f].tip_in_last = hand_.tips[f].transform.translation();
+  }
 }
 
-HandFit::Solution HandFit::solve(const HandKeypoints& in_hand,
-                                 std::array<double, kHandAngles> joint) {
-  std::array<Finger, kFingers> fingers;
-  JointVector q = JointVector::Zero(static_cast<Eigen::Index>(hand_.joints()));
+void HandFit::start(const HandKeypoints& in_hand, std::array<Task, kFingers>& tasks) const {
   for (std::size_t f = 0; f < kFingers; ++f) {
-    fingers[f].joint = fingers[f].trial = Eigen::Map<const Step>(&joint[kJoints * f]);
-    for (std::size_t k = 1; k < 4; ++k) fingers[f].done |= !seen(in_hand[keypoint_of(f, k)]);
+    const Finger& finger = fingers_[f];
+    const double reach = finger.followed ? most_step_ : std::numeric_limits<double>::infinity();
+    tasks[f].lower = finger.lower.cwiseMax((finger.last.array() - reach).matrix());
+    tasks[f].upper = finger.upper.cwiseMin((finger.last.array() + reach).matrix());
+    tasks[f].joint = tasks[f].trial = finger.last;
+    for (std::size_t k = 1; k < 4; ++k) tasks[f].done |= !seen(in_hand[keypoint_of(f, k)]);
   }
+}
+
+void HandFit::descend(const HandKeypoints& in_hand, std::array<Task, kFingers>& tasks) {
+  JointVector q = JointVector::Zero(static_cast<Eigen::Index>(hand_.joints()));
   for (int iteration = 0; iteration < kIterations; ++iteration) {
+    if (std::ranges::all_of(tasks, [](const Task& task) { return task.done; })) return;
     for (std::size_t f = 0; f < kFingers; ++f) {
-      q.segment<4>(static_cast<Eigen::Index>(kJoints * f)) = fingers[f].trial;
+      q.segment<4>(static_cast<Eigen::Index>(kJoints * f)) = tasks[f].trial;
     }
     forward(hand_, q, frames_);
-    bool all_done = true;
     for (std::size_t f = 0; f < kFingers; ++f) {
-      Finger& finger = fingers[f];
-      if (finger.done) continue;
-      const RobotTable::Tip& tip = hand_.tips[f];
-      const auto last = static_cast<std::size_t>(tip.frame);
-      const auto middle = static_cast<std::size_t>(hand_.frames[last].parent);
-      const Vec3 points[] = {frames_[middle].translation(), frames_[last].translation(),
-                             frames_[last] * tip.transform.translation()};
+      Task& task = tasks[f];
+      if (task.done) continue;
+      const Finger& finger = fingers_[f];
+      const Vec3 points[] = {frames_[finger.frames[2]].translation(),
+                             frames_[finger.frames[3]].translation(),
+                             frames_[finger.frames[3]] * finger.tip_in_last};
       Eigen::Matrix<double, 9, 1> rest;
-      for (std::size_t k = 0; k < 3; ++k) {
-        rest.segment<3>(3 * static_cast<Eigen::Index>(k)) =
-            in_hand[keypoint_of(f, k + 1)] - points[k];
+      for (Eigen::Index k = 0; k < 3; ++k) {
+        rest.segment<3>(3 * k) =
+            in_hand[keypoint_of(f, static_cast<std::size_t>(k) + 1)] - points[k];
       }
-      if (const double error = rest.squaredNorm(); !(error >= finger.error)) {
-        finger.error = error;
-        finger.joint = finger.trial;
-        finger.rest = rest;
-        finger.damping = std::max(1e-12, finger.damping / 10);
-        const std::size_t frame_of_point[] = {middle, last, last};
-        finger.jacobian.setZero();
-        for (std::size_t k = 0; k < 3; ++k) {
-          Eigen::Matrix3Xd columns(3, q.size());
-          point_jacobian(hand_, frames_, static_cast<int>(frame_of_point[k]), points[k], columns);
-          finger.jacobian.middleRows<3>(3 * static_cast<Eigen::Index>(k)) =
-              columns.middleCols<4>(static_cast<Eigen::Index>(kJoints * f));
+      const double error =
+          rest.squaredNorm() + kStay * kStay * (task.trial - finger.last).squaredNorm();
+      if (!(error >= task.error)) {
+        task.error = error;
+        task.joint = task.trial;
+        task.rest = rest;
+        task.damping = std::max(1e-12, task.damping / 10);
+        for (Eigen::Index j = 0; j < 4; ++j) {
+          const std::size_t at = finger.frames[static_cast<std::size_t>(j)];
+          const Vec3 axis = frames_[at].linear() * hand_.frames[at].axis;
+          for (Eigen::Index k = std::max<Eigen::Index>(0, j - 1); k < 3; ++k) {
+            task.jacobian.block<3, 1>(3 * k, j) = axis.cross(points[k] - frames_[at].translation());
+          }
         }
       } else {
-        finger.damping *= 10;
+        task.damping *= 10;
       }
-      // Joints at a limit that the error pushes further stay there.
-      const auto first = static_cast<Eigen::Index>(kJoints * f);
-      const Step lower = hand_.lower.segment<4>(first), upper = hand_.upper.segment<4>(first);
-      Step downhill = finger.jacobian.transpose() * finger.rest;
-      Eigen::Matrix4d normal = finger.jacobian.transpose() * finger.jacobian;
-      normal.diagonal().array() += finger.damping * normal.trace() / 4;
-      for (Eigen::Index k = 0; k < 4; ++k) {
-        const bool low = finger.joint[k] <= lower[k] && downhill[k] < 0;
-        const bool high = finger.joint[k] >= upper[k] && downhill[k] > 0;
-        if (!low && !high) continue;
-        normal.row(k).setZero();
-        normal.col(k).setZero();
-        normal(k, k) = 1;
-        downhill[k] = 0;
-      }
-      finger.trial = (finger.joint + normal.ldlt().solve(downhill)).cwiseMax(lower).cwiseMin(upper);
-      finger.done = !((finger.trial - finger.joint).cwiseAbs().maxCoeff() > kSmallStep);
-      all_done = all_done && finger.done;
+      task.step(finger.last);
     }
-    if (all_done) break;
   }
-  Solution solution;
-  for (std::size_t f = 0; f < kFingers; ++f) {
-    solution.error[f] = fingers[f].error;
-    std::copy_n(fingers[f].joint.data(), kJoints, &solution.joint[kJoints * f]);
-  }
-  return solution;
 }
 
 HandAngles HandFit::operator()(const HandKeypoints& in_hand) {
-  const Solution from_last = solve(in_hand, last_), from_middle = solve(in_hand, half_closed_);
-  HandAngles angles;
+  bool any_first = false;
   for (std::size_t f = 0; f < kFingers; ++f) {
-    const bool restart = from_middle.error[f] < kBetter * from_last.error[f];
-    for (std::size_t k = kJoints * f; k < kJoints * (f + 1); ++k) {
-      const bool unseen = !std::isfinite(from_last.error[f]);
-      if (!unseen) last_[k] = restart ? from_middle.joint[k] : from_last.joint[k];
-      angles.joint[k] = unseen ? kNotSeen : last_[k];
+    Finger& finger = fingers_[f];
+    if (!finger.followed) finger.last = 0.5 * (finger.lower + finger.upper);
+    any_first = any_first || !finger.followed;
+  }
+  HandAngles angles;
+  for (int round = 0; round < (any_first ? kFirstRounds : 1); ++round) {
+    std::array<Task, kFingers> tasks;
+    start(in_hand, tasks);
+    for (std::size_t f = 0; f < kFingers; ++f) {
+      tasks[f].done = tasks[f].done || (round > 0 && fingers_[f].followed);
+    }
+    descend(in_hand, tasks);
+    for (std::size_t f = 0; f < kFingers; ++f) {
+      if (std::isfinite(tasks[f].error)) fingers_[f].last = tasks[f].joint;
+    }
+  }
+  for (std::size_t f = 0; f < kFingers; ++f) {
+    fingers_[f].followed = true;
+    for (std::size_t k = 1; k < 4; ++k) fingers_[f].followed &= seen(in_hand[keypoint_of(f, k)]);
+    for (std::size_t k = 0; k < kJoints; ++k) {
+      angles.joint[kJoints * f + k] =
+          fingers_[f].followed ? fingers_[f].last[static_cast<Eigen::Index>(k)] : kNotSeen;
     }
   }
   return angles;

@@ -9,25 +9,34 @@
 namespace morphe {
 
 /// Finds the angles of a hand, within its limits, that bring its joints and tips nearest to given
-/// points: for each finger by itself,
-///   min over its 4 angles of sum_k |x_k(q) - p_k|^2,  k = its two joints beyond the base, its tip,
-/// by Levenberg-Marquardt from the last frame's angles and from a hand half closed, whichever comes
-/// nearer. The palm's arch stays flat: it is part of where the knuckles are.
+/// points, frame after frame: for each finger by itself,
+///   min over its 4 angles of sum_k |x_k(q) - p_k|^2 + (5 mm)^2 |q - q_last|^2,
+/// k = its two joints beyond the base and its tip, by Levenberg-Marquardt from the last frame's
+/// angles, no angle further from them than `most_step`. What the points hardly tell thus stays what
+/// it was. A finger that was not seen begins half closed, and what it was counts only from its
+/// second frame on. The palm's arch stays flat: it is part of where the knuckles are.
 class HandFit {
  public:
-  explicit HandFit(RobotTable hand);
+  HandFit(RobotTable hand, double most_step);
   /// Points in the hand frame. A finger with a point unseen has NaN angles.
   HandAngles operator()(const HandKeypoints& in_hand);
 
  private:
-  struct Solution {
-    std::array<double, kHandAngles> joint{};
-    std::array<double, kFingers> error{};  ///< [m^2], NaN = finger unseen
+  static constexpr std::size_t kJoints = 4;  ///< of each finger
+  using Angles = Eigen::Vector4d;
+  struct Finger {
+    Angles lower, upper, last;
+    std::array<std::size_t, kJoints> frames{};  ///< of its joints
+    Vec3 tip_in_last = Vec3::Zero();
+    bool followed = false;  ///< was seen in the last frame
   };
-  Solution solve(const HandKeypoints& in_hand, std::array<double, kHandAngles> joint);
+  struct Task;
+  void start(const HandKeypoints& in_hand, std::array<Task, kFingers>& tasks) const;
+  void descend(const HandKeypoints& in_hand, std::array<Task, kFingers>& tasks);
 
   RobotTable hand_;
-  std::array<double, kHandAngles> half_closed_{}, last_{};
+  double most_step_;
+  std::array<Finger, kFingers> fingers_;
   std::vector<Pose> frames_;  ///< scratch
 };
 

@@ -11,22 +11,7 @@
 namespace morphe {
 namespace {
 
-/// What the fitted hand has where its points are, in the hand frame.
-HandKeypoints joints_of(const RobotTable& hand, const HandShape& shape,
-                        const std::vector<Pose>& frames) {
-  HandKeypoints points;
-  points[0].setZero();
-  for (std::size_t finger = 0; finger < kFingers; ++finger) {
-    const RobotTable::Tip& tip = hand.tips[finger];
-    const auto last = static_cast<std::size_t>(tip.frame);
-    const auto middle = static_cast<std::size_t>(hand.frames[last].parent);
-    points[keypoint_of(finger, 0)] = shape.base[finger];
-    points[keypoint_of(finger, 1)] = frames[middle].translation();
-    points[keypoint_of(finger, 2)] = frames[last].translation();
-    points[keypoint_of(finger, 3)] = frames[last] * tip.transform.translation();
-  }
-  return points;
-}
+constexpr double kFastest = 30;  // of a finger's joint [rad/s]
 
 struct Distances {
   double squares = 0, max = 0;
@@ -37,57 +22,63 @@ struct Distances {
     max = std::max(max, distance);
     ++count;
   }
+  void report(const std::string& name, std::vector<Residual>& residuals) const {
+    if (count > 0)
+      residuals.push_back({name, std::sqrt(squares / static_cast<double>(count)), max});
+  }
 };
 
 }  // namespace
 
 std::optional<FittedHand> fit_hand(const std::vector<HandKeypoints>& frames,
-                                   const std::optional<double>& hand_length) {
+                                   const std::optional<double>& hand_length, double rate_hz) {
   std::optional<HandShape> shape = median_hand(frames);
   if (!shape) return std::nullopt;
-  FittedHand fitted;
-  if (hand_length) {
-    fitted.scale = *hand_length / shape->length();
-    for (Vec3& base : shape->base) base *= fitted.scale;
-    for (auto& bones : shape->bones) {
-      for (double& bone : bones) bone *= fitted.scale;
-    }
+  const double scale = hand_length ? *hand_length / shape->length() : 1;
+  for (Vec3& base : shape->base) base *= scale;
+  for (auto& bones : shape->bones) {
+    for (double& bone : bones) bone *= scale;
   }
   const RobotTable hand = hand_of_shape(*shape);
-  HandFit fit(hand);
+  HandFit fit(hand, kFastest / rate_hz);
+  FittedHand fitted;
   fitted.angles.resize(static_cast<Eigen::Index>(frames.size()),
                        static_cast<Eigen::Index>(kHandAngles));
   fitted.joints = Table<Vec3>(frames.size(), kHandKeypoints, unseen_point());
   fitted.tip_orientation = Table<Quat>(frames.size(), kFingers, unseen_rotation());
+  Distances moved;
   std::array<Distances, kFingers> missed;
   std::vector<Pose> poses;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const Eigen::Matrix3d axes = fit_palm(*shape, frames[i]);
     HandKeypoints in_hand;
     for (std::size_t k = 0; k < kHandKeypoints; ++k) {
-      in_hand[k] = fitted.scale * axes.transpose() * (frames[i][k] - frames[i][0]);
+      in_hand[k] = scale * axes.transpose() * (frames[i][k] - frames[i][0]);
     }
-    const HandAngles angles = fit(in_hand);
+    const HandKeypoints joints = keep_bones(*shape, in_hand);
+    const HandAngles angles = fit(joints);
     fitted.angles.row(static_cast<Eigen::Index>(i)) = Eigen::Map<const Eigen::RowVectorXd>(
         angles.joint.data(), static_cast<Eigen::Index>(kHandAngles));
     const HandPoints points = hand_points(hand, angles, poses);
-    const HandKeypoints joints = joints_of(hand, *shape, poses);
+    for (std::size_t k = 0; seen(in_hand[0]) && k < kHandKeypoints; ++k) {
+      fitted.joints(i, k) = joints[k];
+      moved.add((joints[k] - in_hand[k]).norm());
+    }
     for (std::size_t finger = 0; finger < kFingers; ++finger) {
-      if (!seen(joints[keypoint_of(finger, 3)])) continue;
-      fitted.tip_orientation(i, finger) = points.tip_orientation[finger];
-      for (std::size_t joint = 0; joint < 4; ++joint) {
-        const std::size_t k = keypoint_of(finger, joint);
-        fitted.joints(i, k) = joints[k];
-        missed[finger].add((joints[k] - in_hand[k]).norm());
-      }
+      const Vec3& tip = joints[keypoint_of(finger, 3)];
+      if (!seen(points.tip[finger])) continue;
+      missed[finger].add((points.tip[finger] - tip).norm());
+      missed[finger].add((points.middle_joint[finger] - joints[keypoint_of(finger, 1)]).norm());
+      const Quat& modelled = points.tip_orientation[finger];
+      fitted.tip_orientation(i, finger) =
+          (Quat::FromTwoVectors(modelled * Vec3::UnitZ(), tip - joints[keypoint_of(finger, 2)]) *
+           modelled)
+              .normalized();
     }
   }
+  moved.report("keypoints, bones constant", fitted.residuals);
   for (std::size_t finger = 0; finger < kFingers; ++finger) {
-    const auto& [squares, max, count] = missed[finger];
-    if (count == 0) continue;
-    fitted.residuals.push_back(
-        {fmt::format("{} against a hand of constant bones", kFingerNames[finger]),
-         std::sqrt(squares / static_cast<double>(count)), max});
+    missed[finger].report(fmt::format("hand angles, {}", kFingerNames[finger]), fitted.residuals);
   }
   return fitted;
 }
@@ -102,7 +93,7 @@ void add_hand_from_keypoints(const HandStream& keypoints, const std::optional<do
     const std::vector<Vec3> on = on_clock(keypoints.time, track, clock, options);
     for (std::size_t i = 0; i < clock.count; ++i) frames[i][k] = on[i];
   }
-  std::optional<FittedHand> fitted = fit_hand(frames, hand_length);
+  std::optional<FittedHand> fitted = fit_hand(frames, hand_length, clock.rate_hz);
   if (!fitted) {
     motion.problems.push_back(
         "the hand's points were never all seen together: its bones are unknown");

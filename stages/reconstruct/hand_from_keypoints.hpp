@@ -8,20 +8,22 @@
 
 namespace morphe {
 
-/// A hand on the clock as a hand of constant bones: the angles that come nearest.
+/// A hand of constant bones, frame by frame, in the hand frame.
 struct FittedHand {
-  double scale = 1;                 ///< what the points were multiplied by to have the hand length
-  JointRows angles;                 ///< [N, 20] kHandAngleNames, NaN = unseen
-  Table<Vec3> joints;               ///< [N, 21] of the fitted hand, in the hand frame
-  Table<Quat> tip_orientation;      ///< [N, 5] in the hand frame
-  std::vector<Residual> residuals;  ///< one a finger: points from where the fitted hand has them
+  Table<Vec3> joints;           ///< [N, 21] nearest to the points
+  JointRows angles;             ///< [N, 20] kHandAngleNames that come nearest to the joints
+  Table<Quat> tip_orientation;  ///< [N, 5] z along the last bone, x out of the pad
+  /// "keypoints, bones constant": points from joints; "hand angles, thumb" …: joints from where
+  /// the angles have them. Hinges of a model need not be those of this hand.
+  std::vector<Residual> residuals;
 };
 
 /// Bones and knuckles are the medians of the points; with a hand length all points are scaled to
-/// it first. The hand is turned about its wrist to fit its knuckles (fit_palm), the fingers bent to
-/// fit the rest (HandFit). Nothing if a point was never seen.
+/// it first. The hand is turned about its wrist to fit its knuckles (fit_palm), its fingers follow
+/// the points bone by bone (keep_bones), its angles follow those (HandFit). Nothing if a point was
+/// never seen.
 std::optional<FittedHand> fit_hand(const std::vector<HandKeypoints>& frames,
-                                   const std::optional<double>& hand_length);
+                                   const std::optional<double>& hand_length, double rate_hz);
 
 /// Fills hand angles and residuals from 21 keypoints; with the wrist's pose also tips, their
 /// orientation and the fingers' joints. Only the points' shape counts, not where they are.

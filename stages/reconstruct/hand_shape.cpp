@@ -76,6 +76,21 @@ std::optional<HandShape> median_hand(const std::vector<HandKeypoints>& frames) {
   return whole ? std::optional(shape) : std::nullopt;
 }
 
+HandKeypoints keep_bones(const HandShape& shape, const HandKeypoints& in_hand) {
+  HandKeypoints kept;
+  kept[0].setZero();
+  for (std::size_t finger = 0; finger < kFingers; ++finger) {
+    Vec3 here = shape.base[finger];
+    kept[keypoint_of(finger, 0)] = here;
+    for (std::size_t bone = 0; bone < 3; ++bone) {
+      const std::size_t next = keypoint_of(finger, bone + 1);
+      here += shape.bones[finger][bone] * (in_hand[next] - in_hand[next - 1]).normalized();
+      kept[next] = here;
+    }
+  }
+  return kept;
+}
+
 RobotTable hand_of_shape(const HandShape& shape) {
   RobotTable hand = human_hand({1, 1});
   for (std::size_t finger = 0; finger < kFingers; ++finger) {

@@ -35,6 +35,12 @@ struct HandShape {
 /// Medians over the frames in which the points are seen. Nothing if a point never is.
 std::optional<HandShape> median_hand(const std::vector<HandKeypoints>& frames);
 
+/// Hand of these bones that points where recorded points do, in the hand frame (fit_palm): from the
+/// base on, each bone has its length and the direction of the way between its points. (As near to
+/// the points as the bones let it would fold a finger whose points are too close together.) Unseen
+/// points, and those beyond them, stay unseen.
+HandKeypoints keep_bones(const HandShape& shape, const HandKeypoints& in_hand);
+
 /// human_hand() with these bases and bones.
 RobotTable hand_of_shape(const HandShape& shape);
 

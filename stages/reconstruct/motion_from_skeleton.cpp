@@ -124,8 +124,9 @@ void estimate_tips(Digits& digits, HumanMotion& motion) {
   motion.estimated.push_back("fingertips");
 }
 
-/// Joints of the fingers on the clock, hung on the wrist bone by bone, so that bones keep their
-/// lengths; unseen where the skeleton has no such joint.
+/// Joints of the fingers on the clock: from the wrist on, each bone has its length and the
+/// direction that was recorded; a joint is where it was if the one before it is missing. Unseen
+/// where the skeleton has no such joint.
 std::vector<HandKeypoints> fingers_on_clock(const std::vector<double>& time, const Joint& wrist,
                                             const Digits& digits, const Clock& clock,
                                             const ReconstructOptions& options,
@@ -134,28 +135,23 @@ std::vector<HandKeypoints> fingers_on_clock(const std::vector<double>& time, con
   nothing.fill(unseen_point());
   std::vector<HandKeypoints> frames(clock.count, nothing);
   for (std::size_t i = 0; i < clock.count; ++i) frames[i][0] = motion.wrist[i];
-  const std::vector<Vec3> raw_wrist = on_clock(time, wrist.position, clock, options);
+  const std::vector<Vec3> recorded_wrist = on_clock(time, wrist.position, clock, options);
   for (std::size_t finger = 0; finger < kFingers; ++finger) {
-    std::vector<Vec3> before = raw_wrist;  // where the joint before was, low-passed
+    std::vector<Vec3> before = recorded_wrist;
     for (std::size_t joint = 0; joint < 4; ++joint) {
       const Joint& here = digits[finger][joint];
       if (!here.there()) continue;
-      const Joint* parent = joint == 0 ? &wrist : &digits[finger][joint - 1];
+      const Joint& parent = joint == 0 ? wrist : digits[finger][joint - 1];
       const std::size_t parent_point = joint == 0 ? 0 : keypoint_of(finger, joint - 1);
-      const std::vector<Vec3> now = on_clock(time, here.position, clock, options);
-      if (!parent->there()) {
-        parent = &wrist;  // a joint between them is missing: no bone, but the hand it hangs on
-        before = raw_wrist;
-      }
-      const bool bone = parent != &wrist || joint == 0;
-      const double length = bone ? mean_length(*parent, here) : kNotSeen;
+      const double length = parent.there() ? mean_length(parent, here) : kNotSeen;
+      std::vector<Vec3> now = on_clock(time, here.position, clock, options);
       for (std::size_t i = 0; i < clock.count; ++i) {
-        const Vec3 step = now[i] - before[i];
         frames[i][keypoint_of(finger, joint)] =
-            bone ? Vec3(frames[i][parent_point] + length * step.normalized())
-                 : Vec3(motion.wrist[i] + step);
+            parent.there()
+                ? Vec3(frames[i][parent_point] + length * (now[i] - before[i]).normalized())
+                : now[i];
       }
-      before = now;
+      before = std::move(now);
     }
   }
   return frames;
@@ -211,7 +207,7 @@ HumanMotion motion_from_skeleton(const Demonstration& demonstration,
   if (std::none_of(digits.begin(), digits.end(), [](const auto& d) { return d[3].there(); })) {
     motion.problems.push_back("the skeleton has no fingertips");
   }
-  if (const auto fitted = fit_hand(fingers, std::nullopt)) {
+  if (const auto fitted = fit_hand(fingers, std::nullopt, clock.rate_hz)) {
     motion.hand_angles = fitted->angles;
     motion.residuals.insert(motion.residuals.end(), fitted->residuals.begin(),
                             fitted->residuals.end());
