@@ -10,11 +10,12 @@ namespace {
 
 using Speeds = std::vector<double>;
 
-constexpr double kDeepest = 0.15, kShallowest = 0.6;  ///< dips that always, that never separate
-constexpr double kNoisePeak = 4;  ///< times the rms of noise: hardly ever reached by it
+constexpr double kDeepest = 0.15;  ///< a dip to this share always separates
+constexpr double kNoisePeak = 4;   ///< times the rms of noise: hardly ever reached by it
 constexpr double kLeastBout_s = 0.08;
 constexpr double kSplitWithin_s = 0.15;
 constexpr double kSpread_s = 0.04;  ///< an edge that is as uncertain as this is half as sure
+constexpr double kFollows_s = 0.1;
 constexpr std::size_t kNeighbours = 2;
 
 /// A stretch with one or more peaks between two slow points.
@@ -31,11 +32,11 @@ std::size_t extreme(const Speeds& speed, std::size_t first, std::size_t last, bo
 
 /// What noise adds to a speed is added everywhere, so that ratios in a rest mean nothing.
 double lifted(const HandSignals& signals, std::size_t i) {
-  return signals.speed[i] + 2 * signals.speed_noise + 1e-6;
+  return signals.speed[i] + signals.speed_noise + 1e-6;
 }
 
-/// Cuts at every dip below kShallowest of the peaks on both sides, in one pass.
-std::vector<Piece> cut_at_dips(const HandSignals& signals) {
+/// Cuts at every dip below dip_share of the peaks on both sides, in one pass.
+std::vector<Piece> cut_at_dips(const HandSignals& signals, double dip_share) {
   std::vector<std::size_t> bounds = {0};
   std::size_t low = 0, high = 0;
   bool rising = false, falling = false;
@@ -43,11 +44,11 @@ std::vector<Piece> cut_at_dips(const HandSignals& signals) {
     const double v = lifted(signals, i);
     if (v > lifted(signals, high)) high = i;
     if (v < lifted(signals, low)) low = i;
-    if (!falling && v < kShallowest * lifted(signals, high)) {
+    if (!falling && v < dip_share * lifted(signals, high)) {
       falling = true;
       rising = false;
       low = i;
-    } else if (!rising && lifted(signals, low) < kShallowest * v) {
+    } else if (!rising && lifted(signals, low) < dip_share * v) {
       rising = true;
       falling = false;
       if (low > 0) bounds.push_back(low);
@@ -69,7 +70,8 @@ double shallowness(const HandSignals& signals, const Piece& a, const Piece& b, d
   const auto way = [&](const Piece& piece) -> Vec3 {
     return (signals.position[piece.last] - signals.position[piece.first]).normalized();
   };
-  const double allowed = std::clamp(dip_share * (1 - way(a).dot(way(b))), kDeepest, kShallowest);
+  const double allowed =
+      std::clamp(dip_share * (1 - way(a).dot(way(b))), std::min(kDeepest, dip_share), dip_share);
   const double smaller = std::min(lifted(signals, a.peak), lifted(signals, b.peak));
   return lifted(signals, a.last) / smaller / allowed;
 }
@@ -120,15 +122,11 @@ void split_at(const HandSignals& signals, double time_s, std::vector<Piece>& pie
   }
 }
 
-Bout make_bout(const HandSignals& signals, const SegmentOptions& options, const Piece& piece) {
-  Bout bout;
-  bout.first = piece.first;
-  bout.last = piece.last;
-  bout.peak = piece.peak;
-  const Edge begin =
-      find_edge(signals, piece.first, piece.peak, options.onset_share, options.weak_share);
-  const Edge end =
-      find_edge(signals, piece.last, piece.peak, options.onset_share, options.weak_share);
+void place_ends(const HandSignals& signals, const SegmentOptions& options, Bout& bout) {
+  const double level = options.onset_share * signals.speed[bout.peak];
+  const double part = options.weak_share * signals.speed[bout.peak];
+  const Edge begin = find_edge(signals, bout.first, bout.first_part, level, part);
+  const Edge end = find_edge(signals, bout.last, bout.last_part, level, part);
   bout.begin_s = signals.time(begin.frame);
   bout.end_s = signals.time(end.frame);
   bout.begin_confidence = 1 / (1 + std::pow(begin.spread_s / kSpread_s, 2));
@@ -137,10 +135,10 @@ Bout make_bout(const HandSignals& signals, const SegmentOptions& options, const 
   bout.cut_end = end.frame >= static_cast<double>(signals.frames() - 1);
   bout.from = signals.position[signals.frame(bout.begin_s)];
   bout.to = signals.position[signals.frame(bout.end_s)];
+  bout.extent = 0;
   for (std::size_t i = signals.frame(bout.begin_s); i <= signals.frame(bout.end_s); ++i) {
     bout.extent = std::max(bout.extent, (signals.position[i] - bout.from).norm());
   }
-  return bout;
 }
 
 void mark_weak(const SegmentOptions& options, const Speeds& speed, std::vector<Bout>& bouts) {
@@ -153,6 +151,46 @@ void mark_weak(const SegmentOptions& options, const Speeds& speed, std::vector<B
     bouts[k].weak = bouts[k].extent < options.weak_share * farthest ||
                     speed[bouts[k].peak] < options.least_peak;
   }
+}
+
+/// How much the weak bout `other` belongs to `bout`: the dip between them over the level at which
+/// `bout` would be over, if that or its own peak is high enough; else 0.
+double belonging(const HandSignals& signals, const SegmentOptions& options, const Bout& bout,
+                 const Bout& other) {
+  const bool after = other.peak > bout.peak;
+  const std::size_t slowest = after ? extreme(signals.speed, bout.peak, other.peak, false)
+                                    : extreme(signals.speed, other.peak, bout.peak, false);
+  const double peak = signals.speed[bout.peak];
+  const double dip = signals.speed[slowest] / (options.onset_share * peak);
+  const double gap_s = after ? other.begin_s - bout.end_s : bout.begin_s - other.end_s;
+  const bool follows =
+      gap_s <= kFollows_s && signals.speed[other.peak] >= options.weak_share * peak;
+  return dip >= 1 || follows ? dip + 1e-9 : 0;
+}
+
+std::vector<Bout> with_weak_neighbours(const HandSignals& signals, const SegmentOptions& options,
+                                       const std::vector<Bout>& bouts) {
+  std::vector<Bout> result;
+  for (std::size_t k = 0; k < bouts.size(); ++k) {
+    if (bouts[k].weak) {
+      const bool left = !result.empty() && !result.back().weak;
+      const bool right = k + 1 < bouts.size() && !bouts[k + 1].weak;
+      const double to_left = left ? belonging(signals, options, result.back(), bouts[k]) : 0;
+      const double to_right = right ? belonging(signals, options, bouts[k + 1], bouts[k]) : 0;
+      if (to_left > 0 && to_left >= to_right) {
+        absorb(signals, options, bouts[k], result.back());
+        continue;
+      }
+      if (to_right > 0) {
+        result.push_back(bouts[k + 1]);
+        absorb(signals, options, bouts[k], result.back());
+        ++k;
+        continue;
+      }
+    }
+    result.push_back(bouts[k]);
+  }
+  return result;
 }
 
 void judge_dips(const Speeds& speed, double dip_share, std::vector<Bout>& bouts) {
@@ -178,6 +216,16 @@ void judge_dips(const Speeds& speed, double dip_share, std::vector<Bout>& bouts)
 
 }  // namespace
 
+void absorb(const HandSignals& signals, const SegmentOptions& options, const Bout& other,
+            Bout& bout) {
+  if (other.first < bout.first) bout.first_part = other.first_part;
+  if (other.last > bout.last) bout.last_part = other.last_part;
+  bout.first = std::min(bout.first, other.first);
+  bout.last = std::max(bout.last, other.last);
+  if (signals.speed[other.peak] > signals.speed[bout.peak]) bout.peak = other.peak;
+  place_ends(signals, options, bout);
+}
+
 double dip_confidence(double slowest, double smaller_peak, double dip_share) {
   return std::clamp(1 - slowest / (dip_share * smaller_peak), 0.0, 1.0);
 }
@@ -185,17 +233,22 @@ double dip_confidence(double slowest, double smaller_peak, double dip_share) {
 std::vector<Bout> find_bouts(const HandSignals& signals, const SegmentOptions& options,
                              const std::vector<double>& splits_s) {
   if (signals.frames() == 0) return {};
-  std::vector<Piece> pieces = cut_at_dips(signals);
+  std::vector<Piece> pieces = cut_at_dips(signals, options.dip_share);
   join_over_shallow_dips(signals, options.dip_share, pieces);
   for (const double time_s : splits_s) split_at(signals, time_s, pieces);
   const double least = std::max(0.2 * options.least_peak, kNoisePeak * signals.speed_noise);
   std::vector<Bout> bouts;
   for (const Piece& piece : pieces) {
     if (signals.speed[piece.peak] < least) continue;
-    const Bout bout = make_bout(signals, options, piece);
+    Bout bout;
+    bout.first = piece.first;
+    bout.last = piece.last;
+    bout.peak = bout.first_part = bout.last_part = piece.peak;
+    place_ends(signals, options, bout);
     if (bout.end_s - bout.begin_s >= kLeastBout_s) bouts.push_back(bout);
   }
   mark_weak(options, signals.speed, bouts);
+  bouts = with_weak_neighbours(signals, options, bouts);
   judge_dips(signals.speed, options.dip_share, bouts);
   return bouts;
 }

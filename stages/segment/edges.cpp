@@ -9,7 +9,8 @@ namespace {
 constexpr double kAboveNoise = 2;     ///< rms of noise that a level must exceed to be read off
 constexpr double kFlank = 0.35;       ///< share of the peak over which the flank is fitted
 constexpr double kFarthest_s = 0.15;  ///< extrapolated at most
-constexpr double kFallen = 0.8;       ///< a flank's own peak is followed by a fall to this share
+constexpr double kFollows_s = 0.1;
+constexpr double kFallen = 0.8;  ///< a flank's own peak is followed by a fall to this share
 
 double share_of_time(double share_of_peak) {
   return (1 - std::sqrt(1 - std::sqrt(std::clamp(share_of_peak, 0.0, 1.0)))) / 2;
@@ -54,20 +55,28 @@ double extrapolated(const Walk& inward, std::size_t first, std::size_t last, dou
 }  // namespace
 
 Edge find_edge(const HandSignals& signals, std::size_t rest, std::size_t peak, double level,
-               double weak_share) {
+               double part) {
   const Walk inward{signals.speed, rest, rest < peak ? 1 : -1};
   const std::size_t count = rest < peak ? peak - rest : rest - peak;
-  const double top = signals.speed[peak], wanted = level * top;
-  const double low = std::max(wanted, std::min(kAboveNoise * signals.speed_noise, 0.5 * top));
-  std::size_t k = 0;
-  while (k < count && inward[k] < std::max(low, weak_share * top)) ++k;
-  while (k > 0 && inward[k - 1] > low) --k;
+  const double top = inward[count];
+  const double low = std::max(level, std::min(kAboveNoise * signals.speed_noise, 0.5 * top));
+  const auto gap = static_cast<std::size_t>(kFollows_s / signals.step_s);
+  std::size_t k = count;  // the outermost frame that belongs to the motion
+  for (std::size_t i = count, run = 0; i-- > 0;) {
+    const bool fast = inward[i] > low;
+    run = fast ? run + 1 : 0;
+    if (fast && (k == i + 1 || inward[i] > part)) {
+      k = i;
+    } else if (k - i - run > gap) {
+      break;
+    }
+  }
   double at = static_cast<double>(k);
-  if (k > 0) {
-    at -= (inward[k] - low) / (inward[k] - inward[k - 1]);
-    if (low > wanted) {
+  if (k > 0 && inward[k - 1] < inward[k]) {
+    at -= std::clamp((inward[k] - low) / (inward[k] - inward[k - 1]), 0.0, 1.0);
+    if (low > level) {
       const double earliest = std::max(0.0, at - kFarthest_s / signals.step_s);
-      at = std::clamp(extrapolated(inward, k, count, low, wanted), earliest, at);
+      at = std::clamp(extrapolated(inward, k, count, low, level), earliest, at);
     }
   }
   Edge edge;

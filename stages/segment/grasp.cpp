@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stages/segment/edges.hpp"
-
 namespace morphe {
 namespace {
 
 constexpr double kLonelyGrasp_s = 0.3;
-constexpr double kClosing_s = 0.1;  ///< the hand may close this much after it has arrived
+constexpr double kWithWrist = 0.25;  ///< share of the tip's way that the wrist must go
+constexpr double kClosing_s = 0.1;   ///< the hand may close this much after it has arrived
 
 const ObjectMotion* first_motion(const std::vector<ObjectMotion>& motions,
                                  const HandSignals& signals, const std::vector<Bout>& bouts) {
@@ -44,19 +43,7 @@ bool goes_on_reaching(const HandSignals& signals, const SegmentOptions& options,
       signals.wrist[signals.frame(bout.end_s)] - signals.wrist[signals.frame(bout.begin_s)];
   const Vec3 way = reach.to - reach.from;
   return *widest - *at(bout.begin_s) < 0.5 * closed && wrist.dot(way) > 0 &&
-         wrist.norm() > 0.5 * (bout.to - bout.from).norm();
-}
-
-/// Lengthens a reach by a bout: its end is that of the two taken as one.
-void go_on(const HandSignals& signals, const SegmentOptions& options, const Bout& bout,
-           Bout& reach) {
-  if (signals.speed[bout.peak] > signals.speed[reach.peak]) reach.peak = bout.peak;
-  reach.last = bout.last;
-  const Edge end =
-      find_edge(signals, bout.last, reach.peak, options.onset_share, options.onset_share);
-  reach.end_s = signals.time(end.frame);
-  reach.to = bout.to;
-  reach.end_confidence = bout.end_confidence;
+         wrist.norm() > kWithWrist * (bout.to - bout.from).norm();
 }
 
 void last_at_least(double least_s, double from_s, double to_s, GraspTimes& grasp) {
@@ -84,14 +71,17 @@ GraspTimes find_grasp(const HandSignals& signals, const SegmentOptions& options,
     }
   }
   std::size_t last = next - 1;
-  while (last > 0 && bouts[last].extent < options.least_reach) --last;
+  while (last > 0 && moved && bouts[last].extent < options.least_reach &&
+         !goes_on_reaching(signals, options, bouts.front(), bouts[last])) {
+    --last;
+  }
   Bout reach = bouts.front();
-  for (std::size_t k = 1; k <= last; ++k) go_on(signals, options, bouts[k], reach);
+  for (std::size_t k = 1; k <= last; ++k) absorb(signals, options, bouts[k], reach);
   for (const Bout& bout : weak) {
     if (bout.begin_s < reach.end_s || (next < bouts.size() && bout.end_s > bouts[next].begin_s)) {
       continue;
     }
-    if (goes_on_reaching(signals, options, reach, bout)) go_on(signals, options, bout, reach);
+    if (goes_on_reaching(signals, options, reach, bout)) absorb(signals, options, bout, reach);
   }
   const bool alone = next >= bouts.size();
   grasp.bouts_used = next;

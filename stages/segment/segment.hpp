@@ -15,8 +15,9 @@ struct SegmentOptions {
   double smoothing = 0.02;    ///< least standard deviation of the Gaussian on velocities [s]
   double onset_share = 0.05;  ///< a bout begins and ends where it passes this share of its peak
   double least_peak = 0.05;   ///< what is never faster is no bout [m/s]
-  double weak_share = 0.12;   ///< after its last part above this share of its peak a bout is over;
-                              ///< one that goes less than this share of its neighbours' way is none
+  double weak_share =
+      0.08;  ///< after its last part above this share of its peak a bout is over;
+             ///< a bout that goes less than this share of its neighbours' way is weak
   double dip_share = 0.35;    ///< two peaks are two bouts if the dip is below this share of the
                               ///< smaller one, where the way turns by a right angle
   double least_reach = 0.05;  ///< a bout that goes less far is no reach [m]
