@@ -108,6 +108,7 @@ Demonstration read_adroit_csv(const RecordingFiles& files) {
     handle.orientation.push_back(Quat::Identity());
   }
   Demonstration demonstration;
+  demonstration.reports = csv.reports;
   demonstration.streams.sensors = std::move(wrist);
   demonstration.streams.arm_angles = std::move(angles);
   demonstration.streams.hand = std::move(tips);

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cstdlib>
 
 #include "pipeline/motion/input_error.hpp"
+#include "stages/import/text_encoding.hpp"
 
 namespace morphe {
 namespace {
@@ -13,6 +15,10 @@ namespace {
 std::string capitals(std::string text) {
   for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   return text;
+}
+
+bool printable(const std::string& text) {
+  return std::ranges::none_of(text, [](unsigned char c) { return c < 0x20 || c == 0x7f; });
 }
 
 int signed_byte(const C3dBytes& bytes, std::size_t offset) {
@@ -34,6 +40,7 @@ C3dParameters::C3dParameters(const C3dBytes& bytes, std::size_t start) : bytes_(
     if (length == 0) break;
     const int group = signed_byte(bytes, offset + 1);
     const std::string name = capitals(bytes.text(offset + 2, length));
+    if (!printable(name)) bytes.fail(offset + 2, "a parameter's name is no text");
     const std::size_t after_name = offset + 2 + length;
     const std::size_t step = bytes.word(after_name);
     if (group < 0) {
@@ -100,6 +107,8 @@ std::vector<std::string> C3dParameters::texts(const std::string& key) const {
   for (std::size_t at = 0; length > 0 && at < record.count; at += length) {
     std::string& text = texts.emplace_back(bytes_.text(record.offset + at, length));
     while (!text.empty() && (text.back() == ' ' || text.back() == '\0')) text.pop_back();
+    if (!printable(text)) fail(key, "holds what is no text");
+    if (!is_utf8(text)) text = utf8_from_latin1(text);
   }
   return texts;
 }

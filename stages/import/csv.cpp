@@ -10,6 +10,7 @@
 #include <set>
 
 #include "pipeline/motion/input_error.hpp"
+#include "stages/import/text_encoding.hpp"
 
 namespace morphe {
 namespace {
@@ -28,9 +29,16 @@ CsvText read_csv(const std::filesystem::path& file, char separator) {
   if (!stream || std::filesystem::is_directory(file, error)) {
     throw InputError(fmt::format("{}: cannot be read", file.string()));
   }
-  const std::string text((std::istreambuf_iterator<char>(stream)), {});
+  std::string text((std::istreambuf_iterator<char>(stream)), {});
   if (stream.bad()) throw InputError(fmt::format("{}: cannot be read", file.string()));
   CsvText csv{file.string(), {}, {}, separator};
+  if (text.find('\0') != std::string::npos) {
+    throw InputError(fmt::format("{}: holds bytes of zero: no text, or not in UTF-8", csv.file));
+  }
+  if (!is_utf8(text)) {
+    text = utf8_from_latin1(text);
+    csv.reports.push_back("its text is not UTF-8: taken as ISO 8859-1");
+  }
   std::set<std::string_view> line_ends;
   std::string_view rest = text;
   if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);

@@ -11,7 +11,7 @@ namespace morphe {
 
 /// A text file of separated cells, line by line. A line ends at CR LF, LF or CR; the UTF-8 mark is
 /// removed and lines without anything but separators are dropped at the end. Cells are trimmed of
-/// spaces. Quoting is not understood.
+/// spaces. What is not UTF-8 is taken as ISO 8859-1 and reported. Quoting is not understood.
 struct CsvText {
   std::string file;
   std::vector<std::string> lines;    ///< line n of the file is lines[n - 1]
@@ -29,7 +29,7 @@ struct CsvText {
 /// A finite decimal number, if the cell is one.
 std::optional<double> finite_number(std::string_view cell);
 
-/// InputError if the file cannot be read.
+/// InputError if the file cannot be read or holds bytes of zero.
 CsvText read_csv(const std::filesystem::path& file, char separator = ',');
 
 }  // namespace morphe

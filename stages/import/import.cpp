@@ -9,6 +9,7 @@
 #include "pipeline/config/node.hpp"
 #include "stages/import/format.hpp"
 #include "stages/import/manifest.hpp"
+#include "stages/import/plausible.hpp"
 
 namespace morphe {
 
@@ -107,6 +108,7 @@ std::size_t import_recordings(const ImportRequest& request,
     Demonstration demonstration = format.read(
         {entry.file, entry.static_trial, entry.glove, entry.static_glove, entry.glove_calibration,
          read_names(entry.names), entry.hand, entry.conventions});
+    check_plausible(entry.file, demonstration);
     for (const MarkerObject& object : entry.objects) {
       add_marker_object(entry.file, object, demonstration);
     }

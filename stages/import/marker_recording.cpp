@@ -75,7 +75,8 @@ void bring_into_world(MarkerRecording& recording, const std::string& source,
 
 void check_extent(const MarkerRecording& recording, const std::string& source) {
   const double apart = extent(recording.markers.position);
-  if (apart > kRoom || (apart > 0 && apart < kHand)) {
+  const bool whole_hand = recording.markers.names.size() >= 3;
+  if (apart > kRoom || (whole_hand && apart > 0 && apart < kHand)) {
     throw InputError(fmt::format(
         "{}: unit: the markers spread over {:.3g} m; give --unit or `unit:` if the file's is wrong",
         source, apart));
