@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/motion/demonstration.hpp"
 #include "pipeline/motion/human_motion.hpp"
+#include "stages/reconstruct/reconstruct.hpp"
 
 namespace morphe {
 
@@ -20,12 +22,19 @@ struct AngleAgreement {
 };
 
 /// Compares with a ue-adl `*angles.csv` (degrees, a row every 10 ms, cut to the movement, columns
-/// by name). The file does not say where in the recording it begins: it is laid where its elbow
-/// flexion agrees best (least rms), and the other angles are compared there. Elbow flexion is the
-/// angle between upper arm and forearm; forearm pronation and the shoulder's angles are those of
-/// `motion.arm_angles`, whose signs are turned to the file's. Angles that were not rebuilt are left
-/// out. InputError for a file that is not of this kind.
-std::vector<AngleAgreement> compare_with_angle_file(const HumanMotion& motion,
+/// by name). The file does not say where in the recording it begins: it is laid where its "Finger
+/// Velocity" correlates best with the speed of our index tip, which no angle has a part in; where
+/// our elbow flexion agrees best (least rms) if the tip is not seen throughout.
+///
+/// First what was rebuilt: "elbow flexion", the angle between upper arm and forearm, and shoulder
+/// and forearm as `motion.arm_angles` has them, whose signs are turned to the file's. Then, "by the
+/// file's definition", the turns of the marker clusters (see cluster_angles.hpp), which differ from
+/// those of the bones: skin follows the rotation of upper arm and forearm in part only, and seven
+/// angles know no carrying angle of the elbow. Angles that could not be had are left out.
+/// InputError for a file that is not of this kind.
+std::vector<AngleAgreement> compare_with_angle_file(const Demonstration& demonstration,
+                                                    const HumanMotion& motion,
+                                                    const ReconstructOptions& options,
                                                     const std::filesystem::path& file);
 
 }  // namespace morphe

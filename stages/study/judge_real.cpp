@@ -79,7 +79,8 @@ void judge_real(const JudgeOptions& options, const RealSet& set, const StudyRun&
       for (const AngleFile& file : set.angles) {
         if (file.recording != demonstration.name) continue;
         for (const AngleAgreement& angle :
-             compare_with_angle_file(motion, options.folder / file.file)) {
+             compare_with_angle_file(demonstration, motion, options.reconstruct,
+                                     options.folder / file.file)) {
           StudyRow correlation =
               row_of(of, angle.angle + ", correlation", "1", angle.correlation, angle.n);
           StudyRow rms =

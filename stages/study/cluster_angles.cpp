@@ -1,0 +1,42 @@
+#include "stages/study/cluster_angles.hpp"
+
+#include <cmath>
+
+#include "stages/reconstruct/marker_body.hpp"
+#include "stages/reconstruct/mirror.hpp"
+
+namespace morphe {
+
+ClusterAngles cluster_angles(const Demonstration& demonstration,
+                             const ReconstructOptions& options) {
+  if (demonstration.hand == "left") return cluster_angles(mirrored(demonstration), options);
+  if (!demonstration.streams.markers) return {};
+  const MarkerStream& markers = *demonstration.streams.markers;
+  MarkerTrial trial{markers, StaticTrial(demonstration.calibration.markers),
+                    clock_over({&markers.time}, options.rate_hz), options};
+  HumanMotion said;  // what is wrong with a cluster, reconstruct() says
+  const MarkerBody girdle = body_of(trial, "RSHO", true, said);
+  const MarkerBody upper_arm = body_of(trial, "RUAR", true, said);
+  const MarkerBody forearm = body_of(trial, "RLAR", true, said);
+  const Vec3 across = trial.still.at("RLEP", said.problems) - trial.still.at("RMEP", said.problems);
+  if (!girdle.in_static || !upper_arm.in_static || !forearm.in_static || !seen(across)) return {};
+  const Vec3 x = across.normalized(), y = (Vec3::UnitY() - x * x.y()).normalized();
+  Eigen::Matrix3d elbow_axes;
+  elbow_axes << x, y, x.cross(y);
+
+  ClusterAngles angles;
+  for (std::size_t i = 0; i < trial.clock.count; ++i) {
+    const Eigen::Matrix3d upper = upper_arm.world_from_body[i].linear();
+    const Eigen::Matrix3d shoulder = girdle.world_from_body[i].linear().transpose() * upper;
+    const Eigen::Matrix3d elbow = elbow_axes.transpose() * upper.transpose() *
+                                  forearm.world_from_body[i].linear() * elbow_axes;
+    angles.horizontal.push_back(std::atan2(-shoulder(0, 1), shoulder(1, 1)));
+    angles.flexion.push_back(std::asin(shoulder(2, 1)));
+    angles.rotation.push_back(std::atan2(-shoulder(2, 0), shoulder(2, 2)));
+    angles.elbow.push_back(std::atan2(elbow(2, 1), elbow(1, 1)));
+    angles.pronation.push_back(std::atan2(elbow(0, 2), elbow(0, 0)));
+  }
+  return angles;
+}
+
+}  // namespace morphe
