@@ -1,5 +1,6 @@
 #include "stages/synthesize/body_motion.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -40,6 +41,10 @@ Vec3 Unrest::at(double time_s) const {
   return sum;
 }
 
+bool Unrest::still() const {
+  return std::ranges::all_of(waves, [](const Wave& wave) { return wave.amplitude.isZero(0); });
+}
+
 Unrest draw_drift(const SyntheticBody& options, RandomStream& random) {
   constexpr int kWaves = 3;
   const double amplitude = options.drift * std::sqrt(2.0 / kWaves);
@@ -47,7 +52,6 @@ Unrest draw_drift(const SyntheticBody& options, RandomStream& random) {
 }
 
 Unrest draw_tremor(const SyntheticBody& options, RandomStream& random) {
-  if (options.tremor == 0) return {};
   constexpr int kWaves = 3;
   constexpr double kHalfBand = 0.4;  // [Hz]
   const double hz = random.between(options.tremor_hz);

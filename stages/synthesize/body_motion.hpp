@@ -22,6 +22,7 @@ struct Unrest {
   };
   std::vector<Wave> waves;
   Vec3 at(double time_s) const;
+  bool still() const;
 };
 /// Drift: three waves below 0.3 Hz. Tremor: three close to one frequency, which beat.
 Unrest draw_drift(const SyntheticBody& options, RandomStream& random);

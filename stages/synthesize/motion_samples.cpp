@@ -13,7 +13,7 @@ MotionSamples sample_motion(const Subject& subject, const Script& script, double
   samples.steady_index.reserve(count);
   samples.aperture.reserve(count);
   samples.tip = Table<Vec3>(count, kFingers, Vec3::Zero());
-  const bool trembles = !script.motion.tremor.waves.empty();
+  const bool trembles = !script.motion.tremor.still();
   std::vector<Pose> frames;
   for (std::size_t i = 0; i < count; ++i) {
     const double t = samples.time(i);

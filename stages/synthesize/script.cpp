@@ -4,94 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "stages/synthesize/places.hpp"
+
 namespace morphe {
 namespace {
-
-/// Where the arm is led, within reach: the way from `from` shortened until it is.
-class Places {
- public:
-  Places(const SynthesizeOptions& options, const Subject& subject, RandomStream& random)
-      : options_(options.movements), subject_(subject), random_(random) {}
-
-  /// Palm down on the table before the body.
-  ArmState home() {
-    ArmState state;
-    const Vec3 ahead(random_.between(-0.1, 0.02), random_.between(0.17, 0.25), 0);
-    Vec3 wrist = subject_.shoulder + ahead;
-    wrist.z() = random_.between(0.035, 0.05);
-    state << wrist, random_.between(0.8, 1.15), random_.between(-0.2, 0.05),
-        random_.between(-0.1, 0.1), swivel(), subject_.shoulder;
-    return within_reach(subject_.shoulder, state);
-  }
-  /// Thumb up, the palm beside the object.
-  ArmState target(const ArmState& home) {
-    constexpr int kTries = 20;
-    ArmState state = home, best = home;
-    double farthest = 0;
-    for (int k = 0; k < kTries; ++k) {
-      const double direction = random_.between(options_.direction);
-      const double distance = random_.between(options_.distance);
-      Vec3 wrist =
-          home.segment<3>(kWristAt) + distance * Vec3(std::sin(direction), std::cos(direction), 0);
-      wrist.z() = random_.between(options_.height);
-      state.segment<3>(kWristAt) = wrist;
-      const ArmState reached = within_reach(home.segment<3>(kWristAt), state);
-      const double way = (reached - home).segment<3>(kWristAt).norm();
-      if (way > farthest) {
-        farthest = way;
-        best = reached;
-      }
-      if (reached == state) break;
-    }
-    best[kPronation] = random_.between(0, 0.45);
-    best[kFlexion] = random_.between(-0.45, -0.1);
-    best[kDeviation] = random_.between(-0.2, 0.2);
-    best[kSwivel] = swivel();
-    const Vec3 leaning = best.segment<3>(kWristAt) - home.segment<3>(kWristAt);
-    best.segment<3>(kShoulderAt) += random_.between(0, 0.06) * leaning;
-    return best;
-  }
-  /// Up and towards the body.
-  ArmState lifted(const ArmState& target) {
-    ArmState state = target;
-    state.segment<3>(kWristAt) +=
-        Vec3(random_.between(-0.1, 0.1), random_.between(-0.15, 0), random_.between(0.08, 0.2));
-    state[kPronation] += random_.between(-0.2, 0.2);
-    state[kFlexion] += random_.between(-0.15, 0.15);
-    state[kSwivel] += random_.between(-0.1, 0.2);
-    return within_reach(target.segment<3>(kWristAt), state);
-  }
-  /// Not quite the same place every time.
-  ArmState again(const ArmState& place, double spread_m, double spread_rad) {
-    ArmState state = place;
-    state.segment<3>(kWristAt) += spread_m * random_.normals();
-    for (int k = kPronation; k <= kSwivel; ++k) state[k] += spread_rad * random_.normal();
-    return within_reach(place.segment<3>(kWristAt), state);
-  }
-
- private:
-  double swivel() { return random_.between(options_.elbow_swivel); }
-  ArmState within_reach(const Vec3& from, ArmState state) const {
-    const double reach =
-        options_.reach_share * (subject_.body.arm.upper_arm + subject_.body.arm.forearm);
-    const Vec3 shoulder = state.segment<3>(kShoulderAt), to = state.segment<3>(kWristAt);
-    const auto out_of_reach = [&](double share) {
-      return (from + share * (to - from) - shoulder).norm() > reach;
-    };
-    if (!out_of_reach(1)) return state;
-    double within = 0, beyond = 1;
-    for (int halving = 0; halving < 30; ++halving) {
-      const double middle = 0.5 * (within + beyond);
-      (out_of_reach(middle) ? beyond : within) = middle;
-    }
-    state.segment<3>(kWristAt) = from + within * (to - from);
-    return state;
-  }
-
-  const SyntheticMovements& options_;
-  const Subject& subject_;
-  RandomStream& random_;
-};
 
 MovementKind draw_kind(const KindWeights& w, RandomStream& random) {
   const double weights[] = {w.minimum_jerk, w.lognormal,          w.asymmetric, w.curved,
@@ -150,7 +66,7 @@ class Writer {
         m_(options.movements),
         subject_(subject),
         random_(random),
-        places_(options, subject, random) {
+        places_(options.movements, subject, random) {
     script_.motion.arm.start = home_ = places_.home();
     script_.motion.hand.start = hand_ = subject.postures.resting;
     script_.motion.drift = draw_drift(options.body, random);

@@ -68,13 +68,11 @@ Streams recorded_streams(const SynthesizeOptions& options, const Script& script,
   const auto first = samples.arm.begin() + static_cast<std::ptrdiff_t>(part.first);
   const std::vector<ArmAt> arm(first, first + static_cast<std::ptrdiff_t>(part.count()));
   streams.sensors = simulate_sensors(options.sensors, mounts, arm, random);
-  drop(options.sensors, random, *streams.sensors);
   const double begin_s = samples.time(part.first);
   streams.hand = simulate_glove(
       options.glove, bias,
       [&](double time_s) { return ideal_glove(script.motion, begin_s + time_s); },
       samples.time(part.count() - 1), clock_offset_s, random);
-  drop(options.glove, random, *streams.hand);
   return streams;
 }
 
@@ -95,7 +93,7 @@ SyntheticRecording synthesize(const SynthesizeOptions& options, std::uint64_t se
   const auto stream = [&](const char* purpose) { return RandomStream(seed, number + purpose); };
   RandomStream of_subject = stream("/subject"), of_script = stream("/script"),
                of_sensors = stream("/sensors"), of_calibration = stream("/calibration"),
-               of_object = stream("/object");
+               of_object = stream("/object"), of_dropouts = stream("/dropouts");
 
   const Subject subject = draw_subject(options.subject, of_subject);
   Script script = draw_script(options, subject, of_script);
@@ -128,6 +126,8 @@ SyntheticRecording synthesize(const SynthesizeOptions& options, std::uint64_t se
   const GloveBias bias = draw_bias(options.glove, of_sensors);
   made.recorded.streams =
       recorded_streams(options, script, samples, part, mounts, bias, clock_offset_s, of_sensors);
+  drop(options.sensors, of_dropouts, *made.recorded.streams.sensors);
+  drop(options.glove, of_dropouts, *made.recorded.streams.hand);
   made.recorded.calibration =
       simulate_calibration(options, subject, script.motion.arm.start, mounts, bias, of_calibration);
   made.recorded.sensor_offsets = sensor_offsets(made.recorded.calibration, made.recorded.reports);

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "stages/synthesize/body_motion.hpp"
+
+namespace morphe {
+
+/// Where the arm is led. Every place is within reach (reach_share): a wrist beyond is drawn back
+/// along the way that leads to it.
+class Places {
+ public:
+  Places(const SyntheticMovements& options, const Subject& subject, RandomStream& random)
+      : options_(options), subject_(subject), random_(random) {}
+
+  ArmState home();                          ///< palm down on the table before the body
+  ArmState target(const ArmState& home);    ///< thumb up, the palm beside an object
+  ArmState lifted(const ArmState& target);  ///< up and towards the body
+  /// Not quite the same place every time: standard deviations of the wrist and of the angles.
+  ArmState again(const ArmState& place, double spread_m, double spread_rad);
+
+ private:
+  double swivel() { return random_.between(options_.elbow_swivel); }
+  ArmState within_reach(const Vec3& from, ArmState state) const;
+
+  const SyntheticMovements& options_;
+  const Subject& subject_;
+  RandomStream& random_;
+};
+
+}  // namespace morphe
