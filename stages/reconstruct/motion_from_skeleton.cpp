@@ -179,7 +179,9 @@ HumanMotion motion_from_skeleton(const Demonstration& demonstration,
   place("shoulder", shoulder, motion.shoulder);
   place("elbow", elbow, motion.elbow);
   place("wrist", wrist, motion.wrist);
-  keep_bone_lengths(motion);
+  if (shoulder.there() && elbow.there() && wrist.there()) {
+    keep_bone_lengths(motion, ArmLengths{mean_length(shoulder, elbow), mean_length(elbow, wrist)});
+  }
   if (!wrist.there()) return motion;
 
   Digits digits;
