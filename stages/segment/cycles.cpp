@@ -14,7 +14,7 @@ constexpr double kNever = -std::numeric_limits<double>::infinity();
 constexpr double kMovement = 0.25;  ///< for any movement
 constexpr double kHeadless = -0.1;  ///< for a movement without its reach
 constexpr double kMoved = 1, kGrasped = 0.5, kNotGrasped = -0.5;
-constexpr double kAway = 1, kNearer = 0.25, kSkipped = 0.75;
+constexpr double kAway = 1, kNearer = 0.25, kSkipped = 1;
 
 struct Evidence {
   const HandSignals& signals;
@@ -51,6 +51,7 @@ double homing(const SegmentOptions& options, const Bout& reach, const Bout& bout
 
 bool is_reach(const SegmentOptions& options, const Bout& bout) {
   if (bout.cut_begin && bout.peak <= bout.first + 2) return false;
+  if (bout.cut_end && bout.peak + 2 >= bout.last) return false;
   return (bout.to - bout.from).norm() >= options.least_reach;
 }
 
@@ -80,7 +81,10 @@ double worth(const Evidence& on, std::size_t first, std::size_t end) {
   }
   if (on.carried[first]) sum -= kMoved;
   if (seen(on.shoulder)) {
-    const double gained = (reach.to - on.shoulder).norm() - (reach.from - on.shoulder).norm();
+    const auto level_distance = [&](const Vec3& from) {
+      return (from - on.shoulder).head<2>().norm();
+    };
+    const double gained = level_distance(reach.to) - level_distance(reach.from);
     sum += kAway * gained / (reach.to - reach.from).norm();
   }
   if (nears_an_object(on, reach)) sum += kNearer;

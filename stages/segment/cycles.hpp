@@ -24,9 +24,9 @@ bool carries(const Bout& bout, const std::vector<ObjectMotion>& motions);
 ///           half the reach if that is less; at least 0 where the recording ends before it; and
 ///           the same, if positive, taken off for every rest between that is at home
 ///   grasp   1 if an object moves, or else ½ if the opening widens and closes, −½ if it does not
-///   away    the way gained from the shoulder by the reach, over the reach's way
+///   away    the level distance from the shoulder gained by the reach, over the reach's way
 ///   target  ¼ if the reach halves the distance to a recorded object
-/// Bouts outside of movements cost up to ¾ each, by the way they go; together ½ at the head of a
+/// Bouts outside of movements cost up to 1 each, by the way they go; together ½ at the head of a
 /// recording, and nothing if it begins inside one: the rest of a movement without its reach.
 /// No movement begins with a bout that is no reach: shorter than `least_reach`, back at once, or
 /// cut by the recording's begin after its peak.
