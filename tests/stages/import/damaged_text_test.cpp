@@ -60,6 +60,12 @@ TEST_F(RecordingFolder, OutliersBeyondReasonAreRefused) {
   d.streams = {};
   d.calibration.arm_angles->angles(0, 0) = -90;  // degrees
   EXPECT_THROW(check_plausible("f", d), InputError);
+  text = kTrial;
+  EXPECT_EQ(error_of(write(text.replace(text.rfind("2,0"), 1, "1e9"))),
+            "trial.csv: time: 1e+07 s pass between two rows, 0 and 1e+07 s");
+  text = kTrial;
+  EXPECT_THAT(error_of(write(text.replace(text.find("100"), 3, "1e-9"))),
+              HasSubstr("trial.csv: time: 1e+09 s pass between two rows"));
 }
 
 }  // namespace
