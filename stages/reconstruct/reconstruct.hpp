@@ -68,11 +68,11 @@ std::string check(const HumanOptions& options);
 /// the upper-arm and the forearm cluster and kept at the static trial's distance from the shoulder,
 /// the wrist from forearm and hand; what they disagree by is in `residuals`.
 ///
-/// Sensors (`wrist`, and `shoulder`, `elbow` where tracked): each pose is carried to the joint centre
-/// by its calibrated offset before filtering; upper arm and forearm keep their median lengths; the
-/// arm's angles follow in closed form. A shoulder and elbow that were not tracked are estimated and
-/// listed in `estimated`. Fingertips that were recorded are taken as they are; a glove's angles
-/// become fingers by pipeline/human/hand, its clock corrected first (align_clocks).
+/// Sensors (`wrist`, and `shoulder`, `elbow` where tracked): each pose is carried to the joint
+/// centre by its calibrated offset before filtering; upper arm and forearm keep their median
+/// lengths; the arm's angles follow in closed form. A shoulder and elbow that were not tracked are
+/// estimated and listed in `estimated`. Fingertips that were recorded are taken as they are; a
+/// glove's angles become fingers by pipeline/human/hand, its clock corrected first (align_clocks).
 HumanMotion reconstruct(const Demonstration& demonstration, const ReconstructOptions& options,
                         const HumanOptions& human);
 

@@ -78,9 +78,8 @@ void judge_real(const JudgeOptions& options, const RealSet& set, const StudyRun&
       all.add(score);
       for (const AngleFile& file : set.angles) {
         if (file.recording != demonstration.name) continue;
-        for (const AngleAgreement& angle :
-             compare_with_angle_file(demonstration, motion, options.reconstruct,
-                                     options.folder / file.file)) {
+        for (const AngleAgreement& angle : compare_with_angle_file(
+                 demonstration, motion, options.reconstruct, options.folder / file.file)) {
           StudyRow correlation =
               row_of(of, angle.angle + ", correlation", "1", angle.correlation, angle.n);
           StudyRow rms =
