@@ -1,0 +1,67 @@
+// Forward kinematics alone and with the Jacobians of all tips.
+#include <benchmark/benchmark.h>
+
+#include <filesystem>
+#include <string>
+
+#include "pipeline/kinematics/description.hpp"
+#include "pipeline/kinematics/forward.hpp"
+
+namespace morphe {
+namespace {
+
+RobotTable robot_named(const std::string& name) {
+  return load_robot(std::filesystem::path(MORPHE_SOURCE_DIR) / "configs/robots" / (name + ".yaml"))
+      .table;
+}
+
+/// A posture inside the limits that is not special in any way.
+JointVector posture(const RobotTable& robot) {
+  JointVector q(robot.lower.size());
+  for (Eigen::Index i = 0; i < q.size(); ++i) {
+    q[i] = robot.lower[i] +
+           (0.2 + 0.6 * static_cast<double>((7 * i) % 10) / 10) * (robot.upper[i] - robot.lower[i]);
+  }
+  return q;
+}
+
+void frames(benchmark::State& state, const std::string& name) {
+  const RobotTable robot = robot_named(name);
+  JointVector q = posture(robot);
+  std::vector<Pose> base_from_frame;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(q.data());
+    forward(robot, q, base_from_frame);
+    benchmark::DoNotOptimize(base_from_frame.data());
+    benchmark::ClobberMemory();
+  }
+}
+
+void tips_one_by_one(benchmark::State& state, const std::string& name) {
+  const RobotTable robot = robot_named(name);
+  JointVector q = posture(robot);
+  std::vector<Pose> base_from_frame;
+  Eigen::Matrix3Xd point(3, q.size()), turn(3, q.size());
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(q.data());
+    forward(robot, q, base_from_frame);
+    for (std::size_t i = 0; i < robot.tips.size(); ++i) {
+      const Vec3 tip = tip_pose(robot, base_from_frame, i).translation();
+      point_jacobian(robot, base_from_frame, robot.tips[i].frame, tip, point);
+      rotation_jacobian(robot, base_from_frame, robot.tips[i].frame, turn);
+      benchmark::DoNotOptimize(point.data());
+      benchmark::DoNotOptimize(turn.data());
+    }
+    benchmark::ClobberMemory();
+  }
+}
+
+BENCHMARK_CAPTURE(frames, pa10, "pa10");
+BENCHMARK_CAPTURE(frames, pa10_dlr_hit2, "pa10_dlr_hit2");
+BENCHMARK_CAPTURE(tips_one_by_one, pa10, "pa10");
+BENCHMARK_CAPTURE(tips_one_by_one, pa10_dlr_hit2, "pa10_dlr_hit2");
+
+}  // namespace
+}  // namespace morphe
+
+BENCHMARK_MAIN();
