@@ -7,22 +7,11 @@
 #include "pipeline/motion/demonstration.hpp"
 #include "pipeline/motion/human_motion.hpp"
 #include "pipeline/motion/movement.hpp"
+#include "pipeline/motion/stream_report.hpp"
 #include "stages/reconstruct/reconstruct.hpp"
 #include "stages/segment/segment.hpp"
 
 namespace morphe {
-
-/// One recorded stream. A gap is a run of samples in which one of its columns (a marker, a body, a
-/// joint) was not seen, at the ends too.
-struct StreamReport {
-  std::string name;
-  double begin_s = 0, duration_s = 0, rate_hz = 0;
-  double seen = 0;  ///< share of its values that are there
-  std::size_t columns = 0, gaps = 0;
-  double longest_gap_s = 0;
-  std::string longest_gap_of;       ///< the column, "" without a gap
-  std::vector<std::string> unseen;  ///< columns that were never seen
-};
 
 struct MovementReport {
   Movement movement;

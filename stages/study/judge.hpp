@@ -31,9 +31,6 @@ StudyRow row_of(const Case& of, const std::string& metric, const std::string& un
 /// The value below which a share of the values lies (nearest rank), NaN if there is none.
 double quantile(std::vector<double> values, double share);
 
-/// From the first to the last sample of the longest stream [s].
-double duration_of(const Demonstration& demonstration);
-
 /// Seconds that something took.
 template <class Work>
 double seconds(const Work& work) {

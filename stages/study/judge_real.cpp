@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "pipeline/motion/stream_report.hpp"
 #include "stages/import/import.hpp"
 #include "stages/study/angle_files.hpp"
 #include "stages/study/judge.hpp"
@@ -55,7 +56,7 @@ void judge_real(const JudgeOptions& options, const RealSet& set, const StudyRun&
   const double total_s = seconds([&] {
     import_recordings(request, [&](Demonstration&& demonstration) {
       ++recordings;
-      recorded_s += duration_of(demonstration);
+      recorded_s += longest_s(report_streams(demonstration.streams));
       HumanMotion motion;
       std::vector<Movement> movements;
       rebuild_s += seconds([&] {
@@ -63,7 +64,15 @@ void judge_real(const JudgeOptions& options, const RealSet& set, const StudyRun&
         movements = segment(motion, options.segment, demonstration.objects);
       });
       const Case of = {{"set", set.name}, {"recording", demonstration.name}};
-      result.rows.push_back(row_of(of, "duration", "s", duration_of(demonstration), 1));
+      for (const StreamReport& stream : report_streams(demonstration.streams)) {
+        const auto row = [&](const char* what, const char* unit, double value) {
+          result.rows.push_back(
+              row_of(of, fmt::format("{}, {}", stream.name, what), unit, value, stream.columns));
+        };
+        row("duration", "s", stream.duration_s);
+        row("rate", "Hz", stream.rate_hz);
+        row("share seen", "1", stream.seen);
+      }
       StudyRow found = row_of(of, "movements found", "1", static_cast<double>(movements.size()), 1);
       const SegmentationScore score = score_segmentation(demonstration.labels, movements);
       if (score.labelled > 0) {

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "pipeline/motion/stream_report.hpp"
 #include "pipeline/run/ordered_map.hpp"
 #include "stages/study/judge.hpp"
 #include "stages/study/reconstruction_score.hpp"
@@ -28,7 +29,7 @@ Outcome outcome_of(const JudgeOptions& options, const SynthesizeOptions& synthet
   outcome.rebuild_s = seconds(
       [&] { motion = reconstruct(recording.recorded, options.reconstruct, options.human); });
   movements = segment(motion, options.segment, recording.recorded.objects);
-  outcome.recorded_s = duration_of(recording.recorded);
+  outcome.recorded_s = longest_s(report_streams(recording.recorded.streams));
   outcome.segmentation = score_segmentation(recording.recorded.labels, movements);
   if (set.accuracy) outcome.reconstruction = score_reconstruction(motion, recording.truth);
   return outcome;

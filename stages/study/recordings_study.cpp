@@ -28,19 +28,6 @@ StudyRow row_of(const Case& of, const std::string& metric, const std::string& un
   return row;
 }
 
-double duration_of(const Demonstration& d) {
-  double duration = 0;
-  const auto take = [&](const std::vector<double>& time) {
-    if (!time.empty()) duration = std::max(duration, time.back() - time.front());
-  };
-  if (d.streams.markers) take(d.streams.markers->time);
-  if (d.streams.sensors) take(d.streams.sensors->time);
-  if (d.streams.skeleton) take(d.streams.skeleton->time);
-  if (d.streams.arm_angles) take(d.streams.arm_angles->time);
-  if (d.streams.hand) take(d.streams.hand->time);
-  return duration;
-}
-
 StudyResult recordings_study(const ConfigNode& config, const StudyRun& run) {
   JudgeOptions options;
   options.folder = run.config.parent_path();

@@ -255,8 +255,9 @@ class OtherWaysToRun(CommandCase):
                               self.folder / "out")
 
     def test_no_folder_of_configs_is_left_out(self):
+        """names, studies and synthetic: test_import.py, test_study.py and test_synthesize.py."""
         self.assertEqual({path.parent.name for path in (SOURCE / "configs").rglob("*.yaml")},
-                         {"pipelines", "robots", "scenes"})
+                         {"names", "pipelines", "robots", "scenes", "studies", "synthetic"})
 
 
 if __name__ == "__main__":

@@ -124,7 +124,7 @@ class Damaged(CommandCase):
         file, plan = self.edited()
         index = list(file["robot/tips/name"].asstr()).index("index_tip")
         plan["scene/cup/position"][0] = plan["goals/tip_position"][0, index]
-        self.found(file, "object", "/cup", range(20))
+        self.found(file, "object", "/cup", range(100))  # up to the preshape
 
     def test_an_object_added_in_the_path(self):
         file, plan = self.edited()

@@ -144,7 +144,7 @@ TEST(FunctionalJoints, GapsAreCarriedByTheClusterBridgedOrLeft) {
   hide(arm, "RHAN3", 100, 300, 1000);
   const HumanMotion carried = reconstruct(arm.demonstration, {}, {});
   expect_all_seen(carried);
-  expect_joints(carried, arm, 0.001);
+  expect_joints(carried, arm, 0.0015);  // where one of four is hidden, three carry the noise
   EXPECT_THAT(carried.problems,
               Contains("RHAN3: hidden in 300 of 1000 frames, for up to 3.01 s; carried by its "
                        "cluster in 300"));
