@@ -79,6 +79,44 @@ TEST_P(Jacobian, OfTheBaseIsZero) {
   EXPECT_TRUE(jacobian.isZero(0));
 }
 
+TEST_P(Jacobian, OfAllTipsAtOnceIsThatOfEach) {
+  const JointVector q = random_position(robot, random);
+  forward(robot, q, at);
+  const auto tips = static_cast<Eigen::Index>(robot.tips.size());
+  Eigen::MatrixXd all = Eigen::MatrixXd::Constant(6 * tips, q.size(), kNotSeen);
+  tip_jacobians(robot, at, all);
+  Eigen::Matrix3Xd point(3, q.size()), turn(3, q.size());
+  for (Eigen::Index i = 0; i < tips; ++i) {
+    const auto tip = static_cast<std::size_t>(i);
+    point_jacobian(robot, at, robot.tips[tip].frame, tip_pose(robot, at, tip).translation(), point);
+    rotation_jacobian(robot, at, robot.tips[tip].frame, turn);
+    EXPECT_LT((all.middleRows(6 * i, 3) - point).cwiseAbs().maxCoeff(), 1e-14);
+    EXPECT_LT((all.middleRows(6 * i + 3, 3) - turn).cwiseAbs().maxCoeff(), 1e-14);
+  }
+}
+
+TEST_P(Jacobian, OneSweepGivesTheGradientOfWhatPullsAtEveryFrame) {
+  const JointVector q = random_position(robot, random);
+  forward(robot, q, at);
+  const auto number = [&] { return std::uniform_real_distribution<>(-1, 1)(random); };
+  const auto vector = [&] { return Vec3(number(), number(), number()); };
+  std::vector<Wrench> wrenches(robot.frames.size());
+  JointVector expected = JointVector::Ones(q.size());
+  Eigen::Matrix3Xd jacobian(3, q.size());
+  for (std::size_t f = 0; f < robot.frames.size(); ++f) {
+    const Vec3 point = vector(), force = vector(), twist = vector();
+    wrenches[f] = Wrench::at(point, force);
+    wrenches[f].moment += twist;
+    point_jacobian(robot, at, static_cast<int>(f), point, jacobian);
+    expected += jacobian.transpose() * force;
+    rotation_jacobian(robot, at, static_cast<int>(f), jacobian);
+    expected += jacobian.transpose() * twist;
+  }
+  JointVector gradient = JointVector::Ones(q.size());
+  add_pulled_gradient(robot, at, wrenches, gradient);
+  EXPECT_LT((gradient - expected).cwiseAbs().maxCoeff(), 1e-12);
+}
+
 INSTANTIATE_TEST_SUITE_P(Robots, Jacobian, testing::ValuesIn(shipped_robots()),
                          [](const auto& instance) { return instance.param; });
 
