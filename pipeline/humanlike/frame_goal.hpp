@@ -8,6 +8,11 @@
 
 namespace morphe {
 
+/// Shares of the objective's weights in one frame, 1 unless its phase says otherwise.
+struct FrameWeights {
+  double tip_position = 1, tip_orientation = 1, humanlike_arm = 1, humanlike_fingers = 1;
+};
+
 /// The goals of one frame, in the robot's base frame. NaN = no goal.
 struct FrameGoal {
   std::vector<Vec3> tip_position;           ///< [m]
@@ -15,6 +20,7 @@ struct FrameGoal {
   Quat hand = unseen_rotation();            ///< base_from_hand
   Vec3 elbow = unseen_point();              ///< human elbow in the common base frame
   std::array<Vec3, kFingers> finger_joint;  ///< middle joints of the human's fingers
+  FrameWeights weights;
 
   int tips_seen() const {
     int count = 0;

@@ -5,15 +5,20 @@
 namespace morphe {
 
 void add_objective(const FrameObjective& objective, const RobotTable& robot, const JointVector& q,
-                   const FrameGoal& goal, std::vector<Pose>& base_from_frame, Quadratic& model) {
-  forward(robot, q, base_from_frame);
-  const RobotState state{robot, q, base_from_frame};
-  objective.tip_position.add(state, goal, model);
-  objective.tip_orientation.add(state, goal, model);
-  objective.hand_orientation.add(state, goal, model);
-  objective.joint_distance.add(state, goal, model);
-  objective.finger_joint_distance.add(state, goal, model);
+                   const FrameGoal& goal, ObjectiveScratch& scratch, Quadratic& model,
+                   Curvature curvature) {
+  forward(robot, q.head(static_cast<Eigen::Index>(robot.joints())), scratch.base_from_frame);
+  RobotState state{robot, q, scratch.base_from_frame};
+  if (objective.offset.free) state.offset = q.tail<3>();
+  scratch.loads.reset(robot.frames.size(), curvature);
+  objective.tip_position.add(state, goal, scratch.loads);
+  objective.tip_orientation.add(state, goal, scratch.loads);
+  objective.hand_orientation.add(state, goal, scratch.loads);
+  objective.joint_distance.add(state, goal, scratch.loads);
+  objective.finger_joint_distance.add(state, goal, scratch.loads);
+  add_derivatives(robot, scratch.base_from_frame, scratch.loads, scratch.sweep, model);
   objective.posture.add(state, goal, model);
+  objective.offset.add(state, model);
 }
 
 }  // namespace morphe

@@ -13,11 +13,27 @@ struct FrameObjective {
   JointDistance joint_distance;
   FingerJointDistance finger_joint_distance;
   NaturalPosture posture;
+  FreeOffset offset;
+
+  /// Variables of a frame: the robot's joints, and three more with a free offset.
+  Eigen::Index variables(const RobotTable& robot) const {
+    return static_cast<Eigen::Index>(robot.joints()) + (offset.free ? 3 : 0);
+  }
 };
 
-/// Adds every term at q to the model; `base_from_frame` is scratch and holds the frames' poses at q
-/// afterwards.
+/// What evaluations of one descent share; a new descent begins with new_descent().
+struct ObjectiveScratch {
+  std::vector<Pose> base_from_frame;  ///< the frames' poses at the last q
+  Loads loads;
+  LoadSweep sweep;
+
+  void new_descent() { loads.angles.clear(); }
+};
+
+/// Adds every term at q [variables] to the model; with Curvature::none the Hessian stays as it is
+/// (posture and offset, which are quadratic, add theirs in any case).
 void add_objective(const FrameObjective& objective, const RobotTable& robot, const JointVector& q,
-                   const FrameGoal& goal, std::vector<Pose>& base_from_frame, Quadratic& model);
+                   const FrameGoal& goal, ObjectiveScratch& scratch, Quadratic& model,
+                   Curvature curvature = Curvature::gauss_newton);
 
 }  // namespace morphe

@@ -1,59 +1,88 @@
 #include "pipeline/humanlike/terms.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numbers>
 
 #include "pipeline/kinematics/forward.hpp"
 
 namespace morphe {
 namespace {
 
-using Jacobian = Eigen::Matrix3Xd;
-
-Jacobian jacobian_of(const RobotState& state, int frame, const Vec3& point) {
-  Jacobian jacobian(3, state.q.size());
-  point_jacobian(state.robot, state.base_from_frame, frame, point, jacobian);
-  return jacobian;
+const Pose& pose_of(const RobotState& state, int frame) {
+  return state.base_from_frame[static_cast<std::size_t>(frame)];
 }
 
-/// weight * sqrt(d² + e²), d half the angle between current and goal: a reweighted square of the
-/// half rotation vector, so that the gradient is exact and the Hessian positive semidefinite.
-void add_rotation(const RobotState& state, int frame, const Quat& current, const Quat& goal,
-                  double weight, double smoothing_rad, Quadratic& model) {
-  Eigen::AngleAxisd error(current * goal.conjugate());
-  double angle = error.angle();
-  if (angle > std::numbers::pi) angle -= 2 * std::numbers::pi;
-  const Vec3 half = 0.5 * angle * error.axis();
-  const double smooth = std::sqrt(half.squaredNorm() + smoothing_rad * smoothing_rad);
-  Jacobian jacobian(3, state.q.size());
-  rotation_jacobian(state.robot, state.base_from_frame, frame, jacobian);
-  // d(half)/dq along the rotation axis is exactly half the angular velocity; across it the
-  // difference is of second order in the gradient, since half is parallel to the axis.
-  jacobian *= 0.5;
-  const double before = model.value;
-  model.add_squares(weight / (2 * smooth), half, jacobian);
-  model.value = before + weight * smooth;
+Vec3 tip_position(const RobotState& state, const RobotTable::Tip& tip) {
+  if (tip.frame < 0) return tip.transform.translation();
+  const Pose& pose = pose_of(state, tip.frame);
+  return pose.linear() * tip.transform.translation() + pose.translation();
 }
 
-void add_point(const RobotState& state, int frame, const Vec3& point, const Vec3& goal,
-               double weight, Quadratic& model) {
-  model.add_squares(weight, Vec3(point - goal), jacobian_of(state, frame, point));
+/// weight * sqrt(d² + e²), d half the angle θ from goal to current about n. By a small turn about
+/// the base's axes: slope d / (2 sqrt(d² + e²)) along n; curvature across n slope * cot(θ/2) / 2;
+/// along n that of the smoothed angle, e² / (4 sqrt³), seen through its memory (AngleMemory).
+void add_angle(int frame, const Quat& current, const Quat& goal, double weight, double smoothing,
+               AngleMemory& memory, Loads& loads) {
+  const Quat turn = current * goal.conjugate();
+  const double sine = turn.vec().norm(), cosine = std::abs(turn.w());
+  const double half = std::atan2(sine, cosine);
+  const double smooth = std::sqrt(half * half + smoothing * smoothing);
+  const Vec3 axis = sine > 0 ? Vec3(std::copysign(1 / sine, turn.w()) * turn.vec()) : Vec3::UnitZ();
+  loads.value += weight * smooth;
+  const Vec3 gradient = (0.5 * weight * half / smooth) * axis;
+  if (loads.curvature == Curvature::none) {
+    return loads.add_turn(frame, gradient, Eigen::Matrix3d::Zero());
+  }
+
+  double along = 1;
+  if (loads.curvature == Curvature::exact) {
+    const Vec3 now = half * axis;
+    if (memory.smooth > 0) {
+      const double before = memory.smooth;
+      const double stretch = memory.half.dot(now - memory.half) / (before * before);
+      memory.slope = now / before - stretch * memory.slope;
+      const double norm = memory.slope.norm();
+      if (norm > 1) memory.slope /= norm;
+    }
+    memory.half = now;
+    memory.smooth = smooth;
+    along = 1 - std::max(0.0, memory.slope.dot(axis)) * half / smooth;
+  }
+  // half * cos / sin -> 1 at 0: across the axis an angle is as curved as along it.
+  const double across = sine > 1e-6 ? half * cosine / sine : 1;
+  const double scale = 0.25 * weight / smooth;
+  Eigen::Matrix3d hessian = (scale * (along - across)) * (axis * axis.transpose());
+  hessian.diagonal().array() += scale * across;
+  loads.add_turn(frame, gradient, hessian);
 }
 
-Vec3 centre_position(const RobotState& state, const RobotTable::Centre& centre) {
-  return state.base_from_frame[static_cast<std::size_t>(centre.frame)].translation();
+/// The finger a chain belongs to; -1 the arm, -2 neither.
+int finger_of(const std::string& chain) {
+  if (chain == "arm") return -1;
+  for (std::size_t finger = 0; finger < kFingers; ++finger) {
+    if (chain.front() == *kFingerNames[finger] && chain == kFingerNames[finger]) {
+      return static_cast<int>(finger);
+    }
+  }
+  return -2;
 }
 
-void add_centres(const RobotState& state, const std::string& chain, const Vec3& reference,
-                 double weight, Quadratic& model) {
-  if (!seen(reference)) return;
-  const auto count = std::count_if(state.robot.centres.begin(), state.robot.centres.end(),
-                                   [&](const auto& centre) { return centre.chain == chain; });
-  for (const RobotTable::Centre& centre : state.robot.centres) {
-    if (centre.chain != chain) continue;
-    add_point(state, centre.frame, centre_position(state, centre), reference,
-              weight / static_cast<double>(count), model);
+/// w_k * sum_j ‖s_k - s_j‖² over the centres of the chains whose reference s_k was seen.
+template <class Reference>
+void add_centres(const RobotState& state, double weight, const Reference& reference, Loads& loads) {
+  std::array<int, kFingers + 1> count{};
+  const auto slot = [](int finger) { return static_cast<std::size_t>(finger + 1); };
+  for (const auto& centre : state.robot.centres) {
+    const int finger = finger_of(centre.chain);
+    if (finger >= -1) ++count[slot(finger)];
+  }
+  for (const auto& centre : state.robot.centres) {
+    const int finger = finger_of(centre.chain);
+    const Vec3* goal = finger < -1 ? nullptr : reference(finger);
+    if (!goal || !seen(*goal)) continue;
+    loads.add_point(centre.frame, pose_of(state, centre.frame).translation(), *goal + state.offset,
+                    weight / count[slot(finger)]);
   }
 }
 
@@ -69,42 +98,53 @@ double posture_error(const NaturalPosture::Joint& entry, const JointVector& q) {
 
 }  // namespace
 
-void TipPosition::add(const RobotState& state, const FrameGoal& goal, Quadratic& model) const {
-  if (weight == 0) return;
+void TipPosition::add(const RobotState& state, const FrameGoal& goal, Loads& loads) const {
+  const double share = weight * goal.weights.tip_position;
+  if (share == 0) return;
   for (std::size_t i = 0; i < state.robot.tips.size(); ++i) {
     if (!seen(goal.tip_position[i])) continue;
-    const Vec3 tip = tip_pose(state.robot, state.base_from_frame, i).translation();
-    add_point(state, state.robot.tips[i].frame, tip, goal.tip_position[i], weight, model);
+    const RobotTable::Tip& tip = state.robot.tips[i];
+    loads.add_point(tip.frame, tip_position(state, tip), goal.tip_position[i] + state.offset,
+                    share);
   }
 }
 
-void TipOrientation::add(const RobotState& state, const FrameGoal& goal, Quadratic& model) const {
-  if (weight == 0) return;
+void TipOrientation::add(const RobotState& state, const FrameGoal& goal, Loads& loads) const {
+  const double share = weight * goal.weights.tip_orientation;
+  if (share == 0) return;
   for (std::size_t i = 0; i < state.robot.tips.size(); ++i) {
     if (!seen(goal.tip_orientation[i])) continue;
-    const Quat tip(tip_pose(state.robot, state.base_from_frame, i).linear());
-    add_rotation(state, state.robot.tips[i].frame, tip, goal.tip_orientation[i], weight,
-                 smoothing_rad, model);
+    const RobotTable::Tip& tip = state.robot.tips[i];
+    const Quat in_frame(tip.transform.linear());
+    const Quat current =
+        tip.frame < 0 ? in_frame : Quat(pose_of(state, tip.frame).linear()) * in_frame;
+    add_angle(tip.frame, current, goal.tip_orientation[i], share, smoothing_rad, loads.angle(i),
+              loads);
   }
 }
 
-void HandOrientation::add(const RobotState& state, const FrameGoal& goal, Quadratic& model) const {
-  if (weight == 0 || !seen(goal.hand) || goal.tips_seen() >= 3) return;
+void HandOrientation::add(const RobotState& state, const FrameGoal& goal, Loads& loads) const {
+  const double share = weight * goal.weights.tip_orientation;
+  if (share == 0 || !seen(goal.hand) || goal.tips_seen() >= 3) return;
   const int palm = state.robot.palm_frame;
-  const Quat hand(state.base_from_frame[static_cast<std::size_t>(palm)].linear());
-  add_rotation(state, palm, hand, goal.hand, weight, smoothing_rad, model);
+  add_angle(palm, Quat(pose_of(state, palm).linear()), goal.hand, share, smoothing_rad,
+            loads.angle(state.robot.tips.size()), loads);
 }
 
-void JointDistance::add(const RobotState& state, const FrameGoal& goal, Quadratic& model) const {
-  if (weight != 0) add_centres(state, "arm", goal.elbow, weight, model);
+void JointDistance::add(const RobotState& state, const FrameGoal& goal, Loads& loads) const {
+  const double share = weight * goal.weights.humanlike_arm;
+  if (share == 0 || !seen(goal.elbow)) return;
+  const auto elbow = [&](int finger) { return finger == -1 ? &goal.elbow : nullptr; };
+  add_centres(state, share, elbow, loads);
 }
 
-void FingerJointDistance::add(const RobotState& state, const FrameGoal& goal,
-                              Quadratic& model) const {
-  if (weight == 0) return;
-  for (std::size_t finger = 0; finger < kFingers; ++finger) {
-    add_centres(state, kFingerNames[finger], goal.finger_joint[finger], weight, model);
-  }
+void FingerJointDistance::add(const RobotState& state, const FrameGoal& goal, Loads& loads) const {
+  const double share = weight * goal.weights.humanlike_fingers;
+  if (share == 0) return;
+  const auto middle = [&](int finger) {
+    return finger < 0 ? nullptr : &goal.finger_joint[static_cast<std::size_t>(finger)];
+  };
+  add_centres(state, share, middle, loads);
 }
 
 void NaturalPosture::add(const RobotState& state, const FrameGoal& goal, Quadratic& model) const {
@@ -132,6 +172,13 @@ double NaturalPosture::distance(const JointVector& q, const FrameGoal& goal) con
     ++count;
   }
   return count == 0 ? kNotSeen : std::sqrt(sum / count);
+}
+
+void FreeOffset::add(const RobotState& state, Quadratic& model) const {
+  if (!free) return;
+  model.value += weight * state.offset.squaredNorm();
+  model.gradient.tail<3>() += 2 * weight * state.offset;
+  model.hessian.diagonal().tail<3>().array() += 2 * weight;
 }
 
 }  // namespace morphe

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pipeline/humanlike/frame_goal.hpp"
+#include "pipeline/humanlike/loads.hpp"
 #include "pipeline/solve/quadratic.hpp"
 
 namespace morphe {
@@ -11,17 +12,18 @@ namespace morphe {
 /// Where the robot is: what every term of a frame's objective reads.
 struct RobotState {
   const RobotTable& robot;
-  const JointVector& q;  ///< [n]
+  const JointVector& q;  ///< [n] joints, or [n + 3] with a free offset
   const std::vector<Pose>& base_from_frame;
+  Vec3 offset = Vec3::Zero();  ///< free offset, added to every position goal [m]
 };
 
-/// Each term adds weight * value, gradient and Gauss–Newton Hessian to a model. Goals that are NaN
-/// add nothing.
+/// Each term adds its value and its pull on the robot's frames (gradient and curvature), times its
+/// weight and the goal's share of it. Goals that are NaN add nothing.
 
 /// Eq. (1): sum over tips of ‖x(q) - x_goal‖² [m²].
 struct TipPosition {
   double weight = 1000;
-  void add(const RobotState& state, const FrameGoal& goal, Quadratic& model) const;
+  void add(const RobotState& state, const FrameGoal& goal, Loads& loads) const;
 };
 
 /// Eqs. (2), (3): acos|⟨h, g⟩| of the tips' orientations, half the rotation angle, not squared;
@@ -29,28 +31,28 @@ struct TipPosition {
 struct TipOrientation {
   double weight = 0.01;
   double smoothing_rad = 1e-3;
-  void add(const RobotState& state, const FrameGoal& goal, Quadratic& model) const;
+  void add(const RobotState& state, const FrameGoal& goal, Loads& loads) const;
 };
 
 /// The same distance for the hand's orientation: a weak goal where fewer than three tips are seen.
 struct HandOrientation {
   double weight = 0.01;
   double smoothing_rad = 1e-3;
-  void add(const RobotState& state, const FrameGoal& goal, Quadratic& model) const;
+  void add(const RobotState& state, const FrameGoal& goal, Loads& loads) const;
 };
 
 /// Humanlikeness A of the arm, Eq. (5): sum_j ‖s_elbow - s_j‖² over the k joint centres, divided by
 /// k so that the weight means the same for every robot [m²].
 struct JointDistance {
   double weight = 1;
-  void add(const RobotState& state, const FrameGoal& goal, Quadratic& model) const;
+  void add(const RobotState& state, const FrameGoal& goal, Loads& loads) const;
 };
 
 /// Humanlikeness A of the fingers, second sum of Eq. (16): ‖s_middle - s_j‖² for each finger whose
 /// human middle joint was seen, divided by the number of centres of that finger [m²].
 struct FingerJointDistance {
   double weight = 1;
-  void add(const RobotState& state, const FrameGoal& goal, Quadratic& model) const;
+  void add(const RobotState& state, const FrameGoal& goal, Loads& loads) const;
 };
 
 /// Natural posture of what no goal asks for: sum of (q_joint - q_follow - value)² over joints that
@@ -67,6 +69,16 @@ struct NaturalPosture {
   void add(const RobotState& state, const FrameGoal& goal, Quadratic& model) const;
   /// Root mean square distance from the natural posture over the active joints [rad]; NaN if none.
   double distance(const JointVector& q, const FrameGoal& goal) const;
+};
+
+/// Section 3.3: where the robot's base (a hand's: its wrist) stands beside the human's is part of
+/// the search: three more variables, an offset o in the base frame [m] that moves every position
+/// goal. weight * ‖o‖² keeps it small; |o_k| <= limit_m.
+struct FreeOffset {
+  bool free = false;
+  double weight = 1;
+  double limit_m = 0.1;
+  void add(const RobotState& state, Quadratic& model) const;
 };
 
 }  // namespace morphe

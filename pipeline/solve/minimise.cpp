@@ -4,6 +4,8 @@
 #include <nlopt.hpp>
 #include <utility>
 
+#include "pipeline/solve/structured.hpp"
+
 namespace morphe {
 namespace {
 
@@ -36,15 +38,20 @@ double evaluate(unsigned n, const double* x, double* gradient, void* data) {
 }  // namespace
 
 std::string check(const MinimiseOptions& options) {
-  bool known = false;
+  bool known = options.algorithm == "structured";
   for (const auto& entry : kAlgorithms) known |= options.algorithm == entry.first;
-  if (!known) return "algorithm must be tnewton, slsqp or lbfgs, not '" + options.algorithm + "'";
+  if (!known)
+    return "algorithm must be structured, tnewton, slsqp or lbfgs, not '" + options.algorithm + "'";
   if (options.evaluations < 1) return "evaluations must be at least 1";
   return "";
 }
 
 Minimum minimise(const BoundedProblem& problem, const JointVector& start,
                  const MinimiseOptions& options) {
+  if (options.algorithm == "structured") {
+    StructuredScratch scratch;
+    return minimise_structured(problem, start, options, scratch);
+  }
   Minimum best;
   best.x = start.cwiseMax(problem.lower).cwiseMin(problem.upper);
   best.value = std::numeric_limits<double>::infinity();

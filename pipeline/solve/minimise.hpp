@@ -3,20 +3,24 @@
 #include <functional>
 #include <string>
 
-#include "pipeline/motion/geometry.hpp"
+#include "pipeline/solve/quadratic.hpp"
 
 namespace morphe {
 
 /// minimise F(x) subject to lower <= x <= upper.
 struct BoundedProblem {
   JointVector lower, upper;
-  /// Value at x; fills the gradient [n] if it is not null.
+  /// Value at x; fills the gradient [n] if it is not null. For NLopt.
   std::function<double(const JointVector& x, JointVector* gradient)> objective;
+  /// Adds value, gradient and Hessian at x to a model that was reset to [n]; the Hessian may be
+  /// indefinite. For the structured solver.
+  std::function<void(const JointVector& x, Quadratic& model)> model;
 };
 
 struct MinimiseOptions {
-  /// NLopt's algorithm: "tnewton" (LD_TNEWTON_PRECOND_RESTART), "slsqp" or "lbfgs".
-  std::string algorithm = "tnewton";
+  /// "structured": projected Newton of our own. NLopt's: "tnewton" (LD_TNEWTON_PRECOND_RESTART),
+  /// "slsqp" or "lbfgs".
+  std::string algorithm = "structured";
   int evaluations = 400;            ///< limit; never a time limit
   double relative_value = 1e-10;    ///< stop when a step changes F by less than this share
   double absolute_step_rad = 1e-7;  ///< or x by less than this
@@ -37,7 +41,7 @@ struct Minimum {
   bool converged = false;  ///< false: stopped by the limit or by NLopt's round-off guard
 };
 
-/// Local minimum from a start (clamped into the bounds) by NLopt. Deterministic.
+/// Local minimum from a start (clamped into the bounds). Deterministic.
 Minimum minimise(const BoundedProblem& problem, const JointVector& start,
                  const MinimiseOptions& options);
 

@@ -14,9 +14,13 @@ BoundedProblem bounded(const MappingProblem& problem, std::size_t frame, Mapping
   result.upper = problem.robot->upper;
   result.objective = [&problem, frame, &scratch](const JointVector& q, JointVector* gradient) {
     scratch.model.reset(q.size());
-    add_frame(problem, frame, q, scratch, scratch.model);
+    add_frame(problem, frame, q, scratch, scratch.model, Curvature::none);
     if (gradient) *gradient = scratch.model.gradient;
     return scratch.model.value;
+  };
+  scratch.new_descent();
+  result.model = [&problem, frame, &scratch](const JointVector& q, Quadratic& model) {
+    add_frame(problem, frame, q, scratch, model, Curvature::exact);
   };
   return result;
 }

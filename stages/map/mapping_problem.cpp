@@ -3,9 +3,9 @@
 namespace morphe {
 
 void add_frame(const MappingProblem& problem, std::size_t frame, const JointVector& q,
-               MappingScratch& scratch, Quadratic& model) {
-  add_objective(problem.objective, *problem.robot, q, problem.goals[frame], scratch.base_from_frame,
-                model);
+               MappingScratch& scratch, Quadratic& model, Curvature curvature) {
+  add_objective(problem.objective, *problem.robot, q, problem.goals[frame], scratch, model,
+                curvature);
   add_clearance(problem.clearance, *problem.world, q, problem.time[frame], scratch.clearance,
                 model);
 }

@@ -22,14 +22,14 @@ struct MappingProblem {
   std::size_t frames() const { return time.size(); }
 };
 
-struct MappingScratch {
-  std::vector<Pose> base_from_frame;
+struct MappingScratch : ObjectiveScratch {
   ClearanceScratch clearance;
   Quadratic model;
 };
 
 /// Adds the objective of a frame at q, clearance included, to `model`.
 void add_frame(const MappingProblem& problem, std::size_t frame, const JointVector& q,
-               MappingScratch& scratch, Quadratic& model);
+               MappingScratch& scratch, Quadratic& model,
+               Curvature curvature = Curvature::gauss_newton);
 
 }  // namespace morphe

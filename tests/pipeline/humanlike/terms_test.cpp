@@ -44,7 +44,16 @@ class Terms : public testing::Test {
     forward(robot, q, poses);
     Quadratic result;
     result.reset(q.size());
-    term.add(RobotState{robot, q, poses}, goal, result);
+    const RobotState state{robot, q, poses};
+    if constexpr (std::is_same_v<Term, NaturalPosture>) {
+      term.add(state, goal, result);
+    } else {
+      Loads loads;
+      LoadSweep sweep;
+      loads.reset(robot.frames.size(), curvature);
+      term.add(state, goal, loads);
+      add_derivatives(robot, poses, loads, sweep, result);
+    }
     return result;
   }
 
@@ -65,7 +74,42 @@ class Terms : public testing::Test {
 
   RobotTable robot;
   FrameGoal goal;
+  Curvature curvature = Curvature::gauss_newton;
 };
+
+/// The exact Hessian against differences of the gradient.
+TEST_F(Terms, ExactHessian) {
+  set_every_goal();
+  goal.tip_position[4] = unseen_point();
+  FrameObjective objective;
+  objective.tip_orientation = {0.5, 1e-3};
+  objective.posture.joints = {{19, 16, 0.1, {4}}};
+  objective.offset.free = true;
+  std::mt19937_64 random(11);
+  const auto n = static_cast<Eigen::Index>(robot.joints());
+  for (int i = 0; i < 20; ++i) {
+    JointVector q(n + 3);
+    q << random_position(robot, random), 0.01, -0.02, 0.03;
+    ObjectiveScratch scratch;
+    Quadratic exact;
+    const auto evaluate = [&](const JointVector& at) {
+      exact.reset(n + 3);
+      add_objective(objective, robot, at, goal, scratch, exact, Curvature::exact);
+      return exact;
+    };
+    evaluate(q);
+    const Eigen::MatrixXd hessian = evaluate(q).hessian;  // the second time the slopes are known
+    Eigen::MatrixXd numeric(n + 3, n + 3);
+    for (Eigen::Index j = 0; j < n + 3; ++j) {
+      JointVector up = q, down = q;
+      up[j] += 1e-6;
+      down[j] -= 1e-6;
+      numeric.col(j) = (evaluate(up).gradient - evaluate(down).gradient) / 2e-6;
+    }
+    EXPECT_LT((hessian - numeric).cwiseAbs().maxCoeff(), 1e-6 * numeric.cwiseAbs().maxCoeff());
+    EXPECT_LT((hessian - hessian.transpose()).cwiseAbs().maxCoeff(), 1e-9);
+  }
+}
 
 TEST_F(Terms, TipPosition) {
   set_every_goal();
@@ -121,10 +165,10 @@ TEST_F(Terms, WithThreeTipsSeenTheHandIsFree) {
 TEST_F(Terms, UnseenGoalsAddNothing) {
   const JointVector q = JointVector::Constant(static_cast<Eigen::Index>(robot.joints()), 0.1);
   FrameObjective objective;
-  std::vector<Pose> poses;
+  ObjectiveScratch scratch;
   Quadratic result;
   result.reset(q.size());
-  add_objective(objective, robot, q, goal, poses, result);
+  add_objective(objective, robot, q, goal, scratch, result);
   EXPECT_EQ(result.value, 0);
   EXPECT_EQ(result.gradient.norm(), 0);
 }

@@ -14,6 +14,16 @@ double rosenbrock(const JointVector& x, JointVector* gradient) {
   return a * a + 100 * b * b;
 }
 
+void rosenbrock_model(const JointVector& x, Quadratic& model) {
+  JointVector gradient;
+  model.value += rosenbrock(x, &gradient);
+  model.gradient += gradient;
+  model.hessian(0, 0) += 2 - 400 * (x[1] - 3 * x[0] * x[0]);
+  model.hessian(1, 0) += -400 * x[0];
+  model.hessian(0, 1) += -400 * x[0];
+  model.hessian(1, 1) += 200;
+}
+
 class Minimise : public testing::TestWithParam<const char*> {};
 
 TEST_P(Minimise, FindsTheMinimumInsideTheBounds) {
@@ -21,7 +31,7 @@ TEST_P(Minimise, FindsTheMinimumInsideTheBounds) {
   options.algorithm = GetParam();
   options.evaluations = 2000;
   const BoundedProblem problem{JointVector::Constant(2, -2), JointVector::Constant(2, 2),
-                               rosenbrock};
+                               rosenbrock, rosenbrock_model};
   const Minimum found = minimise(problem, (JointVector(2) << -1.2, 1).finished(), options);
   EXPECT_NEAR(found.x[0], 1, 1e-4);
   EXPECT_NEAR(found.x[1], 1, 2e-4);
@@ -32,7 +42,8 @@ TEST_P(Minimise, StopsOnTheBoundThatCutsTheMinimumOff) {
   MinimiseOptions options;
   options.algorithm = GetParam();
   options.evaluations = 2000;
-  BoundedProblem problem{JointVector::Constant(2, -2), JointVector::Constant(2, 2), rosenbrock};
+  BoundedProblem problem{JointVector::Constant(2, -2), JointVector::Constant(2, 2), rosenbrock,
+                         rosenbrock_model};
   problem.upper[0] = 0.5;
   const Minimum found = minimise(problem, (JointVector(2) << -1.2, 1).finished(), options);
   EXPECT_LE(found.x[0], 0.5);
@@ -44,14 +55,15 @@ TEST_P(Minimise, ReturnsTheBestPointWhenCutShort) {
   options.algorithm = GetParam();
   options.evaluations = 7;
   const BoundedProblem problem{JointVector::Constant(2, -2), JointVector::Constant(2, 2),
-                               rosenbrock};
+                               rosenbrock, rosenbrock_model};
   const JointVector start = (JointVector(2) << -1.2, 1).finished();
   const Minimum found = minimise(problem, start, options);
   EXPECT_LE(found.value, rosenbrock(start, nullptr));
   EXPECT_DOUBLE_EQ(found.value, rosenbrock(found.x, nullptr));
 }
 
-INSTANTIATE_TEST_SUITE_P(Algorithms, Minimise, testing::Values("tnewton", "slsqp", "lbfgs"));
+INSTANTIATE_TEST_SUITE_P(Algorithms, Minimise,
+                         testing::Values("structured", "tnewton", "slsqp", "lbfgs"));
 
 TEST(MinimiseOptions, RefusesAnUnknownAlgorithm) {
   MinimiseOptions options;

@@ -1,0 +1,299 @@
+// Microseconds a frame and errors of the mapping's solvers on the same 90 Hz movements:
+//   bench_map [WORD ...]   only problems whose names contain one of the words
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "pipeline/kinematics/description.hpp"
+#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/solve/structured.hpp"
+#include "tests/bench/bench_map_problems.hpp"
+#ifdef MORPHE_KDL
+#include "tests/bench/bench_map_kdl.hpp"
+#endif
+
+namespace morphe {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double microseconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double, std::micro>(Clock::now() - begin).count();
+}
+
+double percentile(std::vector<double> values, double share) {
+  if (values.empty()) return kNotSeen;
+  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + at, values.end());
+  return values[static_cast<std::size_t>(at)];
+}
+
+/// One solver on one robot: everything that is allocated once.
+struct Solver {
+  const BenchProblem* bench;
+  MinimiseOptions options;
+  BoundedProblem problem;
+  ObjectiveScratch scratch;
+  StructuredScratch structured;
+  Quadratic model;
+  const FrameGoal* goal = nullptr;
+
+  Solver(const BenchProblem& b, const std::string& algorithm) : bench(&b) {
+    options.algorithm = algorithm;
+    problem.lower = b.robot.lower;
+    problem.upper = b.robot.upper;
+    model.reset(problem.lower.size());
+    problem.objective = [this](const JointVector& q, JointVector* gradient) {
+      model.value = 0;
+      model.gradient.setZero();
+      add_objective(bench->objective, bench->robot, q, *goal, scratch, model, Curvature::none);
+      if (gradient) *gradient = model.gradient;
+      return model.value;
+    };
+    problem.model = [this](const JointVector& q, Quadratic& out) {
+      add_objective(bench->objective, bench->robot, q, *goal, scratch, out, Curvature::exact);
+    };
+  }
+  Solver(const Solver&) = delete;
+
+  Minimum solve(const FrameGoal& at, const JointVector& start) {
+    goal = &at;
+    scratch.new_descent();
+    if (options.algorithm == "structured") {
+      return minimise_structured(problem, start, options, structured);
+    }
+    return minimise(problem, start, options);
+  }
+};
+
+struct Row {
+  std::vector<double> time_us, position_mm, orientation_deg, value;
+  double evaluations = 0;
+};
+
+void measure_errors(const BenchProblem& bench, const FrameGoal& goal, const JointVector& q,
+                    std::vector<Pose>& poses, Row& row) {
+  forward(bench.robot, q, poses);
+  for (std::size_t i = 0; i < bench.robot.tips.size(); ++i) {
+    const Pose tip = tip_pose(bench.robot, poses, i);
+    row.position_mm.push_back(1e3 * (tip.translation() - goal.tip_position[i]).norm());
+    if (!seen(goal.tip_orientation[i])) continue;
+    row.orientation_deg.push_back(180 / std::numbers::pi *
+                                  angle_between(Quat(tip.linear()), goal.tip_orientation[i]));
+  }
+}
+
+JointVector random_position(const RobotTable& robot, std::mt19937_64& random) {
+  JointVector q(robot.lower.size());
+  for (Eigen::Index j = 0; j < q.size(); ++j) {
+    q[j] = std::uniform_real_distribution<>(robot.lower[j], robot.upper[j])(random);
+  }
+  return q;
+}
+
+Minimum best_of(Solver& solver, const FrameGoal& goal, int starts, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  Minimum best;
+  best.value = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < starts; ++i) {
+    Minimum found = solver.solve(goal, random_position(solver.bench->robot, random));
+    if (found.value < best.value) best = std::move(found);
+  }
+  return best;
+}
+
+/// Follows every movement, each frame from the last one's solution, or from both last ones'
+/// continued in a straight line.
+Row follow(Solver& solver, const std::vector<JointVector>& first, bool extrapolate) {
+  Row row;
+  std::vector<Pose> poses;
+  for (std::size_t m = 0; m < solver.bench->movements.size(); ++m) {
+    JointVector last = first[m], before = first[m], start;
+    for (const FrameGoal& goal : solver.bench->movements[m]) {
+      const auto begin = Clock::now();
+      start = extrapolate ? JointVector(2 * last - before) : last;
+      Minimum found = solver.solve(goal, start);
+      row.time_us.push_back(microseconds_since(begin));
+      row.value.push_back(found.value);
+      row.evaluations += found.evaluations;
+      before = last;
+      last = found.x;
+      measure_errors(*solver.bench, goal, last, poses, row);
+    }
+  }
+  row.evaluations /= static_cast<double>(row.time_us.size());
+  return row;
+}
+
+#ifdef MORPHE_KDL
+Row follow_kdl(const BenchProblem& bench, const std::vector<JointVector>& first, double& solved) {
+  KdlArm arm(bench.robot);
+  Row row;
+  std::vector<Pose> poses;
+  solved = 0;
+  for (std::size_t m = 0; m < bench.movements.size(); ++m) {
+    JointVector q = first[m];
+    for (const FrameGoal& goal : bench.movements[m]) {
+      const Pose target = make_pose(goal.tip_position[0], goal.tip_orientation[0]);
+      const auto begin = Clock::now();
+      solved += arm.solve(target, q) ? 1 : 0;
+      row.time_us.push_back(microseconds_since(begin));
+      measure_errors(bench, goal, q, poses, row);
+    }
+  }
+  solved /= static_cast<double>(row.time_us.size());
+  return row;
+}
+#endif
+
+double mean(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double v : values) sum += v;
+  return sum / static_cast<double>(values.size());
+}
+
+void print(const std::string& name, const Row& row, const Row& reference) {
+  double excess = 0;  // of frames that found the same basin as the reference
+  int same = 0;
+  for (std::size_t i = 0; i < row.value.size(); ++i) {
+    const double more = row.value[i] - reference.value[i];
+    if (std::abs(more) > 1e-4) continue;
+    excess = std::max(excess, more);
+    ++same;
+  }
+  fmt::print(
+      "  {:<22} {:>8.1f} {:>8.1f} {:>6.1f} {:>6.2f} | {:>8.4f} {:>8.4f} {:>8.4f} {:>8.4f} | ", name,
+      percentile(row.time_us, 0.5), percentile(row.time_us, 0.99),
+      percentile(row.time_us, 0.5) / percentile(reference.time_us, 0.5), row.evaluations,
+      percentile(row.position_mm, 0.5), percentile(row.position_mm, 0.99),
+      percentile(row.orientation_deg, 0.5), percentile(row.orientation_deg, 0.99));
+  if (row.value.empty()) {
+    fmt::print("\n");
+  } else {
+    fmt::print("{:.9f} {:.1e} {:5.1f} %\n", mean(row.value), excess,
+               100.0 * same / static_cast<double>(row.value.size()));
+  }
+}
+
+void print_cold(const BenchProblem& bench, Solver& solver) {
+  for (const int starts : {1, 16, 64}) {
+    std::vector<double> time_us;
+    int global = 0, count = 0;
+    for (std::size_t m = 0; m < bench.movements.size(); ++m) {
+      for (const std::size_t f : {std::size_t{0}, bench.movements[m].size() / 2}) {
+        const FrameGoal& goal = bench.movements[m][f];
+        const double best = best_of(solver, goal, 500, 77).value;
+        const auto begin = Clock::now();
+        const double found = best_of(solver, goal, starts, 3 + m).value;
+        time_us.push_back(microseconds_since(begin));
+        global += found < best + 1e-3 ? 1 : 0;
+        ++count;
+      }
+    }
+    fmt::print("  cold, {:>2} starts: {:.2f} ms median, {:.2f} ms 99 %; best of 500 in {} of {}\n",
+               starts, 1e-3 * percentile(time_us, 0.5), 1e-3 * percentile(time_us, 0.99), global,
+               count);
+  }
+}
+
+void run(const BenchProblem& bench) {
+  fmt::print("{} ({} variables)\n", bench.name, bench.robot.joints());
+  fmt::print(
+      "  {:<22} {:>8} {:>8} {:>6} {:>6} | {:>17} {:>17} | mean F, worst excess, same basin\n", "",
+      "us 50 %", "us 99 %", "ratio", "evals", "mm 50 %, 99 %", "deg 50 %, 99 %");
+  Solver structured(bench, "structured");
+  std::vector<JointVector> first;
+  for (std::size_t m = 0; m < bench.movements.size(); ++m) {
+    first.push_back(best_of(structured, bench.movements[m][0], 64, m).x);
+  }
+  Row reference;
+  for (const char* algorithm : {"structured", "tnewton", "slsqp"}) {
+    Solver solver(bench, algorithm);
+    for (const bool extrapolate : {false, true}) {
+      const Row row = follow(solver, first, extrapolate);
+      if (reference.value.empty()) reference = row;
+      print(fmt::format("{}{}", algorithm, extrapolate ? ", extrapolated" : ""), row, reference);
+    }
+  }
+#ifdef MORPHE_KDL
+  if (bench.robot.tips.size() == 1 && bench.robot.joints() == 7) {
+    double solved = 0;
+    const Row row = follow_kdl(bench, first, solved);
+    print(fmt::format("KDL NR_JL, {:.1f} % met", 100 * solved), row, reference);
+  }
+#endif
+  print_cold(bench, structured);
+}
+
+/// n / 3 ball joints with equal links, 0.5775 m together (a human's upper arm and forearm); the one
+/// or two joints that are left only turn the tip.
+RobotTable ball_joint_arm(int joints) {
+  const Eigen::Matrix3d z_to_x =
+      Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitY()).toRotationMatrix();
+  const Eigen::Matrix3d z_to_y =
+      Eigen::AngleAxisd(-std::numbers::pi / 2, Vec3::UnitX()).toRotationMatrix();
+  const Eigen::Matrix3d axes[] = {z_to_x, z_to_y, Eigen::Matrix3d::Identity()};
+  RobotTable robot;
+  const int balls = joints / 3;
+  const double link = 0.5775 / balls;
+  Eigen::Matrix3d last = Eigen::Matrix3d::Identity();
+  for (int j = 0; j < joints; ++j) {
+    RobotTable::Frame frame;
+    frame.name = fmt::format("J{}", j + 1);
+    frame.parent = j - 1;
+    frame.joint = j;
+    frame.transform.linear() = last.transpose() * axes[j % 3];
+    if (j % 3 == 0 && j > 0) {
+      frame.transform.translation() = last.transpose() * Vec3(0, 0, link);
+      if (j < 3 * balls) robot.centres.push_back({j, "arm"});
+    }
+    last = axes[j % 3];
+    robot.joint_names.push_back(frame.name);
+    robot.frames.push_back(frame);
+  }
+  RobotTable::Tip tip;
+  tip.frame = joints - 1;
+  tip.finger = -1;
+  if (joints == 3 * balls) tip.transform.translation() = Vec3(0, 0, link);
+  robot.tips.push_back(tip);
+  robot.palm_frame = joints - 1;
+  robot.lower = JointVector::Constant(joints, -std::numbers::pi / 2);
+  robot.upper = -robot.lower;
+  return robot;
+}
+
+}  // namespace
+}  // namespace morphe
+
+int main(int argc, char** argv) {
+  using namespace morphe;
+  const std::string robots = MORPHE_SOURCE_DIR "/configs/robots/";
+  const RobotTable arm = load_robot(robots + "pa10.yaml").table;
+  const RobotTable arm_hand = load_robot(robots + "pa10_dlr_hit2.yaml").table;
+  std::vector<std::pair<std::string, const RobotTable*>> cases = {
+      {"arm 7, wrist pose", &arm},
+      {"arm-hand 22, fingertip positions", &arm_hand},
+      {"arm-hand 22, fingertip positions and orientations", &arm_hand}};
+  std::vector<RobotTable> hyper;
+  for (const int n : {9, 21, 27, 44}) hyper.push_back(ball_joint_arm(n));
+  for (const RobotTable& robot : hyper) {
+    cases.emplace_back(fmt::format("arm {}, wrist pose", robot.joints()), &robot);
+  }
+  for (const auto& [name, robot] : cases) {
+    for (const bool noise : {false, true}) {
+      const std::string full = name + (noise ? ", noise" : ", clean");
+      const bool wanted = argc < 2 || std::any_of(argv + 1, argv + argc, [&](const char* word) {
+                            return full.find(word) != std::string::npos;
+                          });
+      if (!wanted) continue;
+      const bool orientations = name.find("positions") == std::string::npos ||
+                                name.find("orientations") != std::string::npos;
+      run(make_bench_problem(full, *robot, {orientations, noise}));
+    }
+  }
+  return 0;
+}
