@@ -7,6 +7,7 @@
 #include <string>
 
 #include "pipeline/kinematics/forward.hpp"
+#include "pipeline/kinematics/hand_proportions.hpp"
 
 namespace morphe {
 namespace {
@@ -14,33 +15,8 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr int kPalmArch = static_cast<int>(kHandAngles);  ///< the joint after kHandAngleNames
 
-/// One finger by Buchholz's ratios: base across (to the thumb's side) to hand breadth, the rest to
-/// hand length; `splay` turns it away from the thumb at zero abduction.
-struct Finger {
-  double across, along, proximal, middle, distal;
-  double splay, arch_share;            ///< [rad], of palm_arch
-  std::array<double, 4> lower, upper;  ///< abduction, MCP, PIP, DIP [degrees]
-};
-/// Limits as in the Anthropomorphism toolbox, which counts the abduction of ring and little finger
-/// away from the thumb.
-constexpr Finger kFingersOfBuchholz[] = {
-    {0.251, 0.447, 0.245, 0.143, 0.097, 0, 0, {-13, 0, 0, -10}, {42, 80, 100, 90}},
-    {0, 0.446, 0.266, 0.170, 0.108, 3 * kDegree, 0, {-13, 0, 0, -10}, {42, 80, 100, 90}},
-    {-0.206,
-     0.409,
-     0.244,
-     0.165,
-     0.107,
-     4 * kDegree,
-     20.0 / 28,
-     {-20, 0, 0, -20},
-     {14, 80, 100, 90}},
-    {-0.402, 0.368, 0.204, 0.117, 0.093, 8 * kDegree, 1, {-33, 0, 0, -30}, {19, 80, 100, 90}},
-};
-
-/// The thumb's rotation takes up two of the toolbox's three CMC joints: ±30 and 60 degrees.
-constexpr double kThumbLower[] = {-30, -25, -15, -15}, kThumbUpper[] = {90, 35, 55, 80};
-constexpr double kThumbSplay = 30 * kDegree;
+/// Of palm_arch, by finger: how much of it lowers that metacarpal.
+constexpr std::array<double, kFingers> kArchShare = {0, 0, 0, 20.0 / 28, 1};
 
 Pose moved(double x, double y, double z) { return Pose(Eigen::Translation3d(x, y, z)); }
 
@@ -53,12 +29,11 @@ struct Builder {
     return static_cast<int>(hand.frames.size()) - 1;
   }
   /// The next joint of kHandAngleNames.
-  int joint(int parent, const Pose& transform, const Vec3& axis, double lower_deg,
-            double upper_deg) {
+  int joint(int parent, const Pose& transform, const Vec3& axis, double lower, double upper) {
     const auto k = static_cast<Eigen::Index>(hand.joint_names.size());
     hand.joint_names.emplace_back(kHandAngleNames[k]);
-    hand.lower[k] = lower_deg * kDegree;
-    hand.upper[k] = upper_deg * kDegree;
+    hand.lower[k] = lower;
+    hand.upper[k] = upper;
     return frame(kHandAngleNames[k], parent, transform, axis, static_cast<int>(k));
   }
   void tip(std::size_t finger, int middle_joint, int last, double distal) {
@@ -87,27 +62,28 @@ RobotTable human_hand(const HandSize& size) {
       JointVector::Constant(kJoints, std::numeric_limits<double>::infinity());
   const int palm = b.frame("hand", -1, Pose::Identity(), Vec3::UnitZ(), -1);
 
-  const auto thumb = [&](int parent, const Pose& transform, const Vec3& axis, int k) {
-    return b.joint(parent, transform, axis, kThumbLower[k], kThumbUpper[k]);
+  const ThumbProportions& t = kThumbProportions;
+  const auto thumb = [&](int parent, const Pose& transform, const Vec3& axis, std::size_t k) {
+    return b.joint(parent, transform, axis, t.lower[k], t.upper[k]);
   };
-  const int rotation = thumb(palm, moved(0, 0.196 * hb, 0.073 * hl), -Vec3::UnitZ(), 0);
-  const Pose splayed(Eigen::AngleAxisd(kThumbSplay, abducting));
+  const int rotation = thumb(palm, moved(0, t.across * hb, t.along * hl), -Vec3::UnitZ(), 0);
+  const Pose splayed(Eigen::AngleAxisd(t.splay, abducting));
   const int abduction = thumb(rotation, splayed, abducting, 1);
   // From here on x points out of the thumb's pad: at zero across the palm.
   const Pose pad(Eigen::AngleAxisd(-90 * kDegree, Vec3::UnitZ()));
-  const int mcp = thumb(abduction, moved(0, 0, 0.251 * hl) * pad, flexing, 2);
-  const int ip = thumb(mcp, moved(0, 0, 0.196 * hl), flexing, 3);
-  b.tip(0, mcp, ip, 0.158 * hl);
+  const int mcp = thumb(abduction, moved(0, 0, t.metacarpal * hl) * pad, flexing, 2);
+  const int ip = thumb(mcp, moved(0, 0, t.proximal * hl), flexing, 3);
+  b.tip(0, mcp, ip, t.distal * hl);
 
   for (std::size_t finger = 1; finger < kFingers; ++finger) {
-    const Finger& f = kFingersOfBuchholz[finger - 1];
+    const FingerProportions& f = kFingerProportions[finger - 1];
     const auto joint = [&](int parent, const Pose& transform, const Vec3& axis, std::size_t k) {
       return b.joint(parent, transform, axis, f.lower[k], f.upper[k]);
     };
     int metacarpal = palm;
-    if (f.arch_share > 0) {
+    if (kArchShare[finger] > 0) {
       metacarpal = b.frame(std::string(kFingerNames[finger]) + "_metacarpal", palm,
-                           Pose::Identity(), flexing, kPalmArch, f.arch_share);
+                           Pose::Identity(), flexing, kPalmArch, kArchShare[finger]);
     }
     const Pose fanned(Eigen::AngleAxisd(-f.splay, abducting));
     const int base =

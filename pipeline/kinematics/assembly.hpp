@@ -6,6 +6,7 @@
 
 #include "pipeline/config/node.hpp"
 #include "pipeline/kinematics/dh.hpp"
+#include "pipeline/kinematics/generate.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
 namespace morphe {
@@ -64,6 +65,15 @@ void read_chain(Assembly& assembly, const FileScope& scope, DhConvention convent
                 const ConfigNode& node);
 DhConvention read_convention(const ConfigNode& node);
 
+/// Adds a generated robot's chains, tips and palm at `base`, which names must not be taken.
+void add_generated_arm(Assembly& assembly, const Place& base, const ArmShape& shape);
+void add_generated_hand(Assembly& assembly, const Place& base, const HandShape& shape);
+/// {arm: {…}} or {hand: {…}} of a description; InputError as for any other part of it.
+void read_generated(Assembly& assembly, const Place& base, const ConfigNode& node);
+
+/// What carries a part at `place` ends in that part's tips, no longer in its own wrist.
+void drop_carriers_wrist(Assembly& assembly, const Place& place);
+
 /// Adds a file's capsules; names may end in `*` in allowed_pairs and may_touch_target.
 void read_collision(Assembly& assembly, const FileScope& scope, const ConfigNode& node);
 /// Capsules of one rigid body, or of two that one joint connects.
@@ -73,5 +83,9 @@ void allow_neighbours(RobotTable& table);
 /// beyond the shoulder, without the last one if the arm carries nothing (there it is the
 /// end-effector's), unless it is the only one; for a finger the first hinge away from its base.
 void derive_centres(Assembly& assembly);
+
+/// The table, with limits, shoulder, palm, centres and allowed neighbours. There must be a palm or
+/// a chain `arm`.
+RobotTable finished(Assembly assembly);
 
 }  // namespace morphe

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "pipeline/kinematics/assembly.hpp"
 
@@ -30,7 +31,13 @@ void read_tip(Assembly& assembly, const FileScope& scope, const ConfigNode& node
   tip.frame = place.frame;
   if (tip.frame < 0) node[key].fail("a tip must move with a frame");
   tip.transform = place.frame_from_place * read_mount_of(node);
-  tip.finger = read_finger(node["finger"]);
+  if (node.has("along")) {
+    tip.along = node["along"].number();
+    if (tip.along < 0 || tip.along > 1) node["along"].fail("must be from 0 (index) to 1 (little)");
+    tip.finger = 1 + static_cast<int>(std::lround(3 * tip.along));
+  } else {
+    tip.finger = read_finger(node["finger"]);
+  }
   for (const RobotTable::Tip& other : assembly.table.tips) {
     if (other.name == tip.name)
       node["name"].fail(fmt::format("a tip '{}' exists already", tip.name));
@@ -97,14 +104,10 @@ void read_frame_name(const Assembly& assembly, const ConfigNode& root, const cha
 void read_file(const std::filesystem::path& file, const Place& base, Assembly& assembly);
 
 void read_part(Assembly& assembly, const FileScope& scope, const ConfigNode& node) {
-  const ConfigNode file = node["file"];
   const Place place = read_hanging(assembly, scope, node);
-  // What carries a part ends in that part's tips, no longer in its own wrist.
-  std::erase_if(assembly.table.tips, [&](const RobotTable::Tip& tip) {
-    return tip.finger < 0 && place.frame >= 0 &&
-           (hangs_on(assembly.table, tip.frame, place.frame) ||
-            hangs_on(assembly.table, place.frame, tip.frame));
-  });
+  drop_carriers_wrist(assembly, place);
+  if (node.has("generate")) return read_generated(assembly, place, node["generate"]);
+  const ConfigNode file = node["file"];
   if (assembly.files.size() > 32) file.fail("more than 32 files: does one name itself?");
   read_file(node.folder() / file.text(), place, assembly);
 }
@@ -118,6 +121,7 @@ void read_file(const std::filesystem::path& file, const Place& base, Assembly& a
     for (const ConfigNode& part : root["parts"].items()) read_part(assembly, scope, part);
   }
   assembly.table.name = name;
+  if (root.has("generate")) read_generated(assembly, base, root["generate"]);
   read_chains_and_frames(assembly, scope, root);
   read_frame_name(assembly, root, "shoulder", assembly.shoulder);
   read_frame_name(assembly, root, "palm", assembly.palm);
@@ -130,42 +134,21 @@ void read_file(const std::filesystem::path& file, const Place& base, Assembly& a
   if (assembly.chains.empty()) root.fail("has no chains");
 }
 
-JointVector vector_of(const std::vector<double>& values) {
-  return Eigen::Map<const JointVector>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
 }  // namespace
 
 RobotDescription load_robot(const std::filesystem::path& file) {
   Assembly assembly;
   read_file(file, Place{}, assembly);
-  RobotTable& table = assembly.table;
-  table.lower = vector_of(assembly.lower);
-  table.upper = vector_of(assembly.upper);
-  table.velocity = vector_of(assembly.velocity);
-  table.acceleration = vector_of(assembly.acceleration);
-  table.jerk = vector_of(assembly.jerk);
-
-  const auto arm =
-      std::ranges::find_if(assembly.chains, [](const Chain& c) { return c.name == "arm"; });
-  const bool has_arm = arm != assembly.chains.end();
-  if (!assembly.shoulder.empty()) {
-    table.shoulder_frame = frame_index(table, assembly.shoulder);
-  } else if (has_arm) {
-    table.shoulder_frame = arm->frames.front();
-  }
-  if (!assembly.palm.empty()) {
-    table.palm_frame = frame_index(table, assembly.palm);
-  } else if (has_arm) {
-    table.palm_frame = arm->end.frame;
-  } else {
+  const auto is_arm = [](const Chain& chain) { return chain.name == "arm"; };
+  if (assembly.palm.empty() && std::ranges::none_of(assembly.chains, is_arm)) {
     throw InputError(fmt::format("{}:1: palm: is missing, and there is no chain 'arm' to end in it",
                                  file.string()));
   }
-  if (table.tips.empty()) throw InputError(fmt::format("{}:1: tips: are missing", file.string()));
-  derive_centres(assembly);
-  allow_neighbours(table);
-  return {std::move(table), std::move(assembly.files)};
+  if (assembly.table.tips.empty()) {
+    throw InputError(fmt::format("{}:1: tips: are missing", file.string()));
+  }
+  std::vector<std::filesystem::path> files = std::move(assembly.files);
+  return {finished(std::move(assembly)), std::move(files)};
 }
 
 }  // namespace morphe

@@ -25,6 +25,9 @@ struct RobotTable {
     int frame = 0;
     Pose transform = Pose::Identity();  ///< frame_from_tip
     int finger = 0;                     ///< 0 thumb … 4 little, -1 the wrist
+    /// Of a hand without five fingers: the tip follows the point at this share (0 … 1) of the curve
+    /// through the human's index, middle, ring and little tips; `finger` is the nearest of them.
+    double along = kNotSeen;
   };
   struct Centre {
     int frame = 0;

@@ -210,6 +210,7 @@ std::string inconsistency(const RobotTable& robot) {
   for (const RobotTable::Tip& tip : robot.tips) {
     faults.index("tips/frame", tip.frame, 0, frames);
     faults.index("tips/finger", tip.finger, -1, kFingers);
+    faults.require(!(tip.along < 0 || tip.along > 1), "tips/along", "is not a share");
   }
   for (const RobotTable::Centre& centre : robot.centres)
     faults.index("centres/frame", centre.frame, 0, frames);

@@ -34,6 +34,7 @@ void lay_out_robot(Io& io, T& robot) {
     in.column("transform", robot.tips, &Tip::transform, {"m", "joint", ""});
     in.column("finger", robot.tips, &Tip::finger,
               {"1", "", "-1=wrist,0=thumb,1=index,2=middle,3=ring,4=little"});
+    in.column("along", robot.tips, &Tip::along, {"1", "", ""});
   });
   io.group("centres", [&](Io& in) {
     using Centre = RobotTable::Centre;

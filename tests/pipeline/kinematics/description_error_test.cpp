@@ -108,6 +108,37 @@ INSTANTIATE_TEST_SUITE_P(
                 ":22: tips[0].finger: must be a whole number, not 'toe'"}),
     [](const auto& instance) { return instance.param.what; });
 
+struct BadGenerator {
+  std::string yaml, message;
+};
+
+TEST(DescriptionErrors, OfGeneratedRobots) {
+  for (const BadGenerator& bad : std::vector<BadGenerator>{
+           {"{}", ":2: generate: must hold either arm or hand"},
+           {"{arm: {joints: 5, length: 1}}", ":2: generate.arm: joints must be 6 … 60"},
+           {"{arm: {joints: 6}}", ":2: generate.arm.length: is missing"},
+           {"{arm: {joints: 6, length: 1, links: 2}}", ":2: generate.arm.links: unknown key"},
+           {"{hand: {fingers: 2, length: 1, breadth: 1}}",
+            ":2: generate.hand: fingers must be 3 … 12"},
+           {"{hand: {fingers: 4, length: 0, breadth: 1}}",
+            ":2: generate.hand: length and breadth must be above 0"}}) {
+    const std::filesystem::path file = write_robot("g", "name: g\ngenerate: " + bad.yaml + "\n");
+    try {
+      load_robot(file);
+      ADD_FAILURE() << bad.yaml;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.what(), file.string() + bad.message);
+    }
+  }
+}
+
+TEST(DescriptionErrors, TwoGeneratedArms) {
+  EXPECT_THROW(written_robot("g",
+                             "name: g\nparts:\n  - generate: {arm: {joints: 6, length: 1}}\n"
+                             "  - generate: {arm: {joints: 6, length: 1}}\n"),
+               InputError);
+}
+
 TEST(DescriptionErrors, TheUnchangedDescriptionLoads) {
   EXPECT_EQ(written_robot("two", kTwoJoints).joints(), 1u);
 }

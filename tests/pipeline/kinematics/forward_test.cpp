@@ -9,12 +9,12 @@
 #include <map>
 #include <numbers>
 
+#include "tests/pipeline/kinematics/generated_products.hpp"
 #include "tests/pipeline/kinematics/shipped_robots.hpp"
 
 namespace morphe {
 namespace {
 
-using Mat4 = Eigen::Matrix4d;
 constexpr double kPi = std::numbers::pi;
 
 struct Row {
@@ -28,6 +28,13 @@ constexpr std::array<Row, 7> kPa10 = {{{0, 0, 0.317},
                                        {kPi / 2, 0, 0.48},
                                        {-kPi / 2, 0, 0},
                                        {kPi / 2, 0, 0.07}}};
+constexpr std::array<Row, 7> kWam = {{{0, 0, 0.31},
+                                      {-kPi / 2, 0, 0},
+                                      {kPi / 2, 0, 0.55},
+                                      {-kPi / 2, 0.045, 0},
+                                      {kPi / 2, -0.045, 0.3},
+                                      {-kPi / 2, 0, 0},
+                                      {kPi / 2, 0, 0.06}}};
 /// Standard.
 constexpr std::array<Row, 4> kFinger = {
     {{kPi / 2, 0, 0}, {0, 0.055, 0}, {0, 0.025, 0}, {0, 0.025, 0}}};
@@ -74,9 +81,9 @@ const std::vector<std::pair<std::string, Mat4>>& finger_bases() {
   return bases;
 }
 
-Mat4 pa10_flange(const JointVector& q) {
+Mat4 flange(const std::array<Row, 7>& rows, const JointVector& q) {
   Mat4 m = Mat4::Identity();
-  for (std::size_t i = 0; i < 7; ++i) m *= modified_dh(kPa10[i], q[static_cast<Eigen::Index>(i)]);
+  for (std::size_t i = 0; i < 7; ++i) m *= modified_dh(rows[i], q[static_cast<Eigen::Index>(i)]);
   return m;
 }
 
@@ -96,12 +103,17 @@ std::map<std::string, Mat4> hand_tips(const Mat4& base_from_palm, const JointVec
   return tips;
 }
 
+/// Of every shipped robot; empty for a robot that this test does not know.
 std::map<std::string, Mat4> published_tips(const std::string& robot, const JointVector& q) {
-  if (robot == "pa10") return {{"wrist", pa10_flange(q)}};
+  if (robot == "pa10") return {{"wrist", flange(kPa10, q)}};
+  if (robot == "wam") return {{"wrist", flange(kWam, q)}};
+  if (robot == "arm21") return {{"wrist", arm_product(21, 0.577, q)}};
   if (robot == "dlr_hit2") return hand_tips(Mat4::Identity(), q, 0);
-  Mat4 adapter = Mat4::Identity();
-  adapter(2, 3) = 0.03;
-  return hand_tips(pa10_flange(q) * adapter, q, 7);
+  if (robot == "pa10_dlr_hit2") return hand_tips(flange(kPa10, q) * shift(0, 0, 0.03), q, 7);
+  if (robot != "arm24_hand5") return {};
+  std::map<std::string, Mat4> tips = hand_products(0.205, 0.0913, q.data() + 24);
+  for (auto& [name, tip] : tips) tip = arm_product(24, 0.577, q) * tip;
+  return tips;
 }
 
 class Published : public testing::TestWithParam<std::string> {};
@@ -125,7 +137,7 @@ TEST_P(Published, EveryTipIsTheProductOfTheTables) {
   }
   EXPECT_LT(worst, 1e-12);
 }
-INSTANTIATE_TEST_SUITE_P(Robots, Published, testing::Values("pa10", "dlr_hit2", "pa10_dlr_hit2"),
+INSTANTIATE_TEST_SUITE_P(Robots, Published, testing::ValuesIn(shipped_robots()),
                          [](const auto& instance) { return instance.param; });
 
 TEST(Forward, StretchedPa10StandsStraightUp) {

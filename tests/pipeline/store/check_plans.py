@@ -82,6 +82,7 @@ with h5py.File(sys.argv[1]) as file:
         "frames/ratio": ((4,), "f", "1", None), "frames/offset": ((4,), "f", "rad", None),
         "tips/name": ((2,), "S", "", None), "tips/frame": ((2,), "i", "1", None),
         "tips/transform": ((2, 4, 4), "f", "m", "joint"), "tips/finger": ((2,), "i", "1", None),
+        "tips/along": ((2,), "f", "1", None),
         "centres/frame": ((2,), "i", "1", None), "centres/chain": ((2,), "S", "", None),
         "capsules/name": ((3,), "S", "", None), "capsules/frame": ((3,), "i", "1", None),
         "capsules/from": ((3, 3), "f", "m", "joint"), "capsules/to": ((3, 3), "f", "m", "joint"),

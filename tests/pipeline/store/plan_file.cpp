@@ -38,6 +38,7 @@ void expect_same(const RobotTable& a, const RobotTable& b) {
     EXPECT_SAME(tips[i].frame);
     EXPECT_SAME(tips[i].transform);
     EXPECT_SAME(tips[i].finger);
+    EXPECT_SAME(tips[i].along);
   }
   ASSERT_EQ(a.centres.size(), b.centres.size());
   for (std::size_t i = 0; i < a.centres.size(); ++i) {

@@ -157,7 +157,7 @@ RobotTable small_robot() {
                   {"E1", 0, number.pose(), number.point(), 1, 1.5, 0.75},
                   {"fixed", 1, number.pose(), number.point(), -1, 2.5, 1.25},
                   {"coupled", 2, number.pose(), number.point(), 2, -1, 3}};
-  robot.tips = {{"thumb_tip", 3, number.pose(), 0}, {"wrist_tip", 2, number.pose(), -1}};
+  robot.tips = {{"ring_tip", 3, number.pose(), 3, 0.75}, {"wrist_tip", 2, number.pose(), -1}};
   robot.centres = {{1, "arm"}, {2, "index"}};
   robot.capsules = {{"base", -1, number.point(), number.point(), 0.1, false},
                     {"upper", 0, number.point(), number.point(), 0.2, false},
