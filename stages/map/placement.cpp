@@ -1,9 +1,16 @@
 #include "stages/map/placement.hpp"
 
+#include <cmath>
+
 #include "pipeline/kinematics/forward.hpp"
+#include "stages/map/finger_curve.hpp"
 
 namespace morphe {
 namespace {
+
+Vec3 on_curve(const Table<Vec3>& fingers, std::size_t row, double along) {
+  return point_along({fingers(row, 1), fingers(row, 2), fingers(row, 3), fingers(row, 4)}, along);
+}
 
 Vec3 robot_shoulder(const RobotTable& robot) {
   std::vector<Pose> base_from_frame;
@@ -82,6 +89,11 @@ Goals make_goals(const RobotTable& robot, const HumanMotion& motion, const Movem
       if (finger < 0) {
         goals.tip_position(f, i) = base_from_world * motion.wrist[row];
         goals.tip_orientation(f, i) = turned(motion.wrist_orientation[row]);
+        continue;
+      }
+      const double along = robot.tips[i].along;
+      if (std::isfinite(along)) {
+        goals.tip_position(f, i) = base_from_world * on_curve(motion.tip, row, along);
         continue;
       }
       const auto human = static_cast<std::size_t>(finger);
