@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "stages/segment/edges.hpp"
+#include "stages/segment/fingers.hpp"
 
 namespace morphe {
 namespace {
@@ -11,7 +12,6 @@ namespace {
 using Speeds = std::vector<double>;
 
 constexpr double kDeepest = 0.15;  ///< a dip to this share always separates
-constexpr double kNoisePeak = 4;   ///< times the rms of noise: hardly ever reached by it
 constexpr double kLeastBout_s = 0.08;
 constexpr double kSplitWithin_s = 0.15;
 constexpr double kSpread_s = 0.04;  ///< an edge that is as uncertain as this is half as sure
@@ -122,26 +122,8 @@ void split_at(const HandSignals& signals, double time_s, std::vector<Piece>& pie
   }
 }
 
-void place_ends(const HandSignals& signals, const SegmentOptions& options, Bout& bout) {
-  const double level = options.onset_share * signals.speed[bout.peak];
-  const double part = options.weak_share * signals.speed[bout.peak];
-  const Edge begin = find_edge(signals, bout.first, bout.first_part, level, part);
-  const Edge end = find_edge(signals, bout.last, bout.last_part, level, part);
-  bout.begin_s = signals.time(begin.frame);
-  bout.end_s = signals.time(end.frame);
-  bout.begin_confidence = 1 / (1 + std::pow(begin.spread_s / kSpread_s, 2));
-  bout.end_confidence = 1 / (1 + std::pow(end.spread_s / kSpread_s, 2));
-  bout.cut_begin = begin.frame <= 0;
-  bout.cut_end = end.frame >= static_cast<double>(signals.frames() - 1);
-  bout.from = signals.position[signals.frame(bout.begin_s)];
-  bout.to = signals.position[signals.frame(bout.end_s)];
-  bout.extent = 0;
-  for (std::size_t i = signals.frame(bout.begin_s); i <= signals.frame(bout.end_s); ++i) {
-    bout.extent = std::max(bout.extent, (signals.position[i] - bout.from).norm());
-  }
-}
-
-void mark_weak(const SegmentOptions& options, const Speeds& speed, std::vector<Bout>& bouts) {
+void mark_weak(const HandSignals& signals, const SegmentOptions& options,
+               std::vector<Bout>& bouts) {
   for (std::size_t k = 0; k < bouts.size(); ++k) {
     double farthest = 0;
     const std::size_t last = std::min(bouts.size() - 1, k + kNeighbours);
@@ -149,7 +131,8 @@ void mark_weak(const SegmentOptions& options, const Speeds& speed, std::vector<B
       farthest = std::max(farthest, bouts[m].extent);
     }
     bouts[k].weak = bouts[k].extent < options.weak_share * farthest ||
-                    speed[bouts[k].peak] < options.least_peak;
+                    signals.speed[bouts[k].peak] < options.least_peak ||
+                    only_fingers(signals, bouts[k]);
   }
 }
 
@@ -160,9 +143,13 @@ double belonging(const HandSignals& signals, const SegmentOptions& options, cons
   const bool after = other.peak > bout.peak;
   const std::size_t slowest = after ? extreme(signals.speed, bout.peak, other.peak, false)
                                     : extreme(signals.speed, other.peak, bout.peak, false);
-  const double peak = signals.speed[bout.peak];
-  const double dip = signals.speed[slowest] / (options.onset_share * peak);
-  const double gap_s = after ? other.begin_s - bout.end_s : bout.begin_s - other.end_s;
+  const double peak = signals.speed[bout.peak], level = options.onset_share * peak;
+  const double dip = signals.speed[slowest] / level;
+  const std::size_t edge = signals.frame(after ? bout.end_s : bout.begin_s);
+  std::size_t near = other.peak;
+  while (near != edge && signals.speed[near] >= level) near = after ? near - 1 : near + 1;
+  const double gap_s =
+      std::abs(signals.time(static_cast<double>(near)) - (after ? bout.end_s : bout.begin_s));
   const bool follows =
       gap_s <= kFollows_s && signals.speed[other.peak] >= options.weak_share * peak;
   return dip >= 1 || follows ? dip + 1e-9 : 0;
@@ -216,6 +203,25 @@ void judge_dips(const Speeds& speed, double dip_share, std::vector<Bout>& bouts)
 
 }  // namespace
 
+void place_ends(const HandSignals& signals, const SegmentOptions& options, Bout& bout) {
+  const double level = options.onset_share * signals.speed[bout.peak];
+  const double part = options.weak_share * signals.speed[bout.peak];
+  const Edge begin = find_edge(signals, bout.first, bout.first_part, level, part);
+  const Edge end = find_edge(signals, bout.last, bout.last_part, level, part);
+  bout.begin_s = signals.time(begin.frame);
+  bout.end_s = signals.time(end.frame);
+  bout.begin_confidence = 1 / (1 + std::pow(begin.spread_s / kSpread_s, 2));
+  bout.end_confidence = 1 / (1 + std::pow(end.spread_s / kSpread_s, 2));
+  bout.cut_begin = begin.frame <= 0;
+  bout.cut_end = end.frame >= static_cast<double>(signals.frames() - 1);
+  bout.from = signals.position[signals.frame(bout.begin_s)];
+  bout.to = signals.position[signals.frame(bout.end_s)];
+  bout.extent = 0;
+  for (std::size_t i = signals.frame(bout.begin_s); i <= signals.frame(bout.end_s); ++i) {
+    bout.extent = std::max(bout.extent, (signals.position[i] - bout.from).norm());
+  }
+}
+
 void absorb(const HandSignals& signals, const SegmentOptions& options, const Bout& other,
             Bout& bout) {
   if (other.first < bout.first) bout.first_part = other.first_part;
@@ -247,8 +253,9 @@ std::vector<Bout> find_bouts(const HandSignals& signals, const SegmentOptions& o
     place_ends(signals, options, bout);
     if (bout.end_s - bout.begin_s >= kLeastBout_s) bouts.push_back(bout);
   }
-  mark_weak(options, signals.speed, bouts);
+  mark_weak(signals, options, bouts);
   bouts = with_weak_neighbours(signals, options, bouts);
+  take_in_fingers(signals, options, bouts);
   judge_dips(signals.speed, options.dip_share, bouts);
   return bouts;
 }

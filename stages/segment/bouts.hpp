@@ -18,7 +18,8 @@ struct Bout {
   bool cut_begin = false, cut_end = false;      ///< the recording begins or ends inside it
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();  ///< where the hand was at begin_s and end_s [m]
   double extent = 0;                            ///< farthest from `from` [m]
-  bool weak = false;  ///< goes less than weak_share of the farthest of its neighbours'
+  /// Goes less than weak_share of the farthest of its neighbours', or only the fingers move.
+  bool weak = false;
 };
 
 /// Bouts in order. Two peaks of speed are two bouts if the dip between them is deep for the turn
@@ -30,9 +31,16 @@ struct Bout {
 ///
 /// A weak bout beside a stronger one belongs to it if the speed between them never falls to the
 /// level at which the stronger one is over, or only for 0.1 s and the weak one is faster than
-/// `weak_share` of its peak: a hand that closes as it arrives, or lets go as it sets out.
+/// `weak_share` of its peak: a hand that closes as it arrives, or lets go as it sets out. Slower
+/// closing and letting go is known by the fingers (fingers.hpp).
 std::vector<Bout> find_bouts(const HandSignals& signals, const SegmentOptions& options,
                              const std::vector<double>& splits_s);
+
+/// What is slower than this many times the rms of noise is not told from it.
+inline constexpr double kNoisePeak = 4;
+
+/// Begin, end and what follows from them, of a bout between `first` and `last`.
+void place_ends(const HandSignals& signals, const SegmentOptions& options, Bout& bout);
 
 /// Lengthens a bout by one beside it: its begin and end are those of the two taken as one.
 void absorb(const HandSignals& signals, const SegmentOptions& options, const Bout& other,

@@ -102,6 +102,37 @@ TEST(Segment, PlansAsFarAsAsked) {
   }
 }
 
+/// Arm and finger go opposite ways as the hand arrives, so that the tip nearly stands still in
+/// between, and then on; 6 % of the reach's peak, 18 % and 34 %.
+TEST(Segment, AHandThatClosesAfterTheArmHasArrivedIsStillReaching) {
+  for (const double closing_m : {0.01, 0.03, 0.055}) {
+    SyntheticHand hand = drinking_hand();
+    const Vec3 back(0, -closing_m, 0);
+    hand.strokes[1].begin_s = 2.3;
+    hand.finger = {{1.35, 0.5, back}, {4.2, 0.4, -back}};
+    hand.opening = {{0, 0.09}, {0.85, 0.09}, {1.2, 0.13}, {1.35, 0.13}, {1.85, 0.13 - closing_m}};
+    const auto movements = segment(hand.motion(), {});
+    ASSERT_EQ(movements.size(), 1u) << closing_m;
+    const double level = 0.05 * hand.strokes[0].by.norm() / hand.strokes[0].length_s;
+    const double rise = rise_s(level / (closing_m / 0.5), 0.5);
+    EXPECT_NEAR(phase(movements[0], "reach").end_s, 1.85 - rise, 0.03) << closing_m;
+    EXPECT_NEAR(phase(movements[0], "grasp").begin_s, 1.85 - rise, 0.03) << closing_m;
+  }
+}
+
+TEST(Segment, AHandThatLetsGoBeforeTheArmSetsOutIsReturning) {
+  SyntheticHand hand = drinking_hand();
+  const Vec3 home = hand.strokes[2].by;
+  const Vec3 open = -0.02 * home.normalized();
+  hand.finger = {{2.95, 0.35, open}};
+  hand.opening = {{0, 0.09},    {0.85, 0.09}, {1.3, 0.13}, {1.7, 0.11},
+                  {2.95, 0.11}, {3.3, 0.13},  {4.0, 0.09}};
+  const auto movements = segment(hand.motion(), {});
+  ASSERT_EQ(movements.size(), 1u);
+  const double share = 0.05 * (home.norm() / hand.strokes[2].length_s) / (0.02 / 0.35);
+  EXPECT_NEAR(phase(movements[0], "return").begin_s, 2.95 + rise_s(share, 0.35), 0.03);
+}
+
 TEST(Segment, TwoPeaksWithAShallowDipAreOneReach) {
   SyntheticHand hand = drinking_hand();
   // A correction of the same direction that overlaps the reach: dips to 0.65 of the smaller peak.

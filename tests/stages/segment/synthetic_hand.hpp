@@ -18,6 +18,7 @@ struct SyntheticHand {
   Vec3 start{0.2, 0.1, 0.02};
   double length_s = 5;
   std::vector<Stroke> strokes;  ///< may overlap: they add up
+  std::vector<Stroke> finger;   ///< likewise, of the index tip alone
   /// Thumb–index opening: (time, opening) knots, cosine between them.
   std::vector<std::pair<double, double>> opening{{0, 0.09}};
   double noise_m = 0;
@@ -44,13 +45,15 @@ struct SyntheticHand {
       const double t = 0.01 * static_cast<double>(i);
       Vec3 index = start;
       for (const Stroke& s : strokes) index += progress((t - s.begin_s) / s.length_s) * s.by;
+      const Vec3 knuckle = index;
+      for (const Stroke& s : finger) index += progress((t - s.begin_s) / s.length_s) * s.by;
       const auto jitter = [&]() -> Vec3 {
         return Vec3(noise(random), noise(random), noise(random)) * noise_m;
       };
       m.time.push_back(t);
       m.tip(i, 1) = index + jitter();
       m.tip(i, 0) = index - opening_at(t) * Vec3::UnitX() + jitter();
-      m.wrist.push_back(index + Vec3(0, -0.16, 0.03) + jitter());
+      m.wrist.push_back(knuckle + Vec3(0, -0.16, 0.03) + jitter());
     }
     return m;
   }
