@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,8 @@ struct Assembly {
   std::vector<double> lower, upper, velocity, acceleration, jerk;
   std::vector<Chain> chains;
   std::vector<std::filesystem::path> files;
-  std::string shoulder, palm;  ///< frame names, "" = not named yet
+  std::string shoulder, palm;      ///< frame names, "" = not named yet
+  std::vector<std::string> notes;  ///< what was left out
 };
 
 /// One file's view: its own base, and where its frames and capsules begin (those of its parts
@@ -41,6 +43,7 @@ struct Assembly {
 struct FileScope {
   Place base;
   std::size_t first_capsule = 0;
+  std::map<std::string, Place> links = {};  ///< of a URDF: other names of frames
 };
 
 /// position (default zero) and one of rpy (fixed axes: Rz(yaw) Ry(pitch) Rx(roll)), quaternion
@@ -51,7 +54,11 @@ Pose read_mount_of(const ConfigNode& owner);
 
 /// True if a frame or chain has that name, or it is "base".
 bool has_place(const Assembly& assembly, const std::string& name);
-/// The base of the file ("base"), a frame or the end of a chain; InputError if it is none of them.
+/// A frame of that name, or the one that a link of this file's URDF moves with; -1 if there is
+/// none.
+int frame_called(const Assembly& assembly, const FileScope& scope, const std::string& name);
+/// The base of the file ("base"), a frame, the end of a chain or a link; InputError if none of
+/// them.
 Place place_named(const Assembly& assembly, const FileScope& scope, const ConfigNode& name);
 /// parent's place * mount; the file's base if `node` has no key `parent`.
 Place read_hanging(const Assembly& assembly, const FileScope& scope, const ConfigNode& node);
@@ -65,6 +72,12 @@ void read_chain(Assembly& assembly, const FileScope& scope, DhConvention convent
                 const ConfigNode& node);
 DhConvention read_convention(const ConfigNode& node);
 
+/// `urdf: {file, srdf, meshes, velocity, acceleration, jerk, limits}` of a description: the joints,
+/// frames and shapes of a URDF, with what a URDF cannot say.
+void read_urdf(Assembly& assembly, FileScope& scope, const ConfigNode& node);
+/// `{name, first, last}`: names the joints of a URDF from one to another a chain.
+void read_urdf_chain(Assembly& assembly, const FileScope& scope, const ConfigNode& node);
+
 /// Adds a generated robot's chains, tips and palm at `base`, which names must not be taken.
 void add_generated_arm(Assembly& assembly, const Place& base, const ArmShape& shape);
 void add_generated_hand(Assembly& assembly, const Place& base, const HandShape& shape);
@@ -76,6 +89,8 @@ void drop_carriers_wrist(Assembly& assembly, const Place& place);
 
 /// Adds a file's capsules; names may end in `*` in allowed_pairs and may_touch_target.
 void read_collision(Assembly& assembly, const FileScope& scope, const ConfigNode& node);
+/// No capsule of the one frame collides with one of the other, among those of the file.
+void allow_frames(RobotTable& table, std::size_t first_capsule, int one, int other);
 /// Capsules of one rigid body, or of two that one joint connects.
 void allow_neighbours(RobotTable& table);
 

@@ -48,7 +48,8 @@ void read_tip(Assembly& assembly, const FileScope& scope, const ConfigNode& node
 /// Adds the fixed frames whose parents exist by now; the others stay in the list.
 void add_ready_frames(Assembly& assembly, const FileScope& scope, std::vector<ConfigNode>& nodes) {
   for (auto node = nodes.begin(); node != nodes.end();) {
-    if (node->has("parent") && !has_place(assembly, (*node)["parent"].text())) {
+    if (node->has("parent") && !has_place(assembly, (*node)["parent"].text()) &&
+        !scope.links.contains((*node)["parent"].text())) {
       ++node;
       continue;
     }
@@ -69,11 +70,23 @@ void read_chains_and_frames(Assembly& assembly, const FileScope& scope, const Co
   add_ready_frames(assembly, scope, fixed);
   if (root.has("chains")) {
     for (const ConfigNode& chain : root["chains"].items()) {
-      read_chain(assembly, scope, convention, chain);
+      if (scope.links.empty()) {
+        read_chain(assembly, scope, convention, chain);
+      } else {
+        read_urdf_chain(assembly, scope, chain);
+      }
       add_ready_frames(assembly, scope, fixed);
     }
   }
-  if (!fixed.empty()) (void)place_named(assembly, scope, fixed.front()["parent"]);
+  for (const ConfigNode& node : fixed) {
+    const ConfigNode parent = node["parent"];
+    const auto same = [&](const ConfigNode& other) {
+      return other["name"].text() == parent.text();
+    };
+    if (std::ranges::any_of(fixed, same)) continue;
+    (void)place_named(assembly, scope, parent);
+  }
+  if (!fixed.empty()) fixed.front()["parent"].fail("hangs on itself, by way of other frames");
 }
 
 void read_centres(Assembly& assembly, const FileScope& scope, const ConfigNode& list) {
@@ -85,20 +98,19 @@ void read_centres(Assembly& assembly, const FileScope& scope, const ConfigNode& 
     }
     const ConfigNode frame = node["frame"];
     (void)place_named(assembly, scope, frame);
-    const int index = frame_index(assembly.table, frame.text());
+    const int index = frame_called(assembly, scope, frame.text());
     if (index < 0) frame.fail("must be a frame");
     assembly.table.centres.push_back({index, chain.text()});
   }
 }
 
 /// A frame's name below `key` replaces what an earlier file said.
-void read_frame_name(const Assembly& assembly, const ConfigNode& root, const char* key,
-                     std::string& name) {
+void read_frame_name(const Assembly& assembly, const FileScope& scope, const ConfigNode& root,
+                     const char* key, std::string& name) {
   if (!root.has(key)) return;
-  name = root[key].text();
-  if (frame_index(assembly.table, name) < 0) {
-    root[key].fail(fmt::format("there is no frame '{}'", name));
-  }
+  const int frame = frame_called(assembly, scope, root[key].text());
+  if (frame < 0) root[key].fail(fmt::format("there is no frame '{}'", root[key].text()));
+  name = assembly.table.frames[static_cast<std::size_t>(frame)].name;
 }
 
 void read_file(const std::filesystem::path& file, const Place& base, Assembly& assembly);
@@ -115,16 +127,17 @@ void read_part(Assembly& assembly, const FileScope& scope, const ConfigNode& nod
 void read_file(const std::filesystem::path& file, const Place& base, Assembly& assembly) {
   const ConfigNode root = ConfigNode::load(file);
   assembly.files.push_back(file);
-  const FileScope scope{base, assembly.table.capsules.size()};
+  FileScope scope{base, assembly.table.capsules.size()};
   const std::string name = root["name"].text();
   if (root.has("parts")) {
     for (const ConfigNode& part : root["parts"].items()) read_part(assembly, scope, part);
   }
   assembly.table.name = name;
   if (root.has("generate")) read_generated(assembly, base, root["generate"]);
+  if (root.has("urdf")) read_urdf(assembly, scope, root["urdf"]);
   read_chains_and_frames(assembly, scope, root);
-  read_frame_name(assembly, root, "shoulder", assembly.shoulder);
-  read_frame_name(assembly, root, "palm", assembly.palm);
+  read_frame_name(assembly, scope, root, "shoulder", assembly.shoulder);
+  read_frame_name(assembly, scope, root, "palm", assembly.palm);
   if (root.has("tips")) {
     for (const ConfigNode& tip : root["tips"].items()) read_tip(assembly, scope, tip);
   }
@@ -147,8 +160,9 @@ RobotDescription load_robot(const std::filesystem::path& file) {
   if (assembly.table.tips.empty()) {
     throw InputError(fmt::format("{}:1: tips: are missing", file.string()));
   }
-  std::vector<std::filesystem::path> files = std::move(assembly.files);
-  return {finished(std::move(assembly)), std::move(files)};
+  RobotDescription description{{}, std::move(assembly.files), std::move(assembly.notes)};
+  description.table = finished(std::move(assembly));
+  return description;
 }
 
 }  // namespace morphe

@@ -32,11 +32,18 @@ bool has_place(const Assembly& assembly, const std::string& name) {
   return name == "base" || frame_index(assembly.table, name) >= 0 || find_chain(assembly, name);
 }
 
+int frame_called(const Assembly& assembly, const FileScope& scope, const std::string& name) {
+  if (const int frame = frame_index(assembly.table, name); frame >= 0) return frame;
+  const auto link = scope.links.find(name);
+  return link == scope.links.end() ? -1 : link->second.frame;
+}
+
 Place place_named(const Assembly& assembly, const FileScope& scope, const ConfigNode& name) {
   const std::string wanted = name.text();
   if (wanted == "base") return scope.base;
   if (const int frame = frame_index(assembly.table, wanted); frame >= 0) return {frame};
   if (const Chain* chain = find_chain(assembly, wanted)) return chain->end;
+  if (const auto link = scope.links.find(wanted); link != scope.links.end()) return link->second;
   name.fail(fmt::format("there is no frame or chain '{}'", wanted));
 }
 

@@ -25,10 +25,12 @@ int add_joint(Assembly& assembly, const std::string& name, const ConfigNode& row
   return static_cast<int>(assembly.table.joint_names.size()) - 1;
 }
 
-void read_coupling(const ConfigNode& couple, const RobotTable& table, RobotTable::Frame& frame) {
+void read_coupling(const ConfigNode& couple, const std::string& joint, const RobotTable& table,
+                   RobotTable::Frame& frame) {
   const ConfigNode driver = couple["joint"];
   const auto found = std::ranges::find(table.joint_names, driver.text());
   if (found == table.joint_names.end()) {
+    if (driver.text() == joint) driver.fail("couples the joint to itself");
     driver.fail(fmt::format("there is no actuated joint '{}' before this one", driver.text()));
   }
   frame.joint = static_cast<int>(found - table.joint_names.begin());
@@ -63,7 +65,7 @@ void read_chain(Assembly& assembly, const FileScope& scope, DhConvention convent
     frame.transform = chain.end.frame_from_place * link.before;
     frame.offset = dh.theta;
     if (row.has("couple")) {
-      read_coupling(row["couple"], assembly.table, frame);
+      read_coupling(row["couple"], row["name"].text(), assembly.table, frame);
     } else {
       frame.joint = add_joint(assembly, row["name"].text(), row);
     }

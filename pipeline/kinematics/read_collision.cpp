@@ -80,6 +80,15 @@ void read_collision(Assembly& assembly, const FileScope& scope, const ConfigNode
   }
 }
 
+void allow_frames(RobotTable& table, std::size_t first_capsule, int one, int other) {
+  for (std::size_t i = first_capsule; i < table.capsules.size(); ++i) {
+    if (table.capsules[i].frame != one) continue;
+    for (std::size_t j = first_capsule; j < table.capsules.size(); ++j) {
+      if (table.capsules[j].frame == other) allow(table, static_cast<int>(i), static_cast<int>(j));
+    }
+  }
+}
+
 void allow_neighbours(RobotTable& table) {
   const int count = static_cast<int>(table.capsules.size());
   for (int i = 0; i < count; ++i) {

@@ -77,8 +77,14 @@ INSTANTIATE_TEST_SUITE_P(
                 ":16: chains[0].joints[1].couple.joint: there is no actuated joint 'c' before this "
                 "one"},
         Mistake{"coupled_to_itself", "joint: a", "joint: b",
-                ":16: chains[0].joints[1].couple.joint: there is no actuated joint 'b' before this "
-                "one"},
+                ":16: chains[0].joints[1].couple.joint: couples the joint to itself"},
+        Mistake{"frames_in_a_loop", "- {name: plate, parent: arm,",
+                "- {name: rim, parent: plate}\n  - {name: plate, parent: rim,",
+                ":18: frames[0].parent: hangs on itself, by way of other frames"},
+        Mistake{"parent_of_the_chain", "name: arm\n", "name: arm\n    parent: plate\n",
+                ":5: chains[0].parent: there is no frame or chain 'plate'"},
+        Mistake{"tip_on_nothing", "{name: end, chain: arm,", "{name: end, frame: base,",
+                ":22: tips[0].frame: a tip must move with a frame"},
         Mistake{"joint_twice", "{name: b", "{name: a",
                 ":16: chains[0].joints[1].name: a frame or chain 'a' exists already"},
         Mistake{"convention", "convention: modified", "convention: craig",

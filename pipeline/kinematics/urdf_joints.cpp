@@ -1,0 +1,127 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "pipeline/kinematics/xml_text.hpp"
+
+namespace morphe {
+namespace {
+
+std::string key_of(const UrdfJoint& joint, const char* part) {
+  return fmt::format("joint {}{}", joint.name, part);
+}
+
+/// Two or three numbers; urdfdom judges whether they are any.
+std::vector<double> numbers(const std::string& text) {
+  std::vector<double> values;
+  const char* at = text.c_str();
+  for (char* end = nullptr;; at = end) {
+    const double value = std::strtod(at, &end);
+    if (end == at) return values;
+    values.push_back(value);
+  }
+}
+
+void check_turning(const XmlText& urdf, const UrdfJoint& joint, bool bounded) {
+  if (const TiXmlElement* axis = joint.element->FirstChildElement("axis")) {
+    const std::vector<double> xyz = numbers(urdf.attribute(*axis, "xyz"));
+    if (std::ranges::all_of(xyz, [](double x) { return x == 0; })) {
+      urdf.fail(*axis, key_of(joint, ".axis"), "must not be zero");
+    }
+  }
+  const TiXmlElement* limit = joint.element->FirstChildElement("limit");
+  if (!bounded) return;
+  if (!limit) urdf.fail(*joint.element, key_of(joint, ".limit"), "is missing");
+  const auto bound = [&](const char* name) {
+    double value = 0;
+    limit->QueryDoubleAttribute(name, &value);
+    return value;
+  };
+  if (bound("lower") >= bound("upper")) {
+    urdf.fail(*limit, key_of(joint, ".limit.upper"), "must be above lower");
+  }
+}
+
+void check_type(const XmlText& urdf, const UrdfJoint& joint) {
+  const std::string type = urdf.attribute(*joint.element, "type");
+  if (type == "revolute" || type == "continuous") {
+    check_turning(urdf, joint, type == "revolute");
+  } else if (type != "fixed") {
+    urdf.fail(*joint.element, key_of(joint, ".type"),
+              fmt::format("must be revolute, continuous or fixed, not '{}'", type));
+  }
+}
+
+std::map<std::string, const TiXmlElement*> named(const XmlText& urdf, const char* tag) {
+  std::map<std::string, const TiXmlElement*> found;
+  for (const TiXmlElement* element : children(urdf.root(), tag)) {
+    const std::string name = urdf.attribute(*element, "name");
+    if (!found.emplace(name, element).second) {
+      urdf.fail(*element, fmt::format("{} {}", tag, name), "stands twice");
+    }
+  }
+  return found;
+}
+
+/// Parents first; whatever cannot be reached from the one root hangs in a loop.
+std::vector<UrdfJoint> sorted(const XmlText& urdf, std::vector<UrdfJoint> joints,
+                              const std::string& root) {
+  std::vector<UrdfJoint> order;
+  std::set<std::string> reached = {root};
+  while (!joints.empty()) {
+    const auto ready = std::ranges::find_if(
+        joints, [&](const UrdfJoint& joint) { return reached.contains(joint.parent); });
+    if (ready == joints.end()) {
+      urdf.fail(*joints.front().element, key_of(joints.front(), ""), "is part of a loop");
+    }
+    reached.insert(ready->child);
+    order.push_back(*ready);
+    joints.erase(ready);
+  }
+  return order;
+}
+
+}  // namespace
+
+std::vector<UrdfJoint> urdf_joints(const XmlText& urdf) {
+  const std::map<std::string, const TiXmlElement*> links = named(urdf, "link");
+  (void)named(urdf, "joint");
+  std::vector<UrdfJoint> joints;
+  std::map<std::string, std::string> joint_above;  // of a link
+  for (const TiXmlElement* element : children(urdf.root(), "joint")) {
+    UrdfJoint joint{urdf.attribute(*element, "name"), "", "", element};
+    const auto link = [&](const char* end) {
+      const TiXmlElement* node = element->FirstChildElement(end);
+      if (!node) urdf.fail(*element, key_of(joint, "") + "." + end, "is missing");
+      std::string name = urdf.attribute(*node, "link");
+      if (!links.contains(name)) {
+        urdf.fail(*node, key_of(joint, "") + "." + end, fmt::format("there is no link '{}'", name));
+      }
+      return name;
+    };
+    joint.parent = link("parent");
+    joint.child = link("child");
+    if (const auto [above, first] = joint_above.emplace(joint.child, joint.name); !first) {
+      urdf.fail(*element, key_of(joint, ".child"),
+                fmt::format("link '{}' hangs on joint '{}' already", joint.child, above->second));
+    }
+    check_type(urdf, joint);
+    joints.push_back(std::move(joint));
+  }
+  if (joints.empty()) urdf.fail(urdf.root(), "robot", "has no joints");
+  std::vector<std::string> roots;
+  for (const TiXmlElement* link : children(urdf.root(), "link")) {
+    const std::string name = link->Attribute("name");
+    if (joint_above.contains(name)) continue;
+    if (!roots.empty()) {
+      urdf.fail(*link, "link " + name,
+                fmt::format("hangs on nothing, as '{}' does: there can be one root", roots[0]));
+    }
+    roots.push_back(name);
+  }
+  return sorted(urdf, std::move(joints), roots.empty() ? "" : roots.front());
+}
+
+}  // namespace morphe

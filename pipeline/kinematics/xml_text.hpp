@@ -1,0 +1,40 @@
+#pragma once
+
+#include <tinyxml.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace morphe {
+
+/// A URDF or SRDF as text, for what is wrong with it and where: "FILE:LINE: KEY: message".
+struct XmlText {
+  std::filesystem::path file;
+  TiXmlDocument document;
+
+  /// Throws InputError if the file cannot be read, is no XML, or has another root element.
+  XmlText(const std::filesystem::path& path, const char* root);
+
+  const TiXmlElement& root() const { return *document.RootElement(); }
+  [[noreturn]] void fail(const TiXmlElement& element, const std::string& key,
+                         const std::string& message) const;
+  /// The element's attribute; fails with the element's line if it is missing or empty.
+  std::string attribute(const TiXmlElement& element, const char* name) const;
+};
+
+std::vector<const TiXmlElement*> children(const TiXmlElement& parent, const char* tag);
+
+/// A joint of a URDF and where it stands.
+struct UrdfJoint {
+  std::string name, parent, child;
+  const TiXmlElement* element = nullptr;
+};
+
+/// The joints in the file's order, moved behind their parents where they stand before them. Throws
+/// InputError for a link or joint that stands twice or has no name, a joint whose links do not
+/// exist, a link with two parents, a loop, more than one root, a joint that is not revolute,
+/// continuous or fixed, a zero axis, and limits that are missing or crossed.
+std::vector<UrdfJoint> urdf_joints(const XmlText& urdf);
+
+}  // namespace morphe
