@@ -7,6 +7,13 @@ namespace morphe {
 void add_objective(const FrameObjective& objective, const RobotTable& robot, const JointVector& q,
                    const FrameGoal& goal, ObjectiveScratch& scratch, Quadratic& model,
                    Curvature curvature) {
+  if (curvature == Curvature::exact) {
+    if (!scratch.loads.points.empty()) {
+      scratch.last = q - scratch.last;
+      promise(robot, scratch.last, scratch.sweep, scratch.loads.points);
+    }
+    scratch.last = q;
+  }
   forward(robot, q.head(static_cast<Eigen::Index>(robot.joints())), scratch.base_from_frame);
   RobotState state{robot, q, scratch.base_from_frame};
   if (objective.offset.free) state.offset = q.tail<3>();

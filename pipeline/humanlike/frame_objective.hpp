@@ -26,8 +26,9 @@ struct ObjectiveScratch {
   std::vector<Pose> base_from_frame;  ///< the frames' poses at the last q
   Loads loads;
   LoadSweep sweep;
+  JointVector last;  ///< q of the last exact evaluation
 
-  void new_descent() { loads.angles.clear(); }
+  void new_descent() { loads.forget(); }
 };
 
 /// Adds every term at q [variables] to the model; with Curvature::none the Hessian stays as it is

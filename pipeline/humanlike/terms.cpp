@@ -82,7 +82,7 @@ void add_centres(const RobotState& state, double weight, const Reference& refere
     const Vec3* goal = finger < -1 ? nullptr : reference(finger);
     if (!goal || !seen(*goal)) continue;
     loads.add_point(centre.frame, pose_of(state, centre.frame).translation(), *goal + state.offset,
-                    weight / count[slot(finger)]);
+                    weight / count[slot(finger)], false);
   }
 }
 
@@ -104,8 +104,8 @@ void TipPosition::add(const RobotState& state, const FrameGoal& goal, Loads& loa
   for (std::size_t i = 0; i < state.robot.tips.size(); ++i) {
     if (!seen(goal.tip_position[i])) continue;
     const RobotTable::Tip& tip = state.robot.tips[i];
-    loads.add_point(tip.frame, tip_position(state, tip), goal.tip_position[i] + state.offset,
-                    share);
+    loads.add_point(tip.frame, tip_position(state, tip), goal.tip_position[i] + state.offset, share,
+                    true);
   }
 }
 
@@ -118,7 +118,7 @@ void TipOrientation::add(const RobotState& state, const FrameGoal& goal, Loads& 
     const Quat in_frame(tip.transform.linear());
     const Quat current =
         tip.frame < 0 ? in_frame : Quat(pose_of(state, tip.frame).linear()) * in_frame;
-    add_angle(tip.frame, current, goal.tip_orientation[i], share, smoothing_rad, loads.angle(i),
+    add_angle(tip.frame, current, goal.tip_orientation[i], share, smoothing_rad, loads.next_angle(),
               loads);
   }
 }
@@ -128,7 +128,7 @@ void HandOrientation::add(const RobotState& state, const FrameGoal& goal, Loads&
   if (share == 0 || !seen(goal.hand) || goal.tips_seen() >= 3) return;
   const int palm = state.robot.palm_frame;
   add_angle(palm, Quat(pose_of(state, palm).linear()), goal.hand, share, smoothing_rad,
-            loads.angle(state.robot.tips.size()), loads);
+            loads.next_angle(), loads);
 }
 
 void JointDistance::add(const RobotState& state, const FrameGoal& goal, Loads& loads) const {

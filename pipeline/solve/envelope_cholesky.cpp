@@ -6,9 +6,9 @@ namespace morphe {
 
 using Eigen::Index;
 
-bool EnvelopeCholesky::factorise(const Eigen::MatrixXd& h, const JointVector& diagonal,
+bool EnvelopeCholesky::factorise(const Quadratic& model, bool with_bend, double damping,
                                  const std::vector<char>& held) {
-  const Index n = h.rows();
+  const Index n = model.hessian.rows();
   if (rows.rows() != n) {
     rows.resize(n, n);
     first.resize(static_cast<std::size_t>(n));
@@ -20,9 +20,15 @@ bool EnvelopeCholesky::factorise(const Eigen::MatrixXd& h, const JointVector& di
     Index begin = i;
     if (!held[static_cast<std::size_t>(variable)]) {
       // Column `variable` of the lower triangle, from the bottom upwards.
-      const double* column = h.data() + variable * n;
+      const double* column = model.hessian.data() + variable * n;
+      const double* bend = with_bend ? model.bend.data() + variable * n : nullptr;
       for (Index j = 0; j < i; ++j) {
-        const double entry = held[static_cast<std::size_t>(n - 1 - j)] ? 0 : column[n - 1 - j];
+        const Index other = n - 1 - j;
+        double entry = 0;
+        if (!held[static_cast<std::size_t>(other)]) {
+          entry = column[other];
+          if (bend) entry += bend[other];
+        }
         row[j] = entry;
         if (entry != 0 && begin == i) begin = j;
       }
@@ -42,9 +48,10 @@ bool EnvelopeCholesky::factorise(const Eigen::MatrixXd& h, const JointVector& di
       inverse_pivot[i] = 1;
       continue;
     }
-    const double own = h(variable, variable) + diagonal[variable];
+    double own = model.hessian(variable, variable) + damping;
+    if (with_bend) own += model.bend(variable, variable);
     const double pivot = own - Eigen::Map<const JointVector>(row + begin, i - begin).squaredNorm();
-    if (!(pivot > 1e-12 * std::abs(own))) return false;
+    if (!(pivot > 1e-14 * std::abs(own))) return false;
     inverse_pivot[i] = 1 / std::sqrt(pivot);
   }
   return true;

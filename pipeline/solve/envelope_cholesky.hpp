@@ -3,25 +3,27 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "pipeline/motion/geometry.hpp"
+#include "pipeline/solve/quadratic.hpp"
 
 namespace morphe {
 
-/// H + diag(d) = Lᵀ L without the rows and columns of variables that are held. Eliminated from the
-/// last variable to the first, so that in a tree whose parents come first (a robot: arm, then
+/// H + damping I = Lᵀ L without the rows and columns of variables that are held. Eliminated from
+/// the last variable to the first, so that in a tree whose parents come first (a robot: arm, then
 /// fingers) no entry appears that H does not have: rows begin at their first nonzero. Any symmetric
 /// positive definite H will do; a full one costs n³/6. No allocation after the first call.
-struct EnvelopeCholesky {
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows;  ///< L, last first
-  std::vector<Eigen::Index> first;                                              ///< of each row
-  JointVector inverse_pivot;
-
-  /// False if a pivot is not clearly positive: then nothing can be solved. Reads H's lower
-  /// triangle.
-  bool factorise(const Eigen::MatrixXd& h, const JointVector& diagonal,
+class EnvelopeCholesky {
+ public:
+  /// False if a pivot is not clearly positive: then nothing can be solved. H is hessian, or hessian
+  /// + bend; of both the lower triangle is read.
+  bool factorise(const Quadratic& model, bool with_bend, double damping,
                  const std::vector<char>& held);
   /// right_side becomes the solution; a held variable's entry stays what it is.
   void solve(JointVector& right_side) const;
+
+ private:
+  JointRows rows;                   ///< L, the last variable first
+  std::vector<Eigen::Index> first;  ///< of each row
+  JointVector inverse_pivot;
 };
 
 }  // namespace morphe

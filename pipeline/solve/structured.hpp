@@ -5,18 +5,20 @@
 
 namespace morphe {
 
+/// Memory of descents, to be reused: one a thread.
 struct StructuredScratch {
-  JointVector x, trial, step, right_side, damping;
+  JointVector x, trial, left_x, step, right_side;
   std::vector<char> held;
-  Quadratic now, next;
+  Quadratic now, next, left;
   EnvelopeCholesky factor;
 };
 
-/// Projected Newton with Levenberg–Marquardt damping. Each step minimises the model
-///   g·δ + ½ δᵀ (H + μ D) δ  subject to lower <= x + δ <= upper
+/// Projected Newton in a trust region. Each step minimises the model
+///   g·δ + ½ δᵀ (H + μ I) δ  subject to lower <= x + δ <= upper
 /// over the variables that are not held: those on a bound that the gradient pushes outwards, and
-/// those that the step would carry over theirs, which stop on it. A step is taken only if it gains.
-/// Stops when the model promises less than relative_value of F.
+/// those that the step would carry over theirs, which stop on it. H is the exact Hessian where that
+/// is positive definite, else the Gauss–Newton one; μ keeps the step within the region. Stops when
+/// the model promises less than relative_value of F.
 Minimum minimise_structured(const BoundedProblem& problem, const JointVector& start,
                             const MinimiseOptions& options, StructuredScratch& scratch);
 

@@ -208,7 +208,7 @@ void run(const BenchProblem& bench) {
   Solver structured(bench, "structured");
   std::vector<JointVector> first;
   for (std::size_t m = 0; m < bench.movements.size(); ++m) {
-    first.push_back(best_of(structured, bench.movements[m][0], 64, m).x);
+    first.push_back(structured.solve(bench.movements[m][0], bench.begin[m]).x);
   }
   Row reference;
   for (const char* algorithm : {"structured", "tnewton", "slsqp"}) {

@@ -87,7 +87,7 @@ BenchProblem make_bench_problem(const std::string& name, const RobotTable& robot
   Noise noise;
   noise.size = goals.noise ? 1 : 0;
   const auto joints = static_cast<Eigen::Index>(robot.joints());
-  const double reach = 0.8 * std::min(1.0, std::sqrt(7.0 / static_cast<double>(joints)));
+  const double reach = 0.6 * std::min(1.0, std::sqrt(7.0 / static_cast<double>(joints)));
   for (int m = 0; m < kMovements; ++m) {
     JointVector from(joints), to(joints);
     for (Eigen::Index j = 0; j < joints; ++j) {
@@ -102,6 +102,7 @@ BenchProblem make_bench_problem(const std::string& name, const RobotTable& robot
       movement.push_back(goal_at(robot, from + share * (to - from), goals.orientations, noise));
     }
     problem.movements.push_back(std::move(movement));
+    problem.begin.push_back(from);
   }
   return problem;
 }

@@ -13,6 +13,7 @@ struct BenchProblem {
   RobotTable robot;
   FrameObjective objective;
   std::vector<std::vector<FrameGoal>> movements;
+  std::vector<JointVector> begin;  ///< the position that made each movement's first goals
 };
 
 struct BenchGoals {

@@ -98,7 +98,8 @@ TEST_F(Terms, ExactHessian) {
       return exact;
     };
     evaluate(q);
-    const Eigen::MatrixXd hessian = evaluate(q).hessian;  // the second time the slopes are known
+    evaluate(q);  // only now slopes and forces are known
+    const Eigen::MatrixXd hessian = exact.hessian + exact.bend;
     Eigen::MatrixXd numeric(n + 3, n + 3);
     for (Eigen::Index j = 0; j < n + 3; ++j) {
       JointVector up = q, down = q;
