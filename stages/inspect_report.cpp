@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "stages/reconstruct/mirror.hpp"
+
 namespace morphe {
 namespace {
 
@@ -78,7 +80,8 @@ Inspection inspect(const Demonstration& demonstration, const InspectOptions& opt
   judge_rebuilt(motion, result);
   result.residuals = motion.residuals;
   result.estimated = motion.estimated;
-  for (Movement& movement : segment(motion, options.segment, demonstration.objects)) {
+  for (Movement& movement :
+       segment(motion, options.segment, objects_beside_right_hand(demonstration))) {
     std::string unusable = why_unusable(motion, movement);
     result.movements.push_back({std::move(movement), std::move(unusable)});
   }

@@ -10,6 +10,7 @@
 #include "stages/certify/certify.hpp"
 #include "stages/certify/grasp.hpp"
 #include "stages/map/map_movement.hpp"
+#include "stages/reconstruct/mirror.hpp"
 
 namespace morphe {
 namespace {
@@ -244,10 +245,12 @@ DemonstrationOutcome plan_demonstration(const Planner& planner,
   const HumanMotion motion = timed(seconds, "reconstruct", [&] {
     return reconstruct(demonstration, config.reconstruct, config.human);
   });
-  const std::vector<Movement> movements = timed(
-      seconds, "segment", [&] { return segment(motion, config.segment, demonstration.objects); });
+  Demonstration beside = demonstration;
+  beside.objects = objects_beside_right_hand(demonstration);
+  const std::vector<Movement> movements =
+      timed(seconds, "segment", [&] { return segment(motion, config.segment, beside.objects); });
   for (const Movement& movement : movements) {
-    outcome.plans.push_back(plan_movement(planner, demonstration, motion, movement, seconds));
+    outcome.plans.push_back(plan_movement(planner, beside, motion, movement, seconds));
   }
   if (movements.empty()) {
     const std::string nothing = "no complete reach in it";

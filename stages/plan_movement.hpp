@@ -18,7 +18,8 @@ struct Planner {
 
 using StageSeconds = std::map<std::string, double>;
 
-/// All steps for one movement. Never throws for a bad movement: the plan carries the reason.
+/// All steps for one movement. Never throws for a bad movement: the plan carries the reason. The
+/// objects of `demonstration` are where `motion` is: a left hand's in the mirror.
 Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
                    const HumanMotion& motion, const Movement& movement, StageSeconds& seconds);
 

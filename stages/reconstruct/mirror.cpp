@@ -56,6 +56,15 @@ void mirror(Streams& streams) {
   if (streams.hand) mirror_all(streams.hand->position.values);
 }
 
+void mirror(std::vector<SceneObject>& objects) {
+  for (SceneObject& object : objects) {
+    mirror_all(object.position);
+    mirror_all(object.orientation);
+    mirror_all(object.vertices);
+    for (Eigen::Vector3i& triangle : object.triangles) std::swap(triangle[1], triangle[2]);
+  }
+}
+
 }  // namespace
 
 Demonstration mirrored(const Demonstration& demonstration) {
@@ -67,13 +76,14 @@ Demonstration mirrored(const Demonstration& demonstration) {
     mirror_all(result.sensor_offsets->joint_in_sensor);
     mirror_all(result.sensor_offsets->sensor_from_segment);
   }
-  for (SceneObject& object : result.objects) {
-    mirror_all(object.position);
-    mirror_all(object.orientation);
-    mirror_all(object.vertices);
-    for (Eigen::Vector3i& triangle : object.triangles) std::swap(triangle[1], triangle[2]);
-  }
+  mirror(result.objects);
   return result;
+}
+
+std::vector<SceneObject> objects_beside_right_hand(const Demonstration& demonstration) {
+  std::vector<SceneObject> objects = demonstration.objects;
+  if (demonstration.hand == "left") mirror(objects);
+  return objects;
 }
 
 }  // namespace morphe

@@ -12,4 +12,7 @@ namespace morphe {
 /// (except for `hand`).
 Demonstration mirrored(const Demonstration& demonstration);
 
+/// The recorded objects where the rebuilt motion is: those of a left hand in the mirror.
+std::vector<SceneObject> objects_beside_right_hand(const Demonstration& demonstration);
+
 }  // namespace morphe
