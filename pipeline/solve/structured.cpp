@@ -10,94 +10,114 @@ namespace {
 
 using Eigen::Index;
 
-/// The descent's present model, with or without what makes its Hessian exact.
-struct Model {
-  const Quadratic& at;
-  bool exact;
-  double damping;
-
-  /// right_side -= H column * factor.
-  void subtract_column(Index column, double factor, JointVector& right_side) const {
-    right_side.noalias() -= factor * at.hessian.col(column);
-    if (exact) right_side.noalias() -= factor * at.bend.col(column);
-  }
-  /// δᵀ H δ without damping.
-  double curved(const JointVector& step) const {
-    double sum = 0;
-    for (Index j = 0; j < step.size(); ++j) {
-      if (step[j] == 0) continue;
-      sum += step[j] * at.hessian.col(j).dot(step);
-      if (exact) sum += step[j] * at.bend.col(j).dot(step);
-    }
-    return sum;
-  }
-};
-
-/// The step over the variables that are not held, the others' given by `scratch.step`, into
-/// `scratch.right_side`; false if the Hessian is not positive definite on the free variables.
-bool free_step(const Model& model, bool any_stopped, StructuredScratch& scratch) {
-  const Index n = scratch.x.size();
-  if (!scratch.factor.factorise(model.at, model.exact, model.damping, scratch.held)) return false;
-  scratch.right_side = -model.at.gradient;
-  for (Index j = 0; any_stopped && j < n; ++j) {  // they pull at the others
-    if (scratch.step[j] != 0) model.subtract_column(j, scratch.step[j], scratch.right_side);
-  }
-  for (Index j = 0; j < n; ++j) {
-    if (scratch.held[static_cast<std::size_t>(j)]) scratch.right_side[j] = scratch.step[j];
-  }
-  scratch.factor.solve(scratch.right_side);
-  return true;
-}
-
-/// Holds the variables whose step leads over their bounds, there; false if there were none.
-bool stop_at_bounds(const BoundedProblem& problem, StructuredScratch& scratch) {
-  bool any = false;
-  for (Index j = 0; j < scratch.x.size(); ++j) {
-    if (scratch.held[static_cast<std::size_t>(j)]) continue;
-    const double to = scratch.x[j] + scratch.right_side[j];
-    const double bound = std::clamp(to, problem.lower[j], problem.upper[j]);
-    if (bound == to) continue;
-    scratch.held[static_cast<std::size_t>(j)] = 1;
-    scratch.step[j] = bound - scratch.x[j];
-    any = true;
-  }
-  return any;
-}
-
 struct Step {
   double longest = 0;   ///< largest entry
   double promised = 0;  ///< what the model gains by it
 };
 
-/// The model's step inside the bounds into `scratch.step`, damped until its entries are near or
-/// below the radius.
-Step bounded_step(const BoundedProblem& problem, double radius, StructuredScratch& scratch) {
-  const JointVector& x = scratch.x;
-  const JointVector& gradient = scratch.now.gradient;
-  const Index n = x.size();
-  scratch.step.setZero(n);
-  for (Index j = 0; j < n; ++j) {
-    const bool outwards = (x[j] <= problem.lower[j] && gradient[j] > 0) ||
-                          (x[j] >= problem.upper[j] && gradient[j] < 0);
-    scratch.held[static_cast<std::size_t>(j)] = outwards ? 1 : 0;
+/// The model around the present point: its Hessian is exact, or without the bend; damped.
+struct Model {
+  bool exact;
+  double damping = 0;
+};
+
+/// product = (H + damping I) v.
+void multiply(const Quadratic& at, const Model& model, const JointVector& v, JointVector& product) {
+  product.noalias() = at.hessian * v;
+  if (model.exact) product.noalias() += at.bend * v;
+  product += model.damping * v;
+}
+
+/// Newton's step from x + step by the free variables, into `scratch.move`; false if the Hessian is
+/// not positive definite there.
+bool free_move(const Model& model, StructuredScratch& scratch) {
+  if (!scratch.factor.factorise(scratch.now, model.exact, model.damping, scratch.held))
+    return false;
+  scratch.move = -scratch.slope;
+  for (Index j = 0; j < scratch.move.size(); ++j) {
+    if (scratch.held[static_cast<std::size_t>(j)]) scratch.move[j] = 0;
   }
-  Model model{scratch.now, scratch.now.bend.size() > 0, 0};
+  scratch.factor.solve(scratch.move);
+  return true;
+}
+
+/// The first move, with a model that keeps its entries near or below the radius.
+Model first_move(double radius, StructuredScratch& scratch) {
+  Model model{scratch.now.bend.size() > 0};
   for (int attempt = 0; attempt < 20; ++attempt) {
-    if (!free_step(model, false, scratch)) {
+    if (!free_move(model, scratch)) {
       model.damping = std::max(10 * model.damping, model.exact ? 0 : 1e-9);
       model.exact = false;
       continue;
     }
-    const double longest = scratch.right_side.cwiseAbs().maxCoeff();
+    const double longest = scratch.move.cwiseAbs().maxCoeff();
     if (longest <= 1.5 * radius) break;
-    // As if the step were all along one curvature, that which the model has along it.
-    const double own = model.curved(scratch.right_side) / scratch.right_side.squaredNorm();
-    model.damping = std::max(2 * model.damping, longest / radius * (own + model.damping) - own);
+    // As if the move were all along one curvature, that which the model has along it.
+    multiply(scratch.now, model, scratch.move, scratch.bent);
+    const double damped = scratch.move.dot(scratch.bent) / scratch.move.squaredNorm();
+    model.damping += std::max(model.damping, (longest / radius - 1) * damped);
   }
-  while (stop_at_bounds(problem, scratch)) free_step(model, true, scratch);
-  scratch.step.swap(scratch.right_side);
+  return model;
+}
+
+/// The held variable that the model would rather have inside its bounds, most of all; -1: none.
+Index wrongly_held(const BoundedProblem& problem, const StructuredScratch& scratch) {
+  Index worst = -1;
+  double most = 0;
+  for (Index j = 0; j < scratch.x.size(); ++j) {
+    if (!scratch.held[static_cast<std::size_t>(j)]) continue;
+    const bool upper = scratch.x[j] + scratch.step[j] >= problem.upper[j];
+    const double inwards = upper ? scratch.slope[j] : -scratch.slope[j];
+    if (inwards > most) {
+      most = inwards;
+      worst = j;
+    }
+  }
+  return worst;
+}
+
+/// Minimises the model within the bounds, into `scratch.step`: from one set of held variables to
+/// the next, always downhill.
+Step bounded_step(const BoundedProblem& problem, double radius, StructuredScratch& scratch) {
+  const Index n = scratch.x.size();
+  scratch.step.setZero(n);
+  scratch.slope = scratch.now.gradient;
+  for (Index j = 0; j < n; ++j) {
+    const bool outwards = (scratch.x[j] <= problem.lower[j] && scratch.slope[j] > 0) ||
+                          (scratch.x[j] >= problem.upper[j] && scratch.slope[j] < 0);
+    scratch.held[static_cast<std::size_t>(j)] = outwards ? 1 : 0;
+  }
+  const Model model = first_move(radius, scratch);
+  for (Index change = 0; change < 3 * n; ++change) {
+    if (change > 0 && !free_move(model, scratch)) break;
+    double share = 1;
+    Index stopped = -1;
+    for (Index j = 0; j < n; ++j) {
+      const double from = scratch.x[j] + scratch.step[j], to = from + scratch.move[j];
+      const double bound = std::clamp(to, problem.lower[j], problem.upper[j]);
+      if (bound == to || scratch.held[static_cast<std::size_t>(j)]) continue;
+      const double possible = std::max(0.0, (bound - from) / scratch.move[j]);
+      if (possible < share) {
+        share = possible;
+        stopped = j;
+      }
+    }
+    multiply(scratch.now, model, scratch.move, scratch.bent);
+    scratch.step += share * scratch.move;
+    scratch.slope += share * scratch.bent;
+    if (stopped >= 0) {
+      const bool upper = scratch.move[stopped] > 0;
+      scratch.step[stopped] = (upper ? problem.upper : problem.lower)[stopped] - scratch.x[stopped];
+      scratch.held[static_cast<std::size_t>(stopped)] = 1;
+      continue;
+    }
+    const Index freed = wrongly_held(problem, scratch);
+    if (freed < 0) break;
+    scratch.held[static_cast<std::size_t>(freed)] = 0;
+  }
+  multiply(scratch.now, {model.exact, 0}, scratch.step, scratch.bent);
   return {scratch.step.cwiseAbs().maxCoeff(),
-          -gradient.dot(scratch.step) - 0.5 * model.curved(scratch.step)};
+          -scratch.step.dot(scratch.now.gradient + 0.5 * scratch.bent)};
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace morphe {
 
 /// Memory of descents, to be reused: one a thread.
 struct StructuredScratch {
-  JointVector x, trial, left_x, step, right_side;
+  JointVector x, trial, left_x, step, move, slope, bent;
   std::vector<char> held;
   Quadratic now, next, left;
   EnvelopeCholesky factor;
