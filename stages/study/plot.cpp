@@ -25,9 +25,9 @@ std::string escaped(const std::string& text) {
 
 /// An axis with round ticks: 1, 2 or 5 times a power of ten apart, about six of them.
 struct Axis {
-  double low = 0, high = 1, step = 0.2;
+  double low = 0, high = 1, step = 0.2, first = 0;
 
-  Axis(double least, double most) {
+  Axis(double least, double most, bool rounded) {
     if (!(least <= most)) return;
     const double span = most > least ? most - least : std::max(1.0, std::abs(most));
     const double rough = span / 6, power = std::pow(10, std::floor(std::log10(rough)));
@@ -35,8 +35,9 @@ struct Axis {
                     : rough / power < 3.5 ? 2
                     : rough / power < 7.5 ? 5
                                           : 10);
-    low = std::floor(least / step) * step;
-    high = std::ceil(most / step) * step;
+    first = (rounded ? std::floor(least / step) : std::ceil(least / step)) * step;
+    low = rounded ? first : least;
+    high = rounded ? std::ceil(most / step) * step : most;
     if (high <= low) high = low + step;
   }
 };
@@ -50,6 +51,12 @@ struct Range {
   }
 };
 
+void widen(Range& range, double width) {
+  const double more = (width - (range.most - range.least)) / 2;
+  range.least -= more;
+  range.most += more;
+}
+
 }  // namespace
 
 std::string svg_of(const Plot& plot) {
@@ -62,8 +69,14 @@ std::string svg_of(const Plot& plot) {
     xs.take(band.begin);
     xs.take(band.end);
   }
-  const Axis x_axis(xs.least, xs.most), y_axis(ys.least, ys.most);
   const double inner = kWidth - kLeft - kRight, tall = kHeight - kTop - kBottom;
+  if (plot.same_scale && xs.least <= xs.most && ys.least <= ys.most) {
+    const double metre = std::min(inner / (xs.most - xs.least), tall / (ys.most - ys.least));
+    widen(xs, inner / metre);
+    widen(ys, tall / metre);
+  }
+  const Axis x_axis(xs.least, xs.most, !plot.same_scale);
+  const Axis y_axis(ys.least, ys.most, !plot.same_scale);
   const auto px = [&](double x) {
     return kLeft + inner * (x - x_axis.low) / (x_axis.high - x_axis.low);
   };
@@ -85,17 +98,17 @@ std::string svg_of(const Plot& plot) {
         px(band.begin) + 2, kTop + 10 + 11 * static_cast<double>(i % 3), escaped(band.name));
   }
   const auto ticks = [](const Axis& axis) {
-    return static_cast<int>(std::lround((axis.high - axis.low) / axis.step));
+    return static_cast<int>(std::floor((axis.high - axis.first) / axis.step + 1e-9));
   };
   for (int k = 0; k <= ticks(x_axis); ++k) {
-    const double x = x_axis.low + k * x_axis.step;
+    const double x = x_axis.first + k * x_axis.step;
     svg += fmt::format(
         "<line x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2}\" stroke=\"#ddd\"/>\n"
         "<text x=\"{0:.1f}\" y=\"{3}\" text-anchor=\"middle\">{4:.6g}</text>\n",
         px(x), kTop, kHeight - kBottom, kHeight - kBottom + 16, x);
   }
   for (int k = 0; k <= ticks(y_axis); ++k) {
-    const double y = y_axis.low + k * y_axis.step;
+    const double y = y_axis.first + k * y_axis.step;
     svg += fmt::format(
         "<line x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\" stroke=\"#ddd\"/>\n"
         "<text x=\"{3}\" y=\"{4:.1f}\" text-anchor=\"end\">{5:.6g}</text>\n",
@@ -116,6 +129,11 @@ std::string svg_of(const Plot& plot) {
     }
     svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\"/>\n", path,
                        colour);
+    for (std::size_t k = 0; line.dots && k < std::min(line.x.size(), line.y.size()); ++k) {
+      if (!std::isfinite(line.x[k]) || !std::isfinite(line.y[k])) continue;
+      svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.5\" fill=\"{}\"/>\n",
+                         px(line.x[k]), py(line.y[k]), colour);
+    }
     svg += fmt::format("<text x=\"{}\" y=\"{}\" fill=\"{}\">{}</text>\n", kWidth - kRight + 10,
                        kTop + 12 + 16 * static_cast<double>(i), colour, escaped(line.name));
   }

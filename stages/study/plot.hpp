@@ -10,6 +10,7 @@ struct Plot {
   struct Line {
     std::string name;
     std::vector<double> x, y;  ///< a NaN ends a stroke
+    bool dots = false;         ///< at every point
   };
   /// A shaded interval of x, named at its top.
   struct Band {
@@ -19,6 +20,7 @@ struct Plot {
   std::string title, x_label, y_label;
   std::vector<Line> lines;
   std::vector<Band> bands;
+  bool same_scale = false;  ///< a metre is as long on both axes
 };
 
 /// 900 x 360 pixels, self-contained; axes hold all finite points. The same plot gives the same

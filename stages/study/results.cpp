@@ -15,8 +15,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string wanted(const StudyRow& row) {
-  if (row.at_least == row.at_least) return fmt::format(">= {}", row.at_least);
-  if (row.at_most == row.at_most) return fmt::format("<= {}", row.at_most);
+  if (row.at_least == row.at_least) return fmt::format(">= {:.4g}", row.at_least);
+  if (row.at_most == row.at_most) return fmt::format("<= {:.4g}", row.at_most);
   return "";
 }
 
@@ -121,12 +121,24 @@ std::string results_table(const StudyResult& result) {
     case_width = std::max(case_width, case_of(row).size());
     metric_width = std::max(metric_width, row.metric.size());
   }
-  std::string text = fmt::format("{:<{}}  {:<{}}  {:>10} {:<5} {:>10}  {:>7}\n", "case", case_width,
-                                 "metric", metric_width, "ours", "unit", "wanted", "n");
+  const bool published = std::ranges::any_of(
+      result.rows, [](const StudyRow& row) { return row.published == row.published; });
+  const bool reachable = std::ranges::any_of(
+      result.rows, [](const StudyRow& row) { return row.reachable == row.reachable; });
+  const auto optional = [](bool shown, double value) {
+    return !shown           ? std::string()
+           : value == value ? fmt::format(" {:>10.4g}", value)
+                            : std::string(11, ' ');
+  };
+  std::string text =
+      fmt::format("{:<{}}  {:<{}}  {:>10} {:<5}{}{} {:>12}  {:>7}\n", "case", case_width, "metric",
+                  metric_width, "ours", "unit", published ? "  published" : "",
+                  reachable ? "  reachable" : "", "wanted", "n");
   for (const StudyRow& row : result.rows) {
-    text += fmt::format("{:<{}}  {:<{}}  {:>10.4g} {:<5} {:>10}  {:>7}{}\n", case_of(row),
-                        case_width, row.metric, metric_width, row.ours, row.unit, wanted(row),
-                        row.n, row.asked() && !row.holds() ? "  missed" : "");
+    text += fmt::format("{:<{}}  {:<{}}  {:>10.4g} {:<5}{}{} {:>12}  {:>7}{}\n", case_of(row),
+                        case_width, row.metric, metric_width, row.ours, row.unit,
+                        optional(published, row.published), optional(reachable, row.reachable),
+                        wanted(row), row.n, row.asked() && !row.holds() ? "  missed" : "");
   }
   return text;
 }

@@ -14,7 +14,7 @@ struct Entry {
   StudyResult (*run)(const ConfigNode&, const StudyRun&);
 };
 
-constexpr std::array<Entry, 1> kStudies{{{"recordings", recordings_study}}};
+constexpr std::array<Entry, 2> kStudies{{{"recordings", recordings_study}, {"paper", paper_study}}};
 
 }  // namespace
 

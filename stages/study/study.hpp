@@ -47,5 +47,7 @@ StudyResult run_study(const StudyRun& run);
 /// Movements and boundaries, and what is rebuilt, against annotations and synthetic truth.
 class ConfigNode;
 StudyResult recordings_study(const ConfigNode& config, const StudyRun& run);
+/// The paper's table and figures again.
+StudyResult paper_study(const ConfigNode& config, const StudyRun& run);
 
 }  // namespace morphe

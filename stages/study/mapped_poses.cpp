@@ -1,0 +1,157 @@
+#include "stages/study/mapped_poses.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "pipeline/collision/world.hpp"
+#include "pipeline/humanlike/metrics.hpp"
+#include "pipeline/kinematics/forward.hpp"
+#include "stages/map/finger_curve.hpp"
+#include "stages/map/frame_search.hpp"
+#include "stages/study/judge.hpp"
+
+namespace morphe {
+namespace {
+
+FrameObjective objective_of(const StudyWeights& weights) {
+  FrameObjective objective;
+  objective.tip_position.weight = weights.tip_position;
+  objective.tip_orientation.weight = weights.tip_orientation;
+  objective.tip_orientation.smoothing_rad = 1e-5;
+  objective.hand_orientation.weight = 0;
+  objective.joint_distance.weight = weights.humanlike;
+  objective.finger_joint_distance.weight = 0;
+  objective.posture.weight = 0;
+  return objective;
+}
+
+template <class T>
+void move_to_back(std::vector<T>& to, std::vector<T>&& from) {
+  to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+}
+
+/// Errors and A at q.
+void measure(const RobotTable& robot, const FrameGoal& goal, const JointVector& q,
+             MappedPoses& mapped) {
+  std::vector<Pose> frames;
+  forward(robot, q, frames);
+  double position = 0, orientation = 0;
+  int positions = 0, orientations = 0;
+  for (std::size_t i = 0; i < robot.tips.size(); ++i) {
+    const Pose tip = tip_pose(robot, frames, i);
+    if (seen(goal.tip_position[i])) {
+      position += (tip.translation() - goal.tip_position[i]).norm();
+      ++positions;
+    }
+    if (seen(goal.tip_orientation[i])) {
+      orientation += angle_between(Quat(tip.linear()), goal.tip_orientation[i]);
+      ++orientations;
+    }
+  }
+  mapped.position_m.push_back(positions == 0 ? kNotSeen : position / positions);
+  mapped.orientation_rad.push_back(orientations == 0 ? kNotSeen : orientation / orientations);
+  std::vector<Vec3> inner;
+  for (const auto& centre : robot.centres) {
+    if (centre.chain == "arm") {
+      inner.push_back(frames[static_cast<std::size_t>(centre.frame)].translation());
+    }
+  }
+  mapped.humanlike_m2.push_back(inner.empty() || !seen(goal.elbow)
+                                    ? kNotSeen
+                                    : joint_distance_sum(goal.elbow, inner) /
+                                          static_cast<double>(inner.size()));
+}
+
+}  // namespace
+
+void MappedPoses::append(MappedPoses&& other) {
+  move_to_back(q, std::move(other.q));
+  move_to_back(position_m, std::move(other.position_m));
+  move_to_back(orientation_rad, std::move(other.orientation_rad));
+  move_to_back(humanlike_m2, std::move(other.humanlike_m2));
+  move_to_back(value, std::move(other.value));
+  seconds += other.seconds;
+  solves += other.solves;
+}
+
+std::vector<FrameGoal> goals_of(const RobotTable& robot, const HumanPoses& poses,
+                                const Pose& base_from_shoulder) {
+  std::vector<FrameGoal> goals;
+  const Quat turn(base_from_shoulder.linear());
+  std::vector<Pose> frames;
+  forward(robot, (robot.lower + robot.upper) / 2, frames);
+  const Vec3 shift = frames[static_cast<std::size_t>(robot.shoulder_frame)].translation() -
+                     base_from_shoulder.translation();
+  for (const HumanPose& pose : poses) {
+    FrameGoal goal;
+    goal.finger_joint.fill(unseen_point());
+    goal.elbow = base_from_shoulder * pose.elbow + shift;
+    for (const RobotTable::Tip& tip : robot.tips) {
+      Vec3 place = pose.wrist;
+      if (tip.finger >= 0) place = pose.tip[static_cast<std::size_t>(tip.finger)];
+      if (std::isfinite(tip.along)) {
+        place = point_along({pose.tip[1], pose.tip[2], pose.tip[3], pose.tip[4]}, tip.along);
+      }
+      goal.tip_position.push_back(base_from_shoulder * place);
+      goal.tip_orientation.push_back(tip.finger < 0 ? Quat(turn * pose.hand) : unseen_rotation());
+    }
+    goals.push_back(std::move(goal));
+  }
+  return goals;
+}
+
+MappedPoses map_poses(const RobotTable& robot, const std::vector<FrameGoal>& goals,
+                      const StudyWeights& weights, const MinimiseOptions& options, int starts,
+                      std::uint64_t seed) {
+  constexpr int kKeys = 3, kKept = 4;
+  const CollisionWorld nothing = make_world(robot, {}, {}, {});
+  MappingProblem problem;
+  problem.robot = &robot;
+  problem.objective = objective_of(weights);
+  problem.clearance.weight = 0;
+  problem.world = &nothing;
+  problem.goals = goals;
+  for (std::size_t f = 0; f < goals.size(); ++f) problem.time.push_back(static_cast<double>(f));
+
+  MappedPoses best;
+  best.q.resize(goals.size());
+  best.value.assign(goals.size(), std::numeric_limits<double>::infinity());
+  MappingScratch scratch;
+  const auto take = [&](std::size_t frame, const Minimum& found) {
+    if (!(found.value < best.value[frame])) return;
+    best.value[frame] = found.value;
+    best.q[frame] = found.x;
+  };
+  const auto follow = [&](std::size_t frame, std::size_t end, int step, JointVector q) {
+    best.seconds += seconds([&] {
+      while (frame != end) {
+        frame = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(frame) + step);
+        const Minimum found = solve_frame(problem, frame, q, options, scratch);
+        take(frame, found);
+        q = found.x;
+        ++best.solves;
+      }
+    });
+  };
+  for (int k = 0; k < kKeys; ++k) {
+    const std::size_t key = (goals.size() - 1) * static_cast<std::size_t>(k) / (kKeys - 1);
+    for (const Minimum& start : search_frame(problem, key, starts, kKept, options,
+                                             seed + static_cast<std::uint64_t>(k), scratch)) {
+      take(key, start);
+      follow(key, goals.size() - 1, 1, start.x);
+      follow(key, 0, -1, start.x);
+    }
+  }
+  for (std::size_t f = 0; f < goals.size(); ++f) measure(robot, goals[f], best.q[f], best);
+  return best;
+}
+
+MappedPoses measure_poses(const RobotTable& robot, const std::vector<FrameGoal>& goals,
+                          const std::vector<JointVector>& q) {
+  MappedPoses mapped;
+  mapped.q = q;
+  for (std::size_t f = 0; f < goals.size(); ++f) measure(robot, goals[f], q[f], mapped);
+  return mapped;
+}
+
+}  // namespace morphe

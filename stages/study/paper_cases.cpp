@@ -1,0 +1,93 @@
+#include "stages/study/paper_cases.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "pipeline/kinematics/forward.hpp"
+
+namespace morphe {
+
+MappedPoses map_all(const PaperContext& context, const RobotTable& robot,
+                    const std::vector<HumanPoses>& series, const StudyWeights& weights,
+                    const Pose& base_from_shoulder) {
+  MappedPoses all;
+  std::uint64_t seed = 1;
+  for (const HumanPoses& poses : series) {
+    all.append(map_poses(robot, goals_of(robot, poses, base_from_shoulder), weights,
+                         context.options.solver, context.options.starts, seed));
+    seed += 1000;
+  }
+  return all;
+}
+
+std::vector<char> reachable(const MappedPoses& plain) {
+  constexpr double kPosition = 1e-4, kTurn = 0.1 * std::numbers::pi / 180;
+  std::vector<char> met;
+  for (std::size_t f = 0; f < plain.q.size(); ++f) {
+    met.push_back(!(plain.position_m[f] > kPosition) && !(plain.orientation_rad[f] > kTurn));
+  }
+  return met;
+}
+
+double mean(const std::vector<double>& values) {
+  return mean_of(values, std::vector<char>(values.size(), 1));
+}
+
+double mean_of(const std::vector<double>& values, const std::vector<char>& which) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!which[i] || std::isnan(values[i])) continue;
+    sum += values[i];
+    ++count;
+  }
+  return count == 0 ? kNotSeen : sum / static_cast<double>(count);
+}
+
+double share_of(const std::vector<char>& which) {
+  const auto met = std::ranges::count(which, 1);
+  return which.empty() ? kNotSeen : static_cast<double>(met) / static_cast<double>(which.size());
+}
+
+std::vector<Vec3> arm_chain_of(const RobotTable& robot, const JointVector& q) {
+  std::vector<Pose> frames;
+  forward(robot, q, frames);
+  const auto origin = [&](int frame) -> Vec3 {
+    return frames[static_cast<std::size_t>(frame)].translation();
+  };
+  std::vector<Vec3> chain{origin(robot.shoulder_frame)};
+  for (const auto& centre : robot.centres) {
+    if (centre.chain == "arm") chain.push_back(origin(centre.frame));
+  }
+  bool wrist = false;
+  for (std::size_t i = 0; i < robot.tips.size(); ++i) {
+    if (robot.tips[i].finger >= 0) continue;
+    chain.push_back(tip_pose(robot, frames, i).translation());
+    wrist = true;
+  }
+  if (!wrist) chain.push_back(origin(robot.palm_frame));
+  return chain;
+}
+
+Plot pose_plot(const std::string& title, const HumanPose& human,
+               const std::vector<std::pair<std::string, std::vector<Vec3>>>& robots) {
+  Plot plot;
+  plot.title = title;
+  plot.x_label = "forward [m]";
+  plot.y_label = "up [m]";
+  plot.same_scale = true;
+  const auto add = [&](const std::string& name, const std::vector<Vec3>& chain) {
+    Plot::Line line{name, {}, {}};
+    for (const Vec3& point : chain) {
+      line.x.push_back(point.y());
+      line.y.push_back(point.z());
+    }
+    line.dots = true;
+    plot.lines.push_back(std::move(line));
+  };
+  add("human", {Vec3::Zero(), human.elbow, human.wrist});
+  for (const auto& [name, chain] : robots) add(name, chain);
+  return plot;
+}
+
+}  // namespace morphe
