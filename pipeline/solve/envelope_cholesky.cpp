@@ -51,10 +51,27 @@ bool EnvelopeCholesky::factorise(const Quadratic& model, bool with_bend, double 
     double own = model.hessian(variable, variable) + damping;
     if (with_bend) own += model.bend(variable, variable);
     const double pivot = own - Eigen::Map<const JointVector>(row + begin, i - begin).squaredNorm();
-    if (!(pivot > 1e-14 * std::abs(own))) return false;
+    if (!(pivot > 1e-14 * std::abs(own))) {
+      missing = std::max(-pivot, 1e-12 * std::abs(own)) / squared_length_at(i);
+      return false;
+    }
     inverse_pivot[i] = 1 / std::sqrt(pivot);
   }
   return true;
+}
+
+/// ‖v‖² of the v with v_i = 1 and nothing after row i for which vᵀ H v is row i's pivot.
+double EnvelopeCholesky::squared_length_at(Index i) {
+  direction.setZero(rows.rows());
+  direction[i] = 1;
+  for (Index k = first[static_cast<std::size_t>(i)]; k < i; ++k) direction[k] = -rows(i, k);
+  for (Index k = i; k-- > 0;) {
+    const Index begin = first[static_cast<std::size_t>(k)], length = k - begin;
+    direction[k] *= inverse_pivot[k];
+    direction.segment(begin, length) -=
+        direction[k] * Eigen::Map<const JointVector>(rows.data() + k * rows.cols() + begin, length);
+  }
+  return direction.squaredNorm();
 }
 
 void EnvelopeCholesky::solve(JointVector& right_side) const {

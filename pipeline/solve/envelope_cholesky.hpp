@@ -13,6 +13,8 @@ namespace morphe {
 /// positive definite H will do; a full one costs n³/6. No allocation after the first call.
 class EnvelopeCholesky {
  public:
+  double missing = 0;  ///< where factorise failed: at least so much more damping is needed
+
   /// False if a pivot is not clearly positive: then nothing can be solved. H is hessian, or hessian
   /// + bend; of both the lower triangle is read.
   bool factorise(const Quadratic& model, bool with_bend, double damping,
@@ -21,9 +23,11 @@ class EnvelopeCholesky {
   void solve(JointVector& right_side) const;
 
  private:
+  double squared_length_at(Eigen::Index row);
+
   JointRows rows;                   ///< L, the last variable first
   std::vector<Eigen::Index> first;  ///< of each row
-  JointVector inverse_pivot;
+  JointVector inverse_pivot, direction;
 };
 
 }  // namespace morphe

@@ -41,25 +41,6 @@ bool free_move(const Model& model, StructuredScratch& scratch) {
   return true;
 }
 
-/// The first move, with a model that keeps its entries near or below the radius.
-Model first_move(double radius, StructuredScratch& scratch) {
-  Model model{scratch.now.bend.size() > 0};
-  for (int attempt = 0; attempt < 20; ++attempt) {
-    if (!free_move(model, scratch)) {
-      model.damping = std::max(10 * model.damping, model.exact ? 0 : 1e-9);
-      model.exact = false;
-      continue;
-    }
-    const double longest = scratch.move.cwiseAbs().maxCoeff();
-    if (longest <= 1.5 * radius) break;
-    // As if the move were all along one curvature, that which the model has along it.
-    multiply(scratch.now, model, scratch.move, scratch.bent);
-    const double damped = scratch.move.dot(scratch.bent) / scratch.move.squaredNorm();
-    model.damping += std::max(model.damping, (longest / radius - 1) * damped);
-  }
-  return model;
-}
-
 /// The held variable that the model would rather have inside its bounds, most of all; -1: none.
 Index wrongly_held(const BoundedProblem& problem, const StructuredScratch& scratch) {
   Index worst = -1;
@@ -76,9 +57,36 @@ Index wrongly_held(const BoundedProblem& problem, const StructuredScratch& scrat
   return worst;
 }
 
+/// Adds the move to the step, or as much of it as the bounds allow; the variable that stopped it is
+/// held. False if nothing did.
+bool stopped_move(const BoundedProblem& problem, const Model& model, StructuredScratch& scratch) {
+  double share = 1;
+  Index stopped = -1;
+  for (Index j = 0; j < scratch.x.size(); ++j) {
+    const double from = scratch.x[j] + scratch.step[j], to = from + scratch.move[j];
+    const double bound = std::clamp(to, problem.lower[j], problem.upper[j]);
+    if (bound == to || scratch.held[static_cast<std::size_t>(j)]) continue;
+    const double possible = std::max(0.0, (bound - from) / scratch.move[j]);
+    if (possible < share) {
+      share = possible;
+      stopped = j;
+    }
+  }
+  multiply(scratch.now, model, scratch.move, scratch.bent);
+  scratch.step += share * scratch.move;
+  scratch.slope += share * scratch.bent;
+  if (stopped < 0) return false;
+  const bool upper = scratch.move[stopped] > 0;
+  scratch.step[stopped] = (upper ? problem.upper : problem.lower)[stopped] - scratch.x[stopped];
+  scratch.held[static_cast<std::size_t>(stopped)] = 1;
+  return true;
+}
+
 /// Minimises the model within the bounds, into `scratch.step`: from one set of held variables to
-/// the next, always downhill.
-Step bounded_step(const BoundedProblem& problem, double radius, StructuredScratch& scratch) {
+/// the next, always downhill. False if the Hessian is not positive definite, or the step far too
+/// long.
+bool minimise_model(const BoundedProblem& problem, const Model& model, double longest,
+                    StructuredScratch& scratch) {
   const Index n = scratch.x.size();
   scratch.step.setZero(n);
   scratch.slope = scratch.now.gradient;
@@ -87,33 +95,35 @@ Step bounded_step(const BoundedProblem& problem, double radius, StructuredScratc
                           (scratch.x[j] >= problem.upper[j] && scratch.slope[j] < 0);
     scratch.held[static_cast<std::size_t>(j)] = outwards ? 1 : 0;
   }
-  const Model model = first_move(radius, scratch);
   for (Index change = 0; change < 3 * n; ++change) {
-    if (change > 0 && !free_move(model, scratch)) break;
-    double share = 1;
-    Index stopped = -1;
-    for (Index j = 0; j < n; ++j) {
-      const double from = scratch.x[j] + scratch.step[j], to = from + scratch.move[j];
-      const double bound = std::clamp(to, problem.lower[j], problem.upper[j]);
-      if (bound == to || scratch.held[static_cast<std::size_t>(j)]) continue;
-      const double possible = std::max(0.0, (bound - from) / scratch.move[j]);
-      if (possible < share) {
-        share = possible;
-        stopped = j;
-      }
+    if (!free_move(model, scratch)) return false;
+    if (scratch.move.cwiseAbs().maxCoeff() > longest) {
+      scratch.step += scratch.move;
+      return false;
     }
-    multiply(scratch.now, model, scratch.move, scratch.bent);
-    scratch.step += share * scratch.move;
-    scratch.slope += share * scratch.bent;
-    if (stopped >= 0) {
-      const bool upper = scratch.move[stopped] > 0;
-      scratch.step[stopped] = (upper ? problem.upper : problem.lower)[stopped] - scratch.x[stopped];
-      scratch.held[static_cast<std::size_t>(stopped)] = 1;
-      continue;
-    }
+    if (stopped_move(problem, model, scratch)) continue;
     const Index freed = wrongly_held(problem, scratch);
     if (freed < 0) break;
     scratch.held[static_cast<std::size_t>(freed)] = 0;
+  }
+  return true;
+}
+
+/// The model's step within the bounds, damped until its entries are near or below the radius.
+Step bounded_step(const BoundedProblem& problem, double radius, StructuredScratch& scratch) {
+  Model model{scratch.now.bend.size() > 0};
+  for (int attempt = 0; attempt < 40; ++attempt) {
+    scratch.factor.missing = 0;
+    if (minimise_model(problem, model, 1.5 * radius, scratch)) break;
+    if (scratch.factor.missing > 0) {
+      model.damping += std::max(3 * model.damping, 2 * scratch.factor.missing);
+      continue;
+    }
+    // As if the step were all along one curvature, that which the model has along it.
+    multiply(scratch.now, model, scratch.step, scratch.bent);
+    const double damped = scratch.step.dot(scratch.bent) / scratch.step.squaredNorm();
+    const double ratio = scratch.step.cwiseAbs().maxCoeff() / radius;
+    model.damping += std::max(model.damping, (ratio - 1) * damped);
   }
   multiply(scratch.now, {model.exact, 0}, scratch.step, scratch.bent);
   return {scratch.step.cwiseAbs().maxCoeff(),
@@ -146,7 +156,7 @@ Minimum minimise_structured(const BoundedProblem& problem, const JointVector& st
   const auto go_back = [&] {
     scratch.x.swap(scratch.left_x);
     std::swap(scratch.now, scratch.left);
-    radius = left.longest / 4;
+    radius = std::min(radius, left.longest) / 4;
     uphill = 0;
   };
   while (result.evaluations < options.evaluations) {
