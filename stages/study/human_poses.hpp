@@ -16,6 +16,8 @@ struct HumanPose {
   Vec3 elbow = unseen_point(), wrist = unseen_point();
   Quat hand = unseen_rotation();
   std::array<Vec3, kFingers> tip;  ///< unseen where it was not recorded
+
+  HumanPose() { tip.fill(unseen_point()); }
 };
 using HumanPoses = std::vector<HumanPose>;
 
