@@ -111,7 +111,9 @@ bool minimise_model(const BoundedProblem& problem, const Model& model, double lo
 
 /// The model's step within the bounds, damped until its entries are near or below the radius.
 Step bounded_step(const BoundedProblem& problem, double radius, StructuredScratch& scratch) {
-  Model model{scratch.now.bend.size() > 0};
+  // Directions in which nothing is known to be curved would magnify round-off without a floor.
+  Model model{scratch.now.bend.size() > 0,
+              1e-12 * scratch.now.hessian.diagonal().cwiseAbs().maxCoeff()};
   for (int attempt = 0; attempt < 40; ++attempt) {
     scratch.factor.missing = 0;
     if (minimise_model(problem, model, 1.5 * radius, scratch)) break;

@@ -186,7 +186,7 @@ void print_cold(const BenchProblem& bench, Solver& solver) {
     for (std::size_t m = 0; m < bench.movements.size(); ++m) {
       for (const std::size_t f : {std::size_t{0}, bench.movements[m].size() / 2}) {
         const FrameGoal& goal = bench.movements[m][f];
-        const double best = best_of(solver, goal, 500, 77).value;
+        const double best = best_of(solver, goal, 200, 77).value;
         const auto begin = Clock::now();
         const double found = best_of(solver, goal, starts, 3 + m).value;
         time_us.push_back(microseconds_since(begin));
@@ -194,7 +194,7 @@ void print_cold(const BenchProblem& bench, Solver& solver) {
         ++count;
       }
     }
-    fmt::print("  cold, {:>2} starts: {:.2f} ms median, {:.2f} ms 99 %; best of 500 in {} of {}\n",
+    fmt::print("  cold, {:>2} starts: {:.2f} ms median, {:.2f} ms 99 %; best of 200 in {} of {}\n",
                starts, 1e-3 * percentile(time_us, 0.5), 1e-3 * percentile(time_us, 0.99), global,
                count);
   }
