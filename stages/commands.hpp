@@ -13,6 +13,7 @@ namespace morphe {
 using Command = std::function<int()>;
 Command import_command(CLI::App& app);
 Command inspect_command(CLI::App& app);
+Command robot_command(CLI::App& app);
 Command run_command(CLI::App& app);
 Command synthesize_command(CLI::App& app);
 Command study_command(CLI::App& app);

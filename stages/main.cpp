@@ -17,9 +17,10 @@ struct Entry {
   morphe::Command (*add)(CLI::App&);
 };
 
-constexpr std::array<Entry, 6> kCommands{{
+constexpr std::array<Entry, 7> kCommands{{
     {"import", "Recordings -> demonstrations.h5", morphe::import_command},
     {"inspect", "What a demonstrations.h5 holds and what will be usable", morphe::inspect_command},
+    {"robot", "Check, print and draw a robot description", morphe::robot_command},
     {"run", "Demonstrations and a config -> DIR/plans.h5", morphe::run_command},
     {"synthesize", "Recordings that never were, with their truth", morphe::synthesize_command},
     {"study", "Figures against ground truth -> DIR/results.json", morphe::study_command},

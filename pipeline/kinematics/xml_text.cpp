@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -19,8 +20,8 @@ XmlText::XmlText(const std::filesystem::path& path, const char* root) : file(pat
   }
   document.Parse(text.str().c_str());
   if (document.Error()) {
-    throw InputError(fmt::format("{}:{}: not valid XML: {}", path.string(), document.ErrorRow(),
-                                 document.ErrorDesc()));
+    throw InputError(fmt::format("{}:{}: not valid XML: {}", path.string(),
+                                 std::max(1, document.ErrorRow()), document.ErrorDesc()));
   }
   const TiXmlElement* top = document.RootElement();
   if (!top || std::strcmp(top->Value(), root) != 0) {

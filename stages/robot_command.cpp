@@ -1,0 +1,43 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <memory>
+
+#include "pipeline/kinematics/write_urdf.hpp"
+#include "pipeline/motion/input_error.hpp"
+#include "stages/commands.hpp"
+#include "stages/robot/draw.hpp"
+#include "stages/robot/report.hpp"
+
+namespace morphe {
+namespace {
+
+void write_text(const std::string& file, const std::string& text) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  if (!stream.flush()) throw InputError(fmt::format("{}: cannot be written", file));
+}
+
+}  // namespace
+
+Command robot_command(CLI::App& app) {
+  struct Arguments {
+    std::string file, svg, urdf;
+    bool json = false;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  app.add_option("FILE", arguments->file, "Robot description")->required();
+  app.add_option("--svg", arguments->svg, "Draw it, from the front and from the side");
+  app.add_option("--urdf", arguments->urdf, "Write it as URDF");
+  app.add_flag("--json", arguments->json, "Print JSON");
+  return [arguments] {
+    const RobotDescription robot = load_robot(arguments->file);
+    if (!arguments->svg.empty()) write_text(arguments->svg, svg_of(robot.table));
+    if (!arguments->urdf.empty()) write_text(arguments->urdf, urdf_of(robot.table));
+    fmt::print("{}", arguments->json ? robot_json(robot) + "\n" : robot_text(robot));
+    return 0;
+  };
+}
+
+}  // namespace morphe
