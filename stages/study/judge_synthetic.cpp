@@ -66,16 +66,17 @@ Outcome sum_of(const JudgeOptions& options, const SyntheticSet& set, const Study
   return sum;
 }
 
-void add_accuracy(const Case& of, const ReconstructionScore& score, StudyResult& result) {
+void add_accuracy(const Case& of, const SyntheticSet& set, const ReconstructionScore& score,
+                  StudyResult& result) {
   const auto add = [&](const char* metric, const MeanSquare& square, const char* unit,
-                       double at_most = kNotSeen) {
+                       double at_most = 0) {
     result.rows.push_back(row_of(of, metric, unit, square.rms(), square.n));
-    result.rows.back().at_most = at_most;
+    if (at_most > 0) result.rows.back().at_most = at_most;
   };
   add("shoulder, rms", score.shoulder, "m");
-  add("elbow, rms", score.elbow, "m", 0.0015);
-  add("wrist, rms", score.wrist, "m", 0.0015);
-  add("fingertips, rms", score.tips, "m", 0.003);
+  add("elbow, rms", score.elbow, "m", set.joints_m);
+  add("wrist, rms", score.wrist, "m", set.joints_m);
+  add("fingertips, rms", score.tips, "m", set.fingertips_m);
   add("fingertips in the hand (the glove's part), rms", score.tips_in_hand, "m");
   add("hand orientation, rms", score.orientation, "rad");
   add("arm angles, rms", score.arm_angles, "rad");
@@ -129,7 +130,7 @@ void judge_synthetic(const JudgeOptions& options, const SyntheticSet& set, const
   result.rows.push_back(precision);
   result.rows.push_back(recall);
   add_boundaries(of, set, score, result);
-  if (set.accuracy) add_accuracy(of, sum.reconstruction, result);
+  if (set.accuracy) add_accuracy(of, set, sum.reconstruction, result);
   StudyRow made =
       row_of(of, "synthesize, times real time", "1", sum.recorded_s / sum.synthesize_s, 1);
   StudyRow rebuilt = row_of(of, "rebuild, times real time", "1", sum.recorded_s / sum.rebuild_s, 1);

@@ -41,6 +41,7 @@ struct SyntheticSet {
   double least_recall = 0;                   ///< what is asked for, 0 = nothing
   double median_s = 0, percentile_95_s = 0;  ///< of boundary errors
   bool accuracy = false;                     ///< positions are judged too
+  double joints_m = 0, fingertips_m = 0;     ///< rms asked of elbow and wrist, and of fingertips
 };
 template <class Fields>
 void fields(Fields& f, SyntheticSet& o) {
@@ -54,6 +55,8 @@ void fields(Fields& f, SyntheticSet& o) {
   f("median_s", o.median_s);
   f("percentile_95_s", o.percentile_95_s);
   f("accuracy", o.accuracy);
+  f("joints_m", o.joints_m);
+  f("fingertips_m", o.fingertips_m);
 }
 std::string check(const SyntheticSet& set);
 
