@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pipeline/human/glove.hpp"
+#include "stages/reconstruct/glove_filter.hpp"
 
 namespace morphe {
 namespace {
@@ -59,17 +60,16 @@ GloveColumns glove_on_clock(const HandStream& glove, const std::optional<HandStr
   std::vector<double> time = glove.time;
   for (double& t : time) t -= late_s;
   GloveColumns columns;
-  std::vector<double> column(time.size());
   for (Eigen::Index sensor = 0; sensor < glove.angles.cols(); ++sensor) {
     double zero = 0;
     if (calibrated) zero = mean_seen(*flat_hand, sensor);
     if (!std::isfinite(zero)) zero = 0;
-    for (std::size_t i = 0; i < time.size(); ++i) {
-      column[i] = glove.angles(static_cast<Eigen::Index>(i), sensor) - zero;
+    std::vector<double>& column = columns.emplace_back();
+    for (Eigen::Index i = 0; i < glove.angles.rows(); ++i) {
+      column.push_back(glove.angles(i, sensor) - zero);
     }
-    columns.push_back(on_clock(time, column, clock, options));
   }
-  return columns;
+  return filtered_glove(time, columns, clock, options);
 }
 
 void place_fingers(const GloveColumns& glove, const HandSize& size, HumanMotion& motion) {

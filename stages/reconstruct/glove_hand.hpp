@@ -6,9 +6,9 @@
 
 namespace morphe {
 
-/// A glove's sensors on a clock, low-passed: kGloveSensors by column. The calibration's flat hand
-/// (means over its frames) is zero; without one the glove's own zero stays, and `problems` says so.
-/// Its times are moved by -`late_s`.
+/// A glove's sensors on a clock, filtered (glove_filter.hpp): kGloveSensors by column. The
+/// calibration's flat hand (means over its frames) is zero; without one the glove's own zero stays,
+/// and `problems` says so. Its times are moved by -`late_s`.
 using GloveColumns = std::vector<std::vector<double>>;
 GloveColumns glove_on_clock(const HandStream& glove, const std::optional<HandStream>& flat_hand,
                             double late_s, const Clock& clock, const ReconstructOptions& options,

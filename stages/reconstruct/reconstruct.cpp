@@ -10,6 +10,7 @@ std::string check(const ReconstructOptions& o) {
   if (!(o.cutoff_hz > 0 && o.cutoff_hz < 0.4 * o.rate_hz)) {
     return "cutoff_hz must lie between 0 and 0.4 rate_hz";
   }
+  if (!(o.glove_rest_cutoff_hz > 0)) return "glove_rest_cutoff_hz must be positive";
   if (!(o.max_gap_s > 0)) return "max_gap_s must be positive";
   for (const double shift : {o.thumb_marker_to_axis_m, o.index_marker_to_axis_m}) {
     if (!(shift >= 0 && shift < 0.05)) return "marker_to_axis must lie between 0 and 0.05 m";

@@ -15,6 +15,9 @@ struct ReconstructOptions {
   /// fingertip's residual grows by 0.01-0.08 mm, from 8 to 6 Hz by up to 0.13 mm: at 8 Hz what is
   /// taken away is still noise, and every Hz less helps jerk.
   double cutoff_hz = 8;
+  /// The same for a glove whose hand rests: what is faster there is noise (glove_filter.hpp). A
+  /// drift of the posture is slower; cutoff_hz or more: no difference between rest and motion.
+  double glove_rest_cutoff_hz = 2;
   double max_gap_s = 0.1;  ///< longer gaps stay unseen; shorter ones are bridged by the spline
   /// Correct a glove's clock by what glove and arm both saw of the wrist, where that is clear.
   bool align_clocks = true;
@@ -28,6 +31,7 @@ template <class Fields>
 void fields(Fields& f, ReconstructOptions& o) {
   f("rate_hz", o.rate_hz);
   f("cutoff_hz", o.cutoff_hz);
+  f("glove_rest_cutoff_hz", o.glove_rest_cutoff_hz);
   f("max_gap_s", o.max_gap_s);
   f("align_clocks", o.align_clocks);
   f("thumb_marker_to_axis_m", o.thumb_marker_to_axis_m);
