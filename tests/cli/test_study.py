@@ -1,0 +1,142 @@
+"""`morphe study`, the small version of the shipped study: the files that it writes, that its figures
+are within what is wanted, that they hang on config and inputs alone, and bad configs."""
+import csv
+import re
+import xml.etree.ElementTree as ElementTree
+
+import h5py
+import numpy as np
+
+from support import SOURCE, CommandCase, json, line_of, main, morphe, replace, sha256
+
+RECORDINGS = SOURCE / "configs/studies/recordings.yaml"
+SMALL = """\
+study: recordings
+synthetic:
+  - name: one
+    config: one.yaml
+    quick_count: 1
+    median_s: 0.1
+"""
+
+
+class ShippedStudy(CommandCase):
+    """One run for all that is asked of it: it takes seconds."""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        from support import Path, temporary_folder
+        holder = temporary_folder()
+        cls.addClassCleanup(holder.cleanup)
+        cls.out, cls.alone = Path(holder.name) / "two", Path(holder.name) / "one"
+        cls.result = morphe("study", RECORDINGS, "--quick", "--out", cls.out, "--jobs", 2)
+        cls.other = morphe("study", RECORDINGS, "--quick", "--out", cls.alone, "--jobs", 1)
+        assert cls.result.returncode == 0, cls.result.stderr
+        cls.rows = json.loads((cls.out / "results.json").read_text())["rows"]
+
+    def test_every_figure_is_within_what_is_wanted(self):
+        wanted = [row for row in self.rows if "wanted" in row]
+        self.assertGreater(len(wanted), 20)
+        for row in wanted:
+            relation, limit = row["wanted"].split()
+            with self.subTest(f"{row['case']} {row['metric']}"):
+                self.assertIsNotNone(row["ours"])
+                difference = row["ours"] - float(limit)
+                self.assertGreaterEqual(-difference if relation == "<=" else difference, 0)
+                self.assertTrue(row["holds"])
+
+    def test_json_csv_and_hdf5_say_the_same(self):
+        with open(self.out / "results.csv", newline="") as file:
+            table = list(csv.DictReader(file))
+        with h5py.File(self.out / "results.h5") as h5:
+            self.assertEqual(h5.attrs["format"], b"morphe-study")
+            columns = {name: h5[name][()] for name in ("case", "metric", "units", "ours", "n")}
+        self.assertEqual(len(table), len(self.rows))
+        for name, column in columns.items():
+            self.assertEqual(len(column), len(self.rows), name)
+        for k, row in enumerate(self.rows):
+            case = "; ".join(row["case"].values())
+            self.assertEqual((table[k]["case"], table[k]["metric"], table[k]["unit"]),
+                             (case, row["metric"], row["unit"]))
+            self.assertEqual((columns["case"][k].decode(), columns["metric"][k].decode(),
+                              columns["units"][k].decode()), (case, row["metric"], row["unit"]))
+            ours = np.nan if row["ours"] is None else row["ours"]
+            np.testing.assert_array_equal(columns["ours"][k], ours)
+            np.testing.assert_array_equal(float(table[k]["ours"] or "nan"), ours)
+            self.assertEqual(int(table[k]["n"]), row["n"])
+            self.assertEqual(columns["n"][k], row["n"])
+
+    def test_speeds_are_printed_and_not_written(self):
+        self.assertRegex(self.result.stdout, r"rebuild, times real time +\d")
+        self.assertNotIn("times real time", (self.out / "results.json").read_text())
+
+    def test_every_printed_row_that_misses_says_so(self):
+        self.assertNotIn("missed", self.result.stdout)
+
+    def test_the_number_of_threads_changes_no_byte(self):
+        self.assertEqual(self.other.returncode, 0, self.other.stderr)
+        names = sorted(path.name for path in self.out.iterdir())
+        self.assertEqual(names, sorted(path.name for path in self.alone.iterdir()))
+        for name in names:
+            self.assertEqual(sha256(self.out / name), sha256(self.alone / name), name)
+
+    def test_plots_can_be_read(self):
+        plots = sorted(self.out.glob("*.svg"))
+        self.assertIn("ADL001DR2.svg", [plot.name for plot in plots])
+        for plot in plots:
+            with self.subTest(plot.name):
+                root = ElementTree.parse(plot).getroot()
+                width, height = (float(root.get(side)) for side in ("width", "height"))
+                texts, ticks = [], []
+                for element in root.iter():
+                    if not element.tag.endswith("text") or element.get("transform"):
+                        continue
+                    self.assertTrue(element.text, "a text without words")
+                    x, y = float(element.get("x")), float(element.get("y"))
+                    self.assertTrue(0 <= x < width and 0 < y < height, element.text)
+                    texts.append((x, y))
+                    if re.fullmatch(r"-?[\d.e-]+", element.text):
+                        ticks.append((x, y))
+                self.assertEqual(len(texts), len(set(texts)), "texts on top of each other")
+                self.assertGreater(len(ticks), 4)
+
+
+class SmallStudy(CommandCase):
+    def setUp(self):
+        super().setUp()
+        self.config = self.folder / "small.yaml"
+        self.config.write_text(SMALL)
+        (self.folder / "one.yaml").write_text("movements:\n  per_recording: [1, 1]\n")
+
+    def run_study(self):
+        return morphe("study", self.config, "--quick", "--out", self.folder / "out")
+
+    def test_paths_start_at_the_config(self):
+        self.assertEqual(self.run_study().returncode, 0)
+        rows = json.loads((self.folder / "out/results.json").read_text())["rows"]
+        self.assertEqual({row["case"]["set"] for row in rows}, {"one"})
+
+    def test_bad_configs_name_their_line(self):
+        for old, new, key in (("quick_count: 1", "quick_count: many", "quick_count"),
+                              ("median_s: 0.1", "median: 0.1", "median"),
+                              ("study: recordings", "study: nothing", "study")):
+            with self.subTest(new):
+                self.config.write_text(SMALL)
+                replace(self.config, old, new)
+                self.refuses(self.run_study(), f"{self.config}:{line_of(self.config, new)}", key)
+                self.assertFalse((self.folder / "out").exists())
+
+    def test_what_a_study_names_must_be_there(self):
+        (self.folder / "one.yaml").unlink()
+        result = self.run_study()
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("one.yaml", result.stderr)
+        self.assertFalse((self.folder / "out").exists())
+        missing = morphe("study", self.folder / "none.yaml", "--out", self.folder / "out")
+        self.assertEqual(missing.returncode, 2)
+        self.assertIn("none.yaml", missing.stderr)
+
+
+if __name__ == "__main__":
+    main()
