@@ -1,26 +1,55 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <map>
 #include <set>
+#include <sstream>
 
 #include "pipeline/kinematics/xml_text.hpp"
 
 namespace morphe {
 namespace {
 
-std::string key_of(const UrdfJoint& joint, const char* part) {
+std::string key_of(const UrdfJoint& joint, const std::string& part) {
   return fmt::format("joint {}{}", joint.name, part);
 }
 
-/// Two or three numbers; urdfdom judges whether they are any.
+/// The numbers of an attribute; empty if anything in it is none, or not finite.
 std::vector<double> numbers(const std::string& text) {
   std::vector<double> values;
-  const char* at = text.c_str();
-  for (char* end = nullptr;; at = end) {
-    const double value = std::strtod(at, &end);
-    if (end == at) return values;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    double value = 0;
+    if (word.starts_with('+')) word.erase(0, 1);
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
+      return {};
     values.push_back(value);
+  }
+  return values;
+}
+
+/// urdfdom would say what is no number, but not where.
+void check_numbers(const XmlText& urdf, const TiXmlElement& element, const std::string& owner) {
+  static constexpr std::array<const char*, 3> kVectors = {"xyz", "rpy", "size"};
+  static constexpr std::array<const char*, 8> kScalars = {
+      "radius", "length", "lower", "upper", "velocity", "effort", "multiplier", "offset"};
+  const auto check = [&](const char* name, std::size_t count) {
+    const char* text = element.Attribute(name);
+    if (text && numbers(text).size() != count) {
+      urdf.fail(element, fmt::format("{}.{}.{}", owner, element.Value(), name),
+                count == 1 ? fmt::format("must be a number, not '{}'", text)
+                           : fmt::format("must be {} numbers, not '{}'", count, text));
+    }
+  };
+  for (const char* name : kVectors) check(name, 3);
+  for (const char* name : kScalars) check(name, 1);
+  for (const TiXmlElement* child = element.FirstChildElement(); child;
+       child = child->NextSiblingElement()) {
+    check_numbers(urdf, *child, owner);
   }
 }
 
@@ -32,8 +61,14 @@ void check_turning(const XmlText& urdf, const UrdfJoint& joint, bool bounded) {
     }
   }
   const TiXmlElement* limit = joint.element->FirstChildElement("limit");
+  if (!limit && bounded) urdf.fail(*joint.element, key_of(joint, ".limit"), "is missing");
+  if (!limit) return;
+  for (const char* name : {"velocity", "effort"}) {
+    if (!limit->Attribute(name)) {
+      urdf.fail(*limit, key_of(joint, fmt::format(".limit.{}", name)), "is missing");
+    }
+  }
   if (!bounded) return;
-  if (!limit) urdf.fail(*joint.element, key_of(joint, ".limit"), "is missing");
   const auto bound = [&](const char* name) {
     double value = 0;
     limit->QueryDoubleAttribute(name, &value);
@@ -61,6 +96,7 @@ std::map<std::string, const TiXmlElement*> named(const XmlText& urdf, const char
     if (!found.emplace(name, element).second) {
       urdf.fail(*element, fmt::format("{} {}", tag, name), "stands twice");
     }
+    check_numbers(urdf, *element, fmt::format("{} {}", tag, name));
   }
   return found;
 }
