@@ -9,6 +9,8 @@ FrameGoal frame_goal(const Goals& goals, std::size_t frame) {
     goal.tip_orientation.push_back(goals.tip_orientation(frame, tip));
   }
   goal.hand = goals.wrist_orientation[frame];
+  goal.shoulder = goals.shoulder_position[frame];
+  goal.wrist = goals.wrist_position[frame];
   goal.elbow = goals.elbow_position[frame];
   for (std::size_t finger = 0; finger < kFingers; ++finger) {
     goal.finger_joint[finger] = goals.finger_joint_position(frame, finger);

@@ -15,10 +15,11 @@ struct FrameWeights {
 
 /// The goals of one frame, in the robot's base frame. NaN = no goal.
 struct FrameGoal {
-  std::vector<Vec3> tip_position;           ///< [m]
-  std::vector<Quat> tip_orientation;        ///< [m]
-  Quat hand = unseen_rotation();            ///< base_from_hand
-  Vec3 elbow = unseen_point();              ///< human elbow in the common base frame
+  std::vector<Vec3> tip_position;     ///< [m]
+  std::vector<Quat> tip_orientation;  ///< [m]
+  Quat hand = unseen_rotation();      ///< base_from_hand
+  /// Human arm in the common base frame.
+  Vec3 shoulder = unseen_point(), elbow = unseen_point(), wrist = unseen_point();
   std::array<Vec3, kFingers> finger_joint;  ///< middle joints of the human's fingers
   FrameWeights weights;
 

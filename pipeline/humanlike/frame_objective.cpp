@@ -23,6 +23,8 @@ void add_objective(const FrameObjective& objective, const RobotTable& robot, con
   objective.hand_orientation.add(state, goal, scratch.loads);
   objective.joint_distance.add(state, goal, scratch.loads);
   objective.finger_joint_distance.add(state, goal, scratch.loads);
+  objective.triangle_area.add(state, goal, scratch.loads);
+  objective.hull_volume.add(state, goal, scratch.loads);
   add_derivatives(robot, scratch.base_from_frame, scratch.loads, scratch.sweep, model);
   objective.posture.add(state, goal, model);
   objective.offset.add(state, model);

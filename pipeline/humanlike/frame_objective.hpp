@@ -4,7 +4,7 @@
 
 namespace morphe {
 
-/// The paper's arm-hand objective of one frame, Eq. (16), with metric A:
+/// The paper's arm-hand objective of one frame, Eq. (16), with metric A (and B, C where weighted):
 ///   w_x sum ‖x_i - goal_i‖² + w_o sum d_o + w_A A + w_a sum A_i  (+ hand orientation, posture).
 struct FrameObjective {
   TipPosition tip_position;
@@ -12,6 +12,8 @@ struct FrameObjective {
   HandOrientation hand_orientation;
   JointDistance joint_distance;
   FingerJointDistance finger_joint_distance;
+  TriangleArea triangle_area;
+  HullVolume hull_volume;
   NaturalPosture posture;
   FreeOffset offset;
 

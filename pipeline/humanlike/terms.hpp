@@ -5,6 +5,7 @@
 
 #include "pipeline/humanlike/frame_goal.hpp"
 #include "pipeline/humanlike/loads.hpp"
+#include "pipeline/humanlike/metrics.hpp"
 #include "pipeline/solve/quadratic.hpp"
 
 namespace morphe {
@@ -55,6 +56,21 @@ struct FingerJointDistance {
   void add(const RobotState& state, const FrameGoal& goal, Loads& loads) const;
 };
 
+/// Humanlikeness B of the arm, Eq. (6) [m²], see triangle_area_sum; rounded off where a triangle
+/// vanishes.
+struct TriangleArea {
+  double weight = 0;
+  double smoothing_m2 = 1e-6;
+  void add(const RobotState& state, const FrameGoal& goal, Loads& loads) const;
+};
+
+/// Humanlikeness C of the arm, Eqs. (7)–(9) [m³], see hull_volume_sum: without a curvature of its
+/// own.
+struct HullVolume {
+  double weight = 0;
+  void add(const RobotState& state, const FrameGoal& goal, Loads& loads) const;
+};
+
 /// Natural posture of what no goal asks for: sum of (q_joint - q_follow - value)² over joints that
 /// move only tips without a goal in this frame [rad²].
 struct NaturalPosture {
@@ -80,5 +96,13 @@ struct FreeOffset {
   double limit_m = 0.1;
   void add(const RobotState& state, Quadratic& model) const;
 };
+
+/// The robot's arm as metrics B and C see it, from the shoulder outwards: shoulder, joint centres
+/// and the wrist's tip, if there is one; and the frames that the joints move with.
+struct ArmChain {
+  Chain joints;
+  std::vector<int> frames;
+};
+ArmChain arm_chain(const RobotTable& robot, const std::vector<Pose>& base_from_frame);
 
 }  // namespace morphe

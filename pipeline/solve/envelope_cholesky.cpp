@@ -71,7 +71,7 @@ double EnvelopeCholesky::squared_length_at(Index i) {
     direction.segment(begin, length) -=
         direction[k] * Eigen::Map<const JointVector>(rows.data() + k * rows.cols() + begin, length);
   }
-  return direction.squaredNorm();
+  return direction.dot(direction);
 }
 
 void EnvelopeCholesky::solve(JointVector& right_side) const {
