@@ -14,7 +14,8 @@ struct Entry {
   StudyResult (*run)(const ConfigNode&, const StudyRun&);
 };
 
-constexpr std::array<Entry, 2> kStudies{{{"recordings", recordings_study}, {"paper", paper_study}}};
+constexpr std::array<Entry, 3> kStudies{
+    {{"recordings", recordings_study}, {"paper", paper_study}, {"mapping", mapping_study}}};
 
 }  // namespace
 

@@ -49,5 +49,7 @@ class ConfigNode;
 StudyResult recordings_study(const ConfigNode& config, const StudyRun& run);
 /// The paper's table and figures again.
 StudyResult paper_study(const ConfigNode& config, const StudyRun& run);
+/// Whole movements through the pipeline, by variants of its config.
+StudyResult mapping_study(const ConfigNode& config, const StudyRun& run);
 
 }  // namespace morphe
