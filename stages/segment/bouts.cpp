@@ -16,6 +16,7 @@ constexpr double kLeastBout_s = 0.08;
 constexpr double kSplitWithin_s = 0.15;
 constexpr double kSpread_s = 0.04;  ///< an edge that is as uncertain as this is half as sure
 constexpr double kFollows_s = 0.1;
+constexpr double kRebound_s = 0.3;
 constexpr std::size_t kNeighbours = 2;
 
 /// A stretch with one or more peaks between two slow points.
@@ -203,6 +204,23 @@ void judge_dips(const Speeds& speed, double dip_share, std::vector<Bout>& bouts)
 
 }  // namespace
 
+namespace {
+
+/// By how much the speed rises again within kRebound_s outside of an edge, up to frame `rest`, over
+/// the level of the edge: near 1, what comes then might as well belong to the bout.
+double rebound(const Speeds& speed, std::size_t edge, std::size_t rest, std::size_t within,
+               double level) {
+  double least = speed[edge], rise = 0;
+  for (std::size_t i = edge, k = 0; i != rest && k < within; ++k) {
+    i = rest > edge ? i + 1 : i - 1;
+    least = std::min(least, speed[i]);
+    rise = std::max(rise, speed[i] - least);
+  }
+  return rise / level;
+}
+
+}  // namespace
+
 void place_ends(const HandSignals& signals, const SegmentOptions& options, Bout& bout) {
   const double level = options.onset_share * signals.speed[bout.peak];
   const double part = options.weak_share * signals.speed[bout.peak];
@@ -212,6 +230,12 @@ void place_ends(const HandSignals& signals, const SegmentOptions& options, Bout&
   bout.end_s = signals.time(end.frame);
   bout.begin_confidence = 1 / (1 + std::pow(begin.spread_s / kSpread_s, 2));
   bout.end_confidence = 1 / (1 + std::pow(end.spread_s / kSpread_s, 2));
+  const auto within = static_cast<std::size_t>(kRebound_s / signals.step_s);
+  const double before =
+      rebound(signals.speed, signals.frame(bout.begin_s), bout.first, within, level);
+  const double after = rebound(signals.speed, signals.frame(bout.end_s), bout.last, within, level);
+  bout.begin_confidence /= 1 + before * before;
+  bout.end_confidence /= 1 + after * after;
   bout.cut_begin = begin.frame <= 0;
   bout.cut_end = end.frame >= static_cast<double>(signals.frames() - 1);
   bout.from = signals.position[signals.frame(bout.begin_s)];

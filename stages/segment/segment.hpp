@@ -60,10 +60,12 @@ std::string check(const SegmentOptions& options);
 /// `end_s` span what is planned (`plan_until`); if that phase is missing, up to the grasp, and
 /// without a grasp to `touch_hold` after the reach. `target` is the recorded object that moves.
 ///
-/// A boundary's confidence is 1 − v / (dip_share · p), within 0 … 1, times 1 / (1 + (δ / 40 ms)²):
-/// v the slowest speed in the pause at the boundary, p the smaller of the peaks on its sides, δ the
-/// noise over the slope of speed there; 0 where the recording begins or ends in motion. A phase has
-/// the mean of its two boundaries, times the share of its frames in which the hand was seen.
+/// A boundary's confidence is 1 − v / (dip_share · p), within 0 … 1, times 1 / (1 + (δ / 40 ms)²)
+/// and 1 / (1 + r²): v the slowest speed in the pause at the boundary, p the smaller of the peaks
+/// on its sides, δ the noise over the slope of speed there, r by how much the speed rises again
+/// within 0.3 s of the boundary, over the speed at it; 0 where the recording begins or ends in
+/// motion. A phase has the mean of its two boundaries, times the share of its frames in which the
+/// hand was seen.
 ///
 /// Too short, motionless, or the wrist never seen: no movements. Never throws.
 std::vector<Movement> segment(const HumanMotion& motion, const SegmentOptions& options,
