@@ -128,21 +128,4 @@ void tip_jacobians(const RobotTable& robot, const std::vector<Pose>& base_from_f
   }
 }
 
-void add_pulled_gradient(const RobotTable& robot, const std::vector<Pose>& base_from_frame,
-                         std::vector<Wrench>& wrenches, Eigen::Ref<JointVector> gradient) {
-  assert(wrenches.size() == robot.frames.size());
-  for (std::size_t i = robot.frames.size(); i-- > 0;) {
-    const RobotTable::Frame& f = robot.frames[i];
-    const Wrench& w = wrenches[i];
-    if (f.joint >= 0) {
-      const Pose& pose = base_from_frame[i];
-      gradient[f.joint] += turning_axis(f, pose).dot(w.moment - pose.translation().cross(w.force));
-    }
-    if (f.parent < 0) continue;
-    Wrench& parent = wrenches[static_cast<std::size_t>(f.parent)];
-    parent.force += w.force;
-    parent.moment += w.moment;
-  }
-}
-
 }  // namespace morphe

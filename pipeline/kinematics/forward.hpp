@@ -30,18 +30,4 @@ void rotation_jacobian(const RobotTable& robot, const std::vector<Pose>& base_fr
 void tip_jacobians(const RobotTable& robot, const std::vector<Pose>& base_from_frame,
                    Eigen::Ref<Eigen::MatrixXd> jacobian);
 
-/// What pulls at a frame, about the base's origin: a term with derivative g with respect to a point
-/// p gives {g, p x g}; one with derivative t with respect to a turn (in the base frame) {0, t}.
-struct Wrench {
-  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
-
-  static Wrench at(const Vec3& point, const Vec3& force) { return {force, point.cross(force)}; }
-};
-
-/// Adds J^T w of all frames' wrenches [frames] to `gradient` [n], in one sweep from the tips to the
-/// base: the gradient of any number of terms for the price of one pass. The wrenches are used up:
-/// afterwards each holds what its whole subtree pulls.
-void add_pulled_gradient(const RobotTable& robot, const std::vector<Pose>& base_from_frame,
-                         std::vector<Wrench>& wrenches, Eigen::Ref<JointVector> gradient);
-
 }  // namespace morphe

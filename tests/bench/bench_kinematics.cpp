@@ -70,27 +70,6 @@ void tips_at_once(benchmark::State& state, const std::string& name) {
   }
 }
 
-/// The gradient of a pull at every tip.
-void pulled_gradient(benchmark::State& state, const std::string& name) {
-  const RobotTable robot = robot_named(name);
-  JointVector q = posture(robot), gradient(q.size());
-  std::vector<Pose> base_from_frame;
-  std::vector<Wrench> wrenches;
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(q.data());
-    forward(robot, q, base_from_frame);
-    wrenches.assign(robot.frames.size(), {});
-    for (const RobotTable::Tip& tip : robot.tips) {
-      const auto frame = static_cast<std::size_t>(tip.frame);
-      wrenches[frame] = Wrench::at(base_from_frame[frame] * tip.transform.translation(), {1, 2, 3});
-    }
-    gradient.setZero();
-    add_pulled_gradient(robot, base_from_frame, wrenches, gradient);
-    benchmark::DoNotOptimize(gradient.data());
-    benchmark::ClobberMemory();
-  }
-}
-
 BENCHMARK_CAPTURE(frames, pa10, "pa10");
 BENCHMARK_CAPTURE(frames, pa10_dlr_hit2, "pa10_dlr_hit2");
 BENCHMARK_CAPTURE(tips_one_by_one, pa10, "pa10");
@@ -99,8 +78,6 @@ BENCHMARK_CAPTURE(frames, arm24_hand5, "arm24_hand5");
 BENCHMARK_CAPTURE(tips_at_once, pa10, "pa10");
 BENCHMARK_CAPTURE(tips_at_once, arm24_hand5, "arm24_hand5");
 BENCHMARK_CAPTURE(tips_at_once, pa10_dlr_hit2, "pa10_dlr_hit2");
-BENCHMARK_CAPTURE(pulled_gradient, pa10, "pa10");
-BENCHMARK_CAPTURE(pulled_gradient, pa10_dlr_hit2, "pa10_dlr_hit2");
 
 }  // namespace
 }  // namespace morphe

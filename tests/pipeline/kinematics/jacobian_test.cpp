@@ -95,28 +95,6 @@ TEST_P(Jacobian, OfAllTipsAtOnceIsThatOfEach) {
   }
 }
 
-TEST_P(Jacobian, OneSweepGivesTheGradientOfWhatPullsAtEveryFrame) {
-  const JointVector q = random_position(robot, random);
-  forward(robot, q, at);
-  const auto number = [&] { return std::uniform_real_distribution<>(-1, 1)(random); };
-  const auto vector = [&] { return Vec3(number(), number(), number()); };
-  std::vector<Wrench> wrenches(robot.frames.size());
-  JointVector expected = JointVector::Ones(q.size());
-  Eigen::Matrix3Xd jacobian(3, q.size());
-  for (std::size_t f = 0; f < robot.frames.size(); ++f) {
-    const Vec3 point = vector(), force = vector(), twist = vector();
-    wrenches[f] = Wrench::at(point, force);
-    wrenches[f].moment += twist;
-    point_jacobian(robot, at, static_cast<int>(f), point, jacobian);
-    expected += jacobian.transpose() * force;
-    rotation_jacobian(robot, at, static_cast<int>(f), jacobian);
-    expected += jacobian.transpose() * twist;
-  }
-  JointVector gradient = JointVector::Ones(q.size());
-  add_pulled_gradient(robot, at, wrenches, gradient);
-  EXPECT_LT((gradient - expected).cwiseAbs().maxCoeff(), 1e-12);
-}
-
 INSTANTIATE_TEST_SUITE_P(Robots, Jacobian, testing::ValuesIn(shipped_robots()),
                          [](const auto& instance) { return instance.param; });
 
