@@ -2,7 +2,8 @@
 #include <gmock/gmock.h>
 
 #include <numbers>
-#include <regex>
+#include <string>
+#include <utility>
 
 #include "stages/robot/draw.hpp"
 #include "stages/robot/report.hpp"
@@ -68,15 +69,24 @@ TEST(RobotReport, PrintsJointsCouplingsAndTips) {
   EXPECT_THAT(text, HasSubstr("\nnote: tip pad does not hang on palm palm\n"));
 }
 
+/// The number behind the first `before` from `at` on; moves `at` behind it.
+double number_behind(const std::string& svg, const std::string& before, std::size_t& at) {
+  at = svg.find(before, at);
+  if (at == std::string::npos) return kNotSeen;
+  at += before.size();
+  return std::stod(svg.substr(at));
+}
+
 /// Centres of the circles of one colour, in the order drawn.
 std::vector<std::pair<double, double>> dots(const std::string& svg, const std::string& colour) {
-  const std::regex circle("<circle cx=\"([-.0-9]+)\" cy=\"([-.0-9]+)\" r=\"[.0-9]+\" fill=\"" +
-                          colour + "\"");
   std::vector<std::pair<double, double>> found;
-  for (std::sregex_iterator at(svg.begin(), svg.end(), circle), end; at != end; ++at) {
-    found.emplace_back(std::stod((*at)[1]), std::stod((*at)[2]));
+  for (std::size_t at = 0;;) {
+    const double x = number_behind(svg, "<circle cx=\"", at);
+    if (at == std::string::npos) return found;
+    const double y = number_behind(svg, "cy=\"", at);
+    const std::string circle = svg.substr(at, svg.find("/>", at) - at);
+    if (circle.find("fill=\"" + colour) != std::string::npos) found.emplace_back(x, y);
   }
-  return found;
 }
 
 TEST(RobotDrawing, TipsStandWhereTheyAreToScale) {
@@ -84,9 +94,8 @@ TEST(RobotDrawing, TipsStandWhereTheyAreToScale) {
   const auto tips = dots(svg, "#c0392b"), joints = dots(svg, "#1f5fa8");
   ASSERT_EQ(tips.size(), 8u);  // two tips, two postures, two views
   ASSERT_EQ(joints.size(), 12u);
-  std::smatch hundred;
-  ASSERT_TRUE(std::regex_search(svg, hundred, std::regex("h([.0-9]+)\"")));
-  const double per_metre = 10 * std::stod(hundred[1]);
+  std::size_t bar = svg.find("<path d=\"M");
+  const double per_metre = 10 * number_behind(svg, "h", bar += 10);
   // At zero the end stands 0.5 m above joint a, in both views.
   for (const std::size_t view : {0u, 1u}) {
     EXPECT_NEAR(joints[3 * view].second - tips[2 * view].second, 0.5 * per_metre, 0.1);
