@@ -204,7 +204,8 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
 
   const Scene known = mapping_scene(config, plan.scene, plan.movement);
   const CollisionWorld known_world = make_world(robot, known, plan.movement, plan.tolerances);
-  const MappingProblem problem = make_mapping_problem(robot, plan.goals, known_world, config.map);
+  const MappingProblem problem =
+      make_mapping_problem(robot, plan.goals, known_world, config.map, plan.movement.phases);
   MapResult mapped =
       timed(seconds, "map", [&] { return map_movement(problem, plan.goals, config.map, seed); });
   if (!mapped.reason.empty()) return fail(plan, mapped.reason, mapped.detail);
@@ -217,7 +218,8 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
   };
   plan.findings = timed(seconds, "check", [&] { return recheck(plan.path); });
   if (!plan.findings.empty()) {
-    const MappingProblem whole = make_mapping_problem(robot, plan.goals, world, config.map);
+    const MappingProblem whole =
+        make_mapping_problem(robot, plan.goals, world, config.map, plan.movement.phases);
     const Resolve resolve = [&](const JointPath& path, const std::vector<Finding>& findings) {
       return resolve_with_candidates(whole, mapped, path, findings, config.map, recheck);
     };

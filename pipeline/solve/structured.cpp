@@ -173,6 +173,11 @@ Minimum minimise_structured(const BoundedProblem& problem, const JointVector& st
       break;
     }
     scratch.trial = (scratch.x + scratch.step).cwiseMax(problem.lower).cwiseMin(problem.upper);
+    for (Index j = 0; j < n; ++j) {  // what is held is on its bound to the last bit
+      if (!scratch.held[static_cast<std::size_t>(j)]) continue;
+      const double middle = 0.5 * (problem.lower[j] + problem.upper[j]);
+      scratch.trial[j] = (scratch.trial[j] > middle ? problem.upper : problem.lower)[j];
+    }
     evaluate(scratch.trial, scratch.next);
     const double gain = scratch.now.value - scratch.next.value;
     const bool better = uphill > 0 ? scratch.left.value - scratch.next.value > 1e-4 * left.promised

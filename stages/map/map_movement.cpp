@@ -110,14 +110,19 @@ double posture_error(const MappingProblem& problem, const JointRows& q) {
 }  // namespace
 
 MappingProblem make_mapping_problem(const RobotTable& robot, const Goals& goals,
-                                    const CollisionWorld& world, const MapOptions& options) {
+                                    const CollisionWorld& world, const MapOptions& options,
+                                    const std::vector<Phase>& phases) {
   MappingProblem problem;
   problem.robot = &robot;
   problem.objective = make_objective(options, robot);
   problem.clearance = options.clearance;
   problem.world = &world;
   problem.time = goals.time;
-  for (std::size_t f = 0; f < goals.frames(); ++f) problem.goals.push_back(frame_goal(goals, f));
+  for (std::size_t f = 0; f < goals.frames(); ++f) {
+    problem.goals.push_back(frame_goal(goals, f));
+    problem.goals.back().weights =
+        weights_at(options.phases, phases, goals.time[f], options.phase_blend_s);
+  }
   return problem;
 }
 
@@ -138,7 +143,7 @@ MapResult map_movement(const MappingProblem& problem, Goals& goals, const MapOpt
   for (std::size_t f = 0; f < problem.frames(); ++f) {
     const bool reachable = goals_reachable(problem, f, q.row(static_cast<Index>(f)).transpose(),
                                            options.reachable_starts, options.reachable_m,
-                                           options.nlopt, seed + 1000 + f, scratch);
+                                           options.solver, seed + 1000 + f, scratch);
     for (std::size_t i = 0; i < goals.reachable.cols; ++i) goals.reachable(f, i) = reachable;
   }
   result.mapped = measure(problem, goals, q);

@@ -30,8 +30,10 @@ JointPath resolve_path(const MappingProblem& problem, const JointPath& path,
                        const std::vector<Finding>& findings, const MapOptions& options,
                        double firmness, double reach_s = 0.3);
 
-/// The problem of a movement: goals frame by frame and the world to stay clear of.
+/// The problem of a movement: goals frame by frame, with the weights of their phases, and the world
+/// to stay clear of.
 MappingProblem make_mapping_problem(const RobotTable& robot, const Goals& goals,
-                                    const CollisionWorld& world, const MapOptions& options);
+                                    const CollisionWorld& world, const MapOptions& options,
+                                    const std::vector<Phase>& phases = {});
 
 }  // namespace morphe

@@ -39,6 +39,8 @@ std::string check(const MapOptions& o) {
   if (*std::min_element(std::begin(weights), std::end(weights)) < 0) {
     return "weights must not be negative";
   }
+  if (const std::string wrong = check(o.phases); !wrong.empty()) return "phases: " + wrong;
+  if (o.phase_blend_s < 0) return "phase_blend_s must not be negative";
   if (o.orientation_smoothing <= 0) return "orientation_smoothing must be positive";
   if (o.key_frames < 1 || o.starts < 1 || o.candidates < 1) {
     return "key_frames, starts and candidates must be at least 1";

@@ -8,6 +8,7 @@
 #include "pipeline/solve/minimise_movement.hpp"
 #include "stages/map/clearance_term.hpp"
 #include "stages/map/movement_cost.hpp"
+#include "stages/map/phase_weights.hpp"
 
 namespace morphe {
 
@@ -28,6 +29,8 @@ struct MapOptions {
   double humanlike_arm = 1;             ///< w_A, on the mean over the joint centres [1/m²]
   double humanlike_fingers = 0.1;       ///< w_a [1/m²]
   double posture = 1e-3;                ///< natural posture of unseen fingers [1/rad²]
+  std::vector<PhaseWeights> phases;     ///< what phases multiply these weights by
+  double phase_blend_s = 0.2;           ///< from one phase's weights to the next's
   double orientation_smoothing = 1e-3;  ///< rounds the kink of the unsquared angle [rad]
   std::vector<NaturalJoint> natural;    ///< the natural posture
   ClearanceTerm clearance;
@@ -40,7 +43,7 @@ struct MapOptions {
   double coarse_step_s = 0.05;  ///< grid on which candidates are followed and compared
   int reachable_starts = 256;   ///< before a goal is declared out of reach
   double reachable_m = 1e-4;    ///< error below which a goal counts as met by that search
-  MinimiseOptions nlopt;
+  MinimiseOptions solver;       ///< of single frames
   MovementOptions movement;
 };
 template <class Fields>
@@ -57,6 +60,8 @@ void fields(Fields& f, MapOptions& o) {
   f("humanlike_arm", o.humanlike_arm);
   f("humanlike_fingers", o.humanlike_fingers);
   f("posture", o.posture);
+  f("phases", o.phases);
+  f("phase_blend_s", o.phase_blend_s);
   f("orientation_smoothing", o.orientation_smoothing);
   f("natural", o.natural);
   f("clearance", o.clearance);
@@ -68,7 +73,7 @@ void fields(Fields& f, MapOptions& o) {
   f("coarse_step_s", o.coarse_step_s);
   f("reachable_starts", o.reachable_starts);
   f("reachable_m", o.reachable_m);
-  f("nlopt", o.nlopt);
+  f("solver", o.solver);
   f("movement", o.movement);
 }
 std::string check(const MapOptions& options);

@@ -117,10 +117,10 @@ std::vector<Course> search_movement(const MappingProblem& problem, const MapOpti
     const double position = options.key_frames == 1 ? last : last * k / (options.key_frames - 1);
     const auto key = static_cast<std::size_t>(std::lround(position));
     for (const Minimum& start :
-         search_frame(coarse, key, options.starts, options.candidates, options.nlopt,
+         search_frame(coarse, key, options.starts, options.candidates, options.solver,
                       seed + static_cast<std::uint64_t>(k), scratch)) {
       Course course;
-      course.q = follow(coarse, key, start.x, options.nlopt, scratch);
+      course.q = follow(coarse, key, start.x, options.solver, scratch);
       MapOptions once = options;
       once.movement.iterations = 4;  // enough to rank: the jumps go, the basin shows
       add_if_new(followed, smooth_movement(coarse, course.q, once));

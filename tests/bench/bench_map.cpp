@@ -10,6 +10,7 @@
 
 #include "pipeline/kinematics/description.hpp"
 #include "pipeline/kinematics/forward.hpp"
+#include "pipeline/kinematics/generate.hpp"
 #include "pipeline/solve/structured.hpp"
 #include "tests/bench/bench_map_problems.hpp"
 #ifdef MORPHE_KDL
@@ -180,7 +181,7 @@ void print(const std::string& name, const Row& row, const Row& reference) {
 }
 
 void print_cold(const BenchProblem& bench, Solver& solver) {
-  for (const int starts : {1, 16, 64}) {
+  for (const int starts : {1, 8, 16, 64}) {
     std::vector<double> time_us;
     int global = 0, count = 0;
     for (std::size_t m = 0; m < bench.movements.size(); ++m) {
@@ -229,43 +230,6 @@ void run(const BenchProblem& bench) {
   print_cold(bench, structured);
 }
 
-/// n / 3 ball joints with equal links, 0.5775 m together (a human's upper arm and forearm); the one
-/// or two joints that are left only turn the tip.
-RobotTable ball_joint_arm(int joints) {
-  const Eigen::Matrix3d z_to_x =
-      Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitY()).toRotationMatrix();
-  const Eigen::Matrix3d z_to_y =
-      Eigen::AngleAxisd(-std::numbers::pi / 2, Vec3::UnitX()).toRotationMatrix();
-  const Eigen::Matrix3d axes[] = {z_to_x, z_to_y, Eigen::Matrix3d::Identity()};
-  RobotTable robot;
-  const int balls = joints / 3;
-  const double link = 0.5775 / balls;
-  Eigen::Matrix3d last = Eigen::Matrix3d::Identity();
-  for (int j = 0; j < joints; ++j) {
-    RobotTable::Frame frame;
-    frame.name = fmt::format("J{}", j + 1);
-    frame.parent = j - 1;
-    frame.joint = j;
-    frame.transform.linear() = last.transpose() * axes[j % 3];
-    if (j % 3 == 0 && j > 0) {
-      frame.transform.translation() = last.transpose() * Vec3(0, 0, link);
-      if (j < 3 * balls) robot.centres.push_back({j, "arm"});
-    }
-    last = axes[j % 3];
-    robot.joint_names.push_back(frame.name);
-    robot.frames.push_back(frame);
-  }
-  RobotTable::Tip tip;
-  tip.frame = joints - 1;
-  tip.finger = -1;
-  if (joints == 3 * balls) tip.transform.translation() = Vec3(0, 0, link);
-  robot.tips.push_back(tip);
-  robot.palm_frame = joints - 1;
-  robot.lower = JointVector::Constant(joints, -std::numbers::pi / 2);
-  robot.upper = -robot.lower;
-  return robot;
-}
-
 }  // namespace
 }  // namespace morphe
 
@@ -279,7 +243,8 @@ int main(int argc, char** argv) {
       {"arm-hand 22, fingertip positions", &arm_hand},
       {"arm-hand 22, fingertip positions and orientations", &arm_hand}};
   std::vector<RobotTable> hyper;
-  for (const int n : {9, 21, 27, 44}) hyper.push_back(ball_joint_arm(n));
+  for (const int n : {9, 21, 27, 44})
+    hyper.push_back(generate_arm({n, 0.5775, std::numbers::pi / 2}));
   for (const RobotTable& robot : hyper) {
     cases.emplace_back(fmt::format("arm {}, wrist pose", robot.joints()), &robot);
   }

@@ -1,0 +1,68 @@
+#include "stages/map/phase_weights.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace morphe {
+namespace {
+
+FrameWeights of_phase(const std::vector<PhaseWeights>& weights, const std::string& phase) {
+  for (const PhaseWeights& w : weights) {
+    if (w.phase == phase) {
+      return {w.tip_position, w.tip_orientation, w.humanlike_arm, w.humanlike_fingers};
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string check(const std::vector<PhaseWeights>& weights) {
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const PhaseWeights& w = weights[i];
+    if (std::ranges::find(kPhaseNames, w.phase) == std::end(kPhaseNames)) {
+      return "there is no phase '" + w.phase + "'";
+    }
+    for (std::size_t k = 0; k < i; ++k) {
+      if (weights[k].phase == w.phase) return "phase " + w.phase + " is named twice";
+    }
+    if (std::min({w.tip_position, w.tip_orientation, w.humanlike_arm, w.humanlike_fingers}) < 0) {
+      return "weights must not be negative";
+    }
+  }
+  return "";
+}
+
+FrameWeights weights_at(const std::vector<PhaseWeights>& weights, const std::vector<Phase>& phases,
+                        double time_s, double blend_s) {
+  if (weights.empty()) return {};
+  const auto at = [&](double t) {
+    return of_phase(weights, kPhaseNames[static_cast<std::size_t>(phase_at(phases, t))]);
+  };
+  if (blend_s <= 0) return at(time_s);
+  // The window from -1 to 1, cut where a phase begins or ends.
+  std::vector<double> cuts{-1, 1};
+  for (const Phase& phase : phases) {
+    for (const double boundary : {phase.begin_s, phase.end_s}) {
+      cuts.push_back(std::clamp(2 * (boundary - time_s) / blend_s, -1.0, 1.0));
+    }
+  }
+  std::ranges::sort(cuts);
+  const auto filled = [](double place) {  // integral of (1 + cos(pi place)) / 2
+    return 0.5 * (1 + place) + std::sin(std::numbers::pi * place) / (2 * std::numbers::pi);
+  };
+  FrameWeights sum{0, 0, 0, 0};
+  for (std::size_t i = 1; i < cuts.size(); ++i) {
+    const double share = filled(cuts[i]) - filled(cuts[i - 1]);
+    if (share <= 0) continue;
+    const FrameWeights own = at(time_s + 0.25 * blend_s * (cuts[i - 1] + cuts[i]));
+    sum.tip_position += share * own.tip_position;
+    sum.tip_orientation += share * own.tip_orientation;
+    sum.humanlike_arm += share * own.humanlike_arm;
+    sum.humanlike_fingers += share * own.humanlike_fingers;
+  }
+  return sum;
+}
+
+}  // namespace morphe
