@@ -123,11 +123,15 @@ void add_arm_angles(HumanMotion& motion) {
   missed.report("arm angles", motion.residuals);
   turned.report("arm angles, hand", motion.residuals);
   constexpr double kFar = 0.02, kTurned = 0.3 * kHand;  // [m]
-  if (missed.rms() > kFar || turned.rms() > kTurned) {
-    motion.problems.push_back(fmt::format(
-        "arm angles: within human limits they miss elbow or wrist by {:.0f} mm RMS, the hand by "
-        "{:.0f} degrees RMS",
-        1000 * missed.rms(), turned.rms() / kHand * 180 / std::numbers::pi));
+  if (missed.rms() > kFar) {
+    motion.problems.push_back(
+        fmt::format("arm angles: elbow or wrist lie {:.0f} mm RMS beyond human joint limits",
+                    1000 * missed.rms()));
+  }
+  if (turned.rms() > kTurned) {
+    motion.problems.push_back(
+        fmt::format("arm angles: the hand is turned {:.0f} degrees RMS beyond human joint limits",
+                    turned.rms() / kHand * 180 / std::numbers::pi));
   }
 }
 

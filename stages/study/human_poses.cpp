@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "stages/import/import.hpp"
+#include "stages/reconstruct/mirror.hpp"
 #include "stages/reconstruct/reconstruct.hpp"
 #include "stages/segment/segment.hpp"
 
@@ -32,7 +33,7 @@ std::vector<HumanPoses> arm_poses(const std::filesystem::path& manifest, const A
                                   double step_s) {
   std::vector<HumanPoses> all;
   for_each_motion(manifest, [&](const Demonstration& demonstration, const HumanMotion& motion) {
-    for (const Movement& movement : segment(motion, {}, demonstration.objects)) {
+    for (const Movement& movement : segment(motion, {}, objects_beside_right_hand(demonstration))) {
       HumanPoses poses;
       const std::size_t every = stride(motion.time, step_s);
       for (std::size_t i = 0; i < motion.time.size(); i += every) {

@@ -4,6 +4,7 @@
 
 #include "pipeline/motion/stream_report.hpp"
 #include "stages/import/import.hpp"
+#include "stages/reconstruct/mirror.hpp"
 #include "stages/study/angle_files.hpp"
 #include "stages/study/judge.hpp"
 #include "stages/study/segmentation_score.hpp"
@@ -61,7 +62,7 @@ void judge_real(const JudgeOptions& options, const RealSet& set, const StudyRun&
       std::vector<Movement> movements;
       rebuild_s += seconds([&] {
         motion = reconstruct(demonstration, options.reconstruct, options.human);
-        movements = segment(motion, options.segment, demonstration.objects);
+        movements = segment(motion, options.segment, objects_beside_right_hand(demonstration));
       });
       const Case of = {{"set", set.name}, {"recording", demonstration.name}};
       for (const StreamReport& stream : report_streams(demonstration.streams)) {

@@ -4,6 +4,7 @@
 
 #include "pipeline/motion/stream_report.hpp"
 #include "pipeline/run/ordered_map.hpp"
+#include "stages/reconstruct/mirror.hpp"
 #include "stages/study/judge.hpp"
 #include "stages/study/reconstruction_score.hpp"
 #include "stages/study/segmentation_score.hpp"
@@ -28,7 +29,7 @@ Outcome outcome_of(const JudgeOptions& options, const SynthesizeOptions& synthet
   std::vector<Movement> movements;
   outcome.rebuild_s = seconds(
       [&] { motion = reconstruct(recording.recorded, options.reconstruct, options.human); });
-  movements = segment(motion, options.segment, recording.recorded.objects);
+  movements = segment(motion, options.segment, objects_beside_right_hand(recording.recorded));
   outcome.recorded_s = longest_s(report_streams(recording.recorded.streams));
   outcome.segmentation = score_segmentation(recording.recorded.labels, movements);
   if (set.accuracy) outcome.reconstruction = score_reconstruction(motion, recording.truth);

@@ -11,7 +11,7 @@ namespace morphe {
 /// What every case of the paper's study has.
 struct PaperContext {
   PaperStudyOptions options;
-  std::filesystem::path configs;  ///< the folder of robots
+  std::filesystem::path robots;  ///< folder
   std::vector<HumanPoses> arms, tips, hands;
   StudyWeights weights;
 

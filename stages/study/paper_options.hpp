@@ -14,6 +14,7 @@ struct PaperStudyOptions {
   std::string arm_motions;   ///< manifest: shoulder, elbow and wrist, for arms
   std::string tip_motions;   ///< manifest: five fingertips at a wrist, for arms with hands
   std::string hand_motions;  ///< manifest: the fingers' angles, for hands alone
+  std::string robots;        ///< folder of the descriptions of PA10, DLR/HIT II and WAM
   /// The human: mean of the 50th percentile man and woman [m].
   double upper_arm = 0.323, forearm = 0.254, hand_length = 0.187, hand_breadth = 0.083;
   double hand_scale = 1.1;  ///< robot hands over the human's
@@ -30,6 +31,7 @@ void fields(Fields& f, PaperStudyOptions& o) {
   f.required("arm_motions", o.arm_motions);
   f.required("tip_motions", o.tip_motions);
   f.required("hand_motions", o.hand_motions);
+  f.required("robots", o.robots);
   f("upper_arm", o.upper_arm);
   f("forearm", o.forearm);
   f("hand_length", o.hand_length);

@@ -84,7 +84,7 @@ std::vector<double> kept(const std::vector<double>& values, const std::vector<ch
 }  // namespace
 
 void mappings(const PaperContext& context, StudyResult& result) {
-  const RobotTable robot = load_robot(context.configs / "wam.yaml").table;
+  const RobotTable robot = load_robot(context.robots / "wam.yaml").table;
   const Pose base = base_from_shoulder(robot, Vec3::Zero());
   const std::vector<FrameGoal> goals = all_goals(robot, context.arms, base);
   StudyWeights plain = context.weights, joints = context.weights;
@@ -138,7 +138,7 @@ void reference(const PaperContext& context, StudyResult& result) {
   for (const Entry& entry :
        {Entry{"PA10", "pa10.yaml", 0.05e-3, 1e-3, 1, 0.05 * kDegree, 1 * kDegree},
         Entry{"PA10 + DLR/HIT II", "pa10_dlr_hit2.yaml", 0.2e-3, 1e-3, 0.99, kNotSeen, kNotSeen}}) {
-    const RobotTable robot = load_robot(context.configs / entry.file).table;
+    const RobotTable robot = load_robot(context.robots / entry.file).table;
     const Pose base = base_from_shoulder(robot, Vec3(0.10, -0.30, 0.30));
     StudyWeights plain = context.weights;
     plain.humanlike = 0;

@@ -43,7 +43,7 @@ StudyResult paper_study(const ConfigNode& config, const StudyRun& run) {
   config.expect_all_read();
   const std::filesystem::path folder = run.config.parent_path();
   const double step_s = run.quick ? options.quick_step_s : options.step_s;
-  context.configs = folder.parent_path() / "robots";
+  context.robots = folder / options.robots;
   context.arms =
       arm_poses(folder / options.arm_motions, {options.upper_arm, options.forearm}, step_s);
   context.tips =

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kWidth = 900, kHeight = 360;
 constexpr double kLeft = 70, kRight = 180, kTop = 40, kBottom = 50;
-constexpr const char* kColours[] = {"#1f5fa8", "#c0392b", "#2e8b57", "#8e5ea2",
-                                    "#d68910", "#17808f", "#7f4f24", "#555555"};
+constexpr const char* kColours[] = {"#1f5fa8", "#c0392b", "#2e8b57", "#8e5ea2", "#d68910",
+                                    "#17808f", "#7f4f24", "#555555", "#b03a7a", "#6b8e23"};
 constexpr const char* kShades[] = {"#dfe9f5", "#f7e3d9"};
 
 std::string escaped(const std::string& text) {

@@ -94,7 +94,7 @@ class Inspect(CommandCase):
                 self.assertEqual(list(entry), ENTRY)
                 # Palms lie flatter than a forearm can turn them; that is said, nothing else is.
                 self.assertEqual([problem for problem in entry["problems"]
-                                  if not problem.startswith("arm angles: within human limits")], [])
+                                  if not problem.startswith("arm angles: the hand is turned")], [])
                 rows = len(points_of(RECORDINGS / f"{entry['name']}.csv"))
                 self.assertAlmostEqual(entry["duration_s"], (rows - 1) / 100)
                 stream, = entry["streams"]

@@ -138,5 +138,52 @@ class SmallStudy(CommandCase):
         self.assertIn("none.yaml", missing.stderr)
 
 
+class MappingStudies(CommandCase):
+    """The paper's results and whole movements, on few frames."""
+
+    def rows_of(self, text, *options):
+        config = self.folder / "study.yaml"
+        config.write_text(text)
+        out = self.folder / f"out{len(options)}"
+        self.succeeds("study", config, "--quick", "--out", out, *options)
+        for row in json.loads((out / "results.json").read_text())["rows"]:
+            if "wanted" in row:
+                self.assertTrue(row["holds"], row)
+        return out
+
+    def test_the_paper(self):
+        text = (SOURCE / "configs/studies/paper.yaml").read_text()
+        text = text.replace("../../datasets", f"{SOURCE}/datasets")
+        text = text.replace("../robots", f"{SOURCE}/configs/robots")
+        out = self.rows_of(text + "cases: [fingers, mappings, reference]\n"
+                           "quick_step_s: 0.5\nstarts: 8\n")
+        rows = json.loads((out / "results.json").read_text())["rows"]
+        self.assertEqual({row["case"]["fingers"] for row in rows if "fingers" in row["case"]},
+                         set("3456"))
+        published = [row["published"] for row in rows if row["published"] is not None]
+        self.assertIn(0.06665, published)
+        ElementTree.parse(out / "figure_3.svg")
+
+    def test_whole_movements(self):
+        study = SOURCE / "configs/studies"
+        text = f"""\
+study: mapping
+best: ours
+without: plain
+sets:
+  - {{name: real, pipeline: {study}/../pipelines/pa10_dlr_hit2.yaml,
+     manifest: {SOURCE}/datasets/ue-adl/recordings.yaml}}
+variants:
+  - {{name: ours}}
+  - {{name: plain, set: [map.humanlike_arm=0, map.humanlike_fingers=0]}}
+"""
+        out = self.rows_of(text)
+        alone = self.rows_of(text, "--jobs", "1")
+        self.assertEqual(sha256(out / "results.json"), sha256(alone / "results.json"))
+        rows = json.loads((out / "results.json").read_text())["rows"]
+        ratio, = [row["ours"] for row in rows if row["metric"] == "A, ratio"]
+        self.assertLess(ratio, 1)
+
+
 if __name__ == "__main__":
     main()
