@@ -64,8 +64,11 @@ std::string capsule_shapes(const RobotTable::Capsule& capsule) {
   };
   const Vec3 axis = capsule.to - capsule.from;
   if (axis.isZero(0)) return sphere(capsule.name, capsule.from);
-  const Pose middle = make_pose(0.5 * (capsule.from + capsule.to),
-                                Quat::FromTwoVectors(Vec3::UnitZ(), axis).normalized());
+  Pose middle = Pose::Identity();
+  middle.translation() = 0.5 * (capsule.from + capsule.to);
+  middle.linear().col(2) = axis.normalized();
+  middle.linear().col(0) = axis.unitOrthogonal();
+  middle.linear().col(1) = middle.linear().col(2).cross(middle.linear().col(0));
   return shape(
              capsule.name, middle,
              fmt::format("<cylinder radius=\"{}\" length=\"{}\"/>", capsule.radius, axis.norm())) +
