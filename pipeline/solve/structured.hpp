@@ -13,12 +13,11 @@ struct StructuredScratch {
   EnvelopeCholesky factor;
 };
 
-/// Projected Newton in a trust region. Each step minimises the model
+/// Newton in a trust region. Each step minimises the model
 ///   g·δ + ½ δᵀ (H + μ I) δ  subject to lower <= x + δ <= upper
-/// over the variables that are not held: those on a bound that the gradient pushes outwards, and
-/// those that the step would carry over theirs, which stop on it. H is the exact Hessian where that
-/// is positive definite, else the Gauss–Newton one; μ keeps the step within the region. Stops when
-/// the model promises less than relative_value of F.
+/// by active sets. H is the exact Hessian (hessian + bend); μ makes it positive definite and keeps
+/// the step within the region. A step may go uphill for a while: a curved valley's floor is left
+/// and met again. Stops when the model promises less than relative_value of F.
 Minimum minimise_structured(const BoundedProblem& problem, const JointVector& start,
                             const MinimiseOptions& options, StructuredScratch& scratch);
 
