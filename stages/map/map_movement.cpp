@@ -13,23 +13,6 @@ namespace {
 using Eigen::Index;
 constexpr double kMetBelow = 1e-3;  ///< tip error of a frame that counts as met [m]
 
-/// The robot's arm from the shoulder: its centres and, if it has one, the wrist's tip.
-Chain robot_chain(const RobotTable& robot, const std::vector<Pose>& base_from_frame) {
-  const auto origin = [&](int frame) -> Vec3 {
-    return base_from_frame[static_cast<std::size_t>(frame)].translation();
-  };
-  Chain chain{origin(robot.shoulder_frame)};
-  for (const auto& centre : robot.centres) {
-    if (centre.chain == "arm") chain.push_back(origin(centre.frame));
-  }
-  for (std::size_t i = 0; i < robot.tips.size(); ++i) {
-    if (robot.tips[i].finger < 0) {
-      chain.push_back(tip_pose(robot, base_from_frame, i).translation());
-    }
-  }
-  return chain;
-}
-
 void measure_humanlikeness(const MappingProblem& problem, const Goals& goals, std::size_t frame,
                            const std::vector<Pose>& base_from_frame, Mapped& mapped) {
   const auto row = static_cast<Index>(frame);
@@ -37,7 +20,7 @@ void measure_humanlikeness(const MappingProblem& problem, const Goals& goals, st
   const Chain human{goals.shoulder_position[frame], goals.elbow_position[frame],
                     goals.wrist_position[frame]};
   if (!seen(human[0]) || !seen(human[1]) || !seen(human[2])) return;
-  const Chain robot = robot_chain(*problem.robot, base_from_frame);
+  const Chain robot = arm_chain(*problem.robot, base_from_frame).joints;
   std::vector<Vec3> inner;
   for (const auto& centre : problem.robot->centres) {
     if (centre.chain == "arm") {

@@ -31,6 +31,9 @@ StudyRow row_of(const Case& of, const std::string& metric, const std::string& un
 /// The value below which a share of the values lies (nearest rank), NaN if there is none.
 double quantile(std::vector<double> values, double share);
 
+/// Over the values that are numbers, NaN if there is none.
+double mean(const std::vector<double>& values);
+
 /// Seconds that something took.
 template <class Work>
 double seconds(const Work& work) {

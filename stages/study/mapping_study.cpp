@@ -112,10 +112,6 @@ Figures figures_of(const Variant& variant, const std::vector<const Plan*>& best,
   return figures;
 }
 
-double mean(const std::vector<double>& values) {
-  return values.empty() ? kNotSeen : sum(values) / static_cast<double>(values.size());
-}
-
 void judge(const MappingStudyOptions& options, const MappingSet& set,
            const std::vector<Variant>& variants, StudyResult& result) {
   // The best sequence known of each movement: the least sum among those that search as we do.

@@ -29,19 +29,12 @@ std::vector<char> reachable(const MappedPoses& plain) {
   return met;
 }
 
-double mean(const std::vector<double>& values) {
-  return mean_of(values, std::vector<char>(values.size(), 1));
-}
-
 double mean_of(const std::vector<double>& values, const std::vector<char>& which) {
-  double sum = 0;
-  std::size_t count = 0;
+  std::vector<double> kept;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!which[i] || std::isnan(values[i])) continue;
-    sum += values[i];
-    ++count;
+    if (which[i]) kept.push_back(values[i]);
   }
-  return count == 0 ? kNotSeen : sum / static_cast<double>(count);
+  return mean(kept);
 }
 
 double share_of(const std::vector<char>& which) {
@@ -52,21 +45,7 @@ double share_of(const std::vector<char>& which) {
 std::vector<Vec3> arm_chain_of(const RobotTable& robot, const JointVector& q) {
   std::vector<Pose> frames;
   forward(robot, q, frames);
-  const auto origin = [&](int frame) -> Vec3 {
-    return frames[static_cast<std::size_t>(frame)].translation();
-  };
-  std::vector<Vec3> chain{origin(robot.shoulder_frame)};
-  for (const auto& centre : robot.centres) {
-    if (centre.chain == "arm") chain.push_back(origin(centre.frame));
-  }
-  bool wrist = false;
-  for (std::size_t i = 0; i < robot.tips.size(); ++i) {
-    if (robot.tips[i].finger >= 0) continue;
-    chain.push_back(tip_pose(robot, frames, i).translation());
-    wrist = true;
-  }
-  if (!wrist) chain.push_back(origin(robot.palm_frame));
-  return chain;
+  return arm_chain(robot, frames).joints;
 }
 
 Plot pose_plot(const std::string& title, const HumanPose& human,

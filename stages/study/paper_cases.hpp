@@ -29,7 +29,6 @@ MappedPoses map_all(const PaperContext& context, const RobotTable& robot,
 /// Share of frames whose goals a solve without humanlikeness meets to 0.1 mm and 0.1 degrees.
 std::vector<char> reachable(const MappedPoses& plain);
 
-double mean(const std::vector<double>& values);
 /// Over the frames that `which` marks.
 double mean_of(const std::vector<double>& values, const std::vector<char>& which);
 double share_of(const std::vector<char>& which);
@@ -37,7 +36,7 @@ double share_of(const std::vector<char>& which);
 /// Human and robot chains of one frame, seen from the subject's right (forward, up).
 Plot pose_plot(const std::string& title, const HumanPose& human,
                const std::vector<std::pair<std::string, std::vector<Vec3>>>& robots);
-/// Joint centres of the arm from the shoulder to the wrist (or palm), in the base frame.
+/// Joint centres of the arm from the shoulder to the wrist, in the base frame.
 std::vector<Vec3> arm_chain_of(const RobotTable& robot, const JointVector& q);
 
 /// Table 1: end-effector errors of arms of 6 to 27 joints, 0.9 to 1.3 times the human's length.

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
 #include "stages/study/judge.hpp"
 
 namespace morphe {
@@ -8,24 +5,6 @@ namespace morphe {
 std::string check(const SyntheticSet& o) {
   if (o.count < 1 || o.quick_count < 1) return "count and quick_count must be positive";
   return "";
-}
-
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return kNotSeen;
-  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
-  std::ranges::sort(values);
-  return values[std::min(values.size(), std::max<std::size_t>(rank, 1)) - 1];
-}
-
-StudyRow row_of(const Case& of, const std::string& metric, const std::string& unit, double ours,
-                std::size_t n) {
-  StudyRow row;
-  row.of = of;
-  row.metric = metric;
-  row.unit = unit;
-  row.ours = ours;
-  row.n = n;
-  return row;
 }
 
 StudyResult recordings_study(const ConfigNode& config, const StudyRun& run) {
