@@ -23,6 +23,7 @@ PIPELINE = {
     "kinematics": GROUND,
     "human": GROUND | {"kinematics"},
     "collision": GROUND | {"kinematics"},
+    "moveit": GROUND | {"kinematics"},
     "humanlike": GROUND | {"kinematics"},
     "verify": {"motion", "store"},
     "run": {"motion", "store", "config"},

@@ -36,6 +36,7 @@ struct Assembly {
   std::vector<std::filesystem::path> files;
   std::string shoulder, palm;      ///< frame names, "" = not named yet
   std::vector<std::string> notes;  ///< what was left out
+  std::map<std::string, int> links;
 };
 
 /// One file's view: its own base, and where its frames and capsules begin (those of its parts

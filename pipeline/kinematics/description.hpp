@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ struct RobotDescription {
   RobotTable table;
   std::vector<std::filesystem::path> files;  ///< every file it was read from, the first one named
   std::vector<std::string> notes;            ///< "FILE:LINE: …": what of it was left out
+  std::map<std::string, int> links;          ///< of its URDFs: the frame that each moves with
 };
 
 /// Reads a robot description (docs/formats.md): DH chains, a URDF (with an SRDF), a generated arm

@@ -165,6 +165,7 @@ void read_urdf(Assembly& assembly, FileScope& scope, const ConfigNode& node) {
   for (const UrdfJoint& joint : reader.joints) {
     scope.links[joint.child] = {reader.add_joint_frame(joint, scope.links.at(joint.parent))};
   }
+  for (const auto& [link, place] : scope.links) assembly.links.emplace(link, place.frame);
   bool ignore_meshes = false;
   if (node.has("meshes")) {
     const std::string word = node["meshes"].text();
