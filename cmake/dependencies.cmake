@@ -9,6 +9,7 @@ find_package(fmt CONFIG REQUIRED)
 find_package(nlohmann_json CONFIG REQUIRED)
 find_package(TBB CONFIG REQUIRED)
 find_package(Qhull CONFIG REQUIRED)
+find_package(assimp CONFIG REQUIRED)
 find_package(urdfdom CONFIG REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 

@@ -84,10 +84,9 @@ LoadedConfig load_config(const std::filesystem::path& file,
       load_robot(node["robot"]["file"].folder() / loaded.options.robot.file);
   loaded.robot = robot.table;
   files.insert(files.end(), robot.files.begin(), robot.files.end());
+  if (node.has("scene")) load_scene_files(loaded.options.scene, node["scene"]);
   if (!loaded.options.scene.file.empty()) {
-    const std::filesystem::path folder = node["scene"]["file"].folder();
-    load_scene_file(loaded.options.scene, folder);
-    files.push_back(folder / loaded.options.scene.file);
+    files.push_back(node["scene"]["file"].folder() / loaded.options.scene.file);
   }
   if (loaded.options.dataset) {
     loaded.dataset = node["dataset"]["file"].folder() / loaded.options.dataset->file;

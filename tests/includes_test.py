@@ -35,6 +35,7 @@ LIBRARIES = {
     r"(hdf5|H5\w+)\.h$": "pipeline/store",
     r"nlopt\.(h|hpp)$": "pipeline/solve",
     r"ompl/": "stages/repair",
+    r"assimp/": "pipeline/collision",
 }
 
 # Stages that are made of other stages; the files directly in stages/ are, too.

@@ -2,14 +2,10 @@
 #include <cmath>
 
 #include "pipeline/collision/distance.hpp"
+#include "pipeline/collision/segments.hpp"
 
 namespace morphe {
 namespace {
-
-struct Nearest {
-  Vec3 on_first, on_second;  ///< on the segments
-  double squared = 0;
-};
 
 /// Parameter in [0, 1] of the segment's point nearest to `point`.
 double project(const Vec3& point, const Vec3& from, const Vec3& along, double squared_length) {
@@ -19,32 +15,15 @@ double project(const Vec3& point, const Vec3& from, const Vec3& along, double sq
 
 /// Where the segments are nearly parallel the linear system says little: one of the four ends is
 /// then as near as anything to within rounding.
-void try_ends(const CapsuleBody& a, const CapsuleBody& b, Nearest& best) {
+void try_ends(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, NearestOfSegments& best) {
   const auto keep = [&best](const Vec3& on_first, const Vec3& on_second) {
     const double squared = (on_first - on_second).squaredNorm();
     if (squared < best.squared) best = {on_first, on_second, squared};
   };
-  const Vec3 u = a.to - a.from, v = b.to - b.from;
+  const Vec3 u = b - a, v = d - c;
   const double uu = u.squaredNorm(), vv = v.squaredNorm();
-  for (const Vec3& end : {a.from, a.to}) keep(end, b.from + project(end, b.from, v, vv) * v);
-  for (const Vec3& end : {b.from, b.to}) keep(a.from + project(end, a.from, u, uu) * u, end);
-}
-
-/// min over s, t in [0, 1] of |a.from + s u - b.from - t v|^2.
-Nearest nearest_of_segments(const CapsuleBody& a, const CapsuleBody& b) {
-  const Vec3 u = a.to - a.from, v = b.to - b.from, w = a.from - b.from;
-  const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v);
-  const double determinant = uu * vv - uv * uv;
-  double s = 0;
-  if (determinant > 0) {
-    s = std::clamp((uv * v.dot(w) - vv * u.dot(w)) / determinant, 0.0, 1.0);
-  }
-  const double t = project(a.from + s * u, b.from, v, vv);
-  s = project(b.from + t * v, a.from, u, uu);
-  Nearest best{a.from + s * u, b.from + t * v, 0};
-  best.squared = (best.on_first - best.on_second).squaredNorm();
-  if (determinant <= 1e-6 * uu * vv) try_ends(a, b, best);
-  return best;
+  for (const Vec3& end : {a, b}) keep(end, c + project(end, c, v, vv) * v);
+  for (const Vec3& end : {c, d}) keep(a + project(end, a, u, uu) * u, end);
 }
 
 /// A unit vector across both segments, the same one for the same input.
@@ -60,8 +39,24 @@ Vec3 across(const Vec3& u, const Vec3& v) {
 
 }  // namespace
 
+NearestOfSegments nearest_of_segments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 u = b - a, v = d - c, w = a - c;
+  const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v);
+  const double determinant = uu * vv - uv * uv;
+  double s = 0;
+  if (determinant > 0) {
+    s = std::clamp((uv * v.dot(w) - vv * u.dot(w)) / determinant, 0.0, 1.0);
+  }
+  const double t = project(a + s * u, c, v, vv);
+  s = project(c + t * v, a, u, uu);
+  NearestOfSegments best{a + s * u, c + t * v, 0};
+  best.squared = (best.on_first - best.on_second).squaredNorm();
+  if (determinant <= 1e-6 * uu * vv) try_ends(a, b, c, d, best);
+  return best;
+}
+
 Separation capsule_capsule(const CapsuleBody& first, const CapsuleBody& second) {
-  const Nearest near = nearest_of_segments(first, second);
+  const NearestOfSegments near = nearest_of_segments(first.from, first.to, second.from, second.to);
   const double apart = std::sqrt(near.squared);
   Separation result;
   result.distance = apart - first.radius - second.radius;

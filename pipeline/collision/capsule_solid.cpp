@@ -1,14 +1,16 @@
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 #include "pipeline/collision/distance.hpp"
+#include "pipeline/collision/mesh_solid.hpp"
 
 namespace morphe {
 namespace {
 
 /// The segment is cut down to this before the minimum counts as found [m].
 constexpr double kResolution_m = 1e-10;
+/// A mesh without triangles: everything is so deep in it.
+constexpr double kBrokenMesh_m = 1;
 
 /// |x|, and its derivative with +1 at zero.
 double magnitude(double x, double& sign) {
@@ -121,9 +123,15 @@ double signed_distance(const SceneObject& solid, const Vec3& point, Vec3& gradie
     case Shape::mesh:
       break;
   }
-  assert(false && "the scene refuses meshes");
-  gradient = Vec3::UnitX();
-  return kNotSeen;
+  if (solid.solid) return mesh_distance(*solid.solid, point, gradient);
+  gradient = Vec3::UnitZ();
+  return -kBrokenMesh_m;
+}
+
+double signed_distance_at_least(const SceneObject& solid, const Vec3& point) {
+  if (solid.shape == Shape::mesh && solid.solid) return mesh_distance_at_least(*solid.solid, point);
+  Vec3 gradient;
+  return signed_distance(solid, point, gradient);
 }
 
 double bounding_radius(const SceneObject& solid) {
@@ -139,8 +147,7 @@ double bounding_radius(const SceneObject& solid) {
     case Shape::mesh:
       break;
   }
-  assert(false && "the scene refuses meshes");
-  return kNotSeen;
+  return solid.solid ? solid.solid->radius : kBrokenMesh_m;
 }
 
 Separation capsule_solid(const CapsuleBody& first, const SceneObject& solid, const Pose& pose) {
@@ -151,6 +158,16 @@ Separation capsule_solid(const CapsuleBody& first, const SceneObject& solid, con
                            {pose.translation() - arm, pose.translation() + arm, solid.size[0]});
   }
   const Eigen::Matrix3d solid_from_common = pose.linear().transpose();
+  if (solid.shape == Shape::mesh && solid.solid) {
+    Separation result =
+        capsule_mesh({solid_from_common * (first.from - pose.translation()),
+                      solid_from_common * (first.to - pose.translation()), first.radius},
+                     *solid.solid);
+    result.normal = pose.linear() * result.normal;
+    result.on_first = pose * result.on_first;
+    result.on_second = pose * result.on_second;
+    return result;
+  }
   const Deepest deepest =
       deepest_point(solid, solid_from_common * (first.from - pose.translation()),
                     solid_from_common * (first.to - pose.translation()));

@@ -102,10 +102,9 @@ struct Bisection {
       const CollisionScratch::Ball& b = scratch.balls[other];
       return (a.centre - b.centre).norm() - b.radius - around;
     }
-    Vec3 gradient;
     const Pose& pose = scratch.object_poses[other];
     const Vec3 in_object = pose.linear().transpose() * (a.centre - pose.translation());
-    return signed_distance(world.scene->objects[other], in_object, gradient) - around;
+    return signed_distance_at_least(world.scene->objects[other], in_object) - around;
   }
 
   void measure(PairSeparation& pair) const {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/collision/mesh_solid.hpp"
 #include "pipeline/collision/world.hpp"
 
 namespace morphe {
@@ -58,6 +59,15 @@ CollisionWorld make_world(const RobotTable& robot, const Scene& scene, const Mov
   CollisionWorld world;
   world.robot = &robot;
   world.scene = &scene;
+  const auto unprepared = [](const SceneObject& object) {
+    return object.shape == Shape::mesh && !object.solid;
+  };
+  if (std::ranges::any_of(scene.objects, unprepared)) {
+    const auto prepared = std::make_shared<Scene>(scene);
+    prepare_meshes(*prepared);
+    world.prepared = prepared;
+    world.scene = prepared.get();
+  }
   world.tolerances = tolerances;
   for (std::size_t k = 0; k < scene.objects.size(); ++k) {
     const bool named = !movement.target.empty() && scene.objects[k].name == movement.target;

@@ -39,9 +39,8 @@ void visit_near(const CollisionWorld& world, const CollisionScratch& scratch, co
       pair.required = required(pair.capsule, pair.other);
       const SceneObject& object = world.scene->objects[k];
       const Pose& pose = scratch.object_poses[k];
-      Vec3 gradient;
       const Vec3 in_object = pose.linear().transpose() * (ball.centre - pose.translation());
-      if (signed_distance(object, in_object, gradient) - ball.radius - pair.required >= limit) {
+      if (signed_distance_at_least(object, in_object) - ball.radius - pair.required >= limit) {
         continue;
       }
       pair.separation = capsule_solid(scratch.bodies[i], object, pose);

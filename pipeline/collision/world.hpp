@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,8 @@ namespace morphe {
 struct CollisionWorld {
   const RobotTable* robot = nullptr;
   const Scene* scene = nullptr;
-  int target = -1;  ///< index into scene->objects, -1 if none
+  std::shared_ptr<const Scene> prepared;  ///< what `scene` is if make_world had to prepare meshes
+  int target = -1;                        ///< index into scene->objects, -1 if none
   double touch_begin_s = kNotSeen, touch_end_s = kNotSeen;  ///< demonstration time, NaN = never
   Tolerances tolerances;
   std::vector<std::array<int, 2>> pairs;  ///< capsule pairs to check, from make_world()

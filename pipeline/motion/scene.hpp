@@ -1,11 +1,14 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "pipeline/motion/geometry.hpp"
 
 namespace morphe {
+
+struct MeshSolid;  // pipeline/collision/mesh_solid.hpp
 
 enum class Shape { sphere, box, cylinder, capsule, mesh };
 
@@ -21,6 +24,7 @@ struct SceneObject {
   std::vector<Quat> orientation;  ///< [K]
   std::vector<Vec3> vertices;     ///< mesh only
   std::vector<Eigen::Vector3i> triangles;
+  std::shared_ptr<const MeshSolid> solid;  ///< the mesh made ready for distances, not stored
   std::string attached_frame;   ///< robot frame that carries it, "" if none
   double attach_s = kNotSeen;   ///< carried from here …
   double release_s = kNotSeen;  ///< … to here [demonstration time, s]

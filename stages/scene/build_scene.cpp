@@ -10,10 +10,12 @@ namespace morphe {
 namespace {
 
 SceneObject body(const ConfiguredObject& configured, double time_s) {
-  SceneObject object;
+  SceneObject object = configured.mesh;
   object.name = configured.name;
-  parse_shape(configured.shape, object.shape);
-  object.size = configured.size;
+  if (object.vertices.empty()) {
+    parse_shape(configured.shape, object.shape);
+    object.size = configured.size;
+  }
   object.time = {time_s};
   object.position = {configured.position};
   object.orientation = {Eigen::AngleAxisd(configured.rpy.z(), Vec3::UnitZ()) *

@@ -16,17 +16,24 @@ namespace morphe {
 /// A fixed body of the world frame (X right, Y forward, Z up, origin as in the recording).
 struct ConfiguredObject {
   std::string name;
-  std::string shape = "box";     ///< sphere | box | cylinder | capsule
+  std::string shape = "box";     ///< sphere | box | cylinder | capsule | convex | mesh
   std::vector<double> size;      ///< sphere: r; box: x y z; cylinder, capsule: r, length [m]
+  std::string file;              ///< STL or OBJ of a mesh, relative to where it is named; convex:
+                                 ///< its hull
+  double scale = 1;              ///< of the file's numbers: 0.001 if they are mm
   Vec3 position = Vec3::Zero();  ///< of its centre [m]
   Vec3 rpy = Vec3::Zero();       ///< Rz(yaw) Ry(pitch) Rx(roll) [rad]
   bool in_mapping = true;        ///< the mapping's clearance term knows it
+
+  SceneObject mesh;  ///< what `file` holds, filled in by load_scene_files()
 };
 template <class Fields>
 void fields(Fields& f, ConfiguredObject& o) {
   f.required("name", o.name);
   f.required("shape", o.shape);
-  f.required("size", o.size);
+  f("size", o.size);
+  f("file", o.file);
+  f("scale", o.scale);
   f.required("position", o.position);
   f("rpy", o.rpy);
   f("in_mapping", o.in_mapping);
@@ -92,11 +99,12 @@ void fields(Fields& f, TargetOptions& o) {
 std::string check(const TargetOptions& options);
 
 struct SceneOptions {
-  std::string file;                       ///< YAML with more `objects`, relative to the config
+  std::string file;                       ///< YAML with more `objects`, relative to the config;
+                                          ///< or a MoveIt planning scene in the recording's world
   std::vector<ConfiguredObject> objects;  ///< fixed bodies
   TableOptions table;
   TargetOptions target;
-  std::vector<ConfiguredObject> file_objects;  ///< those of `file`, filled in by read_scene()
+  std::vector<ConfiguredObject> file_objects;  ///< those of `file`, filled in by load_scene_files()
 };
 template <class Fields>
 void fields(Fields& f, SceneOptions& o) {
@@ -107,11 +115,11 @@ void fields(Fields& f, SceneOptions& o) {
 }
 std::string check(const SceneOptions& options);
 
-/// The section `scene` of a config, its file included. InputError for a wrong value (with file,
-/// line and key), a mesh, a name used twice, a file that cannot be read.
+/// The section `scene` of a config, its files included. InputError for a wrong value (with file,
+/// line and key), a name used twice, a file that cannot be read, a mesh that is none.
 SceneOptions read_scene(const ConfigNode& node);
-/// For options read otherwise: loads `file` (if any) from `folder` into file_objects.
-void load_scene_file(SceneOptions& options, const std::filesystem::path& folder);
+/// For options that were read from `node`: loads the meshes and `file` (if any).
+void load_scene_files(SceneOptions& options, const ConfigNode& node);
 
 /// The bodies around one movement, in the world frame: configured objects, then "table", then
 /// recorded objects with their motion, then the inferred target. Sets `movement.target` if the

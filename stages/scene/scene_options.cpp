@@ -2,7 +2,9 @@
 
 #include <set>
 
+#include "pipeline/collision/mesh_file.hpp"
 #include "pipeline/config/fields.hpp"
+#include "pipeline/moveit/problem.hpp"
 #include "stages/scene/build_scene.hpp"
 
 namespace morphe {
@@ -14,6 +16,32 @@ struct SceneFile {
 template <class Fields>
 void fields(Fields& f, SceneFile& o) {
   f.required("objects", o.objects);
+}
+
+void load_meshes(const ConfigNode& list, std::vector<ConfiguredObject>& objects) {
+  const std::vector<ConfigNode> nodes = list.items();
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    if (objects[k].file.empty()) continue;
+    const ConfigNode file = nodes[k]["file"];
+    const std::string wrong = load_mesh(file.folder() / objects[k].file, objects[k].scale,
+                                        objects[k].shape == "convex", objects[k].mesh);
+    if (!wrong.empty()) file.fail(wrong);
+  }
+}
+
+/// A planning scene's objects as if they had been configured one by one.
+std::vector<ConfiguredObject> moveit_objects(const std::filesystem::path& file) {
+  std::vector<ConfiguredObject> objects;
+  for (const SceneObject& object : read_moveit_scene(file).objects) {
+    ConfiguredObject& configured = objects.emplace_back();
+    configured.name = object.name;
+    configured.shape = shape_name(object.shape);
+    configured.size = object.size;
+    configured.position = object.position.front();
+    configured.rpy = object.orientation.front().toRotationMatrix().eulerAngles(2, 1, 0).reverse();
+    configured.mesh = object;
+  }
+  return objects;
 }
 
 std::size_t numbers_of(Shape shape) {
@@ -33,9 +61,16 @@ std::string check(const ConfiguredObject& o) {
   Shape shape = Shape::box;
   if (o.name.empty()) return "name: must not be empty";
   if (o.name == "table") return "name: 'table' is the table of scene.table";
-  if (!parse_shape(o.shape, shape) || shape == Shape::mesh) {
-    return fmt::format("shape: must be sphere, box, cylinder or capsule, not '{}'", o.shape);
+  if (o.shape == "mesh" || o.shape == "convex") {
+    if (o.file.empty()) return fmt::format("file: a {} needs one", o.shape);
+    if (!o.size.empty()) return fmt::format("size: a {} has that of its file", o.shape);
+    return o.scale > 0 ? "" : fmt::format("scale: must be positive, not {}", o.scale);
   }
+  if (!parse_shape(o.shape, shape)) {
+    return fmt::format("shape: must be sphere, box, cylinder, capsule, convex or mesh, not '{}'",
+                       o.shape);
+  }
+  if (!o.file.empty()) return fmt::format("file: a {} has none", o.shape);
   if (o.size.size() != numbers_of(shape)) {
     return fmt::format("size: a {} needs {} numbers, not {}", o.shape, numbers_of(shape),
                        o.size.size());
@@ -86,21 +121,32 @@ std::string check(const SceneOptions& o) {
   return "";
 }
 
-void load_scene_file(SceneOptions& options, const std::filesystem::path& folder) {
+void load_scene_files(SceneOptions& options, const ConfigNode& node) {
+  if (node.has("objects")) load_meshes(node["objects"], options.objects);
   options.file_objects.clear();
   if (options.file.empty()) return;
-  const ConfigNode node = ConfigNode::load(folder / options.file);
-  SceneFile file;
-  read_options(node, file);
-  node.expect_all_read();
-  options.file_objects = std::move(file.objects);
-  if (const std::string wrong = check(options); !wrong.empty()) node.fail(wrong);
+  const ConfigNode root = ConfigNode::load(node["file"].folder() / options.file);
+  if (root.has("world")) {
+    options.file_objects = moveit_objects(root.file());
+    const bool own_table = options.table.infer || options.table.height;
+    for (const ConfiguredObject& object : options.file_objects) {
+      if (own_table && object.name == "table")
+        root["world"].fail("has a table: say table.infer: false");
+    }
+  } else {
+    SceneFile file;
+    read_options(root, file);
+    root.expect_all_read();
+    load_meshes(root["objects"], file.objects);
+    options.file_objects = std::move(file.objects);
+  }
+  if (const std::string wrong = check(options); !wrong.empty()) root.fail(wrong);
 }
 
 SceneOptions read_scene(const ConfigNode& node) {
   SceneOptions options;
   read_options(node, options);
-  load_scene_file(options, node.folder());
+  load_scene_files(options, node);
   return options;
 }
 

@@ -218,7 +218,13 @@ TEST(SceneOptions, ConfiguredObjectsStandInTheScene) {
 TEST(SceneOptions, WrittenOptionsReadBackTheSame) {
   SceneOptions options;
   options.table.height = 0.01;
-  options.objects.push_back({"post", "box", {0.1, 0.2, 0.3}, Vec3(1, 2, 3), Vec3(0, 0, 1), false});
+  ConfiguredObject post;
+  post.name = "post";
+  post.size = {0.1, 0.2, 0.3};
+  post.position = Vec3(1, 2, 3);
+  post.rpy = Vec3(0, 0, 1);
+  post.in_mapping = false;
+  options.objects = {post};
   const std::string written = write_options(options);
   EXPECT_EQ(write_options(read(written)), written);
 }
@@ -228,9 +234,15 @@ TEST(SceneOptions, ErrorsNameFileLineAndKey) {
     return "table: {infer: true}\nobjects:\n  - {name: a, position: [0, 0, 0], " + body + "}\n";
   };
   EXPECT_EQ(error_of(with("shape: box, size: [1, 1, 1]")), "");
-  const std::string mesh = error_of(with("shape: mesh, size: []"));
-  EXPECT_THAT(mesh, testing::StartsWith("c.yaml:3: objects[0]: shape: "));
-  EXPECT_THAT(mesh, HasSubstr("mesh"));
+  EXPECT_THAT(error_of(with("shape: cone, size: [1]")),
+              testing::StartsWith("c.yaml:3: objects[0]: shape: must be sphere, box, "));
+  EXPECT_THAT(error_of(with("shape: mesh")),
+              testing::StartsWith("c.yaml:3: objects[0]: file: a mesh needs one"));
+  EXPECT_THAT(error_of(with("shape: mesh, file: nowhere.stl")),
+              testing::StartsWith("c.yaml:3: objects[0].file: nowhere.stl cannot be read"));
+  EXPECT_THAT(error_of(with("shape: mesh, file: cup.step")), HasSubstr("STL or OBJ"));
+  EXPECT_THAT(error_of(with("shape: convex, file: a.stl, scale: 0")), HasSubstr("scale"));
+  EXPECT_THAT(error_of(with("shape: sphere, size: [1], file: a.stl")), HasSubstr("has none"));
   EXPECT_THAT(error_of(with("shape: box, size: [1, -1, 1]")),
               testing::StartsWith("c.yaml:3: objects[0]: size: must be positive"));
   EXPECT_THAT(error_of(with("shape: sphere, size: [1, 1]")),
@@ -249,13 +261,89 @@ TEST(SceneOptions, EveryShippedSceneLoads) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() != ".yaml") continue;
-    SceneOptions options;
-    options.file = entry.path().filename();
-    load_scene_file(options, folder);
+    const SceneOptions options = read("file: " + entry.path().string());
     EXPECT_FALSE(options.file_objects.empty()) << entry.path();
     ++count;
   }
   EXPECT_GE(count, 1);
+}
+
+class MeshFiles : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::path(testing::TempDir()) /
+              (std::string("morphe_meshes_") +
+               testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+    return (folder_ / name).string();
+  }
+  static std::string object_of(const std::string& shape, const std::string& file) {
+    return "objects:\n  - name: a\n    position: [1, 2, 3]\n    shape: " + shape +
+           "\n    scale: 0.001\n    file: " + file + "\n";
+  }
+  const std::string kPyramid =
+      "v 0 0 0\nv 100 0 0\nv 100 100 0\nv 0 100 0\nv 50 50 80\nf 4 3 2 1\nf 1 2 5\nf 2 3 5\n"
+      "f 3 4 5\nf 4 1 5\n";
+  std::filesystem::path folder_;
+};
+
+TEST_F(MeshFiles, StandInTheSceneInMetres) {
+  Grasping g;
+  for (const char* shape : {"mesh", "convex"}) {
+    const SceneOptions options = read(object_of(shape, write("pyramid.obj", kPyramid)));
+    const Scene scene = build_scene(options, {}, g.motion, g.movement);
+    const SceneObject& mesh = object(scene, "a");
+    EXPECT_EQ(mesh.shape, Shape::mesh);
+    EXPECT_EQ(mesh.triangles.size(), 6u);
+    EXPECT_EQ(mesh.position[0], Vec3(1, 2, 3));
+    Vec3 high = Vec3::Zero();
+    for (const Vec3& vertex : mesh.vertices) high = high.cwiseMax(vertex);
+    EXPECT_TRUE(high.isApprox(Vec3(0.1, 0.1, 0.08), 1e-7));
+  }
+}
+
+TEST_F(MeshFiles, ConvexFillsWhatIsHollow) {
+  // A tetrahedron and a point inside it.
+  const std::string text =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0.1 0.1 0.1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n";
+  const SceneOptions options = read(object_of("convex", write("star.obj", text)));
+  EXPECT_EQ(options.objects[0].mesh.vertices.size(), 4u);
+  EXPECT_EQ(options.objects[0].mesh.triangles.size(), 4u);
+  EXPECT_THAT(error_of(object_of("convex", write("flat.obj",
+                                                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n"
+                                                 "f 1 2 3\nf 2 4 3\n"))),
+              HasSubstr("it is flat"));
+}
+
+TEST_F(MeshFiles, BrokenOnesAreNamedWithFileAndKey) {
+  const auto error = [&](const std::string& name, const std::string& text) {
+    return error_of(object_of("mesh", write(name, text)));
+  };
+  for (const std::string& wrong :
+       {error("empty.stl", ""), error("noise.stl", "solid x\nfacet nor"), error("empty.obj", ""),
+        error("points.obj", "v 0 0 0\nv 1 0 0\n"), error("cut.stl", std::string(83, '\x01')),
+        error("index.obj", "v 0 0 0\nf 1 2 3\n"),
+        error("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")}) {
+    EXPECT_THAT(wrong, testing::StartsWith("c.yaml:6: objects[0].file: "));
+    EXPECT_THAT(wrong, HasSubstr(folder_.string()));
+  }
+}
+
+TEST_F(MeshFiles, APlanningSceneOfMoveItIsASceneFile) {
+  const std::string file = write("scene.yaml",
+                                 "world: {collision_objects: [{id: shelf, primitives: [{type: box, "
+                                 "dimensions: [1, 2, 3]}], primitive_poses: [{position: [4, 5, 6], "
+                                 "orientation: [0, 0, 1, 0]}]}]}\n");
+  const SceneOptions options = read("file: " + file);
+  Grasping g;
+  const Scene scene = build_scene(options, {}, g.motion, g.movement);
+  EXPECT_EQ(object(scene, "shelf").size, (std::vector<double>{1, 2, 3}));
+  EXPECT_EQ(object(scene, "shelf").position[0], Vec3(4, 5, 6));
+  EXPECT_NEAR(std::abs(object(scene, "shelf").orientation[0].z()), 1, 1e-12);
 }
 
 }  // namespace

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "pipeline/motion/scene.hpp"
+
+namespace morphe {
+
+/// Makes a mesh the convex hull of its vertices. False if they lie in a plane.
+bool take_hull(SceneObject& mesh);
+
+}  // namespace morphe
