@@ -10,6 +10,8 @@
 #include "stages/certify/certify.hpp"
 #include "stages/certify/grasp.hpp"
 #include "stages/map/map_movement.hpp"
+#include "stages/place_movement.hpp"
+#include "stages/reconstruct/hand_frame.hpp"
 #include "stages/reconstruct/mirror.hpp"
 
 namespace morphe {
@@ -85,19 +87,6 @@ std::string warnings(const RobotTable& robot, const Goals& goals, const Movement
   }
   sentences.insert(sentences.end(), motion.problems.begin(), motion.problems.end());
   return joined(sentences);
-}
-
-/// The part of the scene that the mapping's clearance term knows.
-Scene mapping_scene(const PipelineConfig& config, const Scene& scene, const Movement& movement) {
-  std::vector<std::string> names = mapping_objects(config.scene, scene);
-  if (config.map.clear_of_target) names.push_back(movement.target);
-  Scene part;
-  for (const SceneObject& object : scene.objects) {
-    if (std::find(names.begin(), names.end(), object.name) != names.end()) {
-      part.objects.push_back(object);
-    }
-  }
-  return part;
 }
 
 /// How bad findings are: contacts count before everything else.
@@ -183,31 +172,32 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
   const std::uint64_t seed =
       seed_from(config.seed, fmt::format("{}/{}", demonstration.name, movement.index));
 
-  const Vec3 shoulder = shoulder_at_begin(motion, movement);
-  if (!seen(shoulder)) return fail(plan, "no_shoulder", "the shoulder was never seen");
-  const Pose base_from_world = place_robot(robot, shoulder, config.placement).inverse();
-  plan.scene = timed(seconds, "scene", [&] {
-    return move_scene(build_scene(config.scene, demonstration, motion, plan.movement),
-                      base_from_world);
+  if (!hand_alone(robot) && !seen(shoulder_at_begin(motion, movement))) {
+    return fail(plan, "no_shoulder", "the shoulder was never seen");
+  }
+  const Scene around = timed(seconds, "scene", [&] {
+    return scene_around(planner, demonstration, motion, plan.movement);
   });
-  for (const SceneObject& object : plan.scene.objects) {
+  for (const SceneObject& object : around.objects) {
     if (object.shape == Shape::mesh) {
       return fail(plan, "mesh",
                   fmt::format("{} is a mesh, which has no distances yet", object.name));
     }
   }
-  plan.goals = make_goals(robot, motion, plan.movement, base_from_world);
+  Vec3 offset = Vec3::Zero();
+  if (config.map.free_offset.limit_m > 0) {
+    offset = timed(seconds, "map",
+                   [&] { return choose_offset(planner, motion, plan.movement, around, seed); });
+  }
+  PlacedMovement placed(planner, motion, plan.movement, around, offset);
+  plan.scene = placed.scene;
+  plan.goals = placed.goals;
   if (!grasp_seen(plan.goals, plan.movement)) {
     return fail(plan, "no_goal", "no fingertip was seen in the grasp");
   }
   const CollisionWorld world = make_world(robot, plan.scene, plan.movement, plan.tolerances);
-
-  const Scene known = mapping_scene(config, plan.scene, plan.movement);
-  const CollisionWorld known_world = make_world(robot, known, plan.movement, plan.tolerances);
-  const MappingProblem problem =
-      make_mapping_problem(robot, plan.goals, known_world, config.map, plan.movement.phases);
-  MapResult mapped =
-      timed(seconds, "map", [&] { return map_movement(problem, plan.goals, config.map, seed); });
+  MapResult mapped = timed(
+      seconds, "map", [&] { return map_movement(placed.problem, plan.goals, config.map, seed); });
   if (!mapped.reason.empty()) return fail(plan, mapped.reason, mapped.detail);
   plan.mapped = std::move(mapped.mapped);
   plan.path = mapped.path;
@@ -218,8 +208,8 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
   };
   plan.findings = timed(seconds, "check", [&] { return recheck(plan.path); });
   if (!plan.findings.empty()) {
-    const MappingProblem whole =
-        make_mapping_problem(robot, plan.goals, world, config.map, plan.movement.phases);
+    MappingProblem whole = placed.problem;
+    whole.world = &world;
     const Resolve resolve = [&](const JointPath& path, const std::vector<Finding>& findings) {
       return resolve_with_candidates(whole, mapped, path, findings, config.map, recheck);
     };
@@ -244,13 +234,16 @@ DemonstrationOutcome plan_demonstration(const Planner& planner,
   DemonstrationOutcome outcome;
   StageSeconds& seconds = outcome.stage_seconds;
   const PipelineConfig& config = planner.config;
-  const HumanMotion motion = timed(seconds, "reconstruct", [&] {
-    return reconstruct(demonstration, config.reconstruct, config.human);
+  const bool alone = hand_alone(planner.robot);
+  HumanMotion motion = timed(seconds, "reconstruct", [&] {
+    return reconstruct(alone ? with_still_wrist(demonstration) : demonstration, config.reconstruct,
+                       config.human);
   });
   Demonstration beside = demonstration;
   beside.objects = objects_beside_right_hand(demonstration);
   const std::vector<Movement> movements =
       timed(seconds, "segment", [&] { return segment(motion, config.segment, beside.objects); });
+  if (alone) motion = in_hand_frame(std::move(motion));
   for (const Movement& movement : movements) {
     outcome.plans.push_back(plan_movement(planner, beside, motion, movement, seconds));
   }

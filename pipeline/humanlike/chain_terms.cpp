@@ -39,6 +39,15 @@ void HullVolume::add(const RobotState& state, const FrameGoal& goal, Loads& load
   add_slopes(hull_volume_slopes(human_chain(state, goal), arm.joints), arm, share, loads);
 }
 
+void ChainPosition::add(const RobotState& state, const FrameGoal& goal, Loads& loads) const {
+  if (weight == 0 || goal.chain.empty()) return;
+  const ArmChain arm = arm_chain(state.robot, state.base_from_frame);
+  for (std::size_t i = 1; i < arm.joints.size(); ++i) {
+    if (!seen(goal.chain[i])) continue;
+    loads.add_point(arm.frames[i], arm.joints[i], goal.chain[i] + state.offset, weight, true);
+  }
+}
+
 ArmChain arm_chain(const RobotTable& robot, const std::vector<Pose>& base_from_frame) {
   ArmChain arm;
   const auto add = [&](int frame, const Vec3& in_frame) {

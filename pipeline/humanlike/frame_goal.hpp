@@ -21,6 +21,13 @@ struct FrameGoal {
   /// Human arm in the common base frame.
   Vec3 shoulder = unseen_point(), elbow = unseen_point(), wrist = unseen_point();
   std::array<Vec3, kFingers> finger_joint;  ///< middle joints of the human's fingers
+  /// Of a tip that follows no finger of its own (RobotTable::Tip::along): the same share of the
+  /// curve through the middle joints. Empty: none.
+  std::vector<Vec3> curve_joint;  ///< [m]
+  /// What joint-to-joint asks for: where each joint of arm_chain() belongs, and angles (NaN =
+  /// none). Empty in every other mode.
+  std::vector<Vec3> chain;
+  JointVector angles;
   FrameWeights weights;
 
   int tips_seen() const {

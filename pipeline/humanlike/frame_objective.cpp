@@ -25,8 +25,10 @@ void add_objective(const FrameObjective& objective, const RobotTable& robot, con
   objective.finger_joint_distance.add(state, goal, scratch.loads);
   objective.triangle_area.add(state, goal, scratch.loads);
   objective.hull_volume.add(state, goal, scratch.loads);
+  objective.chain_position.add(state, goal, scratch.loads);
   add_derivatives(robot, scratch.base_from_frame, scratch.loads, scratch.sweep, model);
   objective.posture.add(state, goal, model);
+  objective.joint_angle.add(state, goal, model);
   objective.offset.add(state, model);
 }
 

@@ -5,7 +5,8 @@
 namespace morphe {
 
 /// The paper's arm-hand objective of one frame, Eq. (16), with metric A (and B, C where weighted):
-///   w_x sum ‖x_i - goal_i‖² + w_o sum d_o + w_A A + w_a sum A_i  (+ hand orientation, posture).
+///   w_x sum ‖x_i - goal_i‖² + w_o sum d_o + w_A A + w_a sum A_i  (+ hand orientation, posture,
+/// and what joint-to-joint has in their place).
 struct FrameObjective {
   TipPosition tip_position;
   TipOrientation tip_orientation;
@@ -15,6 +16,8 @@ struct FrameObjective {
   TriangleArea triangle_area;
   HullVolume hull_volume;
   NaturalPosture posture;
+  ChainPosition chain_position;
+  JointAngle joint_angle;
   FreeOffset offset;
 
   /// Variables of a frame: the robot's joints, and three more with a free offset.

@@ -1,7 +1,6 @@
 #include "pipeline/humanlike/terms.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "pipeline/kinematics/forward.hpp"
@@ -57,33 +56,27 @@ void add_angle(int frame, const Quat& current, const Quat& goal, double weight, 
   loads.add_turn(frame, gradient, hessian);
 }
 
-/// The finger a chain belongs to; -1 the arm, -2 neither.
-int finger_of(const std::string& chain) {
-  if (chain == "arm") return -1;
-  for (std::size_t finger = 0; finger < kFingers; ++finger) {
-    if (chain.front() == *kFingerNames[finger] && chain == kFingerNames[finger]) {
-      return static_cast<int>(finger);
-    }
+/// The tip at the end of the finger that a centre belongs to; -1: the arm's, or no finger's.
+int tip_beyond(const RobotTable& robot, const RobotTable::Centre& centre) {
+  if (centre.chain == "arm") return -1;
+  for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
+    if (robot.tips[tip].finger < 0) continue;
+    int frame = robot.tips[tip].frame;  // parents come first
+    while (frame > centre.frame) frame = robot.frames[static_cast<std::size_t>(frame)].parent;
+    if (frame == centre.frame) return static_cast<int>(tip);
   }
-  return -2;
+  return -1;
 }
 
-/// w_k * sum_j ‖s_k - s_j‖² over the centres of the chains whose reference s_k was seen.
-template <class Reference>
-void add_centres(const RobotState& state, double weight, const Reference& reference, Loads& loads) {
-  std::array<int, kFingers + 1> count{};
-  const auto slot = [](int finger) { return static_cast<std::size_t>(finger + 1); };
-  for (const auto& centre : state.robot.centres) {
-    const int finger = finger_of(centre.chain);
-    if (finger >= -1) ++count[slot(finger)];
-  }
-  for (const auto& centre : state.robot.centres) {
-    const int finger = finger_of(centre.chain);
-    const Vec3* goal = finger < -1 ? nullptr : reference(finger);
-    if (!goal || !seen(*goal)) continue;
-    loads.add_point(centre.frame, pose_of(state, centre.frame).translation(), *goal + state.offset,
-                    weight / count[slot(finger)], false);
-  }
+/// weight * ‖reference - s_j‖², divided by the number of centres of the same chain.
+void add_centre(const RobotState& state, const RobotTable::Centre& centre, const Vec3& reference,
+                double weight, Loads& loads) {
+  if (!seen(reference)) return;
+  const auto count =
+      std::count_if(state.robot.centres.begin(), state.robot.centres.end(),
+                    [&](const RobotTable::Centre& other) { return other.chain == centre.chain; });
+  loads.add_point(centre.frame, pose_of(state, centre.frame).translation(),
+                  reference + state.offset, weight / static_cast<double>(count), false);
 }
 
 bool active(const NaturalPosture::Joint& entry, const FrameGoal& goal) {
@@ -134,17 +127,26 @@ void HandOrientation::add(const RobotState& state, const FrameGoal& goal, Loads&
 void JointDistance::add(const RobotState& state, const FrameGoal& goal, Loads& loads) const {
   const double share = weight * goal.weights.humanlike_arm;
   if (share == 0 || !seen(goal.elbow)) return;
-  const auto elbow = [&](int finger) { return finger == -1 ? &goal.elbow : nullptr; };
-  add_centres(state, share, elbow, loads);
+  for (const RobotTable::Centre& centre : state.robot.centres) {
+    if (centre.chain == "arm") add_centre(state, centre, goal.elbow, share, loads);
+  }
 }
 
 void FingerJointDistance::add(const RobotState& state, const FrameGoal& goal, Loads& loads) const {
   const double share = weight * goal.weights.humanlike_fingers;
   if (share == 0) return;
-  const auto middle = [&](int finger) {
-    return finger < 0 ? nullptr : &goal.finger_joint[static_cast<std::size_t>(finger)];
-  };
-  add_centres(state, share, middle, loads);
+  for (const RobotTable::Centre& centre : state.robot.centres) {
+    const int beyond = tip_beyond(state.robot, centre);
+    if (beyond < 0) continue;
+    const auto i = static_cast<std::size_t>(beyond);
+    const RobotTable::Tip& tip = state.robot.tips[i];
+    if (!std::isfinite(tip.along)) {
+      add_centre(state, centre, goal.finger_joint[static_cast<std::size_t>(tip.finger)], share,
+                 loads);
+    } else if (i < goal.curve_joint.size()) {
+      add_centre(state, centre, goal.curve_joint[i], share, loads);
+    }
+  }
 }
 
 void NaturalPosture::add(const RobotState& state, const FrameGoal& goal, Quadratic& model) const {
@@ -172,6 +174,17 @@ double NaturalPosture::distance(const JointVector& q, const FrameGoal& goal) con
     ++count;
   }
   return count == 0 ? kNotSeen : std::sqrt(sum / count);
+}
+
+void JointAngle::add(const RobotState& state, const FrameGoal& goal, Quadratic& model) const {
+  if (weight == 0) return;
+  for (Eigen::Index j = 0; j < goal.angles.size(); ++j) {
+    const double error = state.q[j] - goal.angles[j];
+    if (std::isnan(error)) continue;
+    model.value += weight * error * error;
+    model.gradient[j] += 2 * weight * error;
+    model.hessian(j, j) += 2 * weight;
+  }
 }
 
 void FreeOffset::add(const RobotState& state, Quadratic& model) const {

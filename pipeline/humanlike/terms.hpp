@@ -50,7 +50,9 @@ struct JointDistance {
 };
 
 /// Humanlikeness A of the fingers, second sum of Eq. (16): ‖s_middle - s_j‖² for each finger whose
-/// human middle joint was seen, divided by the number of centres of that finger [m²].
+/// human middle joint was seen, divided by the number of centres of that finger [m²]. A centre's
+/// finger is that of the tip which it moves; a tip between the human's fingers (`along`) has the
+/// point of the curve through their middle joints.
 struct FingerJointDistance {
   double weight = 1;
   void add(const RobotState& state, const FrameGoal& goal, Loads& loads) const;
@@ -85,6 +87,19 @@ struct NaturalPosture {
   void add(const RobotState& state, const FrameGoal& goal, Quadratic& model) const;
   /// Root mean square distance from the natural posture over the active joints [rad]; NaN if none.
   double distance(const JointVector& q, const FrameGoal& goal) const;
+};
+
+/// Joint-to-joint, the arm: sum over the joints of arm_chain() beyond the shoulder of
+/// ‖s_j - goal_j‖² [m²]. No term of the paper's objective.
+struct ChainPosition {
+  double weight = 0;
+  void add(const RobotState& state, const FrameGoal& goal, Loads& loads) const;
+};
+
+/// Joint-to-joint, the fingers: sum of (q_j - goal_j)² over the joints that have a goal [rad²].
+struct JointAngle {
+  double weight = 0;
+  void add(const RobotState& state, const FrameGoal& goal, Quadratic& model) const;
 };
 
 /// Section 3.3: where the robot's base (a hand's: its wrist) stands beside the human's is part of

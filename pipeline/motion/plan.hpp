@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct Goals {
   Table<Vec3> finger_joint_position;                                    ///< [F, 5]
   std::vector<std::string> estimated;  ///< names of what was not recorded but estimated
   Vec3 common_base_offset = Vec3::Zero();
+  /// How far the robot's base was moved from where the config places it, in the world's axes [m];
+  /// none: not asked for. All goals are in the frame of the base where it stands.
+  std::optional<Vec3> free_offset;
 
   std::size_t frames() const { return time.size(); }
 };

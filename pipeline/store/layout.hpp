@@ -72,8 +72,9 @@ class LayoutWriter {
     group_.set(name, std::vector<double>{value.x(), value.y(), value.z()});
   }
   void maybe(const char* name, const std::string& value) { group_.set(name, value); }
-  void maybe(const char* name, const std::optional<double>& value) {
-    if (value) group_.set(name, *value);
+  template <class T>
+  void maybe(const char* name, const std::optional<T>& value) {
+    if (value) attribute(name, *value);
   }
   /// An attribute that holds the name of an enum's value.
   template <class Enum, std::size_t N>
@@ -158,8 +159,9 @@ class LayoutReader {
   void maybe(const char* name, std::string& value) {
     if (group_.has_attribute(name)) group_.get(name, value);
   }
-  void maybe(const char* name, std::optional<double>& value) {
-    if (group_.has_attribute(name)) group_.get(name, value.emplace());
+  template <class T>
+  void maybe(const char* name, std::optional<T>& value) {
+    if (group_.has_attribute(name)) attribute(name, value.emplace());
   }
   template <class Enum, std::size_t N>
   void choice(const char* name, Enum& value, const char* const (&choices)[N]) {

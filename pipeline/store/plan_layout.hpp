@@ -11,6 +11,7 @@ namespace morphe {
 template <class Io, class T>
 void lay_out_goals(Io& io, T& goals) {
   io.attribute("common_base_offset", goals.common_base_offset);
+  io.maybe("free_offset", goals.free_offset);
   io.dataset("time", goals.time, {"s", "", ""});
   io.dataset("tip_position", goals.tip_position, {"m", "base", ""});
   io.dataset("tip_orientation", goals.tip_orientation, {"1", "base", ""});

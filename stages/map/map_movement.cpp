@@ -4,6 +4,7 @@
 
 #include "pipeline/humanlike/metrics.hpp"
 #include "pipeline/kinematics/forward.hpp"
+#include "stages/map/finger_curve.hpp"
 #include "stages/map/frame_search.hpp"
 #include "stages/map/movement_search.hpp"
 
@@ -36,7 +37,7 @@ void measure_frame(const MappingProblem& problem, const Goals& goals, std::size_
                    MappingScratch& scratch, Mapped& mapped) {
   const auto row = static_cast<Index>(frame);
   const JointVector q = mapped.position.row(row).transpose();
-  const FrameGoal& goal = problem.goals[frame];
+  const FrameGoal goal = frame_goal(goals, frame);
   scratch.model.reset(q.size());
   add_frame(problem, frame, q, scratch, scratch.model);
   mapped.objective.push_back(scratch.model.value);
@@ -77,17 +78,29 @@ Mapped measure(const MappingProblem& problem, const Goals& goals, const JointRow
   return mapped;
 }
 
-double posture_error(const MappingProblem& problem, const JointRows& q) {
+double posture_error(const MappingProblem& problem, const Goals& goals, const JointRows& q) {
   double sum = 0;
   int count = 0;
   for (std::size_t f = 0; f < problem.frames(); ++f) {
     const double error = problem.objective.posture.distance(
-        q.row(static_cast<Index>(f)).transpose(), problem.goals[f]);
+        q.row(static_cast<Index>(f)).transpose(), frame_goal(goals, f));
     if (std::isnan(error)) continue;
     sum += error * error;
     ++count;
   }
   return count == 0 ? kNotSeen : std::sqrt(sum / count);
+}
+
+/// Where the middle joints of fingers between the human's would be: the rule of their tips.
+std::vector<Vec3> curve_joints(const RobotTable& robot, const Goals& goals, std::size_t frame) {
+  const auto joint = [&](std::size_t finger) { return goals.finger_joint_position(frame, finger); };
+  std::vector<Vec3> points(robot.tips.size(), unseen_point());
+  for (std::size_t tip = 0; tip < points.size(); ++tip) {
+    const double along = robot.tips[tip].along;
+    if (!std::isfinite(along)) continue;
+    points[tip] = point_along({joint(1), joint(2), joint(3), joint(4)}, along);
+  }
+  return points;
 }
 
 }  // namespace
@@ -103,6 +116,7 @@ MappingProblem make_mapping_problem(const RobotTable& robot, const Goals& goals,
   problem.time = goals.time;
   for (std::size_t f = 0; f < goals.frames(); ++f) {
     problem.goals.push_back(frame_goal(goals, f));
+    problem.goals.back().curve_joint = curve_joints(robot, goals, f);
     problem.goals.back().weights =
         weights_at(options.phases, phases, goals.time[f], options.phase_blend_s);
   }
@@ -112,7 +126,9 @@ MappingProblem make_mapping_problem(const RobotTable& robot, const Goals& goals,
 MapResult map_movement(const MappingProblem& problem, Goals& goals, const MapOptions& options,
                        std::uint64_t seed) {
   MapResult result;
-  const bool any_goal = std::any_of(problem.goals.begin(), problem.goals.end(),
+  MappingProblem tracked = problem;  // what is reached is judged by the tips in every mode
+  for (std::size_t f = 0; f < goals.frames(); ++f) tracked.goals[f] = frame_goal(goals, f);
+  const bool any_goal = std::any_of(tracked.goals.begin(), tracked.goals.end(),
                                     [](const FrameGoal& goal) { return goal.tips_seen() > 0; });
   if (problem.frames() < 5 || !any_goal) {
     result.reason = "no_goal";
@@ -124,13 +140,13 @@ MapResult map_movement(const MappingProblem& problem, Goals& goals, const MapOpt
   const JointRows& q = courses.front().q;
   MappingScratch scratch;
   for (std::size_t f = 0; f < problem.frames(); ++f) {
-    const bool reachable = goals_reachable(problem, f, q.row(static_cast<Index>(f)).transpose(),
+    const bool reachable = goals_reachable(tracked, f, q.row(static_cast<Index>(f)).transpose(),
                                            options.reachable_starts, options.reachable_m,
                                            options.solver, seed + 1000 + f, scratch);
     for (std::size_t i = 0; i < goals.reachable.cols; ++i) goals.reachable(f, i) = reachable;
   }
   result.mapped = measure(problem, goals, q);
-  result.posture_error_rad = posture_error(problem, q);
+  result.posture_error_rad = posture_error(problem, goals, q);
   result.path = {q, std::vector<Origin>(problem.frames(), Origin::mapped), problem.time};
   for (std::size_t i = 1; i < courses.size(); ++i) result.candidates.push_back(courses[i].q);
   return result;

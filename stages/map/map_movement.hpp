@@ -19,7 +19,8 @@ struct MapResult {
 };
 
 /// Frames to joint angles, the movement as one problem (search_movement). Fills goals.reachable.
-/// Frames without any goal take part through smoothness and posture alone.
+/// Frames without any goal take part through smoothness and posture alone. Whatever the problem's
+/// own goals are (joint-to-joint has others), errors, statuses and reach are those of `goals`.
 MapResult map_movement(const MappingProblem& problem, Goals& goals, const MapOptions& options,
                        std::uint64_t seed);
 

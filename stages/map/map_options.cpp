@@ -1,6 +1,7 @@
 #include "stages/map/map_options.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "pipeline/motion/input_error.hpp"
 
@@ -28,12 +29,38 @@ std::vector<int> tips_moved_by(const RobotTable& robot, int joint) {
   return tips;
 }
 
+/// What a mode leaves out, or has in its place.
+void set_mode(MapMode mode, FrameObjective& objective) {
+  if (mode == MapMode::humanlike) return;
+  objective.joint_distance.weight = objective.finger_joint_distance.weight = 0;
+  objective.triangle_area.weight = objective.hull_volume.weight = 0;
+  if (mode == MapMode::fingertip_only) {
+    objective.tip_orientation.weight = objective.hand_orientation.weight = 0;
+  }
+  if (mode == MapMode::joint_to_joint) {
+    constexpr double kLever = 0.1;  // a finger's length [m]: what an angle moves
+    objective.chain_position.weight = objective.tip_position.weight;
+    objective.joint_angle.weight = kLever * kLever * objective.tip_position.weight;
+    objective.hand_orientation.weight = 1;  // met exactly if it can be: the angle is not squared
+  }
+}
+
 }  // namespace
 
+std::string check(const BaseOffset& o) {
+  if (!(o.limit_m >= 0 && o.weight >= 0)) return "limit and weight must not be negative";
+  return "";
+}
+
 std::string check(const MapOptions& o) {
+  if (std::ranges::find(kMapModeNames, o.mode) == std::end(kMapModeNames)) {
+    return "mode must be humanlike, joint_to_joint, inverse_kinematics or fingertip_only, not '" +
+           o.mode + "'";
+  }
   const double weights[] = {o.tip_position,           o.tip_orientation,
                             o.hand_orientation,       o.humanlike_arm,
-                            o.humanlike_fingers,      o.posture,
+                            o.humanlike_fingers,      o.humanlike_triangle,
+                            o.humanlike_hull,         o.posture,
                             o.movement_cost.velocity, o.movement_cost.acceleration,
                             o.movement_cost.jerk};
   if (*std::min_element(std::begin(weights), std::end(weights)) < 0) {
@@ -52,6 +79,11 @@ std::string check(const MapOptions& o) {
   return "";
 }
 
+MapMode mode_of(const MapOptions& options) {
+  const auto* const named = std::ranges::find(kMapModeNames, options.mode);
+  return static_cast<MapMode>(named - std::begin(kMapModeNames));
+}
+
 FrameObjective make_objective(const MapOptions& options, const RobotTable& robot) {
   FrameObjective objective;
   objective.tip_position.weight = options.tip_position;
@@ -59,6 +91,8 @@ FrameObjective make_objective(const MapOptions& options, const RobotTable& robot
   objective.hand_orientation = {options.hand_orientation, options.orientation_smoothing};
   objective.joint_distance.weight = options.humanlike_arm;
   objective.finger_joint_distance.weight = options.humanlike_fingers;
+  objective.triangle_area.weight = options.humanlike_triangle;
+  objective.hull_volume.weight = options.humanlike_hull;
   objective.posture.weight = options.posture;
   for (const NaturalJoint& natural : options.natural) {
     NaturalPosture::Joint entry;
@@ -68,6 +102,7 @@ FrameObjective make_objective(const MapOptions& options, const RobotTable& robot
     entry.tips = tips_moved_by(robot, entry.joint);
     objective.posture.joints.push_back(std::move(entry));
   }
+  set_mode(mode_of(options), objective);
   return objective;
 }
 

@@ -12,14 +12,40 @@
 
 namespace morphe {
 
+/// How goals become joint angles; the last three are what the paper compares itself with.
+/// Clearance, movement cost and the natural posture of fingers without a goal count in all of them,
+/// and all are judged alike.
+///   humanlike           the objective with all its terms
+///   joint_to_joint      the human's joint angles instead of its fingertips (joint_to_joint.hpp)
+///   inverse_kinematics  without humanlikeness: w_A, w_a, w_B and w_C are zero
+///   fingertip_only      the tips' positions alone: no humanlikeness, and no orientation of tips
+///                       or hand either
+enum class MapMode { humanlike, joint_to_joint, inverse_kinematics, fingertip_only };
+inline constexpr const char* kMapModeNames[] = {"humanlike", "joint_to_joint", "inverse_kinematics",
+                                                "fingertip_only"};
+
 /// What a joint does while no goal asks anything of it: q = value, or q = q_follow + value.
 struct NaturalJoint {
   std::string joint, follow;
   double value = 0;  ///< [rad]
 };
 
+/// Section 3.3 of the paper: where the robot's base (a hand's: its wrist) stands is chosen with the
+/// mapping, once a movement (free_offset.hpp).
+struct BaseOffset {
+  double limit_m = 0;  ///< along each axis of the world, from where the placement puts it; 0: off
+  double weight = 1;   ///< on its square, beside the mean of the frames' objectives [1/m²]
+};
+template <class Fields>
+void fields(Fields& f, BaseOffset& o) {
+  f("limit", o.limit_m);
+  f("weight", o.weight);
+}
+std::string check(const BaseOffset& options);
+
 /// Config section `map`: weights of Eq. (16), our terms beside it, and the search.
 struct MapOptions {
+  std::string mode = "humanlike";  ///< one of kMapModeNames
   /// w_x [1/m²]. Humanlikeness, clearance and smoothness all pull tips off their goals, by as much
   /// as they outweigh this: 1000 leaves up to 1.4 mm on the shipped recordings, 10000 at most 0.3
   /// mm.
@@ -28,11 +54,14 @@ struct MapOptions {
   double hand_orientation = 0.01;       ///< weak goal where fewer than three tips are seen [1/rad]
   double humanlike_arm = 1;             ///< w_A, on the mean over the joint centres [1/m²]
   double humanlike_fingers = 0.1;       ///< w_a [1/m²]
+  double humanlike_triangle = 0;        ///< w_B, on metric B of the arm [1/m²]
+  double humanlike_hull = 0;            ///< w_C, on metric C of the arm [1/m³]
   double posture = 1e-3;                ///< natural posture of unseen fingers [1/rad²]
   std::vector<PhaseWeights> phases;     ///< what phases multiply these weights by
   double phase_blend_s = 0.2;           ///< from one phase's weights to the next's
   double orientation_smoothing = 1e-3;  ///< rounds the kink of the unsquared angle [rad]
   std::vector<NaturalJoint> natural;    ///< the natural posture
+  BaseOffset free_offset;
   ClearanceTerm clearance;
   bool clear_of_target = true;  ///< unseen fingers and palm respect the target's contact depth
 
@@ -54,16 +83,20 @@ void fields(Fields& f, NaturalJoint& o) {
 }
 template <class Fields>
 void fields(Fields& f, MapOptions& o) {
+  f("mode", o.mode);
   f("tip_position", o.tip_position);
   f("tip_orientation", o.tip_orientation);
   f("hand_orientation", o.hand_orientation);
   f("humanlike_arm", o.humanlike_arm);
   f("humanlike_fingers", o.humanlike_fingers);
+  f("humanlike_triangle", o.humanlike_triangle);
+  f("humanlike_hull", o.humanlike_hull);
   f("posture", o.posture);
   f("phases", o.phases);
   f("phase_blend_s", o.phase_blend_s);
   f("orientation_smoothing", o.orientation_smoothing);
   f("natural", o.natural);
+  f("free_offset", o.free_offset);
   f("clearance", o.clearance);
   f("clear_of_target", o.clear_of_target);
   f("movement_cost", o.movement_cost);
@@ -77,6 +110,9 @@ void fields(Fields& f, MapOptions& o) {
   f("movement", o.movement);
 }
 std::string check(const MapOptions& options);
+
+/// The mode that the options name; they must pass check().
+MapMode mode_of(const MapOptions& options);
 
 /// The frame objective that the options and the robot make; InputError if `natural` names an
 /// unknown joint.

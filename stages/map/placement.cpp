@@ -22,6 +22,12 @@ Vec3 axis_of(const std::string& name) {
   return name == "x" ? Vec3::UnitX() : name == "y" ? Vec3::UnitY() : Vec3::UnitZ();
 }
 
+Eigen::Matrix3d product(const std::vector<PlacementOptions::Turn>& turns) {
+  Pose pose = Pose::Identity();
+  for (const auto& turn : turns) pose.rotate(Eigen::AngleAxisd(turn.angle, axis_of(turn.axis)));
+  return pose.linear();
+}
+
 bool inside(const Movement& movement, double time_s) {
   constexpr double kRounding = 1e-9;
   return time_s >= movement.begin_s - kRounding && time_s <= movement.end_s + kRounding;
@@ -41,12 +47,27 @@ std::string check(const PlacementOptions& options) {
 Pose place_robot(const RobotTable& robot, const Vec3& human_shoulder,
                  const PlacementOptions& options) {
   Pose world_from_base = Pose::Identity();
-  for (const auto& turn : options.rotation) {
-    world_from_base.rotate(Eigen::AngleAxisd(turn.angle, axis_of(turn.axis)));
-  }
+  world_from_base.linear() = product(options.rotation);
   world_from_base.translation() =
       human_shoulder + options.shoulder_offset - world_from_base.linear() * robot_shoulder(robot);
   return world_from_base;
+}
+
+bool hand_alone(const RobotTable& robot) {
+  int frame = robot.palm_frame;
+  while (frame >= 0 && robot.frames[static_cast<std::size_t>(frame)].joint < 0) {
+    frame = robot.frames[static_cast<std::size_t>(frame)].parent;
+  }
+  return frame < 0;
+}
+
+Pose place_hand(const RobotTable& robot, const PlacementOptions& options) {
+  std::vector<Pose> base_from_frame;
+  forward(robot, JointVector::Zero(static_cast<Eigen::Index>(robot.joints())), base_from_frame);
+  Pose hand_from_palm = Pose::Identity();
+  hand_from_palm.linear() = product(options.rotation);
+  hand_from_palm.translation() = options.shoulder_offset;
+  return hand_from_palm * base_from_frame[static_cast<std::size_t>(robot.palm_frame)].inverse();
 }
 
 Vec3 shoulder_at_begin(const HumanMotion& motion, const Movement& movement) {
@@ -68,8 +89,10 @@ Goals make_goals(const RobotTable& robot, const HumanMotion& motion, const Movem
   goals.tip_orientation = {rows.size(), robot.tips.size(), unseen_rotation()};
   goals.reachable = {rows.size(), robot.tips.size(), 1};
   goals.finger_joint_position = {rows.size(), kFingers, unseen_point()};
-  goals.common_base_offset =
-      robot_shoulder(robot) - base_from_world * shoulder_at_begin(motion, movement);
+  if (!hand_alone(robot)) {
+    goals.common_base_offset =
+        robot_shoulder(robot) - base_from_world * shoulder_at_begin(motion, movement);
+  }
   const Quat base_from_world_rotation(base_from_world.linear());
   const auto in_common_base = [&](const Vec3& point) -> Vec3 {
     return base_from_world * point + goals.common_base_offset;

@@ -37,9 +37,17 @@ std::string check(const PlacementOptions& options);
 Pose place_robot(const RobotTable& robot, const Vec3& human_shoulder,
                  const PlacementOptions& options);
 
+/// A robot without an arm: nothing moves its palm.
+bool hand_alone(const RobotTable& robot);
+
+/// The same for a hand alone, whose goals are in the human hand's own frame: its palm stands where
+/// the human's hand is, turned and shifted as the options say.
+///   hand_from_base = Translation(shoulder_offset) * R * palm_from_base
+Pose place_hand(const RobotTable& robot, const PlacementOptions& options);
+
 /// Goals of the frames of a movement, in the base frame, each of the robot's tips following the
 /// human finger that it names. The human arm is shifted so that its shoulder at the begin of the
-/// movement coincides with the robot's.
+/// movement coincides with the robot's; a hand alone has no arm to shift.
 Goals make_goals(const RobotTable& robot, const HumanMotion& motion, const Movement& movement,
                  const Pose& base_from_world);
 

@@ -115,6 +115,22 @@ Movement make_movement(const HandSignals& signals, const SegmentOptions& options
   return movement;
 }
 
+std::vector<Movement> whole_recording(const HumanMotion& motion) {
+  Movement movement;
+  bool any = false;
+  for (std::size_t i = 0; i < motion.time.size(); ++i) {
+    bool hand = seen(motion.wrist[i]);
+    for (std::size_t finger = 0; finger < motion.tip.cols; ++finger) {
+      hand = hand || seen(motion.tip(i, finger));
+    }
+    if (!hand) continue;
+    if (!any) movement.begin_s = motion.time[i];
+    movement.end_s = motion.time[i];
+    any = true;
+  }
+  return any ? std::vector<Movement>{movement} : std::vector<Movement>{};
+}
+
 }  // namespace
 
 std::string check(const SegmentOptions& o) {
@@ -144,6 +160,7 @@ std::string check(const SegmentOptions& o) {
 
 std::vector<Movement> segment(const HumanMotion& motion, const SegmentOptions& options,
                               const std::vector<SceneObject>& objects) {
+  if (options.whole) return whole_recording(motion);
   const HandSignals signals = hand_signals(motion, options.smoothing);
   const std::vector<ObjectMotion> motions = object_motions(objects, options.object_motion);
   std::vector<double> splits_s;

@@ -28,6 +28,7 @@ struct SegmentOptions {
   double least_grasp = 0.06;  ///< length of a grasp without a pause, around the slowest point [s]
   double object_motion = 0.005;  ///< a recorded object that went this far is being moved [m]
   double touch_hold = 0.1;  ///< how much of the hold after a reach without a grasp is planned [s]
+  bool whole = false;       ///< the recording is one movement without phases, whatever moves in it
   std::string plan_until = "grasp";  ///< grasp | transport | return: the last phase that is planned
 };
 template <class Fields>
@@ -45,6 +46,7 @@ void fields(Fields& f, SegmentOptions& o) {
   f("least_grasp", o.least_grasp);
   f("object_motion", o.object_motion);
   f("touch_hold", o.touch_hold);
+  f("whole", o.whole);
   f("plan_until", o.plan_until);
 }
 std::string check(const SegmentOptions& options);
@@ -66,6 +68,9 @@ std::string check(const SegmentOptions& options);
 /// within 0.3 s of the boundary, over the speed at it; 0 where the recording begins or ends in
 /// motion. A phase has the mean of its two boundaries, times the share of its frames in which the
 /// hand was seen.
+///
+/// With `whole` one movement from the first to the last frame in which wrist or fingertips were
+/// seen: gestures, of which none is a reach.
 ///
 /// Too short, motionless, or the wrist never seen: no movements. Never throws.
 std::vector<Movement> segment(const HumanMotion& motion, const SegmentOptions& options,

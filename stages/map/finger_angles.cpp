@@ -1,0 +1,168 @@
+#include "stages/map/finger_angles.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/humanlike/loads.hpp"
+#include "pipeline/humanlike/posed_like.hpp"
+#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/solve/minimise.hpp"
+#include "stages/map/finger_curve.hpp"
+
+namespace morphe {
+namespace {
+
+using Eigen::Index;
+constexpr std::size_t kBones = 3;    ///< of a human finger beyond the palm
+constexpr double kSamePlace = 1e-6;  ///< of two hinges [m]
+constexpr double kStature = 1.7;     ///< [m]
+
+bool moves_with(const RobotTable& robot, int frame, int ancestor) {
+  while (frame > ancestor) frame = robot.frames[static_cast<std::size_t>(frame)].parent;
+  return frame == ancestor;
+}
+
+/// The robot with no joints but those beyond its palm, in the order of `joints`.
+RobotTable beyond_palm(const RobotTable& robot, std::vector<int>& joints) {
+  RobotTable hand = robot;
+  for (std::size_t i = 0; i < hand.frames.size(); ++i) {
+    int& joint = hand.frames[i].joint;
+    const auto frame = static_cast<int>(i);
+    if (joint < 0 || frame == robot.palm_frame || !moves_with(robot, frame, robot.palm_frame)) {
+      joint = -1;
+      continue;
+    }
+    auto known = std::ranges::find(joints, joint);
+    if (known == joints.end()) known = joints.insert(known, joint);
+    joint = static_cast<int>(known - joints.begin());
+  }
+  hand.joint_names.clear();
+  hand.lower.resize(static_cast<Index>(joints.size()));
+  hand.upper.resize(hand.lower.size());
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const int of = joints[j];
+    hand.joint_names.push_back(robot.joint_names[static_cast<std::size_t>(of)]);
+    hand.lower[static_cast<Index>(j)] = robot.lower[of];
+    hand.upper[static_cast<Index>(j)] = robot.upper[of];
+  }
+  return hand;
+}
+
+JointVector zero_of(const RobotTable& robot) {
+  return JointVector::Zero(static_cast<Index>(robot.joints()));
+}
+
+Vec3 origin(const std::vector<Pose>& poses, int frame) {
+  return poses[static_cast<std::size_t>(frame)].translation();
+}
+
+/// Hinges of a finger, the last three that stand apart, knuckle first.
+std::vector<int> hinges_of(const RobotTable& robot, const std::vector<Pose>& poses,
+                           std::size_t tip) {
+  std::vector<int> hinges;
+  Vec3 beyond = tip_pose(robot, poses, tip).translation();
+  for (int frame = robot.tips[tip].frame; frame >= 0 && frame != robot.palm_frame;
+       frame = robot.frames[static_cast<std::size_t>(frame)].parent) {
+    if (robot.frames[static_cast<std::size_t>(frame)].joint < 0) continue;
+    if ((origin(poses, frame) - beyond).norm() < kSamePlace) continue;
+    if (hinges.size() == kBones) break;
+    beyond = origin(poses, frame);
+    hinges.insert(hinges.begin(), frame);
+  }
+  return hinges;
+}
+
+/// The finger's joints as they are, its tip last.
+Chain chain_at(const RobotTable& robot, const std::vector<Pose>& poses,
+               const std::vector<int>& hinges, std::size_t tip) {
+  Chain chain;
+  for (const int frame : hinges) chain.push_back(origin(poses, frame));
+  chain.push_back(tip_pose(robot, poses, tip).translation());
+  return chain;
+}
+
+}  // namespace
+
+FingerAngles::FingerAngles(const RobotTable& robot)
+    : hand(beyond_palm(robot, joints)),
+      robot_joints(static_cast<Index>(robot.joints())),
+      human(human_hand(hand_size_of_stature(kStature))) {
+  std::vector<Pose> poses;
+  forward(hand, zero_of(hand), poses);
+  base_from_palm = poses[static_cast<std::size_t>(hand.palm_frame)];
+  for (std::size_t tip = 0; tip < hand.tips.size(); ++tip) {
+    if (hand.tips[tip].finger < 0) continue;
+    Finger finger;
+    finger.human = static_cast<std::size_t>(hand.tips[tip].finger);
+    finger.along = hand.tips[tip].along;
+    finger.frames = hinges_of(hand, poses, tip);
+    finger.tip = tip;
+    finger.at_zero = chain_at(hand, poses, finger.frames, tip);
+    for (int frame = hand.tips[tip].frame; frame >= 0;
+         frame = hand.frames[static_cast<std::size_t>(frame)].parent) {
+      const int joint = hand.frames[static_cast<std::size_t>(frame)].joint;
+      if (joint >= 0) finger.joints.push_back(joint);
+    }
+    if (!finger.frames.empty()) fingers.push_back(std::move(finger));
+  }
+  start = zero_of(hand).cwiseMax(hand.lower).cwiseMin(hand.upper);
+}
+
+Chain FingerAngles::human_chain(const Finger& finger, const std::vector<Pose>& poses) const {
+  const auto of = [&](std::size_t k) {
+    return chain_at(human, poses, hinges_of(human, poses, k), k);
+  };
+  if (!std::isfinite(finger.along)) return of(finger.human);
+  const std::array<Chain, 4> four = {of(1), of(2), of(3), of(4)};
+  Chain between;
+  for (std::size_t i = 0; i <= kBones; ++i) {
+    between.push_back(point_along({four[0][i], four[1][i], four[2][i], four[3][i]}, finger.along));
+  }
+  return between;
+}
+
+JointVector FingerAngles::operator()(const JointVector& human_angles) {
+  std::vector<Pose> poses;
+  JointVector q = zero_of(human);
+  q.head(human_angles.size()) = human_angles;
+  forward(human, q, poses);
+  std::vector<Chain> goals;
+  for (const Finger& finger : fingers) {
+    Chain chain = human_chain(finger, poses);
+    for (Vec3& joint : chain) joint = base_from_palm * joint;
+    goals.push_back(posed_like(chain, finger.at_zero));
+  }
+
+  BoundedProblem problem;
+  problem.lower = hand.lower;
+  problem.upper = hand.upper;
+  Loads loads;
+  LoadSweep sweep;
+  problem.model = [&](const JointVector& at, Quadratic& model) {
+    constexpr double kWeight = 1e4;  // per m²: a centimetre counts one
+    forward(hand, at, poses);
+    loads.reset(hand.frames.size(), Curvature::gauss_newton);
+    for (std::size_t k = 0; k < fingers.size(); ++k) {
+      const Finger& finger = fingers[k];
+      const Chain reached = chain_at(hand, poses, finger.frames, finger.tip);
+      for (std::size_t i = 1; i < reached.size(); ++i) {
+        if (!seen(goals[k][i])) continue;
+        const int frame = i < finger.frames.size() ? finger.frames[i] : hand.tips[finger.tip].frame;
+        loads.add_point(frame, reached[i], goals[k][i], kWeight, true);
+      }
+    }
+    add_derivatives(hand, poses, loads, sweep, model);
+  };
+  start = minimise(problem, start, MinimiseOptions{}).x;
+
+  JointVector angles = JointVector::Constant(robot_joints, kNotSeen);
+  for (std::size_t k = 0; k < fingers.size(); ++k) {
+    if (!seen(goals[k].back())) continue;
+    for (const int joint : fingers[k].joints) {
+      angles[joints[static_cast<std::size_t>(joint)]] = start[joint];
+    }
+  }
+  return angles;
+}
+
+}  // namespace morphe

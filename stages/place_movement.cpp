@@ -1,0 +1,105 @@
+#include "stages/place_movement.hpp"
+
+#include <algorithm>
+
+#include "stages/map/compass_search.hpp"
+#include "stages/map/frame_search.hpp"
+#include "stages/map/joint_to_joint.hpp"
+#include "stages/map/map_movement.hpp"
+#include "stages/map/movement_search.hpp"
+
+namespace morphe {
+namespace {
+
+Pose base_from_motion(const Planner& planner, const HumanMotion& motion, const Movement& movement,
+                      const Vec3& offset) {
+  PlacementOptions placement = planner.config.placement;
+  placement.shoulder_offset += offset;
+  const RobotTable& robot = planner.robot;
+  if (hand_alone(robot)) return place_hand(robot, placement).inverse();
+  return place_robot(robot, shoulder_at_begin(motion, movement), placement).inverse();
+}
+
+/// The part of the scene that the mapping's clearance term knows.
+Scene mapping_scene(const PipelineConfig& config, const Scene& scene, const Movement& movement) {
+  std::vector<std::string> names = mapping_objects(config.scene, scene);
+  if (config.map.clear_of_target) names.push_back(movement.target);
+  Scene part;
+  for (const SceneObject& object : scene.objects) {
+    if (std::ranges::find(names, object.name) != names.end()) part.objects.push_back(object);
+  }
+  return part;
+}
+
+/// At most 16 of a problem's frames, evenly spread, the first and the last among them.
+MappingProblem thinned(const MappingProblem& problem, std::vector<std::size_t>& frames) {
+  constexpr std::size_t kMost = 16;
+  MappingProblem thin = problem;
+  thin.time.clear();
+  thin.goals.clear();
+  const std::size_t count = std::min(kMost, problem.frames());
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t frame = k * (problem.frames() - 1) / (count - 1);
+    frames.push_back(frame);
+    thin.time.push_back(problem.time[frame]);
+    thin.goals.push_back(problem.goals[frame]);
+  }
+  return thin;
+}
+
+}  // namespace
+
+Scene scene_around(const Planner& planner, const Demonstration& demonstration,
+                   const HumanMotion& motion, Movement& movement) {
+  if (!hand_alone(planner.robot)) {
+    return build_scene(planner.config.scene, demonstration, motion, movement);
+  }
+  SceneOptions configured = planner.config.scene;
+  configured.table = TableOptions{};
+  configured.table.infer = false;
+  configured.target.infer = false;
+  movement.target.clear();
+  return build_scene(configured, {}, motion, movement);
+}
+
+PlacedMovement::PlacedMovement(const Planner& planner, const HumanMotion& motion,
+                               const Movement& movement, const Scene& around, const Vec3& offset) {
+  const PipelineConfig& config = planner.config;
+  const RobotTable& robot = planner.robot;
+  const Pose base_from_world = base_from_motion(planner, motion, movement, offset);
+  scene = move_scene(around, base_from_world);
+  goals = make_goals(robot, motion, movement, base_from_world);
+  if (config.map.free_offset.limit_m > 0) goals.free_offset = offset;
+  known =
+      make_world(robot, mapping_scene(config, scene, movement), movement, config.check.tolerances);
+  problem = make_mapping_problem(robot, goals, known, config.map, movement.phases);
+  if (mode_of(config.map) == MapMode::joint_to_joint) {
+    problem.goals = joint_to_joint_goals(robot, motion.hand_angles, motion.time, goals);
+  }
+}
+
+Vec3 choose_offset(const Planner& planner, const HumanMotion& motion, const Movement& movement,
+                   const Scene& around, std::uint64_t seed) {
+  const MapOptions& options = planner.config.map;
+  const PlacedMovement unmoved(planner, motion, movement, around, Vec3::Zero());
+  const bool any_goal = std::ranges::any_of(
+      unmoved.problem.goals, [](const FrameGoal& goal) { return goal.tips_seen() > 0; });
+  if (unmoved.problem.frames() < 5 || !any_goal) return Vec3::Zero();
+  std::vector<std::size_t> frames;
+  const MappingProblem thin = thinned(unmoved.problem, frames);
+  const JointRows start = search_movement(thin, options, seed).front().q;
+  MappingScratch scratch;
+  const auto cost = [&](const Vec3& offset) {
+    const PlacedMovement moved(planner, motion, movement, around, offset);
+    double sum = 0;
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+      const JointVector near = start.row(static_cast<Eigen::Index>(k)).transpose();
+      sum += solve_frame(moved.problem, frames[k], near, options.solver, scratch).value;
+    }
+    return sum / static_cast<double>(frames.size()) +
+           options.free_offset.weight * offset.squaredNorm();
+  };
+  return compass_search(cost, options.free_offset.limit_m, 0.001);
+}
+
+}  // namespace morphe

@@ -1,0 +1,42 @@
+#include "stages/reconstruct/hand_frame.hpp"
+
+namespace morphe {
+
+Demonstration with_still_wrist(const Demonstration& demonstration) {
+  Demonstration with = demonstration;
+  const Streams& streams = demonstration.streams;
+  const bool tracked = streams.markers || streams.sensors || streams.skeleton;
+  if (tracked || !streams.hand || streams.hand->kind == HandKind::fingertips) return with;
+  BodyStream& wrist = with.streams.sensors.emplace();
+  wrist.names = {"wrist"};
+  wrist.parents = {""};
+  wrist.time = streams.hand->time;
+  wrist.position = {wrist.time.size(), 1, Vec3::Zero()};
+  wrist.orientation = {wrist.time.size(), 1, Quat::Identity()};
+  with.sensor_offsets.reset();
+  return with;
+}
+
+HumanMotion in_hand_frame(HumanMotion motion) {
+  for (std::size_t i = 0; i < motion.time.size(); ++i) {
+    const Quat hand_from_world = motion.wrist_orientation[i].conjugate();
+    for (std::size_t finger = 0; finger < kFingers; ++finger) {
+      for (Table<Vec3>* points : {&motion.tip, &motion.finger_joint}) {
+        Vec3& point = (*points)(i, finger);
+        point = hand_from_world * (point - motion.wrist[i]);
+      }
+      Quat& turn = motion.tip_orientation(i, finger);
+      turn = hand_from_world * turn;
+    }
+    motion.shoulder[i] = motion.elbow[i] = unseen_point();
+    if (!seen(motion.wrist[i]) || !seen(hand_from_world)) continue;
+    motion.wrist[i].setZero();
+    motion.wrist_orientation[i].setIdentity();
+  }
+  motion.arm_angles.resize(0, 0);
+  std::erase(motion.estimated, "shoulder");
+  std::erase(motion.estimated, "elbow");
+  return motion;
+}
+
+}  // namespace morphe
