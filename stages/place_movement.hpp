@@ -23,8 +23,9 @@ struct PlacedMovement {
 
   Scene scene;
   Goals goals;
-  CollisionWorld known;    ///< the part of the scene that the mapping keeps clear of
-  MappingProblem problem;  ///< with `known`
+  Scene known;           ///< the part of the scene that the mapping keeps clear of
+  CollisionWorld world;  ///< of `known`
+  MappingProblem problem;
 };
 
 /// Section 3.3: the offset |o_k| <= free_offset.limit that makes
