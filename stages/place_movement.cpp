@@ -70,9 +70,9 @@ PlacedMovement::PlacedMovement(const Planner& planner, const HumanMotion& motion
   scene = move_scene(around, base_from_world);
   goals = make_goals(robot, motion, movement, base_from_world);
   if (config.map.free_offset.limit_m > 0) goals.free_offset = offset;
-  known =
-      make_world(robot, mapping_scene(config, scene, movement), movement, config.check.tolerances);
-  problem = make_mapping_problem(robot, goals, known, config.map, movement.phases);
+  known = mapping_scene(config, scene, movement);
+  world = make_world(robot, known, movement, config.check.tolerances);
+  problem = make_mapping_problem(robot, goals, world, config.map, movement.phases);
   if (mode_of(config.map) == MapMode::joint_to_joint) {
     problem.goals = joint_to_joint_goals(robot, motion.hand_angles, motion.time, goals);
   }
