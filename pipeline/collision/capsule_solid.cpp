@@ -129,9 +129,34 @@ double signed_distance(const SceneObject& solid, const Vec3& point, Vec3& gradie
 }
 
 double signed_distance_at_least(const SceneObject& solid, const Vec3& point) {
-  if (solid.shape == Shape::mesh && solid.solid) return mesh_distance_at_least(*solid.solid, point);
-  Vec3 gradient;
-  return signed_distance(solid, point, gradient);
+  // Without gradients: this is asked for every part of the robot and every object.
+  const std::vector<double>& size = solid.size;
+  const auto beyond = [](double most, double out_squared) {
+    return most <= 0 ? most : std::sqrt(out_squared);
+  };
+  const auto square = [](double x) { return x > 0 ? x * x : 0; };
+  switch (solid.shape) {
+    case Shape::sphere:
+      return point.norm() - size[0];
+    case Shape::box: {
+      const double x = std::abs(point.x()) - 0.5 * size[0];
+      const double y = std::abs(point.y()) - 0.5 * size[1];
+      const double z = std::abs(point.z()) - 0.5 * size[2];
+      return beyond(std::max({x, y, z}), square(x) + square(y) + square(z));
+    }
+    case Shape::cylinder: {
+      const double side = std::sqrt(point.x() * point.x() + point.y() * point.y()) - size[0];
+      const double end = std::abs(point.z()) - 0.5 * size[1];
+      return beyond(std::max(side, end), square(side) + square(end));
+    }
+    case Shape::capsule: {
+      const double end = std::max(std::abs(point.z()) - 0.5 * size[1], 0.0);
+      return std::sqrt(point.head<2>().squaredNorm() + end * end) - size[0];
+    }
+    case Shape::mesh:
+      break;
+  }
+  return solid.solid ? mesh_distance_at_least(*solid.solid, point) : -kBrokenMesh_m;
 }
 
 double bounding_radius(const SceneObject& solid) {

@@ -1,17 +1,18 @@
-// The only include of FCL. Shapes live on the stack of one query: nothing is shared by threads.
+// The only source that includes FCL.
+#include "pipeline/collision/fcl_engine.hpp"
+
+#include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
+#include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/capsule.h>
 #include <fcl/geometry/shape/cylinder.h>
 #include <fcl/geometry/shape/sphere.h>
-#include <fcl/geometry/shape/utility.h>
-#include <fcl/math/bv/AABB.h>
 #include <fcl/narrowphase/collision.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
-#include "pipeline/collision/world.hpp"
+#include "pipeline/collision/mesh_solid.hpp"
 
 namespace morphe {
 namespace {
@@ -20,13 +21,53 @@ namespace {
 /// the solid shrinks by the rest.
 constexpr double kLeastRadius_m = 1e-6;
 
-using Box3 = fcl::AABB<double>;
+using Geometry = std::shared_ptr<fcl::CollisionGeometry<double>>;
 
-template <class Geometry>
-Box3 bounds(const Geometry& shape, const Pose& pose) {
-  Box3 box;
-  fcl::computeBV(shape, pose, box);
-  return box;
+/// The object shrunk by `shrunk_m` on all sides; nothing if it is too thin for that, or a mesh.
+Geometry shape_of(const SceneObject& object, double shrunk_m) {
+  const std::vector<double>& size = object.size;
+  const auto less = [shrunk_m](double value, double sides) { return value - sides * shrunk_m; };
+  switch (object.shape) {
+    case Shape::sphere:
+      if (less(size[0], 1) <= 0) return nullptr;
+      return std::make_shared<fcl::Sphere<double>>(less(size[0], 1));
+    case Shape::box:
+      if (less(*std::ranges::min_element(size), 2) <= 0) return nullptr;
+      return std::make_shared<fcl::Box<double>>(less(size[0], 2), less(size[1], 2),
+                                                less(size[2], 2));
+    case Shape::cylinder:
+      if (less(size[0], 1) <= 0 || less(size[1], 2) <= 0) return nullptr;
+      return std::make_shared<fcl::Cylinder<double>>(less(size[0], 1), less(size[1], 2));
+    case Shape::capsule:
+      if (less(size[0], 1) <= 0) return nullptr;
+      return std::make_shared<fcl::Capsule<double>>(less(size[0], 1), size[1]);
+    case Shape::mesh:
+      break;
+  }
+  return nullptr;
+}
+
+Geometry mesh_of(const MeshSolid& mesh) {
+  const auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSS<double>>>();
+  model->beginModel();
+  for (const MeshSolid::Triangle& t : mesh.triangles) model->addTriangle(t.a, t.b, t.c);
+  model->endModel();
+  return model;
+}
+
+Geometry capsule_of(const RobotTable::Capsule& capsule, double grown_m) {
+  return std::make_shared<fcl::Capsule<double>>(std::max(capsule.radius + grown_m, kLeastRadius_m),
+                                                (capsule.to - capsule.from).norm());
+}
+
+/// z along the segment.
+Pose pose_of(const CapsuleBody& body) {
+  Pose pose = Pose::Identity();
+  pose.translation() = 0.5 * (body.from + body.to);
+  if (body.from != body.to) {
+    pose.linear() = Quat::FromTwoVectors(Vec3::UnitZ(), body.to - body.from).toRotationMatrix();
+  }
+  return pose;
 }
 
 bool touch(const fcl::CollisionGeometry<double>& a, const Pose& base_from_a,
@@ -36,108 +77,164 @@ bool touch(const fcl::CollisionGeometry<double>& a, const Pose& base_from_a,
   return fcl::collide(&a, base_from_a, &b, base_from_b, request, result) > 0;
 }
 
-struct PlacedCapsule {
-  fcl::Capsule<double> shape;
-  Pose pose = Pose::Identity();  ///< z along the segment
-
-  PlacedCapsule(const CapsuleBody& body, double grown_m)
-      : shape(std::max(body.radius + grown_m, kLeastRadius_m), (body.to - body.from).norm()) {
-    pose.translation() = 0.5 * (body.from + body.to);
-    if (shape.lz > 0) {
-      pose.linear() = Quat::FromTwoVectors(Vec3::UnitZ(), body.to - body.from).toRotationMatrix();
-    }
-  }
+struct Found {
+  int capsule, other;
+  bool object;
+  double required;
 };
-
-/// Calls visit(shape) with the object shrunk by `shrunk_m` on all sides; nothing is left of an
-/// object that is too thin: false.
-template <class Visit>
-bool with_shape(const SceneObject& object, double shrunk_m, Visit visit) {
-  const std::vector<double>& size = object.size;
-  const auto less = [shrunk_m](double value, double sides) { return value - sides * shrunk_m; };
-  switch (object.shape) {
-    case Shape::sphere:
-      return less(size[0], 1) > 0 && visit(fcl::Sphere<double>(less(size[0], 1)));
-    case Shape::box:
-      return less(*std::min_element(size.begin(), size.end()), 2) > 0 &&
-             visit(fcl::Box<double>(less(size[0], 2), less(size[1], 2), less(size[2], 2)));
-    case Shape::cylinder:
-      return less(size[0], 1) > 0 && less(size[1], 2) > 0 &&
-             visit(fcl::Cylinder<double>(less(size[0], 1), less(size[1], 2)));
-    case Shape::capsule:
-      return less(size[0], 1) > 0 && visit(fcl::Capsule<double>(less(size[0], 1), size[1]));
-    case Shape::mesh:
-      break;
-  }
-  assert(false && "the scene refuses meshes");
-  return false;
-}
-
-/// The body grown by `required_m` against the object.
-bool body_touches(const CapsuleBody& body, const SceneObject& object, const Pose& base_from_object,
-                  double required_m) {
-  const double shrunk_m = std::max(0.0, kLeastRadius_m - body.radius - required_m);
-  const PlacedCapsule capsule(body, required_m);
-  return with_shape(object, shrunk_m, [&](const auto& shape) {
-    return bounds(capsule.shape, capsule.pose).overlap(bounds(shape, base_from_object)) &&
-           touch(capsule.shape, capsule.pose, shape, base_from_object);
-  });
-}
-
-/// Visits every pair that FCL finds in collision until `visit` says no.
-template <class Visit>
-bool visit_colliding(const CollisionWorld& world, double time_s, const CollisionScratch& scratch,
-                     Visit visit) {
-  const double margin_m = world.tolerances.margin;
-  const auto body_at = [&scratch](int i) -> const CapsuleBody& {
-    return scratch.bodies[static_cast<std::size_t>(i)];
-  };
-  for (const auto& [i, j] : world.pairs) {
-    const PlacedCapsule first(body_at(i), margin_m), second(body_at(j), 0);
-    if (!bounds(first.shape, first.pose).overlap(bounds(second.shape, second.pose))) continue;
-    if (!touch(first.shape, first.pose, second.shape, second.pose)) continue;
-    if (!visit(i, j, false, margin_m)) return false;
-  }
-  const int bodies = static_cast<int>(scratch.bodies.size());
-  const int objects = static_cast<int>(world.scene->objects.size());
-  for (int i = 0; i < bodies; ++i) {
-    for (int k = 0; k < objects; ++k) {
-      const double required = required_m(world, i, k, time_s);
-      const SceneObject& object = world.scene->objects[static_cast<std::size_t>(k)];
-      const Pose& pose = scratch.object_poses[static_cast<std::size_t>(k)];
-      if (!body_touches(body_at(i), object, pose, required)) continue;
-      if (!visit(i, k, true, required)) return false;
-    }
-  }
-  return true;
-}
 
 }  // namespace
 
-bool free_by_fcl(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
-                 CollisionScratch& scratch) {
-  place_bodies(world, q, time_s, scratch);
-  return visit_colliding(world, time_s, scratch, [](int, int, bool, double) { return false; });
+struct FclEngine::Trees {
+  using Object = fcl::CollisionObject<double>;
+
+  const CollisionWorld& world;
+  std::vector<Geometry> plain, grown;  ///< [capsules] as they are, and by the margin
+  std::vector<Geometry> shapes;        ///< [objects] nullptr: a broken mesh
+  std::vector<char> checked;           ///< [capsules * capsules] pairs of world.pairs
+  std::vector<std::unique_ptr<Object>> capsule_objects, scene_objects;
+  fcl::DynamicAABBTreeCollisionManager<double> capsule_tree, scene_tree;
+  std::vector<Pose> poses;
+  // Of the query at hand.
+  const CollisionScratch* scratch = nullptr;
+  double time_s = 0;
+  bool first_only = false;
+  std::vector<Found> found;
+
+  explicit Trees(const CollisionWorld& w) : world(w) {
+    const std::size_t count = world.robot->capsules.size();
+    poses.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      plain.push_back(capsule_of(world.robot->capsules[i], 0));
+      grown.push_back(capsule_of(world.robot->capsules[i], world.tolerances.margin));
+      capsule_objects.push_back(std::make_unique<Object>(grown.back()));
+      capsule_objects.back()->setUserData(reinterpret_cast<void*>(i));
+      capsule_tree.registerObject(capsule_objects.back().get());
+    }
+    checked.assign(count * count, 0);
+    for (const auto& [i, j] : world.pairs) {
+      checked[static_cast<std::size_t>(i) * count + static_cast<std::size_t>(j)] = 1;
+      checked[static_cast<std::size_t>(j) * count + static_cast<std::size_t>(i)] = 1;
+    }
+    for (std::size_t k = 0; k < world.scene->objects.size(); ++k) {
+      const SceneObject& object = world.scene->objects[k];
+      shapes.push_back(object.solid ? mesh_of(*object.solid) : shape_of(object, 0));
+      if (!shapes.back()) continue;
+      scene_objects.push_back(std::make_unique<Object>(shapes.back()));
+      scene_objects.back()->setUserData(reinterpret_cast<void*>(k));
+      scene_tree.registerObject(scene_objects.back().get());
+    }
+  }
+
+  static std::size_t number(const Object* object) {
+    return reinterpret_cast<std::size_t>(object->getUserData());
+  }
+
+  bool is_capsule(const Object* object) const {
+    const std::size_t i = number(object);
+    return i < capsule_objects.size() && object == capsule_objects[i].get();
+  }
+
+  static void move(Object& object, const Pose& pose) {
+    object.setTransform(pose);
+    object.computeAABB();
+  }
+
+  bool bodies_touch(std::size_t i, std::size_t j) const {
+    return touch(*grown[i], poses[i], *plain[j], poses[j]);
+  }
+
+  bool object_touches(std::size_t i, std::size_t k, double required_m) const {
+    const SceneObject& object = world.scene->objects[k];
+    const RobotTable::Capsule& capsule = world.robot->capsules[i];
+    const Pose& pose = scratch->object_poses[k];
+    const double shrunk_m = std::max(0.0, kLeastRadius_m - capsule.radius - required_m);
+    if (!shapes[k]) return true;
+    if (object.solid) {
+      if (shrunk_m > 0) {
+        return capsule_solid(scratch->bodies[i], object, pose).distance < required_m;
+      }
+      const Geometry as_required = capsule_of(capsule, required_m);
+      return touch(*as_required, poses[i], *shapes[k], pose) ||
+             inside(*object.solid, pose.inverse() * poses[i].translation());
+    }
+    if (required_m == world.tolerances.margin) return touch(*grown[i], poses[i], *shapes[k], pose);
+    const Geometry shape = shape_of(object, shrunk_m);
+    return shape && touch(*capsule_of(capsule, required_m), poses[i], *shape, pose);
+  }
+
+  void keep(std::size_t one, std::size_t other, bool object, double required_m) {
+    found.push_back({static_cast<int>(one), static_cast<int>(other), object, required_m});
+  }
+
+  static bool visit_bodies(Object* a, Object* b, void* data) {
+    Trees& trees = *static_cast<Trees*>(data);
+    const std::size_t i = std::min(number(a), number(b)), j = std::max(number(a), number(b));
+    if (!trees.checked[i * trees.plain.size() + j] || !trees.bodies_touch(i, j)) return false;
+    trees.keep(i, j, false, trees.world.tolerances.margin);
+    return trees.first_only;
+  }
+
+  static bool visit_objects(Object* a, Object* b, void* data) {
+    Trees& trees = *static_cast<Trees*>(data);
+    const bool capsule_first = trees.is_capsule(a);
+    const std::size_t i = number(capsule_first ? a : b), k = number(capsule_first ? b : a);
+    const double required =
+        required_m(trees.world, static_cast<int>(i), static_cast<int>(k), trees.time_s);
+    if (!trees.object_touches(i, k, required)) return false;
+    trees.keep(i, k, true, required);
+    return trees.first_only;
+  }
+
+  void query(const Eigen::Ref<const JointVector>& q, double at_s, bool first,
+             CollisionScratch& used) {
+    place_bodies(world, q, at_s, used);
+    scratch = &used;
+    time_s = at_s;
+    first_only = first;
+    found.clear();
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      poses[i] = pose_of(used.bodies[i]);
+      move(*capsule_objects[i], poses[i]);
+    }
+    for (const auto& object : scene_objects) move(*object, used.object_poses[number(object.get())]);
+    for (std::size_t k = 0; k < shapes.size(); ++k) {
+      if (shapes[k]) continue;
+      for (std::size_t i = 0; i < poses.size(); ++i) keep(i, k, true, 0);
+    }
+    if (poses.empty()) return;
+    capsule_tree.update();
+    capsule_tree.collide(this, visit_bodies);
+    if (scene_objects.empty() || (first && !found.empty())) return;
+    scene_tree.update();
+    capsule_tree.collide(&scene_tree, this, visit_objects);
+  }
+};
+
+FclEngine::FclEngine(const CollisionWorld& world) : trees_(std::make_unique<Trees>(world)) {}
+FclEngine::~FclEngine() = default;
+
+bool FclEngine::free(const Eigen::Ref<const JointVector>& q, double time_s,
+                     CollisionScratch& scratch) {
+  trees_->query(q, time_s, true, scratch);
+  return trees_->found.empty();
 }
 
-void pairs_by_fcl(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q,
-                  double time_s, CollisionScratch& scratch, std::vector<PairSeparation>& out) {
-  place_bodies(world, q, time_s, scratch);
+void FclEngine::pairs(const Eigen::Ref<const JointVector>& q, double time_s,
+                      CollisionScratch& scratch, std::vector<PairSeparation>& out) {
+  trees_->query(q, time_s, false, scratch);
+  std::ranges::sort(trees_->found, {},
+                    [](const Found& f) { return std::tuple(f.object, f.capsule, f.other); });
   out.clear();
-  visit_colliding(world, time_s, scratch,
-                  [&](int capsule, int other, bool object, double required) {
-                    PairSeparation& pair = out.emplace_back();
-                    pair.capsule = capsule;
-                    pair.other = other;
-                    pair.object = object;
-                    pair.required = required;
-                    const CapsuleBody& first = scratch.bodies[static_cast<std::size_t>(capsule)];
-                    const auto second = static_cast<std::size_t>(other);
-                    pair.separation = object ? capsule_solid(first, world.scene->objects[second],
-                                                             scratch.object_poses[second])
-                                             : capsule_capsule(first, scratch.bodies[second]);
-                    return true;
-                  });
+  for (const Found& found : trees_->found) {
+    const CapsuleBody& first = scratch.bodies[static_cast<std::size_t>(found.capsule)];
+    const auto other = static_cast<std::size_t>(found.other);
+    const Separation separation =
+        found.object
+            ? capsule_solid(first, trees_->world.scene->objects[other], scratch.object_poses[other])
+            : capsule_capsule(first, scratch.bodies[other]);
+    out.push_back({found.capsule, found.other, found.object, separation, found.required});
+  }
 }
 
 }  // namespace morphe

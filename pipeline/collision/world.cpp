@@ -1,5 +1,6 @@
 #include "pipeline/collision/world.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "pipeline/kinematics/forward.hpp"
@@ -15,10 +16,20 @@ bool apart(const CollisionScratch::Ball& a, const CollisionScratch::Ball& b, dou
   return least_m <= 0 || (a.centre - b.centre).squaredNorm() >= least_m * least_m;
 }
 
-/// Visits every pair whose slack can be below `limit`, in the fixed order; `visit` may lower it.
-/// required(capsule, object) is called for objects only; -infinity leaves the pair out.
+/// At most the slack of what lies in the ball.
+double ball_slack(const CollisionWorld& world, const CollisionScratch& scratch,
+                  const CollisionScratch::Ball& ball, std::size_t object, double required_m) {
+  const Pose& pose = scratch.object_poses[object];
+  const Vec3 in_object = pose.linear().transpose() * (ball.centre - pose.translation());
+  return signed_distance_at_least(world.scene->objects[object], in_object) - ball.radius -
+         required_m;
+}
+
+/// Visits every pair whose slack can be below `limit`, in the fixed order; `visit` may lower it,
+/// and says whether to go on. required(capsule, object) is called for objects only; -infinity
+/// leaves the pair out.
 template <class Required, class Visit>
-void visit_near(const CollisionWorld& world, const CollisionScratch& scratch, const double& limit,
+void visit_near(const CollisionWorld& world, CollisionScratch& scratch, const double& limit,
                 Required required, Visit visit) {
   PairSeparation pair;
   pair.required = world.tolerances.margin;
@@ -28,23 +39,49 @@ void visit_near(const CollisionWorld& world, const CollisionScratch& scratch, co
     pair.capsule = i;
     pair.other = j;
     pair.separation = capsule_capsule(scratch.bodies[first], scratch.bodies[second]);
-    visit(pair);
+    if (!visit(pair)) return;
   }
   pair.object = true;
+  const std::size_t objects = world.scene->objects.size();
   for (std::size_t i = 0; i < scratch.bodies.size(); ++i) {
-    const CollisionScratch::Ball& ball = scratch.balls[i];
-    for (std::size_t k = 0; k < world.scene->objects.size(); ++k) {
+    if (i % kCapsuleGroup == 0) {
+      // No pair asks for more than the margin.
+      const CollisionScratch::Ball& group = scratch.groups[i / kCapsuleGroup];
+      scratch.near_group.clear();
+      for (std::size_t k = 0; k < objects; ++k) {
+        if (ball_slack(world, scratch, group, k, world.tolerances.margin) < limit) {
+          scratch.near_group.push_back(k);
+        }
+      }
+    }
+    for (const std::size_t k : scratch.near_group) {
       pair.capsule = static_cast<int>(i);
       pair.other = static_cast<int>(k);
       pair.required = required(pair.capsule, pair.other);
-      const SceneObject& object = world.scene->objects[k];
-      const Pose& pose = scratch.object_poses[k];
-      const Vec3 in_object = pose.linear().transpose() * (ball.centre - pose.translation());
-      if (signed_distance_at_least(object, in_object) - ball.radius - pair.required >= limit) {
-        continue;
-      }
-      pair.separation = capsule_solid(scratch.bodies[i], object, pose);
-      visit(pair);
+      if (ball_slack(world, scratch, scratch.balls[i], k, pair.required) >= limit) continue;
+      pair.separation =
+          capsule_solid(scratch.bodies[i], world.scene->objects[k], scratch.object_poses[k]);
+      if (!visit(pair)) return;
+    }
+  }
+}
+
+/// About the middle of the balls' box.
+void place_groups(CollisionScratch& scratch) {
+  const std::size_t count = scratch.balls.size();
+  scratch.groups.resize((count + kCapsuleGroup - 1) / kCapsuleGroup);
+  for (std::size_t g = 0; g < scratch.groups.size(); ++g) {
+    const std::size_t first = g * kCapsuleGroup, last = std::min(first + kCapsuleGroup, count);
+    Vec3 low = scratch.balls[first].centre, high = low;
+    for (std::size_t i = first + 1; i < last; ++i) {
+      low = low.cwiseMin(scratch.balls[i].centre);
+      high = high.cwiseMax(scratch.balls[i].centre);
+    }
+    CollisionScratch::Ball& group = scratch.groups[g];
+    group = {0.5 * (low + high), 0};
+    for (std::size_t i = first; i < last; ++i) {
+      const CollisionScratch::Ball& ball = scratch.balls[i];
+      group.radius = std::max(group.radius, (ball.centre - group.centre).norm() + ball.radius);
     }
   }
 }
@@ -79,10 +116,26 @@ void place_bodies(const CollisionWorld& world, const Eigen::Ref<const JointVecto
     scratch.balls[i].centre = 0.5 * (body.from + body.to);
     scratch.balls[i].radius = 0.5 * (body.to - body.from).norm() + body.radius;
   }
+  place_groups(scratch);
   scratch.object_poses.resize(world.scene->objects.size());
   for (std::size_t k = 0; k < world.scene->objects.size(); ++k) {
     scratch.object_poses[k] = recorded_pose(world.scene->objects[k], time_s);
   }
+}
+
+bool is_free(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
+             CollisionScratch& scratch) {
+  place_bodies(world, q, time_s, scratch);
+  const double limit = 0;
+  bool free = true;
+  visit_near(
+      world, scratch, limit,
+      [&](int capsule, int object) { return required_m(world, capsule, object, time_s); },
+      [&](const PairSeparation& pair) {
+        free = pair.slack() >= 0;
+        return free;
+      });
+  return free;
 }
 
 PairSeparation least_slack(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q,
@@ -96,9 +149,11 @@ PairSeparation least_slack(const CollisionWorld& world, const Eigen::Ref<const J
       world, scratch, least,
       [&](int capsule, int object) { return required_m(world, capsule, object, time_s); },
       [&](const PairSeparation& pair) {
-        if (pair.slack() >= least) return;
-        best = pair;
-        least = pair.slack();
+        if (pair.slack() < least) {
+          best = pair;
+          least = pair.slack();
+        }
+        return true;
       });
   return best;
 }
@@ -112,6 +167,7 @@ void near_pairs(const CollisionWorld& world, const Eigen::Ref<const JointVector>
       [&](int capsule, int object) { return required_m(world, capsule, object, time_s); },
       [&](const PairSeparation& pair) {
         if (pair.slack() < below_m) out.push_back(pair);
+        return true;
       });
 }
 
@@ -126,9 +182,9 @@ double clearance(const CollisionWorld& world, const Eigen::Ref<const JointVector
         return may_touch(world, capsule, object, time_s) ? -kInfinity : margin_m;
       },
       [&](const PairSeparation& pair) {
-        if (pair.separation.distance >= least_m) return;
-        least_m = pair.separation.distance;
+        least_m = std::min(least_m, pair.separation.distance);
         limit = least_m - margin_m;
+        return true;
       });
   return least_m;
 }

@@ -42,6 +42,9 @@ struct PairSeparation {
   double slack() const { return separation.distance - required; }
 };
 
+/// Capsules in a row, which mostly lie side by side: objects are looked at for all of them first.
+inline constexpr std::size_t kCapsuleGroup = 6;
+
 /// Per-thread scratch of the queries.
 struct CollisionScratch {
   struct Ball {
@@ -50,8 +53,10 @@ struct CollisionScratch {
   };
   std::vector<Pose> base_from_frame;
   std::vector<CapsuleBody> bodies;
-  std::vector<Ball> balls;  ///< [capsules] each holds its body
+  std::vector<Ball> balls;   ///< [capsules] each holds its body
+  std::vector<Ball> groups;  ///< each holds the balls of kCapsuleGroup capsules in a row
   std::vector<Pose> object_poses;
+  std::vector<std::size_t> near_group;         ///< objects near the group of capsules at hand
   JointVector position, travel;                ///< of certified motion
   std::vector<double> body_travel;             ///< [capsules] [m]
   std::vector<double> object_travel;           ///< [objects] [m]
@@ -67,6 +72,10 @@ double required_m(const CollisionWorld& world, int capsule, int object, double t
 void place_bodies(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q,
                   double time_s, CollisionScratch& scratch);
 
+/// Whether every pair has slack >= 0 at joint position q and demonstration time t.
+bool is_free(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
+             CollisionScratch& scratch);
+
 /// The pair with the least slack at joint position q and demonstration time t, the first one of
 /// equals. With no pair at all, slack is +infinity and the capsule -1.
 PairSeparation least_slack(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q,
@@ -81,16 +90,6 @@ void near_pairs(const CollisionWorld& world, const Eigen::Ref<const JointVector>
 /// `clearance` holds. +infinity if there is none.
 double clearance(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
                  CollisionScratch& scratch);
-
-/// The verdict of FCL alone (collide() of capsules grown or shrunk by what is required): true if
-/// every pair has slack >= 0. FCL decides within about 1e-6 m.
-bool free_by_fcl(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
-                 CollisionScratch& scratch);
-
-/// All pairs that FCL finds in collision, in the order of near_pairs(). FCL does not know how deep:
-/// the separations are those of the closed forms.
-void pairs_by_fcl(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q,
-                  double time_s, CollisionScratch& scratch, std::vector<PairSeparation>& out);
 
 /// "hand_palm", "table": the names of a pair's two sides.
 std::string first_name(const CollisionWorld& world, const PairSeparation& pair);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/collision/fcl_engine.hpp"
+
 namespace morphe {
 namespace {
 
@@ -73,8 +75,9 @@ struct Walk {
   }
 
   void by_fcl(FindingRows& rows) {
+    FclEngine engine(world);
     for (std::size_t k = 0; k < samples(); ++k) {
-      pairs_by_fcl(world, position(k), time_s(k), scratch, pairs);
+      engine.pairs(position(k), time_s(k), scratch, pairs);
       add_at_sample(world, pairs, k, samples(), rows);
       if (k + 1 == samples()) return;
       const JointMotion motion =
@@ -84,7 +87,7 @@ struct Walk {
       for (int step = 1; step < steps; ++step) {
         const double s = static_cast<double>(step) / steps;
         motion.position(s, q);
-        pairs_by_fcl(world, q, motion.demonstration_time(s), scratch, pairs);
+        engine.pairs(q, motion.demonstration_time(s), scratch, pairs);
         for (const PairSeparation& pair : pairs) {
           add_pair(world, pair, k, k + 1, std::max(-pair.slack(), 1e-9), rows);
         }

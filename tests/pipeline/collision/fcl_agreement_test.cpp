@@ -7,7 +7,7 @@
 
 #include <memory>
 
-#include "pipeline/collision/world.hpp"
+#include "pipeline/collision/fcl_engine.hpp"
 #include "tests/pipeline/collision/random_bodies.hpp"
 
 namespace morphe {
@@ -94,7 +94,7 @@ TEST_P(FclAgreement, VerdictOnObjectsWithMarginAndWithContact) {
       const PairSeparation least = least_slack(world, q, time_s, scratch);
       ASSERT_DOUBLE_EQ(least.required, time_s < 1 ? world.tolerances.margin : -depth_m);
       if (std::abs(least.slack()) < 1e-6) continue;
-      EXPECT_EQ(free_by_fcl(world, q, time_s, scratch), least.slack() >= 0)
+      EXPECT_EQ(FclEngine(world).free(q, time_s, scratch), least.slack() >= 0)
           << shape_name(GetParam()) << " " << k << " slack " << least.slack();
       colliding += least.slack() < 0;
       sinking += least.slack() >= 0 && least.separation.distance < 0;
@@ -119,7 +119,7 @@ TEST(FclAgreementOfCapsules, Verdict) {
     world.pairs = {{0, 1}};  // both of the base: no pair by themselves
     const double slack = least_slack(world, q, 0, scratch).slack();
     if (std::abs(slack) < 1e-6) continue;
-    EXPECT_EQ(free_by_fcl(world, q, 0, scratch), slack >= 0) << k << " slack " << slack;
+    EXPECT_EQ(FclEngine(world).free(q, 0, scratch), slack >= 0) << k << " slack " << slack;
   }
 }
 

@@ -1,4 +1,4 @@
-#include "pipeline/collision/world.hpp"
+#include "pipeline/collision/fcl_engine.hpp"
 
 #include <gtest/gtest.h>
 
@@ -126,7 +126,7 @@ TEST(World, NothingToHitLeavesInfiniteSlack) {
   const CollisionWorld world = make_world(robot, empty, {}, {});
   EXPECT_EQ(least_slack(world, JointVector(0), 0, scratch).slack(),
             std::numeric_limits<double>::infinity());
-  EXPECT_TRUE(free_by_fcl(world, JointVector(0), 0, scratch));
+  EXPECT_TRUE(FclEngine(world).free(JointVector(0), 0, scratch));
 }
 
 TEST(World, FclAgreesOnWholeRobots) {
@@ -144,13 +144,13 @@ TEST(World, FclAgreesOnWholeRobots) {
     const bool too_near_to_tell = std::any_of(
         ours.begin(), ours.end(), [](const PairSeparation& p) { return p.slack() > -1e-6; });
     if (too_near_to_tell) continue;
-    pairs_by_fcl(world, q, time_s, scratch, fcls);
+    FclEngine(world).pairs(q, time_s, scratch, fcls);
     ASSERT_EQ(ours.size(), fcls.size());
     for (std::size_t p = 0; p < ours.size(); ++p) {
       EXPECT_EQ(ours[p].capsule, fcls[p].capsule);
       EXPECT_EQ(ours[p].other, fcls[p].other);
     }
-    EXPECT_EQ(free_by_fcl(world, q, time_s, scratch), ours.empty());
+    EXPECT_EQ(FclEngine(world).free(q, time_s, scratch), ours.empty());
     free += ours.empty();
   }
   EXPECT_GT(free, 20);
