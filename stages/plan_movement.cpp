@@ -151,8 +151,8 @@ void finish(const Planner& planner, const CollisionWorld& world, Plan& plan,
     certified.certificate.repaired = plan.certificate.repaired;
     certified.certificate.natural_posture_error = plan.certificate.natural_posture_error;
     plan.certificate = certified.certificate;
-    if (certified.reason == "smoothing" && options.smoothing_tolerance > 0) {
-      options.smoothing_tolerance = 0;
+    if (certified.reason == "smoothing" && options.tip_tolerance + options.joint_tolerance > 0) {
+      options.tip_tolerance = options.joint_tolerance = 0;
       continue;
     }
     plan.reason = certified.reason;

@@ -4,6 +4,23 @@
 #include <cmath>
 
 namespace morphe {
+namespace {
+
+template <class RightSide>
+void substitute(const BandedMatrix& m, RightSide& b) {
+  for (Eigen::Index i = 0; i < m.size; ++i) {
+    for (Eigen::Index d = 1; d <= std::min(m.band, i); ++d)
+      b.row(i) -= m.entry(i, d) * b.row(i - d);
+    b.row(i) /= m.entry(i, 0);
+  }
+  for (Eigen::Index i = m.size - 1; i >= 0; --i) {
+    b.row(i) /= m.entry(i, 0);
+    for (Eigen::Index d = 1; d <= std::min(m.band, i); ++d)
+      b.row(i - d) -= m.entry(i, d) * b.row(i);
+  }
+}
+
+}  // namespace
 
 bool factor(BandedMatrix& m) {
   for (Eigen::Index i = 0; i < m.size; ++i) {
@@ -24,15 +41,7 @@ bool factor(BandedMatrix& m) {
   return true;
 }
 
-void solve_factored(const BandedMatrix& m, Eigen::Ref<Eigen::VectorXd> b) {
-  for (Eigen::Index i = 0; i < m.size; ++i) {
-    for (Eigen::Index d = 1; d <= std::min(m.band, i); ++d) b[i] -= m.entry(i, d) * b[i - d];
-    b[i] /= m.entry(i, 0);
-  }
-  for (Eigen::Index i = m.size - 1; i >= 0; --i) {
-    b[i] /= m.entry(i, 0);
-    for (Eigen::Index d = 1; d <= std::min(m.band, i); ++d) b[i - d] -= m.entry(i, d) * b[i];
-  }
-}
+void solve_factored(const BandedMatrix& m, Eigen::Ref<Eigen::VectorXd> b) { substitute(m, b); }
+void solve_factored(const BandedMatrix& m, JointRows& b) { substitute(m, b); }
 
 }  // namespace morphe

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include "pipeline/motion/geometry.hpp"
 
 namespace morphe {
 
@@ -20,7 +20,8 @@ struct BandedMatrix {
 
 /// A = L L^T in place; false if A is not positive definite.
 bool factor(BandedMatrix& matrix);
-/// Solves L L^T x = b in place, after factor().
+/// Solves L L^T x = b in place, after factor(); b [size] or a column for each right side.
 void solve_factored(const BandedMatrix& factored, Eigen::Ref<Eigen::VectorXd> b);
+void solve_factored(const BandedMatrix& factored, JointRows& b);
 
 }  // namespace morphe

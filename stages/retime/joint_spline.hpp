@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <vector>
 
 #include "pipeline/motion/geometry.hpp"
 
@@ -32,25 +31,16 @@ struct JointSpline {
   double step() const { return length / static_cast<double>(intervals); }
 };
 
+/// Where a clock time lies among the knots: the interval, and z in [0, 1] of it.
+struct KnotPlace {
+  Eigen::Index interval = 0;
+  double z = 0;
+};
+KnotPlace place_of(const JointSpline& spline, double u);
+
 /// d^order q / du^order for order 0 … 3, rows of `out` [4, n].
 void evaluate(const JointSpline& spline, double u, JointRows& out);
-
-/// What a fit may do at one sample.
-struct SmoothingAt {
-  double duration = 0.02;   ///< features shorter than about this are smoothed away … [s]
-  double tolerance = 1e-3;  ///< … unless that moves the sample by more than this [rad]
-};
-
-/// Minimises sum_i w_i |q(u_i) - y_i|^2 + sum (duration/step)^6 |third difference|^2 for each
-/// joint, with the weights of samples off by more than their tolerance raised until they are not
-/// (or 30 rounds). Stays within [lower, upper] everywhere: a B-spline lies between its
-/// coefficients. clock [W] not decreasing, from 0; samples [W, n]; smoothing [W].
-JointSpline fit_spline(const std::vector<double>& clock, const JointRows& samples,
-                       const std::vector<SmoothingAt>& smoothing, const JointVector& lower,
-                       const JointVector& upper, double step_s);
-
-/// Largest |q_j(u_i) - y_ij| [rad].
-double deviation(const JointSpline& spline, const std::vector<double>& clock,
-                 const JointRows& samples);
+/// q alone.
+JointVector position_at(const JointSpline& spline, double u);
 
 }  // namespace morphe

@@ -9,48 +9,19 @@ namespace {
 /// A recorded step may ask for this many times the joints' full speed before its clock is
 /// stretched; below, the time law slows down smoothly.
 constexpr double kRecordedHaste = 4;
-constexpr double kMostStretch = 6;
-/// Samples of a spline when its clock is stretched: two a knot even where it is stretched most.
-constexpr std::size_t kCellsPerKnot = 12;
+constexpr double kPause = 0.02;     ///< of the joints' full speed
+constexpr double kFullSpeed = 100;  ///< of a joint whose limit says more, or nothing [rad/s]
 
-double least_step_s(const RobotTable& robot, const JointPath& path, std::size_t i) {
+double step_of(const RobotTable& robot, const JointPath& path, std::size_t i, double recorded_s,
+               bool keep_pauses) {
   const auto row = static_cast<Eigen::Index>(i);
   const JointVector way = (path.position.row(row + 1) - path.position.row(row)).transpose();
-  const double full_speed_s = way.cwiseAbs().cwiseQuotient(robot.velocity).maxCoeff();
+  const double full_speed_s =
+      way.cwiseAbs().cwiseQuotient(robot.velocity.cwiseMin(kFullSpeed)).maxCoeff();
   const bool planned = path.origin[i] == Origin::planned || path.origin[i + 1] == Origin::planned;
-  return planned ? full_speed_s : full_speed_s / kRecordedHaste;
-}
-
-/// The largest of velocity, acceleration^(1/2), jerk^(1/3) over the limits: the pace is too fast by
-/// this factor.
-double demand(const RobotTable& robot, const JointRows& q) {
-  const auto worst = [&](Eigen::Index order, const JointVector& limit) {
-    return q.row(order).transpose().cwiseAbs().cwiseQuotient(limit).maxCoeff();
-  };
-  return std::max({worst(1, robot.velocity), std::sqrt(worst(2, robot.acceleration)),
-                   std::cbrt(worst(3, robot.jerk))});
-}
-
-/// Each value replaced by the largest (the mean) of those at most `reach` away.
-std::vector<double> widened(const std::vector<double>& values, std::size_t reach) {
-  std::vector<double> out;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto from = values.begin() + static_cast<std::ptrdiff_t>(i - std::min(i, reach));
-    const auto to =
-        values.begin() + static_cast<std::ptrdiff_t>(std::min(values.size(), i + reach + 1));
-    out.push_back(*std::max_element(from, to));
-  }
-  return out;
-}
-std::vector<double> averaged(const std::vector<double>& values, std::size_t reach) {
-  std::vector<double> out;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::size_t from = i - std::min(i, reach), to = std::min(values.size(), i + reach + 1);
-    double sum = 0;
-    for (std::size_t k = from; k < to; ++k) sum += values[k];
-    out.push_back(sum / static_cast<double>(to - from));
-  }
-  return out;
+  const double least_s = planned ? full_speed_s : full_speed_s / kRecordedHaste;
+  const double most_s = keep_pauses ? recorded_s : std::min(recorded_s, full_speed_s / kPause);
+  return std::max(most_s, least_s);
 }
 
 std::size_t sample_before(const ClockedPath& path, double clock) {
@@ -66,7 +37,8 @@ double share_at(const ClockedPath& path, std::size_t i, double clock) {
 
 }  // namespace
 
-ClockedPath clock_path(const RobotTable& robot, const JointPath& path, double step_s) {
+ClockedPath clock_path(const RobotTable& robot, const JointPath& path, double step_s,
+                       bool keep_pauses) {
   const std::size_t samples = path.demonstration_time.size();
   ClockedPath out;
   std::vector<JointVector> rows;
@@ -83,7 +55,7 @@ ClockedPath clock_path(const RobotTable& robot, const JointPath& path, double st
   for (std::size_t i = 0; i + 1 < samples; ++i) {
     const double from_s = path.demonstration_time[i];
     const double recorded_s = std::max(0.0, path.demonstration_time[i + 1] - from_s);
-    const double step = std::max(recorded_s, least_step_s(robot, path, i));
+    const double step = step_of(robot, path, i, recorded_s, keep_pauses);
     const int parts = std::max(1, static_cast<int>(std::ceil(step / step_s - 1e-6)));
     const double begin = out.clock.back();
     for (int part = 1; part <= parts; ++part) {
@@ -93,47 +65,16 @@ ClockedPath clock_path(const RobotTable& robot, const JointPath& path, double st
     }
   }
   // Even a path of one point becomes a motion of a few controller periods.
-  if (out.clock.back() < step_s) {
+  if (out.clock.back() == 0) {
     add(step_s, rows.back(), out.demonstration_time.back(), out.origin.back());
   }
+  const double longer = std::max(1.0, step_s / out.clock.back());
+  for (double& clock : out.clock) clock *= longer;
   out.position.resize(static_cast<Eigen::Index>(rows.size()), path.position.cols());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     out.position.row(static_cast<Eigen::Index>(i)) = rows[i].transpose();
   }
-  out.stretch.assign(rows.size(), 1.0);
   return out;
-}
-
-ClockedPath stretch_clock(const RobotTable& robot, const ClockedPath& path,
-                          const JointSpline& spline, double bearable) {
-  const auto cells = static_cast<std::size_t>(spline.intervals) * kCellsPerKnot;
-  const double cell = spline.length / static_cast<double>(cells);
-  const auto at = [&](std::size_t i) {
-    return i == cells ? spline.length : static_cast<double>(i) * cell;
-  };
-  ClockedPath out;
-  out.position.resize(static_cast<Eigen::Index>(cells) + 1, spline.coefficient.cols());
-  JointRows q;
-  for (std::size_t i = 0; i <= cells; ++i) {
-    evaluate(spline, at(i), q);
-    out.position.row(static_cast<Eigen::Index>(i)) = q.row(0);
-    out.demonstration_time.push_back(demonstration_time_at(path, at(i)));
-    out.origin.push_back(origin_at(path, at(i)));
-    out.stretch.push_back(std::clamp(demand(robot, q) / bearable, 1.0, kMostStretch));
-  }
-  out.stretch = widened(out.stretch, kCellsPerKnot * 4);
-  for (int pass = 0; pass < 3; ++pass) out.stretch = averaged(out.stretch, kCellsPerKnot * 2);
-  out.clock.push_back(0);
-  for (std::size_t i = 0; i < cells; ++i) {
-    out.clock.push_back(out.clock.back() + cell * 0.5 * (out.stretch[i] + out.stretch[i + 1]));
-  }
-  return out;
-}
-
-double stretch_at(const ClockedPath& path, double clock) {
-  const std::size_t i = sample_before(path, clock);
-  const double share = share_at(path, i, clock);
-  return (1 - share) * path.stretch[i] + share * path.stretch[i + 1];
 }
 
 double demonstration_time_at(const ClockedPath& path, double clock) {

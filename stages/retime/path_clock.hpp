@@ -4,7 +4,6 @@
 
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
-#include "stages/retime/joint_spline.hpp"
 
 namespace morphe {
 
@@ -17,18 +16,12 @@ struct ClockedPath {
   JointRows position;                      ///< [V, n]
   std::vector<double> demonstration_time;  ///< [V] not decreasing
   std::vector<Origin> origin;              ///< [V]
-  std::vector<double> stretch;  ///< [V] clock seconds per second of the clock as it was first laid
 };
-ClockedPath clock_path(const RobotTable& robot, const JointPath& path, double step_s);
+/// `keep_pauses` false: a stretch slower than 2 % of the joints' full speed takes as long as at 2
+/// %, one that stands still no time at all.
+ClockedPath clock_path(const RobotTable& robot, const JointPath& path, double step_s,
+                       bool keep_pauses);
 
-/// The same movement along a spline through the path, on a clock that is stretched (smoothly) where
-/// the spline asks for more than about `bearable` times the robot's velocity, acceleration^(1/2) or
-/// jerk^(1/3): uniform knots on it resolve the sharp places. Samples lie on the spline.
-ClockedPath stretch_clock(const RobotTable& robot, const ClockedPath& path,
-                          const JointSpline& spline, double bearable);
-
-/// Stretch of the clock at a clock time: linear between the samples.
-double stretch_at(const ClockedPath& path, double clock);
 /// Demonstration time at a clock time: linear between the samples.
 double demonstration_time_at(const ClockedPath& path, double clock);
 /// Origin of the nearest sample.

@@ -3,149 +3,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <vector>
+#include <iterator>
 
 #include "pipeline/motion/quintic.hpp"
-#include "stages/retime/joint_spline.hpp"
-#include "stages/retime/path_clock.hpp"
-#include "stages/retime/progress.hpp"
+#include "stages/retime/fit_path.hpp"
+#include "stages/retime/time_law.hpp"
 
 namespace morphe {
 namespace {
 
-constexpr double kKnotStep_s = 0.01;  ///< of the path's spline and of the progress
-constexpr double kRamp_s = 0.25;      ///< of the path parameter at both ends
-constexpr int kCellsPerKnot = 4;      ///< of the table of times
-/// A tolerance of zero: only as much as keeps the spline from ringing between samples.
-constexpr SmoothingAt kExact{0.003, 1e-5};
-constexpr int kSlowdowns = 12;
-constexpr double kBearable = 1.5;
+constexpr double kKnotStep_s = 0.01;  ///< of the path's spline at most
+constexpr int kCorrections = 12;      ///< of the law, where the quintics are beyond the limits
+constexpr double kInside = 5e-4;      ///< a correction aims this much below them
+constexpr Eigen::Index kReach = 4;    ///< knots around an excess that are slowed with it
+constexpr std::size_t kPhases = std::size(kPhaseNames);
 
-/// t(w) at the edges of equal cells: the integral of x^(-1/2), by Gauss–Legendre.
-struct TimeTable {
-  const Progress* progress = nullptr;
-  double cell = 0;
-  std::vector<double> time;
-};
-
-double duration_between(const Progress& progress, double from, double to) {
-  constexpr std::array<double, 5> node{
-      -0.906179845938663992797626878299, -0.538469310105683091036314420700, 0,
-      0.538469310105683091036314420700, 0.906179845938663992797626878299};
-  constexpr std::array<double, 5> weight{
-      0.236926885056189087514264040720, 0.478628670499366468041291514836,
-      0.568888888888888888888888888889, 0.478628670499366468041291514836,
-      0.236926885056189087514264040720};
-  const double half = 0.5 * (to - from), middle = 0.5 * (to + from);
-  double sum = 0;
-  for (std::size_t k = 0; k < node.size(); ++k) {
-    sum += weight[k] / std::sqrt(evaluate(progress, middle + half * node[k]).x);
-  }
-  return half * sum;
-}
-
-TimeTable time_table(const Progress& progress) {
-  const Eigen::Index cells = kCellsPerKnot * (progress.coefficient.size() - 3);
-  TimeTable table{&progress, progress.length / static_cast<double>(cells), {0}};
-  for (Eigen::Index i = 0; i < cells; ++i) {
-    const double from = static_cast<double>(i) * table.cell;
-    table.time.push_back(table.time.back() + duration_between(progress, from, from + table.cell));
-  }
-  return table;
-}
-
-/// w at a time: Newton on t(w) within its cell.
-double progress_at(const TimeTable& table, double time_s) {
-  const auto after = std::upper_bound(table.time.begin(), table.time.end(), time_s);
-  if (after == table.time.end()) return table.progress->length;
-  const auto i = static_cast<std::size_t>(after - table.time.begin()) - 1;
-  const double from = static_cast<double>(i) * table.cell;
-  double w = from;
-  for (int step = 0; step < 8; ++step) {
-    const double off = time_s - table.time[i] - duration_between(*table.progress, from, w);
-    const double move = off * std::sqrt(evaluate(*table.progress, w).x);
-    w = std::clamp(w + move, from, from + table.cell);
-    if (std::abs(move) < 1e-16) break;
-  }
-  return w;
-}
-
-bool positive(const Progress& progress) {
-  for (Eigen::Index i = 0; i < 32 * (progress.coefficient.size() - 3); ++i) {
-    const double w = static_cast<double>(i) / 32 * progress.length /
-                     static_cast<double>(progress.coefficient.size() - 3);
-    if (!(evaluate(progress, w).x > 1e-12)) return false;
-  }
-  return true;
-}
-
-/// Samples the law, slowed down by at least `slowdown` (the duration is whole periods).
-Trajectory sample(const RampedPath& path, const TimeTable& table, const ClockedPath& clocked,
-                  const Movement& movement, double slowdown, double rate_hz) {
-  const double fastest_s = table.time.back();
-  const auto periods = std::max<Eigen::Index>(
-      2, static_cast<Eigen::Index>(std::ceil(slowdown * fastest_s * rate_hz - 1e-9)));
-  const double stretch = static_cast<double>(periods) / rate_hz / fastest_s;
-  Trajectory out;
-  out.position.resize(periods + 1, path.spline->coefficient.cols());
-  out.velocity = out.acceleration = JointRows::Zero(periods + 1, out.position.cols());
-  JointRows q;
-  for (Eigen::Index i = 0; i <= periods; ++i) {
-    const double time_s = static_cast<double>(i) / rate_hz;
-    const bool end = i == 0 || i == periods;
-    const double w = i == 0 ? 0 : i == periods ? path.length : progress_at(table, time_s / stretch);
-    evaluate(path, w, q);
-    const ProgressAt at = evaluate(*table.progress, w);
-    out.position.row(i) = q.row(0);
-    if (!end) {
-      out.velocity.row(i) = q.row(1) * (std::sqrt(at.x) / stretch);
-      out.acceleration.row(i) = (q.row(2) * at.x + q.row(1) * (0.5 * at.d1)) / (stretch * stretch);
-    }
-    const double u = clock_at(path, w).u;
-    out.time.push_back(time_s);
-    out.demonstration_time.push_back(demonstration_time_at(clocked, u));
-    out.origin.push_back(origin_at(clocked, u));
-    out.phase.push_back(
-        static_cast<std::uint8_t>(phase_at(movement.phases, out.demonstration_time.back())));
-    out.clearance.push_back(kNotSeen);
-  }
-  for (std::size_t i = 1; i < out.demonstration_time.size(); ++i) {
-    out.demonstration_time[i] = std::max(out.demonstration_time[i], out.demonstration_time[i - 1]);
-  }
-  return out;
-}
-
-/// Slows the law down as a whole until it holds on the quintics; false if it never does.
-bool sample_within_limits(const RobotTable& robot, const RampedPath& path,
-                          const ClockedPath& clocked, const Movement& movement,
-                          const Progress& progress, const RetimeOptions& options,
-                          Trajectory& trajectory) {
-  const TimeTable table = time_table(progress);
-  double slowdown = 1;
-  for (int round = 0; round < kSlowdowns; ++round) {
-    trajectory = sample(path, table, clocked, movement, slowdown, options.sample_rate_hz);
-    const LimitReport use = judge_limits(robot, trajectory);
-    const double share = options.limit_share;
-    const double needed =
-        std::max({use.velocity.ratio / share, std::sqrt(use.acceleration.ratio / share),
-                  std::cbrt(use.jerk.ratio / share)});
-    if (!std::isfinite(needed)) return false;
-    if (needed <= 1) return true;
-    slowdown = trajectory.time.back() / table.time.back() * needed * (1 + 1e-6);
-  }
-  return false;
-}
-
-std::vector<SmoothingAt> smoothing_of(const ClockedPath& path, const RetimeOptions& options) {
-  std::vector<SmoothingAt> out;
-  for (const Origin origin : path.origin) {
-    const double factor = origin == Origin::planned ? options.planned_smoothing : 1;
-    const SmoothingAt at{factor * options.smoothing_s, factor * options.smoothing_tolerance};
-    out.push_back(at.tolerance > kExact.tolerance ? at : kExact);
-  }
-  return out;
+int phase_index(const std::string& name) {
+  const auto* const found = std::find(std::begin(kPhaseNames), std::end(kPhaseNames), name);
+  return found == std::end(kPhaseNames) ? -1 : static_cast<int>(found - std::begin(kPhaseNames));
 }
 
 std::string what_is_wrong(const RobotTable& robot, const JointPath& path) {
@@ -168,27 +44,157 @@ std::string what_is_wrong(const RobotTable& robot, const JointPath& path) {
 /// Samples are drawn onto a limit that they exceed by no more than rounding.
 std::string what_is_beyond_limits(const RobotTable& robot, const JointPath& path) {
   constexpr double kRounding = 1e-4;  ///< [rad]
-  for (Eigen::Index i = 0; i < path.position.rows(); ++i) {
-    for (Eigen::Index joint = 0; joint < path.position.cols(); ++joint) {
+  for (Eigen::Index joint = 0; joint < path.position.cols(); ++joint) {
+    const std::string& name = robot.joint_names[static_cast<std::size_t>(joint)];
+    if (!(robot.velocity[joint] > 0 && robot.acceleration[joint] > 0 && robot.jerk[joint] > 0)) {
+      return fmt::format(
+          "joint {} has a limit of velocity, acceleration or jerk that is not above 0", name);
+    }
+    if (!(robot.lower[joint] <= robot.upper[joint])) {
+      return fmt::format("joint {} has no range of positions", name);
+    }
+    for (Eigen::Index i = 0; i < path.position.rows(); ++i) {
       const double q = path.position(i, joint);
       const double beyond = std::max(robot.lower[joint] - q, q - robot.upper[joint]);
       if (beyond <= kRounding) continue;
-      return fmt::format("joint {} is {:.3g} rad beyond its limit at path sample {}",
-                         robot.joint_names[static_cast<std::size_t>(joint)], beyond, i);
+      return fmt::format("joint {} is {:.3g} rad beyond its limit at path sample {}", name, beyond,
+                         i);
     }
   }
   return "";
 }
 
+Course make_course(const RobotTable& robot, const JointPath& path, const Movement& movement,
+                   const RetimeOptions& options, RetimeResult& result) {
+  Course course;
+  course.robot = &robot;
+  course.movement = &movement;
+  course.clocked = clock_path(robot, path, kKnotStep_s, options.mode != "fastest");
+  std::vector<double> allowance;
+  for (const Origin origin : course.clocked.origin) {
+    allowance.push_back(origin == Origin::planned ? options.planned_smoothing : 1);
+  }
+  PathFit fitted =
+      fit_path(robot, course.clocked.clock, course.clocked.position, allowance,
+               {options.smoothing_s, options.tip_tolerance, options.joint_tolerance}, kKnotStep_s);
+  course.spline = std::move(fitted.spline);
+  result.tip_deviation = fitted.tip_deviation;
+  result.joint_deviation = fitted.joint_deviation;
+  course.velocity = options.limit_share * robot.velocity;
+  course.acceleration = options.limit_share * robot.acceleration;
+  course.jerk = options.limit_share * robot.jerk;
+  course.tip_speed = options.tip_speed.value_or(kMostPace);
+  if (!options.phase_speed.empty()) course.phase_scale.assign(kPhases, 1);
+  for (const PhaseSpeed& phase : options.phase_speed) {
+    course.phase_scale[static_cast<std::size_t>(phase_index(phase.phase))] = phase.scale;
+  }
+  course.slowdown.assign(static_cast<std::size_t>(course.spline.intervals), 1);
+  return course;
+}
+
+/// How many times slower each step between samples would have to be to hold the course's limits.
+std::vector<double> haste(const Course& course, const Trajectory& trajectory) {
+  std::vector<double> out;
+  for (std::size_t i = 0; i + 1 < trajectory.samples(); ++i) {
+    double worst = 0;
+    for (Eigen::Index joint = 0; joint < trajectory.position.cols(); ++joint) {
+      const QuinticExtremes over = extremes(quintic_piece(trajectory, i, joint));
+      const auto ratio = [](const Range& range, double limit) {
+        return std::max(-range.least, range.greatest) / limit;
+      };
+      worst = std::max({worst, ratio(over.velocity, course.velocity[joint]),
+                        std::sqrt(ratio(over.acceleration, course.acceleration[joint])),
+                        std::cbrt(ratio(over.jerk, course.jerk[joint]))});
+    }
+    out.push_back(worst);
+  }
+  return out;
+}
+
+/// Slows the course where the samples are too hasty, and a few knots around.
+void slow_down(Course& course, const SampledLaw& sampled, const std::vector<double>& hasty) {
+  const auto cells = static_cast<Eigen::Index>(course.slowdown.size());
+  const auto cell_of = [&](double u) {
+    return static_cast<Eigen::Index>(u / course.spline.length * static_cast<double>(cells));
+  };
+  std::vector<double> factor(course.slowdown.size(), 1);
+  for (std::size_t i = 0; i < hasty.size(); ++i) {
+    if (hasty[i] <= 1) continue;
+    const Eigen::Index from = std::max<Eigen::Index>(0, cell_of(sampled.clock[i]) - kReach);
+    const Eigen::Index to = std::min(cells - 1, cell_of(sampled.clock[i + 1]) + kReach);
+    for (Eigen::Index k = from; k <= to; ++k) {
+      double& here = factor[static_cast<std::size_t>(k)];
+      here = std::max(here, hasty[i] * (1 + kInside));
+    }
+  }
+  for (std::size_t k = 0; k < factor.size(); ++k) course.slowdown[k] *= factor[k];
+}
+
+/// Paces and samples the course until the quintics hold its limits: slowed down where they do not,
+/// and as a whole if that takes too long.
+bool sample_within_limits(Course& course, const RetimeOptions& options, RetimeResult& result) {
+  for (int round = 0; round <= kCorrections; ++round) {
+    std::optional<PacedLaw> paced;
+    if (options.mode == "human") paced = pace_human(course, options.sample_rate_hz);
+    if (options.mode == "fastest") paced = pace_fastest(course, options.sample_rate_hz);
+    if (options.mode == "duration") {
+      paced = pace_duration(course, options.sample_rate_hz, *options.duration_s);
+      if (!paced) {
+        result.reason = "duration";
+        result.detail = fmt::format("the path cannot be followed in {} s", *options.duration_s);
+        return false;
+      }
+    }
+    SampledLaw sampled = sample_law(course, *paced, options.sample_rate_hz);
+    std::vector<double> hasty = haste(course, sampled.trajectory);
+    double worst = *std::max_element(hasty.begin(), hasty.end());
+    if (!std::isfinite(worst)) break;
+    if (worst > 1 && round < kCorrections) {
+      // The last rounds slow down more than where it is needed.
+      if (2 * round >= kCorrections) std::fill(hasty.begin(), hasty.end(), worst);
+      slow_down(course, sampled, hasty);
+      continue;
+    }
+    for (int stretch = 0; worst > 1 && options.mode != "duration" && stretch < kCorrections;
+         ++stretch) {
+      paced->periods = 2 + static_cast<Eigen::Index>(std::ceil(
+                               static_cast<double>(paced->periods - 2) * worst * (1 + kInside)));
+      sampled = sample_law(course, *paced, options.sample_rate_hz);
+      hasty = haste(course, sampled.trajectory);
+      worst = *std::max_element(hasty.begin(), hasty.end());
+    }
+    if (worst > 1) break;
+    result.trajectory = std::move(sampled.trajectory);
+    return true;
+  }
+  result.reason = "limit";
+  result.detail = "no slowdown brings the path within the joints' velocity, acceleration and jerk";
+  return false;
+}
+
 }  // namespace
 
+std::string check(const PhaseSpeed& o) {
+  if (phase_index(o.phase) < 0) return fmt::format("there is no phase '{}'", o.phase);
+  if (!(o.scale > 0)) return "scale must be positive";
+  return "";
+}
+
 std::string check(const RetimeOptions& o) {
+  if (o.mode != "human" && o.mode != "fastest" && o.mode != "duration") {
+    return fmt::format("mode must be human, fastest or duration, not '{}'", o.mode);
+  }
+  if ((o.mode == "duration") != o.duration_s.has_value()) {
+    return "duration_s belongs to the mode duration, which needs it";
+  }
+  if (o.duration_s && !(*o.duration_s > 0)) return "duration_s must be positive";
   if (!(o.sample_rate_hz >= 10)) return "sample_rate_hz must be at least 10";
   if (!(o.limit_share > 0 && o.limit_share <= 1)) return "limit_share must lie in (0, 1]";
-  if (!(o.tempo_cap > 0)) return "tempo_cap must be positive";
+  if (o.tip_speed && !(*o.tip_speed > 0)) return "tip_speed must be positive";
   if (!(o.smoothing_s >= 0)) return "smoothing_s must not be negative";
-  if (!(o.smoothing_tolerance >= 0)) return "smoothing_tolerance must not be negative";
-  if (!(o.planned_smoothing >= 0)) return "planned_smoothing must not be negative";
+  if (!(o.tip_tolerance >= 0)) return "tip_tolerance must not be negative";
+  if (!(o.joint_tolerance >= 0)) return "joint_tolerance must not be negative";
+  if (!(o.planned_smoothing > 0)) return "planned_smoothing must be positive";
   return "";
 }
 
@@ -205,30 +211,8 @@ RetimeResult retime(const RobotTable& robot, const JointPath& path, const Moveme
     result.reason = "limit";
     return result;
   }
-  const ClockedPath given = clock_path(robot, path, kKnotStep_s);
-  const JointSpline smooth = fit_spline(given.clock, given.position, smoothing_of(given, options),
-                                        robot.lower, robot.upper, kKnotStep_s);
-  const ClockedPath clocked = stretch_clock(robot, given, smooth, kBearable);
-  const std::vector<SmoothingAt> exact(clocked.clock.size(), {0, kExact.tolerance});
-  const JointSpline spline =
-      fit_spline(clocked.clock, clocked.position, exact, robot.lower, robot.upper, kKnotStep_s);
-  result.path_deviation = deviation(smooth, given.clock, given.position) +
-                          deviation(spline, clocked.clock, clocked.position);
-  const RampedPath ramped = ramp_ends(spline, kRamp_s);
-  const Progress fastest =
-      fastest_progress(robot, ramped, clocked, options.limit_share, options.tempo_cap, kKnotStep_s);
-  if (positive(fastest) &&
-      sample_within_limits(robot, ramped, clocked, movement, fastest, options, result.trajectory)) {
-    return result;
-  }
-  const Progress steady =
-      steady_progress(robot, ramped, clocked, options.limit_share, options.tempo_cap, kKnotStep_s);
-  if (sample_within_limits(robot, ramped, clocked, movement, steady, options, result.trajectory)) {
-    return result;
-  }
-  result.trajectory = {};
-  result.reason = "limit";
-  result.detail = "no slowdown brings the path within the joints' velocity, acceleration and jerk";
+  Course course = make_course(robot, path, movement, options, result);
+  sample_within_limits(course, options, result);
   return result;
 }
 

@@ -1,43 +1,66 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
 namespace morphe {
 
+struct PhaseSpeed {
+  std::string phase;  ///< one of kPhaseNames
+  double scale = 1;
+};
+template <class Fields>
+void fields(Fields& f, PhaseSpeed& o) {
+  f.required("phase", o.phase);
+  f.required("scale", o.scale);
+}
+std::string check(const PhaseSpeed& options);
+
 struct RetimeOptions {
-  double sample_rate_hz = 500;  ///< of the controller
-  double limit_share = 0.99;    ///< share of velocity, acceleration and jerk that may be used
-  double tempo_cap = 1;         ///< demonstration seconds per second at most; 1 = the human's tempo
-  double smoothing_s = 0.02;    ///< features of the path shorter than about this are smoothed …
-  double smoothing_tolerance = 1e-3;  ///< … as far as no sample moves by more [rad]; 0: 1e-5
-  double planned_smoothing = 4;       ///< planned stretches: this many times duration and tolerance
+  std::string mode = "human";           ///< human | fastest | duration
+  std::optional<double> duration_s;     ///< mode duration: what it shall take
+  double sample_rate_hz = 500;          ///< of the controller
+  double limit_share = 1;               ///< of velocity, acceleration and jerk that may be used
+  std::optional<double> tip_speed;      ///< of any tip at most [m/s]
+  std::vector<PhaseSpeed> phase_speed;  ///< scales tempo, joint and tip speed in a phase
+  double smoothing_s = 0.02;      ///< features of the path shorter than about this are smoothed …
+  double tip_tolerance = 2e-4;    ///< … as far as no tip moves by more [m]; 0: 1e-5 …
+  double joint_tolerance = 1e-3;  ///< … nor a joint that moves no tip [rad]; 0: 1e-5
+  double planned_smoothing = 4;   ///< planned stretches: this many times duration and tolerances
 };
 template <class Fields>
 void fields(Fields& f, RetimeOptions& o) {
+  f("mode", o.mode);
+  f("duration_s", o.duration_s);
   f("sample_rate_hz", o.sample_rate_hz);
   f("limit_share", o.limit_share);
-  f("tempo_cap", o.tempo_cap);
+  f("tip_speed", o.tip_speed);
+  f("phase_speed", o.phase_speed);
   f("smoothing_s", o.smoothing_s);
-  f("smoothing_tolerance", o.smoothing_tolerance);
+  f("tip_tolerance", o.tip_tolerance);
+  f("joint_tolerance", o.joint_tolerance);
   f("planned_smoothing", o.planned_smoothing);
 }
 std::string check(const RetimeOptions& options);
 
 struct RetimeResult {
-  std::string reason;         ///< "" = ok, path (not a path of this robot), limit
-  std::string detail;         ///< a sentence
-  Trajectory trajectory;      ///< clearance is NaN until it is certified
-  double path_deviation = 0;  ///< largest over joints and path samples [rad]
+  std::string reason;     ///< "" = ok, path (not a path of this robot), limit, duration
+  std::string detail;     ///< a sentence
+  Trajectory trajectory;  ///< clearance is NaN until it is certified
+  double tip_deviation = 0, joint_deviation = 0;  ///< largest over the path's samples [m], [rad]
 };
 
-/// A time law for a path: q(u) a C^4 spline through (within smoothing_tolerance of) its samples,
-/// u(t) the fastest progress that keeps du/dt <= tempo_cap and |v|, |a|, |jerk| <= limit_share of
-/// the robot's limits. Starts and ends with velocity and acceleration exactly zero. The limits hold
-/// for the quintics between the samples, not only at them: the law is slowed down as a whole until
-/// they do.
+/// A time law for a path: q(u) a C^4 spline through its samples (within the tolerances), u(t)
+/// within velocity, acceleration and jerk limits (an infinite one is none),
+///   human     at the demonstration's tempo wherever they allow it, slower elsewhere;
+///   fastest   as fast as they allow;
+///   duration  taking duration_s, in the human's proportions as far as they allow.
+/// Starts and ends with velocity and acceleration exactly zero. The limits hold for the quintics
+/// between the samples, not only at them: where they do not, the law is slowed down until they do.
 RetimeResult retime(const RobotTable& robot, const JointPath& path, const Movement& movement,
                     const RetimeOptions& options);
 

@@ -21,9 +21,13 @@ TEST(Banded, SolvesLikeADenseMatrix) {
   }
   const Eigen::VectorXd truth = Eigen::VectorXd::LinSpaced(9, -1, 2);
   Eigen::VectorXd x = dense * truth;
+  JointRows both(9, 2);
+  both << x, -2 * x;
   ASSERT_TRUE(factor(banded));
   solve_factored(banded, x);
   EXPECT_LT((x - truth).cwiseAbs().maxCoeff(), 1e-12);
+  solve_factored(banded, both);
+  EXPECT_LT((both.col(1) + 2 * truth).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 TEST(Banded, RefusesAnIndefiniteMatrix) {
@@ -33,43 +37,24 @@ TEST(Banded, RefusesAnIndefiniteMatrix) {
   EXPECT_FALSE(factor(banded));
 }
 
-TEST(JointSpline, DerivativesOfASine) {
-  std::vector<double> clock;
-  JointRows y(201, 1);
-  for (int i = 0; i <= 200; ++i) {
-    clock.push_back(0.005 * i);
-    y(i, 0) = std::sin(4 * clock.back());
+TEST(JointSpline, DerivativesAreThoseOfItsPositions) {
+  JointSpline spline{0.7, 9, JointRows(14, 2)};
+  for (Eigen::Index i = 0; i < 14; ++i) {
+    spline.coefficient.row(i) << std::sin(1.3 * static_cast<double>(i)),
+        std::cos(0.7 * static_cast<double>(i * i));
   }
-  const std::vector<SmoothingAt> exact(clock.size(), {0, 1e-9});
-  const JointVector lower = JointVector::Constant(1, -2), upper = JointVector::Constant(1, 2);
-  const JointSpline spline = fit_spline(clock, y, exact, lower, upper, 0.01);
-  EXPECT_LT(deviation(spline, clock, y), 1e-8);
-  JointRows q;
-  for (double u = 0.1; u < 0.9; u += 0.0137) {
-    evaluate(spline, u, q);
-    EXPECT_NEAR(q(0, 0), std::sin(4 * u), 1e-8);
-    EXPECT_NEAR(q(1, 0), 4 * std::cos(4 * u), 1e-5);
-    EXPECT_NEAR(q(2, 0), -16 * std::sin(4 * u), 1e-3);
-    EXPECT_NEAR(q(3, 0), -64 * std::cos(4 * u), 0.1);
-  }
-}
-
-TEST(JointSpline, StaysWithinLimits) {
-  std::vector<double> clock;
-  JointRows y(101, 1);
-  for (int i = 0; i <= 100; ++i) {
-    clock.push_back(0.01 * i);
-    y(i, 0) = std::min(0.5, 0.8 * clock.back());
-  }
-  const std::vector<SmoothingAt> smooth(clock.size(), {0.03, 1e-3});
-  const JointVector lower = JointVector::Constant(1, 0), upper = JointVector::Constant(1, 0.5);
-  const JointSpline spline = fit_spline(clock, y, smooth, lower, upper, 0.01);
-  EXPECT_LT(deviation(spline, clock, y), 1.3e-3);
-  JointRows q;
-  for (double u = 0; u <= 1; u += 0.0013) {
-    evaluate(spline, u, q);
-    EXPECT_LE(q(0, 0), 0.5);
-    EXPECT_GE(q(0, 0), 0.0);
+  constexpr double kStep = 1e-4;
+  JointRows before, at, after;
+  for (double u = 0.01; u < 0.69; u += 0.0137) {
+    evaluate(spline, u - kStep, before);
+    evaluate(spline, u, at);
+    evaluate(spline, u + kStep, after);
+    EXPECT_LT((position_at(spline, u).transpose() - at.row(0)).cwiseAbs().maxCoeff(), 1e-14);
+    for (Eigen::Index order = 0; order < 3; ++order) {
+      const Eigen::RowVectorXd slope = (after.row(order) - before.row(order)) / (2 * kStep);
+      const double scale = 1 + at.row(order + 1).cwiseAbs().maxCoeff();
+      EXPECT_LT((slope - at.row(order + 1)).cwiseAbs().maxCoeff(), 1e-3 * scale);
+    }
   }
 }
 

@@ -98,7 +98,7 @@ TEST(Retime, HumanReachFasterThanTheRobot) {
   const RetimeResult result = retime_valid(robot, reach);
   EXPECT_GE(result.trajectory.time.back(), least);
   EXPECT_LE(result.trajectory.time.back(), 1.1 * least);
-  EXPECT_LE(result.path_deviation, 5e-4);
+  EXPECT_LE(result.joint_deviation, 5e-4);
 }
 
 TEST(Retime, GenerousLimitsKeepTheHumanTempo) {
@@ -133,7 +133,7 @@ TEST(Retime, RandomSmoothPathsHoldTheirLimits) {
              0.4 * amplitude[i + 22] * std::sin(13 * t + phase[i + 22]);
     });
     const RetimeResult result = retime_valid(robot, path);
-    EXPECT_LE(result.path_deviation, 1e-3);
+    EXPECT_LE(result.joint_deviation, 1e-3);
     EXPECT_LE(result.trajectory.time.back(), 2.2 * 1.2);
 
     RobotTable stronger = robot;
@@ -151,17 +151,17 @@ TEST(Retime, PolylineWithCornersSlowsDown) {
     return k == 0 ? std::min(t, 0.6) : turn;
   });
   RetimeOptions exact;
-  exact.smoothing_tolerance = 0;
+  exact.joint_tolerance = 0;
   const RetimeResult sharp = retime_valid(robot, path, exact);
-  EXPECT_LE(sharp.path_deviation, 3e-5);
+  EXPECT_LE(sharp.joint_deviation, 3e-5);
   const RetimeResult mapped = retime_valid(robot, path);
-  EXPECT_LE(mapped.path_deviation, 1.01e-3);
+  EXPECT_LE(mapped.joint_deviation, 1.01e-3);
   EXPECT_LT(mapped.trajectory.time.back(), sharp.trajectory.time.back());
   // A planned stretch at one instant of the demonstration gets a clock of its own.
   path.origin.assign(path.origin.size(), Origin::planned);
   path.demonstration_time.assign(path.origin.size(), 0.5);
   const RetimeResult planned = retime_valid(robot, path);
-  EXPECT_LE(planned.path_deviation, 4.1e-3);
+  EXPECT_LE(planned.joint_deviation, 4.1e-3);
   EXPECT_EQ(planned.trajectory.origin[10], Origin::planned);
 }
 
@@ -173,7 +173,7 @@ TEST(Retime, NoisyPathStaysWithinTolerance) {
     return 0.6 * minimum_jerk(t / 1.2) + noise(random);
   });
   const RetimeResult result = retime_valid(robot, path);
-  EXPECT_LE(result.path_deviation, 1.01e-3);
+  EXPECT_LE(result.joint_deviation, 1.01e-3);
   EXPECT_LE(result.trajectory.time.back(), 2.2 * 1.2);
 }
 

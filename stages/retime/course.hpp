@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "pipeline/motion/movement.hpp"
+#include "stages/retime/joint_spline.hpp"
+#include "stages/retime/path_clock.hpp"
+#include "stages/retime/reachability.hpp"
+
+namespace morphe {
+
+/// A smooth path and what bounds the pace du/dt along it, all of it positive and perhaps infinite.
+struct Course {
+  const RobotTable* robot = nullptr;
+  const Movement* movement = nullptr;
+  ClockedPath clocked;
+  JointSpline spline;
+  JointVector velocity, acceleration, jerk;  ///< [n] shares of the robot's limits
+  double tempo = kMostPace;                  ///< clock seconds per second at most
+  double tip_speed = kMostPace;              ///< of any tip [m/s]
+  std::vector<double> phase_scale;  ///< of tempo, joint and tip speed, by index of kPhaseNames
+  /// Over equal cells of the clock: the limits are those of a motion this many times slower.
+  std::vector<double> slowdown;
+};
+
+/// Limits at a clock time: v / s, a / s^2, j / s^3 with the slowdown s there.
+double slowdown_at(const Course& course, double u);
+
+/// The largest du/dt that speed limits and tempo allow where the path's derivatives are the rows of
+/// q, at a clock time.
+double most_pace(const Course& course, double u, const JointRows& q);
+
+/// For the reachability analysis, on `steps` equal steps.
+PaceGrid pace_grid(const Course& course, Eigen::Index steps);
+
+}  // namespace morphe

@@ -1,0 +1,262 @@
+#include "stages/retime/fit_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "pipeline/kinematics/forward.hpp"
+#include "stages/retime/banded.hpp"
+
+namespace morphe {
+namespace {
+
+constexpr int kRounds = 30,
+              kPatience = 6;  ///< then roughness counts for less where it is in the way
+constexpr int kHalvings = 2;
+constexpr double kLessRoughness = 0.5;
+constexpr double kEndWeight = 1e5;    ///< the path's ends are kept
+constexpr double kMostWeight = 1e8;   ///< beyond it rounding wins
+constexpr double kLimitWeight = 1e3;  ///< pulls a coefficient beyond a joint limit onto it
+constexpr double kLeastRoughness = 1e-8, kMostRoughness = 1e6;  ///< what doubles can tell apart
+constexpr double kLimitInset = 1e-7;  ///< [rad]: rounding must not leave the limits
+constexpr double kLinear = 0.98;      ///< of the tip tolerance: a Jacobian is not the whole truth
+constexpr double kExactDuration_s = 0.003, kExact = 1e-5;
+
+/// Tips' positions per joint at each sample, and the joints that no tip depends on.
+struct Leverage {
+  std::vector<Eigen::MatrixXd> jacobian;  ///< [W] of [3 m, n]
+  Eigen::ArrayXd bare;                    ///< [n] 1: moves no tip, 0
+};
+
+Leverage leverage_of(const RobotTable& robot, const JointRows& samples) {
+  Leverage out;
+  const Eigen::Index n = samples.cols();
+  const auto tips = static_cast<Eigen::Index>(robot.tips.size());
+  out.bare = Eigen::ArrayXd::Ones(n);
+  if (tips == 0) return out;
+  for (const RobotTable::Tip& tip : robot.tips) {
+    for (int f = tip.frame; f >= 0; f = robot.frames[static_cast<std::size_t>(f)].parent) {
+      const int joint = robot.frames[static_cast<std::size_t>(f)].joint;
+      if (joint >= 0) out.bare[joint] = 0;
+    }
+  }
+  std::vector<Pose> base_from_frame;
+  Eigen::MatrixXd both(6 * tips, n);
+  for (Eigen::Index i = 0; i < samples.rows(); ++i) {
+    const JointVector q = samples.row(i).transpose();
+    forward(robot, q, base_from_frame);
+    tip_jacobians(robot, base_from_frame, both);
+    Eigen::MatrixXd& points = out.jacobian.emplace_back(3 * tips, n);
+    for (Eigen::Index t = 0; t < tips; ++t) {
+      points.middleRows<3>(3 * t) = both.middleRows<3>(6 * t);
+    }
+  }
+  return out;
+}
+
+struct Deviation {
+  double tip = 0, bare = 0, any = 0;
+};
+Deviation deviation_at(const Leverage& leverage, std::size_t i, const JointVector& off) {
+  Deviation out;
+  out.any = off.cwiseAbs().maxCoeff();
+  out.bare = (off.array().abs() * leverage.bare).maxCoeff();
+  if (leverage.jacobian.empty()) return out;
+  const Eigen::VectorXd moved = leverage.jacobian[i] * off;
+  for (Eigen::Index t = 0; t < moved.size(); t += 3) {
+    out.tip = std::max(out.tip, moved.segment<3>(t).norm());
+  }
+  return out;
+}
+
+/// Where the samples lie among the knots, and what they weigh; the same for all joints.
+struct Rows {
+  std::vector<KnotPlace> place;
+  std::vector<Eigen::Matrix<double, 6, 1>> basis;
+  std::vector<double> weight;
+  Eigen::VectorXd roughness;  ///< weight of each third difference
+};
+
+Rows rows_of(const std::vector<double>& clock, const std::vector<double>& allowance,
+             double duration_s, const JointSpline& spline) {
+  Rows rows;
+  rows.roughness = Eigen::VectorXd::Constant(spline.coefficient.rows() - 3, kLeastRoughness);
+  for (std::size_t i = 0; i < clock.size(); ++i) {
+    const KnotPlace at = place_of(spline, clock[i]);
+    rows.place.push_back(at);
+    const auto basis = bspline_weights<5>(at.z);
+    rows.basis.emplace_back(basis.data());
+    const double roughness =
+        std::min(kMostRoughness, std::pow(allowance[i] * duration_s / spline.step(), 6));
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      double& here = rows.roughness[at.interval + k];
+      here = std::max(here, roughness);
+    }
+    const double before = i > 0 ? clock[i] - clock[i - 1] : 0;
+    const double after = i + 1 < clock.size() ? clock[i + 1] - clock[i] : 0;
+    rows.weight.push_back(std::max(0.02, 0.5 * (before + after) / spline.step()));
+  }
+  rows.weight.front() = rows.weight.back() = kEndWeight;
+  return rows;
+}
+
+/// A sample's weight is at least a tenth of its neighbours': one alone would only make the curve
+/// swing around it. The ends keep theirs.
+void spread(std::vector<double>& weight) {
+  constexpr double kShare = 0.1;
+  for (std::size_t i = 2; i + 1 < weight.size(); ++i) {
+    weight[i] = std::max(weight[i], kShare * weight[i - 1]);
+  }
+  for (std::size_t i = weight.size() - 2; i-- > 1;) {
+    weight[i] = std::max(weight[i], kShare * weight[i + 1]);
+  }
+}
+
+/// The normal equations' matrix; more damping if rounding ate what makes it definite.
+BandedMatrix factored_normal(const Rows& rows, const Eigen::VectorXd& pull) {
+  BandedMatrix normal(rows.roughness.size() + 3, 5);
+  for (std::size_t i = 0; i < rows.weight.size(); ++i) {
+    for (Eigen::Index a = 0; a < 6; ++a) {
+      const double weighted = rows.weight[i] * rows.basis[i][a];
+      for (Eigen::Index b = 0; b <= a; ++b) {
+        normal.entry(rows.place[i].interval + a, a - b) += weighted * rows.basis[i][b];
+      }
+    }
+  }
+  constexpr std::array<double, 4> third{-1, 3, -3, 1};
+  for (Eigen::Index i = 0; i < rows.roughness.size(); ++i) {
+    for (std::size_t a = 0; a < 4; ++a) {
+      for (std::size_t b = 0; b <= a; ++b) {
+        normal.entry(i + static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(a - b)) +=
+            rows.roughness[i] * third[a] * third[b];
+      }
+    }
+  }
+  for (Eigen::Index i = 0; i < pull.size(); ++i) normal.entry(i, 0) += pull[i];
+  for (double damping = 1e-10;; damping *= 1e2) {
+    BandedMatrix damped = normal;
+    for (Eigen::Index i = 0; i < damped.size; ++i) damped.entry(i, 0) += damping;
+    if (factor(damped)) return damped;
+  }
+}
+
+/// Coefficients of one joint that left its limits are pulled back onto them.
+struct Pull {
+  Eigen::VectorXd weight, target;
+};
+
+/// Pulls grow until no coefficient is beyond the limits; false if one still is.
+bool update_pull(const JointSpline& spline, Eigen::Index joint, double lower, double upper,
+                 Pull& pull) {
+  bool inside = true;
+  for (Eigen::Index k = 0; k < spline.coefficient.rows(); ++k) {
+    const double c = spline.coefficient(k, joint), limit = std::clamp(c, lower, upper);
+    if (limit == c) continue;
+    if (pull.weight.size() == 0) {
+      pull.weight = pull.target = Eigen::VectorXd::Zero(spline.coefficient.rows());
+    }
+    inside = inside && std::abs(limit - c) < 1e-5;
+    pull.target[k] = limit;
+    pull.weight[k] = std::max(kLimitWeight, 3 * pull.weight[k]);
+  }
+  return inside;
+}
+
+void solve(const Rows& rows, const JointRows& offset, const std::vector<Pull>& pulls,
+           JointRows& coefficient) {
+  coefficient.setZero();
+  for (std::size_t i = 0; i < rows.weight.size(); ++i) {
+    for (Eigen::Index a = 0; a < 6; ++a) {
+      coefficient.row(rows.place[i].interval + a) +=
+          (rows.weight[i] * rows.basis[i][a]) * offset.row(static_cast<Eigen::Index>(i));
+    }
+  }
+  const JointRows right = coefficient;
+  solve_factored(factored_normal(rows, {}), coefficient);
+  for (std::size_t joint = 0; joint < pulls.size(); ++joint) {
+    const Pull& pull = pulls[joint];
+    if (pull.weight.size() == 0) continue;
+    const auto column = static_cast<Eigen::Index>(joint);
+    Eigen::VectorXd c = right.col(column) + pull.weight.cwiseProduct(pull.target);
+    solve_factored(factored_normal(rows, pull.weight), c);
+    coefficient.col(column) = c;
+  }
+}
+
+/// One fit on given knots; the largest excess over the tolerance, <= 1: it holds.
+double fit(const RobotTable& robot, const std::vector<double>& clock, const JointRows& samples,
+           const std::vector<double>& allowance, const FitTolerance& tolerance,
+           const Leverage& leverage, PathFit& out) {
+  Rows rows = rows_of(clock, allowance, tolerance.duration_s, out.spline);
+  // Offsets from the first sample: damping must not move a constant.
+  const Eigen::RowVectorXd origin = samples.row(0);
+  const JointRows offset = samples.rowwise() - origin;
+  const Eigen::Index n = samples.cols();
+  const JointVector inset = (0.25 * (robot.upper - robot.lower)).cwiseMin(kLimitInset);
+  const JointVector lower = robot.lower + inset - origin.transpose();
+  const JointVector upper = robot.upper - inset - origin.transpose();
+  std::vector<Pull> pulls(static_cast<std::size_t>(n));
+  JointRows& coefficient = out.spline.coefficient;
+  double excess = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    solve(rows, offset, pulls, coefficient);
+    bool settled = true;
+    for (Eigen::Index joint = 0; joint < n; ++joint) {
+      settled &= update_pull(out.spline, joint, lower[joint], upper[joint],
+                             pulls[static_cast<std::size_t>(joint)]);
+    }
+    coefficient = coefficient.cwiseMax(lower.transpose().replicate(coefficient.rows(), 1))
+                      .cwiseMin(upper.transpose().replicate(coefficient.rows(), 1));
+    excess = out.tip_deviation = out.joint_deviation = 0;
+    for (std::size_t i = 0; i < clock.size(); ++i) {
+      const JointVector off =
+          coefficient.middleRows<6>(rows.place[i].interval).transpose() * rows.basis[i] -
+          offset.row(static_cast<Eigen::Index>(i)).transpose();
+      const Deviation here = deviation_at(leverage, i, off);
+      out.tip_deviation = std::max(out.tip_deviation, here.tip);
+      out.joint_deviation = std::max(out.joint_deviation, here.any);
+      const double share =
+          std::max(here.tip / (kLinear * tolerance.tip_m), here.bare / tolerance.joint_rad) /
+          allowance[i];
+      excess = std::max(excess, share);
+      if (share <= 1 || rows.weight[i] > kMostWeight) continue;
+      rows.weight[i] *= std::clamp(share * share, 2.0, 100.0);
+      if (round >= kPatience) {
+        rows.roughness.segment<3>(rows.place[i].interval) *= kLessRoughness;
+      }
+      settled = false;
+    }
+    if (settled) break;
+    spread(rows.weight);
+  }
+  coefficient.rowwise() += origin;
+  return excess;
+}
+
+}  // namespace
+
+PathFit fit_path(const RobotTable& robot, const std::vector<double>& clock,
+                 const JointRows& samples, const std::vector<double>& allowance,
+                 const FitTolerance& asked, double step_s) {
+  FitTolerance tolerance = asked;
+  if (asked.tip_m < kExact && asked.joint_rad < kExact) tolerance.duration_s = kExactDuration_s;
+  tolerance.tip_m = std::max(asked.tip_m, kExact);
+  tolerance.joint_rad = std::max(asked.joint_rad, kExact);
+  const Leverage leverage = leverage_of(robot, samples);
+  PathFit best;
+  double least = std::numeric_limits<double>::infinity();
+  for (int halving = 0; halving <= kHalvings && least > 1; ++halving, step_s *= 0.5) {
+    PathFit out;
+    out.spline.length = clock.back();
+    out.spline.intervals = std::max<Eigen::Index>(
+        1, static_cast<Eigen::Index>(std::ceil(out.spline.length / step_s - 1e-9)));
+    out.spline.coefficient.resize(out.spline.intervals + 5, samples.cols());
+    const double excess = fit(robot, clock, samples, allowance, tolerance, leverage, out);
+    if (excess >= least) break;
+    least = excess;
+    best = std::move(out);
+  }
+  return best;
+}
+
+}  // namespace morphe

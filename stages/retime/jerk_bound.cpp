@@ -1,0 +1,317 @@
+#include "stages/retime/jerk_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "stages/retime/banded.hpp"
+
+namespace morphe {
+namespace {
+
+/// Of the barrier, as a share of what a point adds to the duration: bounds the duration's excess.
+constexpr double kFirstBarrier = 1e-2, kLastBarrier = 1e-5, kLowerBarrier = 0.1;
+constexpr int kNewtonSteps = 60;  ///< at most, for each barrier
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+using Local = Eigen::Vector3d;  ///< (x, x_w, x_ww) at a point
+using FromCoefficients = Eigen::Matrix<double, 3, 4>;
+using Lanes = Eigen::Array<double, 4, 1>;
+using Rows = Eigen::Map<const Lanes, Eigen::Aligned16>;
+
+/// A point where constraints hold: the knots, and the middles of the first and last intervals,
+/// where q_w and q_ww vanish and leave x_ww free at the very ends.
+struct Point {
+  Eigen::Index interval = 0;
+  double w = 0, weight = 0;  ///< weight: of x^(-1/2) in the duration
+  FromCoefficients local;    ///< from the interval's coefficients
+};
+
+/// Constraints divided by their limits so that every bound is 1, a column a point and a row a joint
+/// (rows of zeros fill them up to whole lanes):
+///   |a0 x + a1 x_w| <= 1,  |j0 x + j1 x_w + j2 x_ww| x^(1/2) <= 1,  x <= ceiling.
+struct Constraints {
+  std::vector<Point> point;
+  Eigen::ArrayXXd a0, a1, j0, j1, j2;
+  Eigen::ArrayXd ceiling;
+  Eigen::Index size() const { return ceiling.size(); }
+};
+
+FromCoefficients local_from_coefficients(double z, double step) {
+  FromCoefficients m = FromCoefficients::Zero();
+  const auto value = bspline_weights<3>(z);
+  const auto first = bspline_weights<2>(z);
+  const auto second = bspline_weights<1>(z);
+  for (std::size_t k = 0; k < 4; ++k) m(0, static_cast<Eigen::Index>(k)) = value[k];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    m(1, column) -= first[k] / step;
+    m(1, column + 1) += first[k] / step;
+  }
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    m.row(2).segment<3>(column) += second[k] / (step * step) * Eigen::RowVector3d(1, -2, 1);
+  }
+  return m;
+}
+
+std::vector<Point> points_of(double length, Eigen::Index intervals) {
+  constexpr Eigen::Index kEnds = 8;  ///< intervals with points between their knots
+  const double step = length / static_cast<double>(intervals);
+  std::vector<Point> points;
+  for (Eigen::Index i = 0; i < intervals; ++i) {
+    const int parts = i < kEnds || i >= intervals - kEnds ? 4 : 2;
+    for (int part = 0; part < parts + (i + 1 == intervals); ++part) {
+      const double z = static_cast<double>(part) / parts;
+      points.push_back(
+          {i, (static_cast<double>(i) + z) * step, 0, local_from_coefficients(z, step)});
+    }
+  }
+  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+    const double half = 0.5 * (points[k + 1].w - points[k].w);
+    points[k].weight += half;
+    points[k + 1].weight += half;
+  }
+  return points;
+}
+
+Constraints constraints_of(const Course& course, const RampedClock& clock, Eigen::Index intervals,
+                           double most) {
+  Constraints c;
+  c.point = points_of(clock.length, intervals);
+  const auto points = static_cast<Eigen::Index>(c.point.size());
+  const Eigen::Index n = course.acceleration.size(), rows = (n + 3) / 4 * 4;
+  for (Eigen::ArrayXXd* block : {&c.a0, &c.a1, &c.j0, &c.j1, &c.j2}) block->setZero(rows, points);
+  c.ceiling.resize(points);
+  const Eigen::ArrayXd per_a = course.acceleration.array().inverse();
+  const Eigen::ArrayXd per_j = course.jerk.array().inverse();
+  JointRows q;
+  for (Eigen::Index i = 0; i < points; ++i) {
+    const ClockAt at = clock_at(clock, c.point[static_cast<std::size_t>(i)].w);
+    evaluate(course.spline, at.u, q);
+    const double pace = std::min(most, most_pace(course, at.u, q) / std::max(at.d1, 1e-12));
+    c.ceiling[i] = pace * pace;
+    chain(at, q);
+    const double s = slowdown_at(course, at.u);
+    const auto column = [&](Eigen::Index order, const Eigen::ArrayXd& per) {
+      return q.row(order).transpose().array() * per;
+    };
+    c.a0.col(i).head(n) = s * s * column(2, per_a);
+    c.a1.col(i).head(n) = 0.5 * s * s * column(1, per_a);
+    c.j0.col(i).head(n) = s * s * s * column(3, per_j);
+    c.j1.col(i).head(n) = 1.5 * s * s * s * column(2, per_j);
+    c.j2.col(i).head(n) = 0.5 * s * s * s * column(1, per_j);
+  }
+  return c;
+}
+
+/// Duration minus barrier times the sum of log(slack), slacks 1 - value^2; infinite outside.
+double merit(const Constraints& c, const Eigen::VectorXd& coefficient, double barrier) {
+  double duration = 0, slacks = 0;
+  for (Eigen::Index i = 0; i < c.size(); ++i) {
+    const Point& point = c.point[static_cast<std::size_t>(i)];
+    const Local x = point.local * coefficient.segment<4>(point.interval);
+    const double room = 1 - x[0] / c.ceiling[i];
+    if (!(x[0] > 0) || !(room > 0)) return kInfinity;
+    const double pace = std::sqrt(x[0]);
+    Lanes product = Lanes::Ones(), least = product;
+    for (Eigen::Index k = 0; k < c.a0.rows(); k += 4) {
+      const Rows a0(&c.a0(k, i)), a1(&c.a1(k, i));
+      const Rows j0(&c.j0(k, i)), j1(&c.j1(k, i)), j2(&c.j2(k, i));
+      const Lanes a = 1 - (a0 * x[0] + a1 * x[1]).square();
+      const Lanes j = 1 - ((j0 * x[0] + j1 * x[1] + j2 * x[2]) * pace).square();
+      least = least.min(a).min(j);
+      product *= a * j;
+    }
+    if (!(least.minCoeff() > 0)) return kInfinity;
+    duration += point.weight / pace;
+    slacks +=
+        std::log(room) + std::log(product[0] * product[1]) + std::log(product[2] * product[3]);
+  }
+  return duration - barrier * slacks;
+}
+
+struct Newton {
+  Eigen::VectorXd gradient, step;
+  BandedMatrix hessian{0, 3};
+};
+
+/// Gradient and Hessian of -log(1 - v^2) over v = d . x, added up over lanes.
+struct Sums {
+  Lanes g0 = Lanes::Zero(), g1 = g0, g2 = g0;
+  Lanes h00 = g0, h01 = g0, h02 = g0, h11 = g0, h12 = g0, h22 = g0;
+};
+
+/// Gradient and a positive definite approximation of the Hessian of the merit at one point (the
+/// curvature of value times x^(1/2) is left out).
+void local_model(const Constraints& c, Eigen::Index i, double weight, const Local& x,
+                 double barrier, Local& gradient, Eigen::Matrix3d& hessian) {
+  Sums s;
+  const double pace = std::sqrt(x[0]), bend = 0.5 / x[0];
+  for (Eigen::Index k = 0; k < c.a0.rows(); k += 4) {
+    const Rows a0(&c.a0(k, i)), a1(&c.a1(k, i));
+    const Lanes v = a0 * x[0] + a1 * x[1], inverse = (1 - v.square()).inverse();
+    const Lanes pull = 2 * v * inverse, stiff = 2 * (1 + v.square()) * inverse.square();
+    s.g0 += pull * a0;
+    s.g1 += pull * a1;
+    s.h00 += stiff * a0 * a0;
+    s.h01 += stiff * a0 * a1;
+    s.h11 += stiff * a1 * a1;
+  }
+  for (Eigen::Index k = 0; k < c.a0.rows(); k += 4) {
+    const Rows j0(&c.j0(k, i)), j1(&c.j1(k, i)), j2(&c.j2(k, i));
+    const Lanes v = (j0 * x[0] + j1 * x[1] + j2 * x[2]) * pace;
+    const Lanes inverse = (1 - v.square()).inverse();
+    const Lanes pull = 2 * v * inverse, stiff = 2 * (1 + v.square()) * inverse.square();
+    const Lanes d0 = j0 * pace + v * bend, d1 = j1 * pace, d2 = j2 * pace;
+    s.g0 += pull * d0;
+    s.g1 += pull * d1;
+    s.g2 += pull * d2;
+    s.h00 += stiff * d0 * d0;
+    s.h01 += stiff * d0 * d1;
+    s.h02 += stiff * d0 * d2;
+    s.h11 += stiff * d1 * d1;
+    s.h12 += stiff * d1 * d2;
+    s.h22 += stiff * d2 * d2;
+  }
+  const double room = c.ceiling[i] - x[0], cost = weight / pace;
+  gradient = barrier * Local(s.g0.sum() + 1 / room, s.g1.sum(), s.g2.sum());
+  gradient[0] -= bend * cost;
+  hessian << s.h00.sum() + 1 / (room * room), s.h01.sum(), s.h02.sum(), s.h01.sum(), s.h11.sum(),
+      s.h12.sum(), s.h02.sum(), s.h12.sum(), s.h22.sum();
+  hessian *= barrier;
+  hessian(0, 0) += 3 * bend * bend * cost;
+}
+
+/// Newton's step of the merit; false if there is none. decrement = -gradient . step.
+bool newton_step(const Constraints& c, const Eigen::VectorXd& coefficient, double barrier,
+                 Newton& newton, double& decrement) {
+  newton.hessian = BandedMatrix(coefficient.size(), 3);
+  newton.gradient.setZero(coefficient.size());
+  Local gradient;
+  Eigen::Matrix3d hessian;
+  for (Eigen::Index i = 0; i < c.size(); ++i) {
+    const Point& point = c.point[static_cast<std::size_t>(i)];
+    const FromCoefficients& m = point.local;
+    local_model(c, i, point.weight, m * coefficient.segment<4>(point.interval), barrier, gradient,
+                hessian);
+    newton.gradient.segment<4>(point.interval) += m.transpose() * gradient;
+    const Eigen::Matrix4d block = m.transpose() * hessian * m;
+    for (Eigen::Index a = 0; a < 4; ++a) {
+      for (Eigen::Index b = 0; b <= a; ++b) {
+        newton.hessian.entry(point.interval + a, a - b) += block(a, b);
+      }
+    }
+  }
+  if (!newton.gradient.allFinite() || !factor(newton.hessian)) return false;
+  newton.step = -newton.gradient;
+  solve_factored(newton.hessian, newton.step);
+  decrement = -newton.gradient.dot(newton.step);
+  return newton.step.allFinite() && decrement > 0;
+}
+
+/// The largest steady dw/dt squared that meets every bound.
+double steady_square(const Constraints& c) {
+  const double a = std::max(1e-12, c.a0.abs().maxCoeff());
+  const double j = std::max(1e-12, c.j0.abs().maxCoeff());
+  return std::min({c.ceiling.minCoeff(), 1 / a, std::pow(j, -2.0 / 3)});
+}
+
+void minimise(const Constraints& c, double scale_s, Eigen::VectorXd& coefficient) {
+  Newton newton;
+  Eigen::VectorXd trial;
+  const double each = scale_s / static_cast<double>(c.size());
+  for (double share = kFirstBarrier; share > 0.99 * kLastBarrier; share *= kLowerBarrier) {
+    const double barrier = share * each;
+    double now = merit(c, coefficient, barrier);
+    for (int k = 0; k < kNewtonSteps; ++k) {
+      double decrement = 0;
+      if (!newton_step(c, coefficient, barrier, newton, decrement)) break;
+      double length = 1, then = kInfinity;
+      for (; length > 1e-6; length *= 0.5) {
+        trial = coefficient + length * newton.step;
+        then = merit(c, trial, barrier);
+        if (then <= now - 0.05 * length * decrement) break;
+      }
+      if (!(then < now)) break;
+      coefficient = trial;
+      now = then;
+      if (decrement < 0.1 * barrier * static_cast<double>(c.size())) break;
+    }
+  }
+}
+
+bool positive(const Progress& progress) {
+  const Eigen::Index cells = 8 * (progress.coefficient.size() - 3);
+  for (Eigen::Index i = 0; i < cells; ++i) {
+    const double w = static_cast<double>(i) / static_cast<double>(cells) * progress.length;
+    if (!(square_at(progress, w) > 0)) return false;
+  }
+  return true;
+}
+
+double duration_between(const Progress& progress, double from, double to) {
+  constexpr std::array<double, 5> node{
+      -0.906179845938663992797626878299, -0.538469310105683091036314420700, 0,
+      0.538469310105683091036314420700, 0.906179845938663992797626878299};
+  constexpr std::array<double, 5> weight{
+      0.236926885056189087514264040720, 0.478628670499366468041291514836,
+      0.568888888888888888888888888889, 0.478628670499366468041291514836,
+      0.236926885056189087514264040720};
+  const double half = 0.5 * (to - from), middle = 0.5 * (to + from);
+  double sum = 0;
+  for (std::size_t k = 0; k < node.size(); ++k) {
+    sum += weight[k] / std::sqrt(square_at(progress, middle + half * node[k]));
+  }
+  return half * sum;
+}
+
+}  // namespace
+
+double square_at(const Progress& progress, double w) {
+  const Eigen::Index intervals = progress.coefficient.size() - 3;
+  const double knots = std::clamp(w / progress.length, 0.0, 1.0) * static_cast<double>(intervals);
+  const auto interval = std::min(static_cast<Eigen::Index>(knots), intervals - 1);
+  const auto weights = bspline_weights<3>(knots - static_cast<double>(interval));
+  return progress.coefficient.segment<4>(interval).dot(
+      Eigen::Map<const Eigen::Vector4d>(weights.data()));
+}
+
+Progress fastest_progress(const Course& course, const RampedClock& clock, Eigen::Index intervals,
+                          double most, double scale_s) {
+  const Constraints constraints = constraints_of(course, clock, intervals, most);
+  const Progress steady{clock.length,
+                        Eigen::VectorXd::Constant(intervals + 3, 0.9 * steady_square(constraints))};
+  Progress fastest = steady;
+  minimise(constraints, scale_s, fastest.coefficient);
+  return positive(fastest) ? fastest : steady;
+}
+
+ProgressLaw progress_law(const RampedClock& clock, Progress progress) {
+  constexpr Eigen::Index kCellsPerKnot = 4;
+  const Eigen::Index cells = kCellsPerKnot * (progress.coefficient.size() - 3);
+  ProgressLaw law{clock, std::move(progress), clock.length / static_cast<double>(cells), {0}};
+  for (Eigen::Index i = 0; i < cells; ++i) {
+    const double from = static_cast<double>(i) * law.cell;
+    law.time.push_back(law.time.back() + duration_between(law.progress, from, from + law.cell));
+  }
+  return law;
+}
+
+double clock_at(const ProgressLaw& law, double time_s) {
+  if (!(time_s > 0)) return 0;
+  const auto after = std::upper_bound(law.time.begin(), law.time.end(), time_s);
+  if (after == law.time.end()) return clock_at(law.clock, law.clock.length).u;
+  const auto i = static_cast<std::size_t>(after - law.time.begin()) - 1;
+  const double from = static_cast<double>(i) * law.cell;
+  double w = from;
+  for (int step = 0; step < 8; ++step) {
+    const double off = time_s - law.time[i] - duration_between(law.progress, from, w);
+    const double move = off * std::sqrt(square_at(law.progress, w));
+    w = std::clamp(w + move, from, from + law.cell);
+    if (std::abs(move) < 1e-16) break;
+  }
+  return clock_at(law.clock, w).u;
+}
+
+}  // namespace morphe

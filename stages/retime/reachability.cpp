@@ -1,0 +1,114 @@
+#include "stages/retime/reachability.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace morphe {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kLeastSlope = 1e-12;  ///< of acceleration over its limit by x_u
+constexpr int kNewtonSteps = 60;
+
+/// A bound of a = x_u / 2 and how it changes with x.
+struct Bound {
+  double value = 0, slope = 0;
+};
+struct Bounds {
+  Bound most{kInfinity, 0}, least{-kInfinity, 0};
+};
+
+/// The constraints |p a + r x| <= 1 of one step, a row for each joint at each of its ends.
+class Step {
+ public:
+  explicit Step(Eigen::Index joints) : inverse_(2 * joints), slope_(2 * joints) {}
+
+  /// At the far end x is x + 2 step a.
+  void load(const PaceGrid& grid, Eigen::Index i) {
+    const Eigen::Index n = grid.first.rows();
+    step_ = grid.step;
+    for (Eigen::Index k = 0; k < n; ++k) {
+      set(k, grid.first(k, i), grid.second(k, i));
+      const double far = grid.second(k, i + 1);
+      set(n + k, grid.first(k, i + 1) + 2 * step_ * far, far);
+    }
+  }
+  /// What x allows a to be, if the next x is to lie in [0, next].
+  Bounds at(double x, double next) const {
+    const double half = 0.5 / step_;
+    Bounds out{{half * (next - x), -half}, {-half * x, -half}};
+    for (Eigen::Index k = 0; k < inverse_.size(); ++k) {
+      const double middle = -slope_[k] * x;
+      if (middle + inverse_[k] < out.most.value) out.most = {middle + inverse_[k], -slope_[k]};
+      if (middle - inverse_[k] > out.least.value) out.least = {middle - inverse_[k], -slope_[k]};
+    }
+    return out;
+  }
+
+ private:
+  void set(Eigen::Index row, double p, double r) {
+    if (std::abs(p) < kLeastSlope) p = p < 0 ? -kLeastSlope : kLeastSlope;
+    inverse_[row] = 1 / std::abs(p);
+    slope_[row] = r / p;
+  }
+  double step_ = 1;
+  Eigen::ArrayXd inverse_, slope_;
+};
+
+/// The largest x in [0, ceiling] for which some a is left. What is left, most - least, is concave
+/// in x and not negative at 0: Newton's method from above never passes the root.
+double largest(const Step& step, double ceiling, double next) {
+  double x = ceiling;
+  for (int k = 0; k < kNewtonSteps; ++k) {
+    const Bounds at = step.at(x, next);
+    const double room = at.most.value - at.least.value, slope = at.most.slope - at.least.slope;
+    if (room >= 0 || !(slope < 0)) break;
+    const double then = std::max(0.0, x - room / slope);
+    if (!(then < x)) break;
+    x = then;
+  }
+  return x;
+}
+
+}  // namespace
+
+Eigen::VectorXd fastest_squares(const PaceGrid& grid) {
+  const Eigen::Index steps = grid.ceiling.size() - 1;
+  Step step(grid.first.rows());
+  Eigen::VectorXd controllable = Eigen::VectorXd::Zero(steps + 1), x = controllable;
+  for (Eigen::Index i = steps; i-- > 0;) {
+    step.load(grid, i);
+    controllable[i] =
+        largest(step, std::min(grid.ceiling[i], kMostPace * kMostPace), controllable[i + 1]);
+  }
+  for (Eigen::Index i = 0; i < steps; ++i) {
+    step.load(grid, i);
+    const double a = step.at(x[i], controllable[i + 1]).most.value;
+    x[i + 1] = std::clamp(x[i] + 2 * grid.step * a, 0.0, controllable[i + 1]);
+  }
+  return x;
+}
+
+GridLaw grid_law(double step, Eigen::VectorXd square) {
+  GridLaw law{step, std::move(square), {}};
+  law.time = Eigen::VectorXd::Zero(law.square.size());
+  for (Eigen::Index i = 0; i + 1 < law.square.size(); ++i) {
+    const double pace = std::sqrt(law.square[i]) + std::sqrt(law.square[i + 1]);
+    law.time[i + 1] = law.time[i] + 2 * step / pace;
+  }
+  return law;
+}
+
+double clock_at(const GridLaw& law, double time_s) {
+  const double* const begin = law.time.data();
+  const Eigen::Index last = law.time.size() - 1;
+  const auto i = std::upper_bound(begin, begin + law.time.size(), time_s) - begin - 1;
+  if (i < 0) return 0;
+  if (i >= last) return static_cast<double>(last) * law.step;
+  const double t = time_s - law.time[i];
+  const double a = 0.5 * (law.square[i + 1] - law.square[i]) / law.step;
+  return static_cast<double>(i) * law.step + t * (std::sqrt(law.square[i]) + 0.5 * a * t);
+}
+
+}  // namespace morphe

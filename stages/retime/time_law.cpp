@@ -1,0 +1,128 @@
+#include "stages/retime/time_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stages/retime/jerk_bound.hpp"
+
+namespace morphe {
+namespace {
+
+constexpr double kRamp_s = 0.25;  ///< of the path parameter at both ends
+constexpr double kAboveGrid = 4;  ///< times the grid law's pace: cap on dw/dt in the ramps
+constexpr double kMostCatchUp = 1.03, kMadeUpFor = 1.02;
+constexpr int kPaces = 12;  ///< tried for a duration
+constexpr Eigen::Index kLeastSteps = 400, kStepsPerKnot = 4, kLeastKnots = 32;
+
+}  // namespace
+
+TimeLaw fastest_law(const Course& course, Eigen::Index grid_steps, Eigen::Index knots) {
+  const PaceGrid grid = pace_grid(course, grid_steps);
+  GridLaw fastest = grid_law(grid.step, fastest_squares(grid));
+  const double duration_s = fastest.time[grid_steps];
+  if (!(course.jerk.minCoeff() < std::numeric_limits<double>::infinity())) {
+    return {duration_s, [law = std::move(fastest)](double t) { return clock_at(law, t); }};
+  }
+  const RampedClock clock = ramp_ends(course.spline.length, kRamp_s);
+  const double most = kAboveGrid * std::sqrt(fastest.square.maxCoeff());
+  ProgressLaw law = progress_law(clock, fastest_progress(course, clock, knots, most, duration_s));
+  const double longer_s = law.time.back();
+  return {longer_s, [law = std::move(law)](double t) { return clock_at(law, t); }};
+}
+
+TimeLaw fastest_law(const Course& course) {
+  const Eigen::Index knots = course.spline.intervals;
+  return fastest_law(course, std::max(kLeastSteps, kStepsPerKnot * knots),
+                     std::max(kLeastKnots, knots));
+}
+
+Eigen::Index least_periods(const TimeLaw& law, double rate_hz) {
+  return std::max<Eigen::Index>(
+             1, static_cast<Eigen::Index>(std::ceil(law.duration_s * rate_hz - 1e-9))) +
+         2;
+}
+
+PacedLaw pace_fastest(Course& course, double rate_hz) {
+  course.tempo = kMostPace;
+  TimeLaw law = fastest_law(course);
+  const Eigen::Index periods = least_periods(law, rate_hz);
+  return {std::move(law), periods};
+}
+
+PacedLaw pace_human(Course& course, double rate_hz) {
+  const auto wanted = static_cast<Eigen::Index>(std::lround(course.spline.length * rate_hz));
+  PacedLaw first;
+  for (course.tempo = 1; course.tempo < kMostCatchUp;) {
+    PacedLaw paced;
+    paced.law = fastest_law(course);
+    paced.periods = least_periods(paced.law, rate_hz);
+    if (paced.periods <= wanted) {
+      paced.periods = wanted;
+      return paced;
+    }
+    const double late = static_cast<double>(paced.periods - 2) / static_cast<double>(wanted - 2);
+    if (course.tempo == 1) first = std::move(paced);
+    if (!(wanted > 2 && late < kMadeUpFor)) break;
+    course.tempo *= late + 1e-4;
+  }
+  return first;
+}
+
+std::optional<PacedLaw> pace_duration(Course& course, double rate_hz, double duration_s) {
+  const auto periods = static_cast<Eigen::Index>(std::floor(duration_s * rate_hz + 1e-9));
+  if (periods <= 2) return std::nullopt;
+  course.tempo = course.spline.length * rate_hz / static_cast<double>(periods - 2);
+  PacedLaw paced;
+  for (int k = 0; k < kPaces; ++k) {
+    paced.law = fastest_law(course);
+    const Eigen::Index least = least_periods(paced.law, rate_hz);
+    if (least <= periods) {
+      paced.periods = periods;
+      return paced;
+    }
+    course.tempo *= k + 2 < kPaces
+                        ? 1.01 * static_cast<double>(least) / static_cast<double>(periods)
+                        : kMostPace;
+  }
+  return std::nullopt;
+}
+
+SampledLaw sample_law(const Course& course, const PacedLaw& paced, double rate_hz) {
+  const Eigen::Index periods = paced.periods, last = periods + 1;
+  const double dt = 1 / rate_hz;
+  const double faster = paced.law.duration_s / (static_cast<double>(periods - 2) * dt);
+  Eigen::ArrayXd c(periods + 3);  // c[k] belongs to instant k - 1
+  for (Eigen::Index k = 0; k <= last + 1; ++k) {
+    const double time_s = static_cast<double>(k - 2) * dt * faster;
+    c[k] = k <= 2 ? 0 : k >= last - 1 ? course.spline.length : paced.law.clock_at(time_s);
+  }
+  SampledLaw sampled;
+  Trajectory& out = sampled.trajectory;
+  const Eigen::Index n = course.spline.coefficient.cols();
+  out.position.resize(periods + 1, n);
+  out.velocity = out.acceleration = JointRows::Zero(periods + 1, n);
+  JointRows q;
+  for (Eigen::Index i = 0; i <= periods; ++i) {
+    const double u = (c[i] + 4 * c[i + 1] + c[i + 2]) / 6;
+    const double rate = 0.5 * (c[i + 2] - c[i]) * rate_hz;
+    const double bend = (c[i] - 2 * c[i + 1] + c[i + 2]) * rate_hz * rate_hz;
+    evaluate(course.spline, u, q);
+    out.position.row(i) = q.row(0);
+    if (i > 0 && i < periods) {
+      out.velocity.row(i) = q.row(1) * rate;
+      out.acceleration.row(i) = q.row(2) * (rate * rate) + q.row(1) * bend;
+    }
+    sampled.clock.push_back(u);
+    const double demonstrated_s = demonstration_time_at(course.clocked, u);
+    out.time.push_back(static_cast<double>(i) * dt);
+    out.demonstration_time.push_back(
+        i == 0 ? demonstrated_s : std::max(demonstrated_s, out.demonstration_time.back()));
+    out.origin.push_back(origin_at(course.clocked, u));
+    out.phase.push_back(static_cast<std::uint8_t>(
+        phase_at(course.movement->phases, out.demonstration_time.back())));
+    out.clearance.push_back(kNotSeen);
+  }
+  return sampled;
+}
+
+}  // namespace morphe

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "stages/retime/course.hpp"
+
+namespace morphe {
+
+/// The clock as a function of time, from rest to rest.
+struct TimeLaw {
+  double duration_s = 0;
+  std::function<double(double)> clock_at;  ///< u at a time, not decreasing; the ends beyond them
+};
+
+/// The fastest law within the course's limits: reachability analysis for velocity and acceleration;
+/// where a joint's jerk is bounded, the fastest smooth progress within that too.
+/// grid_steps, knots: of the two; fewer are coarser and faster.
+TimeLaw fastest_law(const Course& course, Eigen::Index grid_steps, Eigen::Index knots);
+/// With as many steps as the course's spline needs.
+TimeLaw fastest_law(const Course& course);
+
+/// A law and how many periods its samples take: sample_law() stretches it to that.
+struct PacedLaw {
+  TimeLaw law;
+  Eigen::Index periods = 0;
+};
+/// Periods that a law's samples take at least.
+Eigen::Index least_periods(const TimeLaw& law, double rate_hz);
+
+/// As fast as the limits allow.
+PacedLaw pace_fastest(Course& course, double rate_hz);
+/// du/dt <= 1. Being late by up to 2 % (starting and stopping take time that the demonstration may
+/// not have taken) is made up for by a steady pace as much above 1, if limits allow.
+PacedLaw pace_human(Course& course, double rate_hz);
+/// As human as can be, a steady pace faster or slower, so that all takes duration_s; nothing if
+/// even the fastest law takes longer.
+std::optional<PacedLaw> pace_duration(Course& course, double rate_hz, double duration_s);
+
+/// Samples of the law: c_k = u at the sample instants, stretched to `periods` - 2 and with a period
+/// of rest at each end, are the coefficients of a cubic B-spline in time with its knots at the
+/// instants. It averages the law over neighbouring periods: no velocity, acceleration or jerk
+/// grows, acceleration is continuous and linear between the instants, and both ends are at rest.
+/// The quintics between samples of q(u(t)) then follow it closely: no switch lies between them.
+struct SampledLaw {
+  Trajectory trajectory;
+  std::vector<double> clock;  ///< u at the samples
+};
+SampledLaw sample_law(const Course& course, const PacedLaw& paced, double rate_hz);
+
+}  // namespace morphe

@@ -1,0 +1,122 @@
+#include "stages/retime/fit_path.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "pipeline/kinematics/forward.hpp"
+
+namespace morphe {
+namespace {
+
+RobotTable bare_robot(Eigen::Index joints, double lower, double upper) {
+  RobotTable robot;
+  robot.joint_names.assign(static_cast<std::size_t>(joints), "joint");
+  robot.lower = JointVector::Constant(joints, lower);
+  robot.upper = JointVector::Constant(joints, upper);
+  return robot;
+}
+
+/// Two links of 0.5 m in a plane with a tip at their end, and a joint that carries nothing.
+RobotTable planar_arm() {
+  RobotTable robot = bare_robot(3, -3, 3);
+  for (int joint = 0; joint < 3; ++joint) {
+    RobotTable::Frame frame;
+    frame.parent = joint == 0 ? -1 : 0;
+    frame.joint = joint;
+    frame.transform.translation() = Vec3(joint == 0 ? 0 : 0.5, 0, 0);
+    robot.frames.push_back(frame);
+  }
+  RobotTable::Tip tip;
+  tip.frame = 1;
+  tip.transform.translation() = Vec3(0.5, 0, 0);
+  robot.tips.push_back(tip);
+  return robot;
+}
+
+double tip_distance(const RobotTable& robot, const JointVector& a, const JointVector& b) {
+  std::vector<Pose> frames;
+  forward(robot, a, frames);
+  const Vec3 first = tip_pose(robot, frames, 0).translation();
+  forward(robot, b, frames);
+  return (tip_pose(robot, frames, 0).translation() - first).norm();
+}
+
+TEST(FitPath, FollowsASine) {
+  std::vector<double> clock;
+  JointRows y(201, 1);
+  for (int i = 0; i <= 200; ++i) {
+    clock.push_back(0.005 * i);
+    y(i, 0) = std::sin(4 * clock.back());
+  }
+  const std::vector<double> allowance(clock.size(), 1);
+  const PathFit fit = fit_path(bare_robot(1, -2, 2), clock, y, allowance, {0.003, 0, 0}, 0.01);
+  EXPECT_LT(fit.joint_deviation, 1e-6);
+  JointRows q;
+  for (double u = 0.1; u < 0.9; u += 0.0137) {
+    evaluate(fit.spline, u, q);
+    EXPECT_NEAR(q(0, 0), std::sin(4 * u), 1e-6);
+    EXPECT_NEAR(q(1, 0), 4 * std::cos(4 * u), 1e-4);
+    EXPECT_NEAR(q(2, 0), -16 * std::sin(4 * u), 1e-2);
+    EXPECT_NEAR(q(3, 0), -64 * std::cos(4 * u), 1.0);
+  }
+}
+
+TEST(FitPath, StaysWithinLimits) {
+  std::vector<double> clock;
+  JointRows y(101, 1);
+  for (int i = 0; i <= 100; ++i) {
+    clock.push_back(0.01 * i);
+    y(i, 0) = std::min(0.5, 0.8 * clock.back());
+  }
+  const std::vector<double> allowance(clock.size(), 1);
+  const PathFit fit = fit_path(bare_robot(1, 0, 0.5), clock, y, allowance, {0.03, 0, 1e-3}, 0.01);
+  EXPECT_LE(fit.joint_deviation, 1e-3);
+  JointRows q;
+  for (double u = 0; u <= 1; u += 0.0013) {
+    evaluate(fit.spline, u, q);
+    EXPECT_LE(q(0, 0), 0.5);
+    EXPECT_GE(q(0, 0), 0.0);
+  }
+}
+
+TEST(FitPath, NoiseIsRemovedWithinTheTipsTolerance) {
+  const RobotTable robot = planar_arm();
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> noise(-1e-4, 1e-4);
+  std::vector<double> clock;
+  JointRows y(151, 3);
+  for (int i = 0; i <= 150; ++i) {
+    clock.push_back(0.01 * i);
+    for (int joint = 0; joint < 3; ++joint) {
+      y(i, joint) = std::sin(2 * clock.back() + joint) + noise(random);
+    }
+  }
+  const std::vector<double> allowance(clock.size(), 1);
+  const FitTolerance tolerance{0.05, 2e-4, 3e-4};
+  const PathFit fit = fit_path(robot, clock, y, allowance, tolerance, 0.01);
+  double tip = 0, bare = 0, rough = 0, given = 0;
+  JointRows q;
+  for (int i = 0; i <= 150; ++i) {
+    evaluate(fit.spline, clock[static_cast<std::size_t>(i)], q);
+    const JointVector at = q.row(0).transpose(), sample = y.row(i).transpose();
+    tip = std::max(tip, tip_distance(robot, at, sample));
+    bare = std::max(bare, std::abs(at[2] - sample[2]));
+    if (i < 5 || i > 145) continue;
+    for (int joint = 0; joint < 3; ++joint) {
+      const double truth = -4 * std::sin(2 * clock[static_cast<std::size_t>(i)] + joint);
+      const double differences =
+          (y(i - 1, joint) - 2 * y(i, joint) + y(i + 1, joint)) / (0.01 * 0.01);
+      rough = std::max(rough, std::abs(q(2, joint) - truth));
+      given = std::max(given, std::abs(differences - truth));
+    }
+  }
+  EXPECT_LE(tip, 2e-4);
+  EXPECT_LE(bare, 3e-4);
+  EXPECT_NEAR(fit.tip_deviation, tip, 0.02 * tip);
+  EXPECT_LT(rough, 0.2 * given);
+}
+
+}  // namespace
+}  // namespace morphe
