@@ -16,7 +16,7 @@ std::string number(double value, int digits) {
 
 struct Tracking {
   std::size_t goals = 0, unreachable = 0;
-  double worst_m = 0;  ///< of the mapped frames, over reachable goals
+  double worst_m = kNotSeen;  ///< of the mapped frames, over reachable goals
 };
 
 Tracking tracking_of(const Plan& plan) {
@@ -27,7 +27,7 @@ Tracking tracking_of(const Plan& plan) {
       if (std::isnan(errors(f, tip))) continue;
       ++tracking.goals;
       if (plan.goals.reachable(static_cast<std::size_t>(f), static_cast<std::size_t>(tip))) {
-        tracking.worst_m = std::max(tracking.worst_m, errors(f, tip));
+        tracking.worst_m = std::fmax(tracking.worst_m, errors(f, tip));
       } else {
         ++tracking.unreachable;
       }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "pipeline/kinematics/description.hpp"
+#include "pipeline/kinematics/generate.hpp"
 
 namespace morphe {
 namespace {
@@ -82,6 +83,40 @@ TEST(Goals, AShoulderNeverSeenIsUnseen) {
   HumanMotion motion = small_motion();
   for (Vec3& shoulder : motion.shoulder) shoulder = unseen_point();
   EXPECT_FALSE(seen(shoulder_at_begin(motion, whole_movement())));
+}
+
+TEST(Placement, AHandIsAloneIfNothingMovesItsPalm) {
+  EXPECT_FALSE(hand_alone(reference_robot()));
+  EXPECT_FALSE(hand_alone(generate_arm({6, 0.6})));
+  EXPECT_TRUE(hand_alone(generate_hand({4, 0.2, 0.09})));
+  EXPECT_TRUE(hand_alone(load_robot(MORPHE_SOURCE_DIR "/configs/robots/dlr_hit2.yaml").table));
+}
+
+/// A palm that is not the base's own frame, and is turned in it.
+TEST(Placement, APalmStandsWhereTheHumansHandIs) {
+  RobotTable robot = generate_hand({5, 0.2, 0.09});
+  const Pose base_from_palm =
+      make_pose({0.1, 0.2, 0.3}, Quat(Eigen::AngleAxisd(0.8, Vec3(1, 2, 2).normalized())));
+  robot.frames[static_cast<std::size_t>(robot.palm_frame)].transform = base_from_palm;
+  EXPECT_TRUE((place_hand(robot, {}) * base_from_palm).isApprox(Pose::Identity(), 1e-12));
+  PlacementOptions options;
+  options.rotation = {{"z", std::numbers::pi / 2}};
+  options.shoulder_offset = {0.01, 0.02, 0.03};
+  const Pose hand_from_palm = place_hand(robot, options) * base_from_palm;
+  EXPECT_LT((hand_from_palm * Vec3(1, 0, 0) - Vec3(0.01, 1.02, 0.03)).norm(), 1e-12);
+}
+
+TEST(Goals, AHandAloneNeedsNoArm) {
+  const RobotTable robot = generate_hand({5, 0.2, 0.09});
+  HumanMotion motion = small_motion();
+  motion.shoulder.assign(3, unseen_point());
+  motion.elbow.assign(3, unseen_point());
+  motion.finger_joint(1, 2) = Vec3(0.01, 0.02, 0.1);
+  const Goals goals = make_goals(robot, motion, whole_movement(), Pose::Identity());
+  EXPECT_EQ(goals.common_base_offset, Vec3::Zero());
+  EXPECT_EQ(goals.tip_position(2, 0), motion.tip(2, 0));
+  EXPECT_EQ(goals.finger_joint_position(1, 2), motion.finger_joint(1, 2));
+  EXPECT_FALSE(seen(goals.elbow_position[0]));
 }
 
 TEST(PlacementOptions, RefusesAnUnknownAxis) {

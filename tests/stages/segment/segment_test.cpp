@@ -319,6 +319,29 @@ TEST(Segment, NothingSeenShortOrStillGivesNoMovement) {
   EXPECT_THAT(segment(stopped, {}), IsEmpty());
 }
 
+/// A hand that does not go anywhere: no reach, but a movement if the whole recording is one.
+TEST(Segment, AWholeRecordingIsOneMovementWhateverMoves) {
+  SyntheticHand gestures;
+  gestures.length_s = 3;
+  gestures.opening = {{0, 0.09}, {1, 0.02}, {2, 0.09}};
+  HumanMotion motion = gestures.motion();
+  for (std::size_t i = 0; i < 20; ++i) {  // not seen from the first frame on
+    motion.wrist[i] = unseen_point();
+    for (std::size_t finger = 0; finger < kFingers; ++finger)
+      motion.tip(i, finger) = unseen_point();
+  }
+  SegmentOptions options;
+  options.whole = true;
+  const std::vector<Movement> movements = segment(motion, options);
+  ASSERT_EQ(movements.size(), 1u);
+  EXPECT_EQ(movements[0].begin_s, motion.time[20]);
+  EXPECT_EQ(movements[0].end_s, motion.time.back());
+  EXPECT_THAT(movements[0].phases, IsEmpty());
+  for (Vec3& tip : motion.tip.values) tip = unseen_point();
+  for (Vec3& wrist : motion.wrist) wrist = unseen_point();
+  EXPECT_THAT(segment(motion, options), IsEmpty());
+}
+
 TEST(SegmentOptions, CheckNamesTheKey) {
   SegmentOptions options;
   EXPECT_EQ(check(options), "");

@@ -1,0 +1,127 @@
+#include "stages/map/map_options.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "pipeline/kinematics/description.hpp"
+#include "pipeline/kinematics/generate.hpp"
+#include "stages/map/compass_search.hpp"
+#include "stages/map/frame_search.hpp"
+#include "stages/map/map_movement.hpp"
+
+namespace morphe {
+namespace {
+
+using testing::HasSubstr;
+
+MapOptions with_mode(const std::string& mode) {
+  MapOptions options;
+  options.mode = mode;
+  options.humanlike_triangle = 0.5;
+  options.humanlike_hull = 2;
+  options.natural = {{"arm_1", "", 0.1}};
+  return options;
+}
+
+TEST(MapMode, LeavesOutWhatItSays) {
+  const RobotTable robot = generate_arm({6, 0.6});
+  const auto made = [&](const char* mode) { return make_objective(with_mode(mode), robot); };
+  const MapOptions defaults;
+
+  const FrameObjective all = made("humanlike");
+  EXPECT_EQ(all.joint_distance.weight, defaults.humanlike_arm);
+  EXPECT_EQ(all.finger_joint_distance.weight, defaults.humanlike_fingers);
+  EXPECT_EQ(all.triangle_area.weight, 0.5);
+  EXPECT_EQ(all.hull_volume.weight, 2);
+  EXPECT_EQ(all.chain_position.weight, 0);
+  EXPECT_EQ(all.joint_angle.weight, 0);
+
+  for (const char* mode : {"inverse_kinematics", "fingertip_only", "joint_to_joint"}) {
+    const FrameObjective some = made(mode);
+    EXPECT_EQ(some.joint_distance.weight, 0) << mode;
+    EXPECT_EQ(some.finger_joint_distance.weight, 0) << mode;
+    EXPECT_EQ(some.triangle_area.weight, 0) << mode;
+    EXPECT_EQ(some.hull_volume.weight, 0) << mode;
+    EXPECT_EQ(some.tip_position.weight, defaults.tip_position) << mode;
+    EXPECT_EQ(some.posture.weight, defaults.posture) << mode;
+    EXPECT_EQ(some.posture.joints.size(), 1u) << mode;
+  }
+  EXPECT_EQ(made("inverse_kinematics").tip_orientation.weight, defaults.tip_orientation);
+  EXPECT_EQ(made("inverse_kinematics").hand_orientation.weight, defaults.hand_orientation);
+  EXPECT_EQ(made("fingertip_only").tip_orientation.weight, 0);
+  EXPECT_EQ(made("fingertip_only").hand_orientation.weight, 0);
+  EXPECT_GT(made("joint_to_joint").chain_position.weight, 0);
+  EXPECT_GT(made("joint_to_joint").joint_angle.weight, 0);
+}
+
+TEST(MapMode, EveryNameIsItsOwn) {
+  EXPECT_EQ(mode_of(MapOptions{}), MapMode::humanlike);
+  EXPECT_EQ(mode_of(with_mode("joint_to_joint")), MapMode::joint_to_joint);
+  EXPECT_EQ(mode_of(with_mode("inverse_kinematics")), MapMode::inverse_kinematics);
+  EXPECT_EQ(mode_of(with_mode("fingertip_only")), MapMode::fingertip_only);
+}
+
+TEST(MapOptions, RefusesWhatMakesNoSense) {
+  EXPECT_EQ(check(MapOptions{}), "");
+  EXPECT_THAT(check(with_mode("elbow_only")), HasSubstr("'elbow_only'"));
+  MapOptions options;
+  options.humanlike_hull = -1;
+  EXPECT_THAT(check(options), HasSubstr("negative"));
+  options = {};
+  options.humanlike_triangle = -1;
+  EXPECT_THAT(check(options), HasSubstr("negative"));
+  EXPECT_THAT(check(BaseOffset{-0.1, 1}), HasSubstr("negative"));
+  EXPECT_THAT(check(BaseOffset{0.1, kNotSeen}), HasSubstr("negative"));
+}
+
+/// The weights do what they say: an arm with joints to spare and the same wrist goal, with B or C
+/// weighted, has less of it than without any humanlikeness.
+TEST(MapOptions, TrianglesAndHullsAreLessWhereTheyCount) {
+  const RobotTable robot = generate_arm({12, 0.6});
+  Goals goals;
+  constexpr std::size_t kFrames = 8;
+  goals.tip_position = {kFrames, 1, Vec3(0.25, 0.2, 0.2)};
+  goals.tip_orientation = {kFrames, 1, unseen_rotation()};
+  goals.reachable = {kFrames, 1, 0};
+  goals.finger_joint_position = {kFrames, kFingers, unseen_point()};
+  for (std::size_t f = 0; f < kFrames; ++f) {
+    goals.time.push_back(0.01 * static_cast<double>(f));
+    goals.shoulder_position.push_back(Vec3::Zero());
+    goals.elbow_position.emplace_back(0.3, 0, 0);
+    goals.wrist_position.emplace_back(0.25, 0.2, 0.2);
+    goals.wrist_orientation.push_back(unseen_rotation());
+  }
+  const Scene scene;
+  const CollisionWorld world = make_world(robot, scene, {}, {});
+  const auto metrics = [&](double a, double b, double c) {
+    MapOptions options;
+    options.humanlike_arm = a;
+    options.humanlike_triangle = b;
+    options.humanlike_hull = c;
+    options.starts = 24;
+    options.reachable_starts = 1;
+    const MapResult result =
+        map_movement(make_mapping_problem(robot, goals, world, options), goals, options, 1);
+    EXPECT_LT(result.mapped.position_error.maxCoeff(), 1e-3);
+    return Vec3(result.mapped.humanlikeness.row(4).transpose());
+  };
+  const Vec3 none = metrics(0, 0, 0), b = metrics(0, 1, 0), c = metrics(0, 0, 10);
+  EXPECT_LT(b[1], 0.5 * none[1]);
+  EXPECT_LT(c[2], 0.5 * none[2]);
+}
+
+TEST(CompassSearch, FindsABowlsBottomInsideTheBox) {
+  const Vec3 bottom(0.02, -0.031, 0.2);
+  const auto bowl = [&](const Vec3& at) {
+    const Vec3 away = at - bottom;
+    return away.squaredNorm() + 0.5 * away.x() * away.y();
+  };
+  const Vec3 found = compass_search(bowl, 0.08, 1e-4);
+  EXPECT_NEAR(found.x(), bottom.x(), 2e-4);
+  EXPECT_NEAR(found.y(), bottom.y(), 2e-4);
+  EXPECT_EQ(found.z(), 0.08);  // the box ends here
+  EXPECT_EQ(compass_search([](const Vec3&) { return 1.0; }, 0.08, 1e-3), Vec3::Zero());
+}
+
+}  // namespace
+}  // namespace morphe
