@@ -1,8 +1,10 @@
 #include "pipeline/collision/certified.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace morphe {
 namespace {
@@ -21,9 +23,10 @@ struct Bisection {
   bool first_only;
   std::vector<MotionCheck>& failed;
 
-  std::vector<char> out_of_play;  ///< [pairs] 1: has failed before
-  MotionCheck least;              ///< least slack seen
-  bool touching = false;          ///< whether the part of the motion at hand may touch
+  MotionCheck least;  ///< least slack seen; of motion_clearance(): least distance
+  double at_least = std::numeric_limits<double>::infinity();  ///< of motion_clearance()
+  bool touching = false;  ///< whether the part of the motion at hand may touch
+  TargetPlace target_place = TargetPlace::as_recorded;  ///< in that part
 
   std::size_t objects() const { return world.scene->objects.size(); }
   std::size_t pairs() const {
@@ -59,27 +62,26 @@ struct Bisection {
     }
     for (std::size_t k = 0; k < objects(); ++k) {
       const SceneObject& object = world.scene->objects[k];
-      scratch.object_travel[k] = object.time.size() < 2
-                                     ? 0
-                                     : object_travel(object, motion.demonstration_time(s0),
-                                                     middle_s, motion.demonstration_time(s1));
+      const bool still = object.time.size() < 2 || (static_cast<int>(k) == world.target &&
+                                                    target_place != TargetPlace::as_recorded);
+      scratch.object_travel[k] = still ? 0
+                                       : object_travel(object, motion.demonstration_time(s0),
+                                                       middle_s, motion.demonstration_time(s1));
     }
   }
 
-  /// What joints above a common parent do to both capsules does not bring them nearer.
-  double travel_between(int first, int second) const {
-    const RobotTable& robot = *world.robot;
-    int a = robot.capsules[static_cast<std::size_t>(first)].frame;
-    int b = robot.capsules[static_cast<std::size_t>(second)].frame;
+  /// What joints above a common parent do to both bodies does not bring them nearer.
+  /// `reach_a`, `reach_b`: [joints] of each.
+  double travel_between(int a, const double* reach_a, int b, const double* reach_b) const {
     int last_a = -1, last_b = -1;  // a coupled joint turns neighbouring frames: count it once
     double sum_m = 0;
     while (a != b) {
-      int& frame = a > b ? a : b;  // parents first: the later frame is no parent of the other
-      int& last = a > b ? last_a : last_b;
-      const int capsule = a > b ? first : second;
-      const RobotTable::Frame& turned = robot.frames[static_cast<std::size_t>(frame)];
+      const bool first = a > b;  // parents first: the later frame is no parent of the other
+      int& frame = first ? a : b;
+      int& last = first ? last_a : last_b;
+      const RobotTable::Frame& turned = world.robot->frames[static_cast<std::size_t>(frame)];
       if (turned.joint >= 0 && turned.joint != last) {
-        sum_m += reach(capsule, turned.joint) * scratch.travel[turned.joint];
+        sum_m += (first ? reach_a : reach_b)[turned.joint] * scratch.travel[turned.joint];
         last = turned.joint;
       }
       frame = turned.parent;
@@ -88,9 +90,18 @@ struct Bisection {
   }
 
   double travel_of(const PairSeparation& pair) const {
-    if (!pair.object) return travel_between(pair.capsule, pair.other);
-    return scratch.body_travel[static_cast<std::size_t>(pair.capsule)] +
-           scratch.object_travel[static_cast<std::size_t>(pair.other)];
+    const auto first = static_cast<std::size_t>(pair.capsule);
+    const auto other = static_cast<std::size_t>(pair.other);
+    const int frame = world.robot->capsules[first].frame;
+    const double* own = reach.row(pair.capsule).data();
+    if (!pair.object) {
+      return travel_between(frame, own, world.robot->capsules[other].frame,
+                            reach.row(pair.other).data());
+    }
+    if (pair.other == world.target && target_place == TargetPlace::in_hand) {
+      return travel_between(frame, own, world.carried.frame, world.carried.reach.data());
+    }
+    return scratch.body_travel[first] + scratch.object_travel[other];
   }
 
   /// No more than the pair's slack, at little cost.
@@ -115,11 +126,6 @@ struct Bisection {
                     : capsule_capsule(first, scratch.bodies[other]);
   }
 
-  void fail(std::size_t number, MotionVerdict verdict, double at, const PairSeparation& pair) {
-    out_of_play[number] = 1;
-    failed.push_back({verdict, at, pair});
-  }
-
   /// Judges the pairs in scratch.open[depth] over [s0, s1]; what stays open goes one level down.
   void judge(std::size_t depth, double s0, double s1) {
     const double middle = 0.5 * (s0 + s1);
@@ -127,24 +133,22 @@ struct Bisection {
     std::vector<std::size_t>& further = scratch.open[depth + 1];
     further.clear();
     for (const std::size_t number : scratch.open[depth]) {
-      if (out_of_play[number]) continue;
       PairSeparation pair = pair_of(number);
-      const double at_least = slack_at_least(pair);
-      if (at_least > least.pair.slack()) {
-        if (at_least >= travel_of(pair)) continue;
-      }
+      const double bound_m = slack_at_least(pair);
+      if (bound_m > least.pair.slack() && bound_m >= travel_of(pair)) continue;
       measure(pair);
-      if (pair.slack() < least.pair.slack()) least = {MotionVerdict::free, middle, pair};
+      if (pair.slack() < least.pair.slack()) least = {MotionVerdict::free, middle, pair, s0, s1};
       const double travel_m = travel_of(pair);
       if (pair.slack() >= travel_m) continue;
-      if (!(pair.slack() >= 0)) {  // NaN too
-        fail(number, MotionVerdict::colliding, middle, pair);
-      } else if (travel_m < band_m || depth + 1 >= kDeepest) {
-        fail(number, MotionVerdict::undecided, middle, pair);
+      const bool colliding = !(pair.slack() >= 0);  // NaN too
+      const bool last = travel_m < band_m || depth + 1 >= kDeepest;
+      if (last || (colliding && (first_only || !(pair.slack() >= -travel_m)))) {
+        failed.push_back({colliding ? MotionVerdict::colliding : MotionVerdict::undecided, middle,
+                          pair, s0, s1});
+        if (first_only) return;
       } else {
         further.push_back(number);
       }
-      if (first_only && !failed.empty()) return;
     }
     if (further.empty()) return;
     judge(depth + 1, s0, middle);
@@ -162,33 +166,111 @@ struct Bisection {
     return high;
   }
 
-  void run() {
-    out_of_play.assign(pairs(), 0);
+  bool pair_touches(const PairSeparation& pair) const {
+    return touching && pair.object && pair.other == world.target &&
+           world.robot->capsules[static_cast<std::size_t>(pair.capsule)].may_touch_target;
+  }
+
+  /// Follows the pairs in scratch.open[depth] over [s0, s1] until none can come nearer than what
+  /// was seen, less the resolution.
+  void approach(std::size_t depth, double s0, double s1, double resolution_m) {
+    const double middle = 0.5 * (s0 + s1);
+    place(s0, middle, s1);
+    std::vector<std::size_t>& further = scratch.open[depth + 1];
+    further.clear();
+    const auto nearest = [&] { return least.pair.separation.distance - resolution_m; };
+    for (const std::size_t number : scratch.open[depth]) {
+      PairSeparation pair = pair_of(number);
+      if (pair_touches(pair)) continue;
+      const double travel_m = travel_of(pair);
+      double bound_m = slack_at_least(pair) + pair.required - travel_m;
+      if (!(bound_m >= nearest())) {
+        measure(pair);
+        const double distance = pair.separation.distance;
+        if (!(distance >= least.pair.separation.distance)) {
+          least = {MotionVerdict::free, middle, pair, s0, s1};
+        }
+        bound_m = distance - travel_m;
+        if (bound_m < nearest() && travel_m > 1e-9 && depth + 1 < kDeepest) {
+          further.push_back(number);
+          continue;
+        }
+      }
+      at_least = std::min(at_least, bound_m);
+    }
+    if (further.empty()) return;
+    approach(depth + 1, s0, middle, resolution_m);
+    approach(depth + 1, middle, s1, resolution_m);
+  }
+
+  /// Calls part(from, to) for the parts of the motion in which what may touch, and where the target
+  /// is held, does not change, until it says to stop.
+  template <class Part>
+  void run(Part part) {
     least.pair.separation.distance = std::numeric_limits<double>::infinity();
     least.pair.capsule = -1;
     least.at = motion.begin;
     scratch.open.resize(kDeepest + 1);
     scratch.body_travel.resize(world.robot->capsules.size());
     scratch.object_travel.resize(objects());
-    scratch.open[0].resize(pairs());
-    for (std::size_t k = 0; k < pairs(); ++k) scratch.open[0][k] = k;
     const double begin_s = motion.demonstration_time(motion.begin);
     const double end_s = motion.demonstration_time(motion.end);
-    double from = motion.begin;
-    const auto part_to = [&](double to) {
-      const double middle_s = motion.demonstration_time(0.5 * (from + to));
-      touching = middle_s >= world.touch_begin_s && middle_s <= world.touch_end_s;
-      judge(0, from, to);
-      from = to;
-    };
-    for (const double border_s : {world.touch_begin_s, world.touch_end_s}) {
-      if (!(begin_s < border_s && border_s < end_s)) continue;
-      part_to(passing(border_s));
-      if (first_only && !failed.empty()) return;
+    std::array<double, 4> borders{world.touch_begin_s, world.touch_end_s, world.carried.begin_s,
+                                  world.carried.end_s};
+    for (double& border_s : borders) {
+      const bool inside = begin_s < border_s && border_s < end_s;
+      border_s = inside ? passing(border_s) : motion.end;  // NaN too
     }
-    part_to(motion.end);
+    std::ranges::sort(borders);
+    double from = motion.begin;
+    for (const double border : borders) {
+      if (border > from) {
+        scratch.open[0].resize(pairs());
+        for (std::size_t k = 0; k < pairs(); ++k) scratch.open[0][k] = k;
+        const double middle_s = motion.demonstration_time(0.5 * (from + border));
+        touching = middle_s >= world.touch_begin_s && middle_s <= world.touch_end_s;
+        target_place = place_of_target(world, middle_s);
+        if (!part(from, border)) return;
+        from = border;
+      }
+    }
+  }
+
+  void judge_all() {
+    run([&](double from, double to) {
+      judge(0, from, to);
+      return !first_only || failed.empty();
+    });
   }
 };
+
+std::tuple<bool, int, int> key_of(const PairSeparation& pair) {
+  return {pair.object, pair.capsule, pair.other};
+}
+
+/// Neighbouring intervals of one pair as one, with what was worst.
+void join(std::vector<MotionCheck>& found) {
+  std::ranges::stable_sort(found, [](const MotionCheck& a, const MotionCheck& b) {
+    return std::tuple(key_of(a.pair), a.begin) < std::tuple(key_of(b.pair), b.begin);
+  });
+  std::vector<MotionCheck> joined;
+  for (const MotionCheck& next : found) {
+    if (joined.empty() || key_of(joined.back().pair) != key_of(next.pair) ||
+        joined.back().end < next.begin) {
+      joined.push_back(next);
+      continue;
+    }
+    MotionCheck& last = joined.back();
+    const double end = std::max(last.end, next.end);
+    if (!(next.pair.slack() >= last.pair.slack())) {
+      const double begin = last.begin;
+      last = next;
+      last.begin = begin;
+    }
+    last.end = end;
+  }
+  found = std::move(joined);
+}
 
 }  // namespace
 
@@ -215,15 +297,31 @@ double object_travel(const SceneObject& object, double begin_s, double middle_s,
 void failing_pairs(const CollisionWorld& world, const JointRows& reach, const JointMotion& motion,
                    CollisionScratch& scratch, std::vector<MotionCheck>& out, double band_m) {
   out.clear();
-  Bisection{world, reach, motion, scratch, band_m, false, out, {}, {}}.run();
+  Bisection bisection{world, reach, motion, scratch, band_m, false, out, {}};
+  bisection.judge_all();
+  join(out);
 }
 
 MotionCheck check_motion(const CollisionWorld& world, const JointRows& reach,
                          const JointMotion& motion, CollisionScratch& scratch, double band_m) {
   std::vector<MotionCheck> failed;
-  Bisection bisection{world, reach, motion, scratch, band_m, true, failed, {}, {}};
-  bisection.run();
+  Bisection bisection{world, reach, motion, scratch, band_m, true, failed, {}};
+  bisection.judge_all();
   return failed.empty() ? bisection.least : failed.front();
+}
+
+MotionClearance motion_clearance(const CollisionWorld& world, const JointRows& reach,
+                                 const JointMotion& motion, CollisionScratch& scratch,
+                                 double resolution_m) {
+  std::vector<MotionCheck> unused;
+  Bisection bisection{world, reach, motion, scratch, 0, false, unused, {}};
+  bisection.run([&](double from, double to) {
+    bisection.approach(0, from, to, resolution_m);
+    return true;
+  });
+  const MotionCheck& least = bisection.least;
+  const double distance = least.pair.separation.distance;
+  return {std::min(bisection.at_least, distance), distance, least.at, least.pair};
 }
 
 JointMotion straight_motion(const JointVector& from, const JointVector& to, double from_s,

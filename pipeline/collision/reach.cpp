@@ -9,6 +9,27 @@ double from_axis(const Vec3& point, const Vec3& axis) {
   return (point - point.dot(axis) * axis).norm();
 }
 
+/// Adds the reach of what lies within `radius` of the segment to `row` [joints].
+template <class Row>
+void add_reach(const RobotTable& robot, int frame_index, const Vec3& from, const Vec3& to,
+               double radius, Row row) {
+  // What lies beyond the next link outward, and that link: it turns with the frame, so that only
+  // its part across the frame's axis counts.
+  double beyond_m = radius;
+  const RobotTable::Frame* outward = nullptr;
+  for (int f = frame_index; f >= 0;) {
+    const RobotTable::Frame& frame = robot.frames[static_cast<std::size_t>(f)];
+    const Vec3 axis = frame.axis.normalized();
+    const double link_m = outward ? from_axis(outward->transform.translation(), axis)
+                                  : std::max(from_axis(from, axis), from_axis(to, axis));
+    if (frame.joint >= 0) row[frame.joint] += std::abs(frame.ratio) * (link_m + beyond_m);
+    beyond_m +=
+        outward ? outward->transform.translation().norm() : std::max(from.norm(), to.norm());
+    outward = &frame;
+    f = frame.parent;
+  }
+}
+
 }  // namespace
 
 JointRows capsule_reach(const RobotTable& robot) {
@@ -16,26 +37,15 @@ JointRows capsule_reach(const RobotTable& robot) {
                                     static_cast<Eigen::Index>(robot.joints()));
   for (std::size_t c = 0; c < robot.capsules.size(); ++c) {
     const RobotTable::Capsule& capsule = robot.capsules[c];
-    // What lies beyond the next link outward, and that link: it turns with the frame, so that only
-    // its part across the frame's axis counts.
-    double beyond_m = capsule.radius;
-    const RobotTable::Frame* outward = nullptr;
-    for (int f = capsule.frame; f >= 0;) {
-      const RobotTable::Frame& frame = robot.frames[static_cast<std::size_t>(f)];
-      const Vec3 axis = frame.axis.normalized();
-      const double link_m =
-          outward ? from_axis(outward->transform.translation(), axis)
-                  : std::max(from_axis(capsule.from, axis), from_axis(capsule.to, axis));
-      if (frame.joint >= 0) {
-        reach(static_cast<Eigen::Index>(c), frame.joint) +=
-            std::abs(frame.ratio) * (link_m + beyond_m);
-      }
-      beyond_m += outward ? outward->transform.translation().norm()
-                          : std::max(capsule.from.norm(), capsule.to.norm());
-      outward = &frame;
-      f = frame.parent;
-    }
+    add_reach(robot, capsule.frame, capsule.from, capsule.to, capsule.radius,
+              reach.row(static_cast<Eigen::Index>(c)));
   }
+  return reach;
+}
+
+JointVector ball_reach(const RobotTable& robot, int frame, const Vec3& centre, double radius) {
+  JointVector reach = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
+  add_reach(robot, frame, centre, centre, radius, Eigen::Ref<JointVector>(reach));
   return reach;
 }
 

@@ -121,6 +121,15 @@ void place_bodies(const CollisionWorld& world, const Eigen::Ref<const JointVecto
   for (std::size_t k = 0; k < world.scene->objects.size(); ++k) {
     scratch.object_poses[k] = recorded_pose(world.scene->objects[k], time_s);
   }
+  if (world.carried.frame < 0) return;
+  Pose& target = scratch.object_poses[static_cast<std::size_t>(world.target)];
+  const TargetPlace place = place_of_target(world, time_s);
+  if (place == TargetPlace::in_hand) {
+    target = scratch.base_from_frame[static_cast<std::size_t>(world.carried.frame)] *
+             world.carried.frame_from_object;
+  } else if (place == TargetPlace::released) {
+    target = world.carried.base_from_released;
+  }
 }
 
 bool is_free(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,

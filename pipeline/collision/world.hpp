@@ -11,11 +11,21 @@
 
 namespace morphe {
 
+/// The target in the hand: it moves with a frame from begin_s to end_s as it lay there at begin_s,
+/// and then stays where it is. Before, it is where it was recorded.
+struct CarriedTarget {
+  int frame = -1;                               ///< of the robot; -1: nothing is carried
+  double begin_s = kNotSeen, end_s = kNotSeen;  ///< demonstration time, end NaN: never released
+  Pose frame_from_object = Pose::Identity();
+  Pose base_from_released = Pose::Identity();
+  JointVector reach;  ///< [joints] as a row of capsule_reach()
+};
+
 /// What must stay apart in one movement, everything in the robot's base frame. Robot and scene must
 /// outlive it. All pairs of capsules but the allowed ones, and every capsule against every object.
 /// A capsule that may touch the target may sink `contact_depth` into it while touching is allowed
 /// (preshape to release, borders included). Objects are where they were recorded, the target in the
-/// hand too: a query knows one joint position, not the one at which the hand took hold.
+/// hand too unless carry_target() told where the hand took hold of it.
 struct CollisionWorld {
   const RobotTable* robot = nullptr;
   const Scene* scene = nullptr;
@@ -24,6 +34,7 @@ struct CollisionWorld {
   double touch_begin_s = kNotSeen, touch_end_s = kNotSeen;  ///< demonstration time, NaN = never
   Tolerances tolerances;
   std::vector<std::array<int, 2>> pairs;  ///< capsule pairs to check, from make_world()
+  CarriedTarget carried;
 };
 
 /// Touching is allowed from the first preshape (or grasp, if there is none) to the end of the last
@@ -31,6 +42,16 @@ struct CollisionWorld {
 /// joint moves relative to each other are no pair.
 CollisionWorld make_world(const RobotTable& robot, const Scene& scene, const Movement& movement,
                           const Tolerances& tolerances);
+
+/// Lets the target move with its `attached_frame` from the first sample at or after its attach_s to
+/// the first one at or after its release_s, as this path [samples, joints] takes hold of it.
+/// Without a frame of that name, or if the path ends before or at that time, nothing is carried.
+/// What is carried is checked against the robot; against other objects it is not.
+void carry_target(const std::vector<double>& demonstration_time, const JointRows& position,
+                  CollisionWorld& world);
+
+enum class TargetPlace { as_recorded, in_hand, released };
+TargetPlace place_of_target(const CollisionWorld& world, double time_s);
 
 /// One pair that is checked. slack = separation.distance - required.
 struct PairSeparation {

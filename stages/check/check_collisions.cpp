@@ -70,6 +70,9 @@ struct Walk {
       if (object.time.size() < 2) continue;
       object_m = std::max(object_m, object_travel(object, time_s(k), time_s(k), time_s(k + 1)));
     }
+    if (world.carried.frame >= 0) {
+      object_m = std::max(object_m, world.carried.reach.dot(travel));
+    }
     const double step_m = std::max(world.tolerances.margin, kLeastStep_m);
     return std::max(1, static_cast<int>(std::ceil((farthest_m + object_m) / step_m)));
   }

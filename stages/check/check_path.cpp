@@ -115,7 +115,9 @@ std::vector<Finding> check_path(const CollisionWorld& world, const Goals& goals,
                                 const CheckOptions& options) {
   assert(path.position.rows() == static_cast<Eigen::Index>(path.demonstration_time.size()));
   FindingRows rows;
-  check_collisions(world, path, options.engine, rows);
+  CollisionWorld carrying = world;
+  carry_target(path.demonstration_time, path.position, carrying);
+  check_collisions(carrying, path, options.engine, rows);
   check_limits(*world.robot, path, rows);
   check_tracking(*world.robot, goals, movement, path, options.tolerances, rows);
   check_jumps(*world.robot, path, options.jump_step, rows);

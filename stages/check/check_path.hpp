@@ -31,7 +31,8 @@ std::string check(const CheckOptions& options);
 ///                        the next one (an object named "table" is the table). From the last sample
 ///                        before to the first one after. Depth: what is missing at the worst place
 ///                        that was looked at; where nothing was found but freedom could not be
-///                        proved either, the band of 0.1 mm that is left open, less the slack
+///                        proved either, the band of 0.1 mm that is left open, less the slack.
+///                        A target with an attached_frame moves with it as the path takes it
 ///   limit                a joint beyond a limit by more than 1e-9 rad (or not a number); depth: by
 ///                        how much
 ///   tracking             a tip farther from its goal than its phase allows (grasp and hold:
