@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "pipeline/humanlike/metrics.hpp"
+#include "pipeline/humanlike/posed_like.hpp"
 #include "pipeline/kinematics/description.hpp"
 #include "stages/study/paper_cases.hpp"
 
@@ -28,14 +29,12 @@ Pose base_from_shoulder(const RobotTable& robot, const Vec3& offset) {
 std::vector<HumanPoses> as_long_as(const RobotTable& robot, const std::vector<HumanPoses>& series) {
   const JointVector zero = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
   const std::vector<Vec3> chain = arm_chain_of(robot, zero);
-  const double upper_arm = (chain[1] - chain[0]).norm();
-  const double forearm = (chain.back() - chain[1]).norm();
   std::vector<HumanPoses> result = series;
   for (HumanPoses& poses : result) {
     for (HumanPose& pose : poses) {
-      const Vec3 direction = (pose.wrist - pose.elbow).normalized();
-      pose.elbow = upper_arm * pose.elbow.normalized();
-      pose.wrist = pose.elbow + forearm * direction;
+      const Chain posed = posed_like({Vec3::Zero(), pose.elbow, pose.wrist}, chain);
+      pose.elbow = posed[1] - posed[0];
+      pose.wrist = posed.back() - posed[0];
     }
   }
   return result;
