@@ -1,7 +1,9 @@
 // Whole-state checks and certified edges of the PA10 with the DLR/HIT II among a table and five
 // objects: ours, FCL's trees on the same states, and sampling at fixed steps.
-//   bench_collision [--quick] [--json OUT] [--pairs N]
-// --pairs N: N random pairs of every two shapes against a convex search to 1e-9 instead.
+//   bench_collision [--quick]
+//   bench_collision --pairs N   errors of N random pairs against the convex problem, solved to 1e-9
+//   bench_collision --walls N   N random motions past walls 1 mm thin: certified, finely and
+//                               coarsely sampled
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,6 +17,8 @@
 #include "pipeline/collision/certified.hpp"
 #include "pipeline/collision/fcl_engine.hpp"
 #include "pipeline/kinematics/description.hpp"
+#include "tests/pipeline/collision/random_pairs.hpp"
+#include "tests/pipeline/collision/thin_walls.hpp"
 #include "tests/support/random_positions.hpp"
 
 namespace morphe {
@@ -176,11 +180,46 @@ int run(bool quick) {
   return 0;
 }
 
+int pairs(int count) {
+  constexpr Shape kShapes[] = {Shape::sphere, Shape::box, Shape::cylinder, Shape::capsule,
+                               Shape::mesh};
+  fmt::print("{:10} {:>9} {:>12} {:>12} {:>12}  m\n", "capsule -", "pairs", "over", "under",
+             "reference");
+  for (const Shape shape : kShapes) {
+    RandomBodies random(81);
+    DistanceError worst{-1, -1, -1};
+    for (int k = 0; k < count / 5; ++k) {
+      const DistanceError error = random_pair_error(random, shape, k);
+      worst.over = std::max(worst.over, error.over);
+      worst.under = std::max(worst.under, error.under);
+      worst.uncertain = std::max(worst.uncertain, error.uncertain);
+    }
+    fmt::print("{:10} {:9} {:12.1e} {:12.1e} {:12.1e}\n", shape_name(shape), count / 5, worst.over,
+               worst.under, worst.uncertain);
+  }
+  return 0;
+}
+
+int walls(int motions) {
+  RandomBodies random(82);
+  CollisionScratch scratch;
+  ThinWallCount count;
+  for (int k = 0; k < motions; ++k) count_thin_walls(random, count, scratch);
+  fmt::print(
+      "{} motions; colliding at 0.1 mm steps: {}, of those proved free: {}, free at ten "
+      "steps: {}\nclear of margin and band: {}, of those not proved free: {} ({:.2f} %)\n",
+      count.motions, count.colliding, count.missed, count.missed_by_ten, count.clear, count.refused,
+      100.0 * count.refused / std::max(count.clear, 1));
+  return 0;
+}
+
 }  // namespace
 }  // namespace morphe
 
 int main(int count, char** arguments) {
-  bool quick = false;
-  for (int k = 1; k < count; ++k) quick = quick || std::string(arguments[k]) == "--quick";
-  return morphe::run(quick);
+  const std::string what = count > 1 ? arguments[1] : "";
+  const int number = count > 2 ? std::stoi(arguments[2]) : 10000;
+  if (what == "--pairs") return morphe::pairs(number);
+  if (what == "--walls") return morphe::walls(number);
+  return morphe::run(what == "--quick");
 }
