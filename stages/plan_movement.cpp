@@ -79,6 +79,11 @@ std::string warnings(const RobotTable& robot, const Goals& goals, const Movement
                                       count, goals.frames()));
     }
   }
+  if (goals.free_offset) {
+    const Vec3 moved = 1e3 * *goals.free_offset;
+    sentences.push_back(fmt::format("the base is moved by ({:.0f}, {:.0f}, {:.0f}) mm", moved.x(),
+                                    moved.y(), moved.z()));
+  }
   if (asked.size() == 1) sentences.push_back("no tip but " + asked.front() + " has goals");
   for (const Phase& phase : movement.phases) {
     if (phase.begin_s > movement.end_s || phase.confidence > kUncertain) continue;
@@ -236,8 +241,8 @@ DemonstrationOutcome plan_demonstration(const Planner& planner,
   const PipelineConfig& config = planner.config;
   const bool alone = hand_alone(planner.robot);
   HumanMotion motion = timed(seconds, "reconstruct", [&] {
-    return reconstruct(alone ? with_still_wrist(demonstration) : demonstration, config.reconstruct,
-                       config.human);
+    return alone ? reconstruct_hand(demonstration, config.reconstruct, config.human)
+                 : reconstruct(demonstration, config.reconstruct, config.human);
   });
   Demonstration beside = demonstration;
   beside.objects = objects_beside_right_hand(demonstration);
@@ -248,7 +253,9 @@ DemonstrationOutcome plan_demonstration(const Planner& planner,
     outcome.plans.push_back(plan_movement(planner, beside, motion, movement, seconds));
   }
   if (movements.empty()) {
-    const std::string nothing = "no complete reach in it";
+    const std::string nothing =
+        alone ? "no complete reach in it (segment.whole plans a recording of gestures)"
+              : "no complete reach in it";
     const std::string detail =
         motion.problems.empty() ? nothing : nothing + "; " + joined(motion.problems);
     outcome.plans.push_back(

@@ -2,11 +2,14 @@
 
 namespace morphe {
 
-Demonstration with_still_wrist(const Demonstration& demonstration) {
-  Demonstration with = demonstration;
+HumanMotion reconstruct_hand(const Demonstration& demonstration, const ReconstructOptions& options,
+                             const HumanOptions& human) {
   const Streams& streams = demonstration.streams;
   const bool tracked = streams.markers || streams.sensors || streams.skeleton;
-  if (tracked || !streams.hand || streams.hand->kind == HandKind::fingertips) return with;
+  const bool hand = streams.hand && (streams.hand->kind == HandKind::keypoints ||
+                                     streams.hand->kind == HandKind::glove);
+  if (tracked || !hand) return reconstruct(demonstration, options, human);
+  Demonstration with = demonstration;
   BodyStream& wrist = with.streams.sensors.emplace();
   wrist.names = {"wrist"};
   wrist.parents = {""};
@@ -14,7 +17,9 @@ Demonstration with_still_wrist(const Demonstration& demonstration) {
   wrist.position = {wrist.time.size(), 1, Vec3::Zero()};
   wrist.orientation = {wrist.time.size(), 1, Quat::Identity()};
   with.sensor_offsets.reset();
-  return with;
+  HumanMotion motion = reconstruct(with, options, human);
+  motion.estimated.emplace_back("wrist");
+  return motion;
 }
 
 HumanMotion in_hand_frame(HumanMotion motion) {

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "pipeline/motion/demonstration.hpp"
-#include "pipeline/motion/human_motion.hpp"
+#include "stages/reconstruct/reconstruct.hpp"
 
 namespace morphe {
 
-/// A recording of the hand alone (keypoints or a glove, no wrist tracked) with a wrist that stays
-/// at the world's origin, its axes the world's, so that it can be rebuilt; any other as it is.
-Demonstration with_still_wrist(const Demonstration& demonstration);
+/// As reconstruct(); but a recording of the hand alone (keypoints or a glove, no wrist tracked) has
+/// a wrist that stays at the world's origin, its axes the world's: `estimated` names it.
+HumanMotion reconstruct_hand(const Demonstration& demonstration, const ReconstructOptions& options,
+                             const HumanOptions& human);
 
 /// The motion as seen from the hand: wrist at the origin, its orientation the identity, fingers
 /// relative to it; shoulder and elbow are no longer seen. For robots without an arm. Frames in

@@ -50,7 +50,7 @@ TEST(HandFrame, FingersAreRelativeToTheWrist) {
 TEST(HandFrame, KeypointsHaveFingersOnAStillWrist) {
   const Demonstration recorded = shipped_keypoints();
   EXPECT_FALSE(seen(reconstruct(recorded, {}, {}).tip(0, 1)));
-  const HumanMotion motion = in_hand_frame(reconstruct(with_still_wrist(recorded), {}, {}));
+  const HumanMotion motion = in_hand_frame(reconstruct_hand(recorded, {}, {}));
   ASSERT_EQ(motion.time.size(), 2067u);
   for (const std::size_t row : {0u, 300u, 600u}) {
     const std::size_t i = row * 100 / 30;
@@ -63,14 +63,19 @@ TEST(HandFrame, KeypointsHaveFingersOnAStillWrist) {
     EXPECT_GT(motion.finger_joint(i, 0).y(), 0.0);
   }
   EXPECT_THAT(motion.estimated, Not(Contains("shoulder")));
+  EXPECT_THAT(motion.estimated, Contains("wrist"));
 }
 
 TEST(HandFrame, ATrackedWristIsLeftAlone) {
-  Demonstration d;
-  d.streams.hand.emplace().kind = HandKind::glove;
-  EXPECT_TRUE(with_still_wrist(d).streams.sensors);
-  d.streams.sensors.emplace().names = {"forearm"};
-  EXPECT_EQ(with_still_wrist(d).streams.sensors->names[0], "forearm");
+  Demonstration d = shipped_keypoints();
+  BodyStream& sensors = d.streams.sensors.emplace();
+  sensors.names = {"wrist"};
+  sensors.time = d.streams.hand->time;
+  sensors.position = {sensors.time.size(), 1, Vec3(0.2, 0.4, 0.1)};
+  sensors.orientation = {sensors.time.size(), 1, Quat::Identity()};
+  const HumanMotion motion = reconstruct_hand(d, {}, {});
+  EXPECT_LT((motion.wrist[100] - Vec3(0.2, 0.4, 0.1)).norm(), 1e-9);
+  EXPECT_THAT(motion.estimated, Not(Contains("wrist")));
 }
 
 }  // namespace
