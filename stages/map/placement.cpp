@@ -54,11 +54,16 @@ Pose place_robot(const RobotTable& robot, const Vec3& human_shoulder,
 }
 
 bool hand_alone(const RobotTable& robot) {
-  int frame = robot.palm_frame;
-  while (frame >= 0 && robot.frames[static_cast<std::size_t>(frame)].joint < 0) {
-    frame = robot.frames[static_cast<std::size_t>(frame)].parent;
+  for (const RobotTable::Centre& centre : robot.centres) {
+    if (centre.chain == "arm") return false;
   }
-  return frame < 0;
+  int joints = 0;
+  for (int frame = robot.palm_frame; frame >= 0;) {
+    const RobotTable::Frame& here = robot.frames[static_cast<std::size_t>(frame)];
+    joints += here.joint >= 0 ? 1 : 0;
+    frame = here.parent;
+  }
+  return joints <= 2;
 }
 
 Pose place_hand(const RobotTable& robot, const PlacementOptions& options) {

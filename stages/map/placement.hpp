@@ -37,11 +37,12 @@ std::string check(const PlacementOptions& options);
 Pose place_robot(const RobotTable& robot, const Vec3& human_shoulder,
                  const PlacementOptions& options);
 
-/// A robot without an arm: nothing moves its palm.
+/// A robot without an arm: no joint centre belongs to one, and no more than two joints (a wrist's)
+/// move the palm.
 bool hand_alone(const RobotTable& robot);
 
-/// The same for a hand alone, whose goals are in the human hand's own frame: its palm stands where
-/// the human's hand is, turned and shifted as the options say.
+/// The same for a hand alone, whose goals are in the human hand's own frame: its palm, all joints
+/// at zero, stands where the human's hand is, turned and shifted as the options say.
 ///   hand_from_base = Translation(shoulder_offset) * R * palm_from_base
 Pose place_hand(const RobotTable& robot, const PlacementOptions& options);
 

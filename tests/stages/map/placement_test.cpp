@@ -85,11 +85,17 @@ TEST(Goals, AShoulderNeverSeenIsUnseen) {
   EXPECT_FALSE(seen(shoulder_at_begin(motion, whole_movement())));
 }
 
-TEST(Placement, AHandIsAloneIfNothingMovesItsPalm) {
+TEST(Placement, AHandIsAloneWithoutAnArm) {
   EXPECT_FALSE(hand_alone(reference_robot()));
   EXPECT_FALSE(hand_alone(generate_arm({6, 0.6})));
   EXPECT_TRUE(hand_alone(generate_hand({4, 0.2, 0.09})));
   EXPECT_TRUE(hand_alone(load_robot(MORPHE_SOURCE_DIR "/configs/robots/dlr_hit2.yaml").table));
+  RobotTable wrist = generate_hand({5, 0.2, 0.09});
+  wrist.frames[static_cast<std::size_t>(wrist.palm_frame)].joint = 0;  // a wrist's joint
+  EXPECT_TRUE(hand_alone(wrist));
+  RobotTable unnamed = generate_arm({6, 0.6});  // an arm of which nobody said that it is one
+  unnamed.centres.clear();
+  EXPECT_FALSE(hand_alone(unnamed));
 }
 
 /// A palm that is not the base's own frame, and is turned in it.

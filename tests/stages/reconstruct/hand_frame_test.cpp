@@ -5,6 +5,7 @@
 
 #include "stages/import/import.hpp"
 #include "stages/reconstruct/reconstruct.hpp"
+#include "tests/stages/reconstruct/gloved_arm.hpp"
 
 namespace morphe {
 namespace {
@@ -64,6 +65,22 @@ TEST(HandFrame, KeypointsHaveFingersOnAStillWrist) {
   }
   EXPECT_THAT(motion.estimated, Not(Contains("shoulder")));
   EXPECT_THAT(motion.estimated, Contains("wrist"));
+}
+
+TEST(HandFrame, AGloveAloneHasItsFingersToo) {
+  const GlovedArm truth;
+  Demonstration d = truth.record();
+  const HumanMotion whole = in_hand_frame(reconstruct_hand(d, {}, {}));
+  d.streams.sensors.reset();
+  const HumanMotion alone = in_hand_frame(reconstruct_hand(d, {}, {}));
+  for (const HumanMotion* motion : {&whole, &alone}) {
+    const std::size_t i = motion->time.size() / 2;
+    const HandPoints points = truth.points(motion->time[i]);
+    for (std::size_t finger = 0; finger < kFingers; ++finger) {
+      EXPECT_LT((motion->tip(i, finger) - points.tip[finger]).norm(), 0.001);
+      EXPECT_LT((motion->finger_joint(i, finger) - points.middle_joint[finger]).norm(), 0.001);
+    }
+  }
 }
 
 TEST(HandFrame, ATrackedWristIsLeftAlone) {
