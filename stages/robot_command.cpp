@@ -9,6 +9,7 @@
 #include "stages/commands.hpp"
 #include "stages/robot/draw.hpp"
 #include "stages/robot/report.hpp"
+#include "stages/robot/self_collision.hpp"
 
 namespace morphe {
 namespace {
@@ -25,16 +26,26 @@ Command robot_command(CLI::App& app) {
   struct Arguments {
     std::string file, svg, urdf;
     bool json = false;
+    int samples = 0;
   };
   const auto arguments = std::make_shared<Arguments>();
   app.add_option("FILE", arguments->file, "Robot description")->required();
   app.add_option("--svg", arguments->svg, "Draw it, from the front and from the side");
   app.add_option("--urdf", arguments->urdf, "Write it as URDF");
+  app.add_option("--self-collision", arguments->samples,
+                 "Print which pairs of capsules always, never and sometimes overlap in N positions")
+      ->check(CLI::Range(1, 100'000'000));
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] {
     const RobotDescription robot = load_robot(arguments->file);
     if (!arguments->svg.empty()) write_text(arguments->svg, svg_of(robot.table));
     if (!arguments->urdf.empty()) write_text(arguments->urdf, urdf_of(robot.table));
+    if (arguments->samples > 0) {
+      const SelfCollision found = sample_self_collision(robot.table, arguments->samples);
+      fmt::print("{}", arguments->json ? self_collision_json(robot.table, found) + "\n"
+                                       : self_collision_text(robot.table, found));
+      return 0;
+    }
     fmt::print("{}", arguments->json ? robot_json(robot) + "\n" : robot_text(robot));
     return 0;
   };

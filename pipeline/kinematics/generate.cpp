@@ -71,6 +71,26 @@ void add_tip(Assembly& assembly, const std::string& name, const Place& place, in
   assembly.table.tips.push_back({name, place.frame, place.frame_from_place, finger, along});
 }
 
+/// A capsule along z of a place, if the radius is one; returns its number, -1 if none.
+int add_capsule(Assembly& assembly, const std::string& name, const Place& place, double length,
+                double radius, bool hand) {
+  if (!(radius > 0)) return -1;
+  RobotTable::Capsule capsule{name,
+                              place.frame,
+                              place.frame_from_place * Vec3::Zero().eval(),
+                              place.frame_from_place * Vec3(0, 0, length),
+                              radius,
+                              hand};
+  assembly.table.capsules.push_back(std::move(capsule));
+  return static_cast<int>(assembly.table.capsules.size()) - 1;
+}
+
+/// Capsules that meet where more than one joint connects them.
+void allow_meeting(Assembly& assembly, int one, int other) {
+  if (one < 0 || other < 0) return;
+  assembly.table.allowed_pairs.push_back({std::min(one, other), std::max(one, other)});
+}
+
 /// The finger at `share` of the way from index (0) to little (1), between its neighbours.
 FingerProportions finger_between(double share) {
   const double at = 3 * share;
@@ -107,22 +127,50 @@ void add_thumb(Assembly& assembly, const HandShape& shape, const Place& palm) {
   Place at = moved(palm, 0, t.across * shape.breadth, t.along * shape.length);
   at = joint("thumb_rotation", at, -Vec3::UnitZ(), 0);
   at = joint("thumb_abduction", turned(at, t.splay, kAbducting), kAbducting, 1);
+  const double radius = shape.radius, length = shape.length;
+  const int first = static_cast<int>(assembly.table.capsules.size());
+  const int metacarpal =
+      add_capsule(assembly, "thumb_metacarpal", at, t.metacarpal * length, radius, true);
   // From here on x points out of the thumb's pad: at zero across the palm.
   at = turned(moved(at, 0, 0, t.metacarpal * shape.length), radians(-90), Vec3::UnitZ());
   at = joint("thumb_mcp", at, kFlexing, 2);
   chain.hinges = {chain.frames.front(), at.frame};
-  at = joint("thumb_ip", moved(at, 0, 0, t.proximal * shape.length), kFlexing, 3);
+  add_capsule(assembly, "thumb_proximal", at, t.proximal * length, radius, true);
+  at = joint("thumb_ip", moved(at, 0, 0, t.proximal * length), kFlexing, 3);
+  add_capsule(assembly, "thumb_distal", at, t.distal * length, radius, true);
+  for (int palm_part = first - shape.fingers + 1; palm_part < first; ++palm_part) {
+    if (metacarpal >= 0) allow_meeting(assembly, metacarpal, palm_part);
+  }
   chain.end = moved(at, 0, 0, t.distal * shape.length);
   add_tip(assembly, "thumb_tip", chain.end, 0, kNotSeen);
   assembly.chains.push_back(std::move(chain));
 }
 
-void add_finger(Assembly& assembly, const HandShape& shape, const Place& palm, int number) {
-  const double share = static_cast<double>(number - 1) / (shape.fingers - 2);
+std::string finger_name(const HandShape& shape, int number) {
+  return shape.fingers == static_cast<int>(kFingers) ? kFingerNames[number]
+                                                     : fmt::format("finger{}", number);
+}
+
+double share_of(const HandShape& shape, int number) {
+  return static_cast<double>(number - 1) / (shape.fingers - 2);
+}
+
+/// From the wrist's end of the palm to a finger's base.
+void add_metacarpal(Assembly& assembly, const HandShape& shape, const Place& palm, int number) {
+  const FingerProportions f = finger_between(share_of(shape, number));
+  const double along = f.along * shape.length, root = std::min(shape.radius, along);
+  add_capsule(assembly, finger_name(shape, number) + "_metacarpal",
+              moved(palm, 0, f.across * shape.breadth, root), along - root, shape.radius, true);
+}
+
+/// `first_palm`: the first of the metacarpals' capsules, if there are any.
+void add_finger(Assembly& assembly, const HandShape& shape, const Place& palm, int first_palm,
+                int number) {
+  const double share = share_of(shape, number);
   const FingerProportions f = finger_between(share);
   const Speed speed{shape.velocity, shape.acceleration, shape.jerk};
   const bool human = shape.fingers == static_cast<int>(kFingers);
-  const std::string name = human ? kFingerNames[number] : fmt::format("finger{}", number);
+  const std::string name = finger_name(shape, number);
   Chain chain{name, {}, {}, {}};
   const auto joint = [&](const char* what, const Place& place, const Vec3& axis, std::size_t k) {
     return add_turn(assembly, chain, name + what, place, axis, f.lower[k], f.upper[k], speed);
@@ -131,9 +179,16 @@ void add_finger(Assembly& assembly, const HandShape& shape, const Place& palm, i
   Place at = moved(palm, 0, f.across * shape.breadth, f.along * length);
   at = joint("_abduction", turned(at, -f.splay, kAbducting), kAbducting, 0);
   at = joint("_mcp", at, kFlexing, 1);
+  const auto phalanx = [&](const char* what, double share_of_hand) {
+    return add_capsule(assembly, name + what, at, share_of_hand * length, shape.radius, true);
+  };
+  const int proximal = phalanx("_proximal", f.proximal);
+  for (int k = 0; k + 1 < shape.fingers; ++k) allow_meeting(assembly, first_palm + k, proximal);
   at = joint("_pip", moved(at, 0, 0, f.proximal * length), kFlexing, 2);
   chain.hinges = {chain.frames.front(), at.frame};
+  phalanx("_middle", f.middle);
   at = joint("_dip", moved(at, 0, 0, f.middle * length), kFlexing, 3);
+  phalanx("_distal", f.distal);
   chain.end = moved(at, 0, 0, f.distal * length);
   add_tip(assembly, name + "_tip", chain.end, 1 + static_cast<int>(std::lround(3 * share)),
           human ? kNotSeen : share);
@@ -152,12 +207,14 @@ std::string check(const ArmShape& shape) {
   if (shape.joints < 6 || shape.joints > 60) return "joints must be 6 … 60";
   if (!(shape.length > 0)) return "length must be above 0";
   if (!(shape.limit > 0)) return "limit must be above 0";
+  if (!(shape.radius >= 0)) return "radius must not be negative";
   return wrong_speed(shape.velocity, shape.acceleration, shape.jerk);
 }
 
 std::string check(const HandShape& shape) {
   if (shape.fingers < 3 || shape.fingers > 12) return "fingers must be 3 … 12";
   if (!(shape.length > 0) || !(shape.breadth > 0)) return "length and breadth must be above 0";
+  if (!(shape.radius >= 0)) return "radius must not be negative";
   return wrong_speed(shape.velocity, shape.acceleration, shape.jerk);
 }
 
@@ -173,7 +230,11 @@ void add_generated_arm(Assembly& assembly, const Place& base, const ArmShape& sh
     chain.end =
         add_turn(assembly, chain, name, chain.end, axes[k % 3], -shape.limit, shape.limit, speed);
     if (first) chain.hinges.push_back(chain.end.frame);
-    if (k % 3 == 2) chain.end = moved(chain.end, 0, 0, shape.length / spherical);
+    if (k % 3 != 2) continue;
+    const int link = add_capsule(assembly, fmt::format("arm_link_{}", k / 3 + 1), chain.end,
+                                 shape.length / spherical, shape.radius, false);
+    if (k > 2) allow_meeting(assembly, link - 1, link);
+    chain.end = moved(chain.end, 0, 0, shape.length / spherical);
   }
   // The wrist is a place of its own, whether or not a joint stands there.
   chain.end = {add_fixed(assembly, "wrist", chain.end)};
@@ -186,8 +247,14 @@ void add_generated_arm(Assembly& assembly, const Place& base, const ArmShape& sh
 void add_generated_hand(Assembly& assembly, const Place& base, const HandShape& shape) {
   assert(check(shape).empty());
   const Place palm{add_fixed(assembly, "palm", base)};
+  const int first_palm = static_cast<int>(assembly.table.capsules.size());
+  for (int number = 1; number < shape.fingers; ++number) {
+    add_metacarpal(assembly, shape, palm, number);
+  }
   add_thumb(assembly, shape, palm);
-  for (int number = 1; number < shape.fingers; ++number) add_finger(assembly, shape, palm, number);
+  for (int number = 1; number < shape.fingers; ++number) {
+    add_finger(assembly, shape, palm, first_palm, number);
+  }
   assembly.palm = "palm";
 }
 

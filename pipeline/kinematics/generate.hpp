@@ -17,6 +17,7 @@ struct ArmShape {
   double limit = std::numbers::pi;  ///< every joint turns this far both ways [rad]
   /// No such arm was built: assumed, for the time law alone [rad/s], [rad/s^2], [rad/s^3].
   double velocity = 2, acceleration = 10, jerk = 100;
+  double radius = 0;  ///< of a capsule along each link; 0: none [m]
 };
 
 /// A hand of m fingers: the human's thumb, and m - 1 fingers between the human's index and little
@@ -27,6 +28,9 @@ struct HandShape {
   int fingers = 5;                 ///< 3 … 12, the thumb included
   double length = 0, breadth = 0;  ///< wrist to middle fingertip; across the knuckles [m]
   double velocity = 3, acceleration = 30, jerk = 300;  ///< assumed, as above
+  /// Of a capsule along each phalanx and each metacarpal (those of the fingers belong to the palm);
+  /// 0: none [m].
+  double radius = 0;
 };
 
 /// "" or what is wrong with a shape.

@@ -33,7 +33,8 @@ void read_generated(Assembly& assembly, const Place& base, const ConfigNode& nod
                  {{"limit", &shape.limit},
                   {"velocity", &shape.velocity},
                   {"acceleration", &shape.acceleration},
-                  {"jerk", &shape.jerk}});
+                  {"jerk", &shape.jerk},
+                  {"radius", &shape.radius}});
     if (const std::string message = check(shape); !message.empty()) arm.fail(message);
     expect_free(assembly, arm, {"arm", "arm_1", "wrist"});
     add_generated_arm(assembly, base, shape);
@@ -44,7 +45,8 @@ void read_generated(Assembly& assembly, const Place& base, const ConfigNode& nod
     read_numbers(hand, {{"length", &shape.length}, {"breadth", &shape.breadth}},
                  {{"velocity", &shape.velocity},
                   {"acceleration", &shape.acceleration},
-                  {"jerk", &shape.jerk}});
+                  {"jerk", &shape.jerk},
+                  {"radius", &shape.radius}});
     if (const std::string message = check(shape); !message.empty()) hand.fail(message);
     expect_free(assembly, hand, {"palm", "thumb", "finger1", "index"});
     add_generated_hand(assembly, base, shape);

@@ -1,4 +1,5 @@
 """morphe robot: every shipped robot, what it writes, and what it refuses."""
+import re
 import xml.etree.ElementTree as ElementTree
 
 import numpy as np
@@ -40,6 +41,17 @@ def urdf_poses(file, angles):
 
 
 class Shipped(CommandCase):
+    def test_no_robot_is_made_to_touch_itself(self):
+        for file in sorted(ROBOTS.glob("*.yaml")):
+            found = self.json_of("robot", file, "--self-collision", 500)
+            self.assertEqual(found["samples"], 500)
+            self.assertEqual(found["always"], [], file)
+            self.assertGreater(len(found["never"]) + len(found["sometimes"]), 0)
+            self.assertEqual(found, self.json_of("robot", file, "--self-collision", 500))
+        text = self.succeeds("robot", ROBOTS / "wam.yaml", "--self-collision", 500).stdout
+        self.assertTrue(re.match(r"\d+ pairs of capsules in 500 positions: 0 always overlap, ", text))
+        self.assertEqual(morphe("robot", ROBOTS / "wam.yaml", "--self-collision", 0).returncode, 2)
+
     def test_every_robot_is_printed_drawn_and_written(self):
         for file in sorted(ROBOTS.glob("*.yaml")):
             svg, urdf = self.folder / "r.svg", self.folder / "r.urdf"

@@ -179,5 +179,39 @@ TEST(Generated, FromAFileIsTheFunctionsRobot) {
   }
 }
 
+TEST(GeneratedEnvelope, CapsulesLieAlongTheLinks) {
+  ArmShape arm;
+  arm.joints = 9;
+  arm.length = 0.6;
+  EXPECT_TRUE(generate_arm(arm).capsules.empty());
+  arm.radius = 0.03;
+  HandShape hand;
+  hand.fingers = 4;
+  hand.length = 0.2;
+  hand.breadth = 0.09;
+  hand.radius = 0.008;
+  const RobotTable robot = generate_arm_hand(arm, hand);
+  // Three links; three metacarpals, a thumb of three and three fingers of three.
+  ASSERT_EQ(robot.capsules.size(), 3u + 3u + 3u + 9u);
+  std::vector<Pose> base_from_frame;
+  forward(robot, JointVector::Zero(9 + 16), base_from_frame);
+  for (int k = 0; k < 3; ++k) {
+    const RobotTable::Capsule& link = robot.capsules[static_cast<std::size_t>(k)];
+    const Pose& pose = base_from_frame[static_cast<std::size_t>(link.frame)];
+    EXPECT_TRUE((pose * link.from).isApprox(Vec3(0, 0, 0.2 * k), 1e-12) || k == 0);
+    EXPECT_TRUE((pose * link.to).isApprox(Vec3(0, 0, 0.2 * (k + 1)), 1e-12));
+    EXPECT_FALSE(link.may_touch_target);
+  }
+  // Every finger ends at its tip, and may touch what is to be grasped.
+  for (const RobotTable::Tip& tip : robot.tips) {
+    const auto last = std::ranges::find_if(robot.capsules, [&](const RobotTable::Capsule& capsule) {
+      return capsule.frame == tip.frame;
+    });
+    ASSERT_NE(last, robot.capsules.end());
+    EXPECT_LT((last->to - tip.transform.translation()).norm(), 1e-12);
+    EXPECT_TRUE(last->may_touch_target);
+  }
+}
+
 }  // namespace
 }  // namespace morphe

@@ -1,12 +1,14 @@
 // What `morphe robot` says and draws, against a robot small enough to know by heart.
 #include <gmock/gmock.h>
 
+#include <array>
 #include <numbers>
 #include <string>
 #include <utility>
 
 #include "stages/robot/draw.hpp"
 #include "stages/robot/report.hpp"
+#include "stages/robot/self_collision.hpp"
 
 namespace morphe {
 namespace {
@@ -123,6 +125,41 @@ TEST(RobotDrawing, StaysInsideItsPanels) {
     EXPECT_LT(y, low ? 906 : 476);
     ++index;
   }
+}
+
+/// A base, and an arm that can turn its end into the base; a collar that always touches the end.
+RobotTable turning() {
+  RobotTable robot = two_links().table;
+  robot.lower = JointVector::Constant(2, -std::numbers::pi);
+  robot.upper = -robot.lower;
+  // Capsules 1 and 2 lie on bodies with a joint between, 3 far above everything.
+  robot.capsules = {{"base", -1, {0, 0, 0}, {0, 0, 0.02}, 0.06, false},
+                    {"end", 1, {0, 0, 0.05}, {0, 0, 0.15}, 0.02, false},
+                    {"collar", 0, {0, 0, 0.29}, {0, 0, 0.31}, 0.06, false},
+                    {"lamp", -1, {0, 0, 2}, {0, 0, 2.1}, 0.02, false}};
+  return robot;
+}
+
+TEST(SelfCollision, TellsAlwaysFromNeverFromSometimes) {
+  const RobotTable robot = turning();
+  const SelfCollision found = sample_self_collision(robot, 4000);
+  const auto pairs = [](const std::vector<SelfCollisionPair>& list) {
+    std::vector<std::array<int, 2>> capsules;
+    for (const SelfCollisionPair& pair : list) capsules.push_back(pair.capsules);
+    return capsules;
+  };
+  // Base and lamp do not move against each other: no pair.
+  EXPECT_THAT(pairs(found.always), ElementsAre(std::array{1, 2}));
+  EXPECT_THAT(pairs(found.never),
+              ElementsAre(std::array{0, 2}, std::array{1, 3}, std::array{2, 3}));
+  EXPECT_THAT(pairs(found.sometimes), ElementsAre(std::array{0, 1}));
+  // The lamp's end at 1.98 m is beyond the stretched arm's, 0.1 + 0.3 + 0.15 + 0.02.
+  EXPECT_GE(found.never[1].least_m, 1.98 - 0.57);
+  const std::string text = self_collision_text(robot, found);
+  EXPECT_THAT(text, HasSubstr("5 pairs of capsules in 4000 positions: 1 always overlap, 3 never"));
+  EXPECT_THAT(text, HasSubstr("  - [end, collar]\n"));
+  EXPECT_EQ(text, self_collision_text(robot, sample_self_collision(robot, 4000)));
+  EXPECT_THAT(self_collision_json(robot, found), HasSubstr("\"samples\": 4000"));
 }
 
 }  // namespace
