@@ -112,8 +112,6 @@ void add_derivatives(const RobotTable& robot, const std::vector<Pose>& base_from
   const auto joints = static_cast<Eigen::Index>(robot.joints());
   const bool offset = model.gradient.size() == joints + 3;
   const bool exact = loads.curvature == Curvature::exact;
-  if (exact && model.bend.size() == 0)
-    model.bend.setZero(model.gradient.size(), model.gradient.size());
   model.value += loads.value;
   for (std::size_t i = frames; i-- > 0;) {
     const RobotTable::Frame& frame = robot.frames[i];
@@ -124,20 +122,15 @@ void add_derivatives(const RobotTable& robot, const std::vector<Pose>& base_from
       if (loads.curvature != Curvature::none) {
         const auto n = static_cast<int>(model.gradient.size());
         double* hessian = model.hessian.data();
-        double* bend = model.bend.data();
         const int j = frame.joint;
         Eigen::Matrix<double, 6, 1> answer;
         answer << load.inertia * axis + load.first.cross(shift),
             axis.cross(load.first) + load.mass * shift;
+        if (exact) answer.head<3>() += load.bend * axis + shift.cross(load.promised);
         hessian[j * n + j] += sweep.twist[i].dot(answer);
         if (offset) {
           model.hessian.block<3, 1>(joints, j) -= answer.tail<3>();
           model.hessian.block<1, 3>(j, joints) -= answer.tail<3>().transpose();
-        }
-        Vec3 bent = Vec3::Zero();
-        if (exact) {
-          bent = load.bend * axis + shift.cross(load.promised);
-          bend[j * n + j] += axis.dot(bent);
         }
         for (int k = sweep.above[i]; k >= 0; k = sweep.above[static_cast<std::size_t>(k)]) {
           const auto& twist = sweep.twist[static_cast<std::size_t>(k)];
@@ -145,10 +138,6 @@ void add_derivatives(const RobotTable& robot, const std::vector<Pose>& base_from
           const double product = twist.dot(answer);
           hessian[j * n + other] += product;
           hessian[other * n + j] += product;
-          if (!exact) continue;
-          const double second = twist.head<3>().dot(bent);
-          bend[j * n + other] += second;
-          bend[other * n + j] += second;
         }
       }
     }

@@ -6,9 +6,9 @@ namespace morphe {
 
 using Eigen::Index;
 
-bool EnvelopeCholesky::factorise(const Quadratic& model, bool with_bend, double damping,
+bool EnvelopeCholesky::factorise(const Eigen::MatrixXd& hessian, double damping,
                                  const std::vector<char>& held) {
-  const Index n = model.hessian.rows();
+  const Index n = hessian.rows();
   if (rows.rows() != n) {
     rows.resize(n, n);
     first.resize(static_cast<std::size_t>(n));
@@ -20,15 +20,10 @@ bool EnvelopeCholesky::factorise(const Quadratic& model, bool with_bend, double 
     Index begin = i;
     if (!held[static_cast<std::size_t>(variable)]) {
       // Column `variable` of the lower triangle, from the bottom upwards.
-      const double* column = model.hessian.data() + variable * n;
-      const double* bend = with_bend ? model.bend.data() + variable * n : nullptr;
+      const double* column = hessian.data() + variable * n;
       for (Index j = 0; j < i; ++j) {
         const Index other = n - 1 - j;
-        double entry = 0;
-        if (!held[static_cast<std::size_t>(other)]) {
-          entry = column[other];
-          if (bend) entry += bend[other];
-        }
+        const double entry = held[static_cast<std::size_t>(other)] ? 0 : column[other];
         row[j] = entry;
         if (entry != 0 && begin == i) begin = j;
       }
@@ -48,8 +43,7 @@ bool EnvelopeCholesky::factorise(const Quadratic& model, bool with_bend, double 
       inverse_pivot[i] = 1;
       continue;
     }
-    double own = model.hessian(variable, variable) + damping;
-    if (with_bend) own += model.bend(variable, variable);
+    const double own = hessian(variable, variable) + damping;
     const double pivot = own - Eigen::Map<const JointVector>(row + begin, i - begin).squaredNorm();
     if (!(pivot > 1e-14 * std::abs(own))) {
       missing = std::max(-pivot, 1e-12 * std::abs(own)) / squared_length_at(i);

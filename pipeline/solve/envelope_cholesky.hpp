@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "pipeline/solve/quadratic.hpp"
+#include "pipeline/motion/geometry.hpp"
 
 namespace morphe {
 
@@ -15,10 +15,9 @@ class EnvelopeCholesky {
  public:
   double missing = 0;  ///< where factorise failed: at least so much more damping is needed
 
-  /// False if a pivot is not clearly positive: then nothing can be solved. H is hessian, or hessian
-  /// + bend; of both the lower triangle is read.
-  bool factorise(const Quadratic& model, bool with_bend, double damping,
-                 const std::vector<char>& held);
+  /// False if a pivot is not clearly positive: then nothing can be solved. Of H the lower triangle
+  /// is read.
+  bool factorise(const Eigen::MatrixXd& hessian, double damping, const std::vector<char>& held);
   /// right_side becomes the solution; a held variable's entry stays what it is.
   void solve(JointVector& right_side) const;
 

@@ -6,20 +6,18 @@
 
 namespace morphe {
 
-/// Local model of a sum of terms at a point: value, gradient and a positive semidefinite
-/// (Gauss–Newton) Hessian, and beside it, if it was asked for, the rest of the second derivative,
-/// which is indefinite. A least-squares term r(q) adds r², 2 Jᵀr and 2 JᵀJ.
+/// Local model of a sum of terms at a point: value, gradient and Hessian, which is positive
+/// semidefinite (Gauss–Newton) or, if that was asked for, exact and then perhaps indefinite. A
+/// least-squares term r(q) adds r², 2 Jᵀr and 2 JᵀJ.
 struct Quadratic {
   double value = 0;
   JointVector gradient;     ///< [n]
   Eigen::MatrixXd hessian;  ///< [n, n], symmetric
-  Eigen::MatrixXd bend;     ///< [n, n], symmetric, or empty
 
   void reset(Eigen::Index n) {
     value = 0;
     gradient.setZero(n);
     hessian.setZero(n, n);
-    bend.setZero();
   }
   /// Adds weight * ‖residual‖² with its Jacobian [rows, n].
   template <class Residual, class Jacobian>

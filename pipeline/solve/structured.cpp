@@ -15,24 +15,16 @@ struct Step {
   double promised = 0;  ///< what the model gains by it
 };
 
-/// The model around the present point: its Hessian is exact, or without the bend; damped.
-struct Model {
-  bool exact;
-  double damping = 0;
-};
-
 /// product = (H + damping I) v.
-void multiply(const Quadratic& at, const Model& model, const JointVector& v, JointVector& product) {
+void multiply(const Quadratic& at, double damping, const JointVector& v, JointVector& product) {
   product.noalias() = at.hessian * v;
-  if (model.exact) product.noalias() += at.bend * v;
-  product += model.damping * v;
+  product += damping * v;
 }
 
 /// Newton's step from x + step by the free variables, into `scratch.move`; false if the Hessian is
 /// not positive definite there.
-bool free_move(const Model& model, StructuredScratch& scratch) {
-  if (!scratch.factor.factorise(scratch.now, model.exact, model.damping, scratch.held))
-    return false;
+bool free_move(double damping, StructuredScratch& scratch) {
+  if (!scratch.factor.factorise(scratch.now.hessian, damping, scratch.held)) return false;
   scratch.move = -scratch.slope;
   for (Index j = 0; j < scratch.move.size(); ++j) {
     if (scratch.held[static_cast<std::size_t>(j)]) scratch.move[j] = 0;
@@ -59,7 +51,7 @@ Index wrongly_held(const BoundedProblem& problem, const StructuredScratch& scrat
 
 /// Adds the move to the step, or as much of it as the bounds allow; the variable that stopped it is
 /// held. False if nothing did.
-bool stopped_move(const BoundedProblem& problem, const Model& model, StructuredScratch& scratch) {
+bool stopped_move(const BoundedProblem& problem, double damping, StructuredScratch& scratch) {
   double share = 1;
   Index stopped = -1;
   for (Index j = 0; j < scratch.x.size(); ++j) {
@@ -72,7 +64,7 @@ bool stopped_move(const BoundedProblem& problem, const Model& model, StructuredS
       stopped = j;
     }
   }
-  multiply(scratch.now, model, scratch.move, scratch.bent);
+  multiply(scratch.now, damping, scratch.move, scratch.bent);
   scratch.step += share * scratch.move;
   scratch.slope += share * scratch.bent;
   if (stopped < 0) return false;
@@ -85,7 +77,7 @@ bool stopped_move(const BoundedProblem& problem, const Model& model, StructuredS
 /// Minimises the model within the bounds, into `scratch.step`: from one set of held variables to
 /// the next, always downhill. False if the Hessian is not positive definite, or the step far too
 /// long.
-bool minimise_model(const BoundedProblem& problem, const Model& model, double longest,
+bool minimise_model(const BoundedProblem& problem, double damping, double longest,
                     StructuredScratch& scratch) {
   const Index n = scratch.x.size();
   scratch.step.setZero(n);
@@ -96,12 +88,12 @@ bool minimise_model(const BoundedProblem& problem, const Model& model, double lo
     scratch.held[static_cast<std::size_t>(j)] = outwards ? 1 : 0;
   }
   for (Index change = 0; change < 3 * n; ++change) {
-    if (!free_move(model, scratch)) return false;
+    if (!free_move(damping, scratch)) return false;
     if (scratch.move.cwiseAbs().maxCoeff() > longest) {
       scratch.step += scratch.move;
       return false;
     }
-    if (stopped_move(problem, model, scratch)) continue;
+    if (stopped_move(problem, damping, scratch)) continue;
     const Index freed = wrongly_held(problem, scratch);
     if (freed < 0) break;
     scratch.held[static_cast<std::size_t>(freed)] = 0;
@@ -112,22 +104,23 @@ bool minimise_model(const BoundedProblem& problem, const Model& model, double lo
 /// The model's step within the bounds, damped until its entries are near or below the radius.
 Step bounded_step(const BoundedProblem& problem, double radius, StructuredScratch& scratch) {
   // Directions in which nothing is known to be curved would magnify round-off without a floor.
-  Model model{scratch.now.bend.size() > 0,
-              1e-12 * scratch.now.hessian.diagonal().cwiseAbs().maxCoeff()};
+  double damping = 1e-12 * scratch.now.hessian.diagonal().cwiseAbs().maxCoeff();
   for (int attempt = 0; attempt < 40; ++attempt) {
     scratch.factor.missing = 0;
-    if (minimise_model(problem, model, 1.5 * radius, scratch)) break;
+    if (minimise_model(problem, damping, 1.5 * radius, scratch)) break;
     if (scratch.factor.missing > 0) {
-      model.damping += std::max(3 * model.damping, 2 * scratch.factor.missing);
+      // The last step's damping tells the order of magnitude; more than needed would cost steps.
+      damping += std::max({3 * damping, 2 * scratch.factor.missing, 0.03 * scratch.damping});
       continue;
     }
     // As if the step were all along one curvature, that which the model has along it.
-    multiply(scratch.now, model, scratch.step, scratch.bent);
+    multiply(scratch.now, damping, scratch.step, scratch.bent);
     const double damped = scratch.step.dot(scratch.bent) / scratch.step.squaredNorm();
     const double ratio = scratch.step.cwiseAbs().maxCoeff() / radius;
-    model.damping += std::max(model.damping, (ratio - 1) * damped);
+    damping += std::max(damping, (ratio - 1) * damped);
   }
-  multiply(scratch.now, {model.exact, 0}, scratch.step, scratch.bent);
+  scratch.damping = damping;
+  multiply(scratch.now, 0, scratch.step, scratch.bent);
   return {scratch.step.cwiseAbs().maxCoeff(),
           -scratch.step.dot(scratch.now.gradient + 0.5 * scratch.bent)};
 }
@@ -138,6 +131,7 @@ Minimum minimise_structured(const BoundedProblem& problem, const JointVector& st
                             const MinimiseOptions& options, StructuredScratch& scratch) {
   assert(problem.model);
   const Index n = start.size();
+  scratch.damping = 0;
   scratch.held.resize(static_cast<std::size_t>(n));
   scratch.x = start.cwiseMax(problem.lower).cwiseMin(problem.upper);
   Minimum result;

@@ -99,7 +99,7 @@ TEST_F(Terms, ExactHessian) {
     };
     evaluate(q);
     evaluate(q);  // only now slopes and forces are known
-    const Eigen::MatrixXd hessian = exact.hessian + exact.bend;
+    const Eigen::MatrixXd hessian = exact.hessian;
     Eigen::MatrixXd numeric(n + 3, n + 3);
     for (Eigen::Index j = 0; j < n + 3; ++j) {
       JointVector up = q, down = q;

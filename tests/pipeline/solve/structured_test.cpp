@@ -57,9 +57,7 @@ TEST(EnvelopeCholesky, SolvesLikeADenseSolver) {
   for (const Index fingers : {0, 1, 5}) {
     const Index trunk = 7;
     Eigen::MatrixXd h = tree_matrix(trunk, fingers, random);
-    Quadratic model;
-    model.reset(h.rows());
-    model.hessian = h;
+    const Eigen::MatrixXd whole = h;
     std::vector<char> held(static_cast<std::size_t>(h.rows()), 0);
     held[2] = 1;
     JointVector x = random_vector(h.rows(), random);
@@ -69,21 +67,20 @@ TEST(EnvelopeCholesky, SolvesLikeADenseSolver) {
     h.diagonal().array() += 0.5;
     const JointVector expected = h.ldlt().solve(x);
     EnvelopeCholesky factor;
-    ASSERT_TRUE(factor.factorise(model, false, 0.5, held));
+    ASSERT_TRUE(factor.factorise(whole, 0.5, held));
     factor.solve(x);
     EXPECT_LT((x - expected).cwiseAbs().maxCoeff(), 1e-10);
   }
 }
 
 TEST(EnvelopeCholesky, SaysHowMuchDampingIsMissing) {
-  Quadratic model;
-  model.reset(3);
-  model.hessian.diagonal() << 2, -3, 5;
+  Eigen::MatrixXd h = Eigen::MatrixXd::Zero(3, 3);
+  h.diagonal() << 2, -3, 5;
   const std::vector<char> held(3, 0);
   EnvelopeCholesky factor;
-  EXPECT_FALSE(factor.factorise(model, false, 0, held));
+  EXPECT_FALSE(factor.factorise(h, 0, held));
   EXPECT_NEAR(factor.missing, 3, 1e-12);
-  EXPECT_TRUE(factor.factorise(model, false, 3.1, held));
+  EXPECT_TRUE(factor.factorise(h, 3.1, held));
 }
 
 /// The minimum inside the bounds is known by its slopes: none inwards on a bound, none elsewhere.
