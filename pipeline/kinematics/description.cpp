@@ -160,8 +160,8 @@ RobotDescription load_robot(const std::filesystem::path& file) {
   if (assembly.table.tips.empty()) {
     throw InputError(fmt::format("{}:1: tips: are missing", file.string()));
   }
-  RobotDescription description{{}, std::move(assembly.files), std::move(assembly.notes),
-                               std::move(assembly.links)};
+  RobotDescription description{
+      {}, std::move(assembly.files), std::move(assembly.notes), std::move(assembly.links)};
   description.table = finished(std::move(assembly));
   return description;
 }
