@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace morphe {
 namespace {
@@ -136,6 +137,31 @@ QuinticExtremes extremes(const QuinticPiece& piece) {
   const double rate = 1 / piece.duration;
   return {over[0], scaled(over[1], rate), scaled(over[2], rate * rate),
           scaled(over[3], rate * rate * rate)};
+}
+
+bool surely_within(const QuinticPiece& piece, double velocity, double acceleration, double jerk) {
+  const auto& c = piece.coefficient;
+  const double t = piece.duration;
+  // Largest Bézier point: of a degree, from power coefficients d.
+  const auto largest = [](const auto& d) {
+    std::array<double, std::tuple_size_v<std::remove_cvref_t<decltype(d)>>> b{};
+    const std::size_t degree = d.size() - 1;
+    double share = 1;  // 1 / C(degree, k)
+    for (std::size_t k = 0; k <= degree; ++k) {
+      b[k] = d[k] * share;
+      share *=
+          static_cast<double>(k + 1) / static_cast<double>(std::max<std::size_t>(1, degree - k));
+    }
+    double most = std::abs(b[0]);
+    for (std::size_t round = 1; round <= degree; ++round) {
+      for (std::size_t k = degree; k >= round; --k) b[k] += b[k - 1];
+    }
+    for (const double value : b) most = std::max(most, std::abs(value));
+    return most;
+  };
+  return largest(std::array{c[1], 2 * c[2], 3 * c[3], 4 * c[4], 5 * c[5]}) <= velocity * t &&
+         largest(std::array{2 * c[2], 6 * c[3], 12 * c[4], 20 * c[5]}) <= acceleration * t * t &&
+         largest(std::array{6 * c[3], 24 * c[4], 60 * c[5]}) <= jerk * t * t * t;
 }
 
 Range position_range(const QuinticPiece& piece, double begin, double end) {

@@ -189,7 +189,8 @@ double fit(const RobotTable& robot, const std::vector<double>& clock, const Join
            const Leverage& leverage, PathFit& out) {
   Rows rows = rows_of(clock, allowance, tolerance.duration_s, out.spline);
   // Offsets from the first sample: damping must not move a constant.
-  const Eigen::RowVectorXd origin = samples.row(0);
+  const Eigen::RowVectorXd origin =
+      samples.row(0).cwiseMax(robot.lower.transpose()).cwiseMin(robot.upper.transpose());
   const JointRows offset = samples.rowwise() - origin;
   const Eigen::Index n = samples.cols();
   const JointVector inset = (0.25 * (robot.upper - robot.lower)).cwiseMin(kLimitInset);
@@ -229,7 +230,7 @@ double fit(const RobotTable& robot, const std::vector<double>& clock, const Join
     if (settled) break;
     spread(rows.weight);
   }
-  coefficient.rowwise() += origin;
+  out.spline.origin = origin;
   return excess;
 }
 

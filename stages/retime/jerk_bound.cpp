@@ -10,7 +10,7 @@ namespace morphe {
 namespace {
 
 /// Of the barrier, as a share of what a point adds to the duration: bounds the duration's excess.
-constexpr double kFirstBarrier = 1e-2, kLastBarrier = 1e-5, kLowerBarrier = 0.1;
+constexpr double kFirstBarrier = 3e-1, kLastBarrier = 3e-5, kLowerBarrier = 0.1;
 constexpr int kNewtonSteps = 60;  ///< at most, for each barrier
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -210,11 +210,43 @@ bool newton_step(const Constraints& c, const Eigen::VectorXd& coefficient, doubl
   return newton.step.allFinite() && decrement > 0;
 }
 
-/// The largest steady dw/dt squared that meets every bound.
-double steady_square(const Constraints& c) {
-  const double a = std::max(1e-12, c.a0.abs().maxCoeff());
-  const double j = std::max(1e-12, c.j0.abs().maxCoeff());
-  return std::min({c.ceiling.minCoeff(), 1 / a, std::pow(j, -2.0 / 3)});
+/// Each value replaced by the least (the mean) of those at most `reach` away.
+Eigen::VectorXd lowest_around(const Eigen::VectorXd& values, Eigen::Index reach) {
+  Eigen::VectorXd out(values.size());
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    const Eigen::Index from = std::max<Eigen::Index>(0, i - reach);
+    out[i] = values.segment(from, std::min(values.size(), i + reach + 1) - from).minCoeff();
+  }
+  return out;
+}
+Eigen::VectorXd mean_around(const Eigen::VectorXd& values, Eigen::Index reach) {
+  Eigen::VectorXd out(values.size());
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    const Eigen::Index from = std::max<Eigen::Index>(0, i - reach);
+    out[i] = values.segment(from, std::min(values.size(), i + reach + 1) - from).mean();
+  }
+  return out;
+}
+
+/// Coefficients that meet every bound: the largest steady dw/dt squared at each place, lowest and
+/// then mean over a neighbourhood, and lower until the bounds hold in spite of its slopes.
+Eigen::VectorXd feasible(const Constraints& c, Eigen::Index intervals) {
+  constexpr Eigen::Index kReach = 12;
+  constexpr double kInside = 0.9, kLower = 0.7, kLeast = 1e-3;
+  Eigen::VectorXd local = Eigen::VectorXd::Constant(intervals + 3, c.ceiling.maxCoeff());
+  for (Eigen::Index i = 0; i < c.size(); ++i) {
+    const double a = std::max(1e-12, c.a0.col(i).abs().maxCoeff());
+    const double j = std::max(1e-12, c.j0.col(i).abs().maxCoeff());
+    const double square = kInside * std::min({c.ceiling[i], 1 / a, std::pow(j, -2.0 / 3)});
+    auto around = local.segment<4>(c.point[static_cast<std::size_t>(i)].interval);
+    around = around.cwiseMin(square);
+  }
+  Eigen::VectorXd start = lowest_around(local, 3 * kReach);
+  for (int pass = 0; pass < 3; ++pass) start = mean_around(start, kReach);
+  for (double lower = 1; lower > kLeast; lower *= kLower) {
+    if (merit(c, lower * start, 0) < kInfinity) return lower * start;
+  }
+  return Eigen::VectorXd::Constant(intervals + 3, local.minCoeff());
 }
 
 void minimise(const Constraints& c, double scale_s, Eigen::VectorXd& coefficient) {
@@ -280,11 +312,10 @@ double square_at(const Progress& progress, double w) {
 Progress fastest_progress(const Course& course, const RampedClock& clock, Eigen::Index intervals,
                           double most, double scale_s) {
   const Constraints constraints = constraints_of(course, clock, intervals, most);
-  const Progress steady{clock.length,
-                        Eigen::VectorXd::Constant(intervals + 3, 0.9 * steady_square(constraints))};
-  Progress fastest = steady;
+  const Progress start{clock.length, feasible(constraints, intervals)};
+  Progress fastest = start;
   minimise(constraints, scale_s, fastest.coefficient);
-  return positive(fastest) ? fastest : steady;
+  return positive(fastest) ? fastest : start;
 }
 
 ProgressLaw progress_law(const RampedClock& clock, Progress progress) {

@@ -36,13 +36,7 @@ void evaluate(const JointSpline& spline, double u, JointRows& out) {
   spread<2>(weights, at.z, rate * rate, {1, -2, 1});
   spread<3>(weights, at.z, rate * rate * rate, {-1, 3, -3, 1});
   out.noalias() = weights.lazyProduct(spline.coefficient.middleRows<6>(at.interval));
-}
-
-JointVector position_at(const JointSpline& spline, double u) {
-  const KnotPlace at = place_of(spline, u);
-  const auto weights = bspline_weights<5>(at.z);
-  return spline.coefficient.middleRows<6>(at.interval).transpose() *
-         Eigen::Map<const Eigen::Matrix<double, 6, 1>>(weights.data());
+  out.row(0) += spline.origin;
 }
 
 }  // namespace morphe

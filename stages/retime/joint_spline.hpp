@@ -27,7 +27,9 @@ std::array<double, Degree + 1> bspline_weights(double z) {
 struct JointSpline {
   double length = 1;           ///< [s]
   Eigen::Index intervals = 1;  ///< knots are length / intervals apart
-  JointRows coefficient;       ///< [intervals + 5, n] [rad]
+  Eigen::RowVectorXd
+      origin;             ///< [n] [rad]; apart, so that a joint that stands still does so exactly
+  JointRows coefficient;  ///< [intervals + 5, n] [rad], from the origin
   double step() const { return length / static_cast<double>(intervals); }
 };
 
@@ -40,7 +42,5 @@ KnotPlace place_of(const JointSpline& spline, double u);
 
 /// d^order q / du^order for order 0 … 3, rows of `out` [4, n].
 void evaluate(const JointSpline& spline, double u, JointRows& out);
-/// q alone.
-JointVector position_at(const JointSpline& spline, double u);
 
 }  // namespace morphe

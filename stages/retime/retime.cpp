@@ -65,11 +65,11 @@ std::string what_is_beyond_limits(const RobotTable& robot, const JointPath& path
 }
 
 Course make_course(const RobotTable& robot, const JointPath& path, const Movement& movement,
-                   const RetimeOptions& options, RetimeResult& result) {
+                   const RetimeOptions& options, bool keep_pauses, RetimeResult& result) {
   Course course;
   course.robot = &robot;
   course.movement = &movement;
-  course.clocked = clock_path(robot, path, kKnotStep_s, options.mode != "fastest");
+  course.clocked = clock_path(robot, path, kKnotStep_s, keep_pauses);
   std::vector<double> allowance;
   for (const Origin origin : course.clocked.origin) {
     allowance.push_back(origin == Origin::planned ? options.planned_smoothing : 1);
@@ -92,13 +92,19 @@ Course make_course(const RobotTable& robot, const JointPath& path, const Movemen
   return course;
 }
 
-/// How many times slower each step between samples would have to be to hold the course's limits.
+/// How many times slower each step between samples would have to be to hold the course's limits; 0
+/// where it surely does.
 std::vector<double> haste(const Course& course, const Trajectory& trajectory) {
   std::vector<double> out;
   for (std::size_t i = 0; i + 1 < trajectory.samples(); ++i) {
     double worst = 0;
     for (Eigen::Index joint = 0; joint < trajectory.position.cols(); ++joint) {
-      const QuinticExtremes over = extremes(quintic_piece(trajectory, i, joint));
+      const QuinticPiece piece = quintic_piece(trajectory, i, joint);
+      if (surely_within(piece, course.velocity[joint], course.acceleration[joint],
+                        course.jerk[joint])) {
+        continue;
+      }
+      const QuinticExtremes over = extremes(piece);
       const auto ratio = [](const Range& range, double limit) {
         return std::max(-range.least, range.greatest) / limit;
       };
@@ -165,6 +171,7 @@ bool sample_within_limits(Course& course, const RetimeOptions& options, RetimeRe
     }
     if (worst > 1) break;
     result.trajectory = std::move(sampled.trajectory);
+    result.reason = result.detail = "";
     return true;
   }
   result.reason = "limit";
@@ -211,8 +218,12 @@ RetimeResult retime(const RobotTable& robot, const JointPath& path, const Moveme
     result.reason = "limit";
     return result;
   }
-  Course course = make_course(robot, path, movement, options, result);
-  sample_within_limits(course, options, result);
+  // A duration that leaves no time for the human's pauses may leave some for the way.
+  for (const bool keep_pauses : {true, false}) {
+    if (options.mode == (keep_pauses ? "fastest" : "human")) continue;
+    Course course = make_course(robot, path, movement, options, keep_pauses, result);
+    if (sample_within_limits(course, options, result) || options.mode != "duration") break;
+  }
   return result;
 }
 

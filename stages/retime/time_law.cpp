@@ -9,8 +9,8 @@ namespace morphe {
 namespace {
 
 constexpr double kRamp_s = 0.25;  ///< of the path parameter at both ends
-constexpr double kAboveGrid = 4;  ///< times the grid law's pace: cap on dw/dt in the ramps
-constexpr double kMostCatchUp = 1.03, kMadeUpFor = 1.02;
+constexpr double kAboveGrid = 8;  ///< times the grid law's pace: cap on dw/dt in the ramps
+constexpr double kMostCatchUp = 1.04, kMadeUpFor = 1.025;
 constexpr int kPaces = 12;  ///< tried for a duration
 constexpr Eigen::Index kLeastSteps = 400, kStepsPerKnot = 4, kLeastKnots = 32;
 

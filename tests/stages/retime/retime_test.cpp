@@ -107,10 +107,10 @@ TEST(Retime, GenerousLimitsKeepTheHumanTempo) {
     return (1.0 - 0.3 * static_cast<double>(k)) * minimum_jerk(t / 1.2);
   });
   const Trajectory& t = retime_valid(robot, reach).trajectory;
-  EXPECT_GE(t.time.back(), 1.2);
-  EXPECT_LE(t.time.back(), 1.25);
+
+  EXPECT_DOUBLE_EQ(t.time.back(), 1.2);
   for (std::size_t i = 1; i < t.samples(); ++i) {
-    EXPECT_LE(t.demonstration_time[i] - t.demonstration_time[i - 1], 0.002 * 1.01);
+    EXPECT_LE(t.demonstration_time[i] - t.demonstration_time[i - 1], 0.002 * 1.03);
   }
 }
 
