@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <random>
 
 #include "pipeline/config/fields.hpp"
@@ -247,13 +248,103 @@ TEST(Retime, RefusesWhatIsNoPath) {
   EXPECT_EQ(retime(robot, path, {}, {}).reason, "limit");
 }
 
+TEST(Retime, FastestComesCloseToTheClosedFormAfterSampling) {
+  RetimeOptions options;
+  options.mode = "fastest";
+  RobotTable robot = robot_with(1, 0.99, 3.1, std::numeric_limits<double>::infinity());
+  const JointPath line = path_of(101, 1, 30, [](double t, Eigen::Index) { return t / 25; });
+  const double trapezoid = 1.2 / 0.99 + 0.99 / 3.1;
+  const double without = retime_valid(robot, line, options).trajectory.time.back();
+  EXPECT_GE(without, trapezoid);
+  EXPECT_LE(without, 1.02 * trapezoid);
+  robot.jerk.setConstant(31);
+  const double with = retime_valid(robot, line, options).trajectory.time.back();
+  EXPECT_GE(with, trapezoid + 3.1 / 31);
+  EXPECT_LE(with, 1.03 * (trapezoid + 3.1 / 31));
+}
+
+TEST(Retime, ADurationIsMetOrRefused) {
+  const RobotTable robot = robot_with(2, 1, 3, 30);
+  const JointPath path = path_of(121, 2, 1.2, [](double t, Eigen::Index k) {
+    return (k == 0 ? 0.6 : -0.4) * minimum_jerk(t / 1.2);
+  });
+  RetimeOptions options;
+  options.mode = "fastest";
+  const double least = retime_valid(robot, path, options).trajectory.time.back();
+  options.mode = "duration";
+  for (const double duration_s : {1.03 * least, 2 * least, 10.0}) {
+    options.duration_s = duration_s;
+    EXPECT_NEAR(retime_valid(robot, path, options).trajectory.time.back(), duration_s, 0.002);
+  }
+  options.duration_s = 0.9 * least;
+  EXPECT_EQ(retime(robot, path, Movement{}, options).reason, "duration");
+}
+
+TEST(Retime, APhaseIsSlowerByItsScale) {
+  const RobotTable robot = robot_with(1, 1, 3, 30);
+  Movement movement;
+  movement.phases = {{"reach", 0, 1.5}, {"grasp", 1.5, 3}};
+  const JointPath path = path_of(301, 1, 3, [](double t, Eigen::Index) { return 0.2 * t; });
+  RetimeOptions options;
+  options.phase_speed = {{"grasp", 0.5}};
+  const Trajectory t = retime(robot, path, movement, options).trajectory;
+  ASSERT_GT(t.samples(), 2u);
+  double fastest[2] = {0, 0};
+  for (std::size_t i = 0; i < t.samples(); ++i) {
+    double& here = fastest[t.phase[i] == 3];
+    if (std::abs(t.demonstration_time[i] - 1.5) < 0.02) continue;
+    here = std::max(here, t.velocity(static_cast<Eigen::Index>(i), 0));
+  }
+  EXPECT_NEAR(fastest[0], 0.2, 0.01);
+  EXPECT_NEAR(fastest[1], 0.1, 0.005);
+}
+
+TEST(Retime, PausesAreKeptUnlessItShallBeFast) {
+  const RobotTable robot = robot_with(1, 1, 3, 30);
+  const auto pausing = [](double t, Eigen::Index) {
+    return 0.3 * (minimum_jerk(std::min(t, 1.0)) + minimum_jerk(std::clamp(t - 2, 0.0, 1.0)));
+  };
+  const JointPath path = path_of(301, 1, 3, pausing);
+  RetimeOptions options;
+  EXPECT_NEAR(retime_valid(robot, path, options).trajectory.time.back(), 3, 0.1);
+  options.mode = "fastest";
+  EXPECT_LT(retime_valid(robot, path, options).trajectory.time.back(), 2);
+}
+
+TEST(Retime, LimitsThatAreNoneAreNone) {
+  const JointPath path =
+      path_of(121, 1, 1.2, [](double t, Eigen::Index) { return 0.5 * minimum_jerk(t / 1.2); });
+  const double infinity = std::numeric_limits<double>::infinity();
+  const RobotTable free = robot_with(1, infinity, infinity, infinity);
+  EXPECT_NEAR(retime_valid(free, path).trajectory.time.back(), 1.2, 0.003);
+  for (const double bad : {0.0, -1.0, kNotSeen}) {
+    RobotTable robot = robot_with(1, 1, 3, 30);
+    robot.acceleration[0] = bad;
+    EXPECT_EQ(retime(robot, path, {}, {}).reason, "limit");
+    robot = robot_with(1, 1, bad, 30);
+    EXPECT_EQ(retime(robot, path, {}, {}).reason, "limit");
+    robot = robot_with(1, 1, 3, 30);
+    robot.upper[0] = kNotSeen;
+    EXPECT_EQ(retime(robot, path, {}, {}).reason, "limit");
+  }
+}
+
 TEST(Retime, OptionsAreReadAndChecked) {
   RetimeOptions options;
-  read_options(ConfigNode::parse("{sample_rate_hz: 250, limit_share: 0.8}", "x"), options);
+  read_options(ConfigNode::parse("{sample_rate_hz: 250, limit_share: 0.8, tip_speed: 0.5, "
+                                 "phase_speed: [{phase: grasp, scale: 0.5}]}",
+                                 "x"),
+               options);
   EXPECT_EQ(options.sample_rate_hz, 250);
   EXPECT_EQ(options.limit_share, 0.8);
-  options.limit_share = 1.5;
-  EXPECT_NE(check(options), "");
+  EXPECT_EQ(options.tip_speed, 0.5);
+  EXPECT_EQ(options.phase_speed.front().phase, "grasp");
+  for (const char* wrong :
+       {"{limit_share: 1.5}", "{mode: quick}", "{mode: duration}", "{duration_s: 2}",
+        "{phase_speed: [{phase: lunch, scale: 1}]}", "{tip_speed: 0}"}) {
+    RetimeOptions other;
+    EXPECT_THROW(read_options(ConfigNode::parse(wrong, "x"), other), InputError) << wrong;
+  }
 }
 
 }  // namespace
