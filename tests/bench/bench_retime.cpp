@@ -1,0 +1,103 @@
+// Retiming 22 joints through 200 waypoints: the path's spline, the law within velocity and
+// acceleration limits, and within jerk limits too, at 200, 500 and 1000 grid points; and a whole
+// retime() with its samples at 500 Hz.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <limits>
+
+#include "stages/retime/fit_path.hpp"
+#include "stages/retime/retime.hpp"
+#include "stages/retime/time_law.hpp"
+
+namespace morphe {
+namespace {
+
+constexpr int kJoints = 22, kWaypoints = 200;
+
+struct Problem {
+  RobotTable robot;
+  JointPath path;
+  Movement movement;
+};
+
+Problem problem(bool jerk) {
+  Problem out;
+  out.robot.joint_names.assign(kJoints, "joint");
+  out.robot.lower = JointVector::Constant(kJoints, -3);
+  out.robot.upper = JointVector::Constant(kJoints, 3);
+  out.robot.velocity = JointVector::Constant(kJoints, 1.5);
+  out.robot.acceleration = JointVector::Constant(kJoints, 10);
+  out.robot.jerk =
+      JointVector::Constant(kJoints, jerk ? 100 : std::numeric_limits<double>::infinity());
+  out.path.position.resize(kWaypoints, kJoints);
+  for (int i = 0; i < kWaypoints; ++i) {
+    const double t = 0.01 * i;
+    out.path.demonstration_time.push_back(t);
+    out.path.origin.push_back(Origin::mapped);
+    for (int k = 0; k < kJoints; ++k) {
+      out.path.position(i, k) =
+          0.5 * std::sin(2 * t + 0.7 * k) + 0.1 * std::sin((4 + 0.2 * k) * t + k * k);
+    }
+  }
+  return out;
+}
+
+Course course_of(const Problem& from) {
+  Course course;
+  course.robot = &from.robot;
+  course.movement = &from.movement;
+  course.clocked = clock_path(from.robot, from.path, 0.01, true);
+  const std::vector<double> allowance(course.clocked.clock.size(), 1);
+  course.spline =
+      fit_path(from.robot, course.clocked.clock, course.clocked.position, allowance, {}, 0.01)
+          .spline;
+  course.velocity = from.robot.velocity;
+  course.acceleration = from.robot.acceleration;
+  course.jerk = from.robot.jerk;
+  return course;
+}
+
+void path_building(benchmark::State& state) {
+  const Problem from = problem(false);
+  for (auto _ : state) benchmark::DoNotOptimize(course_of(from).spline.coefficient.data());
+}
+
+/// `build`: the path is built each time. Points of the jerk law: knots and the middles between.
+void law(benchmark::State& state, bool jerk, bool build) {
+  const Problem from = problem(jerk);
+  Course course = course_of(from);
+  double duration_s = 0;
+  for (auto _ : state) {
+    if (build) course = course_of(from);
+    duration_s = fastest_law(course, state.range(0), state.range(0) / 2).duration_s;
+    benchmark::DoNotOptimize(duration_s);
+  }
+  state.counters["duration_s"] = duration_s;
+}
+
+void whole(benchmark::State& state, bool jerk) {
+  const Problem from = problem(jerk);
+  RetimeOptions options;
+  options.mode = "fastest";
+  double duration_s = 0;
+  for (auto _ : state) {
+    duration_s = retime(from.robot, from.path, from.movement, options).trajectory.time.back();
+    benchmark::DoNotOptimize(duration_s);
+  }
+  state.counters["duration_s"] = duration_s;
+}
+
+#define GRIDS Arg(200)->Arg(500)->Arg(1000)->Unit(benchmark::kMillisecond)
+BENCHMARK(path_building)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(law, velocity_acceleration, false, false)->GRIDS;
+BENCHMARK_CAPTURE(law, velocity_acceleration_and_path, false, true)->GRIDS;
+BENCHMARK_CAPTURE(law, jerk, true, false)->GRIDS;
+BENCHMARK_CAPTURE(law, jerk_and_path, true, true)->GRIDS;
+BENCHMARK_CAPTURE(whole, velocity_acceleration, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(whole, jerk, true)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace morphe
+
+BENCHMARK_MAIN();
