@@ -17,7 +17,9 @@ struct Course {
   JointSpline spline;
   JointVector velocity, acceleration, jerk;  ///< [n] shares of the robot's limits
   double tempo = kMostPace;                  ///< clock seconds per second at most
-  double tip_speed = kMostPace;              ///< of any tip [m/s]
+  double catch_up = 0;                       ///< tempo is greater by this share at both ends …
+  double catch_up_s = 0.3;          ///< … falling smoothly to none this far from them [s]
+  double tip_speed = kMostPace;     ///< of any tip [m/s]
   std::vector<double> phase_scale;  ///< of tempo, joint and tip speed, by index of kPhaseNames
   /// Over equal cells of the clock: the limits are those of a motion this many times slower.
   std::vector<double> slowdown;

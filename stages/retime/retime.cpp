@@ -136,46 +136,58 @@ void slow_down(Course& course, const SampledLaw& sampled, const std::vector<doub
   for (std::size_t k = 0; k < factor.size(); ++k) course.slowdown[k] *= factor[k];
 }
 
+/// The law of a mode; nothing if a duration is too short.
+std::optional<PacedLaw> pace(Course& course, const std::string& mode,
+                             const RetimeOptions& options) {
+  if (mode == "human") return pace_human(course, options.sample_rate_hz);
+  if (mode == "fastest") return pace_fastest(course, options.sample_rate_hz);
+  return pace_duration(course, options.sample_rate_hz, *options.duration_s);
+}
+
 /// Paces and samples the course until the quintics hold its limits: slowed down where they do not,
-/// and as a whole if that takes too long.
+/// and as a whole if that takes too long. False, and why, if they never do.
 bool sample_within_limits(Course& course, const RetimeOptions& options, RetimeResult& result) {
+  const bool timed = options.mode == "duration";
+  const double rate_hz = options.sample_rate_hz;
+  result.reason = timed ? "duration" : "limit";
+  result.detail =
+      timed ? fmt::format("the path cannot be followed in {} s", *options.duration_s)
+            : "no slowdown brings the path within the joints' velocity, acceleration and jerk";
   for (int round = 0; round <= kCorrections; ++round) {
-    std::optional<PacedLaw> paced;
-    if (options.mode == "human") paced = pace_human(course, options.sample_rate_hz);
-    if (options.mode == "fastest") paced = pace_fastest(course, options.sample_rate_hz);
-    if (options.mode == "duration") {
-      paced = pace_duration(course, options.sample_rate_hz, *options.duration_s);
-      if (!paced) {
-        result.reason = "duration";
-        result.detail = fmt::format("the path cannot be followed in {} s", *options.duration_s);
-        return false;
-      }
-    }
-    SampledLaw sampled = sample_law(course, *paced, options.sample_rate_hz);
+    const bool late = 2 * round >= kCorrections;
+    // What is left of a duration is then the fastest law, stretched.
+    std::optional<PacedLaw> paced = pace(course, timed && late ? "fastest" : options.mode, options);
+    if (!paced) return false;
+    SampledLaw sampled = sample_law(course, *paced, rate_hz);
     std::vector<double> hasty = haste(course, sampled.trajectory);
     double worst = *std::max_element(hasty.begin(), hasty.end());
-    if (!std::isfinite(worst)) break;
+    if (!std::isfinite(worst)) return false;
     if (worst > 1 && round < kCorrections) {
       // The last rounds slow down more than where it is needed.
-      if (2 * round >= kCorrections) std::fill(hasty.begin(), hasty.end(), worst);
+      if (late) std::fill(hasty.begin(), hasty.end(), worst);
       slow_down(course, sampled, hasty);
       continue;
     }
-    for (int stretch = 0; worst > 1 && options.mode != "duration" && stretch < kCorrections;
-         ++stretch) {
-      paced->periods = 2 + static_cast<Eigen::Index>(std::ceil(
-                               static_cast<double>(paced->periods - 2) * worst * (1 + kInside)));
-      sampled = sample_law(course, *paced, options.sample_rate_hz);
+    const auto stretch_to = [&](double periods) {
+      paced->periods = static_cast<Eigen::Index>(periods);
+      sampled = sample_law(course, *paced, rate_hz);
       hasty = haste(course, sampled.trajectory);
       worst = *std::max_element(hasty.begin(), hasty.end());
+    };
+    for (int stretch = 0; worst > 1 && stretch < kCorrections; ++stretch) {
+      const auto moving = static_cast<double>(paced->periods - 2);
+      stretch_to(2 + std::ceil(moving * worst * (1 + kInside)));
     }
-    if (worst > 1) break;
+    if (timed) {
+      const double periods = std::floor(*options.duration_s * rate_hz + 1e-9);
+      if (static_cast<double>(paced->periods) > periods) return false;
+      if (static_cast<double>(paced->periods) < periods) stretch_to(periods);
+    }
+    if (worst > 1) return false;
     result.trajectory = std::move(sampled.trajectory);
     result.reason = result.detail = "";
     return true;
   }
-  result.reason = "limit";
-  result.detail = "no slowdown brings the path within the joints' velocity, acceleration and jerk";
   return false;
 }
 

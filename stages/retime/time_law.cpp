@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kRamp_s = 0.25;  ///< of the path parameter at both ends
 constexpr double kAboveGrid = 8;  ///< times the grid law's pace: cap on dw/dt in the ramps
-constexpr double kMostCatchUp = 1.04, kMadeUpFor = 1.025;
+constexpr double kMostCatchUp = 0.4, kMadeUpFor = 0.05;
+constexpr double kCatchUp_s = 0.2;
 constexpr int kPaces = 12;  ///< tried for a duration
 constexpr Eigen::Index kLeastSteps = 400, kStepsPerKnot = 4, kLeastKnots = 32;
 
@@ -50,9 +51,12 @@ PacedLaw pace_fastest(Course& course, double rate_hz) {
 }
 
 PacedLaw pace_human(Course& course, double rate_hz) {
-  const auto wanted = static_cast<Eigen::Index>(std::lround(course.spline.length * rate_hz));
+  const double length_s = course.spline.length;
+  const auto wanted = static_cast<Eigen::Index>(std::lround(length_s * rate_hz));
+  course.tempo = 1;
+  course.catch_up_s = std::min(kCatchUp_s, 0.5 * length_s);
   PacedLaw first;
-  for (course.tempo = 1; course.tempo < kMostCatchUp;) {
+  for (course.catch_up = 0; course.catch_up < kMostCatchUp;) {
     PacedLaw paced;
     paced.law = fastest_law(course);
     paced.periods = least_periods(paced.law, rate_hz);
@@ -60,10 +64,11 @@ PacedLaw pace_human(Course& course, double rate_hz) {
       paced.periods = wanted;
       return paced;
     }
-    const double late = static_cast<double>(paced.periods - 2) / static_cast<double>(wanted - 2);
-    if (course.tempo == 1) first = std::move(paced);
-    if (!(wanted > 2 && late < kMadeUpFor)) break;
-    course.tempo *= late + 1e-4;
+    const double late_s = static_cast<double>(paced.periods - wanted) / rate_hz;
+    const bool again = wanted > 2 && late_s < kMadeUpFor * length_s;
+    if (course.catch_up == 0) first = std::move(paced);
+    if (!again) break;
+    course.catch_up += late_s / course.catch_up_s + 1e-3;
   }
   return first;
 }

@@ -30,8 +30,8 @@ Eigen::Index least_periods(const TimeLaw& law, double rate_hz);
 
 /// As fast as the limits allow.
 PacedLaw pace_fastest(Course& course, double rate_hz);
-/// du/dt <= 1. Being late by up to 2.5 % (starting and stopping take time that the demonstration
-/// may not have taken) is made up for by a steady pace as much above 1, if limits allow.
+/// du/dt <= 1. Being late by up to 5 % (starting and stopping take time that the demonstration may
+/// not have taken) is made up for next to both ends, by up to 1.4 times that pace, if limits allow.
 PacedLaw pace_human(Course& course, double rate_hz);
 /// As human as can be, a steady pace faster or slower, so that all takes duration_s; nothing if
 /// even the fastest law takes longer.

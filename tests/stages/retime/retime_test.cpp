@@ -110,8 +110,9 @@ TEST(Retime, GenerousLimitsKeepTheHumanTempo) {
   const Trajectory& t = retime_valid(robot, reach).trajectory;
 
   EXPECT_DOUBLE_EQ(t.time.back(), 1.2);
-  for (std::size_t i = 1; i < t.samples(); ++i) {
-    EXPECT_LE(t.demonstration_time[i] - t.demonstration_time[i - 1], 0.002 * 1.03);
+  // In step with the human but for a few milliseconds, all but for the very ends.
+  for (std::size_t i = 100; i + 100 < t.samples(); ++i) {
+    EXPECT_NEAR(t.demonstration_time[i], t.time[i], 0.005);
   }
 }
 

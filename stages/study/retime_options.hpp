@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "pipeline/config/fields.hpp"
+
+namespace morphe {
+
+/// configs/studies/retime.yaml.
+struct RetimeStudyOptions {
+  std::string study;
+  std::uint64_t seed = 1;
+  int paths = 2000, quick_paths = 12;               ///< random ones
+  int optimum_paths = 50, quick_optimum_paths = 3;  ///< held against a much finer grid
+  std::string pipeline, manifest;                   ///< of the trials, none without them
+  int trials = 1000, quick_trials = 1;              ///< recordings at most
+  double stronger = 100;  ///< factor of the limits of a robot that can follow any human
+};
+template <class Fields>
+void fields(Fields& f, RetimeStudyOptions& o) {
+  f.required("study", o.study);
+  f("seed", o.seed);
+  f("paths", o.paths);
+  f("quick_paths", o.quick_paths);
+  f("optimum_paths", o.optimum_paths);
+  f("quick_optimum_paths", o.quick_optimum_paths);
+  f("pipeline", o.pipeline);
+  f("manifest", o.manifest);
+  f("trials", o.trials);
+  f("quick_trials", o.quick_trials);
+  f("stronger", o.stronger);
+}
+std::string check(const RetimeStudyOptions& options);
+
+}  // namespace morphe

@@ -1,0 +1,203 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "pipeline/collision/certified.hpp"
+#include "pipeline/run/ordered_map.hpp"
+#include "stages/import/import.hpp"
+#include "stages/plan_movement.hpp"
+#include "stages/retime/time_law.hpp"
+#include "stages/study/human_tempo.hpp"
+#include "stages/study/judge.hpp"
+#include "stages/study/retime_options.hpp"
+#include "stages/study/retime_paths.hpp"
+#include "stages/study/retime_reference.hpp"
+
+namespace morphe {
+namespace {
+
+constexpr const char* kModes[] = {"human", "fastest", "duration"};
+constexpr double kSpare = 1.2;  ///< mode duration: times the fastest
+
+/// What became of one path in the three modes.
+struct PathOutcome {
+  std::array<std::string, 3> reason;
+  std::array<SeenLimits, 3> seen;
+  std::array<double, 3> took_s{};
+};
+
+PathOutcome judge_path(std::uint64_t seed, std::uint64_t index) {
+  const RandomPath random = random_path(seed, index);
+  PathOutcome out;
+  double fastest_s = 0;
+  for (std::size_t mode = 0; mode < 3; ++mode) {
+    RetimeOptions options;
+    options.mode = kModes[mode];
+    if (options.mode == "duration") options.duration_s = std::max(0.05, kSpare * fastest_s);
+    RetimeResult result;
+    out.took_s[mode] =
+        seconds([&] { result = retime(random.robot, random.path, Movement{}, options); });
+    out.reason[mode] = result.reason;
+    if (!result.reason.empty()) continue;
+    if (options.mode == "fastest") fastest_s = result.trajectory.time.back();
+    out.seen[mode] = seen_limits(random.robot, result.trajectory);
+  }
+  return out;
+}
+
+/// Calls write(index, work(index)) in order, work on several threads.
+template <class Result>
+void for_each(int count, int jobs, const std::function<Result(std::uint64_t)>& work,
+              const std::function<void(const Result&)>& write) {
+  OrderedMap<std::uint64_t, Result> map;
+  map.next = [next = 0, count]() mutable {
+    return next == count ? nullptr
+                         : std::make_unique<std::uint64_t>(static_cast<std::uint64_t>(next++));
+  };
+  map.work = [&](const std::uint64_t& index) { return std::make_unique<Result>(work(index)); };
+  map.write = write;
+  run(map, jobs);
+}
+
+void random_paths(const RetimeStudyOptions& options, const StudyRun& study, StudyResult& result) {
+  std::vector<PathOutcome> all;
+  for_each<PathOutcome>(
+      study.quick ? options.quick_paths : options.paths, study.jobs,
+      [&](std::uint64_t index) { return judge_path(options.seed, index); },
+      [&](const PathOutcome& outcome) {
+        all.push_back(outcome);
+        if (all.size() % 200 == 0) study.progress(fmt::format("{} random paths", all.size()));
+      });
+  for (std::size_t mode = 0; mode < 3; ++mode) {
+    const Case of = {{"paths", "random"}, {"mode", kModes[mode]}};
+    std::size_t solved = 0;
+    SeenLimits worst{0, 0, 0, -std::numeric_limits<double>::infinity(), true, true};
+    std::vector<double> took_s;
+    for (const PathOutcome& path : all) {
+      took_s.push_back(path.took_s[mode]);
+      if (!path.reason[mode].empty()) continue;
+      ++solved;
+      const SeenLimits& seen = path.seen[mode];
+      worst.velocity = std::max(worst.velocity, seen.velocity);
+      worst.acceleration = std::max(worst.acceleration, seen.acceleration);
+      worst.jerk = std::max(worst.jerk, seen.jerk);
+      worst.beyond = std::max(worst.beyond, seen.beyond);
+      worst.at_rest = worst.at_rest && seen.at_rest;
+      worst.time_increases = worst.time_increases && seen.time_increases;
+    }
+    const auto row = [&](const char* metric, const char* unit, double value) -> StudyRow& {
+      result.rows.push_back(row_of(of, metric, unit, value, all.size()));
+      return result.rows.back();
+    };
+    row("solved", "1", static_cast<double>(solved) / static_cast<double>(all.size())).at_least = 1;
+    row("largest velocity over its limit", "1", worst.velocity).at_most = 1.001;
+    row("largest acceleration over its limit", "1", worst.acceleration).at_most = 1.001;
+    row("largest jerk over its limit", "1", worst.jerk).at_most = 1.01;
+    row("farthest beyond a position limit", "rad", worst.beyond).at_most = 0;
+    row("all at rest at both ends", "1", worst.at_rest).at_least = 1;
+    row("time always increases", "1", worst.time_increases).at_least = 1;
+    row("time of one, median", "s", quantile(took_s, 0.5)).timed = true;
+    row("time of one, 99th percentile", "s", quantile(took_s, 0.99)).timed = true;
+  }
+}
+
+void optimum(const RetimeStudyOptions& options, const StudyRun& study, StudyResult& result) {
+  constexpr int kFine = 20000;
+  struct Ratios {
+    double law = 0, sampled = 0;
+  };
+  std::vector<double> law, sampled;
+  for_each<Ratios>(
+      study.quick ? options.quick_optimum_paths : options.optimum_paths, study.jobs,
+      [&](std::uint64_t index) {
+        RandomPath path =
+            smooth_path(options.seed, index, 1 + static_cast<int>(index * 7 % 30), 200, 2);
+        path.robot.jerk.setConstant(std::numeric_limits<double>::infinity());
+        const Movement movement;
+        const Course course = plain_course(path.robot, path.path, movement);
+        const double least_s = reference_time(course, kFine);
+        RetimeOptions fastest;
+        fastest.mode = "fastest";
+        return Ratios{
+            fastest_law(course).duration_s / least_s,
+            retime(path.robot, path.path, movement, fastest).trajectory.time.back() / least_s};
+      },
+      [&](const Ratios& ratios) {
+        law.push_back(ratios.law);
+        sampled.push_back(ratios.sampled);
+      });
+  const Case of = {{"paths", "smooth, no jerk limit"}, {"mode", "fastest"}};
+  const auto row = [&](const char* metric, const std::vector<double>& values, double at_most) {
+    result.rows.push_back(
+        row_of(of, fmt::format("{}, largest", metric), "1", quantile(values, 1), values.size()));
+    result.rows.back().at_most = at_most;
+    result.rows.push_back(
+        row_of(of, fmt::format("{}, mean", metric), "1", mean(values), values.size()));
+  };
+  row("law over the least time", law, 1.005);
+  result.rows.push_back(
+      row_of(of, "law over the least time, smallest", "1", quantile(law, 0), law.size()));
+  result.rows.back().at_least = 0.995;
+  row("samples over the least time", sampled, 1.02);
+}
+
+void trials(const RetimeStudyOptions& options, const StudyRun& study, StudyResult& result) {
+  const std::filesystem::path folder = study.config.parent_path();
+  const LoadedConfig config = load_config(folder / options.pipeline);
+  const Planner planner{config.options, config.robot, capsule_reach(config.robot)};
+  RobotTable stronger = config.robot;
+  stronger.velocity *= options.stronger;
+  stronger.acceleration *= options.stronger;
+  stronger.jerk *= options.stronger;
+  ImportRequest request;
+  request.paths = {folder / options.manifest};
+  int recordings = 0;
+  import_recordings(request, [&](Demonstration&& demonstration) {
+    if (recordings++ >= (study.quick ? options.quick_trials : options.trials)) return;
+    for (const Plan& plan : plan_demonstration(planner, demonstration).plans) {
+      if (!plan.executable()) continue;
+      const auto row = [&](const char* robot, const char* metric, double value) -> StudyRow& {
+        const Case of = {{"trial", demonstration.name}, {"limits", robot}};
+        result.rows.push_back(row_of(of, metric, "1", value, 1));
+        return result.rows.back();
+      };
+      const HumanTempo real = human_tempo(config.robot, plan.goals, plan.trajectory);
+      row("the robot's", "tempo", real.tempo);
+      row("the robot's", "share of time at the human's tempo", real.share);
+      const RetimeResult free = retime(stronger, plan.path, plan.movement, config.options.retime);
+      const HumanTempo kept = human_tempo(config.robot, plan.goals, free.trajectory);
+      StudyRow& tempo = row("stronger", "tempo", kept.tempo);
+      tempo.at_least = 0.9995;
+      tempo.at_most = 1.0005;
+      row("stronger", "share of time at the human's tempo", kept.share);
+      row("stronger", "tip speeds, correlation with the human's", kept.correlation).at_least =
+          0.999;
+    }
+    study.progress(demonstration.name);
+  });
+}
+
+}  // namespace
+
+std::string check(const RetimeStudyOptions& o) {
+  if (o.paths < 1 || o.quick_paths < 1 || o.optimum_paths < 1 || o.quick_optimum_paths < 1) {
+    return "numbers of paths must be positive";
+  }
+  if (o.pipeline.empty() != o.manifest.empty()) return "pipeline and manifest go together";
+  if (!(o.stronger >= 1)) return "stronger must be at least 1";
+  return "";
+}
+
+StudyResult retime_study(const ConfigNode& config, const StudyRun& run) {
+  RetimeStudyOptions options;
+  read_options(config, options);
+  config.expect_all_read();
+  StudyResult result;
+  random_paths(options, run, result);
+  optimum(options, run, result);
+  if (!options.pipeline.empty()) trials(options, run, result);
+  return result;
+}
+
+}  // namespace morphe

@@ -1,0 +1,68 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "stages/retime/retime.hpp"
+#include "stages/retime/time_law.hpp"
+#include "stages/study/human_tempo.hpp"
+#include "stages/study/retime_paths.hpp"
+#include "stages/study/retime_reference.hpp"
+
+namespace morphe {
+namespace {
+
+TEST(RetimeStudy, RandomPathsHoldTheirLimits) {
+  for (std::uint64_t index = 0; index < 10; ++index) {
+    const RandomPath random = random_path(7, index);
+    if (random.path.position.size() > 4000) continue;  // the study has them all
+    for (const char* mode : {"human", "fastest"}) {
+      RetimeOptions options;
+      options.mode = mode;
+      const RetimeResult result = retime(random.robot, random.path, Movement{}, options);
+      ASSERT_EQ(result.reason, "") << index << " " << mode << ": " << result.detail;
+      const SeenLimits seen = seen_limits(random.robot, result.trajectory);
+      EXPECT_LE(seen.velocity, 1.001) << index;
+      EXPECT_LE(seen.acceleration, 1.001) << index;
+      EXPECT_LE(seen.jerk, 1.01) << index;
+      EXPECT_LE(seen.beyond, 0) << index;
+      EXPECT_TRUE(seen.at_rest && seen.time_increases) << index;
+    }
+  }
+}
+
+TEST(RetimeStudy, WithinHalfAPercentOfTheLeastTime) {
+  for (std::uint64_t index = 0; index < 3; ++index) {
+    const RandomPath random = smooth_path(3, index, 1 + 4 * static_cast<int>(index), 100, 1.5);
+    const Movement movement;
+    const Course course = plain_course(random.robot, random.path, movement);
+    const double ratio = fastest_law(course).duration_s / reference_time(course, 20000);
+    EXPECT_GE(ratio, 0.995) << index;
+    EXPECT_LE(ratio, 1.005) << index;
+  }
+}
+
+TEST(RetimeStudy, SeenLimitsOfAKnownQuintic) {
+  // p = t^3 over one second: v = 3 t^2, a = 6 t, j = 6.
+  RobotTable robot;
+  robot.lower = JointVector::Constant(1, 0);
+  robot.upper = JointVector::Constant(1, 0.9);
+  robot.velocity = JointVector::Constant(1, 3);
+  robot.acceleration = JointVector::Constant(1, 12);
+  robot.jerk = JointVector::Constant(1, 24);
+  Trajectory t;
+  t.time = {0, 1};
+  t.position = t.velocity = t.acceleration = JointRows::Zero(2, 1);
+  t.position(1, 0) = 1;
+  t.velocity(1, 0) = 3;
+  t.acceleration(1, 0) = 6;
+  const SeenLimits seen = seen_limits(robot, t);
+  EXPECT_NEAR(seen.velocity, 1, 1e-12);
+  EXPECT_NEAR(seen.acceleration, 0.5, 1e-12);
+  EXPECT_NEAR(seen.jerk, 0.25, 1e-12);
+  EXPECT_NEAR(seen.beyond, 0.1, 1e-12);
+  EXPECT_FALSE(seen.at_rest);
+  EXPECT_TRUE(seen.time_increases);
+}
+
+}  // namespace
+}  // namespace morphe
