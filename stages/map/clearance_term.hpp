@@ -9,7 +9,7 @@ namespace morphe {
 /// slack of the collision check (distance less the margin asked for), so that the mapping stays a
 /// little clear of itself and of fixed obstacles. Zero beyond the band; once differentiable.
 struct ClearanceTerm {
-  double weight = 1000;  ///< per m²; 0 = off, as in the paper's studies
+  double weight = 2000;  ///< per m²; 0 = off, as in the paper's studies
   double band_m = 0.005;
 };
 template <class Fields>

@@ -47,9 +47,9 @@ std::string check(const BaseOffset& options);
 struct MapOptions {
   std::string mode = "humanlike";  ///< one of kMapModeNames
   /// w_x [1/m²]. Humanlikeness, clearance and smoothness all pull tips off their goals, by as much
-  /// as they outweigh this: 1000 leaves up to 1.4 mm on the shipped recordings, 10000 at most 0.3
-  /// mm.
-  double tip_position = 10000;
+  /// as they outweigh this: 1000 leaves up to 1.4 mm on the shipped recordings, 20000 at most
+  /// 0.25 mm. The clearance term's weight is a tenth of it: tips give way to collisions as before.
+  double tip_position = 20000;
   double tip_orientation = 0.01;        ///< w_o [1/rad]
   double hand_orientation = 0.01;       ///< weak goal where fewer than three tips are seen [1/rad]
   double humanlike_arm = 1;             ///< w_A, on the mean over the joint centres [1/m²]

@@ -47,7 +47,10 @@ struct MappingStudyOptions {
   std::vector<MappingVariant> variants;
   std::string best;     ///< variant that searches longest: the best continuous sequence known
   std::string without;  ///< variant without humanlikeness
+  /// A frame lies above the best sequence if its F is larger by more than this, F with the weights
+  /// of the set's pipeline and this one for tip positions.
   double excess = 1e-3;
+  double tip_position = 1000;  ///< w_x [1/m²]
 };
 template <class Fields>
 void fields(Fields& f, MappingStudyOptions& o) {
@@ -57,6 +60,7 @@ void fields(Fields& f, MappingStudyOptions& o) {
   f("best", o.best);
   f("without", o.without);
   f("excess", o.excess);
+  f("tip_position", o.tip_position);
 }
 std::string check(const MappingStudyOptions& options);
 
