@@ -25,6 +25,7 @@ class Robot:
         self.joints, self.tip_names = group["joint_names"].asstr()[()], group["tips/name"].asstr()[()]
         self.limits = columns(group, "lower", "upper", "velocity", "acceleration", "jerk")
         self.frames = columns(group["frames"], "parent", "transform", "axis", "joint", "ratio", "offset")
+        self.frame_names = group["frames/name"].asstr()[()]
         self.tips = columns(group["tips"], "frame", "transform")
         self.capsules = columns(group["capsules"], "frame", "from", "to", "radius", "may_touch_target")
         self.capsule_names = group["capsules/name"].asstr()[()]
@@ -168,6 +169,29 @@ def into_object(group, time):
         return points - place + 2 * turn[:, :1] * back + 2 * np.cross(back, turn[:, 1:])
     return into
 
+def into_carried(robot, group, motion, poses, time):
+    """As into_object, but from attach_s to release_s the object moves with its attached frame, and
+    then stays; both at the first sample from then on."""
+    recorded, held = into_object(group, time), group.attrs
+    samples = motion["demonstration_time"]
+    taken = np.searchsorted(samples, held.get("attach_s", np.inf))
+    if "attached_frame" not in held or taken == len(samples) or samples[taken] >= samples[-1]:
+        return recorded
+    hand = poses[:, [text(name) for name in robot.frame_names].index(text(held["attached_frame"]))]
+    at = lambda point: recorded(np.tile(point, (len(time), 1)))[taken * SUBSTEPS]
+    object_from_base = np.eye(4)
+    object_from_base[:3] = np.c_[np.transpose([at(e) - at(np.zeros(3)) for e in np.eye(3)]), at(np.zeros(3))]
+    hand_from_object = np.linalg.inv(object_from_base @ hand[taken * SUBSTEPS])
+    base_from_object = hand @ hand_from_object
+    released = np.searchsorted(samples, held.get("release_s", np.inf))
+    if released < len(samples):
+        base_from_object[time > samples[released]] = hand[released * SUBSTEPS] @ hand_from_object
+    carried = np.linalg.inv(base_from_object)
+    def into(points):
+        moved = np.einsum("nij,nj->ni", carried[:, :3, :3], points) + carried[:, :3, 3]
+        return np.where((time < samples[taken])[:, None], recorded(points), moved)
+    return into
+
 def touch_times(phases, time):
     named = lambda name: [(begin, end) for n, begin, end in phases if n == name]
     begins = named("preshape") or named("grasp") or [(np.inf, 0)]
@@ -206,8 +230,9 @@ def check_contacts(robot, plan, motion, phases, report):
               lambda near: segment_distance(*(x[near] for x in ends[i] + ends[j])) - radii,
               np.zeros(len(q), bool))
     for name, group in plan["scene"].items():
-        shape, size, into = text(group.attrs["shape"]), group.attrs["size"], into_object(group, time)
+        shape, size = text(group.attrs["shape"]), group.attrs["size"]
         target = name == text(plan.attrs["target"])
+        into = into_carried(robot, group, motion, poses, time) if target else into_object(group, time)
         for i in range(len(ends)):
             a, b, radius = into(ends[i][0]), into(ends[i][1]), caps["radius"][i]
             judge("object", robot.capsule_names[i] + "/" + name,

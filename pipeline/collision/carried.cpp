@@ -6,8 +6,11 @@
 namespace morphe {
 
 TargetPlace place_of_target(const CollisionWorld& world, double time_s) {
-  if (world.carried.frame < 0 || time_s < world.carried.begin_s) return TargetPlace::as_recorded;
-  return time_s > world.carried.end_s ? TargetPlace::released : TargetPlace::in_hand;
+  const CarriedTarget& carried = world.carried;
+  if (world.target < 0 || carried.frame < 0 || time_s < carried.begin_s) {
+    return TargetPlace::as_recorded;
+  }
+  return time_s > carried.end_s ? TargetPlace::released : TargetPlace::in_hand;
 }
 
 void carry_target(const std::vector<double>& demonstration_time, const JointRows& position,

@@ -121,7 +121,7 @@ void place_bodies(const CollisionWorld& world, const Eigen::Ref<const JointVecto
   for (std::size_t k = 0; k < world.scene->objects.size(); ++k) {
     scratch.object_poses[k] = recorded_pose(world.scene->objects[k], time_s);
   }
-  if (world.carried.frame < 0) return;
+  if (world.carried.frame < 0 || world.target < 0) return;
   Pose& target = scratch.object_poses[static_cast<std::size_t>(world.target)];
   const TargetPlace place = place_of_target(world, time_s);
   if (place == TargetPlace::in_hand) {

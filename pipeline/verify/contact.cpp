@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "pipeline/verify/carried.hpp"
 #include "pipeline/verify/frame_poses.hpp"
 #include "pipeline/verify/separation.hpp"
 
@@ -58,6 +59,14 @@ class ContactJudge {
     pairs_ = contact_pairs(robot, plan);
     window_ = touch_window(plan.movement.phases);
     for (const SceneObject& object : plan.scene.objects) travels_.push_back(object_travel(object));
+    carried_ = carried_target(robot, plan, *curve.trajectory);
+    if (carried_.object < 0) return;
+    const SceneObject& target = plan.scene.objects[static_cast<std::size_t>(carried_.object)];
+    for (std::size_t i = 0; i < robot.capsules.size(); ++i) {
+      in_hand_lever_.push_back(relative_lever(robot, static_cast<int>(i), carried_.frame,
+                                              carried_.frame_from_object.translation(),
+                                              bounding_radius(target)));
+    }
   }
 
   double run() {
@@ -106,8 +115,12 @@ class ContactJudge {
     std::vector<std::size_t> open;
     for (const std::size_t index : pairs) {
       const ContactPair& pair = pairs_[index];
-      double travel = half_s * curve_.speed.row(row).dot(pair.lever);
-      if (pair.object) {
+      const bool target = pair.object && pair.other == carried_.object;
+      const JointVector& lever = target && carried_.in_hand(middle_s)
+                                     ? in_hand_lever_[static_cast<std::size_t>(pair.capsule)]
+                                     : pair.lever;
+      double travel = half_s * curve_.speed.row(row).dot(lever);
+      if (pair.object && !(target && middle_s >= carried_.begin_s)) {
         const ObjectTravel& moved = travels_[static_cast<std::size_t>(pair.other)];
         const double here = moved.at(middle_s);
         travel += std::max(here - moved.at(begin_s), moved.at(end_s) - here);
@@ -145,6 +158,15 @@ class ContactJudge {
     now_.object_from_base.resize(plan_.scene.objects.size());
     for (std::size_t k = 0; k < now_.object_from_base.size(); ++k)
       now_.object_from_base[k] = recorded_pose(plan_.scene.objects[k], time_s).inverse();
+    if (carried_.in_hand(time_s)) {
+      now_.object_from_base[static_cast<std::size_t>(carried_.object)] =
+          (now_.base_from_frame[static_cast<std::size_t>(carried_.frame)] *
+           carried_.frame_from_object)
+              .inverse();
+    } else if (carried_.released(time_s)) {
+      now_.object_from_base[static_cast<std::size_t>(carried_.object)] =
+          carried_.base_from_released.inverse();
+    }
   }
 
   /// Exact if below `enough`, else any lower bound that is at least `enough`.
@@ -182,6 +204,8 @@ class ContactJudge {
   std::vector<ContactPair> pairs_;
   TouchWindow window_;
   std::vector<ObjectTravel> travels_;
+  Carried carried_;
+  std::vector<JointVector> in_hand_lever_;  ///< [capsules] relative to the carried target
   Snapshot now_;
   JointVector q_;
 };

@@ -56,4 +56,16 @@ JointVector relative_lever(const RobotTable& robot, int first, int second) {
   return lever;
 }
 
+JointVector relative_lever(const RobotTable& robot, int first, int frame, const Vec3& centre,
+                           double radius) {
+  JointVector lever = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
+  const RobotTable::Capsule& a = robot.capsules[static_cast<std::size_t>(first)];
+  RobotTable::Capsule body;  // only its farthest point counts
+  body.frame = frame;
+  body.from = body.to = (centre.norm() + radius) * Vec3::UnitX();
+  add_levers(robot, a, frame, lever);
+  add_levers(robot, body, a.frame, lever);
+  return lever;
+}
+
 }  // namespace morphe::judge

@@ -19,5 +19,8 @@ inline Vec3 in_base(const std::vector<Pose>& base_from_frame, int frame, const V
 /// that carry both capsules do not count; each other one counts with the greatest distance from its
 /// frame's origin that the links after it allow.
 JointVector relative_lever(const RobotTable& robot, int first, int second);
+/// The same, and for every point within `radius` of `centre` (given in `frame`) as the second body.
+JointVector relative_lever(const RobotTable& robot, int first, int frame, const Vec3& centre,
+                           double radius);
 
 }  // namespace morphe::judge

@@ -86,7 +86,7 @@ std::string off_goals(const RobotTable& robot, const Trajectory& trajectory,
 
 }  // namespace
 
-CertifyResult certify(const CollisionWorld& world, const Goals& goals, const Movement& movement,
+CertifyResult certify(const CollisionWorld& around, const Goals& goals, const Movement& movement,
                       Trajectory& trajectory, const Mapped& mapped, bool path_was_free) {
   CertifyResult result;
   const auto fail = [&](const char* reason, const std::string& sentence) {
@@ -98,6 +98,8 @@ CertifyResult certify(const CollisionWorld& world, const Goals& goals, const Mov
     fail("limit", "the trajectory has fewer than two samples");
     return result;
   }
+  CollisionWorld world = around;
+  carry_target(trajectory.demonstration_time, trajectory.position, world);
   Certificate& c = result.certificate;
   const LimitReport limits = judge_limits(*world.robot, trajectory);
   c.position_margin = limits.position_margin;

@@ -142,7 +142,7 @@ std::string check(const RepairOptions& options) {
   return "";
 }
 
-RepairResult repair_path(const CollisionWorld& world, const JointRows& reach, JointPath path,
+RepairResult repair_path(const CollisionWorld& around, const JointRows& reach, JointPath path,
                          std::vector<Finding> findings, const Resolve& resolve,
                          const Recheck& recheck, const RepairOptions& options, std::uint64_t seed) {
   RepairResult result;
@@ -150,6 +150,8 @@ RepairResult repair_path(const CollisionWorld& world, const JointRows& reach, Jo
   Judged base{std::move(path), std::move(findings)};
   if (!clean) try_resolve(resolve, recheck, base);
 
+  CollisionWorld world = around;  // what the hand carries moves as this path takes it
+  carry_target(base.path.demonstration_time, base.path.position, world);
   Judged best = base;
   if (collides(base.findings)) result.reason = end_in_collision(world, base.path, result.detail);
   if (result.reason.empty() && collides(base.findings)) {

@@ -69,8 +69,12 @@ Scene build_scene(const SceneOptions& options, const Demonstration& demonstratio
     movement.target.clear();
     return scene;
   }
-  if (find_object(demonstration.objects, movement.target)) return scene;
-  movement.target = nearest_object(demonstration.objects, motion, *grasp);
+  if (!find_object(demonstration.objects, movement.target)) {
+    movement.target = nearest_object(demonstration.objects, motion, *grasp);
+  }
+  for (SceneObject& object : scene.objects) {
+    if (object.name == movement.target) set_carrying(movement, *grasp, object);
+  }
   if (!movement.target.empty()) return scene;
   const std::optional<SceneObject> target =
       infer_target(options.target, motion, movement, table ? &*table : nullptr);

@@ -137,6 +137,12 @@ GraspTips tips_at_grasp(const HumanMotion& motion, const Phase& grasp) {
   return tips;
 }
 
+void set_carrying(const Movement& movement, const Phase& grasp, SceneObject& target) {
+  const Phase* transport = last_phase(movement, "transport");
+  target.attach_s = grasp.end_s;
+  target.release_s = transport ? transport->end_s : std::max(movement.end_s, grasp.end_s);
+}
+
 std::optional<SceneObject> infer_target(const TargetOptions& options, const HumanMotion& motion,
                                         const Movement& movement, const SceneObject* table) {
   const Phase* grasp = last_phase(movement, "grasp");
@@ -156,9 +162,7 @@ std::optional<SceneObject> infer_target(const TargetOptions& options, const Huma
   SceneObject target =
       fixed_body(options.name, Shape::cylinder, {radius, height},
                  Vec3(between.x(), between.y(), foot + height / 2), movement.begin_s);
-  const Phase* transport = last_phase(movement, "transport");
-  target.attach_s = grasp->end_s;
-  target.release_s = transport ? transport->end_s : std::max(movement.end_s, grasp->end_s);
+  set_carrying(movement, *grasp, target);
   return target;
 }
 

@@ -22,6 +22,10 @@ struct GraspTips {
 };
 GraspTips tips_at_grasp(const HumanMotion& motion, const Phase& grasp);
 
+/// attach_s and release_s: from the end of the grasp to the end of the last transport (of the
+/// movement, if there is none).
+void set_carrying(const Movement& movement, const Phase& grasp, SceneObject& target);
+
 /// The cylinder between the tips, standing on `table` (without one: centred at their height).
 /// Nothing if a tip was not seen.
 std::optional<SceneObject> infer_target(const TargetOptions& options, const HumanMotion& motion,

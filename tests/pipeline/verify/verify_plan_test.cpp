@@ -127,6 +127,53 @@ TEST(VerifyPlan, FindsAnObstacleThatCrossesBetweenTwoSamples) {
   EXPECT_NEAR(found[0].time_s, 0.002 / 0.8, 0.00125);
 }
 
+/// Half way, the cup lies 2 mm deep against the distal link on the side to which it turns, and is
+/// carried on; touching is allowed from 2.35 s.
+Plan carrying(double touch_end_s) {
+  Plan plan = planar::plan();
+  const Eigen::Vector3d half = planar::position_at(0.5);
+  const double direction = half.sum() + half(2) + 0.1;
+  const Vec3 along(std::cos(direction), std::sin(direction), 0);
+  SceneObject& cup = object(plan, "cup");
+  cup.position[0] = planar::tip_at(half) - 0.03 * along + 0.038 * Vec3::UnitZ().cross(along);
+  cup.attached_frame = "distal";
+  cup.attach_s = 2.4;
+  cup.release_s = 2.7;
+  plan.movement.phases = {{"reach", 2.0, 2.35, 1}, {"grasp", 2.35, touch_end_s, 1}};
+  return plan;
+}
+
+TEST(VerifyPlan, WhatIsCarriedStaysInTheHand) {
+  Plan plan = carrying(2.8);
+  EXPECT_TRUE(of("object", verify(plan)).empty());
+  // Left where it lay, the finger turns into it.
+  object(plan, "cup").attached_frame = "";
+  const auto left = of("object", verify(plan));
+  ASSERT_FALSE(left.empty());
+  EXPECT_LT(left[0].value, -0.01);
+  // A few millimetres deep all the while is too deep once nothing may touch it.
+  const auto found = of("object", verify(carrying(2.5)));
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found[0].subject, "distal/cup");
+  EXPECT_LT(found[0].value, -0.001);
+  EXPECT_GT(found[0].value, -0.005);
+  EXPECT_GT(found[0].sample, 60);
+}
+
+TEST(VerifyPlan, WhatWasReleasedStaysThere) {
+  Plan plan = carrying(2.8);
+  // Recorded to be pulled through the forearm afterwards; but the robot has put it down elsewhere.
+  SceneObject& cup = object(plan, "cup");
+  cup.time = {2.0, 2.75, 2.8};
+  cup.position = {cup.position[0], cup.position[0], Vec3(0.2, 0.25, 0.1)};
+  cup.orientation = std::vector<Quat>(3, Quat::Identity());
+  for (const Violation& violation : of("object", verify(plan))) {
+    EXPECT_EQ(violation.subject, "distal/cup") << violation.sample;
+  }
+  cup.attached_frame = "";
+  EXPECT_FALSE(of("object", verify(plan)).empty());
+}
+
 TEST(VerifyPlan, FindsAGoalMovedAtTheGrasp) {
   Plan plan = planar::plan();
   plan.goals.tip_position(75, 1).z() += 0.008;  // 2.75 s; 0.8 of it at sample 94
