@@ -15,7 +15,7 @@ struct RetimeStudyOptions {
   int optimum_paths = 50, quick_optimum_paths = 3;  ///< held against a much finer grid
   std::string pipeline, manifest;                   ///< of the trials, none without them
   int trials = 1000, quick_trials = 1;              ///< recordings at most
-  double stronger = 100;  ///< factor of the limits of a robot that can follow any human
+  double stronger = 1000;  ///< factor of the limits of a robot that can follow any human
 };
 template <class Fields>
 void fields(Fields& f, RetimeStudyOptions& o) {
