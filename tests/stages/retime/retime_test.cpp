@@ -300,6 +300,22 @@ TEST(Retime, APhaseIsSlowerByItsScale) {
   EXPECT_NEAR(fastest[1], 0.1, 0.005);
 }
 
+TEST(Retime, ATipIsNoFasterThanItsLimit) {
+  RobotTable robot = robot_with(1, 1, 3, 30);
+  RobotTable::Frame frame;
+  frame.joint = 0;
+  robot.frames.push_back(frame);
+  RobotTable::Tip tip;
+  tip.transform.translation() = Vec3(0.5, 0, 0);
+  robot.tips.push_back(tip);
+  const JointPath path =
+      path_of(121, 1, 1.2, [](double t, Eigen::Index) { return 0.6 * minimum_jerk(t / 1.2); });
+  RetimeOptions options;
+  options.tip_speed = 0.1;
+  const Trajectory t = retime_valid(robot, path, options).trajectory;
+  EXPECT_NEAR(t.velocity.maxCoeff() * 0.5, 0.1, 1e-3);
+}
+
 TEST(Retime, PausesAreKeptUnlessItShallBeFast) {
   const RobotTable robot = robot_with(1, 1, 3, 30);
   const auto pausing = [](double t, Eigen::Index) {
