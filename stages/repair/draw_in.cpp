@@ -87,7 +87,15 @@ std::vector<JointVector> shortcut(const IntervalWorld& interval, const JointRows
     JointVector from, to;
     locate(a, first_edge, from);
     locate(b, last_edge, to);
-    if (first_edge == last_edge || !line_free(interval, reach, from, to, scratch)) continue;
+    // What is left of the two edges is certified by itself: a part of a line may lie within the
+    // band that the whole line's bisection never had to look at.
+    const auto free = [&](const JointVector& p, const JointVector& q) {
+      return line_free(interval, reach, p, q, scratch);
+    };
+    if (first_edge == last_edge || !free(from, to) || !free(vertices[first_edge], from) ||
+        !free(to, vertices[last_edge + 1])) {
+      continue;
+    }
     std::vector<JointVector> shorter(
         vertices.begin(), vertices.begin() + static_cast<std::ptrdiff_t>(first_edge) + 1);
     if (a > 0) shorter.push_back(from);
