@@ -25,9 +25,9 @@ struct SceneObject {
   std::vector<Vec3> vertices;     ///< mesh only
   std::vector<Eigen::Vector3i> triangles;
   std::shared_ptr<const MeshSolid> solid;  ///< the mesh made ready for distances, not stored
-  std::string attached_frame;   ///< robot frame that carries it, "" if none
-  double attach_s = kNotSeen;   ///< carried from here …
-  double release_s = kNotSeen;  ///< … to here [demonstration time, s]
+  std::string attached_frame;              ///< robot frame that carries it, "" if none
+  double attach_s = kNotSeen;              ///< carried from here …
+  double release_s = kNotSeen;             ///< … to here [demonstration time, s]
 };
 
 struct Scene {
