@@ -188,9 +188,22 @@ class Scenes(RunCase):
         self.scene.unlink()
         self.run_refuses(self.scene)
 
-    def test_mesh(self):
+    def test_mesh_without_a_file(self):
         replace(self.scene, "cylinder", "mesh")
-        self.run_refuses(self.at("name: bowl"), "objects[0]: shape: ", "'mesh'")
+        self.run_refuses(self.at("name: bowl"), "objects[0]: file: a mesh needs one")
+
+    def with_mesh(self):
+        replace(self.scene, "cylinder", "mesh")
+        replace(self.scene, r"size: \[0\.05, 0\.06\]", "file: bowl.stl")
+
+    def test_missing_mesh_file(self):
+        self.with_mesh()
+        self.run_refuses(self.at("file: bowl"), "objects[0].file: ", "bowl.stl cannot be read")
+
+    def test_broken_mesh_file(self):
+        self.with_mesh()
+        (self.scene.parent / "bowl.stl").write_text("solid bowl\nfacet normal 0 0")
+        self.run_refuses(self.at("file: bowl"), "objects[0].file: ", "bowl.stl")
 
     def test_negative_size(self):
         replace(self.scene, r"0\.06", "-0.06")
