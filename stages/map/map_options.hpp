@@ -66,7 +66,7 @@ struct MapOptions {
   bool clear_of_target = true;  ///< unseen fingers and palm respect the target's contact depth
 
   MovementCost movement_cost;   ///< of the whole movement, beside the frames' objectives
-  int key_frames = 3;           ///< where the global search starts
+  int key_frames = 5;           ///< where the global search starts
   int starts = 48;              ///< random starts at each of them
   int candidates = 6;           ///< distinct minima kept at each and followed through the movement
   double coarse_step_s = 0.05;  ///< grid on which candidates are followed and compared
