@@ -215,7 +215,9 @@ class GeneratedHands(CommandCase):
         name = Path(robot).stem
         (self.folder / "door.yaml").write_text(DOOR)
         (self.folder / f"{name}.run.yaml").write_text(FREE_ARM.format(robot=robot))
-        file = ran(self.folder / name, self.folder / f"{name}.run.yaml", self.folder / "door.yaml", *SMALL)
+        # Arms of nine and more joints need more than the quickest search.
+        search = ("--set", "map.candidates=3", "--set", "map.coarse_step_s=0.05")
+        file = ran(self.folder / name, self.folder / f"{name}.run.yaml", self.folder / "door.yaml", *SMALL, *search)
         self.addCleanup(file.close)
         return first_plan(file)
 
