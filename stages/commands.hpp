@@ -11,6 +11,7 @@ namespace morphe {
 /// A command of the program: adds its arguments to its subcommand and returns what to run once they
 /// are parsed. The result is the exit code; InputError is caught in main.
 using Command = std::function<int()>;
+Command export_command(CLI::App& app);
 Command import_command(CLI::App& app);
 Command inspect_command(CLI::App& app);
 Command robot_command(CLI::App& app);

@@ -17,7 +17,8 @@ struct Entry {
   morphe::Command (*add)(CLI::App&);
 };
 
-constexpr std::array<Entry, 7> kCommands{{
+constexpr std::array<Entry, 8> kCommands{{
+    {"export", "Executable plans as CSV, ROS or robomimic files", morphe::export_command},
     {"import", "Recordings -> demonstrations.h5", morphe::import_command},
     {"inspect", "What a demonstrations.h5 holds and what will be usable", morphe::inspect_command},
     {"robot", "Check, print and draw a robot description", morphe::robot_command},

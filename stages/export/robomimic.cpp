@@ -1,0 +1,79 @@
+#include "stages/export/robomimic.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/motion/input_error.hpp"
+
+namespace morphe {
+namespace {
+
+constexpr int kGymType = 2;  ///< of robomimic's environments: the one without a robot simulator
+
+Eigen::RowVector4d wxyz(const Quat& q) { return {q.w(), q.x(), q.y(), q.z()}; }
+
+}  // namespace
+
+RobomimicHeader robomimic_header(const RobotTable& robot, double rate_hz) {
+  for (std::size_t j = 0; j < robot.joints(); ++j) {
+    const auto joint = static_cast<Eigen::Index>(j);
+    if (!std::isfinite(robot.upper[joint] - robot.lower[joint])) {
+      throw InputError(
+          fmt::format("joint {} has no limits to scale actions by", robot.joint_names[j]));
+    }
+  }
+  nlohmann::ordered_json tips = nlohmann::ordered_json::array();
+  for (const RobotTable::Tip& tip : robot.tips) tips.push_back(tip.name);
+  const nlohmann::ordered_json env_args = {
+      {"env_name", robot.name},
+      {"type", kGymType},
+      {"env_kwargs",
+       {{"control_freq", rate_hz}, {"joint_names", robot.joint_names}, {"tip_names", tips}}}};
+  return {env_args.dump(), robot.joint_names, robot.lower, robot.upper};
+}
+
+RobomimicDemo robomimic_demo(const RobotTable& robot, const Plan& plan, bool target) {
+  const Trajectory& t = plan.trajectory;
+  const auto samples = static_cast<Eigen::Index>(t.samples());
+  const auto tips = static_cast<Eigen::Index>(robot.tips.size());
+  JointRows tip_positions(samples, 3 * tips), palm_position(samples, 3), palm_turn(samples, 4);
+  JointRows phase = JointRows::Zero(samples, std::size(kPhaseNames));
+  std::vector<Pose> base_from_frame;
+  for (Eigen::Index i = 0; i < samples; ++i) {
+    forward(robot, t.position.row(i).transpose(), base_from_frame);
+    for (Eigen::Index k = 0; k < tips; ++k) {
+      tip_positions.block<1, 3>(i, 3 * k) =
+          tip_pose(robot, base_from_frame, static_cast<std::size_t>(k)).translation().transpose();
+    }
+    const Pose& palm = base_from_frame[static_cast<std::size_t>(robot.palm_frame)];
+    palm_position.row(i) = palm.translation().transpose();
+    palm_turn.row(i) = wxyz(Quat(palm.linear()));
+    // A quaternion and its opposite are one rotation: no jumps between them.
+    if (i > 0 && palm_turn.row(i).dot(palm_turn.row(i - 1)) < 0) palm_turn.row(i) *= -1;
+    phase(i, t.phase[static_cast<std::size_t>(i)]) = 1;
+  }
+  RobomimicDemo demo{fmt::format("{}/{:03}", plan.demonstration, plan.movement.index),
+                     plan.subject,
+                     plan.task,
+                     t.position.bottomRows(samples - 1),
+                     {{"joint_positions", t.position},
+                      {"joint_velocities", t.velocity},
+                      {"tip_positions", tip_positions},
+                      {"palm_position", palm_position},
+                      {"palm_orientation", palm_turn},
+                      {"demonstration_phase", phase}}};
+  if (target) {
+    const Pose& object = plan.grasp.base_from_object;
+    demo.observations.emplace_back("target_position",
+                                   object.translation().transpose().replicate(samples, 1));
+    demo.observations.emplace_back("target_orientation",
+                                   wxyz(Quat(object.linear())).replicate(samples, 1));
+  }
+  return demo;
+}
+
+}  // namespace morphe

@@ -1,0 +1,227 @@
+"""`morphe export`: what other programs read is what plans.h5 holds, and only what is executable."""
+import csv
+import json
+import re
+import shutil
+import unittest
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+import formats
+from support import (QUICK, REFERENCE, CommandCase, main, morphe, sha256, temporary_folder,
+                     write_two_recordings)
+
+FIRST, SECOND = "ADL001DR2/000", "ADL001AR1/000"
+# YAML 1.1, which ROS reads: without a point, or without a sign after the e, it is text.
+YAML_FLOAT = re.compile(r"-?[0-9]+\.[0-9]*(e[-+][0-9]+)?$")
+
+
+def setUpModule():
+    global PLANS
+    holder = temporary_folder()
+    unittest.addModuleCleanup(holder.cleanup)
+    folder = Path(holder.name).resolve()
+    result = morphe("run", REFERENCE, "--dataset", write_two_recordings(folder), "--out",
+                    folder / "out", *QUICK)
+    assert result.returncode == 0, result.stderr
+    PLANS = folder / "out/plans.h5"
+    # One with an approach (any motion will do), and a third that cannot be executed.
+    with h5py.File(PLANS, "r+") as file:
+        plans = file["plans"]
+        assert {formats.text(plans[path].attrs["status"]) for path in (FIRST, SECOND)} == {"executable"}
+        plans.copy(plans[FIRST]["trajectory"], plans[FIRST], "approach")
+        plans.copy(plans[SECOND], plans["ADL001AR1"], "001")
+        other = plans["ADL001AR1/001"]
+        other.attrs["status"], other.attrs["reason"] = b"infeasible", b"no_path"
+        other.attrs["detail"] = b"a wall is in the way"
+        del other["trajectory"]
+
+
+def yaml_points(file):
+    """Of a trajectory's YAML: frame, names of joints, {name: [T, n]}, seconds, nanoseconds."""
+    text = file.read_text()
+    head, points = text.split("points:\n")
+    assert head.startswith("header:\n  stamp: {sec: 0, nanosec: 0}\n"), head
+    frame, names = re.search(r'frame_id: "(.*)"', head).group(1), re.findall(r'^  - "(.*)"$', head, re.M)
+    found = {}
+    for key in ("positions", "velocities", "accelerations"):
+        rows = [row.split(", ") for row in re.findall(rf"^    {key}: \[(.*)\]$", points, re.M)]
+        assert all(YAML_FLOAT.match(cell) for row in rows for cell in row)
+        found[key] = np.array(rows, float)
+    clock = re.findall(r"^    time_from_start: \{sec: (\d+), nanosec: (\d+)\}$", points, re.M)
+    assert len(points.splitlines()) == 5 * len(clock)  # nothing but these five lines a point
+    return frame, names, found, np.array(clock, int)
+
+
+class Export(CommandCase):
+    def exported(self, kind, folder="out"):
+        """The files written, by name."""
+        out = self.folder / folder
+        printed = self.succeeds("export", PLANS, "--format", kind, "--out", out).stdout
+        self.assertIn("ADL001AR1/001 left out: no_path: a wall is in the way\n", printed)
+        self.assertIn(", 1 plans left out\n", printed)
+        return {file.name: file for file in out.iterdir()}
+
+    def plan(self, path):
+        file = h5py.File(PLANS)
+        self.addCleanup(file.close)
+        return file["plans"][path], list(file["robot/joint_names"].asstr())
+
+    def test_csv_holds_every_number(self):
+        files = self.exported("csv")
+        self.assertEqual(sorted(files), ["ADL001AR1_000.csv", "ADL001DR2_000.csv",
+                                         "ADL001DR2_000_approach.csv"])
+        for name, path in (("ADL001DR2_000.csv", f"{FIRST}/trajectory"),
+                           ("ADL001DR2_000_approach.csv", f"{FIRST}/approach"),
+                           ("ADL001AR1_000.csv", f"{SECOND}/trajectory")):
+            with open(files[name], newline="") as text:
+                rows = list(csv.DictReader(text))
+            trajectory, joints = self.plan(path)
+            column = lambda key: np.array([row[key] for row in rows], float)
+            for key, dataset in (("time_s", "time"), ("demonstration_time_s", "demonstration_time")):
+                np.testing.assert_array_equal(column(key), trajectory[dataset][()])
+            for dataset, unit in (("position", "rad"), ("velocity", "rad_s"), ("acceleration", "rad_s2")):
+                values = np.stack([column(f"{joint}_{dataset}_{unit}") for joint in joints], axis=1)
+                np.testing.assert_array_equal(values, trajectory[dataset][()])
+            meaning = formats.text(trajectory["phase"].attrs["meaning"])
+            names = dict(pair.split("=") for pair in meaning.split(","))
+            self.assertEqual([row["phase"] for row in rows],
+                             [names[str(phase)] for phase in trajectory["phase"][()]])
+            self.assertEqual(len(rows[0]), 3 + 3 * len(joints))
+
+    def test_ros_points_are_the_samples(self):
+        files = self.exported("ros")
+        self.assertEqual(sorted(files), ["ADL001AR1_000.yaml", "ADL001DR2_000.yaml",
+                                         "ADL001DR2_000_approach.yaml"])
+        trajectory, joints = self.plan(f"{FIRST}/trajectory")
+        frame, names, found, clock = yaml_points(files["ADL001DR2_000.yaml"])
+        self.assertEqual((frame, names), ("base", joints))
+        for key, dataset in (("positions", "position"), ("velocities", "velocity"),
+                             ("accelerations", "acceleration")):
+            np.testing.assert_array_equal(found[key], trajectory[dataset][()])
+        nanoseconds = clock @ [10**9, 1]
+        self.assertGreater(np.diff(nanoseconds).min(), 0)
+        self.assertLess(clock[:, 1].max(), 10**9)
+        np.testing.assert_allclose(nanoseconds, 1e9 * trajectory["time"][()], atol=0.51, rtol=0)
+        # What joint_trajectory_controller asks of the last point.
+        self.assertLess(np.abs(found["velocities"][-1]).max(), 1e-7)
+
+    def test_ros_yaml_is_read_as_numbers(self):
+        try:
+            import yaml
+        except ImportError:
+            self.skipTest("python3-yaml is not installed")
+        text = self.exported("ros")["ADL001DR2_000.yaml"].read_text().splitlines()
+        message = yaml.safe_load("\n".join(text[:text.index("points:") + 1 + 5 * 20]))
+        self.assertEqual(set(message), {"header", "joint_names", "points"})
+        for point in message["points"]:
+            self.assertEqual(set(point), {"positions", "velocities", "accelerations", "time_from_start"})
+            for key in ("positions", "velocities", "accelerations"):
+                self.assertEqual({type(value) for value in point[key]}, {float})
+
+    def palm_and_tips_are_where_the_grasp_says(self, seen, grasp):
+        sample, pose = grasp.attrs["sample"] - 1, grasp["object_pose"][()]
+        tips = grasp["tips_in_object"][()] @ pose[:3, :3].T + pose[:3, 3]
+        np.testing.assert_allclose(seen["tip_positions"][sample].reshape(-1, 3), tips, atol=1e-12)
+        palm = pose @ grasp["wrist_pose_in_object"][()]
+        np.testing.assert_allclose(seen["palm_position"][sample], palm[:3, 3], atol=1e-12)
+        w, x, y, z = seen["palm_orientation"][sample]
+        turned = [1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)]
+        np.testing.assert_allclose(turned, palm[:3, 0], atol=1e-12)
+
+    def test_robomimic_observes_the_target_that_all_have(self):
+        copy = self.folder / "plans.h5"
+        shutil.copy(PLANS, copy)
+        with h5py.File(copy, "r+") as file:
+            del file["plans/ADL001AR1"]
+        self.succeeds("export", copy, "--format", "robomimic", "--out", self.folder / "out")
+        plan, _ = self.plan(FIRST)
+        with h5py.File(self.folder / "out/robomimic.hdf5") as file:
+            self.assertEqual([len(file["mask"][name]) for name in ("train", "valid")], [1, 0])
+            seen = file["data/demo_0/obs/target_position"][()]
+            np.testing.assert_array_equal(seen, np.tile(plan["grasp/object_pose"][:3, 3], (len(seen), 1)))
+
+    def test_robomimic_reads_it(self):
+        """What get_dataset_info.py and SequenceDataset of robomimic ask of a file."""
+        with h5py.File(self.exported("robomimic")["robomimic.hdf5"], swmr=True, libver="latest") as file:
+            data = file["data"]
+            demos = sorted(data, key=lambda name: int(name[len("demo_"):]))
+            self.assertEqual(demos, ["demo_0", "demo_1"])
+            for held in file["mask"].values():
+                self.assertLessEqual({name.decode("utf-8") for name in np.array(held)}, set(demos))
+            self.assertEqual(sorted(len(held) for held in file["mask"].values()), [1, 1])
+            meta = json.loads(data.attrs["env_args"])
+            self.assertEqual(meta["env_name"], "pa10_dlr_hit2")
+            self.assertIsInstance(meta["type"], int)
+            self.assertEqual(meta["env_kwargs"]["control_freq"], 500)
+            scale, offset = data.attrs["action_scale"], data.attrs["action_offset"]
+            for name, path in zip(demos, (FIRST, SECOND)):
+                demo, (plan, joints) = data[name], self.plan(path)
+                position, count = plan["trajectory/position"][()], demo.attrs["num_samples"]
+                self.assertEqual(count, len(position) - 1)
+                self.assertEqual(formats.text(demo.attrs["plan"]), path)
+                actions = demo["actions"][()]
+                self.assertEqual(actions.shape, (count, len(joints)))
+                self.assertLessEqual(np.abs(actions).max(), 1)
+                np.testing.assert_array_equal(demo["actions_abs"][()], position[1:])
+                np.testing.assert_allclose(offset + scale * actions, position[1:], atol=1e-14)
+                np.testing.assert_array_equal(demo["obs/joint_positions"][()], position[:-1])
+                np.testing.assert_array_equal(demo["next_obs/joint_positions"][()], position[1:])
+                for key in ("rewards", "dones"):
+                    np.testing.assert_array_equal(demo[key][()], np.r_[np.zeros(count - 1), 1])
+                self.assertEqual(set(demo["obs"]), set(demo["next_obs"]))
+                for key in demo["obs"]:
+                    values, following = demo["obs"][key][()], demo["next_obs"][key][()]
+                    self.assertEqual(values.ndim, 2)
+                    self.assertTrue(np.isfinite(values).all())
+                    np.testing.assert_array_equal(values[1:], following[:-1])
+                # A reach without a grasp has no target, and all must be observed alike.
+                self.assertNotIn("target_position", demo["obs"])
+                if "grasp" in plan:
+                    self.palm_and_tips_are_where_the_grasp_says(demo["next_obs"], plan["grasp"])
+            self.assertEqual(data.attrs["total"], sum(data[name].attrs["num_samples"] for name in demos))
+
+    def test_the_same_bytes_again_and_nothing_else_touched(self):
+        kept = self.folder / "out/kept.csv"
+        kept.parent.mkdir()
+        kept.write_text("mine")
+        for kind in ("csv", "ros", "robomimic"):
+            first = {name: sha256(file) for name, file in self.exported(kind).items()}
+            self.assertEqual({name: sha256(file) for name, file in self.exported(kind).items()}, first)
+        self.assertEqual(kept.read_text(), "mine")
+        self.assertFalse([name for name in first if name.endswith(".part")])
+
+    def test_nothing_executable_is_no_error(self):
+        copy = self.folder / "plans.h5"
+        shutil.copy(PLANS, copy)
+        with h5py.File(copy, "r+") as file:
+            del file["plans/ADL001DR2"], file["plans/ADL001AR1/000"]
+        for kind in ("csv", "ros", "robomimic"):
+            out = self.folder / kind
+            self.assertIn("0 written, 1 plans left out",
+                          self.succeeds("export", copy, "--format", kind, "--out", out).stdout)
+            self.assertEqual(list(out.iterdir()), [])
+
+    def test_what_is_no_number_is_not_handed_on(self):
+        copy = self.folder / "plans.h5"
+        shutil.copy(PLANS, copy)
+        with h5py.File(copy, "r+") as file:
+            file["plans"][FIRST]["trajectory/velocity"][7, 3] = np.nan
+            time = file["plans"][SECOND]["trajectory/time"]
+            time[5] = time[4]
+        printed = self.succeeds("export", copy, "--format", "csv", "--out", self.folder / "out").stdout
+        self.assertIn(f"{FIRST} left out: the trajectory holds what is no number", printed)
+        self.assertIn(f"{SECOND} left out: the trajectory's time does not increase", printed)
+
+    def test_refuses(self):
+        out = self.folder / "new/out"
+        for arguments in ((PLANS, "--format", "rosbag"), (PLANS,), (self.folder / "no.h5", "--format", "csv")):
+            result = morphe("export", *arguments, "--out", out)
+            self.assertEqual(result.returncode, 2, result.stdout)
+            self.assertFalse(out.parent.exists())
+
+
+if __name__ == "__main__":
+    main()
