@@ -3,6 +3,7 @@
 limits in 33 points of each quintic, contacts at the samples and 3 points between, tips at the
 samples. Exit 0: all holds, 1: violations, 2: unreadable."""
 import argparse
+import functools
 import itertools
 import json
 import sys
@@ -13,6 +14,8 @@ POINTS, SUBSTEPS = np.linspace(0, 1, 33), 4  # of each quintic: for the limits, 
 RELATIVE, REST, DISTANCE = 1e-6, 1e-9, 1e-6  # of a limit; rad/s and rad/s^2; m
 COVERAGE = 0.05  # s of the goals' time that may be left out at an end
 DERIVATIVES = ("position", "velocity", "acceleration")
+EXTREMES = ("velocity_ratio", "acceleration_ratio", "jerk_ratio")
+SMOOTHNESS = ("sparc_robot", "log_dimensionless_jerk_robot", "sparc_human", "log_dimensionless_jerk_human")
 
 def text(value):
     return value.decode() if isinstance(value, bytes) else str(value)
@@ -29,6 +32,8 @@ class Robot:
         self.tips = columns(group["tips"], "frame", "transform")
         self.capsules = columns(group["capsules"], "frame", "from", "to", "radius", "may_touch_target")
         self.capsule_names = group["capsules/name"].asstr()[()]
+        self.centres, self.chains = group["centres/frame"][()], group["centres/chain"].asstr()[()]
+        self.shoulder = int(group.attrs["shoulder_frame"])
         self.allowed = {tuple(sorted(p)) for p in group["allowed_pairs"][()].reshape(-1, 2).tolist()}
 
     def frame_poses(self, q):
@@ -108,16 +113,91 @@ def check_tracking(robot, plan, motion, phases, report):
     grasping = sum(((time >= begin) & (time <= end) for name, begin, end in phases
                     if name in ("grasp", "hold")), np.zeros(len(time), bool))
     tolerance = np.where(grasping, plan.attrs["tracking_grasp"], plan.attrs["tracking"])
-    poses, largest = robot.frame_poses(motion["position"]), np.nan
+    poses, errors, turned = robot.frame_poses(motion["position"]), [], []
     for m, tip in enumerate(robot.tip_names if len(goals["time"]) else ()):
         goal = np.stack([np.interp(time, goals["time"][()], goals["tip_position"][:, m, i])
                          for i in range(3)], axis=1)
         at = in_base(poses, robot.tips["frame"][m], robot.tips["transform"][m, :3, 3])
         error = np.linalg.norm(at - goal, axis=1)
-        largest = np.fmax(largest, np.fmax.reduce(error))  # NaN: no goal there
+        errors.append(error)  # NaN: no goal there
         report.add_runs("tracking", tip, error > tolerance, error - tolerance,
                         lambda k: (error[k], tolerance[k], k, motion["time"][k]))
-    return largest
+        turn = poses[:, robot.tips["frame"][m], :3, :3] @ robot.tips["transform"][m, :3, :3]
+        goal = rotations_at(goals["time"][()], goals["tip_orientation"][:, m], time)
+        # |A - B|² = 8 sin²(angle / 2) of two rotation matrices.
+        turned.append(2 * np.arcsin(np.minimum(np.linalg.norm(turn - goal, axis=(1, 2)) / 8**0.5, 1)))
+    errors, turned = np.array(errors), np.array(turned)
+    found = dict(zip(("position_error_max", "position_error_mean"), largest_and_mean(errors)))
+    found["position_error_grasp"] = largest_and_mean(errors[:, grasping] if len(errors) else errors)[0]
+    found["orientation_error_max"] = largest_and_mean(turned)[0]
+    found.update(arm_figures(robot, goals, time, poses))
+    return found
+
+def largest_and_mean(values):
+    seen = values[np.isfinite(values)]
+    return (seen.max(), seen.mean()) if len(seen) else (np.nan, np.nan)
+
+def rotations_at(times, quaternions, time):
+    """Matrices [N, 3, 3] at times, slerp between frames, NaN beside one that has none."""
+    if not len(quaternions):
+        return np.full((len(time), 3, 3), np.nan)
+    last = len(times) - 1
+    b = np.clip(np.searchsorted(times, time), 0, last)
+    a = np.where((times[b] == time) | (time < times[0]) | (time > times[-1]), b, b - 1)
+    share = np.where(a == b, 0, (time - times[a]) / np.where(a == b, 1, times[b] - times[a]))
+    p, q = quaternions[a], quaternions[b]
+    cosine = np.einsum("ni,ni->n", p, q)
+    q, angle = np.where(cosine < 0, -1, 1)[:, None] * q, np.arccos(np.minimum(np.abs(cosine), 1))
+    slerp = lambda u: (u * np.sinc(u * angle / np.pi) / np.sinc(angle / np.pi))[:, None]
+    w, x, y, z = ((r := slerp(1 - share) * p + slerp(share) * q) / np.linalg.norm(r, axis=1)[:, None]).T
+    return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                     [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                     [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]]).transpose(2, 0, 1)
+
+def arm_figures(robot, goals, time, poses):
+    """Metric A and the angle between the upper arms' directions, over the samples."""
+    names = ("upper_arm_error_max", "upper_arm_error_mean", "humanlikeness_final")
+    centres = [frame for frame, chain in zip(robot.centres, robot.chains) if chain == "arm"]
+    if not len(goals["time"]) or not centres:
+        return dict.fromkeys(names, np.nan)
+    at = lambda key: np.stack([np.interp(time, goals["time"][()], goals[key][:, i]) for i in range(3)], axis=1)
+    elbow, shoulder = at("elbow_position"), at("shoulder_position")
+    own = np.stack([poses[:, frame, :3, 3] for frame in centres])
+    sums = ((own - elbow)**2).sum(axis=(0, 2))
+    unit = lambda x: x / np.linalg.norm(x, axis=1)[:, None]
+    apart = np.linalg.norm(unit(elbow - shoulder) - unit(own[0] - poses[:, robot.shoulder, :3, 3]), axis=1)
+    return dict(zip(names, largest_and_mean(2 * np.arcsin(apart / 2)) + largest_and_mean(sums)[1:]))
+
+def smoothness(speed, step):
+    """SPARC (up to 10 Hz, threshold 0.05, padded 16 times) and log dimensionless jerk."""
+    if len(speed) < 3 or not speed.max() > 0:
+        return np.nan, np.nan
+    padded = 2**(int(np.ceil(np.log2(len(speed)))) + 4)
+    size = np.abs(np.fft.rfft(speed, padded))
+    size = size[np.arange(len(size)) / (padded * step) <= 10 * (1 + 1e-12)] / size.max()
+    size = size[:np.flatnonzero(size >= 0.05)[-1] + 1]
+    arc = -np.hypot(1 / (len(size) - 1), np.diff(size)).sum() if len(size) > 1 else np.nan
+    jerk, duration = np.diff(speed, 2) / step**2, step * (len(speed) - 1)
+    return arc, -np.log(duration**3 / speed.max()**2 * (jerk**2).sum() * step)
+
+def smoothness_of(robot, goals, motion):
+    """Both figures of the robot and of the human: mean speed of the tips that always have goals."""
+    time, tips = goals["time"][()], goals["tip_position"][()]
+    always = np.flatnonzero(np.isfinite(tips).all(axis=(0, 2))) if len(time) > 1 else []
+    if not len(always):
+        return dict.fromkeys(SMOOTHNESS, np.nan)
+    step = (time[-1] - time[0]) / (len(time) - 1)
+    at = np.arange(int(motion["time"][-1] / step * (1 + 1e-12) + 1e-9) + 1) * step
+    piece = np.clip(np.searchsorted(motion["time"], at, side="right") - 1, 0, len(motion["time"]) - 2)
+    c, h = quintics(motion)
+    share = (at - motion["time"][piece]) / h[piece, 0]
+    q = motion["position"][piece] + sum(c[k][piece] * share[:, None]**k for k in range(6))
+    poses = robot.frame_poses(q)
+    robots = np.stack([in_base(poses, robot.tips["frame"][m], robot.tips["transform"][m, :3, 3])
+                       for m in always], axis=1)
+    speed = lambda x: np.linalg.norm(x[2:] - x[:-2], axis=2).mean(axis=1) / (2 * step)
+    figures = smoothness(speed(robots), step) + smoothness(speed(tips[:, always]), step)
+    return dict(zip(SMOOTHNESS, figures))
 
 def segment_distance(p, p_end, q, q_end):
     """Least distance of segments, [N, 3] each: best point of one, then of the other, clamped."""
@@ -152,6 +232,72 @@ def segment_solid_distance(shape, size, p, p_end):
         left = at(low + third) < at(high - third)
         low, high = np.where(left, low, low + third), np.where(left, high - third, high)
     return np.minimum(at((low + high) / 2), np.minimum(at(low * 0), at(low * 0 + 1)))
+
+class Mesh:
+    """Triangles hang together in parts by shared edges; a part whose edges all have an even number
+    of triangles is solid, any other a sheet."""
+
+    def __init__(self, vertices, triangles):
+        vertices, place = np.unique(vertices, axis=0, return_inverse=True)
+        corners = place.reshape(-1)[triangles]
+        corners = corners[(np.diff(np.sort(corners, axis=1), axis=1) > 0).all(axis=1)]
+        edges = np.sort(np.stack([corners, np.roll(corners, -1, axis=1)], axis=2), axis=2)
+        edge = np.unique(edges.reshape(-1, 2), axis=0, return_inverse=True)[1].reshape(-1, 3)
+        self.part, last = np.arange(len(corners)), None
+        while last is None or (self.part != last).any():  # the least that it hangs together with
+            last, least = self.part, np.full(edge.max() + 1, len(corners))
+            np.minimum.at(least, edge, self.part[:, None])
+            self.part = least[edge].min(axis=1)
+        leaky = (np.bincount(edge.ravel()) % 2 == 1)[edge].any(axis=1)
+        self.solid = ~np.isin(self.part, self.part[leaky])
+        self.corners = vertices[corners].transpose(1, 0, 2)  # [3, M, 3]
+        self.radius = np.linalg.norm(vertices, axis=1).max()
+
+    def faces(self, p):
+        """Distances [N, M] of points to what of the faces is under them, elsewhere inf."""
+        a, u, v = self.corners[0], *(self.corners[1:] - self.corners[0])
+        uu, vv, uv = ((x * y).sum(axis=1) for x, y in ((u, u), (v, v), (u, v)))
+        area, w = uu * vv - uv * uv, p[:, None] - a
+        flat = area <= 1e-24 * uu * vv
+        uw, vw = (w * u).sum(axis=2), (w * v).sum(axis=2)
+        s, t = (x / np.where(flat, 1, area) for x in (vv * uw - uv * vw, uu * vw - uv * uw))
+        away = np.linalg.norm(w - s[:, :, None] * u - t[:, :, None] * v, axis=2)
+        return np.where((s >= 0) & (t >= 0) & (s + t <= 1) & ~flat, away, np.inf)
+
+    def pierced(self, p, way):
+        """Which triangles [N, M] the lines p + t * way meet, and the height of p over their planes
+        and what way adds to it."""
+        away = self.corners[:, None] - p[:, None]
+        side = [(np.cross(away[i], away[(i + 1) % 3]) * way[:, None]).sum(axis=2) > 0 for i in range(3)]
+        normal = np.cross(self.corners[1] - self.corners[0], self.corners[2] - self.corners[0])
+        normal /= np.linalg.norm(normal, axis=1, keepdims=True) + 1e-99
+        return (side[0] == side[1]) & (side[1] == side[2]), -(away[0] * normal).sum(axis=2), way @ normal.T
+
+    def inside(self, p):
+        met, height, rise = self.pierced(p, np.tile([0.36, 0.48, 0.8], (len(p), 1)))
+        odd = np.zeros((len(p), len(self.part)), int)
+        np.add.at(odd.T, self.part, (met & (height * rise < 0) & self.solid).T)
+        return (odd % 2 == 1).any(axis=1)
+
+    def surface_distance(self, p, p_end):
+        """Least distance of segments [N, 3] to the triangles."""
+        count, shape = self.corners.shape[1], (len(p), self.corners.shape[1])
+        ends = np.repeat(p, count, axis=0), np.repeat(p_end, count, axis=0)
+        edges = [segment_distance(*ends, *(np.tile(self.corners[k % 3], (len(p), 1)) for k in (i, i + 1)))
+                 .reshape(shape) for i in range(3)]
+        met, height, rise = self.pierced(p, p_end - p)
+        through = met & (np.minimum(np.abs(height), np.abs(height + rise)) > 1e-12) & (height * (height + rise) < 0)
+        return np.where(through, 0, np.minimum.reduce([self.faces(p), self.faces(p_end), *edges])).min(axis=1)
+
+    def segment_distance(self, p, p_end):
+        """That, but of a segment in the solid how deep the deepest of 33 points on it lies."""
+        rows = np.array_split(np.arange(len(p)), 1 + len(p) * self.corners.shape[1] // 200_000)
+        distance = np.concatenate([self.surface_distance(p[k], p_end[k]) for k in rows])
+        entered = np.concatenate([self.inside(p[k]) for k in rows]) | (distance < 1e-9)
+        for n in np.flatnonzero(entered):
+            points = p[n] + POINTS[:, None] * (p_end[n] - p[n])
+            distance[n] = -np.where(self.inside(points), self.surface_distance(points, points), 0).max()
+        return distance
 
 def into_object(group, time):
     """Takes points [N, 3] into an object's frame at demonstration times: linear and slerp."""
@@ -209,7 +355,7 @@ def check_contacts(robot, plan, motion, phases, report):
             for frame, a, b in zip(caps["frame"], caps["from"], caps["to"])]
     middles = [(a + b) / 2 for a, b in ends]
     halves = [np.linalg.norm(b - a, axis=1) / 2 for a, b in ends]
-    window, at_sample = touch_times(phases, time), np.arange(len(q)) % SUBSTEPS == 0
+    window = touch_times(phases, time)
     margin, depth, least = plan.attrs["margin"], plan.attrs["contact_depth"], np.inf
     def judge(cause, subject, bound, exact, touching):
         nonlocal least
@@ -217,7 +363,7 @@ def check_contacts(robot, plan, motion, phases, report):
         near = bound < np.maximum(required, least)
         distance = bound.copy()
         distance[near] = exact(near)
-        least = min(least, distance[at_sample & ~touching].min(initial=np.inf))
+        least = min(least, distance[~touching].min(initial=np.inf))
         report.add_runs(cause, subject, ~(distance >= required - DISTANCE), required - distance,
                         lambda k: (distance[k], required[k], (k + SUBSTEPS // 2) // SUBSTEPS, clock[k]))
 
@@ -230,14 +376,18 @@ def check_contacts(robot, plan, motion, phases, report):
               lambda near: segment_distance(*(x[near] for x in ends[i] + ends[j])) - radii,
               np.zeros(len(q), bool))
     for name, group in plan["scene"].items():
-        shape, size = text(group.attrs["shape"]), group.attrs["size"]
+        shape, size = text(group.attrs["shape"]), group.attrs.get("size")
+        mesh = Mesh(group["vertices"][()], group["triangles"][()]) if shape == "mesh" else None
+        outside = (lambda p: np.linalg.norm(p, axis=1) - mesh.radius) if mesh else (
+            lambda p: signed_distance(shape, size, p))
+        exact = mesh.segment_distance if mesh else functools.partial(segment_solid_distance, shape, size)
         target = name == text(plan.attrs["target"])
         into = into_carried(robot, group, motion, poses, time) if target else into_object(group, time)
         for i in range(len(ends)):
             a, b, radius = into(ends[i][0]), into(ends[i][1]), caps["radius"][i]
             judge("object", robot.capsule_names[i] + "/" + name,
-                  signed_distance(shape, size, (a + b) / 2) - halves[i] - radius,
-                  lambda near: segment_solid_distance(shape, size, a[near], b[near]) - radius,
+                  outside((a + b) / 2) - halves[i] - radius,
+                  lambda near: exact(a[near], b[near]) - radius,
                   window & target & bool(caps["may_touch_target"][i]))
     return least
 
@@ -260,9 +410,11 @@ def read_motion(robot, group, report):
 def check_certificate(plan, found, report):
     stored = plan["certificate"].attrs
     for name, value in found.items():
-        tolerance = 1e-4 if name.startswith("position") else 1e-3 * abs(value) + 1e-9
-        more = stored[name] - value  # clearance may be understated, or unbounded
-        good = more <= 1e-4 or np.isinf(value) if name == "clearance" else abs(more) <= tolerance
+        # The extremes are looked for at points, the others recomputed.
+        tolerance = 1e-3 * abs(value) + 1e-9 if name in EXTREMES else 1e-8 * max(1, abs(value))
+        tolerance = 1e-4 if name in ("position_margin", "clearance") else tolerance
+        unbounded = name == "clearance" and np.isinf(value)  # nothing could touch
+        good = unbounded or abs(stored[name] - value) <= tolerance
         if not good and not (np.isnan(value) and np.isnan(stored[name])):
             report.add("certificate", name, stored[name], value)
 
@@ -272,7 +424,8 @@ def check_plan(robot, path, plan):
     if executable != moves or executable != (text(plan.attrs["reason"]) == ""):
         report.add("structure", "trajectory", moves, executable)
     for name, body in plan["scene"].items() if moves else ():
-        if text(body.attrs["shape"]) == "mesh":
+        corners = (body["vertices"], body["triangles"]) if text(body.attrs["shape"]) == "mesh" else ()
+        if any(len(rows) == 0 or not np.isfinite(rows[()]).all() for rows in corners):
             report.add("structure", name, np.nan, np.nan)
     if report.rows or not moves or not (motion := read_motion(robot, plan["trajectory"], report)):
         return report.rows
@@ -282,7 +435,10 @@ def check_plan(robot, path, plan):
         if sign * (reached[end] - goal_time[end]) > COVERAGE:
             report.add("time", "demonstration_time", reached[end], goal_time[end])
     found = check_limits(robot, motion, report)
-    found["position_error_max"] = check_tracking(robot, plan, motion, phases, report)
+    found.update(check_tracking(robot, plan, motion, phases, report))
+    found.update(smoothness_of(robot, plan["goals"], motion))
+    mapped = plan["mapped/humanlikeness"][()]
+    found["humanlikeness_mapped"] = largest_and_mean(mapped[:, :1])[1]
     found["clearance"] = check_contacts(robot, plan, motion, phases, report)
     found["tempo"] = motion["time"][-1] / (plan.attrs["end_s"] - plan.attrs["start_s"])
     check_certificate(plan, found, report)

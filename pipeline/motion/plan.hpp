@@ -90,7 +90,7 @@ struct Grasp {
 struct Certificate {
   double position_margin = kNotSeen;  ///< least distance to a joint limit [rad]
   double velocity_ratio = kNotSeen, acceleration_ratio = kNotSeen, jerk_ratio = kNotSeen;
-  double clearance = kNotSeen;  ///< least over the motion [m]
+  double clearance = kNotSeen;  ///< proved lower bound of the motion's least, to 0.01 mm [m]
   double position_error_max = kNotSeen, position_error_mean = kNotSeen;  ///< over all goals [m]
   double position_error_grasp = kNotSeen;   ///< largest in grasp and hold [m], NaN = no such phase
   double orientation_error_max = kNotSeen;  ///< full angle [rad], NaN = no orientation goals
@@ -98,6 +98,9 @@ struct Certificate {
   double tempo = kNotSeen;  ///< duration / human duration
   double humanlikeness_mapped = kNotSeen, humanlikeness_final = kNotSeen;  ///< mean A [m^2]
   double natural_posture_error = kNotSeen;  ///< rms of joints that no goal asked for, mapped [rad]
+  /// Smoothness of the goal tips' mean speed, robot's and human's (stages/certify/smoothness.hpp).
+  double sparc_robot = kNotSeen, sparc_human = kNotSeen;
+  double log_dimensionless_jerk_robot = kNotSeen, log_dimensionless_jerk_human = kNotSeen;
   bool repaired = false;
 };
 

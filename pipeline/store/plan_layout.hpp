@@ -83,6 +83,10 @@ void lay_out_certificate(Io& io, T& certificate) {
   io.attribute("tempo", certificate.tempo);
   io.attribute("humanlikeness_mapped", certificate.humanlikeness_mapped);
   io.attribute("humanlikeness_final", certificate.humanlikeness_final);
+  io.attribute("sparc_robot", certificate.sparc_robot);
+  io.attribute("sparc_human", certificate.sparc_human);
+  io.attribute("log_dimensionless_jerk_robot", certificate.log_dimensionless_jerk_robot);
+  io.attribute("log_dimensionless_jerk_human", certificate.log_dimensionless_jerk_human);
   io.attribute("repaired", certificate.repaired);
 }
 

@@ -6,10 +6,15 @@
 
 namespace morphe::judge {
 
+/// A plan's certificate, recomputed from its samples, goals and mapped frames.
+/// natural_posture_error is not: what the posture is stands in the mapping's config.
+Certificate recomputed_certificate(const RobotTable& robot, const Plan& plan, const Curve& curve,
+                                   const LimitUse& use, double clearance);
+
 /// Notes `certificate` for each attribute of the plan's certificate that does not agree with what
-/// was recomputed: position_margin to 1e-6 rad, velocity_ratio, acceleration_ratio, jerk_ratio and
-/// tempo to 1e-4 of the value, position_error_max to 1e-4 m, clearance at most 1e-4 m too high.
-void judge_certificate(const Plan& plan, const LimitUse& use, double clearance,
-                       double position_error_max, ViolationRuns& runs);
+/// was recomputed: to 1e-4 m the clearance (any, where nothing could touch), all others to 1e-9 of
+/// 1 or of their value, whichever is more, jerk_ratio also to what rounding of the samples makes.
+void judge_certificate(const RobotTable& robot, const Plan& plan, const Curve& curve,
+                       const LimitUse& use, double clearance, ViolationRuns& runs);
 
 }  // namespace morphe::judge

@@ -14,6 +14,8 @@ constexpr double kDistanceTolerance_m = 1e-6;
 /// Where nothing moves more than this any longer, what is not proved counts as a violation. Finer
 /// than the 0.1 mm of planning, so that what was proved there by other intervals is not left open.
 constexpr double kBand_m = 1e-5;
+/// To which the clearance of the whole motion is found.
+constexpr double kResolution_m = 1e-5;
 /// More travel than this between two samples is not worth bisecting: it counts as a violation.
 constexpr double kHopeless_m = 10;
 
@@ -77,6 +79,7 @@ class ContactJudge {
       judge_sample(sample, clearance);
       if (sample < curve_.pieces) judge_interval(sample, 0, 1, all);
     }
+    for (std::size_t piece = 0; piece < curve_.pieces; ++piece) sweep(piece, 0, 1, all, clearance);
     return clearance;
   }
 
@@ -103,30 +106,14 @@ class ContactJudge {
   void judge_interval(std::size_t piece, double s0, double s1,
                       const std::vector<std::size_t>& pairs) {
     const double middle = 0.5 * (s0 + s1);
-    const double begin_s = curve_.demonstration_time_at(piece, s0);
-    const double middle_s = curve_.demonstration_time_at(piece, middle);
-    const double end_s = curve_.demonstration_time_at(piece, s1);
-    curve_.position_at(piece, middle, q_);
-    take(q_, middle_s);
-    const auto row = static_cast<Eigen::Index>(piece);
-    const auto& time = curve_.trajectory->time;
-    const double half_s = 0.5 * (s1 - s0) * (time[piece + 1] - time[piece]);
-
+    const Stretch stretch = take_middle(piece, s0, s1);
+    const double middle_s = stretch.middle_s;
     std::vector<std::size_t> open;
     for (const std::size_t index : pairs) {
       const ContactPair& pair = pairs_[index];
-      const bool target = pair.object && pair.other == carried_.object;
-      const JointVector& lever = target && carried_.in_hand(middle_s)
-                                     ? in_hand_lever_[static_cast<std::size_t>(pair.capsule)]
-                                     : pair.lever;
-      double travel = half_s * curve_.speed.row(row).dot(lever);
-      if (pair.object && !(target && middle_s >= carried_.begin_s)) {
-        const ObjectTravel& moved = travels_[static_cast<std::size_t>(pair.other)];
-        const double here = moved.at(middle_s);
-        travel += std::max(here - moved.at(begin_s), moved.at(end_s) - here);
-      }
+      const double travel = travel_in(stretch, pair);
       const double everywhere =
-          required_distance(pair.may_touch && window_.contains(begin_s, end_s));
+          required_distance(pair.may_touch && window_.contains(stretch.begin_s, stretch.end_s));
       const double here = required_distance(pair.may_touch && window_.contains(middle_s, middle_s));
       const double value = distance(pair, everywhere + travel);
       if (value >= everywhere + travel - kDistanceTolerance_m) continue;
@@ -141,6 +128,60 @@ class ContactJudge {
     if (open.empty()) return;
     judge_interval(piece, s0, middle, open);
     judge_interval(piece, middle, s1, open);
+  }
+
+  /// Lowers the clearance to the least distance over s in [s0, s1] of pairs that may not touch, as
+  /// far as it lies more than the resolution below.
+  void sweep(std::size_t piece, double s0, double s1, const std::vector<std::size_t>& pairs,
+             double& clearance) {
+    const Stretch stretch = take_middle(piece, s0, s1);
+    std::vector<std::size_t> open;
+    for (const std::size_t index : pairs) {
+      const ContactPair& pair = pairs_[index];
+      if (pair.may_touch && window_.contains(stretch.begin_s, stretch.end_s)) continue;
+      const double travel = travel_in(stretch, pair);
+      const double value = distance(pair, clearance + travel);
+      const bool touching = pair.may_touch && window_.contains(stretch.middle_s, stretch.middle_s);
+      if (!touching) clearance = std::min(clearance, value);
+      const bool settled = value - travel >= clearance - kResolution_m;
+      if (!settled && travel > 0.1 * kResolution_m && travel < kHopeless_m) open.push_back(index);
+    }
+    if (open.empty()) return;
+    const double middle = 0.5 * (s0 + s1);
+    sweep(piece, s0, middle, open, clearance);
+    sweep(piece, middle, s1, open, clearance);
+  }
+
+  /// A part of a piece: its demonstration times, and half its duration.
+  struct Stretch {
+    Eigen::Index piece = 0;
+    double begin_s = 0, middle_s = 0, end_s = 0, half_s = 0;
+  };
+
+  /// All bodies are placed where they are at the middle.
+  Stretch take_middle(std::size_t piece, double s0, double s1) {
+    const double middle = 0.5 * (s0 + s1);
+    const auto& time = curve_.trajectory->time;
+    const Stretch stretch{static_cast<Eigen::Index>(piece), curve_.demonstration_time_at(piece, s0),
+                          curve_.demonstration_time_at(piece, middle),
+                          curve_.demonstration_time_at(piece, s1),
+                          0.5 * (s1 - s0) * (time[piece + 1] - time[piece])};
+    curve_.position_at(piece, middle, q_);
+    take(q_, stretch.middle_s);
+    return stretch;
+  }
+
+  /// How much nearer a pair can come than at the middle.
+  double travel_in(const Stretch& stretch, const ContactPair& pair) const {
+    const bool target = pair.object && pair.other == carried_.object;
+    const JointVector& lever = target && carried_.in_hand(stretch.middle_s)
+                                   ? in_hand_lever_[static_cast<std::size_t>(pair.capsule)]
+                                   : pair.lever;
+    const double travel = stretch.half_s * curve_.speed.row(stretch.piece).dot(lever);
+    if (!pair.object || (target && stretch.middle_s >= carried_.begin_s)) return travel;
+    const ObjectTravel& moved = travels_[static_cast<std::size_t>(pair.other)];
+    const double here = moved.at(stretch.middle_s);
+    return travel + std::max(here - moved.at(stretch.begin_s), moved.at(stretch.end_s) - here);
   }
 
   double required_distance(bool touching) const {

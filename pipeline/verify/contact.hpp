@@ -31,7 +31,8 @@ std::vector<ContactPair> contact_pairs(const RobotTable& robot, const Plan& plan
 
 /// Notes `self` and `object` wherever a pair is closer than the plan's margin (or deeper than its
 /// contact depth where it may touch), at the samples and all along between them. Returns the least
-/// distance at the samples over the pairs that may not touch there, +infinity if there are none.
+/// distance along the whole curve of pairs where they may not touch, to 0.01 mm, +infinity if there
+/// are none.
 double judge_contacts(const RobotTable& robot, const Plan& plan, const Curve& curve,
                       ViolationRuns& runs);
 

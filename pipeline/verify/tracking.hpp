@@ -7,13 +7,23 @@
 
 namespace morphe::judge {
 
+/// Goals at a demonstration time: those of two frames, `share` of the way from one to the other.
+/// Held before the first and after the last; a frame's own instant is that frame alone.
+struct GoalShare {
+  std::size_t before = 0, after = 0;
+  double share = 0;
+};
+GoalShare goal_share(const Goals& goals, double time_s);
+
+/// Whether a demonstration time lies in a phase grasp or hold, borders included.
+bool is_grasping(const std::vector<Phase>& phases, double time_s);
+
 /// Where a tip should be at a demonstration time: linear between the goals' frames, held before the
 /// first and after the last; nothing where one of the two frames around it has not seen the tip.
 std::optional<Vec3> goal_at(const Goals& goals, std::size_t tip, double time_s);
 
 /// Notes `tracking` for each tip and sample farther from its goal than the plan tolerates: in grasp
-/// and hold `tracking_grasp`, elsewhere `tracking`. Returns the largest error [m], NaN if there is
-/// no goal at all.
-double judge_tracking(const RobotTable& robot, const Plan& plan, ViolationRuns& runs);
+/// and hold `tracking_grasp`, elsewhere `tracking`.
+void judge_tracking(const RobotTable& robot, const Plan& plan, ViolationRuns& runs);
 
 }  // namespace morphe::judge

@@ -33,9 +33,9 @@ std::vector<Violation> verify_plan(const RobotTable& robot, const std::string& p
   const judge::Curve curve = judge::make_curve(plan.trajectory);
   judge::judge_rest(robot, plan.trajectory, runs);
   const judge::LimitUse use = judge::judge_limits(robot, curve, runs);
-  const double error_max = judge::judge_tracking(robot, plan, runs);
+  judge::judge_tracking(robot, plan, runs);
   const double clearance = judge::judge_contacts(robot, plan, curve, runs);
-  judge::judge_certificate(plan, use, clearance, error_max, runs);
+  judge::judge_certificate(robot, plan, curve, use, clearance, runs);
   std::vector<Violation> violations = runs.finish();
   append(violations, verify_approach(robot, plan_path, plan));
   return violations;

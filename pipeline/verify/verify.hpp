@@ -39,9 +39,8 @@ struct VerifyReport {
 /// Judges one plan by what docs/formats.md promises of it, with code of its own. Limits hold along
 /// the quintic between samples (exact extrema); clearance is proved there by bisection, and what
 /// stays open when nothing moves more than 0.01 mm counts as a violation; tips are judged at every
-/// sample; the certificate must agree with what is recomputed (position_margin 1e-6 rad, ratios
-/// and tempo 1e-4 of their value, position_error_max 1e-4 m, clearance at most 1e-4 m too high).
-/// In the order of samples, then of causes and subjects.
+/// sample; the certificate must agree with what is recomputed (clearance to 1e-4 m, the rest to
+/// 1e-9, see pipeline/verify/certificate.hpp). In the order of samples, then of causes and subjects.
 std::vector<Violation> verify_plan(const RobotTable& robot, const std::string& plan_path,
                                    const Plan& plan);
 

@@ -9,10 +9,13 @@
 #include "pipeline/collision/certified.hpp"
 #include "pipeline/motion/quintic.hpp"
 #include "stages/certify/goal_errors.hpp"
+#include "stages/certify/smoothness.hpp"
 #include "stages/certify/trajectory_motion.hpp"
 
 namespace morphe {
 namespace {
+
+constexpr double kClearanceResolution_m = 1e-5;
 
 double mean_of_seen(const Eigen::Ref<const Eigen::VectorXd>& values) {
   double sum = 0;
@@ -60,10 +63,9 @@ void fill_clearance(const CollisionWorld& world, Trajectory& trajectory,
 }
 
 /// A sentence for a contact that is not allowed, or not excluded; "" if there is none.
-std::string contacts(const CollisionWorld& world, const Trajectory& trajectory,
-                     CollisionScratch& scratch) {
-  const JointMotion motion = trajectory_motion(trajectory);
-  const MotionCheck found = check_motion(world, capsule_reach(*world.robot), motion, scratch);
+std::string contacts(const CollisionWorld& world, const JointRows& reach, const JointMotion& motion,
+                     const Trajectory& trajectory, CollisionScratch& scratch) {
+  const MotionCheck found = check_motion(world, reach, motion, scratch);
   if (found.verdict == MotionVerdict::free) return "";
   return fmt::format(
       "{} and {} are {:.2f} mm apart at {:.3f} s (sample {}), {} than the {:.2f} mm "
@@ -110,8 +112,11 @@ CertifyResult certify(const CollisionWorld& around, const Goals& goals, const Mo
 
   CollisionScratch scratch;
   fill_clearance(world, trajectory, scratch);
-  c.clearance = *std::min_element(trajectory.clearance.begin(), trajectory.clearance.end());
-  fail(path_was_free ? "smoothing" : "collision", contacts(world, trajectory, scratch));
+  const JointRows reach = capsule_reach(*world.robot);
+  const JointMotion motion = trajectory_motion(trajectory);
+  c.clearance = motion_clearance(world, reach, motion, scratch, kClearanceResolution_m).at_least;
+  fail(path_was_free ? "smoothing" : "collision",
+       contacts(world, reach, motion, trajectory, scratch));
 
   const GoalErrors errors =
       goal_errors(*world.robot, goals, movement, world.tolerances, trajectory);
@@ -128,6 +133,12 @@ CertifyResult certify(const CollisionWorld& around, const Goals& goals, const Mo
     c.humanlikeness_mapped = mean_of_seen(mapped.humanlikeness.col(0));
   }
   c.humanlikeness_final = errors.humanlikeness;
+  const SpeedProfile robot = robot_speed(*world.robot, goals, trajectory);
+  const SpeedProfile human = human_speed(goals);
+  c.sparc_robot = spectral_arc_length(robot);
+  c.sparc_human = spectral_arc_length(human);
+  c.log_dimensionless_jerk_robot = log_dimensionless_jerk(robot);
+  c.log_dimensionless_jerk_human = log_dimensionless_jerk(human);
   c.repaired = std::any_of(trajectory.origin.begin(), trajectory.origin.end(),
                            [](Origin origin) { return origin != Origin::mapped; });
   return result;

@@ -26,7 +26,8 @@ PLAN_ATTRIBUTES = ("status reason detail subject task hand start_s end_s target 
 CERTIFICATE = ("position_margin velocity_ratio acceleration_ratio jerk_ratio clearance "
                "position_error_max position_error_mean position_error_grasp orientation_error_max "
                "upper_arm_error_mean upper_arm_error_max tempo humanlikeness_mapped "
-               "humanlikeness_final repaired").split()
+               "humanlikeness_final sparc_robot sparc_human log_dimensionless_jerk_robot "
+               "log_dimensionless_jerk_human repaired").split()
 PLAN = {
     "goals/time": ("F", "s", None),
     "goals/tip_position": ("Fm3", "m", "base"), "goals/tip_orientation": ("Fm4", "1", "base"),

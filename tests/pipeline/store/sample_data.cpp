@@ -224,7 +224,7 @@ Plan full_plan(const std::string& demonstration, int movement) {
   plan.approach = trajectory(number, 2);
   plan.certificate = {number(), number(), number(), number(), number(), number(),
                       number(), number(), kNotSeen, number(), number(), number(),
-                      number(), number(), number(), true};
+                      number(), number(), number(), number(), number(), number(), number(), true};
   return plan;
 }
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <numbers>
+#include <numeric>
 
 namespace morphe::planar {
 namespace {
@@ -65,18 +68,62 @@ Goals goals() {
   return out;
 }
 
-/// Largest distance of the tip from the goals' polygon at the samples.
-double polygon_error(const Plan& plan) {
-  double largest = 0;
+/// Distances of the tip from the goals' polygon at the samples from a demonstration time on.
+std::vector<double> polygon_errors(const Plan& plan, double from_s = 0) {
+  std::vector<double> errors;
   for (const double t : plan.trajectory.time) {
+    if (kBegin_s + kHuman_s * t < from_s) continue;
     const double frame = std::min(80 * t, 79.999999);
     const auto k = static_cast<std::size_t>(frame);
     const double share = frame - static_cast<double>(k);
     const Vec3 goal =
         (1 - share) * plan.goals.tip_position(k, 1) + share * plan.goals.tip_position(k + 1, 1);
-    largest = std::max(largest, (tip_at(position_at(t)) - goal).norm());
+    errors.push_back((tip_at(position_at(t)) - goal).norm());
   }
-  return largest;
+  return errors;
+}
+
+/// Speeds of the tip over two steps of 10 ms each, the whole way in so many steps.
+std::vector<double> tip_speeds(int steps) {
+  std::vector<double> speeds;
+  const auto tip = [&](int k) { return tip_at(position_at(static_cast<double>(k) / steps)); };
+  for (int k = 1; k < steps; ++k) speeds.push_back((tip(k + 1) - tip(k - 1)).norm() / 0.02);
+  return speeds;
+}
+
+/// As their papers have them, term by term.
+double spectral_arc_length(const std::vector<double>& v) {
+  std::size_t padded = 16;
+  while (padded < 16 * v.size()) padded *= 2;
+  const double bin_hz = 100.0 / static_cast<double>(padded);
+  std::vector<double> size;
+  std::size_t last = 0;
+  for (std::size_t k = 0; static_cast<double>(k) * bin_hz <= 10; ++k) {
+    std::complex<double> sum = 0;
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      sum += v[i] * std::exp(std::complex<double>(
+                        0, -0.02 * std::numbers::pi * bin_hz * static_cast<double>(k * i)));
+    }
+    size.push_back(std::abs(sum) / (k == 0 ? 1 : size[0]));
+    if (k > 0 && size[k] >= 0.05) last = k;
+  }
+  size[0] = 1;
+  double length = 0;
+  for (std::size_t k = 0; k < last; ++k) {
+    length +=
+        std::sqrt(std::pow(1 / static_cast<double>(last), 2) + std::pow(size[k + 1] - size[k], 2));
+  }
+  return -length;
+}
+
+double log_dimensionless_jerk(const std::vector<double>& v) {
+  double integral = 0;
+  for (std::size_t i = 1; i + 1 < v.size(); ++i) {
+    integral += std::pow((v[i + 1] - 2 * v[i] + v[i - 1]) / 1e-4, 2) * 0.01;
+  }
+  const double peak = *std::max_element(v.begin(), v.end());
+  const double duration_s = 0.01 * static_cast<double>(v.size() - 1);
+  return -std::log(std::pow(duration_s, 3) / (peak * peak) * integral);
 }
 
 }  // namespace
@@ -152,7 +199,15 @@ Plan plan(double step_s) {
   out.certificate.acceleration_ratio = 10 / std::sqrt(3.0) * 0.5 / 6;
   out.certificate.jerk_ratio = 60 * 0.5 / 60;
   out.certificate.clearance = 0.005;
-  out.certificate.position_error_max = polygon_error(out);
+  const std::vector<double> errors = polygon_errors(out), grasp = polygon_errors(out, 2.6);
+  out.certificate.position_error_max = *std::max_element(errors.begin(), errors.end());
+  out.certificate.position_error_mean =
+      std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size());
+  out.certificate.position_error_grasp = *std::max_element(grasp.begin(), grasp.end());
+  out.certificate.sparc_robot = spectral_arc_length(tip_speeds(100));
+  out.certificate.sparc_human = spectral_arc_length(tip_speeds(80));
+  out.certificate.log_dimensionless_jerk_robot = log_dimensionless_jerk(tip_speeds(100));
+  out.certificate.log_dimensionless_jerk_human = log_dimensionless_jerk(tip_speeds(80));
   out.certificate.tempo = 1 / kHuman_s;
   return out;
 }

@@ -214,6 +214,12 @@ TEST(VerifyPlan, FindsAFalseCertificate) {
       {"jerk_ratio", &Certificate::jerk_ratio},
       {"clearance", &Certificate::clearance},
       {"position_error_max", &Certificate::position_error_max},
+      {"position_error_mean", &Certificate::position_error_mean},
+      {"position_error_grasp", &Certificate::position_error_grasp},
+      {"sparc_robot", &Certificate::sparc_robot},
+      {"sparc_human", &Certificate::sparc_human},
+      {"log_dimensionless_jerk_robot", &Certificate::log_dimensionless_jerk_robot},
+      {"log_dimensionless_jerk_human", &Certificate::log_dimensionless_jerk_human},
       {"tempo", &Certificate::tempo}};
   for (const auto& [name, attribute] : attributes) {
     for (const bool missing : {false, true}) {
