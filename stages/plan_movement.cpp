@@ -6,6 +6,7 @@
 #include <chrono>
 #include <utility>
 
+#include "pipeline/collision/mesh_solid.hpp"
 #include "pipeline/config/hash.hpp"
 #include "stages/certify/certify.hpp"
 #include "stages/certify/grasp.hpp"
@@ -64,10 +65,10 @@ std::string joined(const std::vector<std::string>& sentences) {
 }
 
 /// What a user must know of an executable plan: tips whose goals are missing in some frames, a hand
-/// of which one tip alone was seen, phases that may begin or end elsewhere (a recording that is cut
-/// off in them), and what reconstruction had to complain of.
-std::string warnings(const RobotTable& robot, const Goals& goals, const Movement& movement,
-                     const HumanMotion& motion) {
+/// of which one tip alone was seen, meshes with holes, phases that may begin or end elsewhere (a
+/// recording that is cut off in them), and what reconstruction had to complain of.
+std::string warnings(const RobotTable& robot, const Scene& scene, const Goals& goals,
+                     const Movement& movement, const HumanMotion& motion) {
   constexpr double kUncertain = 0.5;
   std::vector<std::string> sentences, asked;
   for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
@@ -83,6 +84,11 @@ std::string warnings(const RobotTable& robot, const Goals& goals, const Movement
     const Vec3 moved = 1e3 * *goals.free_offset;
     sentences.push_back(fmt::format("the base is moved by ({:.0f}, {:.0f}, {:.0f}) mm", moved.x(),
                                     moved.y(), moved.z()));
+  }
+  for (const SceneObject& object : scene.objects) {
+    if (object.solid && is_open(*object.solid)) {
+      sentences.push_back(object.name + " is not closed: only its surface counts");
+    }
   }
   if (asked.size() == 1) sentences.push_back("no tip but " + asked.front() + " has goals");
   for (const Phase& phase : movement.phases) {
@@ -183,12 +189,6 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
   const Scene around = timed(seconds, "scene", [&] {
     return scene_around(planner, demonstration, motion, plan.movement);
   });
-  for (const SceneObject& object : around.objects) {
-    if (object.shape == Shape::mesh) {
-      return fail(plan, "mesh",
-                  fmt::format("{} is a mesh, which has no distances yet", object.name));
-    }
-  }
   Vec3 offset = Vec3::Zero();
   if (config.map.free_offset.limit_m > 0) {
     offset = timed(seconds, "map",
@@ -229,7 +229,7 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
   finish(planner, world, plan, seconds);
   if (plan.executable()) {
     plan.grasp = find_grasp(robot, plan.scene, plan.movement, plan.trajectory);
-    plan.detail = warnings(robot, plan.goals, plan.movement, motion);
+    plan.detail = warnings(robot, plan.scene, plan.goals, plan.movement, motion);
   }
   return plan;
 }

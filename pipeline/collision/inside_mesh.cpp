@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "pipeline/collision/mesh_solid.hpp"
@@ -72,25 +71,10 @@ std::optional<bool> odd(const MeshSolid& mesh, const Vec3& point, const Vec3& di
   return false;
 }
 
-/// Solid angle of the triangle seen from the point, signed, over 4 pi (van Oosterom, Strackee).
-double winding(const MeshSolid::Triangle& t, const Vec3& point) {
-  const Vec3 a = t.a - point, b = t.b - point, c = t.c - point;
-  const double la = a.norm(), lb = b.norm(), lc = c.norm();
-  const double below = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
-  return std::atan2(a.dot(b.cross(c)), below) / (2 * std::numbers::pi);
-}
-
 }  // namespace
 
 bool inside(const MeshSolid& mesh, const Vec3& point) {
   if (mesh_distance_at_least(mesh, point) > 0) return false;
-  std::vector<double> turns(mesh.open.empty() ? 0 : mesh.closed.size(), 0.0);
-  for (const int k : mesh.open) {
-    const MeshSolid::Triangle& triangle = mesh.triangles[static_cast<std::size_t>(k)];
-    turns[static_cast<std::size_t>(triangle.part)] += winding(triangle, point);
-  }
-  if (std::ranges::any_of(turns, [](double w) { return std::abs(w) > 0.5; })) return true;
-  if (mesh.open.size() == mesh.triangles.size()) return false;
   for (const Vec3& direction : kDirections) {
     if (const std::optional<bool> found = odd(mesh, point, direction)) return *found;
   }

@@ -1,8 +1,9 @@
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <limits>
-#include <map>
 #include <numeric>
+#include <tuple>
 
 #include "pipeline/collision/mesh_solid.hpp"
 
@@ -16,18 +17,21 @@ using Corners = std::array<int, 3>;
 /// Triangles by corner, corners of one place being one; those with two corners in one place are
 /// lines between others' corners, or nothing.
 std::vector<Corners> welded(const SceneObject& mesh) {
-  std::map<std::array<double, 3>, int> places;
-  std::vector<int> place_of;
-  for (const Vec3& v : mesh.vertices) {
-    const int next = static_cast<int>(place_of.size());
-    place_of.push_back(
-        places.try_emplace({v.x() + 0.0, v.y() + 0.0, v.z() + 0.0}, next).first->second);
+  const auto at = [&](int k) -> const Vec3& { return mesh.vertices[static_cast<std::size_t>(k)]; };
+  const auto key = [&](int k) { return std::tuple(at(k).x(), at(k).y(), at(k).z()); };
+  std::vector<int> order(mesh.vertices.size()), place(mesh.vertices.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, key);
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const bool same = k > 0 && at(order[k]) == at(order[k - 1]);
+    place[static_cast<std::size_t>(order[k])] =
+        same ? place[static_cast<std::size_t>(order[k - 1])] : order[k];
   }
   std::vector<Corners> triangles;
   for (const Eigen::Vector3i& t : mesh.triangles) {
     Corners corners;
     for (std::size_t k = 0; k < 3; ++k) {
-      corners[k] = place_of[static_cast<std::size_t>(t[static_cast<int>(k)])];
+      corners[k] = place[static_cast<std::size_t>(t[static_cast<int>(k)])];
     }
     if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0]) {
       triangles.push_back(corners);
@@ -36,21 +40,23 @@ std::vector<Corners> welded(const SceneObject& mesh) {
   return triangles;
 }
 
+/// One triangle's side of an edge, lower corner first.
 struct Side {
-  int triangle;
-  bool forward;  ///< from the lower corner to the higher one
+  int low, high, triangle;
+  auto edge() const { return std::pair(low, high); }
 };
-using Edges = std::map<std::pair<int, int>, std::vector<Side>>;
 
-Edges edges_of(const std::vector<Corners>& triangles) {
-  Edges edges;
+/// Sorted by edge.
+std::vector<Side> sides_of(const std::vector<Corners>& triangles) {
+  std::vector<Side> sides;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const int from = triangles[t][k], to = triangles[t][(k + 1) % 3];
-      edges[std::minmax(from, to)].push_back({static_cast<int>(t), from < to});
+      const auto [low, high] = std::minmax(triangles[t][k], triangles[t][(k + 1) % 3]);
+      sides.push_back({low, high, static_cast<int>(t)});
     }
   }
-  return edges;
+  std::ranges::stable_sort(sides, {}, &Side::edge);
+  return sides;
 }
 
 int root_of(std::vector<int>& parent, int t) {
@@ -62,14 +68,13 @@ int root_of(std::vector<int>& parent, int t) {
 }
 
 /// The part of each triangle; parts are numbered by their first triangle.
-std::vector<int> parts_of(std::size_t triangles, const Edges& edges, int& count) {
+std::vector<int> parts_of(std::size_t triangles, const std::vector<Side>& sides, int& count) {
   std::vector<int> parent(triangles);
   std::iota(parent.begin(), parent.end(), 0);
-  for (const auto& [edge, sides] : edges) {
-    for (const Side& side : sides) {
-      const int a = root_of(parent, sides.front().triangle), b = root_of(parent, side.triangle);
-      parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-    }
+  for (std::size_t k = 1; k < sides.size(); ++k) {
+    if (sides[k].edge() != sides[k - 1].edge()) continue;
+    const int a = root_of(parent, sides[k - 1].triangle), b = root_of(parent, sides[k].triangle);
+    parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
   }
   std::vector<int> part(triangles);
   count = 0;
@@ -78,36 +83,6 @@ std::vector<int> parts_of(std::size_t triangles, const Edges& edges, int& count)
     part[t] = root == t ? count++ : part[root];
   }
   return part;
-}
-
-/// Turns neighbours across an edge of two triangles alike, from each part's first triangle on.
-void turn_alike(std::vector<Corners>& triangles, const Edges& edges) {
-  std::vector<std::vector<std::pair<int, bool>>> next(triangles.size());
-  for (const auto& [edge, sides] : edges) {
-    if (sides.size() != 2) continue;
-    const bool flip = sides[0].forward == sides[1].forward;
-    next[static_cast<std::size_t>(sides[0].triangle)].push_back({sides[1].triangle, flip});
-    next[static_cast<std::size_t>(sides[1].triangle)].push_back({sides[0].triangle, flip});
-  }
-  std::vector<int> turned(triangles.size(), -1), stack;  // -1: not reached
-  for (std::size_t first = 0; first < triangles.size(); ++first) {
-    if (turned[first] >= 0) continue;
-    turned[first] = 0;
-    stack.push_back(static_cast<int>(first));
-    while (!stack.empty()) {
-      const auto at = static_cast<std::size_t>(stack.back());
-      stack.pop_back();
-      for (const auto& [other, flip] : next[at]) {
-        int& state = turned[static_cast<std::size_t>(other)];
-        if (state >= 0) continue;
-        state = (turned[at] + (flip ? 1 : 0)) % 2;
-        stack.push_back(other);
-      }
-    }
-  }
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    if (turned[t] == 1) std::swap(triangles[t][1], triangles[t][2]);
-  }
 }
 
 Vec3 centre_of(const MeshSolid::Triangle& t) { return (t.a + t.b + t.c) / 3; }
@@ -159,17 +134,19 @@ std::string mesh_problem(const SceneObject& mesh) {
 
 MeshSolid make_mesh_solid(const SceneObject& mesh) {
   MeshSolid solid;
-  std::vector<Corners> triangles = welded(mesh);
-  const Edges edges = edges_of(triangles);
+  const std::vector<Corners> triangles = welded(mesh);
+  const std::vector<Side> sides = sides_of(triangles);
   int parts = 0;
-  const std::vector<int> part = parts_of(triangles.size(), edges, parts);
+  const std::vector<int> part = parts_of(triangles.size(), sides, parts);
   solid.closed.assign(static_cast<std::size_t>(parts), 1);
-  for (const auto& [edge, sides] : edges) {
-    if (sides.size() % 2 == 0) continue;
-    const auto leaky = static_cast<std::size_t>(sides.front().triangle);
-    solid.closed[static_cast<std::size_t>(part[leaky])] = 0;
+  for (auto side = sides.begin(); side != sides.end();) {
+    const auto next = std::upper_bound(
+        side, sides.end(), side->edge(),
+        [](const std::pair<int, int>& edge, const Side& other) { return edge < other.edge(); });
+    const auto leaky = static_cast<std::size_t>(side->triangle);
+    if ((next - side) % 2 == 1) solid.closed[static_cast<std::size_t>(part[leaky])] = 0;
+    side = next;
   }
-  turn_alike(triangles, edges);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const auto vertex = [&](std::size_t k) {
       return mesh.vertices[static_cast<std::size_t>(triangles[t][k])];
@@ -178,13 +155,10 @@ MeshSolid make_mesh_solid(const SceneObject& mesh) {
     for (std::size_t k = 0; k < 3; ++k) solid.radius = std::max(solid.radius, vertex(k).norm());
   }
   build(solid, 0, static_cast<int>(solid.triangles.size()));
-  for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
-    if (!solid.closed[static_cast<std::size_t>(solid.triangles[t].part)]) {
-      solid.open.push_back(static_cast<int>(t));
-    }
-  }
   return solid;
 }
+
+bool is_open(const MeshSolid& mesh) { return !std::ranges::all_of(mesh.closed, std::identity()); }
 
 void prepare_meshes(Scene& scene) {
   for (SceneObject& object : scene.objects) {

@@ -8,11 +8,15 @@
 #include <assimp/Importer.hpp>
 #include <cctype>
 
+#include "pipeline/collision/close_holes.hpp"
 #include "pipeline/collision/convex_hull.hpp"
 #include "pipeline/collision/mesh_solid.hpp"
 
 namespace morphe {
 namespace {
+
+/// No finger of a robot fits through.
+constexpr double kWidestHole_m = 0.01;
 
 std::string lower_extension(const std::filesystem::path& file) {
   std::string text = file.extension().string();
@@ -54,7 +58,14 @@ std::string load_mesh(const std::filesystem::path& file, double scale, bool hull
   for (unsigned k = 0; k < scene->mNumMeshes; ++k) take(*scene->mMeshes[k], scale, mesh);
   std::string problem = mesh_problem(mesh);
   if (problem.empty() && hull && !take_hull(mesh)) problem = "it is flat: it has no hull";
-  return problem.empty() ? "" : file.string() + ": " + problem;
+  if (problem.empty()) {
+    weld(mesh);
+    close_holes(mesh, kWidestHole_m);
+    if (mesh.triangles.empty()) problem = "it is smaller than a micrometre";
+  }
+  if (!problem.empty()) return file.string() + ": " + problem;
+  mesh.solid = std::make_shared<const MeshSolid>(make_mesh_solid(mesh));
+  return "";
 }
 
 }  // namespace morphe

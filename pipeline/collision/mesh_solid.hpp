@@ -7,12 +7,11 @@
 
 namespace morphe {
 
-/// A triangle mesh made ready for distances, in its object's frame. What encloses is solid: a point
-/// is inside if a closed part of the mesh (parts hang together by edges; closed: every edge has an
-/// even number of triangles) has it on its inner side, however its triangles are turned, cavities
-/// included: no arm gets into one but through a wall. A part with holes is a sheet without
-/// thickness, and besides solid where its winding number is above 1/2: inside a mesh that an export
-/// left leaky, or deep in an open bowl. So nothing hollow is ever taken for free.
+/// A triangle mesh made ready for distances, in its object's frame. Triangles hang together in
+/// parts by the edges they share. A part is closed if every edge has an even number of triangles;
+/// what it encloses is solid, however its triangles are turned, cavities included: no arm gets into
+/// one but through a wall. Any other part is a sheet without thickness: load_mesh() puts lids on
+/// holes that nothing fits through, so that what is open was meant to be.
 struct MeshSolid {
   struct Triangle {
     Vec3 a, b, c;
@@ -26,7 +25,6 @@ struct MeshSolid {
   std::vector<Triangle> triangles;  ///< sorted by leaf
   std::vector<Node> nodes;          ///< the first is the root; none: no triangles
   std::vector<char> closed;         ///< by part
-  std::vector<int> open;            ///< triangles of open parts, turned alike where they can be
   double radius = 0;                ///< about the frame's origin [m]
 };
 
@@ -40,6 +38,9 @@ MeshSolid make_mesh_solid(const SceneObject& mesh);
 /// Gives every mesh of the scene that lacks it its MeshSolid; one with a problem keeps none, and
 /// counts as a ball that collides with everything.
 void prepare_meshes(Scene& scene);
+
+/// True if a part of the mesh is a sheet.
+bool is_open(const MeshSolid& mesh);
 
 bool inside(const MeshSolid& mesh, const Vec3& point);
 

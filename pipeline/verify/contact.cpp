@@ -5,6 +5,7 @@
 
 #include "pipeline/verify/carried.hpp"
 #include "pipeline/verify/frame_poses.hpp"
+#include "pipeline/verify/mesh.hpp"
 #include "pipeline/verify/separation.hpp"
 
 namespace morphe::judge {
@@ -60,7 +61,10 @@ class ContactJudge {
       : robot_(robot), plan_(plan), curve_(curve), runs_(runs) {
     pairs_ = contact_pairs(robot, plan);
     window_ = touch_window(plan.movement.phases);
-    for (const SceneObject& object : plan.scene.objects) travels_.push_back(object_travel(object));
+    for (const SceneObject& object : plan.scene.objects) {
+      travels_.push_back(object_travel(object));
+      meshes_.push_back(object.shape == Shape::mesh ? make_mesh(object) : Mesh());
+    }
     carried_ = carried_target(robot, plan, *curve.trajectory);
     if (carried_.object < 0) return;
     const SceneObject& target = plan.scene.objects[static_cast<std::size_t>(carried_.object)];
@@ -216,9 +220,11 @@ class ContactJudge {
     const auto other = static_cast<std::size_t>(pair.other);
     if (pair.object) {
       const Pose& object_from_base = now_.object_from_base[other];
-      return segment_solid_distance(plan_.scene.objects[other],
-                                    {object_from_base * axis.from, object_from_base * axis.to},
-                                    enough + pair.radii) -
+      const Segment in_object{object_from_base * axis.from, object_from_base * axis.to};
+      const SceneObject& object = plan_.scene.objects[other];
+      const double reach = enough + pair.radii;
+      return (object.shape == Shape::mesh ? segment_mesh_distance(meshes_[other], in_object, reach)
+                                          : segment_solid_distance(object, in_object, reach)) -
              pair.radii;
     }
     const Segment& second = now_.axes[other];
@@ -245,6 +251,7 @@ class ContactJudge {
   std::vector<ContactPair> pairs_;
   TouchWindow window_;
   std::vector<ObjectTravel> travels_;
+  std::vector<Mesh> meshes_;  ///< [objects] empty where the object is none
   Carried carried_;
   std::vector<JointVector> in_hand_lever_;  ///< [capsules] relative to the carried target
   Snapshot now_;

@@ -97,7 +97,22 @@ double segment_solid_distance(const SceneObject& solid, const Segment& segment, 
 
 bool can_judge(const SceneObject& solid) {
   constexpr std::size_t kSizes[] = {1, 3, 2, 2};
-  if (solid.shape == Shape::mesh) return false;
+  if (solid.shape == Shape::mesh) {
+    const int vertices = static_cast<int>(solid.vertices.size());
+    const auto exists = [&](const Eigen::Vector3i& t) {
+      return t.minCoeff() >= 0 && t.maxCoeff() < vertices;
+    };
+    const auto corner = [&](const Eigen::Vector3i& t, int k) -> const Vec3& {
+      return solid.vertices[static_cast<std::size_t>(t[k])];
+    };
+    const auto wide = [&](const Eigen::Vector3i& t) {
+      return corner(t, 0) != corner(t, 1) && corner(t, 1) != corner(t, 2) &&
+             corner(t, 2) != corner(t, 0);
+    };
+    return std::ranges::all_of(solid.vertices, [](const Vec3& v) { return v.allFinite(); }) &&
+           std::ranges::all_of(solid.triangles, exists) &&
+           std::ranges::any_of(solid.triangles, wide);
+  }
   return solid.size.size() == kSizes[static_cast<std::size_t>(solid.shape)] &&
          std::all_of(solid.size.begin(), solid.size.end(), [](double x) { return x > 0; });
 }
@@ -116,7 +131,9 @@ double bounding_radius(const SceneObject& solid) {
     case Shape::mesh:
       break;
   }
-  return std::numeric_limits<double>::quiet_NaN();
+  double radius = 0;
+  for (const Vec3& vertex : solid.vertices) radius = std::max(radius, vertex.norm());
+  return radius;
 }
 
 }  // namespace morphe::judge

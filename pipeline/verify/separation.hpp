@@ -22,7 +22,8 @@ double signed_distance(const SceneObject& solid, const Vec3& point);
 /// least `enough` is returned without a search when nothing smaller can come out.
 double segment_solid_distance(const SceneObject& solid, const Segment& segment, double enough);
 
-/// True if the shape is one of the four and has the sizes that it needs, all positive.
+/// True if the shape has the sizes that it needs, all positive; a mesh: a triangle, and corners
+/// that exist and are numbers.
 bool can_judge(const SceneObject& solid);
 
 /// Greatest distance of a point of the solid from its centre [m].

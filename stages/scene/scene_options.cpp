@@ -18,6 +18,18 @@ void fields(Fields& f, SceneFile& o) {
   f.required("objects", o.objects);
 }
 
+/// No mesh is this long but one in mm.
+constexpr double kLargest_m = 20;
+
+double extent(const SceneObject& mesh) {
+  Vec3 low = mesh.vertices.front(), high = low;
+  for (const Vec3& vertex : mesh.vertices) {
+    low = low.cwiseMin(vertex);
+    high = high.cwiseMax(vertex);
+  }
+  return (high - low).maxCoeff();
+}
+
 void load_meshes(const ConfigNode& list, std::vector<ConfiguredObject>& objects) {
   const std::vector<ConfigNode> nodes = list.items();
   for (std::size_t k = 0; k < objects.size(); ++k) {
@@ -26,6 +38,12 @@ void load_meshes(const ConfigNode& list, std::vector<ConfiguredObject>& objects)
     const std::string wrong = load_mesh(file.folder() / objects[k].file, objects[k].scale,
                                         objects[k].shape == "convex", objects[k].mesh);
     if (!wrong.empty()) file.fail(wrong);
+    const double extent_m = extent(objects[k].mesh);
+    if (extent_m > kLargest_m && !nodes[k].has("scale")) {
+      file.fail(fmt::format(
+          "{} is {:.4g} m long: say scale: 0.001 if its numbers are mm, scale: 1 if they are m",
+          objects[k].file, extent_m));
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 """`check.engine: fcl` runs every check through FCL alone: on all shipped demonstrations that can be
 planned it must say what the closed forms say."""
 import unittest
+from pathlib import Path
 
 import h5py
 
@@ -55,8 +56,19 @@ class Engines(CommandCase):
     def test_with_an_obstacle(self):
         self.assertGreater(self.check("pa10_dlr_hit2_obstacle.yaml"), 0)
 
+    def test_with_a_mesh(self):
+        self.assertGreater(self.check("pa10_dlr_hit2_shelf.yaml"), 0)
+
     def test_adroit(self):
         self.check("pa10_dlr_hit2_adroit.yaml")
+
+    def test_a_hand_alone(self):
+        self.check("dlr_hit2_keypoints.yaml")
+
+    def test_none_is_left_out(self):
+        tested = Path(__file__).read_text()
+        for pipeline in (SOURCE / "configs/pipelines").glob("*.yaml"):
+            self.assertIn(f'"{pipeline.name}"', tested)
 
 
 if __name__ == "__main__":

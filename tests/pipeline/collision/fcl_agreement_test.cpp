@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "pipeline/collision/fcl_engine.hpp"
+#include "tests/pipeline/collision/meshes.hpp"
 #include "tests/pipeline/collision/random_bodies.hpp"
 
 namespace morphe {
@@ -106,6 +107,37 @@ TEST_P(FclAgreement, VerdictOnObjectsWithMarginAndWithContact) {
 
 INSTANTIATE_TEST_SUITE_P(Shapes, FclAgreement, testing::ValuesIn(kSolids),
                          [](const auto& shape) { return shape_name(shape.param); });
+
+/// Closed and not convex, closed and cut open: FCL's hollow meshes with our word on what is inside.
+TEST(FclAgreementOfMeshes, VerdictWithMarginAndWithContact) {
+  RandomBodies random(24);
+  CollisionScratch scratch;
+  const JointVector q(0);
+  int colliding = 0, sinking = 0;
+  for (int k = 0; k < 3000; ++k) {
+    Pair pair;
+    SceneObject mesh = k % 3 == 0   ? torus_mesh(0.15, 0.06, 12, 8)
+                       : k % 3 == 1 ? box_mesh(Vec3(0.1, 0.2, 0.3))
+                                    : box_mesh(Vec3(0.2, 0.2, 0.2), 5);
+    mesh.name = "cup";
+    mesh.position = {random.point(0.2)};
+    mesh.orientation = {Quat(random.pose(0).linear())};
+    pair.scene.objects = {mesh};
+    pair.add(random.capsule(0.2), true);
+    const double depth_m = random.between(0, 0.04);
+    const CollisionWorld& world = pair.make(random.between(0, 0.01), depth_m);
+    for (const double time_s : {0.5, 1.5}) {
+      const PairSeparation least = least_slack(world, q, time_s, scratch);
+      if (std::abs(least.slack()) < 2e-5) continue;
+      EXPECT_EQ(FclEngine(world).free(q, time_s, scratch), least.slack() >= 0)
+          << k << " slack " << least.slack();
+      colliding += least.slack() < 0;
+      sinking += least.slack() >= 0 && least.separation.distance < 0;
+    }
+  }
+  EXPECT_GT(colliding, 500);
+  EXPECT_GT(sinking, 50);
+}
 
 TEST(FclAgreementOfCapsules, Verdict) {
   RandomBodies random(23);

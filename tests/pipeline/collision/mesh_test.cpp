@@ -103,8 +103,8 @@ TEST(Mesh, PointsInTheAxesOfSymmetryAreToldToo) {
   }
 }
 
-/// The hand in the middle of something hollow is never free.
-TEST(Mesh, NothingHollowIsFree) {
+/// The hand in the middle of something closed is never free, however it is made.
+TEST(Mesh, NothingClosedIsHollow) {
   const CapsuleBody hand{{-0.02, 0, 0}, {0.02, 0, 0}, 0.01};
   const auto free = [&](const SceneObject& mesh) {
     return capsule_solid(hand, mesh, Pose::Identity()).distance > 0;
@@ -126,14 +126,6 @@ TEST(Mesh, NothingHollowIsFree) {
     append(thick, box_mesh(Vec3::Constant(0.3)), Vec3::Zero(), inwards);
     EXPECT_FALSE(free(thick));
   }
-  // A triangle is missing; a wall is missing, and some triangles are turned.
-  SceneObject leaky = closed;
-  leaky.triangles.pop_back();
-  EXPECT_FALSE(free(mesh_object(leaky.vertices, leaky.triangles)));
-  SceneObject bowl = box_mesh(Vec3::Constant(0.4), 5);
-  EXPECT_FALSE(free(bowl));
-  std::swap(bowl.triangles[3][0], bowl.triangles[3][1]);
-  EXPECT_FALSE(free(mesh_object(bowl.vertices, bowl.triangles)));
   // Corners that are written out for every triangle, as STL does.
   SceneObject loose = closed;
   loose.vertices.clear();
@@ -144,12 +136,30 @@ TEST(Mesh, NothingHollowIsFree) {
     }
   }
   EXPECT_FALSE(free(mesh_object(loose.vertices, loose.triangles)));
-  EXPECT_FALSE(free(box_mesh(Vec3(0.4, 0.4, 1e-3), 1)));  // one sheet, across the hand
+  EXPECT_FALSE(is_open(*closed.solid));
   // Between two boxes of one mesh there is room.
   SceneObject two = box_mesh(Vec3::Constant(0.1));
   for (Vec3& vertex : two.vertices) vertex.y() += 0.2;
   append(two, box_mesh(Vec3::Constant(0.1)), Vec3(0, -0.2, 0), false);
   EXPECT_TRUE(free(two));
+}
+
+/// The hand reaches into a bowl until it meets a wall.
+TEST(Mesh, OpenOnesAreSheets) {
+  const auto distance = [](const SceneObject& mesh, double z) {
+    return capsule_solid({{-0.02, 0, z}, {0.02, 0, z}, 0.01}, mesh, Pose::Identity()).distance;
+  };
+  const SceneObject bowl = box_mesh(Vec3::Constant(0.4), 5);  // open above
+  ASSERT_TRUE(is_open(*bowl.solid));
+  EXPECT_NEAR(distance(bowl, 0.1), 0.2 - 0.02 - 0.01, 1e-12);
+  EXPECT_NEAR(distance(bowl, -0.195), -0.005, 1e-12);
+  EXPECT_NEAR(distance(bowl, -0.2), -0.01, 1.1e-5);
+  EXPECT_NEAR(distance(bowl, -0.205), -0.005, 1e-12);
+  // A closed part of the same mesh stays solid.
+  SceneObject both = bowl;
+  append(both, box_mesh(Vec3::Constant(0.1)), Vec3::Zero(), false);
+  EXPECT_LT(distance(both, 0), -0.04);
+  EXPECT_TRUE(is_open(*both.solid));
 }
 
 TEST(Mesh, BrokenOnesAreNamedAndCollide) {

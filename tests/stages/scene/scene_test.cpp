@@ -2,6 +2,7 @@
 
 #include <fstream>
 
+#include "pipeline/collision/mesh_solid.hpp"
 #include "pipeline/config/fields.hpp"
 #include "stages/scene/build_scene.hpp"
 
@@ -326,11 +327,38 @@ TEST_F(MeshFiles, BrokenOnesAreNamedWithFileAndKey) {
   for (const std::string& wrong :
        {error("empty.stl", ""), error("noise.stl", "solid x\nfacet nor"), error("empty.obj", ""),
         error("points.obj", "v 0 0 0\nv 1 0 0\n"), error("cut.stl", std::string(83, '\x01')),
+        error("short.stl",
+              std::string(80, 'x') + std::string("\x0c\0\0\0", 4) + std::string(5 * 50, '\0')),
+        error("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 1 2\nf 3 3 3\n"),
+        error("dot.obj", "v 0 0 0\nv 1e-7 0 0\nv 0 1e-7 0\nf 1 2 3\n"),
         error("index.obj", "v 0 0 0\nf 1 2 3\n"),
         error("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")}) {
     EXPECT_THAT(wrong, testing::StartsWith("c.yaml:6: objects[0].file: "));
     EXPECT_THAT(wrong, HasSubstr(folder_.string()));
   }
+}
+
+TEST_F(MeshFiles, MillimetresTakenForMetresAreNoticed) {
+  const std::string file = write("pyramid.obj", kPyramid);  // 100 wide
+  const std::string unscaled =
+      "objects: [{name: a, shape: mesh, position: [0, 0, 0], file: " + file;
+  EXPECT_THAT(error_of(unscaled + "}]\n"),
+              testing::AllOf(testing::StartsWith("c.yaml:1: objects[0].file: "),
+                             HasSubstr("100 m long: say scale: 0.001")));
+  EXPECT_EQ(error_of(unscaled + ", scale: 1}]\n"), "");
+  EXPECT_EQ(error_of(unscaled + ", scale: 0.01}]\n"), "");
+}
+
+/// What a file leaves out where nothing fits through is closed, a wide opening is not.
+TEST_F(MeshFiles, SmallHolesAreClosed) {
+  const auto read_open = [&](const std::string& name, const std::string& text) {
+    return is_open(*read(object_of("mesh", write(name, text))).objects[0].mesh.solid);
+  };
+  EXPECT_FALSE(read_open("whole.obj", kPyramid));
+  EXPECT_TRUE(read_open("side.obj", kPyramid.substr(0, kPyramid.size() - 8)));
+  // A triangle of a side 100 mm wide is split off, 3 mm wide, and missing.
+  const std::string slit = kPyramid.substr(0, kPyramid.size() - 8) + "v 0 97 0\nf 6 1 5\n";
+  EXPECT_FALSE(read_open("slit.obj", slit));
 }
 
 TEST_F(MeshFiles, APlanningSceneOfMoveItIsASceneFile) {
