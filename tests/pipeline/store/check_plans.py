@@ -59,7 +59,8 @@ PLAN_ATTRIBUTES = ["status", "reason", "detail", "subject", "task", "hand", "sta
 CERTIFICATE = ["position_margin", "velocity_ratio", "acceleration_ratio", "jerk_ratio", "clearance",
                "position_error_max", "position_error_mean", "position_error_grasp",
                "orientation_error_max", "upper_arm_error_mean", "upper_arm_error_max", "natural_posture_error", "tempo",
-               "humanlikeness_mapped", "humanlikeness_final", "repaired"]
+               "humanlikeness_mapped", "humanlikeness_final", "sparc_robot", "sparc_human",
+               "log_dimensionless_jerk_robot", "log_dimensionless_jerk_human", "repaired"]
 
 with h5py.File(sys.argv[1]) as file:
     attributes(file, ["format", "version", "config", "config_sha256", "dataset_sha256", "software",

@@ -97,6 +97,10 @@ void expect_same(const Certificate& a, const Certificate& b) {
   EXPECT_SAME(tempo);
   EXPECT_SAME(humanlikeness_mapped);
   EXPECT_SAME(humanlikeness_final);
+  EXPECT_SAME(sparc_robot);
+  EXPECT_SAME(sparc_human);
+  EXPECT_SAME(log_dimensionless_jerk_robot);
+  EXPECT_SAME(log_dimensionless_jerk_human);
   EXPECT_SAME(repaired);
 }
 
