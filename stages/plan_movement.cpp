@@ -14,6 +14,7 @@
 #include "stages/place_movement.hpp"
 #include "stages/reconstruct/hand_frame.hpp"
 #include "stages/reconstruct/mirror.hpp"
+#include "stages/repair_movement.hpp"
 
 namespace morphe {
 namespace {
@@ -100,47 +101,6 @@ std::string warnings(const RobotTable& robot, const Scene& scene, const Goals& g
   return joined(sentences);
 }
 
-/// How bad findings are: contacts count before everything else.
-std::pair<double, double> badness(const std::vector<Finding>& findings) {
-  std::pair<double, double> sum{0, 0};
-  for (const Finding& finding : findings) {
-    const bool contact =
-        finding.cause == "self" || finding.cause == "object" || finding.cause == "table";
-    (contact ? sum.first : sum.second) += finding.depth;
-  }
-  return sum;
-}
-
-/// The least change of the mapping first: the path itself re-solved against the whole scene, the
-/// clearance term made firmer until tips give way to it; then the other courses that the mapping
-/// kept. The first without findings, or the one with the least of them.
-JointPath resolve_with_candidates(const MappingProblem& problem, const MapResult& mapped,
-                                  const JointPath& path, const std::vector<Finding>& findings,
-                                  const MapOptions& options, const Recheck& recheck) {
-  JointPath best = path;
-  std::pair<double, double> least = badness(findings);
-  const std::pair<double, double> none{0, 0};
-  const auto attempt = [&](const JointPath& from, const std::vector<Finding>& found,
-                           double firmness) {
-    JointPath changed = resolve_path(problem, from, found, options, firmness);
-    const std::pair<double, double> left = badness(recheck(changed));
-    if (left >= least) return;
-    least = left;
-    best = std::move(changed);
-  };
-  for (const double firmness : {10.0, 100.0, 1000.0}) {
-    if (least > none) attempt(path, findings, firmness);
-  }
-  for (const JointRows& candidate : mapped.candidates) {
-    if (least == none) break;
-    JointPath other = path;
-    other.position = candidate;
-    std::fill(other.origin.begin(), other.origin.end(), Origin::resolved);
-    attempt(other, recheck(other), 100.0);
-  }
-  return best;
-}
-
 /// Time law and certificate. Smoothing that makes a path collide is taken back before giving up.
 void finish(const Planner& planner, const CollisionWorld& world, Plan& plan,
             StageSeconds& seconds) {
@@ -208,19 +168,12 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
   plan.path = mapped.path;
   plan.certificate.natural_posture_error = mapped.posture_error_rad;
 
-  const Recheck recheck = [&](const JointPath& path) {
-    return check_path(world, plan.goals, plan.movement, path, config.check);
-  };
-  plan.findings = timed(seconds, "check", [&] { return recheck(plan.path); });
+  plan.findings = timed(seconds, "check", [&] {
+    return check_path(world, plan.goals, plan.movement, plan.path, config.check);
+  });
   if (!plan.findings.empty()) {
-    MappingProblem whole = placed.problem;
-    whole.world = &world;
-    const Resolve resolve = [&](const JointPath& path, const std::vector<Finding>& findings) {
-      return resolve_with_candidates(whole, mapped, path, findings, config.map, recheck);
-    };
     const RepairResult repaired = timed(seconds, "repair", [&] {
-      return repair_path(world, planner.capsule_reach, plan.path, plan.findings, resolve, recheck,
-                         config.repair, seed);
+      return repair_movement(planner, placed, world, plan, mapped, seed);
     });
     plan.path = repaired.path;
     plan.certificate.repaired = repaired.repaired;

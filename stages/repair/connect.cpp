@@ -6,6 +6,7 @@
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/base/terminationconditions/IterationTerminationCondition.h>
 #include <ompl/datastructures/NearestNeighborsLinear.h>
+#include <ompl/datastructures/NearestNeighborsSqrtApprox.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/Console.h>
@@ -18,6 +19,8 @@ namespace {
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
+constexpr int kSmallTree = 20000;  ///< iterations
+
 using RealVector = ob::RealVectorStateSpace::StateType;
 
 /// Between joint positions and the planner's coordinates: the free joints in shares of their span,
@@ -167,7 +170,12 @@ std::vector<JointVector> connect(const IntervalWorld& interval, const JointRows&
 
   SeededConnect planner(information, low_bits + 2);
   planner.setRange(range);
-  planner.setNearestNeighbors<ompl::NearestNeighborsLinear>();  // the default draws numbers too
+  // The default draws random numbers too; looking at all nodes takes too long in large trees.
+  if (iterations <= kSmallTree) {
+    planner.setNearestNeighbors<ompl::NearestNeighborsLinear>();
+  } else {
+    planner.setNearestNeighbors<ompl::NearestNeighborsSqrtApprox>();
+  }
   planner.setProblemDefinition(problem);
   planner.setup();
   ob::IterationTerminationCondition limit(static_cast<unsigned int>(iterations));

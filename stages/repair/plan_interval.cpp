@@ -76,12 +76,13 @@ bool plan_interval(const Interval& interval, const JointRows& reach, const Repai
   const JointRows original = path.position.middleRows(interval.first, count);
   const JointVector from = original.row(0), to = original.row(count - 1);
 
-  ConnectSpace space = space_around(robot, original, kBox[std::min(attempt, 2)]);
+  const bool plain = options.method == "rrt_connect";
+  ConnectSpace space = space_around(robot, original, plain ? 1 : kBox[std::min(attempt, 2)]);
   std::vector<int> all(robot.joints());
   std::iota(all.begin(), all.end(), 0);
   std::vector<JointVector> vertices;
   space.joints = arm_joints(robot);
-  if (!space.joints.empty() && space.joints.size() < all.size())
+  if (!plain && !space.joints.empty() && space.joints.size() < all.size())
     vertices =
         connect(interval.within, reach, space, from, to, options.iterations, options.range, seed);
   if (vertices.empty()) {
@@ -97,8 +98,10 @@ bool plan_interval(const Interval& interval, const JointRows& reach, const Repai
   JointRows planned = spread(robot, vertices, count);
   if (planned.rows() == 0) return false;
   const auto begin = path.demonstration_time.begin() + interval.first;
-  draw_in(interval.timed, reach, {begin, begin + count}, original, options.draw_attempts, random,
-          planned);
+  if (!plain) {
+    draw_in(interval.timed, reach, {begin, begin + count}, original, options.draw_attempts, random,
+            planned);
+  }
   for (int k = 1; k + 1 < count; ++k) {
     if (planned.row(k) == original.row(k)) continue;
     path.position.row(interval.first + k) = planned.row(k);

@@ -85,10 +85,10 @@ bool plan_around(const CollisionWorld& world, const JointRows& reach, const Repa
 }
 
 /// Takes what `resolve` gives if it leaves less to repair.
-void try_resolve(const Resolve& resolve, const Recheck& recheck, Judged& judged) {
-  if (!resolve || judged.findings.empty()) return;
-  Judged candidate{resolve(judged.path, judged.findings), {}};
-  candidate.findings = recheck(candidate.path);
+void try_resolve(const RepairSteps& steps, Judged& judged) {
+  if (!steps.resolve || judged.findings.empty()) return;
+  Judged candidate{steps.resolve(judged.path, judged.findings), {}};
+  candidate.findings = steps.recheck(candidate.path);
   if (less(candidate.findings, judged.findings)) judged = std::move(candidate);
 }
 
@@ -107,6 +107,30 @@ std::string end_in_collision(const CollisionWorld& world, const JointPath& path,
     return row == 0 ? "start_in_collision" : "goal_in_collision";
   }
   return "";
+}
+
+/// Plans around the collisions that are left, more widely in each attempt. A path that collides at
+/// one of its ends is left as it is, with the reason.
+void detour(const CollisionWorld& around, const JointRows& reach, const RepairSteps& steps,
+            const RepairOptions& options, std::uint64_t seed, Judged& best, RepairResult& result) {
+  if (!collides(best.findings)) return;
+  CollisionWorld world = around;  // what the hand carries moves as this path takes it
+  carry_target(best.path.demonstration_time, best.path.position, world);
+  result.reason = end_in_collision(world, best.path, result.detail);
+  if (!result.reason.empty()) return;
+  const Judged base = best;
+  for (int attempt = 0; attempt < options.attempts && !best.findings.empty(); ++attempt) {
+    // A detour that is free but worse in other ways is planned again from where it began.
+    Judged candidate = collides(best.findings) ? best : base;
+    if (!plan_around(world, reach, options, attempt, seed, candidate)) continue;
+    candidate.findings = steps.recheck(candidate.path);
+    // A detour costs tracking; the mapping may win it back from where the detour leads.
+    const std::vector<Origin> origin = candidate.path.origin;
+    try_resolve(steps, candidate);
+    for (std::size_t k = 0; k < origin.size(); ++k)
+      if (origin[k] == Origin::planned) candidate.path.origin[k] = Origin::planned;
+    if (less(candidate.findings, best.findings)) best = std::move(candidate);
+  }
 }
 
 /// The reason and detail of what is left.
@@ -132,6 +156,8 @@ void conclude(const RepairOptions& options, RepairResult& result) {
 }  // namespace
 
 std::string check(const RepairOptions& options) {
+  if (options.method != "humanlike" && options.method != "rrt_connect")
+    return "method must be humanlike or rrt_connect";
   if (options.attempts < 0) return "attempts must not be negative";
   if (options.iterations < 1) return "iterations must be at least 1";
   if (options.widen_samples < 1) return "widen_samples must be at least 1";
@@ -143,30 +169,28 @@ std::string check(const RepairOptions& options) {
 }
 
 RepairResult repair_path(const CollisionWorld& around, const JointRows& reach, JointPath path,
-                         std::vector<Finding> findings, const Resolve& resolve,
-                         const Recheck& recheck, const RepairOptions& options, std::uint64_t seed) {
+                         std::vector<Finding> findings, const RepairSteps& given,
+                         const RepairOptions& options, std::uint64_t seed) {
+  RepairSteps steps = given;
+  if (options.method == "rrt_connect") steps.resolve = nullptr, steps.new_course = nullptr;
   RepairResult result;
   const bool clean = findings.empty() || path.position.rows() == 0;
-  Judged base{std::move(path), std::move(findings)};
-  if (!clean) try_resolve(resolve, recheck, base);
-
-  CollisionWorld world = around;  // what the hand carries moves as this path takes it
-  carry_target(base.path.demonstration_time, base.path.position, world);
-  Judged best = base;
-  if (collides(base.findings)) result.reason = end_in_collision(world, base.path, result.detail);
-  if (result.reason.empty() && collides(base.findings)) {
-    for (int attempt = 0; attempt < options.attempts && !best.findings.empty(); ++attempt) {
-      // A detour that is free but worse in other ways is planned again from where it began.
-      Judged candidate = collides(best.findings) ? best : base;
-      if (!plan_around(world, reach, options, attempt, seed, candidate)) continue;
-      candidate.findings = recheck(candidate.path);
-      // A detour costs tracking; the mapping may win it back from where the detour leads.
-      const std::vector<Origin> origin = candidate.path.origin;
-      try_resolve(resolve, recheck, candidate);
-      for (std::size_t k = 0; k < origin.size(); ++k)
-        if (origin[k] == Origin::planned) candidate.path.origin[k] = Origin::planned;
-      if (less(candidate.findings, best.findings)) best = std::move(candidate);
-    }
+  Judged best{std::move(path), std::move(findings)};
+  if (!clean) {
+    try_resolve(steps, best);
+    detour(around, reach, steps, options, seed, best, result);
+  }
+  while (!best.findings.empty() && steps.new_course) {
+    std::optional<JointPath> course = steps.new_course();
+    if (!course) break;
+    Judged other{std::move(*course), {}};
+    other.findings = steps.recheck(other.path);
+    try_resolve(steps, other);
+    RepairResult of_other;
+    detour(around, reach, steps, options, seed, other, of_other);
+    if (!less(other.findings, best.findings)) continue;
+    best = std::move(other);
+    result = of_other;
   }
   result.path = std::move(best.path);
   result.remaining = std::move(best.findings);

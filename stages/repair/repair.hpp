@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,16 +12,18 @@
 namespace morphe {
 
 struct RepairOptions {
-  int attempts = 3;                ///< times the planner is tried, each wider than the last
-  int iterations = 3000;           ///< of the planner in one attempt at one interval
-  int widen_samples = 20;          ///< added on each side of a finding, once more each attempt
-  double range = 0.1;              ///< longest step of the planner, in shares of a joint's span
-  int shortcut_attempts = 100;     ///< straight lines tried through a planned interval
-  int draw_attempts = 200;         ///< windows of it drawn back to the original path
-  double extra_clearance = 0.005;  ///< planned with this much more than the margin [m]
+  std::string method = "humanlike";  ///< or a baseline, rrt_connect: all joints and shortcuts alone
+  int attempts = 3;                  ///< times the planner is tried, each wider than the last
+  int iterations = 3000;             ///< of the planner in one attempt at one interval
+  int widen_samples = 20;            ///< added on each side of a finding, once more each attempt
+  double range = 0.1;                ///< longest step of the planner, in shares of a joint's span
+  int shortcut_attempts = 100;       ///< straight lines tried through a planned interval
+  int draw_attempts = 200;           ///< windows of it drawn back to the original path
+  double extra_clearance = 0.005;    ///< planned with this much more than the margin [m]
 };
 template <class Fields>
 void fields(Fields& f, RepairOptions& o) {
+  f("method", o.method);
   f("attempts", o.attempts);
   f("iterations", o.iterations);
   f("widen_samples", o.widen_samples);
@@ -40,23 +43,29 @@ struct RepairResult {
   std::vector<Finding> remaining;  ///< what the last check of `path` still found
 };
 
-/// Solves the mapping again near the findings, with a clearance term; the changed samples carry
-/// Origin::resolved. May be empty.
-using Resolve =
-    std::function<JointPath(const JointPath& path, const std::vector<Finding>& findings)>;
-/// The judge: all findings of a path.
-using Recheck = std::function<std::vector<Finding>(const JointPath& path)>;
+/// What repair asks of the mapping and of the judge; the first and the last may be empty.
+struct RepairSteps {
+  /// Solves the mapping again near the findings, with a clearance term; the changed samples carry
+  /// Origin::resolved.
+  std::function<JointPath(const JointPath& path, const std::vector<Finding>& findings)> resolve;
+  /// The judge: all findings of a path.
+  std::function<std::vector<Finding>(const JointPath& path)> recheck;
+  /// Another course through the whole movement, searched with the whole scene in sight: other ways
+  /// to hold the same goals (a goal set), for a path whose end is bad or that leads nowhere. The
+  /// most humanlike first; none: there is no other.
+  std::function<std::optional<JointPath>()> new_course;
+};
 
 /// The smallest change that makes a path free, the least first: (1) what `resolve` gives; (2)
 /// around each collision that is left, an RRT-Connect between the nearest free samples with
 /// certified edges, the arm first and the fingers in proportion, then all joints; shortened, spread
 /// over the interval's samples and drawn back to the original path as far as it stays free; what
-/// that costs in tracking goes to `resolve` once more. A step is kept if `recheck` finds less than
-/// before. Samples outside the intervals keep their bits; those that went through the planner are
-/// Origin::planned. `reach` is capsule_reach(); `findings` are those of `path`. Depends on its
-/// arguments alone.
+/// that costs in tracking goes to `resolve` once more; (3) both again from each `new_course`. A
+/// step is kept if `recheck` finds less than before. Samples outside the intervals keep their bits
+/// in (1) and (2); those that went through the planner are Origin::planned. `reach` is
+/// capsule_reach(); `findings` are those of `path`. Depends on its arguments alone.
 RepairResult repair_path(const CollisionWorld& world, const JointRows& reach, JointPath path,
-                         std::vector<Finding> findings, const Resolve& resolve,
-                         const Recheck& recheck, const RepairOptions& options, std::uint64_t seed);
+                         std::vector<Finding> findings, const RepairSteps& steps,
+                         const RepairOptions& options, std::uint64_t seed);
 
 }  // namespace morphe

@@ -4,20 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/config/fields.hpp"
+#include "stages/study/variant.hpp"
 
 namespace morphe {
-
-/// A pipeline config with settings "a.b=value".
-struct MappingVariant {
-  std::string name;
-  std::vector<std::string> set;
-};
-template <class Fields>
-void fields(Fields& f, MappingVariant& o) {
-  f.required("name", o.name);
-  f("set", o.set);
-}
 
 /// Recordings that one pipeline config plans.
 struct MappingSet {
@@ -44,7 +33,7 @@ std::string check(const MappingSet& set);
 struct MappingStudyOptions {
   std::string study;
   std::vector<MappingSet> sets;
-  std::vector<MappingVariant> variants;
+  std::vector<StudyVariant> variants;
   std::string best;     ///< variant that searches longest: the best continuous sequence known
   std::string without;  ///< variant without humanlikeness
   /// A frame lies above the best sequence if its F is larger by more than this, F with the weights

@@ -44,7 +44,7 @@ std::vector<Demonstration> recordings_of(const MappingSet& set, const StudyRun& 
   return all;
 }
 
-Variant plan_all(const MappingSet& set, const MappingVariant& variant,
+Variant plan_all(const MappingSet& set, const StudyVariant& variant,
                  const std::vector<Demonstration>& recordings, const StudyRun& run) {
   const LoadedConfig config = load_config(run.config.parent_path() / set.pipeline, variant.set);
   const Planner planner{config.options, config.robot, capsule_reach(config.robot)};
@@ -203,7 +203,7 @@ std::string check(const MappingStudyOptions& o) {
   if (o.sets.empty()) return "sets is empty";
   if (o.variants.empty()) return "variants is empty";
   for (const std::string& name : {o.best, o.without}) {
-    if (!name.empty() && std::ranges::none_of(o.variants, [&](const MappingVariant& variant) {
+    if (!name.empty() && std::ranges::none_of(o.variants, [&](const StudyVariant& variant) {
           return variant.name == name;
         })) {
       return fmt::format("there is no variant '{}'", name);
@@ -220,7 +220,7 @@ StudyResult mapping_study(const ConfigNode& config, const StudyRun& run) {
   for (const MappingSet& set : options.sets) {
     const std::vector<Demonstration> recordings = recordings_of(set, run);
     std::vector<Variant> variants;
-    for (const MappingVariant& variant : options.variants) {
+    for (const StudyVariant& variant : options.variants) {
       variants.push_back(plan_all(set, variant, recordings, run));
       run.progress(fmt::format("{}, {}: {} movements", set.name, variant.name,
                                variants.back().plans.size()));

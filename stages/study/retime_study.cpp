@@ -4,10 +4,10 @@
 #include <limits>
 
 #include "pipeline/collision/certified.hpp"
-#include "pipeline/run/ordered_map.hpp"
 #include "stages/import/import.hpp"
 #include "stages/plan_movement.hpp"
 #include "stages/retime/time_law.hpp"
+#include "stages/study/for_each.hpp"
 #include "stages/study/human_tempo.hpp"
 #include "stages/study/judge.hpp"
 #include "stages/study/retime_options.hpp"
@@ -44,20 +44,6 @@ PathOutcome judge_path(std::uint64_t seed, std::uint64_t index) {
     out.seen[mode] = seen_limits(random.robot, result.trajectory);
   }
   return out;
-}
-
-/// Calls write(index, work(index)) in order, work on several threads.
-template <class Result>
-void for_each(int count, int jobs, const std::function<Result(std::uint64_t)>& work,
-              const std::function<void(const Result&)>& write) {
-  OrderedMap<std::uint64_t, Result> map;
-  map.next = [next = 0, count]() mutable {
-    return next == count ? nullptr
-                         : std::make_unique<std::uint64_t>(static_cast<std::uint64_t>(next++));
-  };
-  map.work = [&](const std::uint64_t& index) { return std::make_unique<Result>(work(index)); };
-  map.write = write;
-  run(map, jobs);
 }
 
 void random_paths(const RetimeStudyOptions& options, const StudyRun& study, StudyResult& result) {

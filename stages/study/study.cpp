@@ -14,9 +14,10 @@ struct Entry {
   StudyResult (*run)(const ConfigNode&, const StudyRun&);
 };
 
-constexpr std::array<Entry, 4> kStudies{{{"recordings", recordings_study},
+constexpr std::array<Entry, 5> kStudies{{{"recordings", recordings_study},
                                          {"paper", paper_study},
                                          {"mapping", mapping_study},
+                                         {"repair", repair_study},
                                          {"retime", retime_study}}};
 
 }  // namespace

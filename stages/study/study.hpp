@@ -51,6 +51,8 @@ StudyResult recordings_study(const ConfigNode& config, const StudyRun& run);
 StudyResult paper_study(const ConfigNode& config, const StudyRun& run);
 /// Whole movements through the pipeline, by variants of its config.
 StudyResult mapping_study(const ConfigNode& config, const StudyRun& run);
+/// Obstacles put into the way of movements: what repair makes of them.
+StudyResult repair_study(const ConfigNode& config, const StudyRun& run);
 /// The time law on random paths, beside the least time there is, and at the human's tempo.
 StudyResult retime_study(const ConfigNode& config, const StudyRun& run);
 

@@ -18,11 +18,14 @@ using ::testing::HasSubstr;
 
 const JointVector kFrom = Vec3(-0.9, 0.3, 0.3), kTo = Vec3(0.9, 0.3, 0.3);
 
+using Resolve = decltype(RepairSteps::resolve);
+
 RepairResult repair(const Bench& bench, const JointPath& path, const Resolve& resolve = nullptr,
                     RepairOptions options = {}) {
-  return repair_path(
-      bench.world, bench.reach, path, bench.collisions(path), resolve,
-      [&](const JointPath& p) { return bench.collisions(p); }, options, 42);
+  RepairSteps steps;
+  steps.resolve = resolve;
+  steps.recheck = [&](const JointPath& p) { return bench.collisions(p); };
+  return repair_path(bench.world, bench.reach, path, bench.collisions(path), steps, options, 42);
 }
 
 TEST(Repair, LeavesAFreePathAlone) {
@@ -143,6 +146,31 @@ TEST(Repair, DropsASolutionThatMakesItWorse) {
   EXPECT_EQ(result.path.position, without.position);
 }
 
+TEST(Repair, AnotherCourseWhereTheGoalIsInCollision) {
+  // The post stands where the path ends; the other course ends beside it, and another post stands
+  // in its way, so that it takes a detour too.
+  const JointVector aside = Vec3(0.9, -0.6, 0.3);
+  const JointPath path = sweep(kFrom, kTo), other = sweep(kFrom, aside);
+  Bench bench({post("goal", 0.32, 0.5), post("way", 0.9, 0)});
+  ASSERT_FALSE(bench.collisions(path).empty());
+  RepairSteps steps;
+  steps.recheck = [&](const JointPath& p) { return bench.collisions(p); };
+  const RepairResult stuck =
+      repair_path(bench.world, bench.reach, path, bench.collisions(path), steps, {}, 42);
+  ASSERT_EQ(stuck.reason, "goal_in_collision");
+  int asked = 0;
+  steps.new_course = [&]() -> std::optional<JointPath> {
+    return asked++ == 0 ? std::optional(other) : std::nullopt;
+  };
+  const RepairResult freed =
+      repair_path(bench.world, bench.reach, path, bench.collisions(path), steps, {}, 42);
+  EXPECT_EQ(freed.reason, "") << freed.detail;
+  EXPECT_TRUE(freed.repaired);
+  EXPECT_TRUE(bench.collisions(freed.path).empty());
+  EXPECT_EQ(freed.path.position.row(100), other.position.row(100));
+  EXPECT_EQ(asked, 1);
+}
+
 TEST(Repair, NamesTheWorstOfWhatPlanningCannotCure) {
   const Bench bench({post("post", 0.9, 0)});
   const JointPath path = sweep(kFrom, kTo);
@@ -152,8 +180,8 @@ TEST(Repair, NamesTheWorstOfWhatPlanningCannotCure) {
     findings.push_back({0.4, 0.6, "tracking", "thumb_tip", "", 0.020});
     return findings;
   };
-  const RepairResult result = repair_path(bench.world, bench.reach, path, recheck(path), nullptr,
-                                          recheck, RepairOptions{}, 1);
+  const RepairResult result = repair_path(bench.world, bench.reach, path, recheck(path),
+                                          {{}, recheck, {}}, RepairOptions{}, 1);
   EXPECT_EQ(result.reason, "tracking");
   EXPECT_THAT(result.detail, HasSubstr("thumb_tip"));
   EXPECT_EQ(result.remaining.size(), 2u);
@@ -175,8 +203,8 @@ TEST(Repair, TheMappingWinsBackWhatADetourCost) {
   };
   RepairOptions options;
   options.widen_samples = 5;
-  const RepairResult result =
-      repair_path(bench.world, bench.reach, path, recheck(path), resolve, recheck, options, 1);
+  const RepairResult result = repair_path(bench.world, bench.reach, path, recheck(path),
+                                          {resolve, recheck, {}}, options, 1);
   EXPECT_EQ(result.reason, "") << result.detail;
   EXPECT_EQ(result.path.origin[1], Origin::resolved);
   EXPECT_EQ(result.path.origin[50], Origin::planned);

@@ -1,0 +1,102 @@
+#include "stages/repair_movement.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "stages/check/check_path.hpp"
+#include "stages/map/movement_search.hpp"
+
+namespace morphe {
+namespace {
+
+using Recheck = decltype(RepairSteps::recheck);
+
+constexpr double kFirm = 100;  ///< times the clearance term of the mapping
+
+/// How bad findings are: contacts count before everything else.
+std::pair<double, double> badness(const std::vector<Finding>& findings) {
+  std::pair<double, double> sum{0, 0};
+  for (const Finding& finding : findings) {
+    const bool contact =
+        finding.cause == "self" || finding.cause == "object" || finding.cause == "table";
+    (contact ? sum.first : sum.second) += finding.depth;
+  }
+  return sum;
+}
+
+/// The least change of the mapping first: the path itself re-solved against the whole scene, the
+/// clearance term made firmer until tips give way to it; then the other courses that the mapping
+/// kept. The first without findings, or the one with the least of them.
+JointPath resolve_with_candidates(const MappingProblem& problem, const MapResult& mapped,
+                                  const JointPath& path, const std::vector<Finding>& findings,
+                                  const MapOptions& options, const Recheck& recheck) {
+  JointPath best = path;
+  std::pair<double, double> least = badness(findings);
+  const std::pair<double, double> none{0, 0};
+  const auto attempt = [&](const JointPath& from, const std::vector<Finding>& found,
+                           double firmness) {
+    JointPath changed = resolve_path(problem, from, found, options, firmness);
+    const std::pair<double, double> left = badness(recheck(changed));
+    if (left >= least) return;
+    least = left;
+    best = std::move(changed);
+  };
+  for (const double firmness : {10.0, 100.0, 1000.0}) {
+    if (least > none) attempt(path, findings, firmness);
+  }
+  for (const JointRows& candidate : mapped.candidates) {
+    if (least == none) break;
+    JointPath other = path;
+    other.position = candidate;
+    std::fill(other.origin.begin(), other.origin.end(), Origin::resolved);
+    attempt(other, recheck(other), 100.0);
+  }
+  return best;
+}
+
+/// The courses of a new search, one after the other, the best first, refined to every frame. The
+/// search waits until the first is asked for.
+class NewCourses {
+ public:
+  NewCourses(MappingProblem whole, const MapOptions& options, std::uint64_t seed)
+      : problem_(std::move(whole)), options_(options), seed_(seed) {
+    problem_.clearance.weight *= kFirm;
+  }
+
+  std::optional<JointPath> operator()() {
+    if (next_ == 0) courses_ = search_movement(problem_, options_, seed_);
+    if (next_ == courses_.size()) return std::nullopt;
+    const JointRows& course = courses_[next_++].q;
+    return JointPath{smooth_movement(problem_, course, options_).q,
+                     std::vector<Origin>(problem_.frames(), Origin::resolved), problem_.time};
+  }
+
+ private:
+  MappingProblem problem_;
+  const MapOptions& options_;
+  std::uint64_t seed_;
+  std::vector<Course> courses_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace
+
+RepairResult repair_movement(const Planner& planner, const PlacedMovement& placed,
+                             const CollisionWorld& world, const Plan& plan, const MapResult& mapped,
+                             std::uint64_t seed) {
+  const PipelineConfig& config = planner.config;
+  MappingProblem whole = placed.problem;
+  whole.world = &world;
+  RepairSteps steps;
+  steps.recheck = [&](const JointPath& path) {
+    return check_path(world, plan.goals, plan.movement, path, config.check);
+  };
+  steps.resolve = [&](const JointPath& path, const std::vector<Finding>& findings) {
+    return resolve_with_candidates(whole, mapped, path, findings, config.map, steps.recheck);
+  };
+  steps.new_course = NewCourses(whole, config.map, seed + 1);
+  return repair_path(world, planner.capsule_reach, plan.path, plan.findings, steps, config.repair,
+                     seed);
+}
+
+}  // namespace morphe
