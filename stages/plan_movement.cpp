@@ -14,6 +14,7 @@
 #include "stages/place_movement.hpp"
 #include "stages/reconstruct/hand_frame.hpp"
 #include "stages/reconstruct/mirror.hpp"
+#include "stages/scene/move_target.hpp"
 #include "stages/repair_movement.hpp"
 
 namespace morphe {
@@ -136,19 +137,22 @@ void finish(const Planner& planner, const CollisionWorld& world, Plan& plan,
 }  // namespace
 
 Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
-                   const HumanMotion& motion, const Movement& movement, StageSeconds& seconds) {
+                   const HumanMotion& recorded, const Movement& movement, StageSeconds& seconds) {
   const PipelineConfig& config = planner.config;
   const RobotTable& robot = planner.robot;
   Plan plan = begin_plan(demonstration, movement, config.check);
   const std::uint64_t seed =
       seed_from(config.seed, fmt::format("{}/{}", demonstration.name, movement.index));
 
-  if (!hand_alone(robot) && !seen(shoulder_at_begin(motion, movement))) {
+  if (!hand_alone(robot) && !seen(shoulder_at_begin(recorded, movement))) {
     return fail(plan, "no_shoulder", "the shoulder was never seen");
   }
-  const Scene around = timed(seconds, "scene", [&] {
-    return scene_around(planner, demonstration, motion, plan.movement);
+  const MovedTarget there = timed(seconds, "scene", [&] {
+    const Scene as_recorded = scene_around(planner, demonstration, recorded, plan.movement);
+    return move_target(config.scene, recorded, plan.movement, as_recorded);
   });
+  const HumanMotion& motion = there.motion;
+  const Scene& around = there.scene;
   Vec3 offset = Vec3::Zero();
   if (config.map.free_offset.limit_m > 0) {
     offset = timed(seconds, "map",

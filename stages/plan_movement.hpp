@@ -19,9 +19,9 @@ struct Planner {
 using StageSeconds = std::map<std::string, double>;
 
 /// All steps for one movement. Never throws for a bad movement: the plan carries the reason. The
-/// objects of `demonstration` are where `motion` is: a left hand's in the mirror.
+/// objects of `demonstration` are where `recorded` is: a left hand's in the mirror.
 Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
-                   const HumanMotion& motion, const Movement& movement, StageSeconds& seconds);
+                   const HumanMotion& recorded, const Movement& movement, StageSeconds& seconds);
 
 /// Reconstructs and segments a demonstration and plans each of its movements. One without any
 /// movement ends as one plan with reason "no_movement".

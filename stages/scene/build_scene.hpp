@@ -72,6 +72,27 @@ void fields(Fields& f, TableOptions& o) {
 }
 std::string check(const TableOptions& options);
 
+/// Where the target stands instead of where it stood: see stages/scene/move_target.hpp.
+struct TargetPlacement {
+  Vec3 position = Vec3::Zero();  ///< of its centre where the grasp begins, in the world [m]
+  Vec3 rpy = Vec3::Zero();       ///< of its frame in the world, Rz(yaw) Ry(pitch) Rx(roll) [rad]
+};
+template <class Fields>
+void fields(Fields& f, TargetPlacement& o) {
+  f.required("position", o.position);
+  f("rpy", o.rpy);
+}
+/// The same relative to where it stood: shifted, and turned about its centre.
+struct TargetMove {
+  Vec3 position = Vec3::Zero();  ///< along the world's axes [m]
+  Vec3 rpy = Vec3::Zero();       ///< about the world's axes [rad]
+};
+template <class Fields>
+void fields(Fields& f, TargetMove& o) {
+  f("position", o.position);
+  f("rpy", o.rpy);
+}
+
 /// The object that is grasped, if it was not recorded: an upright cylinder on the table, its axis
 /// midway between thumb and index tip.
 struct TargetOptions {
@@ -81,9 +102,11 @@ struct TargetOptions {
   double rim = 0.02;         ///< [m]
   double pad_depth = 0.011;  ///< goals are finger axes: radius = half the tips' horizontal distance
                              ///< less the robot's fingertip radius, so that surfaces meet [m]
-  double min_radius = 0.015;     ///< [m]
-  double max_radius = 0.060;     ///< [m]
-  std::optional<double> radius;  ///< overrides what is inferred [m]
+  double min_radius = 0.015;              ///< [m]
+  double max_radius = 0.060;              ///< [m]
+  std::optional<double> radius;           ///< overrides what is inferred [m]
+  TargetMove moved;                       ///< recorded or inferred, it stands elsewhere
+  std::optional<TargetPlacement> placed;  ///< likewise
 };
 template <class Fields>
 void fields(Fields& f, TargetOptions& o) {
@@ -95,6 +118,8 @@ void fields(Fields& f, TargetOptions& o) {
   f("min_radius", o.min_radius);
   f("max_radius", o.max_radius);
   f("radius", o.radius);
+  f("moved", o.moved);
+  f("placed", o.placed);
 }
 std::string check(const TargetOptions& options);
 

@@ -1,0 +1,146 @@
+#include "stages/scene/move_target.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "stages/scene/inferred.hpp"
+
+namespace morphe {
+namespace {
+
+Quat turn_of(const Vec3& rpy) {
+  return Quat(Eigen::AngleAxisd(rpy.z(), Vec3::UnitZ()) *
+              Eigen::AngleAxisd(rpy.y(), Vec3::UnitY()) *
+              Eigen::AngleAxisd(rpy.x(), Vec3::UnitX()));
+}
+
+/// Of a body about its centre, and with it.
+struct Shift {
+  Vec3 centre = Vec3::Zero(), by = Vec3::Zero();
+  Quat turn = Quat::Identity();
+
+  Quat turn_at(double w) const { return Quat::Identity().slerp(w, turn); }
+  Vec3 moved(const Vec3& x, double w) const { return turn_at(w) * (x - centre) + centre + w * by; }
+};
+
+Shift shift_of(const TargetOptions& options, const Pose& world_from_target) {
+  Shift shift;
+  shift.centre = world_from_target.translation();
+  if (options.placed) {
+    shift.by = options.placed->position - shift.centre;
+    shift.turn = turn_of(options.placed->rpy) * Quat(world_from_target.linear()).conjugate();
+  } else {
+    shift.by = options.moved.position;
+    shift.turn = turn_of(options.moved.rpy);
+  }
+  return shift;
+}
+
+/// Share of the wrist's way from begin to end at each frame, of the time if it was not seen.
+std::vector<double> shares(const HumanMotion& motion, double begin_s, double end_s) {
+  std::vector<double> way(motion.time.size(), 0.0);
+  double gone_m = 0;
+  Vec3 last = unseen_point();
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    if (motion.time[i] >= begin_s && motion.time[i] <= end_s && seen(motion.wrist[i])) {
+      if (seen(last)) gone_m += (motion.wrist[i] - last).norm();
+      last = motion.wrist[i];
+    }
+    way[i] = gone_m;
+  }
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    const double time_share = (motion.time[i] - begin_s) / (end_s - begin_s);
+    way[i] = motion.time[i] >= end_s     ? 1
+             : motion.time[i] <= begin_s ? 0
+             : gone_m > 0                ? way[i] / gone_m
+                                         : time_share;
+  }
+  return way;
+}
+
+/// The elbow's triangle after its wrist has moved; false if its sides do not reach that far.
+bool move_elbow(const Vec3& shoulder, const Vec3& from_wrist, const Vec3& to_wrist, Vec3& elbow) {
+  const Vec3 before = from_wrist - shoulder, after = to_wrist - shoulder;
+  const double upper_arm = (elbow - shoulder).norm(), forearm = (from_wrist - elbow).norm();
+  const double distance = after.norm();
+  if (!(distance > 0) || !(before.norm() > 0)) return false;
+  const Vec3 along = after / distance;
+  Vec3 aside = Quat::FromTwoVectors(before, after) * (elbow - shoulder);
+  aside -= along * along.dot(aside);
+  // The elbow's foot on the line by the law of cosines.
+  const double foot =
+      (upper_arm * upper_arm - forearm * forearm + distance * distance) / (2 * distance);
+  const double height_squared = upper_arm * upper_arm - foot * foot;
+  const bool reaches = height_squared >= 0;
+  elbow = shoulder + (reaches ? foot : std::copysign(upper_arm, foot)) * along;
+  if (reaches && aside.norm() > 0) elbow += std::sqrt(height_squared) * aside.normalized();
+  return reaches;
+}
+
+void move_frame(const Shift& shift, double w, std::size_t i, HumanMotion& motion,
+                int& out_of_reach) {
+  const auto point = [&](Vec3& x) { x = shift.moved(x, w); };
+  const auto rotation = [&](Quat& q) { q = (shift.turn_at(w) * q).normalized(); };
+  const auto row = [&](auto& table, const auto& move) {
+    for (std::size_t k = 0; table.rows > i && k < table.cols; ++k) move(table(i, k));
+  };
+  const Vec3 wrist = motion.wrist[i];
+  point(motion.wrist[i]);
+  rotation(motion.wrist_orientation[i]);
+  row(motion.tip, point);
+  row(motion.tip_orientation, rotation);
+  row(motion.finger_joint, point);
+  Vec3& elbow = motion.elbow[i];
+  if (!seen(elbow) || !seen(wrist) || !seen(motion.shoulder[i])) return;
+  if (!move_elbow(motion.shoulder[i], wrist, motion.wrist[i], elbow)) ++out_of_reach;
+}
+
+}  // namespace
+
+MovedTarget move_target(const SceneOptions& options, const HumanMotion& motion,
+                        const Movement& movement, const Scene& scene) {
+  MovedTarget out{motion, scene};
+  const bool asked = options.target.placed || options.target.moved.position != Vec3::Zero() ||
+                     options.target.moved.rpy != Vec3::Zero();
+  if (!asked) return out;
+  const Phase* grasp = last_phase(movement, "grasp");
+  const auto target = std::ranges::find(out.scene.objects, movement.target, &SceneObject::name);
+  if (!grasp || target == out.scene.objects.end()) {
+    out.motion.problems.push_back("nothing is grasped: there is no target to stand elsewhere");
+    return out;
+  }
+  const Shift shift = shift_of(options.target, recorded_pose(*target, grasp->begin_s));
+  for (Vec3& position : target->position) position = shift.moved(position, 1);
+  for (Quat& orientation : target->orientation) {
+    orientation = (shift.turn * orientation).normalized();
+  }
+
+  const std::vector<double> share = shares(motion, movement.begin_s, grasp->begin_s);
+  int out_of_reach = 0;
+  for (std::size_t i = 0; i < share.size(); ++i) {
+    const double s = share[i];
+    if (s <= 0 || motion.time[i] > movement.end_s) continue;
+    const double w = s * s * s * (10 - 15 * s + 6 * s * s);
+    move_frame(shift, w, i, out.motion, out_of_reach);
+  }
+  out.motion.arm_angles.resize(0, out.motion.arm_angles.cols());
+  out.motion.estimated.emplace_back("transported");
+  out.motion.problems.push_back(fmt::format(
+      "transported: {} stands {:.0f} mm from where it stood, turned by {:.0f} degrees{}",
+      target->name, 1e3 * shift.by.norm(),
+      180 / std::numbers::pi * angle_between(shift.turn, Quat::Identity()),
+      out_of_reach > 0
+          ? fmt::format("; the human's arm would not reach it in {} frames", out_of_reach)
+          : ""));
+
+  if (const auto table = infer_table(options.table, out.motion, movement)) {
+    const auto old = std::ranges::find(out.scene.objects, table->name, &SceneObject::name);
+    if (old != out.scene.objects.end()) *old = *table;
+  }
+  return out;
+}
+
+}  // namespace morphe
