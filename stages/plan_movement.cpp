@@ -14,8 +14,8 @@
 #include "stages/place_movement.hpp"
 #include "stages/reconstruct/hand_frame.hpp"
 #include "stages/reconstruct/mirror.hpp"
-#include "stages/scene/move_target.hpp"
 #include "stages/repair_movement.hpp"
+#include "stages/scene/move_target.hpp"
 
 namespace morphe {
 namespace {
