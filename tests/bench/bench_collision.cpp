@@ -1,15 +1,17 @@
 // Whole-state checks and certified edges of the PA10 with the DLR/HIT II among a table and five
 // objects: ours, FCL's trees on the same states, and sampling at fixed steps.
-//   bench_collision [--quick]
+//   bench_collision [--quick] [--json OUT]
 //   bench_collision --pairs N   errors of N random pairs against the convex problem, solved to 1e-9
 //   bench_collision --walls N   N random motions past walls 1 mm thin: certified, finely and
 //                               coarsely sampled
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <string>
 #include <vector>
@@ -116,7 +118,31 @@ std::string row(const std::string& name, Times& ours, const std::string& rest = 
   return fmt::format("{:38} {:9.2f} {:9.2f}  {}\n", name, ours.at(0.5), ours.at(0.99), rest);
 }
 
-int run(bool quick) {
+using Json = nlohmann::ordered_json;
+
+/// A row of the file that --json asks for, as docs/formats.md says.
+struct Case {
+  std::string name;
+  std::size_t n = 0;
+  Times ours;
+  Json errors = Json::object(), peers = Json::object();
+
+  void add_peer(const std::string& peer, Times& times) {
+    peers[peer] = {{"median_us", times.at(0.5)},
+                   {"p99_us", times.at(0.99)},
+                   {"ratio", times.at(0.5) / ours.at(0.5)}};
+  }
+  Json json() {
+    return {{"case", name},
+            {"n", n},
+            {"ours", {{"median_us", ours.at(0.5)}, {"p99_us", ours.at(0.99)}}},
+            {"errors", errors},
+            {"peers", peers}};
+  }
+};
+
+int run(bool quick, const std::string& file) {
+  Json rows = Json::array();
   Bench bench;
   FclEngine fcl(bench.world);
   std::mt19937_64 random(1);
@@ -142,6 +168,10 @@ int run(bool quick) {
     fmt::print("{}", row(fmt::format("whole state, {}", name), mine));
     fmt::print("{}", row("  FCL, dynamic tree", tree,
                          fmt::format("{:.1f} times ours", tree.at(0.5) / mine.at(0.5))));
+    Case one{fmt::format("whole state, {}", name), states->size(), mine};
+    one.errors["verdicts_unlike_fcl"] = differ;
+    one.add_peer("fcl_dynamic_tree", tree);
+    rows.push_back(one.json());
     Times slack = timed(*states, [&](const JointVector& q) {
       return least_slack(bench.world, q, 0, bench.scratch);
     });
@@ -173,9 +203,17 @@ int run(bool quick) {
   fmt::print("\nedges between frames at 100 Hz: {}, free {}\n", edges.size(), free_edges);
   fmt::print("{}", row("certified", certified,
                        fmt::format("{:.1f} state checks", certified.at(0.5) / state.at(0.5))));
+  Case edge{"certified edge, 100 Hz", edges.size(), certified};
+  edge.add_peer("one_state_check", state);
   for (const int steps : {1, 10, 100}) {
     Times times = sampled(steps);
     fmt::print("{}", row(fmt::format("sampled at {} steps", steps), times));
+    edge.add_peer(fmt::format("sampled_at_{}_steps", steps), times);
+  }
+  rows.push_back(edge.json());
+  if (!file.empty()) {
+    const Json json{{"bench", "collision"}, {"preset", MORPHE_PRESET}, {"rows", rows}};
+    std::ofstream(file) << json.dump(1) << "\n";
   }
   return 0;
 }
@@ -216,10 +254,17 @@ int walls(int motions) {
 }  // namespace
 }  // namespace morphe
 
-int main(int count, char** arguments) {
-  const std::string what = count > 1 ? arguments[1] : "";
-  const int number = count > 2 ? std::stoi(arguments[2]) : 10000;
-  if (what == "--pairs") return morphe::pairs(number);
-  if (what == "--walls") return morphe::walls(number);
-  return morphe::run(what == "--quick");
+int main(int argc, char** argv) {
+  CLI::App app{"Collision checks: whole states and certified edges, against FCL and sampling"};
+  bool quick = false;
+  int pairs = 0, walls = 0;
+  std::string json;
+  app.add_flag("--quick", quick);
+  app.add_option("--json", json, "file of the figures");
+  app.add_option("--pairs", pairs, "errors of this many random pairs instead");
+  app.add_option("--walls", walls, "this many random motions past thin walls instead");
+  CLI11_PARSE(app, argc, argv);
+  if (pairs > 0) return morphe::pairs(pairs);
+  if (walls > 0) return morphe::walls(walls);
+  return morphe::run(quick, json);
 }

@@ -1,12 +1,14 @@
 // The planner of the repair on MotionBenchMaker's problems: solved, certified, milliseconds.
-//   bench_plan [--problems DIR] [--iterations N] [--range R] [--margin M]
+//   bench_plan [--problems DIR] [--iterations N] [--range R] [--margin M] [--json OUT]
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <ctime>
 #include <filesystem>
+#include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <string>
 #include <thread>
@@ -35,6 +37,7 @@ struct Options {
   int iterations = 20000, shortcuts = RepairOptions{}.shortcut_attempts;
   double range = RepairOptions{}.range, margin_m = Tolerances{}.margin;
   unsigned threads = 1;
+  std::string json;  ///< file of the figures, if any
 };
 
 struct Problem {
@@ -153,6 +156,42 @@ void print(const std::string& name, const std::vector<const Answer*>& answers) {
              percentile(shorten, 0.5), percentile(length, 0.5), percentile(shortened, 0.5));
 }
 
+using Json = nlohmann::ordered_json;
+
+/// As docs/formats.md says: a row for each set, and every problem.
+void write_json(const std::string& file, const std::vector<Problem>& problems,
+                const std::vector<Answer>& answers,
+                const std::map<std::string, std::vector<const Answer*>>& sets) {
+  Json rows = Json::array(), all = Json::array();
+  for (const auto& [name, of] : sets) {
+    std::vector<double> us;
+    std::size_t solved = 0, certified = 0;
+    for (const Answer* answer : of) {
+      if (answer->solved) us.push_back(1e3 * answer->plan_ms);
+      solved += answer->solved ? 1 : 0;
+      certified += answer->certified ? 1 : 0;
+    }
+    rows.push_back(
+        {{"case", name},
+         {"n", of.size()},
+         {"ours", {{"median_us", percentile(us, 0.5)}, {"p99_us", percentile(us, 0.99)}}},
+         {"errors", {{"unsolved", of.size() - solved}, {"uncertified", of.size() - certified}}},
+         {"peers", Json::object()}});
+  }
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    Json path = Json::array();
+    for (const JointVector& q : answers[i].path)
+      path.push_back(std::vector<double>(q.begin(), q.end()));
+    all.push_back({{"name", problems[i].set + "/" + problems[i].name},
+                   {"solved", answers[i].solved},
+                   {"certified", answers[i].certified},
+                   {"time_ms", answers[i].plan_ms},
+                   {"path", path}});
+  }
+  const Json json{{"bench", "plan"}, {"preset", MORPHE_PRESET}, {"rows", rows}, {"problems", all}};
+  std::ofstream(file) << json.dump(1) << "\n";
+}
+
 int run(const Options& options) {
   const std::vector<Problem> problems = problems_in(options.problems);
   const RobotDescription robot =
@@ -169,6 +208,7 @@ int run(const Options& options) {
     }
   }
   for (const auto& [name, of] : sets) print(name, of);
+  if (!options.json.empty()) write_json(options.json, problems, answers, sets);
   // The same once more, on two threads: to the bit.
   Options again = options;
   again.threads = 2;
@@ -194,6 +234,7 @@ int main(int argc, char** argv) {
   app.add_option("--shortcuts", options.shortcuts);
   app.add_option("--range", options.range, "longest edge, in shares of the joints' spans");
   app.add_option("--margin", options.margin_m, "[m]");
+  app.add_option("--json", options.json, "file of the figures");
   CLI11_PARSE(app, argc, argv);
   return morphe::run(options);
 }

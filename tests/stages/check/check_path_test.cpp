@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 
 #include "tests/support/two_link_arm.hpp"
 
@@ -93,6 +94,41 @@ TEST_F(CheckPath, FreePathHasNoFindings) {
   options.engine = "fcl";
   EXPECT_TRUE(findings(path_of(positions)).empty());
   EXPECT_TRUE(findings(path_of({})).empty());
+}
+
+/// The elbow folds until what the hand holds at its end would go through the column.
+TEST_F(CheckPath, WhatIsCarriedMeetsTheArm) {
+  robot.frames[1].name = "hand";
+  robot.capsules[0].radius = 0.05;
+  movement.target = "cup";
+  movement.phases = {{"grasp", 0, 0.1, 1}, {"transport", 0.1, 0.5, 1}};
+  SceneObject cup = post("cup", {1.058, 0, 0}, 0.05);
+  cup.attach_s = 0.1;
+  std::vector<Eigen::Vector2d> positions;
+  for (int k = 0; k <= 50; ++k) {
+    positions.push_back({0, k < 10 ? 0 : k < 40 ? 0.1 * (k - 10) : 3 - 0.05 * (k - 40)});
+  }
+  // Where the elbow is so far that |0.5 + 0.558 exp(i q)| = 0.05 + 0.05 + the margin.
+  const double touching = std::acos((0.101 * 0.101 - 0.25 - 0.558 * 0.558) / 0.558);
+  const int first = 10 + static_cast<int>(touching / 0.1),
+            last = 40 + static_cast<int>((3 - touching) / 0.05) + 1;
+  for (const char* engine : {"closed", "fcl"}) {
+    options.engine = engine;
+    cup.attached_frame = "";
+    scene.objects = {cup};
+    EXPECT_TRUE(findings(path_of(positions)).empty());
+    cup.attached_frame = "hand";
+    scene.objects = {cup};
+    const auto found = findings(path_of(positions));
+    ASSERT_EQ(found.size(), 1u);
+    const double nearest = std::abs(std::polar(0.558, 3.0) + 0.5);
+    expect_finding(found[0], "object", "column", "cup", first, last, 0.101 - nearest, 1e-9);
+    // Put down before: the hand goes on without it.
+    cup.release_s = 0.3;
+    scene.objects = {cup};
+    EXPECT_TRUE(findings(path_of(positions)).empty());
+    cup.release_s = kNotSeen;
+  }
 }
 
 TEST_F(CheckPath, JointsBeyondTheirLimitsAreJoined) {
