@@ -12,6 +12,7 @@ find_package(Qhull CONFIG REQUIRED)
 find_package(assimp CONFIG REQUIRED)
 find_package(urdfdom CONFIG REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
+find_package(SQLite3 REQUIRED)
 
 # OMPL's own variables name Boost libraries that it does not need.
 find_library(OMPL_LIBRARY ompl REQUIRED)

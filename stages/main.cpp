@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <cstdio>
 #include <string_view>
 
@@ -37,6 +38,7 @@ bool is_command(std::string_view word) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is an error to be told, like a full disk
   CLI::App app("Morphe: recorded human reaches -> executable robot trajectories", "morphe");
   app.set_version_flag("--version", "morphe " MORPHE_VERSION);
   app.require_subcommand(1);

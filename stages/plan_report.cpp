@@ -50,14 +50,21 @@ double largest_step(const Plan& plan) {
 
 }  // namespace
 
-void PlanReport::add(const Plan& plan) {
+std::string plan_table_head() {
+  return fmt::format(
+      "{:<22} {:<11} {:>9} {:>7} {:>9} {:>9} {:>9} {:>9} {:>9} {:>8}\n"
+      "{:<22} {:<11} {:>9} {:>7} {:>9} {:>9} {:>9} {:>9} {:>9} {:>8}",
+      "plan", "status", "mapped", "out of", "largest", "tips at", "tips", "upper arm", "clearance",
+      "tempo", "", "", "tips mm", "reach %", "step rad", "grasp mm", "max mm", "mean deg", "mm",
+      "");
+}
+
+std::string plan_rows(const Plan& plan) {
   constexpr double kDegrees = 180 / std::numbers::pi;
   const Certificate& c = plan.certificate;
   const Tracking tracking = tracking_of(plan);
-  goals_ += tracking.goals;
-  unreachable_ += tracking.unreachable;
   const std::string name = fmt::format("{}/{:03}", plan.demonstration, plan.movement.index);
-  rows_.push_back(fmt::format(
+  std::string rows = fmt::format(
       "{:<22} {:<11} {:>9} {:>7} {:>9} {:>9} {:>9} {:>9} {:>9} {:>8}", name,
       plan.executable() ? (c.repaired ? "repaired" : "executable") : "infeasible",
       number(1e3 * tracking.worst_m, 2),
@@ -67,31 +74,23 @@ void PlanReport::add(const Plan& plan) {
              1),
       number(largest_step(plan), 3), number(1e3 * c.position_error_grasp, 2),
       number(1e3 * c.position_error_max, 2), number(kDegrees * c.upper_arm_error_mean, 1),
-      number(1e3 * c.clearance, 1), number(c.tempo, 2)));
+      number(1e3 * c.clearance, 1), number(c.tempo, 2));
   if (!plan.executable()) {
     const bool said = plan.detail.starts_with(plan.reason + ":");
-    rows_.push_back(said ? "  " + plan.detail : fmt::format("  {}: {}", plan.reason, plan.detail));
+    rows += said ? "\n  " + plan.detail : fmt::format("\n  {}: {}", plan.reason, plan.detail);
   }
-  if (plan.executable() && !plan.detail.empty()) rows_.push_back("  note: " + plan.detail);
+  if (plan.executable() && !plan.detail.empty()) rows += "\n  note: " + plan.detail;
   for (const Finding& finding : plan.findings) {
-    rows_.push_back(fmt::format("  found: {} {}{} at {:.2f}-{:.2f} s, {:.4f} too far",
-                                finding.cause, finding.first,
-                                finding.second.empty() ? "" : " " + finding.second, finding.begin_s,
-                                finding.end_s, finding.depth));
+    rows += fmt::format("\n  found: {} {}{} at {:.2f}-{:.2f} s, {:.4f} too far", finding.cause,
+                        finding.first, finding.second.empty() ? "" : " " + finding.second,
+                        finding.begin_s, finding.end_s, finding.depth);
   }
+  return rows;
 }
 
-std::string PlanReport::table() const {
-  std::string text = fmt::format(
-      "{:<22} {:<11} {:>9} {:>7} {:>9} {:>9} {:>9} {:>9} {:>9} {:>8}\n"
-      "{:<22} {:<11} {:>9} {:>7} {:>9} {:>9} {:>9} {:>9} {:>9} {:>8}\n",
-      "plan", "status", "mapped", "out of", "largest", "tips at", "tips", "upper arm", "clearance",
-      "tempo", "", "", "tips mm", "reach %", "step rad", "grasp mm", "max mm", "mean deg", "mm",
-      "");
-  for (const std::string& row : rows_) text += row + "\n";
-  text += fmt::format("{}: {} of {} fingertip goals out of reach from this placement", robot_.name,
-                      unreachable_, goals_);
-  return text;
+std::string plan_table_foot(const std::string& robot, const BatchSummary& summary) {
+  return fmt::format("{}: {} of {} fingertip goals out of reach from this placement", robot,
+                     summary.out_of_reach, summary.goals);
 }
 
 }  // namespace morphe

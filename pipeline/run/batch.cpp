@@ -1,5 +1,8 @@
 #include "pipeline/run/batch.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "pipeline/run/ordered_map.hpp"
@@ -7,9 +10,25 @@
 namespace morphe {
 namespace {
 
-void count(const DemonstrationOutcome& outcome, BatchSummary& summary) {
-  ++summary.demonstrations;
-  if (!outcome.error.empty()) ++summary.failed;
+/// Tip goals of the mapped frames, and how many of them the robot cannot reach.
+void count_goals(const Plan& plan, BatchSummary& summary) {
+  const JointRows& errors = plan.mapped.position_error;
+  for (Eigen::Index f = 0; f < errors.rows(); ++f) {
+    for (Eigen::Index tip = 0; tip < errors.cols(); ++tip) {
+      if (std::isnan(errors(f, tip))) continue;
+      ++summary.goals;
+      if (!plan.goals.reachable(static_cast<std::size_t>(f), static_cast<std::size_t>(tip)))
+        ++summary.out_of_reach;
+    }
+  }
+}
+
+}  // namespace
+
+BatchSummary summary_of(const DemonstrationOutcome& outcome) {
+  BatchSummary summary;
+  summary.demonstrations = 1;
+  summary.failed = outcome.error.empty() ? 0 : 1;
   for (const Plan& plan : outcome.plans) {
     ++summary.movements;
     if (plan.executable()) {
@@ -19,34 +38,66 @@ void count(const DemonstrationOutcome& outcome, BatchSummary& summary) {
       ++summary.reasons[plan.reason];
     }
     if (plan.certificate.repaired) ++summary.repaired;
+    count_goals(plan, summary);
   }
-  for (const auto& [stage, seconds] : outcome.stage_seconds) {
-    summary.stage_seconds[stage] += seconds;
-  }
+  summary.stage_seconds = outcome.stage_seconds;
+  return summary;
 }
 
-}  // namespace
+void add(const BatchSummary& more, BatchSummary& sum) {
+  sum.demonstrations += more.demonstrations;
+  sum.movements += more.movements;
+  sum.executable += more.executable;
+  sum.infeasible += more.infeasible;
+  sum.repaired += more.repaired;
+  sum.failed += more.failed;
+  for (const auto& [reason, count] : more.reasons) sum.reasons[reason] += count;
+  for (const auto& [stage, seconds] : more.stage_seconds) sum.stage_seconds[stage] += seconds;
+  sum.goals += more.goals;
+  sum.out_of_reach += more.out_of_reach;
+  sum.reused += more.reused;
+}
+
+DemonstrationOutcome attempt(const std::function<DemonstrationOutcome(const Demonstration&)>& plan,
+                             const Demonstration& demonstration) {
+  DemonstrationOutcome outcome;
+  try {
+    outcome = plan(demonstration);
+  } catch (const std::exception& error) {
+    outcome = {};
+    outcome.error = error.what();
+  }
+  outcome.demonstration = demonstration.name;
+  return outcome;
+}
 
 BatchSummary run_batch(const Batch& batch, int jobs) {
   BatchSummary summary;
   OrderedMap<Demonstration, DemonstrationOutcome> map;
   map.next = batch.next;
   map.work = [&](const Demonstration& demonstration) {
-    auto outcome = std::make_unique<DemonstrationOutcome>();
-    try {
-      *outcome = batch.plan(demonstration);
-    } catch (const std::exception& error) {
-      outcome->error = error.what();
-    }
-    outcome->demonstration = demonstration.name;
-    return outcome;
+    return std::make_unique<DemonstrationOutcome>(attempt(batch.plan, demonstration));
   };
   map.write = [&](const DemonstrationOutcome& outcome) {
-    count(outcome, summary);
+    add(summary_of(outcome), summary);
     batch.write(outcome);
   };
   run(map, jobs);
   return summary;
+}
+
+std::string summary_text_for_people(const BatchSummary& summary) {
+  std::string reasons;
+  for (const auto& [reason, count] : summary.reasons)
+    reasons += fmt::format("{}{} {}", reasons.empty() ? " (" : ", ", reason, count);
+  if (!reasons.empty()) reasons += ")";
+  std::string text =
+      fmt::format("{} demonstrations, {} movements: {} executable ({} repaired), {} infeasible{}",
+                  summary.demonstrations, summary.movements, summary.executable, summary.repaired,
+                  summary.infeasible, reasons);
+  if (summary.failed > 0) text += fmt::format(", {} failed", summary.failed);
+  if (summary.reused > 0) text += fmt::format("; {} finished before", summary.reused);
+  return text;
 }
 
 std::string summary_json(const BatchSummary& summary) {
@@ -57,7 +108,8 @@ std::string summary_json(const BatchSummary& summary) {
                                     {"repaired", summary.repaired},
                                     {"failed", summary.failed},
                                     {"reasons", summary.reasons},
-                                    {"stage_seconds", summary.stage_seconds}};
+                                    {"stage_seconds", summary.stage_seconds},
+                                    {"reused", summary.reused}};
   return json.dump(2);
 }
 

@@ -25,7 +25,13 @@ struct BatchSummary {
   int demonstrations = 0, movements = 0, executable = 0, infeasible = 0, repaired = 0, failed = 0;
   std::map<std::string, int> reasons;  ///< of infeasible movements
   std::map<std::string, double> stage_seconds;
+  std::int64_t goals = 0, out_of_reach = 0;  ///< of fingertips, over all frames that were mapped
+  int reused = 0;                            ///< demonstrations that an earlier run had finished
 };
+
+/// Of one demonstration; sums add up.
+BatchSummary summary_of(const DemonstrationOutcome& outcome);
+void add(const BatchSummary& more, BatchSummary& sum);
 
 struct Batch {
   std::function<std::unique_ptr<Demonstration>()> next;  ///< null at the end
@@ -33,10 +39,17 @@ struct Batch {
   std::function<void(const DemonstrationOutcome&)> write;  ///< in the order of the dataset
 };
 
+/// `plan` without exceptions: one makes the demonstration a failed one.
+DemonstrationOutcome attempt(const std::function<DemonstrationOutcome(const Demonstration&)>& plan,
+                             const Demonstration& demonstration);
+
 /// Plans every demonstration on up to `jobs` threads. An exception thrown by `plan` makes that
 /// demonstration a failed one; the run goes on.
 BatchSummary run_batch(const Batch& batch, int jobs);
 
+/// "5 demonstrations, 5 movements: 4 executable (1 repaired), 1 infeasible (no_goal 1)".
+std::string summary_text_for_people(const BatchSummary& summary);
+/// As docs/formats.md says: what `--json` prints.
 std::string summary_json(const BatchSummary& summary);
 
 }  // namespace morphe

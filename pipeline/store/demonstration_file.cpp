@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
+
 #include "pipeline/store/consistency.hpp"
 #include "pipeline/store/demonstration_layout.hpp"
 #include "pipeline/store/hdf5_file.hpp"
@@ -39,6 +42,7 @@ void DemonstrationWriter::add(const Demonstration& demonstration) {
     state_->demonstrations.refuse(fmt::format("{}/{}", demonstration.name, fault));
   LayoutWriter io(state_->demonstrations.create(demonstration.name));
   lay_out_demonstration(io, demonstration);
+  state_->file.expect_written();
 }
 
 void DemonstrationWriter::finish() {
@@ -50,6 +54,7 @@ void DemonstrationWriter::finish() {
 struct DemonstrationReader::State {
   Hdf5File file;
   Hdf5Group demonstrations;
+  std::optional<std::vector<std::string>> names;
 };
 
 DemonstrationReader::DemonstrationReader(const std::filesystem::path& path) : state_(new State) {
@@ -57,18 +62,39 @@ DemonstrationReader::DemonstrationReader(const std::filesystem::path& path) : st
   const Hdf5Group root = state_->file.root();
   check_format(root, kFormat, kVersion);
   state_->demonstrations = root.open("demonstrations");
-  names_ = state_->demonstrations.children();
 }
 
 DemonstrationReader::~DemonstrationReader() = default;
 
-Demonstration DemonstrationReader::read(std::size_t index) const {
+void DemonstrationReader::each_name(const std::function<void(const std::string&)>& visit) const {
+  state_->demonstrations.each_child(visit);
+}
+
+const std::vector<std::string>& DemonstrationReader::names() const {
+  if (!state_->names) state_->names = state_->demonstrations.children();
+  return *state_->names;
+}
+
+Demonstration DemonstrationReader::read(const std::string& name) const {
   Demonstration demonstration;
-  demonstration.name = names_.at(index);
-  LayoutReader io(state_->demonstrations.open(demonstration.name));
+  demonstration.name = name;
+  LayoutReader io(state_->demonstrations.open(name));
   lay_out_demonstration(io, demonstration);
+  state_->file.expect_unchanged();
   io.here().refuse(inconsistency(demonstration));
   return demonstration;
+}
+
+void DemonstrationReader::expect_unchanged() const { state_->file.expect_unchanged(); }
+
+std::size_t DemonstrationReader::frames(const std::string& name) const {
+  const Hdf5Group demonstration = state_->demonstrations.open(name);
+  std::size_t most = 0;
+  for (const char* stream : {"markers", "sensors", "skeleton", "arm_angles", "hand"}) {
+    if (!demonstration.has(stream)) continue;
+    most = std::max(most, demonstration.open(stream).length("time"));
+  }
+  return most;
 }
 
 }  // namespace morphe

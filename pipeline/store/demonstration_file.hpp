@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,19 +28,26 @@ class DemonstrationWriter {
 
 /// Reads demonstrations.h5, one demonstration at a time, in the order in which they were written
 /// (by name where the file does not say). Streams that are absent are nullopt. InputError
-/// "FILE:/h5/path: message" for whatever is missing, damaged or does not fit together.
+/// "FILE:/h5/path: message" for whatever is missing, damaged or does not fit together, and for a
+/// file that changed since it was opened.
 class DemonstrationReader {
  public:
   explicit DemonstrationReader(const std::filesystem::path& path);
   ~DemonstrationReader();
-  std::size_t size() const { return names_.size(); }
-  const std::vector<std::string>& names() const { return names_; }
-  Demonstration read(std::size_t index) const;
+  /// All names in their order, without holding them.
+  void each_name(const std::function<void(const std::string&)>& visit) const;
+  Demonstration read(const std::string& name) const;
+  void expect_unchanged() const;  ///< what read() asks of the file, too
+  /// Samples of its longest stream, told without reading it.
+  std::size_t frames(const std::string& name) const;
+
+  std::size_t size() const { return names().size(); }
+  const std::vector<std::string>& names() const;  ///< kept from the first call on
+  Demonstration read(std::size_t index) const { return read(names().at(index)); }
 
  private:
   struct State;
   std::unique_ptr<State> state_;
-  std::vector<std::string> names_;
 };
 
 }  // namespace morphe

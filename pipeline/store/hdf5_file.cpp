@@ -2,12 +2,16 @@
 
 #include <fmt/format.h>
 #include <hdf5.h>
+#include <sys/stat.h>
 
 #include <cerrno>
 #include <cstring>
+#include <exception>
 #include <fstream>
 #include <type_traits>
 #include <utility>
+
+#include "pipeline/store/hdf5_output.hpp"
 
 namespace morphe {
 namespace {
@@ -39,8 +43,20 @@ Hdf5Id access_properties() {
   return access;
 }
 
-herr_t collect_name(hid_t, const char* name, const H5L_info_t*, void* names) {
-  static_cast<std::vector<std::string>*>(names)->emplace_back(name);
+/// What an iteration over links calls; an exception waits here until HDF5 has returned.
+struct Visit {
+  const std::function<void(const std::string&)>& call;
+  std::exception_ptr thrown;
+};
+
+herr_t visit_link(hid_t, const char* name, const H5L_info_t*, void* visit) {
+  auto* const visited = static_cast<Visit*>(visit);
+  try {
+    visited->call(name);
+  } catch (...) {
+    visited->thrown = std::current_exception();
+    return -1;
+  }
   return 0;
 }
 
@@ -67,6 +83,7 @@ bool Hdf5Id::reset() {
 Hdf5File Hdf5File::create(const std::filesystem::path& path) {
   Hdf5File file;
   const Hdf5Id access = access_properties();
+  H5Pset_driver(access.get(), hdf5_output_driver(), nullptr);
   const Hdf5Id creation = properties(H5P_FILE_CREATE);
   describe_group(creation.get());
   file.name_ = path.string();
@@ -85,6 +102,7 @@ Hdf5File Hdf5File::open(const std::filesystem::path& path) {
   file.id_ = {H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose};
   if (!file.id_.valid())
     throw InputError(fmt::format("{}: is not a readable HDF5 file", file.name_));
+  file.opened_ = file.state();
   return file;
 }
 
@@ -94,9 +112,31 @@ Hdf5Group Hdf5File::root() const {
   return {std::move(id), name_, ""};
 }
 
+Hdf5File::State Hdf5File::state() const {
+  void* handle = nullptr;
+  struct stat now {};
+  if (H5Fget_vfd_handle(id_.get(), H5P_DEFAULT, &handle) < 0 ||
+      ::fstat(*static_cast<const int*>(handle), &now) != 0)
+    throw InputError(fmt::format("{}: cannot be read", name_));
+  return {now.st_size, now.st_mtim.tv_sec, now.st_mtim.tv_nsec};
+}
+
+void Hdf5File::expect_unchanged() const {
+  if (state() != opened_) throw InputError(fmt::format("{}: was changed while it was read", name_));
+}
+
+void Hdf5File::expect_written(int error) const {
+  if (error != 0)
+    throw InputError(fmt::format("{}: cannot be written: {}", name_, std::strerror(error)));
+}
+
+void Hdf5File::expect_written() const { expect_written(hdf5_output_error(id_.get())); }
+
 void Hdf5File::close() {
-  const bool flushed = H5Fflush(id_.get(), H5F_SCOPE_GLOBAL) >= 0;
-  if (!id_.reset() || !flushed) throw InputError(fmt::format("{}: cannot be written", name_));
+  int error = 0;
+  report_hdf5_output_error(id_.get(), error);
+  if (!id_.reset()) throw InputError(fmt::format("{}: cannot be written", name_));
+  expect_written(error);
 }
 
 Hdf5Group Hdf5Group::create(const std::string& name) const {
@@ -129,14 +169,20 @@ Hdf5Group Hdf5Group::open(const std::string& name) const {
 }
 
 std::vector<std::string> Hdf5Group::children() const {
+  std::vector<std::string> names;
+  each_child([&](const std::string& name) { names.push_back(name); });
+  return names;
+}
+
+void Hdf5Group::each_child(const std::function<void(const std::string&)>& visit) const {
   unsigned order = 0;
   const Hdf5Id creation(H5Gget_create_plist(id_.get()), H5Pclose);
   if (creation.valid()) H5Pget_link_creation_order(creation.get(), &order);
   const H5_index_t index = (order & H5P_CRT_ORDER_TRACKED) ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME;
-  std::vector<std::string> names;
-  if (H5Literate(id_.get(), index, H5_ITER_INC, nullptr, collect_name, &names) < 0)
-    fail("is not a readable group");
-  return names;
+  Visit visited{visit, nullptr};
+  const herr_t done = H5Literate(id_.get(), index, H5_ITER_INC, nullptr, visit_link, &visited);
+  if (visited.thrown) std::rethrow_exception(visited.thrown);
+  if (done < 0) fail("is not a readable group");
 }
 
 void Hdf5Group::fail(const std::string& message) const {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -74,6 +75,10 @@ class Hdf5Group {
   Hdf5Group open(const std::string& name) const;
   /// Names of the links: in the order of their creation where the file holds it, else by name.
   std::vector<std::string> children() const;
+  /// The same, one by one, without holding them all.
+  void each_child(const std::function<void(const std::string&)>& visit) const;
+  /// First dimension of a dataset.
+  std::size_t length(const std::string& name) const;
   template <class T>
   Hdf5Array<T> read(const std::string& name, const Hdf5Shape& shape) const;
   std::vector<std::string> read_strings(const std::string& name) const;
@@ -110,14 +115,25 @@ class Hdf5File {
   static Hdf5File open(const std::filesystem::path& path);
 
   Hdf5Group root() const;
+  /// InputError if the file was truncated or written to since it was opened: HDF5 itself takes what
+  /// is missing at the end for zeros. A file that was removed stays readable.
+  void expect_unchanged() const;
   /// Name in messages, if it is not the path.
   void call_it(const std::filesystem::path& path) { name_ = path.string(); }
+  /// InputError if something that was written did not reach the disk.
+  void expect_written() const;
   /// Flushes and closes; InputError if not everything could be written.
   void close();
 
  private:
   Hdf5Id id_;
   std::string name_;
+  struct State {
+    std::int64_t bytes = 0, seconds = 0, nanoseconds = 0;
+    bool operator==(const State&) const = default;
+  } opened_;  ///< size and time of the last change
+  State state() const;
+  void expect_written(int error) const;
 };
 
 /// Root attributes `format` and `version` [int].

@@ -186,6 +186,12 @@ template Hdf5Array<double> Hdf5Group::read(const std::string&, const Hdf5Shape&)
 template Hdf5Array<std::int32_t> Hdf5Group::read(const std::string&, const Hdf5Shape&) const;
 template Hdf5Array<std::uint8_t> Hdf5Group::read(const std::string&, const Hdf5Shape&) const;
 
+std::size_t Hdf5Group::length(const std::string& name) const {
+  const Opened data = open_dataset(id_.get(), name, file_bytes());
+  if (!data.problem.empty()) fail(name, data.problem);
+  return data.extent.dims.empty() ? 1 : data.extent.dims.front();
+}
+
 std::vector<std::string> Hdf5Group::read_strings(const std::string& name) const {
   const Opened data = open_dataset(id_.get(), name, file_bytes());
   if (!data.problem.empty()) fail(name, data.problem);

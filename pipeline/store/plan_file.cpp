@@ -63,6 +63,7 @@ void PlanWriter::add(const Plan& plan) {
       there ? plans.open(plan.demonstration) : plans.create(plan.demonstration);
   LayoutWriter io(demonstration.create(movement));
   lay_out_plan(io, plan);
+  state_->file.expect_written();
 }
 
 void PlanWriter::finish() {

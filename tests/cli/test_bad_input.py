@@ -268,7 +268,7 @@ class Recordings(RunCase):
         damaged = bytearray(imported.read_bytes())
         damaged[chunk.byte_offset + chunk.size // 2] ^= 0xFF
         imported.write_bytes(damaged)
-        self.run_refuses(f"{imported}:{where}", arguments=["--dataset", imported])
+        self.run_refuses(f"{imported}:{where}", arguments=["--dataset", imported, "--json"])
 
     def test_dataset_taken_away(self):
         imported = self.folder / "imported.h5"
@@ -276,14 +276,14 @@ class Recordings(RunCase):
         with h5py.File(imported, "r+") as file:
             del file["demonstrations/forward/markers/time"]
         self.run_refuses(f"{imported}:/demonstrations/forward/markers/time",
-                         arguments=["--dataset", imported])
+                         arguments=["--dataset", imported, "--json"])
 
     def test_dataset_of_a_later_version(self):
         imported = self.folder / "imported.h5"
         self.succeeds("import", self.manifest, "--out", imported)
         with h5py.File(imported, "r+") as file:
             file.attrs["version"] = 99
-        self.run_refuses(f"{imported}:/", "99", arguments=["--dataset", imported])
+        self.run_refuses(f"{imported}:/", "99", arguments=["--dataset", imported, "--json"])
 
 
 class Places(RunCase):

@@ -40,7 +40,7 @@ class ShippedSample(unittest.TestCase):
     def test_prints_a_summary_as_json_and_nothing_else(self):
         summary = json.loads(self.result.stdout)
         self.assertEqual(list(summary), ["demonstrations", "movements", "executable", "infeasible",
-                                         "repaired", "failed", "reasons", "stage_seconds"])
+                                         "repaired", "failed", "reasons", "stage_seconds", "reused"])
         self.assertEqual(summary["demonstrations"], len(DEMONSTRATIONS))
         self.assertEqual(summary["movements"], len(self.plans))
         self.assertEqual(summary["executable"], len(self.moving()))
@@ -192,7 +192,7 @@ class SameBytes(CommandCase):
         return sha256(cls.base / out / "plans.h5")
 
     def test_twice_into_the_same_folder(self):
-        again = self.run_into("first", "--jobs", 1)
+        again = self.run_into("first", "--jobs", 1, "--fresh")
         self.assertEqual(again, self.first)
 
     def test_two_threads_and_another_folder(self):
@@ -227,7 +227,8 @@ class OtherWaysToRun(CommandCase):
             self.assertIn(name, result.stdout)
         self.assertEqual(re.findall(r"^\[\d/\d\] \w+", result.stderr, re.M),
                          ["[1/2] ADL001DR2", "[2/2] ADL001AR1"])
-        self.assertEqual(sorted(os.listdir(self.folder / "out")), ["demonstrations.h5", "plans.h5"])
+        self.assertEqual(sorted(os.listdir(self.folder / "out")),
+                         ["demonstrations.h5", "journal.sqlite", "plans.h5"])
 
     def test_every_pipeline_config_loads_with_all_that_it_names(self):
         """A dataset without recordings: the config, its robot and its scene are all that is read."""

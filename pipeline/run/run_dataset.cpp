@@ -1,0 +1,228 @@
+#include "pipeline/run/run_dataset.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "pipeline/config/hash.hpp"
+#include "pipeline/motion/input_error.hpp"
+#include "pipeline/run/config_changes.hpp"
+#include "pipeline/run/ordered_map.hpp"
+#include "pipeline/run/stop_signal.hpp"
+#include "pipeline/run/write_plans.hpp"
+#include "pipeline/store/bytes.hpp"
+#include "pipeline/store/consistency.hpp"
+#include "pipeline/store/demonstration_file.hpp"
+
+namespace morphe {
+namespace {
+
+/// A demonstration to be planned, or why it could not be read.
+struct Task {
+  Demonstration demonstration;
+  std::string input;  ///< SHA-256
+  std::string error;
+};
+
+class Run {
+ public:
+  Run(Journal& journal, RunRequest request, Progress& progress)
+      : journal_(journal),
+        request_(std::move(request)),
+        progress_(progress),
+        reader_(request_.dataset) {
+    RunIdentity& identity = request_.identity;
+    std::string& dataset = identity.header.dataset_sha256;
+    dataset = sha256_of_file(request_.dataset);
+    if (!request_.expected_dataset.empty() && request_.expected_dataset != dataset)
+      throw InputError(
+          fmt::format("{}: is not the dataset of these plans: its SHA-256 is {}, not {}",
+                      request_.dataset.string(), dataset, request_.expected_dataset));
+    print_.config = sha256(request_.config);
+    print_.robot = sha256(bytes_of(identity.robot));
+    print_.scene = identity.scene;
+    print_.program = identity.program;
+  }
+
+  RunResult run() {
+    begin();
+    OrderedMap<Task, Finished> map;
+    map.next = [&] { return next(); };
+    map.work = [&](const Task& task) { return work(task); };
+    map.write = [&](const Finished& finished) { write(finished); };
+    try {
+      morphe::run(map, request_.jobs);
+    } catch (...) {
+      keep_what_is_done();
+      throw;
+    }
+    journal_.commit();
+    const bool complete = stop_.seen() == 0 && finish();
+    return {complete ? 0 : stop_.seen(), progress_.so_far()};
+  }
+
+ private:
+  void begin() {
+    std::vector<std::size_t> frames;
+    const Shard& shard = request_.identity.shard;
+    std::int64_t& count = request_.identity.demonstrations;
+    reader_.each_name([&](const std::string& name) {
+      ++count;
+      if (shard.count > 1) frames.push_back(frames_of(name));
+    });
+    const std::vector<std::uint32_t> shard_of = share_out(frames, shard.count);
+    journal_.begin(request_.identity, request_.config, [&](const auto& want) {
+      std::int64_t position = 0;
+      reader_.each_name([&](const std::string& name) {
+        const auto index = static_cast<std::size_t>(position);
+        if (shard.count == 1 || static_cast<int>(shard_of[index]) == shard.index)
+          want(Place{position, name});
+        ++position;
+      });
+    });
+    progress_.begin(journal_.wanted());
+  }
+
+  /// One that is damaged has none, in every shard alike.
+  std::size_t frames_of(const std::string& name) const {
+    try {
+      return reader_.frames(name);
+    } catch (const InputError&) {
+      return 0;
+    }
+  }
+
+  std::unique_ptr<Task> next() {
+    while (stop_.seen() == 0) {
+      const std::optional<Place> place = journal_.next();
+      if (!place) break;
+      const std::optional<Finished> found = journal_.find(place->name);
+      std::vector<std::string> why = reasons_of_run(found);
+      std::unique_ptr<Task> task;
+      if (!found || !why.empty() || found->dataset != dataset()) task = read(place->name);
+      if (found && task && found->print.input != task->input)
+        why.push_back("its recording changed");
+      if (found && why.empty()) {
+        if (task) journal_.seen_in(place->name, dataset());
+        progress_.reused(found->summary);
+        ++readable_;
+        continue;
+      }
+      if (!found) why.push_back("not done before");
+      if (request_.explain)
+        progress_.line(fmt::format("{}: {}", place->name, fmt::join(why, "; ")));
+      return task;
+    }
+    return nullptr;
+  }
+
+  /// Why a finished demonstration is done again, but for its recording.
+  std::vector<std::string> reasons_of_run(const std::optional<Finished>& found) {
+    std::vector<std::string> why;
+    if (!found) return why;
+    if (!found->error.empty()) why.push_back("it failed: " + found->error);
+    if (found->print.config != print_.config)
+      why.push_back("the config changed: " + changes_since(found->print.config));
+    if (found->print.robot != print_.robot) why.push_back("the robot changed");
+    if (found->print.scene != print_.scene) why.push_back("the scene changed");
+    if (found->print.program != print_.program) why.push_back("morphe was built anew");
+    return why;
+  }
+
+  const std::string& changes_since(const std::string& config) {
+    if (config != explained_) {
+      explained_ = config;
+      changes_ = fmt::format(
+          "{}", fmt::join(config_changes(journal_.config(config), request_.config), ", "));
+    }
+    return changes_;
+  }
+
+  std::unique_ptr<Task> read(const std::string& name) {
+    auto task = std::make_unique<Task>();
+    try {
+      task->demonstration = reader_.read(name);
+      ++readable_;
+    } catch (const InputError& error) {
+      reader_.expect_unchanged();
+      task->demonstration = {};
+      task->demonstration.name = name;
+      task->error = error.what();
+      if (first_unreadable_.empty()) first_unreadable_ = error.what();
+    }
+    task->input = sha256(bytes_of(task->demonstration));
+    return task;
+  }
+
+  /// What could be written, or why not; nothing if the run was stopped before it began.
+  std::unique_ptr<Finished> work(const Task& task) {
+    auto finished = std::make_unique<Finished>();
+    if (stop_.seen() != 0) return finished;
+    DemonstrationOutcome outcome;
+    outcome.error = task.error;
+    if (task.error.empty()) outcome = attempt(request_.plan, task.demonstration);
+    for (const Plan& plan : outcome.plans) {
+      const std::string fault = inconsistency(plan, request_.identity.robot);
+      if (fault.empty()) continue;
+      outcome = {};
+      outcome.error = fault;
+      break;
+    }
+    finished->name = task.demonstration.name;
+    finished->print = print_;
+    finished->print.input = task.input;
+    finished->dataset = dataset();
+    finished->error = outcome.error;
+    finished->summary = summary_of(outcome);
+    for (const Plan& plan : outcome.plans)
+      finished->plans.push_back({request_.rows(plan), bytes_of(plan)});
+    return finished;
+  }
+
+  void write(const Finished& finished) {
+    if (finished.name.empty()) return;
+    journal_.add(finished);
+    progress_.done(finished.name, finished.summary, finished.error);
+  }
+
+  /// False if it was stopped before the file was whole.
+  bool finish() {
+    if (readable_ == 0 && !first_unreadable_.empty()) throw InputError(first_unreadable_);
+    const RunIdentity& identity = request_.identity;
+    PlanWriter writer(request_.plans, identity.header, identity.robot);
+    journal_.rewind();
+    while (const std::optional<Place> place = journal_.next()) {
+      if (stop_.seen() != 0) return false;
+      write_plans(journal_, place->name, writer);
+    }
+    writer.finish();
+    request_.publish();
+    journal_.complete();
+    return true;
+  }
+
+  void keep_what_is_done() {
+    try {
+      journal_.commit();
+    } catch (const InputError&) {  // the disk is full: the batch is lost, what came before is not
+    }
+  }
+
+  const std::string& dataset() const { return request_.identity.header.dataset_sha256; }
+
+  Journal& journal_;
+  RunRequest request_;
+  Progress& progress_;
+  DemonstrationReader reader_;
+  StopSignal stop_;
+  Fingerprint print_;  ///< of this run; the input is each demonstration's own
+  std::int64_t readable_ = 0;
+  std::string first_unreadable_, explained_, changes_;
+};
+
+}  // namespace
+
+RunResult run_dataset(Journal& journal, RunRequest request, Progress& progress) {
+  return Run(journal, std::move(request), progress).run();
+}
+
+}  // namespace morphe

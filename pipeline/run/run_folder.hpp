@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "pipeline/run/journal.hpp"
+#include "pipeline/run/output_folder.hpp"
+
+namespace morphe {
+
+/// The folder of a run with its journal, held by this process alone. What was made here is taken
+/// away again unless something was finished or keep() was called.
+class RunFolder {
+ public:
+  RunFolder(const std::filesystem::path& path, const std::string& software, const Shard& shard,
+            bool fresh);
+  ~RunFolder();
+  RunFolder(const RunFolder&) = delete;
+  RunFolder& operator=(const RunFolder&) = delete;
+
+  const std::filesystem::path& path() const { return folder_.path(); }
+  Journal& journal() { return *journal_; }
+  void keep() { kept_ = true; }
+
+ private:
+  bool something_is_finished() const;
+
+  OutputFolder folder_;
+  bool journal_was_there_, kept_ = false;
+  std::unique_ptr<Journal> journal_;
+};
+
+}  // namespace morphe

@@ -1,0 +1,81 @@
+#include "pipeline/run/shard.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <functional>
+#include <numeric>
+#include <queue>
+#include <utility>
+
+#include "pipeline/motion/input_error.hpp"
+
+namespace morphe {
+namespace {
+
+constexpr int kMostShards = 1000000;
+
+bool parse_number(std::string_view text, int& number) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+int from_environment(const char* name) {
+  const char* const text = std::getenv(name);
+  int number = 0;
+  if (!text || !parse_number(text, number))
+    throw InputError(
+        fmt::format("--shard slurm: {} is not set to a number: not in a job array", name));
+  return number;
+}
+
+Shard slurm_shard() {
+  const int id = from_environment("SLURM_ARRAY_TASK_ID");
+  const int least = from_environment("SLURM_ARRAY_TASK_MIN");
+  const int most = from_environment("SLURM_ARRAY_TASK_MAX");
+  const int count = from_environment("SLURM_ARRAY_TASK_COUNT");
+  if (most - least + 1 != count)
+    throw InputError(fmt::format(
+        "--shard slurm: the array {}-{} has {} tasks: it must have no gaps", least, most, count));
+  return {id - least + 1, count};
+}
+
+}  // namespace
+
+Shard parse_shard(const std::string& text) {
+  if (text == "slurm") return slurm_shard();
+  Shard shard;
+  const std::string_view view = text;
+  const std::size_t slash = view.find('/');
+  if (slash == std::string_view::npos || !parse_number(view.substr(0, slash), shard.index) ||
+      !parse_number(view.substr(slash + 1), shard.count) || shard.count < 1 ||
+      shard.count > kMostShards || shard.index < 1 || shard.index > shard.count)
+    throw InputError(fmt::format("--shard {}: must be I/N with 1 <= I <= N, or slurm", text));
+  return shard;
+}
+
+std::string shard_text(const Shard& shard) {
+  return fmt::format("{}/{}", shard.index, shard.count);
+}
+
+std::vector<std::uint32_t> share_out(const std::vector<std::size_t>& frames, int count) {
+  std::vector<std::uint32_t> order(frames.size()), shard_of(frames.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return frames[a] > frames[b]; });
+  using Load = std::pair<std::size_t, std::uint32_t>;  // frames so far, shard
+  std::priority_queue<Load, std::vector<Load>, std::greater<>> loads;
+  for (int i = 1; i <= count; ++i) loads.emplace(0, static_cast<std::uint32_t>(i));
+  for (const std::uint32_t demonstration : order) {
+    const auto [load, shard] = loads.top();
+    loads.pop();
+    shard_of[demonstration] = shard;
+    // A demonstration without any frame costs something, too.
+    loads.emplace(load + std::max<std::size_t>(1, frames[demonstration]), shard);
+  }
+  return shard_of;
+}
+
+}  // namespace morphe

@@ -1,0 +1,43 @@
+#include "pipeline/run/summary_text.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "pipeline/motion/input_error.hpp"
+
+namespace morphe {
+
+std::string summary_text(const BatchSummary& s) {
+  return nlohmann::json{{"demonstrations", s.demonstrations},
+                        {"movements", s.movements},
+                        {"executable", s.executable},
+                        {"infeasible", s.infeasible},
+                        {"repaired", s.repaired},
+                        {"failed", s.failed},
+                        {"reasons", s.reasons},
+                        {"stage_seconds", s.stage_seconds},
+                        {"goals", s.goals},
+                        {"out_of_reach", s.out_of_reach}}
+      .dump();
+}
+
+BatchSummary summary_from_text(const std::string& text) {
+  BatchSummary s;
+  try {
+    const nlohmann::json json = nlohmann::json::parse(text);
+    json.at("demonstrations").get_to(s.demonstrations);
+    json.at("movements").get_to(s.movements);
+    json.at("executable").get_to(s.executable);
+    json.at("infeasible").get_to(s.infeasible);
+    json.at("repaired").get_to(s.repaired);
+    json.at("failed").get_to(s.failed);
+    json.at("reasons").get_to(s.reasons);
+    json.at("stage_seconds").get_to(s.stage_seconds);
+    json.at("goals").get_to(s.goals);
+    json.at("out_of_reach").get_to(s.out_of_reach);
+  } catch (const nlohmann::json::exception&) {
+    throw InputError("the journal's summary of a demonstration is damaged; --fresh begins anew");
+  }
+  return s;
+}
+
+}  // namespace morphe

@@ -1,0 +1,13 @@
+#include "pipeline/run/write_plans.hpp"
+
+#include "pipeline/store/bytes.hpp"
+
+namespace morphe {
+
+void write_plans(const Journal& journal, const std::string& demonstration, PlanWriter& writer) {
+  journal.each_plan(demonstration, [&](const Finished::StoredPlan& plan) {
+    writer.add(plan_from_bytes(plan.bytes));
+  });
+}
+
+}  // namespace morphe

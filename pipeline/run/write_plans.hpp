@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "pipeline/run/journal.hpp"
+#include "pipeline/store/plan_file.hpp"
+
+namespace morphe {
+
+/// The plans of one demonstration, from the journal into the file, one at a time in memory.
+void write_plans(const Journal& journal, const std::string& demonstration, PlanWriter& writer);
+
+}  // namespace morphe

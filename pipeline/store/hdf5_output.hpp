@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+
+namespace morphe {
+
+/// HDF5 does not survive a write that fails: closing what it could not flush crashes the library.
+/// This driver, the plain one otherwise (same calls, same bytes), never fails towards HDF5: it
+/// remembers that something did not reach the disk, for hdf5_output_error() to tell.
+/// Id of the driver, for H5Pset_driver.
+std::int64_t hdf5_output_driver();
+/// errno of the first write of an open file that failed, 0 if none did.
+int hdf5_output_error(std::int64_t file);
+/// Leaves it in `error` when the file is closed, which writes, too.
+void report_hdf5_output_error(std::int64_t file, int& error);
+
+}  // namespace morphe
