@@ -1,16 +1,15 @@
 #include "pipeline/solve/minimise_movement.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <array>
 #include <vector>
+
+#include "pipeline/solve/band_cholesky.hpp"
 
 namespace morphe {
 namespace {
 
 using Eigen::Index;
-using Sparse = Eigen::SparseMatrix<double>;
 /// Coefficients of the forward differences of order 1, 2 and 3.
 const std::array<std::vector<double>, 3> kDifferences{{{-1, 1}, {1, -2, 1}, {-1, 3, -3, 1}}};
 
@@ -71,40 +70,38 @@ JointRows gradient(const MovementProblem& problem, const Point& point) {
   return g;
 }
 
-/// Lower triangle of the Hessian with held variables cut out and the diagonal damped.
-Sparse damped_hessian(const MovementProblem& problem, const Point& point,
-                      const std::vector<bool>& held, double damping) {
+/// The Hessian with held variables cut out and the diagonal damped.
+void damped_hessian(const MovementProblem& problem, const Point& point,
+                    const std::vector<bool>& held, double damping, BandCholesky& hessian) {
   const Index frames = point.q.rows(), n = point.q.cols();
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(static_cast<std::size_t>(frames * n * (n + 1) / 2 + frames * n * 20));
-  const auto add = [&](Index row, Index col, double value) {
-    if (held[static_cast<std::size_t>(row)] || held[static_cast<std::size_t>(col)]) value = 0;
-    entries.emplace_back(static_cast<int>(row), static_cast<int>(col), value);
-  };
   for (Index f = 0; f < frames; ++f) {
-    const Eigen::MatrixXd& block = point.models[static_cast<std::size_t>(f)].hessian;
+    const auto frame = static_cast<std::size_t>(f);
+    const Eigen::MatrixXd& own = point.models[frame].hessian;
     // Directions without curvature of their own are damped too, or they take wild steps.
-    const double floor = 1e-3 * block.diagonal().maxCoeff() + 1e-9;
-    for (Index i = 0; i < n; ++i) {
-      for (Index j = 0; j <= i; ++j) add(f * n + i, f * n + j, block(i, j));
-      const auto row = static_cast<int>(f * n + i);
-      const double own =
-          held[static_cast<std::size_t>(row)] ? 1.0 : damping * (block(i, i) + floor);
-      entries.emplace_back(row, row, own);
-    }
+    const double floor = 1e-3 * own.diagonal().maxCoeff() + 1e-9;
+    hessian.row(frame).setZero();
+    auto block = hessian.block(frame, 0);
+    block = own;
+    block.diagonal() += damping * (own.diagonal().array() + floor).matrix();
   }
   each_difference(problem, [&](Index f, const auto& coefficients, const JointVector& weight) {
     for (std::size_t a = 0; a < coefficients.size(); ++a) {
       for (std::size_t b = 0; b <= a; ++b) {
-        const double product = 2 * coefficients[a] * coefficients[b];
-        const Index row = (f + static_cast<Index>(a)) * n, col = (f + static_cast<Index>(b)) * n;
-        for (Index j = 0; j < n; ++j) add(row + j, col + j, product * weight[j]);
+        hessian.block(static_cast<std::size_t>(f) + a, static_cast<Index>(a - b)).diagonal() +=
+            2 * coefficients[a] * coefficients[b] * weight;
       }
     }
   });
-  Sparse hessian(frames * n, frames * n);
-  hessian.setFromTriplets(entries.begin(), entries.end());
-  return hessian;
+  for (Index k = 0; k < frames * n; ++k) {
+    if (!held[static_cast<std::size_t>(k)]) continue;
+    const auto frame = static_cast<std::size_t>(k / n);
+    hessian.row(frame).row(k % n).setZero();
+    for (Index after = 0; after <= BandCholesky::kBandBlocks; ++after) {
+      const std::size_t below = frame + static_cast<std::size_t>(after);
+      if (below < problem.frames) hessian.block(below, after).col(k % n).setZero();
+    }
+    hessian.block(frame, 0)(k % n, k % n) = 1;
+  }
 }
 
 }  // namespace
@@ -122,28 +119,28 @@ MovementMinimum minimise_movement(const MovementProblem& problem, const JointRow
   clamp(now.q);
   evaluate(problem, now);
 
-  // The pattern is the same in every step: analysed once.
-  Eigen::SimplicialLDLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>> solver;
-  bool analysed = false;
+  BandCholesky hessian;
+  hessian.resize(problem.frames, n);
   double damping = 1e-3;
   MovementMinimum result;
   std::vector<bool> held(static_cast<std::size_t>(frames * n));
   for (result.iterations = 0; result.iterations < options.iterations; ++result.iterations) {
     const JointRows g = gradient(problem, now);
-    JointVector right_side(frames * n);
+    JointVector step(frames * n);
     for (Index f = 0; f < frames; ++f) {
       for (Index j = 0; j < n; ++j) {
         const bool at_lower = now.q(f, j) <= problem.lower[j] && g(f, j) > 0;
         const bool at_upper = now.q(f, j) >= problem.upper[j] && g(f, j) < 0;
         held[static_cast<std::size_t>(f * n + j)] = at_lower || at_upper;
-        right_side[f * n + j] = at_lower || at_upper ? 0 : -g(f, j);
+        step[f * n + j] = at_lower || at_upper ? 0 : -g(f, j);
       }
     }
-    const Sparse hessian = damped_hessian(problem, now, held, damping);
-    if (!analysed) solver.analyzePattern(hessian);
-    analysed = true;
-    solver.factorize(hessian);
-    const JointVector step = solver.solve(right_side);
+    damped_hessian(problem, now, held, damping, hessian);
+    if (!hessian.factorise()) {
+      damping *= 8;
+      continue;
+    }
+    hessian.solve(step);
     next.q = now.q + Eigen::Map<const JointRows>(step.data(), frames, n);
     clamp(next.q);
     evaluate(problem, next);
