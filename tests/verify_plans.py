@@ -440,7 +440,8 @@ def check_plan(robot, path, plan):
     mapped = plan["mapped/humanlikeness"][()]
     found["humanlikeness_mapped"] = largest_and_mean(mapped[:, :1])[1]
     found["clearance"] = check_contacts(robot, plan, motion, phases, report)
-    found["tempo"] = motion["time"][-1] / (plan.attrs["end_s"] - plan.attrs["start_s"])
+    human = np.ptp(motion["demonstration_time"])
+    found["tempo"] = motion["time"][-1] / human if human > 0 else np.nan
     check_certificate(plan, found, report)
     if "approach" in plan:
         approach, start = Report(path + "/approach"), motion["position"][0]

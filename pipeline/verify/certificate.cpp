@@ -59,7 +59,10 @@ Certificate recomputed_certificate(const RobotTable& robot, const Plan& plan, co
   own.upper_arm_error_mean = goals.upper_arm_mean;
   own.humanlikeness_final = goals.humanlikeness;
   own.humanlikeness_mapped = mapped_humanlikeness(plan.mapped.humanlikeness);
-  own.tempo = plan.trajectory.time.back() / (plan.movement.end_s - plan.movement.begin_s);
+  const std::vector<double>& human = plan.trajectory.demonstration_time;
+  if (human.back() > human.front()) {
+    own.tempo = plan.trajectory.time.back() / (human.back() - human.front());
+  }
   const Speeds speeds = mean_speeds(robot, plan.goals, curve);
   own.sparc_robot = sparc(speeds.robot, speeds.step_s);
   own.sparc_human = sparc(speeds.human, speeds.step_s);

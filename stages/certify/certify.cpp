@@ -128,7 +128,9 @@ CertifyResult certify(const CollisionWorld& around, const Goals& goals, const Mo
   c.upper_arm_error_mean = errors.upper_arm_mean;
   fail("tracking", off_goals(*world.robot, trajectory, errors));
 
-  c.tempo = trajectory.time.back() / (movement.end_s - movement.begin_s);
+  const double human_s =
+      trajectory.demonstration_time.back() - trajectory.demonstration_time.front();
+  if (human_s > 0) c.tempo = trajectory.time.back() / human_s;
   if (mapped.humanlikeness.cols() > 0) {
     c.humanlikeness_mapped = mean_of_seen(mapped.humanlikeness.col(0));
   }
