@@ -7,7 +7,8 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from support import (REFERENCE, CommandCase, json, main, morphe, python_verify,
+import formats
+from support import (QUICK, REFERENCE, SOURCE, CommandCase, json, main, morphe, python_verify,
                      temporary_folder, write_two_recordings)
 
 PLAN = "ADL001DR2/000"
@@ -31,6 +32,23 @@ class Untouched(CommandCase):
             self.assertEqual(verdict["executable"] + verdict["infeasible"], 2)
             self.assertEqual(verdict["violations"], [])
         self.assertIn(f"{verdict['executable']} executable", self.succeeds("verify", PLANS).stdout)
+
+
+class OtherRecordings(CommandCase):
+    """Certificates of other shipped demonstrations agree with both programs' own numbers."""
+
+    def test_hands_that_five_tips_show_and_a_post_in_the_way(self):
+        adroit = self.folder / "adroit.yaml"
+        folder = SOURCE / "datasets/adroit-dapg"
+        adroit.write_text("format: adroit-csv\nrecordings:\n"
+                          + "".join(f"  - {{file: {folder}/door_demo_{n}.csv}}\n" for n in ("11", "12")))
+        for config, dataset in (("adroit", adroit), ("obstacle", write_two_recordings(self.folder))):
+            out = self.folder / config
+            summary = self.json_of("run", SOURCE / f"configs/pipelines/pa10_dlr_hit2_{config}.yaml",
+                                   "--dataset", dataset, "--out", out, *QUICK)
+            self.assertGreater(summary["executable"], 0, config)
+            for result in (morphe("verify", out / "plans.h5", "--json"), python_verify(out / "plans.h5")):
+                self.assertEqual(json.loads(result.stdout)["violations"], [])
 
 
 class Damaged(CommandCase):
@@ -160,6 +178,26 @@ class Damaged(CommandCase):
         file, plan = self.edited()
         plan["certificate"].attrs["clearance"] = 0.5
         self.found(file, "certificate", "clearance", [-1])
+
+    def test_every_figure_of_the_certificate_is_recomputed(self):
+        # What lies in the mapping's config, the posture, is not repeated from the file alone.
+        for change, programs in ((1e-3, (morphe, lambda _, file, __: python_verify(file))),
+                                 (2e-8, (morphe,))):
+            shutil.copy(PLANS, self.copy)
+            file, plan = self.edited()
+            certificate, changed = plan["certificate"].attrs, set()
+            for name in set(formats.CERTIFICATE) - {"repaired"}:
+                # To 0.1 mm the clearance, to 1e-9 the rest; jerk also to what rounding makes of it.
+                if np.isfinite(certificate[name]) and (change > 1e-6 or name not in ("clearance", "jerk_ratio")):
+                    certificate[name] += 2 * change * max(1, abs(certificate[name]))
+                    changed.add(name)
+            certificate["repaired"] = np.uint8(1 - certificate["repaired"])
+            file.close()
+            self.assertGreater(len(changed), 14)
+            for program in programs:
+                rows = json.loads(program("verify", self.copy, "--json").stdout)["violations"]
+                self.assertEqual({row["cause"] for row in rows}, {"certificate"})
+                self.assertEqual({row["subject"] for row in rows} - {"repaired"}, changed)
 
     def test_an_infeasible_plan_with_a_trajectory(self):
         file, plan = self.edited()
