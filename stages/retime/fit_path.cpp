@@ -6,6 +6,7 @@
 
 #include "pipeline/kinematics/forward.hpp"
 #include "stages/retime/banded.hpp"
+#include "stages/retime/inside_limits.hpp"
 
 namespace morphe {
 namespace {
@@ -14,12 +15,12 @@ constexpr int kRounds = 30,
               kPatience = 6;  ///< then roughness counts for less where it is in the way
 constexpr int kHalvings = 2;
 constexpr double kLessRoughness = 0.5;
-constexpr double kEndWeight = 1e5;    ///< the path's ends are kept
-constexpr double kMostWeight = 1e8;   ///< beyond it rounding wins
-constexpr double kLimitWeight = 1e3;  ///< pulls a coefficient beyond a joint limit onto it
+constexpr double kEndWeight = 1e5;         ///< the path's ends are kept
+constexpr double kMostWeight = 1e8;        ///< beyond it rounding wins
+constexpr double kLimitWeight = 100;       ///< of what is pulled onto a joint limit, times what …
+constexpr double kMostLimitWeight = 1e10;  ///< … the samples around weigh
 constexpr double kLeastRoughness = 1e-8, kMostRoughness = 1e6;  ///< what doubles can tell apart
-constexpr double kLimitInset = 1e-7;  ///< [rad]: rounding must not leave the limits
-constexpr double kLinear = 0.98;      ///< of the tip tolerance: a Jacobian is not the whole truth
+constexpr double kLinear = 0.98;  ///< of the tip tolerance: a Jacobian is not the whole truth
 constexpr double kExactDuration_s = 0.003, kExact = 1e-5;
 
 /// Tips' positions per joint at each sample, and the joints that no tip depends on.
@@ -74,7 +75,8 @@ struct Rows {
   std::vector<KnotPlace> place;
   std::vector<Eigen::Matrix<double, 6, 1>> basis;
   std::vector<double> weight;
-  Eigen::VectorXd roughness;  ///< weight of each third difference
+  Eigen::VectorXd roughness;     ///< weight of each third difference
+  Eigen::VectorXd limit_weight;  ///< of what is pulled onto a limit, for each interval
 };
 
 Rows rows_of(const std::vector<double>& clock, const std::vector<double>& allowance,
@@ -112,16 +114,25 @@ void spread(std::vector<double>& weight) {
   }
 }
 
-/// The normal equations' matrix; more damping if rounding ate what makes it definite.
-BandedMatrix factored_normal(const Rows& rows, const Eigen::VectorXd& pull) {
+/// Firmer than the samples whose coefficients an interval shares.
+void weigh_limits(Rows& rows) {
+  const Eigen::Index intervals = rows.roughness.size() - 2;
+  rows.limit_weight = Eigen::VectorXd::Constant(intervals, 10);
+  for (std::size_t i = 0; i < rows.weight.size(); ++i) {
+    const Eigen::Index first = std::max<Eigen::Index>(0, rows.place[i].interval - 5);
+    const Eigen::Index last = std::min(intervals - 1, rows.place[i].interval + 5);
+    for (Eigen::Index k = first; k <= last; ++k) {
+      rows.limit_weight[k] = std::max(rows.limit_weight[k], rows.weight[i]);
+    }
+  }
+  rows.limit_weight = (kLimitWeight * rows.limit_weight).cwiseMin(kMostLimitWeight);
+}
+
+/// The normal equations' matrix without pulls.
+BandedMatrix normal_of(const Rows& rows) {
   BandedMatrix normal(rows.roughness.size() + 3, 5);
   for (std::size_t i = 0; i < rows.weight.size(); ++i) {
-    for (Eigen::Index a = 0; a < 6; ++a) {
-      const double weighted = rows.weight[i] * rows.basis[i][a];
-      for (Eigen::Index b = 0; b <= a; ++b) {
-        normal.entry(rows.place[i].interval + a, a - b) += weighted * rows.basis[i][b];
-      }
-    }
+    add_form(normal, rows.place[i].interval, rows.weight[i], rows.basis[i].data());
   }
   constexpr std::array<double, 4> third{-1, 3, -3, 1};
   for (Eigen::Index i = 0; i < rows.roughness.size(); ++i) {
@@ -132,38 +143,11 @@ BandedMatrix factored_normal(const Rows& rows, const Eigen::VectorXd& pull) {
       }
     }
   }
-  for (Eigen::Index i = 0; i < pull.size(); ++i) normal.entry(i, 0) += pull[i];
-  for (double damping = 1e-10;; damping *= 1e2) {
-    BandedMatrix damped = normal;
-    for (Eigen::Index i = 0; i < damped.size; ++i) damped.entry(i, 0) += damping;
-    if (factor(damped)) return damped;
-  }
+  return normal;
 }
 
-/// Coefficients of one joint that left its limits are pulled back onto them.
-struct Pull {
-  Eigen::VectorXd weight, target;
-};
-
-/// Pulls grow until no coefficient is beyond the limits; false if one still is.
-bool update_pull(const JointSpline& spline, Eigen::Index joint, double lower, double upper,
-                 Pull& pull) {
-  bool inside = true;
-  for (Eigen::Index k = 0; k < spline.coefficient.rows(); ++k) {
-    const double c = spline.coefficient(k, joint), limit = std::clamp(c, lower, upper);
-    if (limit == c) continue;
-    if (pull.weight.size() == 0) {
-      pull.weight = pull.target = Eigen::VectorXd::Zero(spline.coefficient.rows());
-    }
-    inside = inside && std::abs(limit - c) < 1e-5;
-    pull.target[k] = limit;
-    pull.weight[k] = std::max(kLimitWeight, 3 * pull.weight[k]);
-  }
-  return inside;
-}
-
-void solve(const Rows& rows, const JointRows& offset, const std::vector<Pull>& pulls,
-           JointRows& coefficient) {
+void solve(Rows& rows, const JointRows& offset, const JointVector& lower, const JointVector& upper,
+           std::vector<LimitPull>& pulls, JointRows& coefficient) {
   coefficient.setZero();
   for (std::size_t i = 0; i < rows.weight.size(); ++i) {
     for (Eigen::Index a = 0; a < 6; ++a) {
@@ -172,13 +156,17 @@ void solve(const Rows& rows, const JointRows& offset, const std::vector<Pull>& p
     }
   }
   const JointRows right = coefficient;
-  solve_factored(factored_normal(rows, {}), coefficient);
+  const BandedMatrix free = normal_of(rows);
+  solve_factored(factored(free), coefficient);
   for (std::size_t joint = 0; joint < pulls.size(); ++joint) {
-    const Pull& pull = pulls[joint];
-    if (pull.weight.size() == 0) continue;
     const auto column = static_cast<Eigen::Index>(joint);
-    Eigen::VectorXd c = right.col(column) + pull.weight.cwiseProduct(pull.target);
-    solve_factored(factored_normal(rows, pull.weight), c);
+    Eigen::VectorXd c = coefficient.col(column);
+    // The curve lies between its coefficients, too.
+    const bool inside = c.minCoeff() >= lower[column] && c.maxCoeff() <= upper[column];
+    if (inside && pulls[joint].side.size() == 0) continue;
+    if (rows.limit_weight.size() == 0) weigh_limits(rows);
+    solve_inside({free, right.col(column), rows.limit_weight, lower[column], upper[column]},
+                 pulls[joint], c);
     coefficient.col(column) = c;
   }
 }
@@ -196,18 +184,13 @@ double fit(const RobotTable& robot, const std::vector<double>& clock, const Join
   const JointVector inset = (0.25 * (robot.upper - robot.lower)).cwiseMin(kLimitInset);
   const JointVector lower = robot.lower + inset - origin.transpose();
   const JointVector upper = robot.upper - inset - origin.transpose();
-  std::vector<Pull> pulls(static_cast<std::size_t>(n));
+  std::vector<LimitPull> pulls(static_cast<std::size_t>(n));
   JointRows& coefficient = out.spline.coefficient;
   double excess = 0;
   for (int round = 0; round < kRounds; ++round) {
-    solve(rows, offset, pulls, coefficient);
+    rows.limit_weight.resize(0);
+    solve(rows, offset, lower, upper, pulls, coefficient);
     bool settled = true;
-    for (Eigen::Index joint = 0; joint < n; ++joint) {
-      settled &= update_pull(out.spline, joint, lower[joint], upper[joint],
-                             pulls[static_cast<std::size_t>(joint)]);
-    }
-    coefficient = coefficient.cwiseMax(lower.transpose().replicate(coefficient.rows(), 1))
-                      .cwiseMin(upper.transpose().replicate(coefficient.rows(), 1));
     excess = out.tip_deviation = out.joint_deviation = 0;
     for (std::size_t i = 0; i < clock.size(); ++i) {
       const JointVector off =

@@ -26,7 +26,7 @@ struct PathFit {
 /// for all joints with the same weights w_i, raised wherever the tips (J(y_i) (q(u_i) - y_i)) or
 /// the joints without tips are off by more than `allowance_i` times the tolerance, until none is;
 /// after 30 rounds the knots are halved, three times at most. Ends are kept. The curve stays within
-/// [lower, upper] everywhere: a B-spline lies between its coefficients.
+/// [lower, upper] everywhere: its Bézier points do.
 /// clock [W] not decreasing, from 0; samples [W, n]; allowance [W].
 PathFit fit_path(const RobotTable& robot, const std::vector<double>& clock,
                  const JointRows& samples, const std::vector<double>& allowance,

@@ -55,8 +55,27 @@ TEST(Grasp, InTheObjectsFrame) {
             1e-12);
   const Vec3 palm = grasp.object_from_palm.translation();
   EXPECT_LT((palm - in_object(arm * Eigen::Vector2d(0.3, 0))).norm(), 1e-12);
+  // Turned by the shoulder's angle less the object's quarter turn.
+  EXPECT_TRUE(grasp.object_from_palm.linear().isApprox(
+      Eigen::AngleAxisd(shoulder - M_PI / 2, Vec3::UnitZ()).toRotationMatrix(), 1e-12));
   EXPECT_LT((grasp.base_from_object.translation() - Vec3(0.5, 0.2, 0)).norm(), 1e-15);
+  EXPECT_NEAR(grasp.hand_posture[0], shoulder, 1e-12);
   EXPECT_NEAR(grasp.hand_posture[2], index, 1e-12);
+}
+
+TEST(Grasp, AMovingObjectCountsWhereItIsThen) {
+  Scenery s;
+  SceneObject& cup = s.scene.objects[0];
+  cup.time = {0.7, 0.9};
+  cup.position = {Vec3(0.4, 0.2, 0), Vec3(0.6, 0.2, 0.1)};
+  cup.orientation = {Quat::Identity(), Quat(Eigen::AngleAxisd(0.8, Vec3::UnitX()))};
+  const Grasp grasp = find_grasp(planar_arm(), s.scene, s.movement, opening());
+  const Pose middle = make_pose(Vec3(0.5, 0.2, 0.05), Quat(Eigen::AngleAxisd(0.4, Vec3::UnitX())));
+  EXPECT_TRUE(grasp.base_from_object.isApprox(middle, 1e-12));
+  EXPECT_TRUE((grasp.base_from_object * grasp.object_from_palm)
+                  .isApprox(make_pose(Eigen::AngleAxisd(0.4, Vec3::UnitZ()) * Vec3(0.3, 0, 0),
+                                      Quat(Eigen::AngleAxisd(0.4, Vec3::UnitZ()))),
+                            1e-12));
 }
 
 TEST(Grasp, PregraspIsTheWidestOpening) {

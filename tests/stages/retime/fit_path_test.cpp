@@ -81,6 +81,31 @@ TEST(FitPath, StaysWithinLimits) {
   }
 }
 
+/// The coefficients of such a curve lie beyond the limit; the curve does not, and must not swing.
+TEST(FitPath, LeavesAndMeetsALimitAtOnceWithoutRinging) {
+  const auto way = [](double u) { return 0.3 * std::sin(2.5 * u); };  // 0 at 0, steep from there on
+  std::vector<double> clock;
+  JointRows y(101, 2);
+  for (int i = 0; i <= 100; ++i) {
+    clock.push_back(0.01 * i);
+    y(i, 0) = way(clock.back());
+    y(i, 1) = 0.5 - way(1 - clock.back());  // meets its upper limit at the end
+  }
+  const std::vector<double> allowance(clock.size(), 1);
+  RobotTable robot = bare_robot(2, 0, 0.5);
+  const PathFit fit = fit_path(robot, clock, y, allowance, {0.02, 0, 1.5e-3}, 0.01);
+  EXPECT_LE(fit.joint_deviation, 1.5e-3);
+  JointRows q;
+  for (double u = 0; u <= 1; u += 0.0007) {
+    evaluate(fit.spline, u, q);
+    EXPECT_GE(q.row(0).minCoeff(), 0);
+    EXPECT_LE(q.row(0).maxCoeff(), 0.5);
+    EXPECT_NEAR(q(1, 0), 0.75 * std::cos(2.5 * u), 0.02) << u;
+    EXPECT_NEAR(q(1, 1), 0.75 * std::cos(2.5 * (1 - u)), 0.02) << u;
+    EXPECT_LT(std::abs(q(3, 0)), 3 * 0.3 * 2.5 * 2.5 * 2.5) << u;
+  }
+}
+
 TEST(FitPath, NoiseIsRemovedWithinTheTipsTolerance) {
   const RobotTable robot = planar_arm();
   std::mt19937 random(7);
