@@ -7,6 +7,7 @@
 #include "stages/map/joint_to_joint.hpp"
 #include "stages/map/map_movement.hpp"
 #include "stages/map/movement_search.hpp"
+#include "stages/scene/carried_target.hpp"
 
 namespace morphe {
 namespace {
@@ -18,6 +19,20 @@ Pose base_from_motion(const Planner& planner, const HumanMotion& motion, const M
   const RobotTable& robot = planner.robot;
   if (hand_alone(robot)) return place_hand(robot, placement).inverse();
   return place_robot(robot, shoulder_at_begin(motion, movement), placement).inverse();
+}
+
+/// What is grasped goes where the hand takes it.
+void carry(const Planner& planner, const HumanMotion& motion, const Movement& movement,
+           Scene& scene) {
+  const RobotTable& robot = planner.robot;
+  for (SceneObject& object : scene.objects) {
+    if (object.name != movement.target || !(object.attach_s < movement.end_s)) continue;
+    if (planner.config.scene.target.carried == "palm") {
+      object.attached_frame = robot.frames[static_cast<std::size_t>(robot.palm_frame)].name;
+    } else {
+      carry_between_tips(motion, movement, object);
+    }
+  }
 }
 
 /// The part of the scene that the mapping's clearance term knows.
@@ -52,7 +67,9 @@ MappingProblem thinned(const MappingProblem& problem, std::vector<std::size_t>& 
 Scene scene_around(const Planner& planner, const Demonstration& demonstration,
                    const HumanMotion& motion, Movement& movement) {
   if (!hand_alone(planner.robot)) {
-    return build_scene(planner.config.scene, demonstration, motion, movement);
+    Scene scene = build_scene(planner.config.scene, demonstration, motion, movement);
+    carry(planner, motion, movement, scene);
+    return scene;
   }
   SceneOptions configured = planner.config.scene;
   configured.table = TableOptions{};

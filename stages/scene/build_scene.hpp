@@ -105,6 +105,7 @@ struct TargetOptions {
   double min_radius = 0.015;              ///< [m]
   double max_radius = 0.060;              ///< [m]
   std::optional<double> radius;           ///< overrides what is inferred [m]
+  std::string carried = "fingers";        ///< from the grasp to its release: fingers | palm
   TargetMove moved;                       ///< recorded or inferred, it stands elsewhere
   std::optional<TargetPlacement> placed;  ///< likewise
 };
@@ -118,6 +119,7 @@ void fields(Fields& f, TargetOptions& o) {
   f("min_radius", o.min_radius);
   f("max_radius", o.max_radius);
   f("radius", o.radius);
+  f("carried", o.carried);
   f("moved", o.moved);
   f("placed", o.placed);
 }

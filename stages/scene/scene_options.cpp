@@ -123,6 +123,9 @@ std::string check(const TargetOptions& o) {
   }
   if (o.pad_depth < 0) return "pad_depth: must not be negative";
   if (o.rim < 0) return "rim: must not be negative";
+  if (o.carried != "fingers" && o.carried != "palm") {
+    return fmt::format("carried: must be fingers or palm, not '{}'", o.carried);
+  }
   if (o.placed && (o.moved.position != Vec3::Zero() || o.moved.rpy != Vec3::Zero())) {
     return "placed: the target is moved already";
   }

@@ -1,0 +1,60 @@
+#include "stages/scene/carried_target.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace morphe {
+namespace {
+
+constexpr std::size_t kThumb = 0, kIndex = 1;
+constexpr double kTimeSlack = 1e-9;
+
+struct Grip {
+  Vec3 middle, line;  ///< half-way between the tips; unit, from thumb to index
+  Quat hand;          ///< NaN: not seen
+};
+
+std::optional<Grip> grip_at(const HumanMotion& motion, std::size_t frame) {
+  if (motion.tip.rows != motion.time.size() || motion.tip.cols <= kIndex) return std::nullopt;
+  const Vec3 &thumb = motion.tip(frame, kThumb), &index = motion.tip(frame, kIndex);
+  if (!seen(thumb) || !seen(index) || thumb == index) return std::nullopt;
+  const bool oriented = motion.wrist_orientation.size() == motion.time.size();
+  return Grip{0.5 * (thumb + index), (index - thumb).normalized(),
+              oriented ? motion.wrist_orientation[frame] : unseen_rotation()};
+}
+
+/// R(t) R(a)ᵀ.
+Quat turn_between(const Grip& from, const Grip& to) {
+  const Quat hand =
+      seen(from.hand) && seen(to.hand) ? to.hand * from.hand.conjugate() : Quat::Identity();
+  return (Quat::FromTwoVectors(hand * from.line, to.line) * hand).normalized();
+}
+
+}  // namespace
+
+void carry_between_tips(const HumanMotion& motion, const Movement& movement, SceneObject& target) {
+  if (target.time.size() != 1) return;
+  const Vec3 position = target.position.front();
+  const Quat orientation = target.orientation.front();
+  const double end_s =
+      std::isnan(target.release_s) ? movement.end_s : std::min(target.release_s, movement.end_s);
+  std::optional<Grip> taken;
+  for (std::size_t frame = 0; frame < motion.time.size(); ++frame) {
+    const double time_s = motion.time[frame];
+    if (!(time_s >= target.attach_s - kTimeSlack) || time_s > end_s + kTimeSlack) continue;
+    const std::optional<Grip> grip = grip_at(motion, frame);
+    if (!grip) continue;
+    if (!taken) {
+      taken = grip;
+      target.time.clear();
+      target.position.clear();
+      target.orientation.clear();
+    }
+    const Quat turn = turn_between(*taken, *grip);
+    target.time.push_back(time_s);
+    target.position.push_back(grip->middle + turn * (position - taken->middle));
+    target.orientation.push_back((turn * orientation).normalized());
+  }
+}
+
+}  // namespace morphe
