@@ -18,10 +18,12 @@ struct Entry {
   morphe::Command (*add)(CLI::App&);
 };
 
-constexpr std::array<Entry, 8> kCommands{{
+constexpr std::array<Entry, 10> kCommands{{
+    {"diff", "In which plans and by how much two plans.h5 differ", morphe::diff_command},
     {"export", "Executable plans as CSV, ROS or robomimic files", morphe::export_command},
     {"import", "Recordings -> demonstrations.h5", morphe::import_command},
     {"inspect", "What a demonstrations.h5 holds and what will be usable", morphe::inspect_command},
+    {"merge", "Folders of all shards of a run -> DIR/plans.h5", morphe::merge_command},
     {"robot", "Check, print and draw a robot description", morphe::robot_command},
     {"run", "Demonstrations and a config -> DIR/plans.h5", morphe::run_command},
     {"synthesize", "Recordings that never were, with their truth", morphe::synthesize_command},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <set>
 
 #include "pipeline/config/fields.hpp"
 
@@ -17,7 +18,9 @@ std::string text_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// The files a run was made from, named relative to the deepest folder that holds them all.
+/// The files a run was made from, named relative to the deepest folder that holds them all. If that
+/// is the root of the file system, names from there would tell of this machine: each is then called
+/// by its folder and its own name, and one that is taken gets a number.
 std::vector<PlanFileHeader::Input> collect(std::vector<std::filesystem::path> files) {
   for (auto& file : files) file = std::filesystem::weakly_canonical(file);
   std::filesystem::path common = files.front().parent_path();
@@ -26,8 +29,18 @@ std::vector<PlanFileHeader::Input> collect(std::vector<std::filesystem::path> fi
       common = common.parent_path();
   }
   std::vector<PlanFileHeader::Input> inputs;
+  std::set<std::string> taken;
   for (const auto& file : files) {
-    inputs.push_back({file.lexically_relative(common).generic_string(), text_of(file)});
+    std::string name = file.lexically_relative(common).generic_string();
+    if (common == common.root_path()) {
+      std::string folder = file.parent_path().filename().string();
+      if (folder.empty()) folder = "root";
+      name = folder + "/" + file.filename().string();
+      for (int number = 2; taken.contains(name); ++number)
+        name = fmt::format("{}_{}/{}", folder, number, file.filename().string());
+    }
+    taken.insert(name);
+    inputs.push_back({name, text_of(file)});
   }
   return inputs;
 }

@@ -23,6 +23,8 @@ static_assert(std::is_same_v<hid_t, Hdf5Id::Id> && std::is_same_v<herr_t, int>);
 constexpr unsigned kMostInHeader = 64;
 constexpr unsigned kLeastInHeap = 32;
 
+constexpr std::size_t kMetadataCacheBytes = std::size_t{4} << 20;
+
 /// Properties of a group's (or the root's) creation that make its bytes reproducible and its links
 /// ordered.
 void describe_group(hid_t properties) {
@@ -40,6 +42,16 @@ Hdf5Id access_properties() {
   // Checksummed headers, and no tree for a dataset of one chunk.
   H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110);
   H5Pset_fclose_degree(access.get(), H5F_CLOSE_STRONG);
+  // Memory that does not grow with the file: by default this cache takes up to 32 MiB.
+  H5AC_cache_config_t cache{};
+  cache.version = H5AC__CURR_CACHE_CONFIG_VERSION;
+  H5Pget_mdc_config(access.get(), &cache);
+  cache.set_initial_size = true;
+  cache.initial_size = cache.min_size = cache.max_size = kMetadataCacheBytes;
+  cache.incr_mode = H5C_incr__off;
+  cache.flash_incr_mode = H5C_flash_incr__off;
+  cache.decr_mode = H5C_decr__off;
+  H5Pset_mdc_config(access.get(), &cache);
   return access;
 }
 

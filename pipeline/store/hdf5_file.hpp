@@ -39,6 +39,14 @@ struct Hdf5Array {
   std::vector<T> values;
 };
 
+/// Whatever a dataset or an attribute holds: numbers of any kind, or texts.
+struct Hdf5Value {
+  std::vector<std::size_t> dims;
+  bool is_text = false;
+  std::vector<double> numbers;
+  std::vector<std::string> texts;
+};
+
 /// In the shape that a reader asks for: any length.
 inline constexpr std::size_t kAnyLength = static_cast<std::size_t>(-1);
 using Hdf5Shape = std::vector<std::size_t>;
@@ -84,7 +92,11 @@ class Hdf5Group {
   std::vector<std::string> read_strings(const std::string& name) const;
   std::string read_text(const std::string& name) const;
 
+  Hdf5Value value(const std::string& name) const;
+
   bool has_attribute(const std::string& name) const;
+  std::vector<std::string> attributes(const char* dataset = ".") const;  ///< names, sorted
+  Hdf5Value value_of_attribute(const std::string& name, const char* dataset = ".") const;
   void get(const std::string& name, std::string& text, const char* dataset = ".") const;
   void get(const std::string& name, double& value) const;
   void get(const std::string& name, std::int32_t& value) const;

@@ -215,6 +215,44 @@ std::string Hdf5Group::read_text(const std::string& name) const {
   return values.front();
 }
 
+Hdf5Value Hdf5Group::value(const std::string& name) const {
+  const Opened data = open_dataset(id_.get(), name, file_bytes());
+  if (!data.problem.empty()) fail(name, data.problem);
+  Hdf5Value value;
+  value.dims = data.extent.dims;
+  value.is_text = H5Tget_class(data.type.get()) == H5T_STRING;
+  if (value.is_text) {
+    value.texts = read_strings(name);
+  } else {
+    value.numbers = read<double>(name, value.dims).values;
+  }
+  return value;
+}
+
+std::vector<std::string> Hdf5Group::attributes(const char* dataset) const {
+  std::vector<std::string> names;
+  const auto collect = [](hid_t, const char* name, const H5A_info_t*, void* list) -> herr_t {
+    static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+    return 0;
+  };
+  if (H5Aiterate_by_name(id_.get(), dataset, H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &names,
+                         H5P_DEFAULT) < 0)
+    fail(dataset, "has no readable attributes");
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+Hdf5Value Hdf5Group::value_of_attribute(const std::string& name, const char* dataset) const {
+  const Attribute found = open_attribute(id_.get(), dataset, name, file_bytes());
+  Hdf5Value value;
+  value.dims = found.extent.dims;
+  value.is_text = found.id.valid() && H5Tget_class(found.type.get()) == H5T_STRING;
+  if (value.is_text ? !attribute_strings(found, value.texts)
+                    : !attribute_values(found, value.numbers))
+    fail("@" + name, "cannot be read");
+  return value;
+}
+
 bool Hdf5Group::has_attribute(const std::string& name) const {
   return H5Aexists_by_name(id_.get(), ".", name.c_str(), H5P_DEFAULT) > 0;
 }

@@ -9,18 +9,31 @@ namespace {
 constexpr int kMostInputs = 10000;
 constexpr int kDeepest = 64;
 
-void write_input(const Hdf5Group& folder, const std::string& path, const std::string& text) {
-  const std::size_t slash = path.find('/');
-  const std::string first = path.substr(0, slash);
-  if (first.empty()) folder.fail(fmt::format("'{}' is not a relative path of a file", path));
-  if (slash == std::string::npos) {
-    if (first == ".") folder.fail("'.' is not a path of a file");
-    folder.write_text(first, text);
-  } else if (first == ".") {
-    write_input(folder, path.substr(slash + 1), text);
-  } else {
-    const bool there = folder.has(first) && folder.is_group(first);
-    write_input(there ? folder.open(first) : folder.create(first), path.substr(slash + 1), text);
+/// Folder by folder, each where it is first named, so that reading and writing again gives the same
+/// bytes.
+void write_inputs(const Hdf5Group& folder, std::vector<PlanFileHeader::Input> inputs) {
+  for (PlanFileHeader::Input& input : inputs) {
+    while (input.path.starts_with("./")) input.path.erase(0, 2);
+    if (input.path.empty() || input.path == "." || input.path.front() == '/')
+      folder.fail(fmt::format("'{}' is not a relative path of a file", input.path));
+  }
+  while (!inputs.empty()) {
+    const PlanFileHeader::Input input = inputs.front();
+    const std::size_t slash = input.path.find('/');
+    if (slash == std::string::npos) {
+      folder.write_text(input.path, input.text);
+      inputs.erase(inputs.begin());
+      continue;
+    }
+    const std::string prefix = input.path.substr(0, slash + 1);
+    std::vector<PlanFileHeader::Input> inside, others;
+    for (const PlanFileHeader::Input& other : inputs) {
+      const bool in = other.path.starts_with(prefix);
+      (in ? inside : others).push_back(other);
+      if (in) inside.back().path.erase(0, prefix.size());
+    }
+    write_inputs(folder.create(prefix.substr(0, slash)), std::move(inside));
+    inputs = std::move(others);
   }
 }
 
@@ -47,9 +60,7 @@ void write_plan_header(const Hdf5Group& root, const PlanFileHeader& header,
   root.set("dataset_sha256", header.dataset_sha256);
   root.set("software", header.software);
   root.set("robot", robot_name);
-  const Hdf5Group inputs = root.create("inputs");
-  for (const PlanFileHeader::Input& input : header.inputs)
-    write_input(inputs, input.path, input.text);
+  write_inputs(root.create("inputs"), header.inputs);
 }
 
 PlanFileHeader read_plan_header(const Hdf5Group& root) {

@@ -1,0 +1,163 @@
+#include "pipeline/run/diff.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "pipeline/run/config_changes.hpp"
+#include "pipeline/store/hdf5_file.hpp"
+#include "pipeline/store/plan_file.hpp"
+
+namespace morphe {
+namespace {
+
+bool same(double a, double b) {
+  return (std::isnan(a) && std::isnan(b)) ||
+         std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+std::string text_of(const Hdf5Value& value) {
+  constexpr std::size_t kLongest = 60;
+  const std::string text = value.is_text ? fmt::format("{}", fmt::join(value.texts, ","))
+                                         : fmt::format("{}", fmt::join(value.numbers, ","));
+  return text.size() > kLongest || text.find('\n') != std::string::npos ? "another text"
+                                                                        : "'" + text + "'";
+}
+
+/// Of the same shape: how far apart, and how many are not there in one of them.
+void compare_numbers(const Hdf5Value& a, const Hdf5Value& b, Difference& found) {
+  std::size_t one_sided = 0;
+  for (std::size_t i = 0; i < a.numbers.size(); ++i) {
+    const double x = a.numbers[i], y = b.numbers[i];
+    if (same(x, y)) continue;
+    if (std::isnan(x) != std::isnan(y)) {
+      ++one_sided;
+    } else {
+      found.max_abs = std::max(found.max_abs.value_or(0), std::abs(x - y));
+    }
+  }
+  if (one_sided > 0) found.change = fmt::format("{} values are NaN in one file alone", one_sided);
+}
+
+class Comparison {
+ public:
+  DiffReport report;
+
+  void compare_files(const Hdf5Group& a, const Hdf5Group& b) {
+    compare_attributes(a, b, ".", "");
+    in_either(a, b, [&](const std::string& name, bool in_a, bool in_b) {
+      if (name != "plans") return compare_member(a, b, name, in_a, in_b, name);
+      compare_all_plans(a.open(name), b.open(name));
+    });
+  }
+
+ private:
+  void compare_all_plans(const Hdf5Group& a, const Hdf5Group& b) {
+    in_either(a, b, [&](const std::string& demonstration, bool in_a, bool in_b) {
+      if (in_a && in_b) {
+        const Hdf5Group of_a = a.open(demonstration), of_b = b.open(demonstration);
+        in_either(of_a, of_b, [&](const std::string& movement, bool here, bool there) {
+          begin_plan(demonstration, movement);
+          compare_member(of_a, of_b, movement, here, there, "");
+        });
+      } else {
+        const Hdf5Group only = (in_a ? a : b).open(demonstration);
+        only.each_child([&](const std::string& movement) {
+          begin_plan(demonstration, movement);
+          add("", std::nullopt, in_a ? "only in the first" : "only in the second");
+        });
+      }
+    });
+    plan_.clear();
+  }
+
+  void begin_plan(const std::string& demonstration, const std::string& movement) {
+    plan_ = demonstration + "/" + movement;
+    ++report.plans;
+  }
+
+  /// Names of either group: those of the first in their order, then the second's own.
+  template <class Visit>
+  static void in_either(const Hdf5Group& a, const Hdf5Group& b, const Visit& visit) {
+    a.each_child([&](const std::string& name) { visit(name, true, b.has(name)); });
+    b.each_child([&](const std::string& name) {
+      if (!a.has(name)) visit(name, false, true);
+    });
+  }
+
+  void compare_member(const Hdf5Group& a, const Hdf5Group& b, const std::string& name, bool in_a,
+                      bool in_b, const std::string& path) {
+    if (!in_a || !in_b)
+      return add(path, std::nullopt, in_a ? "only in the first" : "only in the second");
+    const bool group = a.is_group(name);
+    if (group != b.is_group(name)) return add(path, std::nullopt, "a group in one file alone");
+    if (!group) {
+      compare_values(a.value(name), b.value(name), path);
+      compare_attributes(a, b, name.c_str(), path + "/");
+      return;
+    }
+    const Hdf5Group of_a = a.open(name), of_b = b.open(name);
+    const std::string below = path.empty() ? "" : path + "/";
+    compare_attributes(of_a, of_b, ".", below);
+    in_either(of_a, of_b, [&](const std::string& member, bool here, bool there) {
+      compare_member(of_a, of_b, member, here, there, below + member);
+    });
+  }
+
+  void compare_attributes(const Hdf5Group& a, const Hdf5Group& b, const char* object,
+                          const std::string& below) {
+    const std::vector<std::string> of_a = a.attributes(object), of_b = b.attributes(object);
+    std::vector<std::string> names;
+    std::set_union(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(), std::back_inserter(names));
+    for (const std::string& name : names) {
+      const std::string path = below + "@" + name;
+      if (!std::binary_search(of_a.begin(), of_a.end(), name)) {
+        add(path, std::nullopt, "only in the second");
+      } else if (!std::binary_search(of_b.begin(), of_b.end(), name)) {
+        add(path, std::nullopt, "only in the first");
+      } else {
+        compare_values(a.value_of_attribute(name, object), b.value_of_attribute(name, object),
+                       path);
+      }
+    }
+  }
+
+  void compare_values(const Hdf5Value& a, const Hdf5Value& b, const std::string& path) {
+    if (a.is_text != b.is_text) return add(path, std::nullopt, "texts in one file alone");
+    if (a.dims != b.dims)
+      return add(path, std::nullopt,
+                 fmt::format("shape [{}] -> [{}]", fmt::join(a.dims, ","), fmt::join(b.dims, ",")));
+    if (a.is_text) {
+      if (a.texts == b.texts) return;
+      if (plan_.empty() && path == "@config")
+        return add(path, std::nullopt,
+                   fmt::format("{}", fmt::join(config_changes(a.texts[0], b.texts[0]), ", ")));
+      return add(path, std::nullopt, fmt::format("{} -> {}", text_of(a), text_of(b)));
+    }
+    Difference found;
+    compare_numbers(a, b, found);
+    if (found.max_abs || !found.change.empty()) add(path, found.max_abs, found.change);
+  }
+
+  void add(const std::string& dataset, std::optional<double> max_abs, const std::string& change) {
+    report.differences.push_back({plan_, dataset, max_abs, change});
+  }
+
+  std::string plan_;
+};
+
+}  // namespace
+
+DiffReport diff_files(const std::filesystem::path& a, const std::filesystem::path& b) {
+  const PlanReader format_of_a(a), format_of_b(b);
+  const Hdf5File first = Hdf5File::open(a), second = Hdf5File::open(b);
+  Comparison comparison;
+  comparison.compare_files(first.root(), second.root());
+  return std::move(comparison.report);
+}
+
+}  // namespace morphe
