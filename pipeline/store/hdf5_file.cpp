@@ -23,7 +23,7 @@ static_assert(std::is_same_v<hid_t, Hdf5Id::Id> && std::is_same_v<herr_t, int>);
 constexpr unsigned kMostInHeader = 64;
 constexpr unsigned kLeastInHeap = 32;
 
-constexpr std::size_t kMetadataCacheBytes = std::size_t{4} << 20;
+constexpr std::size_t kMetadataCacheBytes = std::size_t{256} << 10;
 
 /// Properties of a group's (or the root's) creation that make its bytes reproducible and its links
 /// ordered.
@@ -42,7 +42,7 @@ Hdf5Id access_properties() {
   // Checksummed headers, and no tree for a dataset of one chunk.
   H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110);
   H5Pset_fclose_degree(access.get(), H5F_CLOSE_STRONG);
-  // Memory that does not grow with the file: by default this cache takes up to 32 MiB.
+  // Memory that does not grow with the file. In memory, an entry takes some 16 times its bytes.
   H5AC_cache_config_t cache{};
   cache.version = H5AC__CURR_CACHE_CONFIG_VERSION;
   H5Pget_mdc_config(access.get(), &cache);
