@@ -62,16 +62,33 @@ ConfigNode load_extended(const std::filesystem::path& file,
   return node;
 }
 
-/// The joints that the natural posture names are the robot's.
-void check_natural(const ConfigNode& node, const RobotTable& robot) {
-  if (!node.has("map") || !node["map"].has("natural")) return;
-  for (const ConfigNode& entry : node["map"]["natural"].items()) {
-    for (const char* key : {"joint", "follow"}) {
-      if (!entry.has(key) || entry[key].text().empty()) continue;
-      const std::string joint = entry[key].text();
-      if (std::ranges::find(robot.joint_names, joint) == robot.joint_names.end()) {
-        entry[key].fail(fmt::format("robot {} has no actuated joint '{}'", robot.name, joint));
-      }
+/// Index of the joint that an entry of a list names; an empty name is none, -1.
+int named_joint(const ConfigNode& entry, const char* key, const RobotTable& robot) {
+  if (!entry.has(key) || entry[key].text().empty()) return -1;
+  const std::string joint = entry[key].text();
+  const auto found = std::ranges::find(robot.joint_names, joint);
+  if (found == robot.joint_names.end()) {
+    entry[key].fail(fmt::format("robot {} has no actuated joint '{}'", robot.name, joint));
+  }
+  return static_cast<int>(found - robot.joint_names.begin());
+}
+
+/// The joints of the natural posture and of home are the robot's, home within its limits.
+void check_joints(const ConfigNode& node, const LoadedConfig& loaded) {
+  const RobotTable& robot = loaded.robot;
+  if (node.has("map") && node["map"].has("natural")) {
+    for (const ConfigNode& entry : node["map"]["natural"].items()) {
+      named_joint(entry, "joint", robot);
+      named_joint(entry, "follow", robot);
+    }
+  }
+  if (!loaded.options.approach || !node["approach"].has("home")) return;
+  const std::vector<ConfigNode> home = node["approach"]["home"].items();
+  for (std::size_t k = 0; k < home.size(); ++k) {
+    const int joint = named_joint(home[k], "joint", robot);
+    const double value = loaded.options.approach->home[k].value;
+    if (joint < 0 || value < robot.lower[joint] || value > robot.upper[joint]) {
+      home[k]["value"].fail("is beyond the joint's limits");
     }
   }
 }
@@ -104,7 +121,7 @@ LoadedConfig load_config(const std::filesystem::path& file,
   if (loaded.options.dataset) {
     loaded.dataset = node["dataset"]["file"].folder() / loaded.options.dataset->file;
   }
-  check_natural(node, loaded.robot);
+  check_joints(node, loaded);
   loaded.effective = write_options(loaded.options);
   loaded.inputs = collect(std::move(files));
   return loaded;

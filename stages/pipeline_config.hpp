@@ -6,6 +6,7 @@
 
 #include "pipeline/kinematics/description.hpp"
 #include "pipeline/motion/plan.hpp"
+#include "stages/approach.hpp"
 #include "stages/check/check_path.hpp"
 #include "stages/map/map_options.hpp"
 #include "stages/map/placement.hpp"
@@ -40,6 +41,7 @@ struct PipelineConfig {
   CheckOptions check;
   RepairOptions repair;
   RetimeOptions retime;
+  std::optional<ApproachOptions> approach;  ///< none: not asked for
 };
 template <class Fields>
 void fields(Fields& f, PipelineConfig& o) {
@@ -55,6 +57,7 @@ void fields(Fields& f, PipelineConfig& o) {
   f("check", o.check);
   f("repair", o.repair);
   f("retime", o.retime);
+  f("approach", o.approach);
 }
 
 /// A config with everything that it names.

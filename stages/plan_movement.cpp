@@ -44,7 +44,7 @@ Plan begin_plan(const Demonstration& demonstration, const Movement& movement,
 Plan fail(Plan plan, const std::string& reason, const std::string& detail) {
   plan.reason = reason;
   plan.detail = detail;
-  plan.trajectory = {};
+  plan.trajectory = plan.approach = plan.retreat = {};
   return plan;
 }
 
@@ -185,6 +185,13 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
   }
   finish(planner, world, plan, seconds);
   if (plan.executable()) {
+    if (config.approach) {
+      const ApproachResult there_and_back = timed(
+          seconds, "approach", [&] { return add_approach(planner, *config.approach, seed, plan); });
+      if (!there_and_back.reason.empty()) {
+        return fail(plan, there_and_back.reason, there_and_back.detail);
+      }
+    }
     plan.grasp = find_grasp(robot, plan.scene, plan.movement, plan.trajectory);
     plan.detail = warnings(robot, plan.scene, plan.goals, plan.movement, motion);
   }

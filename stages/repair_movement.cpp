@@ -34,8 +34,10 @@ JointPath resolve_with_candidates(const MappingProblem& problem, const MapResult
   std::pair<double, double> least = badness(findings);
   const std::pair<double, double> none{0, 0};
   const auto attempt = [&](const JointPath& from, const std::vector<Finding>& found,
-                           double firmness) {
-    JointPath changed = resolve_path(problem, from, found, options, firmness);
+                           double firmness, double band_share = 1) {
+    MappingProblem clear = problem;
+    clear.clearance.band_m *= band_share;
+    JointPath changed = resolve_path(clear, from, found, options, firmness);
     const std::pair<double, double> left = badness(recheck(changed));
     if (left >= least) return;
     least = left;
@@ -51,6 +53,8 @@ JointPath resolve_with_candidates(const MappingProblem& problem, const MapResult
     std::fill(other.origin.begin(), other.origin.end(), Origin::resolved);
     attempt(other, recheck(other), 100.0);
   }
+  // Tips that gave way to clearance nobody asked for come back to what is just free.
+  if (least > none) attempt(JointPath(best), recheck(best), 1000.0, 0.2);
   return best;
 }
 

@@ -443,14 +443,14 @@ def check_plan(robot, path, plan):
     human = np.ptp(motion["demonstration_time"])
     found["tempo"] = motion["time"][-1] / human if human > 0 else np.nan
     check_certificate(plan, found, report)
-    if "approach" in plan:
-        approach, start = Report(path + "/approach"), motion["position"][0]
-        if motion := read_motion(robot, plan["approach"], approach):
-            if not (gap := np.abs(motion["position"][-1] - start).max()) <= 1e-6:
-                approach.add("structure", "approach", gap, 1e-6)
-            check_limits(robot, motion, approach)
-            check_contacts(robot, plan, motion, phases, approach)
-        report.rows += approach.rows
+    for name, end, meets in (("approach", -1, motion["position"][0]), ("retreat", 0, motion["position"][-1])):
+        transfer = Report(path + "/" + name)
+        if name in plan and (way := read_motion(robot, plan[name], transfer)):
+            if not (gap := np.abs(way["position"][end] - meets).max()) <= 1e-6:
+                transfer.add("structure", name, gap, 1e-6)
+            check_limits(robot, way, transfer)
+            check_contacts(robot, plan, way, phases, transfer)
+        report.rows += transfer.rows
     return report.rows
 
 def main():

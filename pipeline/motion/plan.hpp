@@ -127,7 +127,8 @@ struct Plan {
   JointPath path;
   Grasp grasp;
   Trajectory trajectory;  ///< empty unless executable
-  Trajectory approach;    ///< empty unless asked for
+  Trajectory approach;    ///< from home to the first sample, empty unless asked for
+  Trajectory retreat;     ///< from the last sample back home, likewise
   Certificate certificate;
 
   bool executable() const { return reason.empty(); }

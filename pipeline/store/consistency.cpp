@@ -234,6 +234,7 @@ std::string inconsistency(const Plan& plan, const RobotTable& robot) {
   faults.take(faults_of(plan.path, robot.joints()));
   faults.take(faults_of(plan.trajectory, "trajectory/", robot.joints()));
   faults.take(faults_of(plan.approach, "approach/", robot.joints()));
+  faults.take(faults_of(plan.retreat, "retreat/", robot.joints()));
   const std::size_t samples =
       plan.executable() ? plan.trajectory.samples() : plan.path.demonstration_time.size();
   if (plan.grasp.sample >= 0) faults.take(faults_of(plan.grasp, samples, robot));

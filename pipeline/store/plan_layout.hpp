@@ -139,6 +139,8 @@ void lay_out_plan(Io& io, T& plan) {
               [&](Io& in) { lay_out_trajectory(in, plan.trajectory); });
   io.group_if(plan.approach.samples() > 0, "approach",
               [&](Io& in) { lay_out_trajectory(in, plan.approach); });
+  io.group_if(plan.retreat.samples() > 0, "retreat",
+              [&](Io& in) { lay_out_trajectory(in, plan.retreat); });
   io.group("certificate", [&](Io& in) { lay_out_certificate(in, plan.certificate); });
 }
 

@@ -151,12 +151,17 @@ bool judge_structure(const RobotTable& robot, const Plan& plan, ViolationRuns& r
   return good;
 }
 
-bool judge_approach_structure(const RobotTable& robot, const Plan& plan, ViolationRuns& runs) {
-  if (plan.approach.samples() == 0 || !judge_motion(robot, plan.approach, runs)) return false;
-  const auto last = static_cast<Eigen::Index>(plan.approach.samples()) - 1;
-  const double gap =
-      (plan.approach.position.row(last) - plan.trajectory.position.row(0)).cwiseAbs().maxCoeff();
-  if (gap > kJoint_rad) runs.note_plan("structure", "approach", gap, kJoint_rad);
+bool judge_transfer_structure(const RobotTable& robot, const Plan& plan, const Trajectory& transfer,
+                              bool at_its_end, ViolationRuns& runs) {
+  if (transfer.samples() == 0 || plan.trajectory.samples() == 0) return false;
+  if (!judge_motion(robot, transfer, runs)) return false;
+  const JointRows& way = plan.trajectory.position;
+  const double gap = at_its_end
+                         ? (transfer.position.bottomRows(1) - way.topRows(1)).cwiseAbs().maxCoeff()
+                         : (transfer.position.topRows(1) - way.bottomRows(1)).cwiseAbs().maxCoeff();
+  if (gap > kJoint_rad) {
+    runs.note_plan("structure", at_its_end ? "approach" : "retreat", gap, kJoint_rad);
+  }
   return true;
 }
 

@@ -11,7 +11,9 @@ namespace morphe::judge {
 /// Notes `structure`, `finite` and `time`. False if the motion cannot be judged any further.
 bool judge_structure(const RobotTable& robot, const Plan& plan, ViolationRuns& runs);
 
-/// The same for the approach, which has no goals and ends where the trajectory begins.
-bool judge_approach_structure(const RobotTable& robot, const Plan& plan, ViolationRuns& runs);
+/// The same for an approach or a retreat, which have no goals: its last (`at_its_end`) or first
+/// sample is where the trajectory begins or ends. False also if there is none.
+bool judge_transfer_structure(const RobotTable& robot, const Plan& plan, const Trajectory& transfer,
+                              bool at_its_end, ViolationRuns& runs);
 
 }  // namespace morphe::judge

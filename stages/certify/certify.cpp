@@ -88,8 +88,8 @@ std::string off_goals(const RobotTable& robot, const Trajectory& trajectory,
 
 }  // namespace
 
-CertifyResult certify(const CollisionWorld& around, const Goals& goals, const Movement& movement,
-                      Trajectory& trajectory, const Mapped& mapped, bool path_was_free) {
+CertifyResult certify_motion(const CollisionWorld& world, Trajectory& trajectory,
+                             bool path_was_free) {
   CertifyResult result;
   const auto fail = [&](const char* reason, const std::string& sentence) {
     if (!result.reason.empty() || sentence.empty()) return;
@@ -100,8 +100,6 @@ CertifyResult certify(const CollisionWorld& around, const Goals& goals, const Mo
     fail("limit", "the trajectory has fewer than two samples");
     return result;
   }
-  CollisionWorld world = around;
-  carry_target(trajectory.demonstration_time, trajectory.position, world);
   Certificate& c = result.certificate;
   const LimitReport limits = judge_limits(*world.robot, trajectory);
   c.position_margin = limits.position_margin;
@@ -117,7 +115,16 @@ CertifyResult certify(const CollisionWorld& around, const Goals& goals, const Mo
   c.clearance = motion_clearance(world, reach, motion, scratch, kClearanceResolution_m).at_least;
   fail(path_was_free ? "smoothing" : "collision",
        contacts(world, reach, motion, trajectory, scratch));
+  return result;
+}
 
+CertifyResult certify(const CollisionWorld& around, const Goals& goals, const Movement& movement,
+                      Trajectory& trajectory, const Mapped& mapped, bool path_was_free) {
+  CollisionWorld world = around;
+  carry_target(trajectory.demonstration_time, trajectory.position, world);
+  CertifyResult result = certify_motion(world, trajectory, path_was_free);
+  if (trajectory.samples() < 2) return result;
+  Certificate& c = result.certificate;
   const GoalErrors errors =
       goal_errors(*world.robot, goals, movement, world.tolerances, trajectory);
   c.position_error_max = errors.position_max;
@@ -126,7 +133,11 @@ CertifyResult certify(const CollisionWorld& around, const Goals& goals, const Mo
   c.orientation_error_max = errors.orientation_max;
   c.upper_arm_error_max = errors.upper_arm_max;
   c.upper_arm_error_mean = errors.upper_arm_mean;
-  fail("tracking", off_goals(*world.robot, trajectory, errors));
+  const std::string off = off_goals(*world.robot, trajectory, errors);
+  if (result.reason.empty() && !off.empty()) {
+    result.reason = "tracking";
+    result.detail = off;
+  }
 
   const double human_s =
       trajectory.demonstration_time.back() - trajectory.demonstration_time.front();

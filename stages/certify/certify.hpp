@@ -13,6 +13,10 @@ struct CertifyResult {
   std::string detail;       ///< a sentence with sample or time, what and how much
 };
 
+/// The limits and contacts alone, for a motion without goals. The world stands as it is.
+CertifyResult certify_motion(const CollisionWorld& world, Trajectory& trajectory,
+                             bool path_was_free = true);
+
 /// What holds for a trajectory as a controller runs it, the quintic between samples:
 ///   limits     position, velocity, acceleration, jerk: exact extremes of every piece;
 ///   contacts   certified over the whole motion, not only at samples; a failure is `smoothing` if

@@ -217,6 +217,48 @@ double fit(const RobotTable& robot, const std::vector<double>& clock, const Join
   return excess;
 }
 
+/// Whether a joint's curve is inside its limits on the knots from `from` to `to` and between.
+bool stays_inside(const JointSpline& spline, Eigen::Index joint, Eigen::Index from, Eigen::Index to,
+                  double lower, double upper) {
+  constexpr int kPoints = 8;  // a knot's interval
+  JointRows at;
+  for (Eigen::Index k = from * kPoints; k <= to * kPoints; ++k) {
+    evaluate(spline, spline.step() * static_cast<double>(k) / kPoints, at);
+    if (at(0, joint) < lower || at(0, joint) > upper) return false;
+  }
+  return true;
+}
+
+/// Where an end was missed for all its weight, the rest is added to the coefficients there and
+/// fades out over some knots; not where that would leave a joint's limits.
+void meet_ends(const RobotTable& robot, const JointRows& samples, JointSpline& spline) {
+  constexpr Eigen::Index kFlat = 5, kFade = 25;  // a knot's value is the mean of five coefficients
+  const Eigen::Index count = spline.coefficient.rows();
+  const Eigen::Index fade = std::min(kFade, count / 2 - kFlat);
+  if (fade < 1) return;
+  JointRows there;
+  for (const bool first : {true, false}) {
+    evaluate(spline, first ? 0 : spline.length, there);
+    const Eigen::RowVectorXd missing = samples.row(first ? 0 : samples.rows() - 1) - there.row(0);
+    const Eigen::Index reach = std::min(spline.intervals, kFlat + fade);
+    for (Eigen::Index joint = 0; joint < missing.size(); ++joint) {
+      if (std::abs(missing[joint]) <= 2 * kLimitInset) continue;
+      const Eigen::VectorXd before = spline.coefficient.col(joint);
+      for (Eigen::Index k = 0; k < kFlat + fade; ++k) {
+        const double along = static_cast<double>(std::max<Eigen::Index>(0, k - kFlat + 1)) /
+                             static_cast<double>(fade + 1);
+        const double share = 1 - along * along * along * (10 + along * (6 * along - 15));
+        spline.coefficient(first ? k : count - 1 - k, joint) += share * missing[joint];
+      }
+      const Eigen::Index from = first ? 0 : spline.intervals - reach;
+      if (!stays_inside(spline, joint, from, from + reach, robot.lower[joint] + 0.5 * kLimitInset,
+                        robot.upper[joint] - 0.5 * kLimitInset)) {
+        spline.coefficient.col(joint) = before;
+      }
+    }
+  }
+}
+
 }  // namespace
 
 PathFit fit_path(const RobotTable& robot, const std::vector<double>& clock,
@@ -240,6 +282,7 @@ PathFit fit_path(const RobotTable& robot, const std::vector<double>& clock,
     least = excess;
     best = std::move(out);
   }
+  meet_ends(robot, samples, best.spline);
   return best;
 }
 

@@ -9,6 +9,7 @@
 #include "stages/plan_movement.hpp"
 #include "stages/study/judge.hpp"
 #include "stages/study/mapping_options.hpp"
+#include "stages/study/results.hpp"
 #include "stages/synthesize/synthesize.hpp"
 
 namespace morphe {
@@ -225,7 +226,10 @@ StudyResult mapping_study(const ConfigNode& config, const StudyRun& run) {
       run.progress(fmt::format("{}, {}: {} movements", set.name, variant.name,
                                variants.back().plans.size()));
     }
-    judge(options, set, variants, result);
+    StudyResult of_set;  // a study of hours says what it has
+    judge(options, set, variants, of_set);
+    run.progress(results_table(of_set));
+    result.rows.insert(result.rows.end(), of_set.rows.begin(), of_set.rows.end());
   }
   return result;
 }

@@ -110,7 +110,7 @@ with h5py.File(sys.argv[1]) as file:
     assert list(full["scene"]) == scene
     shapes(full, {
         **frames(4, 2, 3), **rows(2, 2, 5, 3, 2), **trajectory("trajectory", 6),
-        **trajectory("approach", 2),
+        **trajectory("approach", 2), **trajectory("retreat", 3),
         **{f"scene/{name}/{data}": what for k, name in enumerate(scene)
            for data, what in {"time": ((k + 1,), "f", "s", None),
                               "position": ((k + 1, 3), "f", "m", "base"),

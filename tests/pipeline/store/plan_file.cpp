@@ -154,6 +154,7 @@ void expect_same(const Plan& a, const Plan& b) {
   EXPECT_SAME(grasp.pregrasp_posture);
   expect_same(a.trajectory, b.trajectory);
   expect_same(a.approach, b.approach);
+  expect_same(a.retreat, b.retreat);
   expect_same(a.certificate, b.certificate);
 }
 

@@ -222,6 +222,7 @@ Plan full_plan(const std::string& demonstration, int movement) {
       2, number.pose(), number.pose(), number.points(2), number.vector(3), number.vector(3)};
   plan.trajectory = trajectory(number, 6);
   plan.approach = trajectory(number, 2);
+  plan.retreat = trajectory(number, 3);
   plan.certificate = {number(), number(), number(), number(), number(), number(),
                       number(), number(), kNotSeen, number(), number(), number(),
                       number(), number(), number(), number(), number(), number(), number(), true};

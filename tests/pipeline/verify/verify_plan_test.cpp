@@ -320,6 +320,15 @@ TEST(VerifyPlan, JudgesTheApproachToo) {
   EXPECT_EQ(found[1].subject, "distal/cup");
 }
 
+TEST(VerifyPlan, JudgesTheRetreatToo) {
+  Plan plan = planar::plan();
+  plan.retreat = plan.trajectory;  // begins where the trajectory begins, not where it ends
+  const auto found = verify(plan);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].plan, "reach/000/retreat");
+  EXPECT_EQ(found[0].subject, "retreat");
+}
+
 TEST(VerifyReport, IsWrittenAsTheDocumentsSay) {
   VerifyReport report{2, 1, {}};
   EXPECT_EQ(verify_json(report), "{\"executable\": 2, \"infeasible\": 1, \"violations\": []}\n");

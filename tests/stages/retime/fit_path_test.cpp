@@ -106,6 +106,28 @@ TEST(FitPath, LeavesAndMeetsALimitAtOnceWithoutRinging) {
   }
 }
 
+TEST(FitPath, MeetsItsEndsHoweverMuchIsSmoothed) {
+  // A corner at the first sample and steps at random: the roughest ends there are.
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> step(-0.02, 0.02);
+  std::vector<double> clock;
+  JointRows y(150, 2);
+  for (int i = 0; i < 150; ++i) {
+    clock.push_back(0.01 * i);
+    for (int j = 0; j < 2; ++j) y(i, j) = (i > 0 ? y(i - 1, j) : 0.3) + step(random);
+  }
+  FitTolerance loose;
+  loose.duration_s = 0.08;
+  loose.joint_rad = 0.05;
+  const PathFit fitted =
+      fit_path(bare_robot(2, -3, 3), clock, y, std::vector<double>(150, 4), loose, 0.01);
+  JointRows at;
+  evaluate(fitted.spline, 0, at);
+  EXPECT_LT((at.row(0) - y.row(0)).norm(), 1e-6);
+  evaluate(fitted.spline, fitted.spline.length, at);
+  EXPECT_LT((at.row(0) - y.row(149)).norm(), 1e-6);
+}
+
 TEST(FitPath, NoiseIsRemovedWithinTheTipsTolerance) {
   const RobotTable robot = planar_arm();
   std::mt19937 random(7);

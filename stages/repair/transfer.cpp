@@ -1,0 +1,87 @@
+#include "stages/repair/transfer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include "stages/repair/connect.hpp"
+#include "stages/repair/draw_in.hpp"
+
+namespace morphe {
+namespace {
+
+constexpr double kStep_rad = 0.02, kStep_s = 0.01;
+constexpr int kLeastSamples = 21;
+
+/// As much more than the margin as both ends allow.
+bool free_at_both(const CollisionWorld& world, const JointVector& from, const JointVector& to,
+                  double time_s, double extra_m, IntervalWorld& interval) {
+  CollisionScratch scratch;
+  for (const double share : {1.0, 0.3, 0.1, 0.0}) {
+    interval = interval_world(world, time_s, time_s, share * extra_m, TouchRule::lenient);
+    if (state_free(interval, from, scratch) && state_free(interval, to, scratch)) return true;
+  }
+  return false;
+}
+
+std::vector<JointVector> find_way(const IntervalWorld& interval, const JointRows& reach,
+                                  const JointVector& from, const JointVector& to,
+                                  const RepairOptions& options, std::uint64_t seed) {
+  const RobotTable& robot = *interval.world.around.robot;
+  std::vector<int> all(robot.joints());
+  std::iota(all.begin(), all.end(), 0);
+  ConnectSpace space{arm_joints(robot), robot.lower, robot.upper};
+  std::vector<JointVector> vertices;
+  for (int attempt = 0; attempt < options.attempts && vertices.empty(); ++attempt) {
+    const std::uint64_t own = seed + 100 * static_cast<std::uint64_t>(attempt);
+    for (const std::vector<int>& joints : {arm_joints(robot), all}) {
+      space.joints = joints;
+      if (joints.empty() || !vertices.empty()) continue;
+      vertices = connect(interval, reach, space, from, to, options.iterations, options.range, own);
+    }
+  }
+  return vertices;
+}
+
+JointPath labelled(const JointRows& rows, double time_s) {
+  JointPath path;
+  path.position = rows;
+  path.origin.assign(static_cast<std::size_t>(rows.rows()), Origin::planned);
+  for (Eigen::Index k = 0; k < rows.rows(); ++k) {
+    path.demonstration_time.push_back(time_s + kStep_s * static_cast<double>(k));
+  }
+  return path;
+}
+
+}  // namespace
+
+JointPath plan_transfer(const CollisionWorld& world, const JointRows& reach,
+                        const JointVector& from, const JointVector& to, double time_s,
+                        const RepairOptions& options, std::uint64_t seed) {
+  const RobotTable& robot = *world.robot;
+  const JointVector inside = to.cwiseMax(robot.lower).cwiseMin(robot.upper);
+  IntervalWorld interval;
+  if (!free_at_both(world, from, inside, time_s, options.extra_clearance, interval)) return {};
+  std::vector<JointVector> vertices = find_way(interval, reach, from, inside, options, seed);
+  if (vertices.empty()) return {};
+  std::mt19937_64 random(seed + 20);
+  vertices = shortcut(interval, reach, std::move(vertices), options.shortcut_attempts, random);
+
+  double length_rad = 0;
+  for (std::size_t k = 0; k + 1 < vertices.size(); ++k) {
+    length_rad += (vertices[k + 1] - vertices[k]).cwiseAbs().maxCoeff();
+  }
+  const int count = std::max(kLeastSamples + static_cast<int>(vertices.size()),
+                             static_cast<int>(std::ceil(length_rad / kStep_rad)));
+  JointRows rows = spread(robot, vertices, count);
+  JointRows straight = rows;
+  for (int k = 0; k < count; ++k) {
+    straight.row(k) = (from + (inside - from) * k / (count - 1.0)).transpose();
+  }
+  const std::vector<double> times(static_cast<std::size_t>(count), time_s);
+  draw_in(interval.world, reach, times, straight, options.draw_attempts, random, rows);
+  return labelled(rows, time_s);
+}
+
+}  // namespace morphe
