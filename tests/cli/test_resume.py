@@ -33,6 +33,12 @@ class Continued(ManyCase):
         self.assertEqual(os.stat(self.out / "journal.sqlite").st_size, before)
         self.assertEqual(sorted(os.listdir(self.out)), ["journal.sqlite", "plans.h5"])
 
+    def test_any_number_of_threads(self):
+        for jobs in (2, 8):
+            with self.subTest(jobs):
+                self.run_json("--fresh", "--jobs", jobs)
+                self.same_bytes()
+
     def test_plans_that_were_taken_away_come_back(self):
         shutil.copytree(self.plain, self.out)
         (self.out / "plans.h5").unlink()

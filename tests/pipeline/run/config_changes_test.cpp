@@ -1,0 +1,23 @@
+#include "pipeline/run/config_changes.hpp"
+
+#include <gmock/gmock.h>
+
+namespace morphe {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+TEST(ConfigChanges, NamesEachKeyOnce) {
+  const std::string before =
+      "seed: 1\nmap:\n  starts: 32\n  natural: []\n  solver: {way: newton}\n";
+  EXPECT_THAT(config_changes(before, before), IsEmpty());
+  EXPECT_THAT(
+      config_changes(before,
+                     "seed: 2\nmap:\n  starts: 32\n  natural:\n    - {joint: a}\n"
+                     "  solver: {way: newton, steps: 3}\n"),
+      ElementsAre("map.natural [] -> [{joint: a}]", "map.solver.steps none -> 3", "seed 1 -> 2"));
+}
+
+}  // namespace
+}  // namespace morphe
