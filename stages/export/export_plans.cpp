@@ -42,10 +42,12 @@ std::string what_is_wrong(const Trajectory& t) {
 /// "" if a plan can be exported.
 std::string why_not(const Plan& plan) {
   if (!plan.executable()) return fmt::format("{}: {}", plan.reason, plan.detail);
-  const std::string wrong = what_is_wrong(plan.trajectory);
-  if (!wrong.empty() || plan.approach.samples() == 0) return wrong;
-  const std::string approach = what_is_wrong(plan.approach);
-  return approach.empty() ? "" : "approach: " + approach;
+  if (const std::string wrong = what_is_wrong(plan.trajectory); !wrong.empty()) return wrong;
+  for (const Trajectory* way : {&plan.approach, &plan.retreat}) {
+    const std::string wrong = way->samples() > 0 ? what_is_wrong(*way) : "";
+    if (!wrong.empty()) return (way == &plan.approach ? "approach: " : "retreat: ") + wrong;
+  }
+  return "";
 }
 
 void export_texts(const PlanReader& reader, const std::filesystem::path& folder, const char* ending,
@@ -65,6 +67,7 @@ void export_texts(const PlanReader& reader, const std::filesystem::path& folder,
     }
     write(plan, "", plan.trajectory);
     if (plan.approach.samples() > 0) write(plan, "_approach", plan.approach);
+    if (plan.retreat.samples() > 0) write(plan, "_retreat", plan.retreat);
   }
 }
 

@@ -11,12 +11,13 @@ namespace morphe {
 /// configs/studies/repair.yaml: movements that are executable as they are, planned again with an
 /// obstacle put into the robot's way (stages/study/obstacles.hpp), by several ways of repairing.
 /// The first is ours; a case counts as solvable if it, or the long search with any of its seeds,
-/// makes an executable plan. The long search is only run where ours fails.
+/// makes an executable plan. The long search is only run where ours fails, and never
+/// with --quick.
 struct RepairStudyOptions {
   std::string study, pipeline;
   std::string synthetic;  ///< a config of stages/synthesize
   std::uint64_t seed = 1;
-  int cases = 200, quick_cases = 4;  ///< movements with an obstacle, each of another recording
+  int cases = 200, quick_cases = 2;  ///< movements with an obstacle, each of another recording
   int recordings = 600;              ///< at most looked at for them
   std::vector<StudyVariant> variants;
   StudyVariant plain;  ///< repairs what was executable before the obstacle came, without a mapping

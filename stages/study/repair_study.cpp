@@ -249,6 +249,7 @@ StudyResult repair_study(const ConfigNode& config, const StudyRun& run) {
     variants.push_back(load_config(study.pipeline, variant.set));
   }
   for (const std::uint64_t seed : options.long_seeds) {
+    if (run.quick) break;
     std::vector<std::string> set = options.long_search.set;
     set.push_back(fmt::format("seed={}", seed));
     long_searches.push_back(load_config(study.pipeline, set));

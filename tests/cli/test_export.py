@@ -32,6 +32,7 @@ def setUpModule():
         plans = file["plans"]
         assert {formats.text(plans[path].attrs["status"]) for path in (FIRST, SECOND)} == {"executable"}
         plans.copy(plans[FIRST]["trajectory"], plans[FIRST], "approach")
+        plans.copy(plans[FIRST]["trajectory"], plans[FIRST], "retreat")
         plans.copy(plans[SECOND], plans["ADL001AR1"], "001")
         other = plans["ADL001AR1/001"]
         other.attrs["status"], other.attrs["reason"] = b"infeasible", b"no_path"
@@ -72,9 +73,10 @@ class Export(CommandCase):
     def test_csv_holds_every_number(self):
         files = self.exported("csv")
         self.assertEqual(sorted(files), ["ADL001AR1_000.csv", "ADL001DR2_000.csv",
-                                         "ADL001DR2_000_approach.csv"])
+                                         "ADL001DR2_000_approach.csv", "ADL001DR2_000_retreat.csv"])
         for name, path in (("ADL001DR2_000.csv", f"{FIRST}/trajectory"),
                            ("ADL001DR2_000_approach.csv", f"{FIRST}/approach"),
+                           ("ADL001DR2_000_retreat.csv", f"{FIRST}/retreat"),
                            ("ADL001AR1_000.csv", f"{SECOND}/trajectory")):
             with open(files[name], newline="") as text:
                 rows = list(csv.DictReader(text))
@@ -94,7 +96,7 @@ class Export(CommandCase):
     def test_ros_points_are_the_samples(self):
         files = self.exported("ros")
         self.assertEqual(sorted(files), ["ADL001AR1_000.yaml", "ADL001DR2_000.yaml",
-                                         "ADL001DR2_000_approach.yaml"])
+                                         "ADL001DR2_000_approach.yaml", "ADL001DR2_000_retreat.yaml"])
         trajectory, joints = self.plan(f"{FIRST}/trajectory")
         frame, names, found, clock = yaml_points(files["ADL001DR2_000.yaml"])
         self.assertEqual((frame, names), ("base", joints))

@@ -184,6 +184,16 @@ variants:
         ratio, = [row["ours"] for row in rows if row["metric"] == "A, ratio"]
         self.assertLess(ratio, 1)
 
+    def test_obstacles_in_the_way(self):
+        study = SOURCE / "configs/studies"
+        text = (study / "repair.yaml").read_text().replace("repair_pipeline.yaml", f"{study}/repair_pipeline.yaml")
+        out = self.rows_of(text.replace("../synthetic", f"{study}/../synthetic"))
+        rows = json.loads((out / "results.json").read_text())["rows"]
+        ours = {row["metric"]: row["ours"] for row in rows
+                if row["case"] == {"obstacle": "all", "variant": "ours"}}
+        self.assertEqual(ours["executable"], 1)
+        self.assertEqual(ours["states in collision"], 0)
+
 
 if __name__ == "__main__":
     main()
