@@ -8,7 +8,7 @@
 
 #include "pipeline/config/hash.hpp"
 #include "pipeline/motion/input_error.hpp"
-#include "pipeline/run/database.hpp"
+#include "pipeline/run/journal_tables.hpp"
 #include "pipeline/run/summary_text.hpp"
 #include "pipeline/store/bytes.hpp"
 
@@ -23,44 +23,6 @@ using Clock = std::chrono::steady_clock;
 constexpr int kMostInBatch = 64;
 constexpr std::size_t kMostBatchBytes = std::size_t{32} << 20;
 constexpr std::chrono::seconds kLongestBatch{1};
-
-constexpr const char* kFormat = "morphe-journal 1";
-constexpr const char* kTables = R"(
-CREATE TABLE about(key TEXT PRIMARY KEY, value BLOB);
-CREATE TABLE configs(sha256 TEXT PRIMARY KEY, text TEXT);
-CREATE TABLE wanted(position INTEGER PRIMARY KEY, name TEXT NOT NULL);
-CREATE TABLE done(name TEXT PRIMARY KEY, input TEXT, config TEXT, robot TEXT, scene TEXT,
-                  program TEXT, dataset TEXT, error TEXT, summary TEXT);
-CREATE TABLE plans(demonstration TEXT, number INTEGER, sha256 TEXT, rows TEXT, bytes BLOB,
-                   PRIMARY KEY(demonstration, number));
-)";
-constexpr const char* kDrop = R"(
-DROP TABLE IF EXISTS about; DROP TABLE IF EXISTS configs; DROP TABLE IF EXISTS wanted;
-DROP TABLE IF EXISTS done; DROP TABLE IF EXISTS plans;
-)";
-
-std::string about(const Database& database, const std::string& key) {
-  Statement select(database, "SELECT value FROM about WHERE key = ?");
-  return select.bind(1, key).step() ? select.text(0) : "";
-}
-
-void set_about(const Database& database, const std::string& key, const std::string& value) {
-  Statement insert(database, "INSERT OR REPLACE INTO about VALUES(?, ?)");
-  insert.bind(1, key).bind_bytes(2, value).run();
-}
-
-bool is_empty(const Database& database) {
-  Statement count(database, "SELECT count(*) FROM sqlite_master");
-  count.step();
-  return count.number(0) == 0;
-}
-
-void check_format(const Database& database) {
-  Statement table(database, "SELECT count(*) FROM sqlite_master WHERE name = 'about'");
-  table.step();
-  if (table.number(0) == 0 || about(database, "format") != kFormat)
-    database.fail("is no journal of a run that this version reads");
-}
 
 }  // namespace
 
@@ -106,7 +68,7 @@ std::unique_ptr<Journal> Journal::write(const fs::path& folder, const std::strin
   std::unique_ptr<State> state;
   try {
     state = std::make_unique<State>(file, DatabaseUse::write);
-    if (!is_empty(state->database) && !fresh) check_format(state->database);
+    if (!is_empty(state->database) && !fresh) check_journal(state->database);
   } catch (const DamagedDatabase& error) {
     // Nobody can hold what is no database.
     if (!fresh) throw InputError(fmt::format("{}; --fresh begins anew", error.what()));
@@ -118,9 +80,7 @@ std::unique_ptr<Journal> Journal::write(const fs::path& folder, const std::strin
   Database& database = state->database;
   if (fresh || is_empty(database)) {
     database.run("BEGIN");
-    database.run(kDrop);
-    database.run(kTables);
-    set_about(database, "format", kFormat);
+    make_journal_tables(database);
     set_about(database, "software", software);
     set_about(database, "shard", shard_text(shard));
     database.run("COMMIT");
@@ -139,7 +99,7 @@ std::unique_ptr<Journal> Journal::read(const fs::path& folder) {
   if (!fs::exists(file, ignored))
     throw InputError(fmt::format("{}: is missing: not the folder of a run", file.string()));
   auto state = std::make_unique<State>(file, DatabaseUse::read);
-  check_format(state->database);
+  check_journal(state->database);
   return std::unique_ptr<Journal>(new Journal(std::move(state)));
 }
 
