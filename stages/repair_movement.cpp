@@ -54,7 +54,7 @@ JointPath resolve_with_candidates(const MappingProblem& problem, const MapResult
     attempt(other, recheck(other), 100.0);
   }
   // Tips that gave way to clearance nobody asked for come back to what is just free.
-  if (least > none) attempt(JointPath(best), recheck(best), 1000.0, 0.2);
+  if (least > none) attempt(JointPath(best), recheck(best), 10000.0, 0.2);
   return best;
 }
 
