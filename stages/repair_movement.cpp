@@ -12,6 +12,9 @@ namespace {
 using Recheck = decltype(RepairSteps::recheck);
 
 constexpr double kFirm = 100;  ///< times the clearance term of the mapping
+/// A repaired path keeps this much more than the margin where it can: the curve through it is
+/// smoothed, and certified to a tenth of a millimetre [m].
+constexpr double kRoom = 2e-4;
 
 /// How bad findings are: contacts count before everything else.
 std::pair<double, double> badness(const std::vector<Finding>& findings) {
@@ -91,16 +94,26 @@ RepairResult repair_movement(const Planner& planner, const PlacedMovement& place
   const PipelineConfig& config = planner.config;
   MappingProblem whole = placed.problem;
   whole.world = &world;
-  RepairSteps steps;
-  steps.recheck = [&](const JointPath& path) {
-    return check_path(world, plan.goals, plan.movement, path, config.check);
+  const auto judge = [&](const CollisionWorld& judged, const JointPath& path) {
+    return check_path(judged, plan.goals, plan.movement, path, config.check);
   };
+  CollisionWorld roomy = world;
+  roomy.tolerances.margin += kRoom;
+  RepairSteps steps;
+  steps.recheck = [&](const JointPath& path) { return judge(roomy, path); };
   steps.resolve = [&](const JointPath& path, const std::vector<Finding>& findings) {
     return resolve_with_candidates(whole, mapped, path, findings, config.map, steps.recheck);
   };
   steps.new_course = NewCourses(whole, config.map, seed + 1);
-  return repair_path(world, planner.capsule_reach, plan.path, plan.findings, steps, config.repair,
-                     seed);
+  RepairResult result = repair_path(world, planner.capsule_reach, plan.path, plan.findings, steps,
+                                    config.repair, seed);
+  if (!result.reason.empty() && judge(world, result.path).empty()) {
+    result.reason.clear();
+    result.detail.clear();
+    result.remaining.clear();
+    result.repaired = true;
+  }
+  return result;
 }
 
 }  // namespace morphe

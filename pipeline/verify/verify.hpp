@@ -40,7 +40,8 @@ struct VerifyReport {
 /// the quintic between samples (exact extrema); clearance is proved there by bisection, and what
 /// stays open when nothing moves more than 0.01 mm counts as a violation; tips are judged at every
 /// sample; the certificate must agree with what is recomputed (clearance to 1e-4 m, the rest to
-/// 1e-9, see pipeline/verify/certificate.hpp). In the order of samples, then of causes and subjects.
+/// 1e-9, see pipeline/verify/certificate.hpp). In the order of samples, then of causes and
+/// subjects.
 std::vector<Violation> verify_plan(const RobotTable& robot, const std::string& plan_path,
                                    const Plan& plan);
 

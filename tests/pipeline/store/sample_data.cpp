@@ -223,9 +223,9 @@ Plan full_plan(const std::string& demonstration, int movement) {
   plan.trajectory = trajectory(number, 6);
   plan.approach = trajectory(number, 2);
   plan.retreat = trajectory(number, 3);
-  plan.certificate = {number(), number(), number(), number(), number(), number(),
-                      number(), number(), kNotSeen, number(), number(), number(),
-                      number(), number(), number(), number(), number(), number(), number(), true};
+  plan.certificate = {number(), number(), number(), number(), number(), number(), number(),
+                      number(), kNotSeen, number(), number(), number(), number(), number(),
+                      number(), number(), number(), number(), number(), true};
   return plan;
 }
 
