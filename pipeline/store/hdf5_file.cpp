@@ -36,8 +36,14 @@ void describe_group(hid_t properties) {
 
 Hdf5Id properties(hid_t kind) { return {H5Pcreate(kind), H5Pclose}; }
 
+/// HDF5 prints what goes wrong, in every thread that has not told it not to.
+void keep_quiet() {
+  thread_local const bool told = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
+  static_cast<void>(told);
+}
+
 Hdf5Id access_properties() {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  keep_quiet();
   Hdf5Id access = properties(H5P_FILE_ACCESS);
   // Checksummed headers, and no tree for a dataset of one chunk.
   H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110);
@@ -96,6 +102,9 @@ Hdf5File Hdf5File::create(const std::filesystem::path& path) {
   Hdf5File file;
   const Hdf5Id access = access_properties();
   H5Pset_driver(access.get(), hdf5_output_driver(), nullptr);
+  // No space in advance: HDF5 keeps a list, in memory, of what is left of each such block.
+  H5Pset_meta_block_size(access.get(), 0);
+  H5Pset_small_data_block_size(access.get(), 0);
   const Hdf5Id creation = properties(H5P_FILE_CREATE);
   describe_group(creation.get());
   file.name_ = path.string();
@@ -152,6 +161,7 @@ void Hdf5File::close() {
 }
 
 Hdf5Group Hdf5Group::create(const std::string& name) const {
+  keep_quiet();
   if (name.empty() || name == "." || name.find('/') != std::string::npos ||
       name.find('\0') != std::string::npos)
     fail(fmt::format("'{}' cannot be a name: it must not be empty or hold '/'", name));
@@ -174,6 +184,7 @@ bool Hdf5Group::is_group(const std::string& name) const {
 }
 
 Hdf5Group Hdf5Group::open(const std::string& name) const {
+  keep_quiet();
   if (!has(name)) fail(name, "is missing");
   Hdf5Id id(H5Gopen2(id_.get(), name.c_str(), H5P_DEFAULT), H5Gclose);
   if (!id.valid()) fail(name, "is not a readable group");
