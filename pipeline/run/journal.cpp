@@ -246,8 +246,6 @@ std::optional<Place> Journal::next() {
   return Place{state_->position, select.text(1)};
 }
 
-void Journal::rewind() { state_->position = -1; }
-
 void Journal::each_plan(const std::string& name,
                         const std::function<void(const Finished::StoredPlan&)>& visit) const {
   const std::lock_guard lock(state_->mutex);

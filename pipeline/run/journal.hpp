@@ -85,8 +85,7 @@ class Journal {
   std::int64_t wanted() const;
   std::int64_t unfinished() const;
   bool has_results() const;     ///< of a demonstration that did not fail
-  std::optional<Place> next();  ///< of the wanted ones, in order, from rewind() on
-  void rewind();
+  std::optional<Place> next();  ///< of the wanted ones, in order, from begin() or read() on
   /// In order; InputError if the bytes are not those that were written.
   void each_plan(const std::string& name,
                  const std::function<void(const Finished::StoredPlan&)>& visit) const;

@@ -16,11 +16,19 @@
 namespace morphe {
 namespace {
 
-/// A demonstration to be planned, or why it could not be read.
+/// A demonstration to be planned, or why it could not be read; or one that was finished before.
 struct Task {
   Demonstration demonstration;
   std::string input;  ///< SHA-256
   std::string error;
+  std::string why;  ///< it is planned
+  std::optional<Finished> before;
+};
+
+/// Nothing, if the run was stopped before this one began.
+struct Done {
+  Finished finished;  ///< without its plans if it was so before
+  std::string why;    ///< it was planned, "" if it was finished before
 };
 
 class Run {
@@ -45,19 +53,22 @@ class Run {
 
   RunResult run() {
     begin();
-    OrderedMap<Task, Finished> map;
+    writer_.emplace(request_.plans, request_.identity.header, request_.identity.robot);
+    OrderedMap<Task, Done> map;
     map.next = [&] { return next(); };
     map.work = [&](const Task& task) { return work(task); };
-    map.write = [&](const Finished& finished) { write(finished); };
+    map.write = [&](const Done& done) { write(done); };
     try {
       morphe::run(map, request_.jobs);
     } catch (...) {
+      writer_.reset();  // first, as it makes room
       keep_what_is_done();
       throw;
     }
     journal_.commit();
-    const bool complete = stop_.seen() == 0 && finish();
-    return {complete ? 0 : stop_.seen(), progress_.so_far()};
+    const int stopped_by = stop_.seen();
+    if (stopped_by == 0) finish();
+    return {stopped_by, progress_.so_far()};
   }
 
  private:
@@ -92,27 +103,23 @@ class Run {
   }
 
   std::unique_ptr<Task> next() {
-    while (stop_.seen() == 0) {
-      const std::optional<Place> place = journal_.next();
-      if (!place) break;
-      const std::optional<Finished> found = journal_.find(place->name);
-      std::vector<std::string> why = reasons_of_run(found);
-      std::unique_ptr<Task> task;
-      if (!found || !why.empty() || found->dataset != dataset()) task = read(place->name);
-      if (found && task && found->print.input != task->input)
-        why.push_back("its recording changed");
-      if (found && why.empty()) {
-        if (task) journal_.seen_in(place->name, dataset());
-        progress_.reused(found->summary);
-        ++readable_;
-        continue;
-      }
-      if (!found) why.push_back("not done before");
-      if (request_.explain)
-        progress_.line(fmt::format("{}: {}", place->name, fmt::join(why, "; ")));
+    const std::optional<Place> place = stop_.seen() == 0 ? journal_.next() : std::nullopt;
+    if (!place) return nullptr;
+    const std::optional<Finished> found = journal_.find(place->name);
+    std::vector<std::string> why = reasons_of_run(found);
+    std::unique_ptr<Task> task;
+    if (!found || !why.empty() || found->dataset != dataset()) task = read(place->name);
+    if (found && task && found->print.input != task->input) why.push_back("its recording changed");
+    if (found && why.empty()) {
+      if (task) journal_.seen_in(place->name, dataset());
+      ++readable_;
+      task = std::make_unique<Task>();
+      task->before = found;
       return task;
     }
-    return nullptr;
+    if (!found) why.push_back("not done before");
+    task->why = fmt::format("{}", fmt::join(why, "; "));
+    return task;
   }
 
   /// Why a finished demonstration is done again, but for its recording.
@@ -153,10 +160,16 @@ class Run {
     return task;
   }
 
-  /// What could be written, or why not; nothing if the run was stopped before it began.
-  std::unique_ptr<Finished> work(const Task& task) {
-    auto finished = std::make_unique<Finished>();
-    if (stop_.seen() != 0) return finished;
+  std::unique_ptr<Done> work(const Task& task) {
+    auto done = std::make_unique<Done>();
+    if (stop_.seen() != 0) return done;
+    done->finished = task.before ? *task.before : plan(task);
+    done->why = task.why;
+    return done;
+  }
+
+  /// What could be written, or why not.
+  Finished plan(const Task& task) {
     DemonstrationOutcome outcome;
     outcome.error = task.error;
     if (task.error.empty()) outcome = attempt(request_.plan, task.demonstration);
@@ -167,37 +180,36 @@ class Run {
       outcome.error = fault;
       break;
     }
-    finished->name = task.demonstration.name;
-    finished->print = print_;
-    finished->print.input = task.input;
-    finished->dataset = dataset();
-    finished->error = outcome.error;
-    finished->summary = summary_of(outcome);
+    Finished finished;
+    finished.name = task.demonstration.name;
+    finished.print = print_;
+    finished.print.input = task.input;
+    finished.dataset = dataset();
+    finished.error = outcome.error;
+    finished.summary = summary_of(outcome);
     for (const Plan& plan : outcome.plans)
-      finished->plans.push_back({request_.rows(plan), bytes_of(plan)});
+      finished.plans.push_back({request_.rows(plan), bytes_of(plan)});
     return finished;
   }
 
-  void write(const Finished& finished) {
+  void write(const Done& done) {
+    const Finished& finished = done.finished;
     if (finished.name.empty()) return;
-    journal_.add(finished);
-    progress_.done(finished.name, finished.summary, finished.error);
+    if (done.why.empty()) {
+      progress_.reused(finished.summary);
+    } else {
+      if (request_.explain) progress_.line(fmt::format("{}: {}", finished.name, done.why));
+      journal_.add(finished);
+      progress_.done(finished.name, finished.summary, finished.error);
+    }
+    write_plans(journal_, finished.name, *writer_);
   }
 
-  /// False if it was stopped before the file was whole.
-  bool finish() {
+  void finish() {
     if (readable_ == 0 && !first_unreadable_.empty()) throw InputError(first_unreadable_);
-    const RunIdentity& identity = request_.identity;
-    PlanWriter writer(request_.plans, identity.header, identity.robot);
-    journal_.rewind();
-    while (const std::optional<Place> place = journal_.next()) {
-      if (stop_.seen() != 0) return false;
-      write_plans(journal_, place->name, writer);
-    }
-    writer.finish();
+    writer_->finish();
     request_.publish();
     journal_.complete();
-    return true;
   }
 
   void keep_what_is_done() {
@@ -213,6 +225,7 @@ class Run {
   RunRequest request_;
   Progress& progress_;
   DemonstrationReader reader_;
+  std::optional<PlanWriter> writer_;
   StopSignal stop_;
   Fingerprint print_;  ///< of this run; the input is each demonstration's own
   std::int64_t readable_ = 0;

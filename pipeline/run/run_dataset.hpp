@@ -30,10 +30,11 @@ struct RunResult {
 };
 
 /// Plans what the journal does not hold yet of the dataset (of its shard), and writes plans.h5 from
-/// the journal when all is done. SIGINT and SIGTERM: what is in hand is finished and committed.
-/// A demonstration that cannot be read or planned is a failed one, and tried again the next time.
-/// InputError: none at all can be read; the dataset changes under the run; results cannot be
-/// written. Then what was finished is in the journal.
+/// the journal meanwhile, in the order of the dataset; it takes its name when all is done. SIGINT
+/// and SIGTERM: what is in hand is finished and committed. A demonstration that cannot be read or
+/// planned is a failed one, and tried again the next time. InputError: none at all can be read; the
+/// dataset changes under the run; results cannot be written. Then what was finished is in the
+/// journal.
 RunResult run_dataset(Journal& journal, RunRequest request, Progress& progress);
 
 }  // namespace morphe

@@ -79,9 +79,8 @@ TEST_F(JournalTest, KeepsWhatWasCommittedAndNothingElse) {
 
 TEST_F(JournalTest, GoesThroughWhatIsWantedInOrder) {
   const auto journal = open();
-  begin(*journal);
   for (int pass = 0; pass < 2; ++pass) {
-    journal->rewind();
+    begin(*journal);
     std::vector<std::string> names;
     std::vector<std::int64_t> positions;
     while (const std::optional<Place> place = journal->next()) {
