@@ -18,36 +18,41 @@ std::string text_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// The files a run was made from, named relative to the deepest folder that holds them all. If that
-/// is the root of the file system, names from there would tell of this machine: each is then called
-/// by its folder and its own name, and one that is taken gets a number.
-std::vector<PlanFileHeader::Input> collect(std::vector<std::filesystem::path> files) {
-  for (auto& file : files) file = std::filesystem::weakly_canonical(file);
+using Paths = std::vector<std::filesystem::path>;
+
+/// The deepest folder that holds them all.
+std::filesystem::path common_folder(const Paths& files) {
   std::filesystem::path common = files.front().parent_path();
   for (const auto& file : files) {
     while (file.lexically_relative(common).string().starts_with(".."))
       common = common.parent_path();
   }
+  return common;
+}
+
+/// The files a run was made from. Where they lie on this machine is nothing to tell: those of a
+/// group are named relative to the deepest folder that holds them all, by their own name alone if
+/// that is the root; a name that is taken lies in a numbered folder.
+std::vector<PlanFileHeader::Input> collect(const std::vector<Paths>& groups) {
   std::vector<PlanFileHeader::Input> inputs;
   std::set<std::string> taken;
-  for (const auto& file : files) {
-    std::string name = file.lexically_relative(common).generic_string();
-    if (common == common.root_path()) {
-      std::string folder = file.parent_path().filename().string();
-      if (folder.empty()) folder = "root";
-      name = folder + "/" + file.filename().string();
-      for (int number = 2; taken.contains(name); ++number)
-        name = fmt::format("{}_{}/{}", folder, number, file.filename().string());
+  for (Paths files : groups) {
+    for (auto& file : files) file = std::filesystem::weakly_canonical(file);
+    const std::filesystem::path common = common_folder(files);
+    for (const auto& file : files) {
+      const auto inside =
+          common == common.root_path() ? file.filename() : file.lexically_relative(common);
+      std::string name = inside.generic_string();
+      for (int number = 2; !taken.insert(name).second; ++number)
+        name = fmt::format("{}/{}", number, inside.generic_string());
+      inputs.push_back({name, text_of(file)});
     }
-    taken.insert(name);
-    inputs.push_back({name, text_of(file)});
   }
   return inputs;
 }
 
 /// A config and, where it says `extends: FILE`, what it leaves out taken from that one.
-ConfigNode load_extended(const std::filesystem::path& file,
-                         std::vector<std::filesystem::path>& files) {
+ConfigNode load_extended(const std::filesystem::path& file, Paths& files) {
   ConfigNode node = ConfigNode::load(file);
   files.push_back(file);
   if (!node.has("extends")) return node;
@@ -97,8 +102,12 @@ void check_joints(const ConfigNode& node, const LoadedConfig& loaded) {
 
 LoadedConfig load_config(const std::filesystem::path& file,
                          const std::vector<std::string>& settings) {
-  std::vector<std::filesystem::path> files;
-  ConfigNode node = load_extended(file, files);
+  // Files that are named by an absolute path form groups of their own.
+  std::vector<Paths> groups(1);
+  const auto group_of = [&](const std::filesystem::path& named) -> Paths& {
+    return named.is_absolute() ? groups.emplace_back() : groups.front();
+  };
+  ConfigNode node = load_extended(file, groups.front());
   for (const std::string& setting : settings) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos || equals == 0) {
@@ -113,17 +122,19 @@ LoadedConfig load_config(const std::filesystem::path& file,
   const RobotDescription robot =
       load_robot(node["robot"]["file"].folder() / loaded.options.robot.file);
   loaded.robot = robot.table;
-  files.insert(files.end(), robot.files.begin(), robot.files.end());
+  Paths& with_robot = group_of(loaded.options.robot.file);
+  with_robot.insert(with_robot.end(), robot.files.begin(), robot.files.end());
   if (node.has("scene")) load_scene_files(loaded.options.scene, node["scene"]);
   if (!loaded.options.scene.file.empty()) {
-    files.push_back(node["scene"]["file"].folder() / loaded.options.scene.file);
+    group_of(loaded.options.scene.file)
+        .push_back(node["scene"]["file"].folder() / loaded.options.scene.file);
   }
   if (loaded.options.dataset) {
     loaded.dataset = node["dataset"]["file"].folder() / loaded.options.dataset->file;
   }
   check_joints(node, loaded);
   loaded.effective = write_options(loaded.options);
-  loaded.inputs = collect(std::move(files));
+  loaded.inputs = collect(groups);
   return loaded;
 }
 

@@ -59,6 +59,13 @@ class Continued(ManyCase):
         shutil.copy(self.dataset, self.folder / "moved.h5")
         self.assertEqual(self.explained(dataset=self.folder / "moved.h5"), ({}, COUNT))
 
+    def test_a_config_in_another_folder_gives_the_same_bytes(self):
+        moved = self.folder / "elsewhere" / self.config.name
+        moved.parent.mkdir()
+        shutil.copy(self.config, moved)
+        self.succeeds("run", moved, "--dataset", self.dataset, "--out", self.out)
+        self.same_bytes()
+
     def test_only_the_demonstration_that_changed(self):
         shutil.copytree(self.plain, self.out)
         changed = self.folder / "changed.h5"
