@@ -64,6 +64,13 @@ class UnpackedInputs {
     }
     return {};
   }
+  /// A message that calls the files by what they are called in plans.h5.
+  std::string as_stored(std::string message) const {
+    const std::string folder = folder_.string();
+    for (std::size_t at; (at = message.find(folder)) != std::string::npos;)
+      message.replace(at, folder.size(), "/inputs");
+    return message;
+  }
 
  private:
   fs::path folder_;
@@ -103,7 +110,12 @@ RunConfig stored_config(const fs::path& plans) {
         throw InputError(fmt::format("{}: /inputs: holds no {}", plans.string(), named));
       loaded.options.scene.file = file.string();
     }
-    load_scene_files(loaded.options.scene, node["scene"]);
+    try {
+      load_scene_files(loaded.options.scene, node["scene"]);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: holds no mesh files; run with the config itself: {}",
+                                   plans.string(), files.as_stored(error.what())));
+    }
     loaded.options.scene.file = named;
   }
   RunConfig config = run_config(std::move(loaded));

@@ -6,7 +6,7 @@ import h5py
 import numpy as np
 
 from many import COUNT, ManyCase
-from support import json, main, morphe, sha256
+from support import SOURCE, json, main, morphe, sha256
 
 
 class Diff(ManyCase):
@@ -128,6 +128,20 @@ class From(ManyCase):
             shutil.rmtree(folder)
         self.succeeds("run", "--from", made / "plans.h5", "--dataset", self.dataset, "--out", self.out)
         self.assertEqual(sha256(self.out / "plans.h5"), sha256(made / "plans.h5"))
+
+    def test_a_mesh_is_not_stored(self):
+        shutil.copy(SOURCE / "configs/scenes/shelf.stl", self.folder)
+        mesh = "objects: [{name: shelf, shape: mesh, file: shelf.stl, scale: 0.001, position: [2, 2, 0]}]"
+        (self.folder / "scene.yaml").write_text(mesh)
+        for scene in (mesh, "file: scene.yaml"):
+            with self.subTest(scene):
+                config = self.folder / "config.yaml"
+                config.write_text(self.config.read_text().replace("scene: {", f"scene: {{{scene}, "))
+                made = self.folder / "made/plans.h5"
+                self.succeeds("run", config, "--dataset", self.dataset, "--out", made.parent, "--fresh")
+                again = morphe("run", "--from", made, "--dataset", self.dataset, "--out", self.out)
+                self.refuses(again, made, "holds no mesh files", "shelf.stl cannot be read")
+                self.assertNotIn("morphe_from", again.stderr)
 
     def test_another_dataset_is_refused(self):
         other = self.folder / "other.h5"
