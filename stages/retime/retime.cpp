@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
+#include <optional>
 
 #include "pipeline/motion/quintic.hpp"
 #include "stages/retime/fit_path.hpp"
@@ -136,59 +138,78 @@ void slow_down(Course& course, const SampledLaw& sampled, const std::vector<doub
   for (std::size_t k = 0; k < factor.size(); ++k) course.slowdown[k] *= factor[k];
 }
 
-/// The law of a mode; nothing if a duration is too short.
-std::optional<PacedLaw> pace(Course& course, const std::string& mode,
-                             const RetimeOptions& options) {
-  if (mode == "human") return pace_human(course, options.sample_rate_hz);
-  if (mode == "fastest") return pace_fastest(course, options.sample_rate_hz);
-  return pace_duration(course, options.sample_rate_hz, *options.duration_s);
+/// A law, its samples, and how hasty each step between them is.
+struct Attempt {
+  PacedLaw paced;
+  SampledLaw sampled;
+  std::vector<double> hasty;
+  double worst = 0;
+};
+
+void sample(const Course& course, double rate_hz, Attempt& attempt) {
+  attempt.sampled = sample_law(course, attempt.paced, rate_hz);
+  attempt.hasty = haste(course, attempt.sampled.trajectory);
+  attempt.worst = *std::max_element(attempt.hasty.begin(), attempt.hasty.end());
 }
 
+using Pace = std::function<std::optional<PacedLaw>(Course&)>;
+
 /// Paces and samples the course until the quintics hold its limits: slowed down where they do not,
-/// and as a whole if that takes too long. False, and why, if they never do.
-bool sample_within_limits(Course& course, const RetimeOptions& options, RetimeResult& result) {
-  const bool timed = options.mode == "duration";
-  const double rate_hz = options.sample_rate_hz;
-  result.reason = timed ? "duration" : "limit";
-  result.detail =
-      timed ? fmt::format("the path cannot be followed in {} s", *options.duration_s)
-            : "no slowdown brings the path within the joints' velocity, acceleration and jerk";
+/// and as a whole if that takes too long. False if that never comes, or there is no pace.
+bool follow(Course& course, const Pace& pace, double rate_hz, Attempt& attempt) {
   for (int round = 0; round <= kCorrections; ++round) {
-    const bool late = 2 * round >= kCorrections;
-    // What is left of a duration is then the fastest law, stretched.
-    std::optional<PacedLaw> paced = pace(course, timed && late ? "fastest" : options.mode, options);
+    std::optional<PacedLaw> paced = pace(course);
     if (!paced) return false;
-    SampledLaw sampled = sample_law(course, *paced, rate_hz);
-    std::vector<double> hasty = haste(course, sampled.trajectory);
-    double worst = *std::max_element(hasty.begin(), hasty.end());
-    if (!std::isfinite(worst)) return false;
-    if (worst > 1 && round < kCorrections) {
-      // The last rounds slow down more than where it is needed.
-      if (late) std::fill(hasty.begin(), hasty.end(), worst);
-      slow_down(course, sampled, hasty);
-      continue;
-    }
-    const auto stretch_to = [&](double periods) {
-      paced->periods = static_cast<Eigen::Index>(periods);
-      sampled = sample_law(course, *paced, rate_hz);
-      hasty = haste(course, sampled.trajectory);
-      worst = *std::max_element(hasty.begin(), hasty.end());
-    };
-    for (int stretch = 0; worst > 1 && stretch < kCorrections; ++stretch) {
-      const auto moving = static_cast<double>(paced->periods - 2);
-      stretch_to(2 + std::ceil(moving * worst * (1 + kInside)));
-    }
-    if (timed) {
-      const double periods = std::floor(*options.duration_s * rate_hz + 1e-9);
-      if (static_cast<double>(paced->periods) > periods) return false;
-      if (static_cast<double>(paced->periods) < periods) stretch_to(periods);
-    }
-    if (worst > 1) return false;
-    result.trajectory = std::move(sampled.trajectory);
-    result.reason = result.detail = "";
-    return true;
+    attempt.paced = std::move(*paced);
+    sample(course, rate_hz, attempt);
+    if (attempt.worst <= 1) return true;
+    if (!std::isfinite(attempt.worst)) return false;
+    // The last rounds slow down more than where it is needed.
+    std::vector<double> hasty = attempt.hasty;
+    if (2 * round >= kCorrections) std::fill(hasty.begin(), hasty.end(), attempt.worst);
+    slow_down(course, attempt.sampled, hasty);
   }
   return false;
+}
+
+/// In as many periods as it takes.
+bool follow_freely(Course& course, const Pace& pace, double rate_hz, Attempt& attempt) {
+  if (follow(course, pace, rate_hz, attempt)) return true;
+  if (!std::isfinite(attempt.worst)) return false;
+  for (int stretch = 0; attempt.worst > 1 && stretch < kCorrections; ++stretch) {
+    const auto moving = static_cast<double>(attempt.paced.periods - 2);
+    const double longer = std::ceil(moving * attempt.worst * (1 + kInside));
+    attempt.paced.periods = 2 + static_cast<Eigen::Index>(longer);
+    sample(course, rate_hz, attempt);
+  }
+  return attempt.worst <= 1;
+}
+
+/// In so many periods: in the human's proportions; in those without the pauses, which may leave no
+/// time for the way; or as the fastest way there is, stretched. That stays within the limits but
+/// for what other instants of sampling do: if it does not, as it is, and at rest thereafter.
+bool follow_for(Eigen::Index periods, const std::function<Course(bool keep_pauses)>& make,
+                double rate_hz, Attempt& attempt) {
+  const auto pace = [&](Course& c) { return pace_duration(c, rate_hz, periods); };
+  Course course = make(true);
+  const double with_pauses_s = course.spline.length;
+  if (follow(course, pace, rate_hz, attempt)) return true;
+  const Course without = make(false);
+  course = without;
+  const bool pauses = course.spline.length < with_pauses_s;
+  if (pauses && follow(course, pace, rate_hz, attempt)) return true;
+  course = without;
+  const auto fastest = [&](Course& c) { return pace_fastest(c, rate_hz); };
+  if (!follow_freely(course, fastest, rate_hz, attempt)) return false;
+  const Eigen::Index least = attempt.paced.periods;
+  if (least > periods) return false;
+  attempt.paced.periods = periods;
+  sample(course, rate_hz, attempt);
+  if (attempt.worst <= 1) return true;
+  attempt.paced.periods = least;
+  attempt.paced.rest = periods - least;
+  sample(course, rate_hz, attempt);
+  return attempt.worst <= 1;
 }
 
 }  // namespace
@@ -230,11 +251,31 @@ RetimeResult retime(const RobotTable& robot, const JointPath& path, const Moveme
     result.reason = "limit";
     return result;
   }
-  // A duration that leaves no time for the human's pauses may leave some for the way.
-  for (const bool keep_pauses : {true, false}) {
-    if (options.mode == (keep_pauses ? "fastest" : "human")) continue;
-    Course course = make_course(robot, path, movement, options, keep_pauses, result);
-    if (sample_within_limits(course, options, result) || options.mode != "duration") break;
+  const double rate_hz = options.sample_rate_hz;
+  const auto make = [&](bool keep_pauses) {
+    return make_course(robot, path, movement, options, keep_pauses, result);
+  };
+  Attempt attempt;
+  bool followed = false;
+  if (options.mode == "duration") {
+    const double periods = std::floor(*options.duration_s * rate_hz + 1e-9);
+    followed = follow_for(static_cast<Eigen::Index>(periods), make, rate_hz, attempt);
+    result.detail = fmt::format("the path cannot be followed in {} s", *options.duration_s);
+  } else {
+    const bool human = options.mode == "human";
+    Course course = make(human);
+    const auto pace = [&](Course& c) {
+      return human ? pace_human(c, rate_hz) : pace_fastest(c, rate_hz);
+    };
+    followed = follow_freely(course, pace, rate_hz, attempt);
+    result.detail =
+        "no slowdown brings the path within the joints' velocity, acceleration and jerk";
+  }
+  if (followed) {
+    result.trajectory = std::move(attempt.sampled.trajectory);
+    result.detail = "";
+  } else {
+    result.reason = options.mode == "duration" ? "duration" : "limit";
   }
   return result;
 }

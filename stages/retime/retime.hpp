@@ -58,7 +58,8 @@ struct RetimeResult {
 /// within velocity, acceleration and jerk limits (an infinite one is none),
 ///   human     at the demonstration's tempo wherever they allow it, slower elsewhere;
 ///   fastest   as fast as they allow;
-///   duration  taking duration_s, in the human's proportions as far as they allow.
+///   duration  taking duration_s, in the human's proportions as far as they allow; any duration
+///             that is not less than the fastest is met.
 /// Starts and ends with velocity and acceleration exactly zero. The limits hold for the quintics
 /// between the samples, not only at them: where they do not, the law is slowed down until they do.
 RetimeResult retime(const RobotTable& robot, const JointPath& path, const Movement& movement,

@@ -73,10 +73,10 @@ PacedLaw pace_human(Course& course, double rate_hz) {
   return first;
 }
 
-std::optional<PacedLaw> pace_duration(Course& course, double rate_hz, double duration_s) {
-  const auto periods = static_cast<Eigen::Index>(std::floor(duration_s * rate_hz + 1e-9));
+std::optional<PacedLaw> pace_duration(Course& course, double rate_hz, Eigen::Index periods) {
   if (periods <= 2) return std::nullopt;
-  course.tempo = course.spline.length * rate_hz / static_cast<double>(periods - 2);
+  const double steady = course.spline.length * rate_hz / static_cast<double>(periods - 2);
+  course.tempo = course.tempo < kMostPace ? std::max(course.tempo, steady) : steady;
   PacedLaw paced;
   for (int k = 0; k < kPaces; ++k) {
     paced.law = fastest_law(course);
@@ -93,13 +93,13 @@ std::optional<PacedLaw> pace_duration(Course& course, double rate_hz, double dur
 }
 
 SampledLaw sample_law(const Course& course, const PacedLaw& paced, double rate_hz) {
-  const Eigen::Index periods = paced.periods, last = periods + 1;
+  const Eigen::Index arrival = paced.periods, periods = arrival + paced.rest;
   const double dt = 1 / rate_hz;
-  const double faster = paced.law.duration_s / (static_cast<double>(periods - 2) * dt);
+  const double faster = paced.law.duration_s / (static_cast<double>(arrival - 2) * dt);
   Eigen::ArrayXd c(periods + 3);  // c[k] belongs to instant k - 1
-  for (Eigen::Index k = 0; k <= last + 1; ++k) {
+  for (Eigen::Index k = 0; k <= periods + 2; ++k) {
     const double time_s = static_cast<double>(k - 2) * dt * faster;
-    c[k] = k <= 2 ? 0 : k >= last - 1 ? course.spline.length : paced.law.clock_at(time_s);
+    c[k] = k <= 2 ? 0 : k >= arrival ? course.spline.length : paced.law.clock_at(time_s);
   }
   SampledLaw sampled;
   Trajectory& out = sampled.trajectory;

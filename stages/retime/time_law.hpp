@@ -24,6 +24,7 @@ TimeLaw fastest_law(const Course& course);
 struct PacedLaw {
   TimeLaw law;
   Eigen::Index periods = 0;
+  Eigen::Index rest = 0;  ///< further periods, at rest at the end
 };
 /// Periods that a law's samples take at least.
 Eigen::Index least_periods(const TimeLaw& law, double rate_hz);
@@ -33,15 +34,17 @@ PacedLaw pace_fastest(Course& course, double rate_hz);
 /// du/dt <= 1. Being late by up to 5 % (starting and stopping take time that the demonstration may
 /// not have taken) is made up for next to both ends, by up to 1.4 times that pace, if limits allow.
 PacedLaw pace_human(Course& course, double rate_hz);
-/// As human as can be, a steady pace faster or slower, so that all takes duration_s; nothing if
-/// even the fastest law takes longer.
-std::optional<PacedLaw> pace_duration(Course& course, double rate_hz, double duration_s);
+/// As human as can be, a steady pace faster or slower, so that all takes so many periods; nothing
+/// if even the fastest law takes longer. A course that was paced so before and slowed down since
+/// needs no less than the tempo it was left with, and starts from that.
+std::optional<PacedLaw> pace_duration(Course& course, double rate_hz, Eigen::Index periods);
 
 /// Samples of the law: c_k = u at the sample instants, stretched to `periods` - 2 and with a period
 /// of rest at each end, are the coefficients of a cubic B-spline in time with its knots at the
-/// instants. It averages the law over neighbouring periods: no velocity, acceleration or jerk
-/// grows, acceleration is continuous and linear between the instants, and both ends are at rest.
-/// The quintics between samples of q(u(t)) then follow it closely: no switch lies between them.
+/// instants; `rest` more lie at the end. It averages the law over neighbouring periods: no
+/// velocity, acceleration or jerk grows, acceleration is continuous and linear between the
+/// instants, and both ends are at rest. The quintics between samples of q(u(t)) then follow it
+/// closely: no switch lies between them.
 struct SampledLaw {
   Trajectory trajectory;
   std::vector<double> clock;  ///< u at the samples

@@ -22,7 +22,7 @@ constexpr double kSpare = 1.2;  ///< mode duration: times the fastest
 
 /// What became of one path in the three modes.
 struct PathOutcome {
-  std::array<std::string, 3> reason;
+  std::array<std::string, 3> reason, detail;
   std::array<SeenLimits, 3> seen;
   std::array<double, 3> took_s{};
 };
@@ -39,6 +39,7 @@ PathOutcome judge_path(std::uint64_t seed, std::uint64_t index) {
     out.took_s[mode] =
         seconds([&] { result = retime(random.robot, random.path, Movement{}, options); });
     out.reason[mode] = result.reason;
+    out.detail[mode] = result.detail;
     if (!result.reason.empty()) continue;
     if (options.mode == "fastest") fastest_s = result.trajectory.time.back();
     out.seen[mode] = seen_limits(random.robot, result.trajectory);
@@ -52,6 +53,11 @@ void random_paths(const RetimeStudyOptions& options, const StudyRun& study, Stud
       study.quick ? options.quick_paths : options.paths, study.jobs,
       [&](std::uint64_t index) { return judge_path(options.seed, index); },
       [&](const PathOutcome& outcome) {
+        for (std::size_t mode = 0; mode < 3; ++mode) {
+          if (outcome.reason[mode].empty()) continue;
+          study.progress(fmt::format("random path {}, mode {}: {}, {}", all.size(), kModes[mode],
+                                     outcome.reason[mode], outcome.detail[mode]));
+        }
         all.push_back(outcome);
         if (all.size() % 200 == 0) study.progress(fmt::format("{} random paths", all.size()));
       });

@@ -281,6 +281,24 @@ TEST(Retime, ADurationIsMetOrRefused) {
   EXPECT_EQ(retime(robot, path, Movement{}, options).reason, "duration");
 }
 
+TEST(Retime, AnyDurationFromTheFastestOnIsMet) {
+  // Straight lines from waypoint to waypoint: nothing but corners.
+  const double waypoint[] = {0.499, 0.301, 0.070, 0.113, 0.145, -0.081, -0.265, -0.292};
+  const RobotTable robot = robot_with(1, 0.6889, 5.303, 239.8);
+  const JointPath path = path_of(8, 1, 2.36, [&](double t, Eigen::Index) {
+    return waypoint[static_cast<std::size_t>(std::lround(t / 2.36 * 7))];
+  });
+  RetimeOptions options;
+  options.mode = "fastest";
+  const double least = retime_valid(robot, path, options).trajectory.time.back();
+  options.mode = "duration";
+  for (const double times : {1.0, 1.003, 1.03, 1.2, 4.0}) {
+    SCOPED_TRACE(times);
+    options.duration_s = times * least;
+    EXPECT_NEAR(retime_valid(robot, path, options).trajectory.time.back(), times * least, 0.002);
+  }
+}
+
 TEST(Retime, APhaseIsSlowerByItsScale) {
   const RobotTable robot = robot_with(1, 1, 3, 30);
   Movement movement;

@@ -69,6 +69,26 @@ TEST(TimeLaw, SevenSegments) {
   }
 }
 
+TEST(TimeLaw, RestIsTheSameMotionAndThenNone) {
+  const Movement movement;
+  Course course = line_course(JointVector::Constant(1, 0.3), 1, 3, 30, movement);
+  course.clocked.clock = course.clocked.demonstration_time = {0, 1};
+  course.clocked.origin = {Origin::mapped, Origin::mapped};
+  PacedLaw paced = pace_fastest(course, 500);
+  const Trajectory early = sample_law(course, paced, 500).trajectory;
+  paced.rest = 40;
+  const Trajectory t = sample_law(course, paced, 500).trajectory;
+  const Eigen::Index rows = early.position.rows();
+  ASSERT_EQ(t.position.rows(), rows + 40);
+  EXPECT_EQ(t.position.topRows(rows), early.position);
+  EXPECT_EQ(t.velocity.topRows(rows), early.velocity);
+  EXPECT_EQ(t.acceleration.topRows(rows), early.acceleration);
+  EXPECT_TRUE((t.position.bottomRows(41).array() == t.position(rows - 1, 0)).all());
+  EXPECT_TRUE(t.velocity.bottomRows(41).isZero(0));
+  EXPECT_TRUE(t.acceleration.bottomRows(41).isZero(0));
+  EXPECT_NEAR(t.time.back(), early.time.back() + 0.08, 1e-12);
+}
+
 TEST(TimeLaw, TheLawIsWhereTheGridSays) {
   const GridLaw law = grid_law(0.5, Eigen::Vector3d(0, 4, 0));
   // Acceleration 4 for 0.5, then braking: t = sqrt(2 * 0.5 / 4) each.
