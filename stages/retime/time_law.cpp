@@ -12,7 +12,7 @@ constexpr double kRamp_s = 0.25;  ///< of the path parameter at both ends
 constexpr double kAboveGrid = 8;  ///< times the grid law's pace: cap on dw/dt in the ramps
 constexpr double kMostCatchUp = 0.4, kMadeUpFor = 0.05;
 constexpr double kCatchUp_s = 0.2;
-constexpr int kPaces = 12;  ///< tried for a duration
+constexpr int kPaces = 11;  ///< tried for a duration, below the fastest
 constexpr Eigen::Index kLeastSteps = 400, kStepsPerKnot = 4, kLeastKnots = 32;
 
 }  // namespace
@@ -77,19 +77,22 @@ std::optional<PacedLaw> pace_duration(Course& course, double rate_hz, Eigen::Ind
   if (periods <= 2) return std::nullopt;
   const double steady = course.spline.length * rate_hz / static_cast<double>(periods - 2);
   course.tempo = course.tempo < kMostPace ? std::max(course.tempo, steady) : steady;
-  PacedLaw paced;
+  TimeLaw fastest;
   for (int k = 0; k < kPaces; ++k) {
-    paced.law = fastest_law(course);
-    const Eigen::Index least = least_periods(paced.law, rate_hz);
-    if (least <= periods) {
-      paced.periods = periods;
-      return paced;
+    TimeLaw law = fastest_law(course);
+    const Eigen::Index least = least_periods(law, rate_hz);
+    if (least <= periods) return PacedLaw{std::move(law), periods};
+    const double next =
+        course.tempo * 1.01 * static_cast<double>(least) / static_cast<double>(periods);
+    if (k == 0) {  // Is there any pace that is fast enough?
+      course.tempo = kMostPace;
+      fastest = fastest_law(course);
+      if (least_periods(fastest, rate_hz) > periods) return std::nullopt;
     }
-    course.tempo *= k + 2 < kPaces
-                        ? 1.01 * static_cast<double>(least) / static_cast<double>(periods)
-                        : kMostPace;
+    course.tempo = std::min(next, kMostPace);
   }
-  return std::nullopt;
+  course.tempo = kMostPace;
+  return PacedLaw{std::move(fastest), periods};
 }
 
 SampledLaw sample_law(const Course& course, const PacedLaw& paced, double rate_hz) {
