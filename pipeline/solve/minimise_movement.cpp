@@ -1,5 +1,7 @@
 #include "pipeline/solve/minimise_movement.hpp"
 
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -12,6 +14,8 @@ namespace {
 using Eigen::Index;
 /// Coefficients of the forward differences of order 1, 2 and 3.
 const std::array<std::vector<double>, 3> kDifferences{{{-1, 1}, {1, -2, 1}, {-1, 3, -3, 1}}};
+
+using Held = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Everything at one point of the search.
 struct Point {
@@ -70,19 +74,33 @@ JointRows gradient(const MovementProblem& problem, const Point& point) {
   return g;
 }
 
-/// The Hessian with held variables cut out and the diagonal damped.
-void damped_hessian(const MovementProblem& problem, const Point& point,
-                    const std::vector<bool>& held, double damping, BandCholesky& hessian) {
+/// (H + damping I) v.
+JointRows multiply(const MovementProblem& problem, const Point& point, double damping,
+                   const JointRows& v) {
+  JointRows product = damping * v;
+  for (Index f = 0; f < v.rows(); ++f) {
+    const Eigen::MatrixXd& own = point.models[static_cast<std::size_t>(f)].hessian;
+    product.row(f).noalias() += v.row(f) * own;
+  }
+  each_difference(problem, [&](Index f, const auto& coefficients, const JointVector& weight) {
+    const JointVector weighted = 2 * difference(v, f, coefficients).cwiseProduct(weight);
+    for (std::size_t k = 0; k < coefficients.size(); ++k) {
+      product.row(f + static_cast<Index>(k)) += coefficients[k] * weighted.transpose();
+    }
+  });
+  return product;
+}
+
+/// H + damping I with held variables cut out.
+void damped_hessian(const MovementProblem& problem, const Point& point, const Held& held,
+                    double damping, BandCholesky& hessian) {
   const Index frames = point.q.rows(), n = point.q.cols();
   for (Index f = 0; f < frames; ++f) {
     const auto frame = static_cast<std::size_t>(f);
-    const Eigen::MatrixXd& own = point.models[frame].hessian;
-    // Directions without curvature of their own are damped too, or they take wild steps.
-    const double floor = 1e-3 * own.diagonal().maxCoeff() + 1e-9;
     hessian.row(frame).setZero();
     auto block = hessian.block(frame, 0);
-    block = own;
-    block.diagonal() += damping * (own.diagonal().array() + floor).matrix();
+    block = point.models[frame].hessian;
+    block.diagonal().array() += damping;
   }
   each_difference(problem, [&](Index f, const auto& coefficients, const JointVector& weight) {
     for (std::size_t a = 0; a < coefficients.size(); ++a) {
@@ -92,15 +110,93 @@ void damped_hessian(const MovementProblem& problem, const Point& point,
       }
     }
   });
-  for (Index k = 0; k < frames * n; ++k) {
-    if (!held[static_cast<std::size_t>(k)]) continue;
-    const auto frame = static_cast<std::size_t>(k / n);
-    hessian.row(frame).row(k % n).setZero();
-    for (Index after = 0; after <= BandCholesky::kBandBlocks; ++after) {
-      const std::size_t below = frame + static_cast<std::size_t>(after);
-      if (below < problem.frames) hessian.block(below, after).col(k % n).setZero();
+  for (Index f = 0; f < frames; ++f) {
+    const auto frame = static_cast<std::size_t>(f);
+    for (Index j = 0; j < n; ++j) {
+      if (!held(f, j)) continue;
+      hessian.row(frame).row(j).setZero();
+      for (Index after = 0; after <= BandCholesky::kBandBlocks; ++after) {
+        const std::size_t below = frame + static_cast<std::size_t>(after);
+        if (below < problem.frames) hessian.block(below, after).col(j).setZero();
+      }
+      hessian.block(frame, 0)(j, j) = 1;
     }
-    hessian.block(frame, 0)(k % n, k % n) = 1;
+  }
+}
+
+/// Holds free variables that the step takes out of the bounds, on them, and frees held ones that
+/// the slope of the model draws back inside; whether there were any.
+bool change_held(const MovementProblem& problem, const JointRows& q, const JointRows& slope,
+                 JointRows& step, Held& held) {
+  bool changed = false;
+  for (Index f = 0; f < q.rows(); ++f) {
+    for (Index j = 0; j < q.cols(); ++j) {
+      const double to = q(f, j) + step(f, j), lower = problem.lower[j], upper = problem.upper[j];
+      if (held(f, j)) {
+        const double inwards = to > 0.5 * (lower + upper) ? slope(f, j) : -slope(f, j);
+        if (inwards <= 0) continue;
+        held(f, j) = false;
+      } else {
+        if (to >= lower && to <= upper) continue;
+        step(f, j) = (to < lower ? lower : upper) - q(f, j);
+        held(f, j) = true;
+      }
+      changed = true;
+    }
+  }
+  return changed;
+}
+
+/// Takes the negative curvature out of every frame's own model.
+void make_convex(Point& point) {
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> own;
+  Eigen::LLT<Eigen::MatrixXd> factor;
+  for (Quadratic& model : point.models) {
+    factor.compute(model.hessian);
+    if (factor.info() == Eigen::Success) continue;
+    own.compute(model.hessian);
+    const Eigen::MatrixXd& axes = own.eigenvectors();
+    model.hessian = axes * own.eigenvalues().cwiseMax(0).asDiagonal() * axes.transpose();
+  }
+}
+
+/// The step that minimises the damped model within the bounds, as nearly as a few changes of the
+/// held variables find it. A model without a minimum is made convex, for good. False if the damping
+/// does not suffice for that either.
+bool bounded_step(const MovementProblem& problem, Point& now, double damping, BandCholesky& hessian,
+                  JointRows& step) {
+  constexpr int kChanges = 3;
+  const Index frames = now.q.rows(), n = now.q.cols();
+  const JointRows g = gradient(problem, now);
+  Held held(frames, n);
+  for (Index f = 0; f < frames; ++f) {
+    for (Index j = 0; j < n; ++j) {
+      held(f, j) = (now.q(f, j) <= problem.lower[j] && g(f, j) > 0) ||
+                   (now.q(f, j) >= problem.upper[j] && g(f, j) < 0);
+    }
+  }
+  step.setZero(frames, n);
+  for (int change = 0; change < kChanges; ++change) {
+    damped_hessian(problem, now, held, damping, hessian);
+    if (!hessian.factorise()) {
+      make_convex(now);
+      damped_hessian(problem, now, held, damping, hessian);
+      if (!hessian.factorise()) return false;
+    }
+    const JointRows held_step = held.select(step, 0);
+    JointRows right = -g - multiply(problem, now, damping, held_step);
+    right = held.select(held_step, right);
+    JointVector solved = Eigen::Map<const JointVector>(right.data(), right.size());
+    hessian.solve(solved);
+    step = Eigen::Map<const JointRows>(solved.data(), frames, n);
+    if (!change_held(problem, now.q, g + multiply(problem, now, damping, step), step, held)) break;
+  }
+  return true;
+}
+
+void clamp(const MovementProblem& problem, JointRows& q) {
+  for (Index f = 0; f < q.rows(); ++f) {
+    q.row(f) = q.row(f).cwiseMax(problem.lower.transpose()).cwiseMin(problem.upper.transpose());
   }
 }
 
@@ -108,58 +204,47 @@ void damped_hessian(const MovementProblem& problem, const Point& point,
 
 MovementMinimum minimise_movement(const MovementProblem& problem, const JointRows& start,
                                   const MovementOptions& options) {
-  const Index frames = start.rows(), n = start.cols();
-  Point now, next;
+  constexpr int kPatience = 2;      // steps that may go uphill
+  constexpr double kFarUphill = 2;  // and how high, times the value below
+  constexpr double kLeastDamping = 1e-6, kMostDamping = 1e6;
+  Point now, next, left;
   now.q = start;
-  const auto clamp = [&](JointRows& q) {
-    for (Index f = 0; f < frames; ++f) {
-      q.row(f) = q.row(f).cwiseMax(problem.lower.transpose()).cwiseMin(problem.upper.transpose());
-    }
-  };
-  clamp(now.q);
+  clamp(problem, now.q);
   evaluate(problem, now);
 
   BandCholesky hessian;
-  hessian.resize(problem.frames, n);
-  double damping = 1e-3;
+  hessian.resize(problem.frames, start.cols());
+  JointRows step;
+  double damping = 0.1;
+  int uphill = 0, small = 0;
   MovementMinimum result;
-  std::vector<bool> held(static_cast<std::size_t>(frames * n));
-  for (result.iterations = 0; result.iterations < options.iterations; ++result.iterations) {
-    const JointRows g = gradient(problem, now);
-    JointVector step(frames * n);
-    for (Index f = 0; f < frames; ++f) {
-      for (Index j = 0; j < n; ++j) {
-        const bool at_lower = now.q(f, j) <= problem.lower[j] && g(f, j) > 0;
-        const bool at_upper = now.q(f, j) >= problem.upper[j] && g(f, j) < 0;
-        held[static_cast<std::size_t>(f * n + j)] = at_lower || at_upper;
-        step[f * n + j] = at_lower || at_upper ? 0 : -g(f, j);
-      }
+  while (result.iterations < options.iterations && damping <= kMostDamping && small < 2) {
+    ++result.iterations;
+    bool better = false, model = bounded_step(problem, now, damping, hessian, step);
+    if (model) {
+      next.q = now.q + step;
+      clamp(problem, next.q);
+      evaluate(problem, next);
+      const double before = uphill > 0 ? left.value : now.value;
+      better = next.value < before;
+      if (better) small = before - next.value < options.relative_value * before ? small + 1 : 0;
     }
-    damped_hessian(problem, now, held, damping, hessian);
-    if (!hessian.factorise()) {
-      damping *= 8;
-      continue;
-    }
-    hessian.solve(step);
-    next.q = now.q + Eigen::Map<const JointRows>(step.data(), frames, n);
-    clamp(next.q);
-    evaluate(problem, next);
-    if (next.value < now.value) {
-      const double gain = now.value - next.value;
+    if (better) {
       std::swap(now, next);
-      damping = std::max(damping / 5, 1e-9);
-      if (gain < options.relative_value * now.value) {
-        result.converged = true;
-        break;
-      }
+      damping = std::max(damping / 5, kLeastDamping);
+      uphill = 0;
+    } else if (model && uphill < kPatience &&
+               next.value < kFarUphill * (uphill > 0 ? left.value : now.value)) {
+      if (uphill++ == 0) std::swap(left, now);
+      std::swap(now, next);
     } else {
+      if (uphill > 0) std::swap(now, left);
+      uphill = 0;
       damping *= 8;
-      if (damping > 1e6) {
-        result.converged = true;
-        break;
-      }
     }
   }
+  if (uphill > 0) std::swap(now, left);
+  result.converged = small == 2 || damping > kMostDamping;
   result.q = now.q;
   result.value = now.value;
   result.frame_value = now.frame_value;

@@ -14,13 +14,13 @@ struct MovementProblem {
   std::size_t frames = 0;
   JointVector lower, upper;                      ///< [n]
   std::array<JointVector, 3> difference_weight;  ///< [n] each
-  /// Model of F_f at q. `model` was reset to [n].
+  /// Model of F_f at q, perhaps indefinite. `model` was reset to [n].
   std::function<void(std::size_t frame, const JointVector& q, Quadratic& model)> frame_model;
 };
 
 struct MovementOptions {
-  int iterations = 60;
-  double relative_value = 1e-9;  ///< stop when an accepted step gains less than this share
+  int iterations = 30;
+  double relative_value = 1e-5;  ///< stop when two steps in a row gain less than this share
 };
 template <class Fields>
 void fields(Fields& f, MovementOptions& o) {
@@ -36,8 +36,10 @@ struct MovementMinimum {
   bool converged = false;
 };
 
-/// Projected Levenberg–Marquardt: block-banded Gauss–Newton steps, variables on a bound that push
-/// outwards are held, steps are clamped into the bounds and taken only if they gain. Deterministic.
+/// Newton's method on the block-banded model, damped like Levenberg and Marquardt's: each step
+/// minimises the damped model within the bounds (a primal-dual active set method). Along a curved
+/// valley a good step leaves the floor, so that a few may go uphill before they must have gained
+/// together. Deterministic.
 MovementMinimum minimise_movement(const MovementProblem& problem, const JointRows& start,
                                   const MovementOptions& options);
 

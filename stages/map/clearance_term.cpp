@@ -14,19 +14,25 @@ void add_clearance(const ClearanceTerm& term, const CollisionWorld& world, const
                    double time_s, ClearanceScratch& scratch, Quadratic& model) {
   if (term.weight == 0) return;
   near_pairs(world, q, time_s, term.band_m, scratch.collision, scratch.pairs);
-  Eigen::Matrix3Xd jacobian(3, q.size());
-  const auto slack_row = [&](int capsule, const Vec3& point, const Vec3& normal) {
+  const auto count = static_cast<Eigen::Index>(scratch.pairs.size());
+  if (count == 0) return;
+  scratch.missing.resize(count);
+  scratch.rows.resize(count, q.size());
+  scratch.jacobian.resize(3, q.size());
+  const auto add_slack = [&](int capsule, const Vec3& point, const Vec3& along, Eigen::Index row) {
     const int frame = world.robot->capsules[static_cast<std::size_t>(capsule)].frame;
-    point_jacobian(*world.robot, scratch.collision.base_from_frame, frame, point, jacobian);
-    return Eigen::RowVectorXd(normal.transpose() * jacobian);
+    point_jacobian(*world.robot, scratch.collision.base_from_frame, frame, point, scratch.jacobian);
+    scratch.rows.row(row).noalias() += along.transpose() * scratch.jacobian;
   };
-  for (const PairSeparation& pair : scratch.pairs) {
+  scratch.rows.setZero();
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const PairSeparation& pair = scratch.pairs[static_cast<std::size_t>(k)];
     const Separation& s = pair.separation;
-    Eigen::RowVectorXd row = slack_row(pair.capsule, s.on_first, s.normal);
-    if (!pair.object) row -= slack_row(pair.other, s.on_second, s.normal);
-    model.add_squares(term.weight, Eigen::Matrix<double, 1, 1>(term.band_m - pair.slack()),
-                      Eigen::RowVectorXd(-row));
+    add_slack(pair.capsule, s.on_first, -s.normal, k);
+    if (!pair.object) add_slack(pair.other, s.on_second, s.normal, k);
+    scratch.missing[k] = term.band_m - pair.slack();
   }
+  model.add_squares(term.weight, scratch.missing, scratch.rows);
 }
 
 }  // namespace morphe

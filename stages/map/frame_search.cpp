@@ -38,6 +38,26 @@ bool same_minimum(const Minimum& a, const Minimum& b) {
   return (a.x - b.x).cwiseAbs().maxCoeff() < 0.1;
 }
 
+void add_if_new(std::vector<Minimum>& minima, Minimum found) {
+  const auto known =
+      std::ranges::find_if(minima, [&](const Minimum& m) { return same_minimum(found, m); });
+  if (known == minima.end()) {
+    minima.push_back(std::move(found));
+  } else if (found.value < known->value) {
+    *known = std::move(found);
+  }
+}
+
+void by_value(std::vector<Minimum>& minima) {
+  std::ranges::stable_sort(minima, {}, &Minimum::value);
+}
+
+void resize_at_most(std::vector<Minimum>& minima, int count) {
+  if (minima.size() > static_cast<std::size_t>(count)) {
+    minima.resize(static_cast<std::size_t>(count));
+  }
+}
+
 /// Largest distance of a tip from its goal; 0 without goals.
 double tip_error(const MappingProblem& problem, std::size_t frame, const JointVector& q,
                  MappingScratch& scratch) {
@@ -62,25 +82,22 @@ Minimum solve_frame(const MappingProblem& problem, std::size_t frame, const Join
 std::vector<Minimum> search_frame(const MappingProblem& problem, std::size_t frame, int starts,
                                   int keep, const MinimiseOptions& options, std::uint64_t seed,
                                   MappingScratch& scratch) {
+  MinimiseOptions rough = options;  // enough to tell which starts are worth more
+  rough.relative_value = std::max(options.relative_value, 1e-4);
   std::mt19937_64 random(seed);
-  std::vector<Minimum> minima;
+  std::vector<Minimum> found;
   for (int i = 0; i < starts; ++i) {
     const JointVector start = random_position(*problem.robot, random);
-    Minimum found = solve_frame(problem, frame, start, options, scratch);
-    const auto known = std::find_if(minima.begin(), minima.end(), [&](const Minimum& other) {
-      return same_minimum(found, other);
-    });
-    if (known == minima.end()) {
-      minima.push_back(std::move(found));
-    } else if (found.value < known->value) {
-      *known = std::move(found);
-    }
+    add_if_new(found, solve_frame(problem, frame, start, rough, scratch));
   }
-  std::stable_sort(minima.begin(), minima.end(),
-                   [](const Minimum& a, const Minimum& b) { return a.value < b.value; });
-  if (minima.size() > static_cast<std::size_t>(keep)) {
-    minima.resize(static_cast<std::size_t>(keep));
+  by_value(found);
+  resize_at_most(found, 2 * keep);
+  std::vector<Minimum> minima;
+  for (const Minimum& start : found) {
+    add_if_new(minima, solve_frame(problem, frame, start.x, options, scratch));
   }
+  by_value(minima);
+  resize_at_most(minima, keep);
   return minima;
 }
 

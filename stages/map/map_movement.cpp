@@ -103,6 +103,28 @@ std::vector<Vec3> curve_joints(const RobotTable& robot, const Goals& goals, std:
   return points;
 }
 
+/// Frames [first, end) that may move.
+struct Window {
+  std::size_t first, end;
+};
+
+constexpr std::size_t kHeldFrames = 3;  ///< beside a window: as far as its differences reach
+
+/// Frames within `reach_s` of a finding; windows whose held frames would meet are one.
+std::vector<Window> windows_around(const std::vector<Finding>& findings,
+                                   const std::vector<double>& time, double reach_s) {
+  std::vector<Window> windows;
+  for (std::size_t f = 0; f < time.size(); ++f) {
+    const bool may_move = std::ranges::any_of(findings, [&](const Finding& finding) {
+      return time[f] >= finding.begin_s - reach_s && time[f] <= finding.end_s + reach_s;
+    });
+    if (!may_move) continue;
+    if (windows.empty() || f > windows.back().end + 2 * kHeldFrames) windows.push_back({f, f});
+    windows.back().end = f + 1;
+  }
+  return windows;
+}
+
 }  // namespace
 
 MappingProblem make_mapping_problem(const RobotTable& robot, const Goals& goals,
@@ -155,35 +177,38 @@ MapResult map_movement(const MappingProblem& problem, Goals& goals, const MapOpt
 JointPath resolve_path(const MappingProblem& problem, const JointPath& path,
                        const std::vector<Finding>& findings, const MapOptions& options,
                        double firmness, double reach_s) {
-  const auto may_move = [&](double time_s) {
-    return std::any_of(findings.begin(), findings.end(), [&](const Finding& finding) {
-      return time_s >= finding.begin_s - reach_s && time_s <= finding.end_s + reach_s;
-    });
-  };
+  MappingProblem clear = problem;
+  clear.clearance.weight *= firmness;
   MovementProblem movement;
-  movement.frames = problem.frames();
   movement.lower = problem.robot->lower;
   movement.upper = problem.robot->upper;
   movement.difference_weight =
       difference_weights(*problem.robot, problem.time, options.movement_cost);
-  MappingProblem clear = problem;
-  clear.clearance.weight *= firmness;
-  MappingScratch scratch;
-  movement.frame_model = [&](std::size_t frame, const JointVector& q, Quadratic& model) {
-    add_frame(clear, frame, q, scratch, model);
-    if (may_move(problem.time[frame])) return;
-    constexpr double kHold = 1e6;  // per rad²: far stiffer than any term of a frame
-    const JointVector away = q - path.position.row(static_cast<Index>(frame)).transpose();
-    model.value += kHold * away.squaredNorm();
-    model.gradient += 2 * kHold * away;
-    model.hessian.diagonal().array() += 2 * kHold;
-  };
-  const MovementMinimum found = minimise_movement(movement, path.position, options.movement);
   JointPath resolved = path;
-  for (Index f = 0; f < path.position.rows(); ++f) {
-    if ((found.q.row(f) - path.position.row(f)).cwiseAbs().maxCoeff() <= 1e-4) continue;
-    resolved.position.row(f) = found.q.row(f);
-    resolved.origin[static_cast<std::size_t>(f)] = Origin::resolved;
+  for (const Window& window : windows_around(findings, problem.time, reach_s)) {
+    const std::size_t begin = window.first - std::min(window.first, kHeldFrames);
+    const std::size_t end = std::min(problem.frames(), window.end + kHeldFrames);
+    movement.frames = end - begin;
+    const JointRows before =
+        path.position.middleRows(static_cast<Index>(begin), static_cast<Index>(movement.frames));
+    std::vector<MappingScratch> scratch(movement.frames);
+    movement.frame_model = [&](std::size_t k, const JointVector& q, Quadratic& model) {
+      const std::size_t frame = begin + k;
+      add_frame(clear, frame, q, scratch[k], model, Curvature::exact);
+      if (frame >= window.first && frame < window.end) return;
+      constexpr double kHold = 1e6;  // per rad²: far stiffer than any term of a frame
+      const JointVector away = q - before.row(static_cast<Index>(k)).transpose();
+      model.value += kHold * away.squaredNorm();
+      model.gradient += 2 * kHold * away;
+      model.hessian.diagonal().array() += 2 * kHold;
+    };
+    const JointRows found = minimise_movement(movement, before, options.movement).q;
+    for (std::size_t frame = begin; frame < end; ++frame) {
+      const auto row = static_cast<Index>(frame), k = static_cast<Index>(frame - begin);
+      if ((found.row(k) - path.position.row(row)).cwiseAbs().maxCoeff() <= 1e-4) continue;
+      resolved.position.row(row) = found.row(k);
+      resolved.origin[frame] = Origin::resolved;
+    }
   }
   return resolved;
 }

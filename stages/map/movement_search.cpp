@@ -36,9 +36,11 @@ MappingProblem on_frames(const MappingProblem& problem, const std::vector<std::s
   return coarse;
 }
 
-/// Warm-started solves from a key frame to both ends.
+/// Warm-started solves from a key frame to both ends, as exact as a start of smooth_movement() has
+/// to be.
 JointRows follow(const MappingProblem& problem, std::size_t key, const JointVector& q,
-                 const MinimiseOptions& options, MappingScratch& scratch) {
+                 MinimiseOptions options, MappingScratch& scratch) {
+  options.relative_value = std::max(options.relative_value, 1e-5);
   JointRows rows(static_cast<Index>(problem.frames()), q.size());
   rows.row(static_cast<Index>(key)) = q.transpose();
   const auto step = [&](std::size_t from, std::size_t to) {
@@ -64,8 +66,10 @@ JointRows interpolate(const JointRows& coarse, const std::vector<std::size_t>& f
   return fine;
 }
 
+constexpr double kSame = 0.05;  ///< nearer in every joint: the same [rad]
+
 bool same_course(const JointRows& a, const JointRows& b) {
-  return (a - b).cwiseAbs().maxCoeff() < 0.05;
+  return (a - b).cwiseAbs().maxCoeff() < kSame;
 }
 
 void by_value(std::vector<Course>& courses) {
@@ -94,9 +98,9 @@ Course smooth_movement(const MappingProblem& problem, const JointRows& start,
   movement.difference_weight = difference_weights(robot, problem.time, options.movement_cost);
   // A coarser grid has fewer frames: each stands for more time, in both sums alike.
   const double share = mean_step(problem.time) / kReferenceStep;
-  MappingScratch scratch;
+  std::vector<MappingScratch> scratch(problem.frames());
   movement.frame_model = [&](std::size_t frame, const JointVector& q, Quadratic& model) {
-    add_frame(problem, frame, q, scratch, model);
+    add_frame(problem, frame, q, scratch[frame], model, Curvature::exact);
     model.value *= share;
     model.gradient *= share;
     model.hessian *= share;
@@ -111,6 +115,13 @@ std::vector<Course> search_movement(const MappingProblem& problem, const MapOpti
   const MappingProblem coarse = on_frames(problem, frames);
   MappingScratch scratch;
 
+  std::vector<JointRows> ways;
+  const auto on_known_way = [&](std::size_t key, const JointVector& q) {
+    const auto passes = [&](const JointRows& way) {
+      return (way.row(static_cast<Index>(key)) - q.transpose()).cwiseAbs().maxCoeff() < kSame;
+    };
+    return std::ranges::any_of(ways, passes);
+  };
   std::vector<Course> followed;
   for (int k = 0; k < options.key_frames; ++k) {
     const auto last = static_cast<double>(coarse.frames() - 1);
@@ -119,11 +130,11 @@ std::vector<Course> search_movement(const MappingProblem& problem, const MapOpti
     for (const Minimum& start :
          search_frame(coarse, key, options.starts, options.candidates, options.solver,
                       seed + static_cast<std::uint64_t>(k), scratch)) {
-      Course course;
-      course.q = follow(coarse, key, start.x, options.solver, scratch);
+      if (on_known_way(key, start.x)) continue;
+      ways.push_back(follow(coarse, key, start.x, options.solver, scratch));
       MapOptions once = options;
       once.movement.iterations = 4;  // enough to rank: the jumps go, the basin shows
-      add_if_new(followed, smooth_movement(coarse, course.q, once));
+      add_if_new(followed, smooth_movement(coarse, ways.back(), once));
     }
   }
   by_value(followed);
@@ -139,6 +150,19 @@ std::vector<Course> search_movement(const MappingProblem& problem, const MapOpti
   for (Course& course : courses) course.q = interpolate(course.q, frames);
   courses.front() = smooth_movement(problem, courses.front().q, options);
   return courses;
+}
+
+Course course_through(const MappingProblem& problem, std::size_t frame, const JointVector& posture,
+                      const MapOptions& options) {
+  std::vector<std::size_t> frames = coarse_frames(problem.time, options.coarse_step_s);
+  const auto place = std::ranges::lower_bound(frames, frame);
+  const auto key = static_cast<std::size_t>(place - frames.begin());
+  if (*place != frame) frames.insert(place, frame);
+  const MappingProblem coarse = on_frames(problem, frames);
+  MappingScratch scratch;
+  const JointRows followed = follow(coarse, key, posture, options.solver, scratch);
+  const Course smoothed = smooth_movement(coarse, followed, options);
+  return smooth_movement(problem, interpolate(smoothed.q, frames), options);
 }
 
 }  // namespace morphe

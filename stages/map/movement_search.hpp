@@ -26,4 +26,9 @@ Course smooth_movement(const MappingProblem& problem, const JointRows& start,
 std::vector<Course> search_movement(const MappingProblem& problem, const MapOptions& options,
                                     std::uint64_t seed);
 
+/// The course that goes through (or near) a posture at a frame: followed from there to both ends on
+/// the coarse grid, smoothed, and refined to every frame.
+Course course_through(const MappingProblem& problem, std::size_t frame, const JointVector& posture,
+                      const MapOptions& options);
+
 }  // namespace morphe
