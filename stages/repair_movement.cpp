@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "stages/check/check_path.hpp"
+#include "stages/dead_end.hpp"
 #include "stages/map/movement_search.hpp"
 
 namespace morphe {
@@ -36,51 +37,73 @@ JointPath resolve_with_candidates(const MappingProblem& problem, const MapResult
   JointPath best = path;
   std::pair<double, double> least = badness(findings);
   const std::pair<double, double> none{0, 0};
+  struct Step {
+    double clearance, band_share = 1, tips = 1;  ///< times what the mapping gives them
+  };
   const auto attempt = [&](const JointPath& from, const std::vector<Finding>& found,
-                           double firmness, double band_share = 1) {
+                           const Step& step) {
     MappingProblem clear = problem;
-    clear.clearance.band_m *= band_share;
-    JointPath changed = resolve_path(clear, from, found, options, firmness);
+    clear.clearance.band_m *= step.band_share;
+    clear.objective.tip_position.weight *= step.tips;
+    JointPath changed = resolve_path(clear, from, found, options, step.clearance);
     const std::pair<double, double> left = badness(recheck(changed));
     if (left >= least) return;
     least = left;
     best = std::move(changed);
   };
   for (const double firmness : {10.0, 100.0, 1000.0}) {
-    if (least > none) attempt(path, findings, firmness);
+    if (least > none) attempt(path, findings, {firmness});
   }
   for (const JointRows& candidate : mapped.candidates) {
     if (least == none) break;
     JointPath other = path;
     other.position = candidate;
     std::fill(other.origin.begin(), other.origin.end(), Origin::resolved);
-    attempt(other, recheck(other), 100.0);
+    attempt(other, recheck(other), {100.0});
   }
-  // Tips that gave way to clearance nobody asked for come back to what is just free.
-  if (least > none) attempt(JointPath(best), recheck(best), 10000.0, 0.2);
+  // Tips that gave way to clearance nobody asked for come back to what is just free; at last tips
+  // and freedom alone decide.
+  for (const Step& step : {Step{10000, 0.2}, Step{30000, 0.2, 30}}) {
+    if (least > none) attempt(JointPath(best), recheck(best), step);
+  }
   return best;
 }
 
-/// The courses of a new search, one after the other, the best first, refined to every frame. The
-/// search waits until the first is asked for.
+/// Other courses, one after the other, refined to every frame: those through the postures that hold
+/// goals at which the path failed, then those of new searches, the best of each first. A search
+/// waits until its first is asked for.
 class NewCourses {
  public:
-  NewCourses(MappingProblem whole, const MapOptions& options, std::uint64_t seed)
-      : problem_(std::move(whole)), options_(options), seed_(seed) {
+  NewCourses(const MappingProblem& whole, const MapOptions& options, const std::vector<Hold>& holds,
+             int searches, std::uint64_t seed)
+      : problem_(whole), options_(options), holds_(holds), searches_(searches), seed_(seed) {
     problem_.clearance.weight *= kFirm;
   }
 
   std::optional<JointPath> operator()() {
-    if (next_ == 0) courses_ = search_movement(problem_, options_, seed_);
-    if (next_ == courses_.size()) return std::nullopt;
-    const JointRows& course = courses_[next_++].q;
-    return JointPath{smooth_movement(problem_, course, options_).q,
-                     std::vector<Origin>(problem_.frames(), Origin::resolved), problem_.time};
+    if (next_hold_ < holds_.size()) {
+      const Hold& hold = holds_[next_hold_++];
+      return path_of(course_through(problem_, hold.frame, hold.q, options_).q);
+    }
+    if (next_ == courses_.size()) {
+      if (searches_-- <= 0) return std::nullopt;
+      seed_ += 100;  // past those of its key frames
+      courses_ = search_movement(problem_, options_, seed_);
+      next_ = 0;
+    }
+    return path_of(smooth_movement(problem_, courses_[next_++].q, options_).q);
   }
 
  private:
+  JointPath path_of(JointRows q) const {
+    return {std::move(q), std::vector<Origin>(problem_.frames(), Origin::resolved), problem_.time};
+  }
+
   MappingProblem problem_;
   const MapOptions& options_;
+  const std::vector<Hold>& holds_;
+  std::size_t next_hold_ = 0;
+  int searches_;  ///< left
   std::uint64_t seed_;
   std::vector<Course> courses_;
   std::size_t next_ = 0;
@@ -104,7 +127,14 @@ RepairResult repair_movement(const Planner& planner, const PlacedMovement& place
   steps.resolve = [&](const JointPath& path, const std::vector<Finding>& findings) {
     return resolve_with_candidates(whole, mapped, path, findings, config.map, steps.recheck);
   };
-  steps.new_course = NewCourses(whole, config.map, seed + 1);
+  std::vector<Hold> holds;
+  if (mode_of(config.map) != MapMode::joint_to_joint) {  // which does not ask for tips
+    steps.dead_end = [&](const JointPath& path, const std::vector<Finding>& findings) {
+      const auto judge_moment = [&](const JointPath& moment) { return judge(world, moment); };
+      return find_dead_end(whole, path, findings, judge_moment, config.map, seed, holds);
+    };
+  }
+  steps.new_course = NewCourses(whole, config.map, holds, config.repair.searches, seed);
   RepairResult result = repair_path(world, planner.capsule_reach, plan.path, plan.findings, steps,
                                     config.repair, seed);
   if (!result.reason.empty() && judge(world, result.path).empty()) {

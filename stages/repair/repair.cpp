@@ -153,6 +153,16 @@ void conclude(const RepairOptions& options, RepairResult& result) {
   }
 }
 
+RepairResult stopped(const DeadEnd& end, Judged best) {
+  RepairResult result;
+  result.path = std::move(best.path);
+  result.remaining = std::move(best.findings);
+  result.reason = end.reason;
+  result.detail = fmt::format("the best of {} postures for {:.3f} s has {}", end.tried, end.time_s,
+                              sentence(end.nearest));
+  return result;
+}
+
 }  // namespace
 
 std::string check(const RepairOptions& options) {
@@ -164,6 +174,7 @@ std::string check(const RepairOptions& options) {
   if (!(options.range > 0)) return "range must be positive";
   if (options.shortcut_attempts < 0) return "shortcut_attempts must not be negative";
   if (options.draw_attempts < 0) return "draw_attempts must not be negative";
+  if (options.searches < 0) return "searches must not be negative";
   if (!(options.extra_clearance >= 0)) return "extra_clearance must not be negative";
   return "";
 }
@@ -172,12 +183,17 @@ RepairResult repair_path(const CollisionWorld& around, const JointRows& reach, J
                          std::vector<Finding> findings, const RepairSteps& given,
                          const RepairOptions& options, std::uint64_t seed) {
   RepairSteps steps = given;
-  if (options.method == "rrt_connect") steps.resolve = nullptr, steps.new_course = nullptr;
+  if (options.method == "rrt_connect") steps = {nullptr, given.recheck, nullptr, nullptr};
   RepairResult result;
   const bool clean = findings.empty() || path.position.rows() == 0;
   Judged best{std::move(path), std::move(findings)};
   if (!clean) {
     try_resolve(steps, best);
+    if (steps.dead_end && !best.findings.empty()) {
+      if (const std::optional<DeadEnd> end = steps.dead_end(best.path, best.findings)) {
+        return stopped(*end, std::move(best));
+      }
+    }
     detour(around, reach, steps, options, seed, best, result);
   }
   while (!best.findings.empty() && steps.new_course) {

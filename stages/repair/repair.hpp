@@ -19,7 +19,8 @@ struct RepairOptions {
   double range = 0.1;                ///< longest step of the planner, in shares of a joint's span
   int shortcut_attempts = 100;       ///< straight lines tried through a planned interval
   int draw_attempts = 200;           ///< windows of it drawn back to the original path
-  double extra_clearance = 0.005;    ///< planned with this much more than the margin [m]
+  int searches = 3;  ///< of other courses for the whole movement, where the first leads nowhere
+  double extra_clearance = 0.005;  ///< planned with this much more than the margin [m]
 };
 template <class Fields>
 void fields(Fields& f, RepairOptions& o) {
@@ -30,6 +31,7 @@ void fields(Fields& f, RepairOptions& o) {
   f("range", o.range);
   f("shortcut_attempts", o.shortcut_attempts);
   f("draw_attempts", o.draw_attempts);
+  f("searches", o.searches);
   f("extra_clearance", o.extra_clearance);
 }
 std::string check(const RepairOptions& options);
@@ -37,13 +39,21 @@ std::string check(const RepairOptions& options);
 struct RepairResult {
   JointPath path;
   bool repaired = false;  ///< the path has changed, and is free now
-  /// "" = free; start_in_collision, goal_in_collision, no_path, limit, jump, tracking
+  /// "" = free; start_in_collision, goal_in_collision, unreachable, no_path, limit, jump, tracking
   std::string reason;
   std::string detail;              ///< a sentence that names the finding
   std::vector<Finding> remaining;  ///< what the last check of `path` still found
 };
 
-/// What repair asks of the mapping and of the judge; the first and the last may be empty.
+/// A time of a movement for which no posture is good enough.
+struct DeadEnd {
+  std::string reason;  ///< goal_in_collision; unreachable: obstacles or not
+  double time_s = 0;   ///< demonstration time
+  int tried = 0;       ///< postures that were looked at
+  Finding nearest;     ///< what is wrong with the best of them
+};
+
+/// What repair asks of the mapping and of the judge; all but `recheck` may be empty.
 struct RepairSteps {
   /// Solves the mapping again near the findings, with a clearance term; the changed samples carry
   /// Origin::resolved.
@@ -54,16 +64,21 @@ struct RepairSteps {
   /// to hold the same goals (a goal set), for a path whose end is bad or that leads nowhere. The
   /// most humanlike first; none: there is no other.
   std::function<std::optional<JointPath>()> new_course;
+  /// Whether any posture is good enough at the times of the findings. Where none is, no search for
+  /// paths can help.
+  std::function<std::optional<DeadEnd>(const JointPath& path, const std::vector<Finding>& findings)>
+      dead_end;
 };
 
-/// The smallest change that makes a path free, the least first: (1) what `resolve` gives; (2)
-/// around each collision that is left, an RRT-Connect between the nearest free samples with
-/// certified edges, the arm first and the fingers in proportion, then all joints; shortened, spread
-/// over the interval's samples and drawn back to the original path as far as it stays free; what
-/// that costs in tracking goes to `resolve` once more; (3) both again from each `new_course`. A
-/// step is kept if `recheck` finds less than before. Samples outside the intervals keep their bits
-/// in (1) and (2); those that went through the planner are Origin::planned. `reach` is
-/// capsule_reach(); `findings` are those of `path`. Depends on its arguments alone.
+/// The smallest change that makes a path free, the least first: (1) what `resolve` gives, and
+/// nothing more if that leaves a `dead_end`; (2) around each collision that is left, an RRT-Connect
+/// between the nearest free samples with certified edges, the arm first and the fingers in
+/// proportion, then all joints; shortened, spread over the interval's samples and drawn back to the
+/// original path as far as it stays free; what that costs in tracking goes to `resolve` once more;
+/// (3) both again from each `new_course`. A step is kept if `recheck` finds less than before.
+/// Samples outside the intervals keep their bits in (1) and (2); those that went through the
+/// planner are Origin::planned. `reach` is capsule_reach(); `findings` are those of `path`. Depends
+/// on its arguments alone.
 RepairResult repair_path(const CollisionWorld& world, const JointRows& reach, JointPath path,
                          std::vector<Finding> findings, const RepairSteps& steps,
                          const RepairOptions& options, std::uint64_t seed);

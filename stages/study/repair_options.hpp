@@ -19,6 +19,7 @@ struct RepairStudyOptions {
   std::uint64_t seed = 1;
   int cases = 200, quick_cases = 2;  ///< movements with an obstacle, each of another recording
   int recordings = 600;              ///< at most looked at for them
+  int first_recording = 0;           ///< looked at, of the synthetic ones
   std::vector<StudyVariant> variants;
   StudyVariant plain;  ///< repairs what was executable before the obstacle came, without a mapping
   StudyVariant long_search;
@@ -34,6 +35,7 @@ void fields(Fields& f, RepairStudyOptions& o) {
   f("cases", o.cases);
   f("quick_cases", o.quick_cases);
   f("recordings", o.recordings);
+  f("first_recording", o.first_recording);
   f.required("variants", o.variants);
   f.required("plain", o.plain);
   f.required("long_search", o.long_search);

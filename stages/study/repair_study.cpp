@@ -37,6 +37,7 @@ struct Repaired {
 
 struct ObstacleCase {
   bool exists = false;  ///< executable without an obstacle, and one can be put into the way
+  std::uint64_t recording = 0;
   std::string kind;
   std::vector<Repaired> variants;
   bool found_by_long_search = false;
@@ -136,6 +137,7 @@ ObstacleCase run_case(const Study& study, const std::vector<LoadedConfig>& varia
                       const LoadedConfig& plain, const std::vector<LoadedConfig>& long_searches,
                       std::uint64_t index) {
   ObstacleCase result;
+  result.recording = index;
   result.kind = kObstacleKinds[index % std::size(kObstacleKinds)];
   const LoadedConfig& ours = variants.front();
   const Recorded recorded = recorded_movement(study, ours.options, index);
@@ -230,6 +232,7 @@ std::string check(const RepairStudyOptions& o) {
   if (o.variants.empty()) return "variants is empty";
   if (o.cases < 1 || o.quick_cases < 1) return "cases and quick_cases must be positive";
   if (o.recordings < 1) return "recordings must be positive";
+  if (o.first_recording < 0) return "first_recording must not be negative";
   if (!(o.step_m > 0)) return "step_m must be positive";
   return "";
 }
@@ -261,8 +264,9 @@ StudyResult repair_study(const ConfigNode& config, const StudyRun& run) {
   std::vector<ObstacleCase> cases;
   std::size_t looked_at = 0;
   OrderedMap<std::uint64_t, ObstacleCase> map;
-  map.next = [&, next = 0]() mutable {
-    return cases.size() >= wanted || next == options.recordings
+  const int end = options.first_recording + options.recordings;
+  map.next = [&, next = options.first_recording]() mutable {
+    return cases.size() >= wanted || next == end
                ? nullptr
                : std::make_unique<std::uint64_t>(static_cast<std::uint64_t>(next++));
   };
@@ -274,7 +278,8 @@ StudyResult repair_study(const ConfigNode& config, const StudyRun& run) {
     ++looked_at;
     if (!one.exists) return;
     cases.push_back(one);
-    std::string line = fmt::format("{} of {} cases, {}:", cases.size(), wanted, one.kind);
+    std::string line = fmt::format("{} of {} cases, recording {}, {}:", cases.size(), wanted,
+                                   one.recording, one.kind);
     for (const Repaired& repaired : one.variants) {
       line += repaired.executable ? fmt::format(" A {:.2f}, tips {:.1f} mm;", repaired.a_ratio,
                                                 1e3 * repaired.tips_m)

@@ -171,6 +171,28 @@ TEST(Repair, AnotherCourseWhereTheGoalIsInCollision) {
   EXPECT_EQ(asked, 1);
 }
 
+TEST(Repair, StopsWhereNoPostureIsGoodEnough) {
+  const Bench bench({post("post", 0.9, 0)});
+  const JointPath path = sweep(kFrom, kTo);
+  RepairSteps steps;
+  steps.recheck = [&](const JointPath& p) { return bench.collisions(p); };
+  steps.new_course = []() -> std::optional<JointPath> {
+    ADD_FAILURE() << "no search can help";
+    return std::nullopt;
+  };
+  steps.dead_end = [](const JointPath&, const std::vector<Finding>&) -> std::optional<DeadEnd> {
+    return DeadEnd{"unreachable", 0.5, 49, {0.5, 0.5, "tracking", "thumb_tip", "", 0.012}};
+  };
+  const RepairResult result =
+      repair_path(bench.world, bench.reach, path, bench.collisions(path), steps, {}, 1);
+  EXPECT_EQ(result.reason, "unreachable");
+  EXPECT_THAT(result.detail, HasSubstr("0.500 s"));
+  EXPECT_THAT(result.detail, HasSubstr("thumb_tip"));
+  EXPECT_FALSE(result.repaired);
+  EXPECT_EQ(result.path.position, path.position);
+  EXPECT_FALSE(result.remaining.empty());
+}
+
 TEST(Repair, NamesTheWorstOfWhatPlanningCannotCure) {
   const Bench bench({post("post", 0.9, 0)});
   const JointPath path = sweep(kFrom, kTo);
@@ -181,7 +203,7 @@ TEST(Repair, NamesTheWorstOfWhatPlanningCannotCure) {
     return findings;
   };
   const RepairResult result = repair_path(bench.world, bench.reach, path, recheck(path),
-                                          {{}, recheck, {}}, RepairOptions{}, 1);
+                                          {{}, recheck, {}, {}}, RepairOptions{}, 1);
   EXPECT_EQ(result.reason, "tracking");
   EXPECT_THAT(result.detail, HasSubstr("thumb_tip"));
   EXPECT_EQ(result.remaining.size(), 2u);
@@ -204,7 +226,7 @@ TEST(Repair, TheMappingWinsBackWhatADetourCost) {
   RepairOptions options;
   options.widen_samples = 5;
   const RepairResult result = repair_path(bench.world, bench.reach, path, recheck(path),
-                                          {resolve, recheck, {}}, options, 1);
+                                          {resolve, recheck, {}, {}}, options, 1);
   EXPECT_EQ(result.reason, "") << result.detail;
   EXPECT_EQ(result.path.origin[1], Origin::resolved);
   EXPECT_EQ(result.path.origin[50], Origin::planned);
