@@ -10,7 +10,7 @@ namespace morphe::judge {
 namespace {
 
 constexpr double kCoverage_s = 0.05;
-constexpr double kJoint_rad = 1e-6;
+constexpr double kJoint_rad = 1e-5;  ///< what no encoder tells apart
 
 bool all_finite(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });

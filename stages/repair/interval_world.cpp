@@ -6,7 +6,8 @@
 namespace morphe {
 namespace {
 
-constexpr int kTimes = 5;  ///< at which moving objects are looked at
+constexpr double kHandRoom = 2e-4;  ///< what smoothing takes of the clearance between fingers [m]
+constexpr int kTimes = 5;           ///< at which moving objects are looked at
 
 bool moves(const SceneObject& object, double begin_s, double end_s) {
   return object.time.size() > 1 && object.time.front() < end_s && object.time.back() > begin_s &&
@@ -45,6 +46,7 @@ ClearWorld clear_world(const CollisionWorld& world, double extra_m) {
   clear.around.tolerances.contact_depth -= std::min(extra_m, world.tolerances.contact_depth) / 2;
   clear.hand.scene = clear.nothing.get();
   clear.hand.target = -1;
+  clear.hand.tolerances.margin += std::min(extra_m, kHandRoom);
   const auto within_hand = [&](const std::array<int, 2>& pair) {
     return in_hand(*world.robot, pair[0]) && in_hand(*world.robot, pair[1]);
   };

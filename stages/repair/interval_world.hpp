@@ -7,7 +7,7 @@
 
 namespace morphe {
 
-/// A world with more clearance than the margin. Within the hand only the margin is asked: fingers
+/// A world with more clearance than the margin; within the hand with 0.2 mm more at most: fingers
 /// lie within millimetres of each other in every posture.
 struct ClearWorld {
   CollisionWorld around;               ///< all pairs but those within the hand
