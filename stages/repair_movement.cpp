@@ -28,50 +28,59 @@ std::pair<double, double> badness(const std::vector<Finding>& findings) {
   return sum;
 }
 
-/// The least change of the mapping first: the path itself re-solved against the whole scene, the
-/// clearance term made firmer until tips give way to it; then the other courses that the mapping
-/// kept. The first without findings, or the one with the least of them.
-JointPath resolve_with_candidates(const MappingProblem& problem, const MapResult& mapped,
-                                  const JointPath& path, const std::vector<Finding>& findings,
-                                  const MapOptions& options, const Recheck& recheck) {
-  JointPath best = path;
-  std::pair<double, double> least = badness(findings);
-  const std::pair<double, double> none{0, 0};
-  struct Step {
-    double clearance, band_share = 1, tips = 1;  ///< times what the mapping gives them
-  };
-  const auto attempt = [&](const JointPath& from, const std::vector<Finding>& found,
-                           const Step& step) {
-    MappingProblem clear = problem;
-    clear.clearance.band_m *= step.band_share;
-    clear.objective.tip_position.weight *= step.tips;
-    JointPath changed = resolve_path(clear, from, found, options, step.clearance);
-    const std::pair<double, double> left = badness(recheck(changed));
-    if (left >= least) return;
-    least = left;
-    best = std::move(changed);
-  };
-  for (const double firmness : {10.0, 100.0, 1000.0}) {
-    if (least > none) attempt(path, findings, {firmness});
+struct Judged {
+  JointPath path;
+  std::vector<Finding> findings;
+};
+
+/// What a re-solve gives: times what the mapping gives them.
+struct Firmness {
+  double clearance, band_share = 1, tips = 1;
+};
+/// The clearance term firmer and firmer until tips give way to it; then, for tips that gave way to
+/// clearance nobody asked for, just free; at last tips and freedom alone decide.
+constexpr Firmness kLadder[] = {{10}, {100}, {1000}, {10000, 0.2}, {30000, 0.2, 30}};
+
+/// The least change of the mapping: the path re-solved near its findings against the whole scene.
+Judged climb(const MappingProblem& whole, const MapOptions& options, const Recheck& recheck,
+             Judged best) {
+  constexpr double kEnough = 1e-3;  // relative: whether it gets free is soon seen
+  MapOptions rough = options;
+  rough.movement.relative_value = std::max(options.movement.relative_value, kEnough);
+  for (const Firmness& step : kLadder) {
+    if (best.findings.empty()) break;
+    const bool tips_alone = badness(best.findings).first == 0;
+    if (tips_alone && step.band_share == 1) continue;
+    MappingProblem firm = whole;
+    firm.clearance.band_m *= step.band_share;
+    firm.objective.tip_position.weight *= step.tips;
+    Judged changed{resolve_path(firm, best.path, best.findings, rough, step.clearance), {}};
+    changed.findings = recheck(changed.path);
+    if (badness(changed.findings) < badness(best.findings)) best = std::move(changed);
   }
-  for (const JointRows& candidate : mapped.candidates) {
-    if (least == none) break;
-    JointPath other = path;
-    other.position = candidate;
-    std::fill(other.origin.begin(), other.origin.end(), Origin::resolved);
-    attempt(other, recheck(other), {100.0});
-  }
-  // Tips that gave way to clearance nobody asked for come back to what is just free; at last tips
-  // and freedom alone decide.
-  for (const Step& step : {Step{10000, 0.2}, Step{30000, 0.2, 30}}) {
-    if (least > none) attempt(JointPath(best), recheck(best), step);
+  return best;
+}
+
+/// The same for the other courses that the mapping kept: the first without findings, or the least
+/// bad of them all and the path.
+Judged climb_candidates(const MappingProblem& whole, const MapOptions& options,
+                        const Recheck& recheck, const std::vector<JointRows>& candidates,
+                        Judged best) {
+  for (const JointRows& candidate : candidates) {
+    if (best.findings.empty()) break;
+    Judged other{best.path, {}};
+    other.path.position = candidate;
+    std::ranges::fill(other.path.origin, Origin::resolved);
+    other.findings = recheck(other.path);
+    other = climb(whole, options, recheck, std::move(other));
+    if (badness(other.findings) < badness(best.findings)) best = std::move(other);
   }
   return best;
 }
 
 /// Other courses, one after the other, refined to every frame: those through the postures that hold
 /// goals at which the path failed, then those of new searches, the best of each first. A search
-/// waits until its first is asked for.
+/// waits until its first is asked for, and is the last if no course of it came nearer.
 class NewCourses {
  public:
   NewCourses(const MappingProblem& whole, const MapOptions& options, const std::vector<Hold>& holds,
@@ -80,13 +89,15 @@ class NewCourses {
     problem_.clearance.weight *= kFirm;
   }
 
-  std::optional<JointPath> operator()() {
+  std::optional<JointPath> operator()(bool nearer) {
+    nearer_ = nearer_ || nearer;
     if (next_hold_ < holds_.size()) {
       const Hold& hold = holds_[next_hold_++];
       return path_of(course_through(problem_, hold.frame, hold.q, options_).q);
     }
     if (next_ == courses_.size()) {
-      if (searches_-- <= 0) return std::nullopt;
+      if (searches_-- <= 0 || !nearer_) return std::nullopt;
+      nearer_ = false;
       seed_ += 100;  // past those of its key frames
       courses_ = search_movement(problem_, options_, seed_);
       next_ = 0;
@@ -103,7 +114,8 @@ class NewCourses {
   const MapOptions& options_;
   const std::vector<Hold>& holds_;
   std::size_t next_hold_ = 0;
-  int searches_;  ///< left
+  int searches_;        ///< left
+  bool nearer_ = true;  ///< a course of the last search was the best so far
   std::uint64_t seed_;
   std::vector<Course> courses_;
   std::size_t next_ = 0;
@@ -125,7 +137,11 @@ RepairResult repair_movement(const Planner& planner, const PlacedMovement& place
   RepairSteps steps;
   steps.recheck = [&](const JointPath& path) { return judge(roomy, path); };
   steps.resolve = [&](const JointPath& path, const std::vector<Finding>& findings) {
-    return resolve_with_candidates(whole, mapped, path, findings, config.map, steps.recheck);
+    return climb(whole, config.map, steps.recheck, {path, findings}).path;
+  };
+  steps.candidates = [&](const JointPath& path, const std::vector<Finding>& findings) {
+    return climb_candidates(whole, config.map, steps.recheck, mapped.candidates, {path, findings})
+        .path;
   };
   std::vector<Hold> holds;
   if (mode_of(config.map) != MapMode::joint_to_joint) {  // which does not ask for tips

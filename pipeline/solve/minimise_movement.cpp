@@ -74,10 +74,10 @@ JointRows gradient(const MovementProblem& problem, const Point& point) {
   return g;
 }
 
-/// (H + damping I) v.
-JointRows multiply(const MovementProblem& problem, const Point& point, double damping,
+/// (H + D) v, D = damping[f] on the diagonal of frame f.
+JointRows multiply(const MovementProblem& problem, const Point& point, const JointVector& damping,
                    const JointRows& v) {
-  JointRows product = damping * v;
+  JointRows product = damping.asDiagonal() * v;
   for (Index f = 0; f < v.rows(); ++f) {
     const Eigen::MatrixXd& own = point.models[static_cast<std::size_t>(f)].hessian;
     product.row(f).noalias() += v.row(f) * own;
@@ -91,16 +91,16 @@ JointRows multiply(const MovementProblem& problem, const Point& point, double da
   return product;
 }
 
-/// H + damping I with held variables cut out.
+/// H + D with held variables cut out.
 void damped_hessian(const MovementProblem& problem, const Point& point, const Held& held,
-                    double damping, BandCholesky& hessian) {
+                    const JointVector& damping, BandCholesky& hessian) {
   const Index frames = point.q.rows(), n = point.q.cols();
   for (Index f = 0; f < frames; ++f) {
     const auto frame = static_cast<std::size_t>(f);
     hessian.row(frame).setZero();
     auto block = hessian.block(frame, 0);
     block = point.models[frame].hessian;
-    block.diagonal().array() += damping;
+    block.diagonal().array() += damping[f];
   }
   each_difference(problem, [&](Index f, const auto& coefficients, const JointVector& weight) {
     for (std::size_t a = 0; a < coefficients.size(); ++a) {
@@ -163,11 +163,10 @@ void make_convex(Point& point) {
 /// The step that minimises the damped model within the bounds, as nearly as a few changes of the
 /// held variables find it. A model without a minimum is made convex, for good. False if the damping
 /// does not suffice for that either.
-bool bounded_step(const MovementProblem& problem, Point& now, double damping, BandCholesky& hessian,
-                  JointRows& step) {
+bool bounded_step(const MovementProblem& problem, Point& now, const JointRows& g,
+                  const JointVector& damping, BandCholesky& hessian, JointRows& step) {
   constexpr int kChanges = 3;
   const Index frames = now.q.rows(), n = now.q.cols();
-  const JointRows g = gradient(problem, now);
   Held held(frames, n);
   for (Index f = 0; f < frames; ++f) {
     for (Index j = 0; j < n; ++j) {
@@ -194,6 +193,56 @@ bool bounded_step(const MovementProblem& problem, Point& now, double damping, Ba
   return true;
 }
 
+/// Damps frames whose steps are longer than models hold; false if there is none.
+bool damp_long(const JointRows& g, const JointRows& step, JointVector& damping) {
+  constexpr double kLongest = 0.5;  // of any variable
+  bool any = false;
+  for (Index f = 0; f < step.rows(); ++f) {
+    const double ratio = step.row(f).cwiseAbs().maxCoeff() / kLongest;
+    if (ratio <= 1.5) continue;
+    // As if the step were all along one curvature.
+    const double curvature = std::abs(g.row(f).dot(step.row(f))) / step.row(f).squaredNorm();
+    damping[f] += std::max(damping[f], (ratio - 1) * curvature);
+    any = true;
+  }
+  return any;
+}
+
+/// bounded_step() with the damping that keeps it short. False if the damping does not suffice.
+bool short_step(const MovementProblem& problem, Point& now, JointVector& damping,
+                BandCholesky& hessian, JointRows& step) {
+  constexpr int kAttempts = 5;
+  const JointRows g = gradient(problem, now);
+  bool solved = bounded_step(problem, now, g, damping, hessian, step);
+  for (int k = 0; k < kAttempts && solved && damp_long(g, step, damping); ++k) {
+    solved = bounded_step(problem, now, g, damping, hessian, step);
+  }
+  return solved;
+}
+
+/// Half of D's share at a step bounds what a frame's own model may be wrong by. Where it did not,
+/// the damping that would have been enough; where it was far too much, less.
+void adapt(const Point& from, const Point& to, bool taken, JointVector& damping) {
+  constexpr double kLeast = 1e-6, kFall = 5, kRise = 1000, kRiseIfTaken = 2;
+  JointVector step, bent;
+  for (Index f = 0; f < from.q.rows(); ++f) {
+    const Quadratic& model = from.models[static_cast<std::size_t>(f)];
+    step = (to.q.row(f) - from.q.row(f)).transpose();
+    const double squared = step.squaredNorm();
+    if (squared == 0) continue;
+    bent.noalias() = model.hessian * step;
+    const double wrong = to.models[static_cast<std::size_t>(f)].value - model.value -
+                         step.dot(model.gradient + 0.5 * bent);
+    const double enough = 2 * wrong / squared;
+    if (enough > damping[f]) {
+      damping[f] = taken ? std::min(enough, kRiseIfTaken * damping[f])
+                         : std::clamp(enough, 2 * damping[f], kRise * damping[f]);
+    } else if (taken && enough < damping[f] / 4) {
+      damping[f] = std::max(damping[f] / kFall, kLeast);
+    }
+  }
+}
+
 void clamp(const MovementProblem& problem, JointRows& q) {
   for (Index f = 0; f < q.rows(); ++f) {
     q.row(f) = q.row(f).cwiseMax(problem.lower.transpose()).cwiseMin(problem.upper.transpose());
@@ -206,8 +255,8 @@ MovementMinimum minimise_movement(const MovementProblem& problem, const JointRow
                                   const MovementOptions& options) {
   constexpr int kPatience = 2;      // steps that may go uphill
   constexpr double kFarUphill = 2;  // and how high, times the value below
-  constexpr double kLeastDamping = 1e-6, kMostDamping = 1e6;
-  Point now, next, left;
+  constexpr double kMostDamping = 1e12;
+  Point now, next, left, over;  // `left` by a step uphill to `over`
   now.q = start;
   clamp(problem, now.q);
   evaluate(problem, now);
@@ -215,36 +264,42 @@ MovementMinimum minimise_movement(const MovementProblem& problem, const JointRow
   BandCholesky hessian;
   hessian.resize(problem.frames, start.cols());
   JointRows step;
-  double damping = 0.1;
+  JointVector damping = JointVector::Constant(now.q.rows(), 0.1);
   int uphill = 0, small = 0;
   MovementMinimum result;
-  while (result.iterations < options.iterations && damping <= kMostDamping && small < 2) {
+  while (result.iterations < options.iterations && small < 2 &&
+         damping.minCoeff() <= kMostDamping) {
     ++result.iterations;
-    bool better = false, model = bounded_step(problem, now, damping, hessian, step);
-    if (model) {
-      next.q = now.q + step;
-      clamp(problem, next.q);
-      evaluate(problem, next);
-      const double before = uphill > 0 ? left.value : now.value;
-      better = next.value < before;
-      if (better) small = before - next.value < options.relative_value * before ? small + 1 : 0;
+    if (!short_step(problem, now, damping, hessian, step)) {
+      damping *= 8;
+      continue;
     }
-    if (better) {
+    next.q = now.q + step;
+    clamp(problem, next.q);
+    evaluate(problem, next);
+    const double before = uphill > 0 ? left.value : now.value;
+    if (next.value < before) {
+      small = before - next.value < options.relative_value * before ? small + 1 : 0;
+      adapt(now, next, true, damping);
       std::swap(now, next);
-      damping = std::max(damping / 5, kLeastDamping);
       uphill = 0;
-    } else if (model && uphill < kPatience &&
-               next.value < kFarUphill * (uphill > 0 ? left.value : now.value)) {
-      if (uphill++ == 0) std::swap(left, now);
+    } else if (uphill < kPatience && next.value < kFarUphill * before) {
+      if (uphill++ == 0) {
+        std::swap(left, now);
+        over = next;
+      }
       std::swap(now, next);
     } else {
-      if (uphill > 0) std::swap(now, left);
+      if (uphill > 0) {
+        std::swap(now, left);
+        std::swap(next, over);
+      }
+      adapt(now, next, false, damping);
       uphill = 0;
-      damping *= 8;
     }
   }
   if (uphill > 0) std::swap(now, left);
-  result.converged = small == 2 || damping > kMostDamping;
+  result.converged = small == 2;
   result.q = now.q;
   result.value = now.value;
   result.frame_value = now.frame_value;

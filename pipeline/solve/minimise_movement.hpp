@@ -36,10 +36,11 @@ struct MovementMinimum {
   bool converged = false;
 };
 
-/// Newton's method on the block-banded model, damped like Levenberg and Marquardt's: each step
-/// minimises the damped model within the bounds (a primal-dual active set method). Along a curved
-/// valley a good step leaves the floor, so that a few may go uphill before they must have gained
-/// together. Deterministic.
+/// Newton's method on the block-banded model: each step minimises within the bounds (a primal-dual
+/// active set method) the model and D, a damping of every frame's own. The smoothness penalty is
+/// quadratic, so that only the frames' own models can be wrong; D follows what each was wrong by.
+/// Along a curved valley a good step leaves the floor, so that a few may go uphill before they must
+/// have gained together. Deterministic.
 MovementMinimum minimise_movement(const MovementProblem& problem, const JointRows& start,
                                   const MovementOptions& options);
 

@@ -84,10 +84,11 @@ bool plan_around(const CollisionWorld& world, const JointRows& reach, const Repa
   return planned;
 }
 
-/// Takes what `resolve` gives if it leaves less to repair.
-void try_resolve(const RepairSteps& steps, Judged& judged) {
-  if (!steps.resolve || judged.findings.empty()) return;
-  Judged candidate{steps.resolve(judged.path, judged.findings), {}};
+/// Takes what a step gives if it leaves less to repair.
+void take_if_less(const decltype(RepairSteps::resolve)& step, const RepairSteps& steps,
+                  Judged& judged) {
+  if (!step || judged.findings.empty()) return;
+  Judged candidate{step(judged.path, judged.findings), {}};
   candidate.findings = steps.recheck(candidate.path);
   if (less(candidate.findings, judged.findings)) judged = std::move(candidate);
 }
@@ -126,7 +127,7 @@ void detour(const CollisionWorld& around, const JointRows& reach, const RepairSt
     candidate.findings = steps.recheck(candidate.path);
     // A detour costs tracking; the mapping may win it back from where the detour leads.
     const std::vector<Origin> origin = candidate.path.origin;
-    try_resolve(steps, candidate);
+    take_if_less(steps.resolve, steps, candidate);
     for (std::size_t k = 0; k < origin.size(); ++k)
       if (origin[k] == Origin::planned) candidate.path.origin[k] = Origin::planned;
     if (less(candidate.findings, best.findings)) best = std::move(candidate);
@@ -183,28 +184,32 @@ RepairResult repair_path(const CollisionWorld& around, const JointRows& reach, J
                          std::vector<Finding> findings, const RepairSteps& given,
                          const RepairOptions& options, std::uint64_t seed) {
   RepairSteps steps = given;
-  if (options.method == "rrt_connect") steps = {nullptr, given.recheck, nullptr, nullptr};
+  if (options.method == "rrt_connect") steps = {nullptr, nullptr, given.recheck, nullptr, nullptr};
   RepairResult result;
   const bool clean = findings.empty() || path.position.rows() == 0;
   Judged best{std::move(path), std::move(findings)};
   if (!clean) {
-    try_resolve(steps, best);
+    take_if_less(steps.resolve, steps, best);
     if (steps.dead_end && !best.findings.empty()) {
       if (const std::optional<DeadEnd> end = steps.dead_end(best.path, best.findings)) {
         return stopped(*end, std::move(best));
       }
     }
+    take_if_less(steps.candidates, steps, best);
     detour(around, reach, steps, options, seed, best, result);
   }
+  bool nearer = true;
   while (!best.findings.empty() && steps.new_course) {
-    std::optional<JointPath> course = steps.new_course();
+    std::optional<JointPath> course = steps.new_course(nearer);
     if (!course) break;
     Judged other{std::move(*course), {}};
     other.findings = steps.recheck(other.path);
-    try_resolve(steps, other);
+    take_if_less(steps.resolve, steps, other);
     RepairResult of_other;
-    detour(around, reach, steps, options, seed, other, of_other);
-    if (!less(other.findings, best.findings)) continue;
+    const bool detour_may_do = std::ranges::all_of(other.findings, is_collision);
+    if (detour_may_do) detour(around, reach, steps, options, seed, other, of_other);
+    nearer = less(other.findings, best.findings);
+    if (!nearer) continue;
     best = std::move(other);
     result = of_other;
   }

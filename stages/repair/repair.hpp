@@ -58,12 +58,14 @@ struct RepairSteps {
   /// Solves the mapping again near the findings, with a clearance term; the changed samples carry
   /// Origin::resolved.
   std::function<JointPath(const JointPath& path, const std::vector<Finding>& findings)> resolve;
+  /// The best of `path` and the mapping's other candidates for it, these solved alike.
+  std::function<JointPath(const JointPath& path, const std::vector<Finding>& findings)> candidates;
   /// The judge: all findings of a path.
   std::function<std::vector<Finding>(const JointPath& path)> recheck;
   /// Another course through the whole movement, searched with the whole scene in sight: other ways
   /// to hold the same goals (a goal set), for a path whose end is bad or that leads nowhere. The
-  /// most humanlike first; none: there is no other.
-  std::function<std::optional<JointPath>()> new_course;
+  /// most humanlike first; none: there is no other. `nearer`: the last one became the best.
+  std::function<std::optional<JointPath>(bool nearer)> new_course;
   /// Whether any posture is good enough at the times of the findings. Where none is, no search for
   /// paths can help.
   std::function<std::optional<DeadEnd>(const JointPath& path, const std::vector<Finding>& findings)>
@@ -71,14 +73,14 @@ struct RepairSteps {
 };
 
 /// The smallest change that makes a path free, the least first: (1) what `resolve` gives, and
-/// nothing more if that leaves a `dead_end`; (2) around each collision that is left, an RRT-Connect
-/// between the nearest free samples with certified edges, the arm first and the fingers in
-/// proportion, then all joints; shortened, spread over the interval's samples and drawn back to the
-/// original path as far as it stays free; what that costs in tracking goes to `resolve` once more;
-/// (3) both again from each `new_course`. A step is kept if `recheck` finds less than before.
-/// Samples outside the intervals keep their bits in (1) and (2); those that went through the
-/// planner are Origin::planned. `reach` is capsule_reach(); `findings` are those of `path`. Depends
-/// on its arguments alone.
+/// nothing more if that leaves a `dead_end`; then what `candidates` give; (2) around each collision
+/// that is left, an RRT-Connect between the nearest free samples with certified edges, the arm
+/// first and the fingers in proportion, then all joints; shortened, spread over the interval's
+/// samples and drawn back to the original path as far as it stays free; what that costs in tracking
+/// goes to `resolve` once more; (3) both again from each `new_course`. A step is kept if `recheck`
+/// finds less than before. Samples outside the intervals keep their bits in (1) and (2); those that
+/// went through the planner are Origin::planned. `reach` is capsule_reach(); `findings` are those
+/// of `path`. Depends on its arguments alone.
 RepairResult repair_path(const CollisionWorld& world, const JointRows& reach, JointPath path,
                          std::vector<Finding> findings, const RepairSteps& steps,
                          const RepairOptions& options, std::uint64_t seed);

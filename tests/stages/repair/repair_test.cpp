@@ -159,7 +159,7 @@ TEST(Repair, AnotherCourseWhereTheGoalIsInCollision) {
       repair_path(bench.world, bench.reach, path, bench.collisions(path), steps, {}, 42);
   ASSERT_EQ(stuck.reason, "goal_in_collision");
   int asked = 0;
-  steps.new_course = [&]() -> std::optional<JointPath> {
+  steps.new_course = [&](bool) -> std::optional<JointPath> {
     return asked++ == 0 ? std::optional(other) : std::nullopt;
   };
   const RepairResult freed =
@@ -176,7 +176,7 @@ TEST(Repair, StopsWhereNoPostureIsGoodEnough) {
   const JointPath path = sweep(kFrom, kTo);
   RepairSteps steps;
   steps.recheck = [&](const JointPath& p) { return bench.collisions(p); };
-  steps.new_course = []() -> std::optional<JointPath> {
+  steps.new_course = [](bool) -> std::optional<JointPath> {
     ADD_FAILURE() << "no search can help";
     return std::nullopt;
   };
@@ -203,7 +203,7 @@ TEST(Repair, NamesTheWorstOfWhatPlanningCannotCure) {
     return findings;
   };
   const RepairResult result = repair_path(bench.world, bench.reach, path, recheck(path),
-                                          {{}, recheck, {}, {}}, RepairOptions{}, 1);
+                                          {{}, {}, recheck, {}, {}}, RepairOptions{}, 1);
   EXPECT_EQ(result.reason, "tracking");
   EXPECT_THAT(result.detail, HasSubstr("thumb_tip"));
   EXPECT_EQ(result.remaining.size(), 2u);
@@ -226,7 +226,7 @@ TEST(Repair, TheMappingWinsBackWhatADetourCost) {
   RepairOptions options;
   options.widen_samples = 5;
   const RepairResult result = repair_path(bench.world, bench.reach, path, recheck(path),
-                                          {resolve, recheck, {}, {}}, options, 1);
+                                          {resolve, {}, recheck, {}, {}}, options, 1);
   EXPECT_EQ(result.reason, "") << result.detail;
   EXPECT_EQ(result.path.origin[1], Origin::resolved);
   EXPECT_EQ(result.path.origin[50], Origin::planned);
