@@ -4,6 +4,7 @@
 #include <random>
 
 #include "pipeline/kinematics/forward.hpp"
+#include "stages/map/twins.hpp"
 
 namespace morphe {
 namespace {
@@ -34,13 +35,11 @@ JointVector random_position(const RobotTable& robot, std::mt19937_64& random) {
   return q;
 }
 
-bool same_minimum(const Minimum& a, const Minimum& b) {
-  return (a.x - b.x).cwiseAbs().maxCoeff() < 0.1;
-}
+constexpr double kSame = 0.1;  ///< nearer in every joint: the same minimum [rad]
 
-void add_if_new(std::vector<Minimum>& minima, Minimum found) {
-  const auto known =
-      std::ranges::find_if(minima, [&](const Minimum& m) { return same_minimum(found, m); });
+void add_if_new(const Twins& twins, std::vector<Minimum>& minima, Minimum found) {
+  const auto known = std::ranges::find_if(
+      minima, [&](const Minimum& m) { return alike(twins, found.x, m.x, kSame); });
   if (known == minima.end()) {
     minima.push_back(std::move(found));
   } else if (found.value < known->value) {
@@ -82,19 +81,20 @@ Minimum solve_frame(const MappingProblem& problem, std::size_t frame, const Join
 std::vector<Minimum> search_frame(const MappingProblem& problem, std::size_t frame, int starts,
                                   int keep, const MinimiseOptions& options, std::uint64_t seed,
                                   MappingScratch& scratch) {
+  const Twins twins = find_twins(problem);
   MinimiseOptions rough = options;  // enough to tell which starts are worth more
   rough.relative_value = std::max(options.relative_value, 1e-4);
   std::mt19937_64 random(seed);
   std::vector<Minimum> found;
   for (int i = 0; i < starts; ++i) {
     const JointVector start = random_position(*problem.robot, random);
-    add_if_new(found, solve_frame(problem, frame, start, rough, scratch));
+    add_if_new(twins, found, solve_frame(problem, frame, start, rough, scratch));
   }
   by_value(found);
   resize_at_most(found, 2 * keep);
   std::vector<Minimum> minima;
   for (const Minimum& start : found) {
-    add_if_new(minima, solve_frame(problem, frame, start.x, options, scratch));
+    add_if_new(twins, minima, solve_frame(problem, frame, start.x, options, scratch));
   }
   by_value(minima);
   resize_at_most(minima, keep);

@@ -67,8 +67,8 @@ struct MapOptions {
 
   MovementCost movement_cost;   ///< of the whole movement, beside the frames' objectives
   int key_frames = 5;           ///< where the global search starts
-  int starts = 48;              ///< random starts at each of them
-  int candidates = 6;           ///< distinct minima kept at each and followed through the movement
+  int starts = 24;              ///< random starts at each of them
+  int candidates = 4;           ///< distinct minima kept at each and followed through the movement
   double coarse_step_s = 0.05;  ///< grid on which candidates are followed and compared
   int reachable_starts = 256;   ///< before a goal is declared out of reach
   double reachable_m = 1e-4;    ///< error below which a goal counts as met by that search

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "stages/map/frame_search.hpp"
+#include "stages/map/twins.hpp"
 
 namespace morphe {
 namespace {
@@ -66,10 +68,38 @@ JointRows interpolate(const JointRows& coarse, const std::vector<std::size_t>& f
   return fine;
 }
 
-constexpr double kSame = 0.05;  ///< nearer in every joint: the same [rad]
+constexpr double kSame = 0.1;  ///< nearer in every joint: the same [rad]
 
-bool same_course(const JointRows& a, const JointRows& b) {
-  return (a - b).cwiseAbs().maxCoeff() < kSame;
+/// The same postures all along, or twins of them.
+bool same_course(const Twins& twins, const JointRows& a, const JointRows& b) {
+  for (Index f = 0; f < a.rows(); ++f) {
+    if (!alike(twins, a.row(f).transpose(), b.row(f).transpose(), kSame)) return false;
+  }
+  return true;
+}
+
+/// Iterations that show what a way is worth: the jumps go, the basin shows; and then, how deep it
+/// is.
+constexpr int kFirstLook = 3, kSecondLook = 7;
+
+MapOptions rough(MapOptions options, int iterations) {
+  options.movement.iterations = std::min(options.movement.iterations, iterations);
+  return options;
+}
+
+/// Twins that are worth following.
+std::vector<JointVector> first_twins(const Twins& twins, const JointVector& q) {
+  constexpr std::size_t kMost = 3;
+  std::vector<JointVector> found = twins_of(twins, q);
+  if (found.size() > kMost) found.resize(kMost);
+  return found;
+}
+
+/// Whether a joint that differs among twins is stopped somewhere by its limit.
+bool meets_limit(const Twins& twins, const JointRows& way) {
+  return std::ranges::any_of(joints_of(twins), [&](Index j) {
+    return way.col(j).minCoeff() <= twins.lower[j] || way.col(j).maxCoeff() >= twins.upper[j];
+  });
 }
 
 void by_value(std::vector<Course>& courses) {
@@ -77,9 +107,16 @@ void by_value(std::vector<Course>& courses) {
                    [](const Course& a, const Course& b) { return a.value < b.value; });
 }
 
-void add_if_new(std::vector<Course>& courses, Course course) {
+void keep_best(std::vector<Course>& courses, int count) {
+  by_value(courses);
+  if (courses.size() > static_cast<std::size_t>(count)) {
+    courses.resize(static_cast<std::size_t>(count));
+  }
+}
+
+void add_if_new(const Twins& twins, std::vector<Course>& courses, Course course) {
   for (Course& known : courses) {
-    if (!same_course(known.q, course.q)) continue;
+    if (!same_course(twins, known.q, course.q)) continue;
     if (course.value < known.value) known = std::move(course);
     return;
   }
@@ -115,12 +152,18 @@ std::vector<Course> search_movement(const MappingProblem& problem, const MapOpti
   const MappingProblem coarse = on_frames(problem, frames);
   MappingScratch scratch;
 
-  std::vector<JointRows> ways;
+  const Twins twins = find_twins(coarse);
+  struct Way {
+    JointRows q;
+    bool stopped;  ///< by a limit that a twin may not meet
+  };
+  std::vector<Way> ways;
   const auto on_known_way = [&](std::size_t key, const JointVector& q) {
-    const auto passes = [&](const JointRows& way) {
-      return (way.row(static_cast<Index>(key)) - q.transpose()).cwiseAbs().maxCoeff() < kSame;
-    };
-    return std::ranges::any_of(ways, passes);
+    return std::ranges::any_of(ways, [&](const Way& way) {
+      const JointVector passed = way.q.row(static_cast<Index>(key)).transpose();
+      return way.stopped ? (passed - q).cwiseAbs().maxCoeff() < kSame
+                         : alike(twins, passed, q, kSame);
+    });
   };
   std::vector<Course> followed;
   for (int k = 0; k < options.key_frames; ++k) {
@@ -130,21 +173,25 @@ std::vector<Course> search_movement(const MappingProblem& problem, const MapOpti
     for (const Minimum& start :
          search_frame(coarse, key, options.starts, options.candidates, options.solver,
                       seed + static_cast<std::uint64_t>(k), scratch)) {
-      if (on_known_way(key, start.x)) continue;
-      ways.push_back(follow(coarse, key, start.x, options.solver, scratch));
-      MapOptions once = options;
-      once.movement.iterations = 4;  // enough to rank: the jumps go, the basin shows
-      add_if_new(followed, smooth_movement(coarse, ways.back(), once));
+      for (const JointVector& twin : first_twins(twins, start.x)) {
+        if (on_known_way(key, twin)) continue;
+        JointRows way = follow(coarse, key, twin, options.solver, scratch);
+        add_if_new(twins, followed, smooth_movement(coarse, way, rough(options, kFirstLook)));
+        const bool stopped = meets_limit(twins, way);
+        ways.push_back({std::move(way), stopped});
+        if (!stopped) break;
+      }
     }
   }
-  by_value(followed);
-  if (followed.size() > static_cast<std::size_t>(options.candidates)) {
-    followed.resize(static_cast<std::size_t>(options.candidates));
-  }
-
+  keep_best(followed, 3 * options.candidates);
   std::vector<Course> courses;
   for (const Course& course : followed) {
-    add_if_new(courses, smooth_movement(coarse, course.q, options));
+    add_if_new(twins, courses, smooth_movement(coarse, course.q, rough(options, kSecondLook)));
+  }
+  keep_best(courses, options.candidates);
+  followed = std::exchange(courses, {});
+  for (const Course& course : followed) {
+    add_if_new(twins, courses, smooth_movement(coarse, course.q, options));
   }
   by_value(courses);
   for (Course& course : courses) course.q = interpolate(course.q, frames);

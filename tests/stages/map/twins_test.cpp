@@ -1,0 +1,116 @@
+#include "stages/map/twins.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "pipeline/kinematics/forward.hpp"
+#include "tests/pipeline/kinematics/shipped_robots.hpp"
+
+namespace morphe {
+namespace {
+
+using std::numbers::pi;
+
+/// Five frames whose goals are a posture's own tips.
+struct Bench {
+  explicit Bench(const std::string& name)
+      : robot(shipped_robot(name)), world(make_world(robot, scene, Movement{}, Tolerances{})) {
+    posture = 0.5 * (robot.lower + robot.upper);
+    for (Eigen::Index j = 0; j < posture.size(); ++j) {
+      posture[j] += 0.1 * static_cast<double>(1 + j % 3) * (robot.upper[j] - posture[j]);
+    }
+    problem.robot = &robot;
+    problem.world = &world;
+    problem.clearance.weight = 0;
+    std::vector<Pose> base_from_frame;
+    forward(robot, posture, base_from_frame);
+    FrameGoal goal;
+    for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
+      const Pose pose = tip_pose(robot, base_from_frame, tip);
+      goal.tip_position.push_back(pose.translation());
+      goal.tip_orientation.push_back(Quat(pose.linear()));
+    }
+    goal.shoulder = Vec3(0.1, 0.2, 0.3);
+    goal.elbow = Vec3(0.3, 0.2, 0.3);
+    goal.wrist = Vec3(0.5, 0.2, 0.3);
+    for (int f = 0; f < 5; ++f) {
+      problem.time.push_back(0.01 * f);
+      problem.goals.push_back(goal);
+    }
+  }
+
+  RobotTable robot;
+  Scene scene;
+  CollisionWorld world;
+  MappingProblem problem;
+  JointVector posture;
+};
+
+TEST(Twins, ThePA10HasThreeFlips) {
+  const Bench bench("pa10_dlr_hit2");
+  const Twins twins = find_twins(bench.problem);
+  ASSERT_EQ(twins.flips.size(), 3u);  // shoulder, elbow, wrist
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto first = static_cast<Eigen::Index>(2 * k);
+    EXPECT_EQ(twins.flips[k].first, first);
+    EXPECT_EQ(twins.flips[k].middle, first + 1);
+    EXPECT_EQ(twins.flips[k].last, first + 2);
+    EXPECT_NEAR(std::remainder(twins.flips[k].parallel, pi), 0, 1e-9);
+  }
+}
+
+TEST(Twins, PlaceEveryTipAndCentreAlike) {
+  const Bench bench("pa10_dlr_hit2");
+  const RobotTable& robot = bench.robot;
+  const std::vector<JointVector> all = twins_of(find_twins(bench.problem), bench.posture);
+  ASSERT_GE(all.size(), 8u);
+  std::vector<Pose> as_is, twin;
+  forward(robot, bench.posture, as_is);
+  for (const JointVector& q : all) {
+    EXPECT_TRUE((q.array() >= robot.lower.array()).all());
+    EXPECT_TRUE((q.array() <= robot.upper.array()).all());
+    forward(robot, q, twin);
+    for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
+      const Pose a = tip_pose(robot, as_is, tip), b = tip_pose(robot, twin, tip);
+      EXPECT_TRUE(a.isApprox(b, 1e-9));
+    }
+    for (const RobotTable::Centre& centre : robot.centres) {
+      const auto frame = static_cast<std::size_t>(centre.frame);
+      EXPECT_LT((as_is[frame].translation() - twin[frame].translation()).norm(), 1e-9);
+    }
+  }
+}
+
+TEST(Twins, AreAlikeAndOthersAreNot) {
+  const Bench bench("pa10_dlr_hit2");
+  const Twins twins = find_twins(bench.problem);
+  for (const JointVector& q : twins_of(twins, bench.posture)) {
+    EXPECT_TRUE(alike(twins, q, bench.posture, 1e-6));
+    JointVector bent = q;
+    bent[3] += 0.2;
+    EXPECT_FALSE(alike(twins, bent, bench.posture, 0.1));
+  }
+}
+
+TEST(Twins, TheFarthestFromTheLimitsFirst) {
+  const Bench bench("pa10_dlr_hit2");
+  const Twins twins = find_twins(bench.problem);
+  JointVector q = bench.posture;
+  q[2] = bench.robot.upper[2] - 1e-3;
+  const JointVector first = twins_of(twins, q).front();
+  EXPECT_GT(bench.robot.upper[2] - std::abs(first[2]), 0.1);
+  EXPECT_TRUE(alike(twins, first, q, 1e-6));
+}
+
+TEST(Twins, NoneWhereJointAnglesThemselvesCount) {
+  Bench bench("pa10_dlr_hit2");
+  for (Eigen::Index j = 0; j < 7; ++j) {
+    bench.problem.objective.posture.weight = 1;
+    bench.problem.objective.posture.joints.push_back({static_cast<int>(j), -1, 0.1, {}});
+  }
+  EXPECT_TRUE(find_twins(bench.problem).flips.empty());
+}
+
+}  // namespace
+}  // namespace morphe
