@@ -1,6 +1,7 @@
 #include "stages/map/frame_search.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <random>
 
 #include "pipeline/kinematics/forward.hpp"
@@ -104,6 +105,8 @@ std::vector<Minimum> search_frame(const MappingProblem& problem, std::size_t fra
 bool goals_reachable(const MappingProblem& problem, std::size_t frame, const JointVector& near,
                      int starts, double tolerance_m, const MinimiseOptions& options,
                      std::uint64_t seed, MappingScratch& scratch) {
+  constexpr double kSameValue = 1e-4;  // relative
+  constexpr int kOftenEnough = 16;     // descents that end in the least value: it is the least
   MappingProblem plain = problem;
   plain.objective = {};
   plain.objective.tip_position = problem.objective.tip_position;
@@ -113,10 +116,15 @@ bool goals_reachable(const MappingProblem& problem, std::size_t frame, const Joi
   plain.objective.finger_joint_distance.weight = 0;
   plain.clearance.weight = 0;
   std::mt19937_64 random(seed);
-  for (int i = 0; i <= starts; ++i) {
+  double least = std::numeric_limits<double>::infinity();
+  int ended_there = 0;
+  for (int i = 0; i <= starts && ended_there < kOftenEnough; ++i) {
     const JointVector start = i == 0 ? near : random_position(*problem.robot, random);
     const Minimum found = solve_frame(plain, frame, start, options, scratch);
     if (tip_error(problem, frame, found.x, scratch) <= tolerance_m) return true;
+    if (found.value < (1 - kSameValue) * least) ended_there = 0;
+    if (found.value < (1 + kSameValue) * least) ++ended_there;
+    least = std::min(least, found.value);
   }
   return false;
 }

@@ -21,7 +21,7 @@ std::vector<Minimum> search_frame(const MappingProblem& problem, std::size_t fra
 
 /// Whether the robot can reach a frame's fingertip goals, all of them at once: a solve without the
 /// humanlikeness terms, from `near` and then from up to `starts` random positions, brings every tip
-/// that has a goal within `tolerance_m`.
+/// that has a goal within `tolerance_m`. Fewer where many of them have ended in one least value.
 bool goals_reachable(const MappingProblem& problem, std::size_t frame, const JointVector& near,
                      int starts, double tolerance_m, const MinimiseOptions& options,
                      std::uint64_t seed, MappingScratch& scratch);

@@ -230,9 +230,11 @@ bool stays_inside(const JointSpline& spline, Eigen::Index joint, Eigen::Index fr
 }
 
 /// Where an end was missed for all its weight, the rest is added to the coefficients there and
-/// fades out over some knots; not where that would leave a joint's limits.
+/// fades out over some knots; where that would leave a joint's limits, what rests at the end stays
+/// there for a moment and the coefficients keep inside; not where that would change much.
 void meet_ends(const RobotTable& robot, const JointRows& samples, JointSpline& spline) {
   constexpr Eigen::Index kFlat = 5, kFade = 25;  // a knot's value is the mean of five coefficients
+  constexpr double kRest = 1e-4;                 // nearer to the end: as good as at rest [rad]
   const Eigen::Index count = spline.coefficient.rows();
   const Eigen::Index fade = std::min(kFade, count / 2 - kFlat);
   if (fade < 1) return;
@@ -251,8 +253,16 @@ void meet_ends(const RobotTable& robot, const JointRows& samples, JointSpline& s
         spline.coefficient(first ? k : count - 1 - k, joint) += share * missing[joint];
       }
       const Eigen::Index from = first ? 0 : spline.intervals - reach;
-      if (!stays_inside(spline, joint, from, from + reach, robot.lower[joint] + 0.5 * kLimitInset,
-                        robot.upper[joint] - 0.5 * kLimitInset)) {
+      const double lower = robot.lower[joint] + 0.5 * kLimitInset,
+                   upper = robot.upper[joint] - 0.5 * kLimitInset;
+      if (stays_inside(spline, joint, from, from + reach, lower, upper)) continue;
+      for (Eigen::Index k = 0; k < kFlat + fade; ++k) {
+        double& c = spline.coefficient(first ? k : count - 1 - k, joint);
+        const double end = there(0, joint) + missing[joint];
+        c = k < kFlat && std::abs(c - end) < kRest ? end : std::clamp(c, lower, upper);
+      }
+      const double change = (spline.coefficient.col(joint) - before).cwiseAbs().maxCoeff();
+      if (change > 2 * kRest || !stays_inside(spline, joint, from, from + reach, lower, upper)) {
         spline.coefficient.col(joint) = before;
       }
     }
