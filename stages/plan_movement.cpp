@@ -102,7 +102,8 @@ std::string warnings(const RobotTable& robot, const Scene& scene, const Goals& g
   return joined(sentences);
 }
 
-/// Time law and certificate. Smoothing that makes a path collide is taken back before giving up.
+/// Time law and certificate. Smoothing that makes a path collide, or takes tips too far from their
+/// goals, is taken back before giving up.
 void finish(const Planner& planner, const CollisionWorld& world, Plan& plan,
             StageSeconds& seconds) {
   RetimeOptions options = planner.config.retime;
@@ -123,7 +124,8 @@ void finish(const Planner& planner, const CollisionWorld& world, Plan& plan,
     certified.certificate.repaired = plan.certificate.repaired;
     certified.certificate.natural_posture_error = plan.certificate.natural_posture_error;
     plan.certificate = certified.certificate;
-    if (certified.reason == "smoothing" && options.tip_tolerance + options.joint_tolerance > 0) {
+    const bool smoothed = options.tip_tolerance + options.joint_tolerance > 0;
+    if (smoothed && (certified.reason == "smoothing" || certified.reason == "tracking")) {
       options.tip_tolerance = options.joint_tolerance = 0;
       continue;
     }

@@ -36,25 +36,26 @@ struct Judged {
 /// What a re-solve gives: times what the mapping gives them.
 struct Firmness {
   double clearance, band_share = 1, tips = 1;
+  MovementOptions movement = {30, 1e-3};  ///< whether it gets free is soon seen
 };
 /// The clearance term firmer and firmer until tips give way to it; then, for tips that gave way to
-/// clearance nobody asked for, just free; at last tips and freedom alone decide.
-constexpr Firmness kLadder[] = {{10}, {100}, {1000}, {10000, 0.2}, {30000, 0.2, 30}};
+/// clearance nobody asked for, just free; at last tips and freedom alone decide, to the last tenth
+/// of a millimetre.
+constexpr Firmness kLadder[] = {{10}, {100}, {1000}, {10000, 0.2}, {30000, 0.2, 30, {60, 1e-5}}};
 
 /// The least change of the mapping: the path re-solved near its findings against the whole scene.
 Judged climb(const MappingProblem& whole, const MapOptions& options, const Recheck& recheck,
              Judged best) {
-  constexpr double kEnough = 1e-3;  // relative: whether it gets free is soon seen
-  MapOptions rough = options;
-  rough.movement.relative_value = std::max(options.movement.relative_value, kEnough);
   for (const Firmness& step : kLadder) {
     if (best.findings.empty()) break;
     const bool tips_alone = badness(best.findings).first == 0;
     if (tips_alone && step.band_share == 1) continue;
+    MapOptions as_exact = options;
+    as_exact.movement = step.movement;
     MappingProblem firm = whole;
     firm.clearance.band_m *= step.band_share;
     firm.objective.tip_position.weight *= step.tips;
-    Judged changed{resolve_path(firm, best.path, best.findings, rough, step.clearance), {}};
+    Judged changed{resolve_path(firm, best.path, best.findings, as_exact, step.clearance), {}};
     changed.findings = recheck(changed.path);
     if (badness(changed.findings) < badness(best.findings)) best = std::move(changed);
   }

@@ -41,6 +41,17 @@ Vec3 goal_at(const Goals& goals, std::size_t tip, double time_s) {
   return (1 - share) * goals.tip_position(after - 1, tip) + share * goals.tip_position(after, tip);
 }
 
+bool grasps(const Movement& movement, double time_s) {
+  const std::string phase = kPhaseNames[phase_at(movement.phases, time_s)];
+  return phase == "grasp" || phase == "hold";
+}
+
+/// Samples beside the grasp count to it: some of the motion between does.
+bool grasps_around(const Movement& movement, const std::vector<double>& time, std::size_t k) {
+  return grasps(movement, time[k]) || (k > 0 && grasps(movement, time[k - 1])) ||
+         (k + 1 < time.size() && grasps(movement, time[k + 1]));
+}
+
 void check_tracking(const RobotTable& robot, const Goals& goals, const Movement& movement,
                     const JointPath& path, const Tolerances& tolerances, FindingRows& rows) {
   if (goals.frames() == 0) return;
@@ -48,9 +59,9 @@ void check_tracking(const RobotTable& robot, const Goals& goals, const Movement&
   std::vector<Pose> base_from_frame;
   for (std::size_t k = 0; k < path.demonstration_time.size(); ++k) {
     const double time_s = path.demonstration_time[k];
-    const std::string phase = kPhaseNames[phase_at(movement.phases, time_s)];
-    const bool grasping = phase == "grasp" || phase == "hold";
-    const double allowed_m = grasping ? tolerances.tracking_grasp : tolerances.tracking;
+    const double allowed_m = grasps_around(movement, path.demonstration_time, k)
+                                 ? tolerances.tracking_grasp
+                                 : tolerances.tracking;
     const JointVector q = path.position.row(static_cast<Eigen::Index>(k));
     forward(robot, q, base_from_frame);
     for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {

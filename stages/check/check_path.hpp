@@ -35,8 +35,8 @@ std::string check(const CheckOptions& options);
 ///                        A target with an attached_frame moves with it as the path takes it
 ///   limit                a joint beyond a limit by more than 1e-9 rad (or not a number); depth: by
 ///                        how much
-///   tracking             a tip farther from its goal than its phase allows (grasp and hold:
-///                        tracking_grasp); depth: what is beyond that
+///   tracking             a tip farther from its goal than its phase allows (grasp and hold, and
+///                        the samples beside them: tracking_grasp); depth: what is beyond that
 ///   jump                 a joint's step that is larger than jump_step in its time and 3 times the
 ///                        mean of its neighbours: a fast smooth motion is none. Steps to or from a
 ///                        planned sample are none either. Depth: what is beyond jump_step

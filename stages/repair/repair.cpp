@@ -189,6 +189,7 @@ RepairResult repair_path(const CollisionWorld& around, const JointRows& reach, J
   const bool clean = findings.empty() || path.position.rows() == 0;
   Judged best{std::move(path), std::move(findings)};
   if (!clean) {
+    const Judged mapped = best;
     take_if_less(steps.resolve, steps, best);
     if (steps.dead_end && !best.findings.empty()) {
       if (const std::optional<DeadEnd> end = steps.dead_end(best.path, best.findings)) {
@@ -197,6 +198,13 @@ RepairResult repair_path(const CollisionWorld& around, const JointRows& reach, J
     }
     take_if_less(steps.candidates, steps, best);
     detour(around, reach, steps, options, seed, best, result);
+    if (!best.findings.empty() && !collides(best.findings)) {
+      // Free, but not where it should be: the way around may begin from the mapped path as well.
+      Judged other = mapped;
+      RepairResult of_other;
+      detour(around, reach, steps, options, seed, other, of_other);
+      if (less(other.findings, best.findings)) best = std::move(other);
+    }
   }
   bool nearer = true;
   while (!best.findings.empty() && steps.new_course) {

@@ -146,6 +146,28 @@ TEST(Repair, DropsASolutionThatMakesItWorse) {
   EXPECT_EQ(result.path.position, without.position);
 }
 
+TEST(Repair, GoesAroundFromTheMappedPathWhereResolvingLosesTheGoals) {
+  const Bench bench({post("post", 0.9, 0)});
+  const JointPath path = sweep(kFrom, kTo);
+  JointPath aside = path;  // free, but nowhere near what is asked for
+  for (Eigen::Index k = 0; k < aside.position.rows(); ++k)
+    aside.position.row(k) = kFrom.transpose();
+  RepairSteps steps;
+  steps.recheck = [&](const JointPath& p) {
+    std::vector<Finding> findings = bench.collisions(p);
+    if ((p.position.row(100).transpose() - kTo).norm() > 1e-9) {
+      findings.push_back({1, 1, "tracking", "tip", "", 0.1});
+    }
+    return findings;
+  };
+  steps.resolve = [&](const JointPath&, const std::vector<Finding>&) { return aside; };
+  const RepairResult result =
+      repair_path(bench.world, bench.reach, path, steps.recheck(path), steps, {}, 42);
+  EXPECT_EQ(result.reason, "") << result.detail;
+  EXPECT_TRUE(result.repaired);
+  EXPECT_TRUE(steps.recheck(result.path).empty());
+}
+
 TEST(Repair, AnotherCourseWhereTheGoalIsInCollision) {
   // The post stands where the path ends; the other course ends beside it, and another post stands
   // in its way, so that it takes a detour too.
