@@ -8,6 +8,7 @@
 
 #include "pipeline/collision/mesh_solid.hpp"
 #include "pipeline/config/hash.hpp"
+#include "pipeline/run/ordered_map.hpp"
 #include "stages/certify/certify.hpp"
 #include "stages/certify/grasp.hpp"
 #include "stages/map/map_movement.hpp"
@@ -215,8 +216,13 @@ DemonstrationOutcome plan_demonstration(const Planner& planner,
   const std::vector<Movement> movements =
       timed(seconds, "segment", [&] { return segment(motion, config.segment, beside.objects); });
   if (alone) motion = in_hand_frame(std::move(motion));
-  for (const Movement& movement : movements) {
-    outcome.plans.push_back(plan_movement(planner, beside, motion, movement, seconds));
+  outcome.plans.resize(movements.size());
+  std::vector<StageSeconds> of_movement(movements.size());
+  for_each_index(movements.size(), [&](std::size_t k) {
+    outcome.plans[k] = plan_movement(planner, beside, motion, movements[k], of_movement[k]);
+  });
+  for (const StageSeconds& own : of_movement) {
+    for (const auto& [stage, taken] : own) seconds[stage] += taken;
   }
   if (movements.empty()) {
     const std::string nothing =

@@ -1,6 +1,7 @@
 #include "pipeline/run/ordered_map.hpp"
 
 #include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
 #ifdef __SANITIZE_THREAD__
@@ -63,6 +64,20 @@ void run_ordered(const std::function<std::shared_ptr<void>()>& next,
   arena.execute([&] { tbb::parallel_pipeline(2 * threads, read & map & emit); });
   take_over(&reading);
   take_over(&writing);
+}
+
+void for_each_index(std::size_t count, const std::function<void(std::size_t)>& work) {
+  char begun = 0, done = 0;
+  hand_over(&begun);
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, count, 1),
+      [&](const tbb::blocked_range<std::size_t>& range) {
+        take_over(&begun);
+        for (std::size_t k = range.begin(); k < range.end(); ++k) work(k);
+        hand_over(&done);
+      },
+      tbb::simple_partitioner());
+  take_over(&done);
 }
 
 }  // namespace morphe

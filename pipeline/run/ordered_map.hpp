@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 
@@ -34,5 +35,9 @@ void run(const OrderedMap<Item, Result>& map, int jobs) {
               },
               jobs);
 }
+
+/// work(0) … work(count - 1), in any order; inside a run's `work` its idle threads help. An
+/// exception in any of them is thrown here.
+void for_each_index(std::size_t count, const std::function<void(std::size_t)>& work);
 
 }  // namespace morphe
