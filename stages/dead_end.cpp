@@ -10,6 +10,7 @@ namespace {
 using Judge = std::function<std::vector<Finding>(const JointPath&)>;
 
 constexpr std::size_t kFrames = 6;  ///< looked at for one path
+constexpr double kNearly = 5e-4;    ///< nearer to good enough: another search may do [m]
 
 /// Frames nearest to the beginning, middle and end of each finding, the worst finding first.
 std::vector<std::size_t> frames_of(std::vector<Finding> findings, const std::vector<double>& time) {
@@ -99,12 +100,12 @@ std::optional<DeadEnd> find_dead_end(const MappingProblem& problem, const JointP
     };
     attempt(path.position.row(static_cast<Eigen::Index>(frame)).transpose());
     if (held) continue;
-    for (const Minimum& start : search_frame(firm, frame, options.starts, options.starts,
+    for (const Minimum& start : search_frame(firm, frame, 2 * options.starts, 2 * options.starts,
                                              options.solver, seed + frame, scratch)) {
       attempt(start.x);
       if (held) break;
     }
-    if (held) continue;
+    if (held || least < kNearly) continue;
     for (const Minimum& start : search_frame(alone, frame, options.starts, options.candidates,
                                              options.solver, seed + frame, scratch)) {
       const JointVector q =
