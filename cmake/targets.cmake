@@ -4,6 +4,15 @@ target_include_directories(morphe_flags INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(morphe_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
 # g++ 12 warns of overlaps inside its own std::string (GCC bug 105651).
 target_compile_options(morphe_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+# a * b - c * d is zero where both products are equal: predicates count on it.
+target_compile_options(morphe_flags INTERFACE -ffp-contract=off)
+# Small dense matrices are most of the work; packages were compiled for 16-byte alignment.
+if(MORPHE_ARCH)
+  target_compile_options(morphe_flags INTERFACE -march=${MORPHE_ARCH})
+  target_compile_definitions(morphe_flags INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
+  # g++ 12 warns of its own vector intrinsics (GCC bug 105593).
+  target_compile_options(morphe_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-array-bounds>)
+endif()
 if(MORPHE_WARNINGS_AS_ERRORS)
   target_compile_options(morphe_flags INTERFACE -Werror)
 endif()

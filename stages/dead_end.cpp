@@ -101,13 +101,13 @@ std::optional<DeadEnd> find_dead_end(const MappingProblem& problem, const JointP
     attempt(path.position.row(static_cast<Eigen::Index>(frame)).transpose());
     if (held) continue;
     for (const Minimum& start : search_frame(firm, frame, 2 * options.starts, 2 * options.starts,
-                                             options.solver, seed + frame, scratch)) {
+                                             quick(options.solver), seed + frame, scratch)) {
       attempt(start.x);
       if (held) break;
     }
     if (held || least < kNearly) continue;
     for (const Minimum& start : search_frame(alone, frame, options.starts, options.candidates,
-                                             options.solver, seed + frame, scratch)) {
+                                             quick(options.solver), seed + frame, scratch)) {
       const JointVector q =
           solve_frame(scaled(decided, 0), frame, start.x, options.solver, scratch).x;
       if (tracked(moment.findings(q))) end.reason = "goal_in_collision";

@@ -33,6 +33,15 @@ constexpr std::array<Entry, 10> kCommands{{
 
 constexpr int kBadInput = 2;
 
+/// What the compiler was told the machine can do.
+bool machine_suffices() {
+#if defined(__AVX2__) && defined(__FMA__)
+  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+#else
+  return true;
+#endif
+}
+
 bool is_command(std::string_view word) {
   return std::ranges::any_of(kCommands, [&](const Entry& entry) { return word == entry.name; });
 }
@@ -40,6 +49,10 @@ bool is_command(std::string_view word) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (!machine_suffices()) {
+    std::fputs("morphe: built for processors with AVX2 and FMA (see MORPHE_ARCH)\n", stderr);
+    return kBadInput;
+  }
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is an error to be told, like a full disk
   CLI::App app("Morphe: recorded human reaches -> executable robot trajectories", "morphe");
   app.set_version_flag("--version", "morphe " MORPHE_VERSION);

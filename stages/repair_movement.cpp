@@ -1,6 +1,8 @@
 #include "stages/repair_movement.hpp"
 
 #include <algorithm>
+#include <array>
+#include <span>
 #include <utility>
 
 #include "stages/check/check_path.hpp"
@@ -12,7 +14,7 @@ namespace {
 
 using Recheck = decltype(RepairSteps::recheck);
 
-constexpr double kFirm = 100;  ///< times the clearance term of the mapping
+constexpr double kFirmCourse = 100;  ///< times the clearance term of the mapping
 /// A repaired path keeps this much more than the margin where it can: the curve through it is
 /// smoothed, and certified to a tenth of a millimetre [m].
 constexpr double kRoom = 2e-4;
@@ -36,22 +38,25 @@ struct Judged {
 /// What a re-solve gives: times what the mapping gives them.
 struct Firmness {
   double clearance, band_share = 1, tips = 1;
-  MovementOptions movement = {30, 1e-3};  ///< whether it gets free is soon seen
+  int iterations = 1;
+  double relative_value = 10;  ///< whether it gets free is soon seen
 };
 /// The clearance term firmer and firmer until tips give way to it; then, for tips that gave way to
 /// clearance nobody asked for, just free; at last tips and freedom alone decide, to the last tenth
 /// of a millimetre.
-constexpr Firmness kLadder[] = {{10}, {100}, {1000}, {10000, 0.2}, {30000, 0.2, 30, {60, 1e-5}}};
+constexpr std::array<Firmness, 2> kGentle{{{10}, {100}}};
+constexpr std::array<Firmness, 3> kFirm{{{1000}, {10000, 0.2}, {30000, 0.2, 30, 2, 0.1}}};
 
 /// The least change of the mapping: the path re-solved near its findings against the whole scene.
-Judged climb(const MappingProblem& whole, const MapOptions& options, const Recheck& recheck,
-             Judged best) {
-  for (const Firmness& step : kLadder) {
+Judged climb(std::span<const Firmness> ladder, const MappingProblem& whole,
+             const MapOptions& options, const Recheck& recheck, Judged best) {
+  for (const Firmness& step : ladder) {
     if (best.findings.empty()) break;
     const bool tips_alone = badness(best.findings).first == 0;
     if (tips_alone && step.band_share == 1) continue;
     MapOptions as_exact = options;
-    as_exact.movement = step.movement;
+    as_exact.movement.iterations *= step.iterations;
+    as_exact.movement.relative_value *= step.relative_value;
     MappingProblem firm = whole;
     firm.clearance.band_m *= step.band_share;
     firm.objective.tip_position.weight *= step.tips;
@@ -73,7 +78,10 @@ Judged climb_candidates(const MappingProblem& whole, const MapOptions& options,
     other.path.position = candidate;
     std::ranges::fill(other.path.origin, Origin::resolved);
     other.findings = recheck(other.path);
-    other = climb(whole, options, recheck, std::move(other));
+    other = climb(kGentle, whole, options, recheck, std::move(other));
+    if (worth_insisting(other.findings)) {
+      other = climb(kFirm, whole, options, recheck, std::move(other));
+    }
     if (badness(other.findings) < badness(best.findings)) best = std::move(other);
   }
   return best;
@@ -87,7 +95,7 @@ class NewCourses {
   NewCourses(const MappingProblem& whole, const MapOptions& options, const std::vector<Hold>& holds,
              int searches, std::uint64_t seed)
       : problem_(whole), options_(options), holds_(holds), searches_(searches), seed_(seed) {
-    problem_.clearance.weight *= kFirm;
+    problem_.clearance.weight *= kFirmCourse;
   }
 
   std::optional<JointPath> operator()(bool nearer) {
@@ -138,7 +146,10 @@ RepairResult repair_movement(const Planner& planner, const PlacedMovement& place
   RepairSteps steps;
   steps.recheck = [&](const JointPath& path) { return judge(roomy, path); };
   steps.resolve = [&](const JointPath& path, const std::vector<Finding>& findings) {
-    return climb(whole, config.map, steps.recheck, {path, findings}).path;
+    return climb(kGentle, whole, config.map, steps.recheck, {path, findings}).path;
+  };
+  steps.insist = [&](const JointPath& path, const std::vector<Finding>& findings) {
+    return climb(kFirm, whole, config.map, steps.recheck, {path, findings}).path;
   };
   steps.candidates = [&](const JointPath& path, const std::vector<Finding>& findings) {
     return climb_candidates(whole, config.map, steps.recheck, mapped.candidates, {path, findings})

@@ -125,10 +125,10 @@ void damped_hessian(const MovementProblem& problem, const Point& point, const He
 }
 
 /// Holds free variables that the step takes out of the bounds, on them, and frees held ones that
-/// the slope of the model draws back inside; whether there were any.
-bool change_held(const MovementProblem& problem, const JointRows& q, const JointRows& slope,
-                 JointRows& step, Held& held) {
-  bool changed = false;
+/// the slope of the model draws back inside; by how much the bounds were left.
+double change_held(const MovementProblem& problem, const JointRows& q, const JointRows& slope,
+                   JointRows& step, Held& held) {
+  double outside = 0;
   for (Index f = 0; f < q.rows(); ++f) {
     for (Index j = 0; j < q.cols(); ++j) {
       const double to = q(f, j) + step(f, j), lower = problem.lower[j], upper = problem.upper[j];
@@ -140,11 +140,11 @@ bool change_held(const MovementProblem& problem, const JointRows& q, const Joint
         if (to >= lower && to <= upper) continue;
         step(f, j) = (to < lower ? lower : upper) - q(f, j);
         held(f, j) = true;
+        outside = std::max(outside, std::max(lower - to, to - upper));
       }
-      changed = true;
     }
   }
-  return changed;
+  return outside;
 }
 
 /// Takes the negative curvature out of every frame's own model.
@@ -165,7 +165,8 @@ void make_convex(Point& point) {
 /// does not suffice for that either.
 bool bounded_step(const MovementProblem& problem, Point& now, const JointRows& g,
                   const JointVector& damping, BandCholesky& hessian, JointRows& step) {
-  constexpr int kChanges = 3;
+  constexpr int kChanges = 2;
+  constexpr double kOutside = 1e-4;  // clamping may cut off
   const Index frames = now.q.rows(), n = now.q.cols();
   Held held(frames, n);
   for (Index f = 0; f < frames; ++f) {
@@ -188,7 +189,8 @@ bool bounded_step(const MovementProblem& problem, Point& now, const JointRows& g
     JointVector solved = Eigen::Map<const JointVector>(right.data(), right.size());
     hessian.solve(solved);
     step = Eigen::Map<const JointRows>(solved.data(), frames, n);
-    if (!change_held(problem, now.q, g + multiply(problem, now, damping, step), step, held)) break;
+    const JointRows slope = g + multiply(problem, now, damping, step);
+    if (change_held(problem, now.q, slope, step, held) <= kOutside) break;
   }
   return true;
 }

@@ -19,6 +19,11 @@ struct Quadratic {
     gradient.setZero(n);
     hessian.setZero(n, n);
   }
+  void scale(double factor) {
+    value *= factor;
+    gradient *= factor;
+    hessian *= factor;
+  }
   /// Adds weight * ‖residual‖² with its Jacobian [rows, n].
   template <class Residual, class Jacobian>
   void add_squares(double weight, const Residual& residual, const Jacobian& jacobian) {

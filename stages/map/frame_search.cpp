@@ -79,23 +79,39 @@ Minimum solve_frame(const MappingProblem& problem, std::size_t frame, const Join
   return minimise(bounded(problem, frame, scratch), start, options);
 }
 
+MinimiseOptions brief(MinimiseOptions options, int evaluations) {
+  if (options.algorithm == "structured") {
+    options.evaluations = std::min(options.evaluations, evaluations);
+  }
+  return options;
+}
+
+Descents exact(const MinimiseOptions& options) {
+  MinimiseOptions first = options;  // enough to tell which starts are worth more
+  first.relative_value = std::max(options.relative_value, 1e-4);
+  return {first, options};
+}
+
+Descents quick(const MinimiseOptions& options) {
+  const Descents descents = exact(options);
+  return {brief(descents.first, 40), brief(descents.then, 10)};
+}
+
 std::vector<Minimum> search_frame(const MappingProblem& problem, std::size_t frame, int starts,
-                                  int keep, const MinimiseOptions& options, std::uint64_t seed,
+                                  int keep, const Descents& descents, std::uint64_t seed,
                                   MappingScratch& scratch) {
   const Twins twins = find_twins(problem);
-  MinimiseOptions rough = options;  // enough to tell which starts are worth more
-  rough.relative_value = std::max(options.relative_value, 1e-4);
   std::mt19937_64 random(seed);
   std::vector<Minimum> found;
   for (int i = 0; i < starts; ++i) {
     const JointVector start = random_position(*problem.robot, random);
-    add_if_new(twins, found, solve_frame(problem, frame, start, rough, scratch));
+    add_if_new(twins, found, solve_frame(problem, frame, start, descents.first, scratch));
   }
   by_value(found);
   resize_at_most(found, 2 * keep);
   std::vector<Minimum> minima;
   for (const Minimum& start : found) {
-    add_if_new(twins, minima, solve_frame(problem, frame, start.x, options, scratch));
+    add_if_new(twins, minima, solve_frame(problem, frame, start.x, descents.then, scratch));
   }
   by_value(minima);
   resize_at_most(minima, keep);

@@ -12,11 +12,22 @@ namespace morphe {
 Minimum solve_frame(const MappingProblem& problem, std::size_t frame, const JointVector& start,
                     const MinimiseOptions& options, MappingScratch& scratch);
 
+/// With a limit that Newton's method comes far enough with; other algorithms keep their own.
+MinimiseOptions brief(MinimiseOptions options, int evaluations);
+
+/// Of a search: from every random start, and from the best that these found.
+struct Descents {
+  MinimiseOptions first, then;
+};
+Descents exact(const MinimiseOptions& options);
+/// As far as it takes to tell one minimum from another: they are followed and smoothed later.
+Descents quick(const MinimiseOptions& options);
+
 /// Distinct local minima of one frame (more than 0.1 rad apart in some joint), the best first, at
 /// most `keep` of them, from `starts` random positions inside the limits. The same seed gives the
 /// same starts on any machine.
 std::vector<Minimum> search_frame(const MappingProblem& problem, std::size_t frame, int starts,
-                                  int keep, const MinimiseOptions& options, std::uint64_t seed,
+                                  int keep, const Descents& descents, std::uint64_t seed,
                                   MappingScratch& scratch);
 
 /// Whether the robot can reach a frame's fingertip goals, all of them at once: a solve without the

@@ -1,9 +1,11 @@
 #include "stages/map/map_movement.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "pipeline/humanlike/metrics.hpp"
 #include "pipeline/kinematics/forward.hpp"
+#include "stages/map/coarse_grid.hpp"
 #include "stages/map/finger_curve.hpp"
 #include "stages/map/frame_search.hpp"
 #include "stages/map/movement_search.hpp"
@@ -125,6 +127,53 @@ std::vector<Window> windows_around(const std::vector<Finding>& findings,
   return windows;
 }
 
+std::vector<double> times_at(const MappingProblem& problem,
+                             const std::vector<std::size_t>& frames) {
+  std::vector<double> times;
+  for (const std::size_t frame : frames) times.push_back(problem.time[frame]);
+  return times;
+}
+
+JointRows rows_at(const JointRows& q, const std::vector<std::size_t>& frames) {
+  JointRows rows(static_cast<Index>(frames.size()), q.cols());
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    rows.row(static_cast<Index>(k)) = q.row(static_cast<Index>(frames[k]));
+  }
+  return rows;
+}
+
+/// The path near a window at some of its frames, those outside the window held where they are;
+/// from `change` beside the path, if there is any.
+JointRows solve_window(const MappingProblem& problem, const std::vector<std::size_t>& frames,
+                       const Window& window, const JointRows& path, const JointRows& change,
+                       const MapOptions& options) {
+  constexpr double kHold = 1e6;  // per rad²: far stiffer than any term of a frame
+  const JointRows before = rows_at(path, frames);
+  const std::vector<double> times = times_at(problem, frames);
+  const double share = mean_step(times) / kReferenceStep;
+  const auto moves = [&](std::size_t frame) { return frame >= window.first && frame < window.end; };
+  MovementProblem movement;
+  movement.frames = frames.size();
+  movement.lower = problem.robot->lower;
+  movement.upper = problem.robot->upper;
+  movement.difference_weight = difference_weights(*problem.robot, times, options.movement_cost);
+  std::vector<MappingScratch> scratch(frames.size());
+  movement.frame_model = [&](std::size_t k, const JointVector& q, Quadratic& model) {
+    add_frame(problem, frames[k], q, scratch[k], model, Curvature::exact);
+    model.scale(share);
+    if (moves(frames[k])) return;
+    const JointVector away = q - before.row(static_cast<Index>(k)).transpose();
+    model.value += kHold * away.squaredNorm();
+    model.gradient += 2 * kHold * away;
+    model.hessian.diagonal().array() += 2 * kHold;
+  };
+  JointRows start = before;
+  for (std::size_t k = 0; k < frames.size() && change.rows() > 0; ++k) {
+    if (moves(frames[k])) start.row(static_cast<Index>(k)) += change.row(static_cast<Index>(k));
+  }
+  return minimise_movement(movement, start, options.movement).q;
+}
+
 }  // namespace
 
 MappingProblem make_mapping_problem(const RobotTable& robot, const Goals& goals,
@@ -179,30 +228,18 @@ JointPath resolve_path(const MappingProblem& problem, const JointPath& path,
                        double firmness, double reach_s) {
   MappingProblem clear = problem;
   clear.clearance.weight *= firmness;
-  MovementProblem movement;
-  movement.lower = problem.robot->lower;
-  movement.upper = problem.robot->upper;
-  movement.difference_weight =
-      difference_weights(*problem.robot, problem.time, options.movement_cost);
   JointPath resolved = path;
   for (const Window& window : windows_around(findings, problem.time, reach_s)) {
     const std::size_t begin = window.first - std::min(window.first, kHeldFrames);
     const std::size_t end = std::min(problem.frames(), window.end + kHeldFrames);
-    movement.frames = end - begin;
-    const JointRows before =
-        path.position.middleRows(static_cast<Index>(begin), static_cast<Index>(movement.frames));
-    std::vector<MappingScratch> scratch(movement.frames);
-    movement.frame_model = [&](std::size_t k, const JointVector& q, Quadratic& model) {
-      const std::size_t frame = begin + k;
-      add_frame(clear, frame, q, scratch[k], model, Curvature::exact);
-      if (frame >= window.first && frame < window.end) return;
-      constexpr double kHold = 1e6;  // per rad²: far stiffer than any term of a frame
-      const JointVector away = q - before.row(static_cast<Index>(k)).transpose();
-      model.value += kHold * away.squaredNorm();
-      model.gradient += 2 * kHold * away;
-      model.hessian.diagonal().array() += 2 * kHold;
-    };
-    const JointRows found = minimise_movement(movement, before, options.movement).q;
+    std::vector<std::size_t> all(end - begin);
+    std::iota(all.begin(), all.end(), begin);
+    std::vector<std::size_t> some = coarse_frames(times_at(problem, all), options.coarse_step_s);
+    for (std::size_t& frame : some) frame += begin;
+    const JointRows change = solve_window(clear, some, window, path.position, {}, options) -
+                             rows_at(path.position, some);
+    const JointRows found =
+        solve_window(clear, all, window, path.position, interpolate(change, some), options);
     for (std::size_t frame = begin; frame < end; ++frame) {
       const auto row = static_cast<Index>(frame), k = static_cast<Index>(frame - begin);
       if ((found.row(k) - path.position.row(row)).cwiseAbs().maxCoeff() <= 1e-4) continue;

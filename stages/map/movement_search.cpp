@@ -4,7 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "stages/map/coarse_grid.hpp"
 #include "stages/map/frame_search.hpp"
+#include "stages/map/splice.hpp"
 #include "stages/map/twins.hpp"
 
 namespace morphe {
@@ -12,60 +14,29 @@ namespace {
 
 using Eigen::Index;
 
-/// Frames of an evenly spaced grid that holds the first and the last frame.
-std::vector<std::size_t> coarse_frames(const std::vector<double>& time, double step_s) {
-  const std::size_t last = time.size() - 1;
-  const double span_s = time.back() - time.front();
-  const auto steps = std::min<std::size_t>(
-      last, std::max<std::size_t>(4, static_cast<std::size_t>(std::lround(span_s / step_s))));
-  std::vector<std::size_t> frames;
-  for (std::size_t k = 0; k <= steps; ++k) {
-    const double position = static_cast<double>(k * last) / static_cast<double>(steps);
-    frames.push_back(static_cast<std::size_t>(std::lround(position)));
-  }
-  frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
-  return frames;
-}
+constexpr int kFollow = 5;  ///< evaluations at a frame that is followed
 
-MappingProblem on_frames(const MappingProblem& problem, const std::vector<std::size_t>& frames) {
-  MappingProblem coarse = problem;
-  coarse.time.clear();
-  coarse.goals.clear();
-  for (const std::size_t f : frames) {
-    coarse.time.push_back(problem.time[f]);
-    coarse.goals.push_back(problem.goals[f]);
-  }
-  return coarse;
-}
-
-/// Warm-started solves from a key frame to both ends, as exact as a start of smooth_movement() has
+/// Warm-started solves from a key frame to both ends, as exact as what is spliced and smoothed has
 /// to be.
-JointRows follow(const MappingProblem& problem, std::size_t key, const JointVector& q,
-                 MinimiseOptions options, MappingScratch& scratch) {
+Way follow(const MappingProblem& problem, std::size_t key, const JointVector& q,
+           MinimiseOptions options, MappingScratch& scratch) {
+  options = brief(options, kFollow);
   options.relative_value = std::max(options.relative_value, 1e-5);
-  JointRows rows(static_cast<Index>(problem.frames()), q.size());
-  rows.row(static_cast<Index>(key)) = q.transpose();
-  const auto step = [&](std::size_t from, std::size_t to) {
-    const JointVector start = rows.row(static_cast<Index>(from)).transpose();
-    rows.row(static_cast<Index>(to)) =
-        solve_frame(problem, to, start, options, scratch).x.transpose();
+  const double share = mean_step(problem.time) / kReferenceStep;
+  Way way{key, JointRows(static_cast<Index>(problem.frames()), q.size()),
+          std::vector<double>(problem.frames())};
+  const auto solve = [&](std::size_t frame, const JointVector& start) {
+    const Minimum found = solve_frame(problem, frame, start, options, scratch);
+    way.q.row(static_cast<Index>(frame)) = found.x.transpose();
+    way.value[frame] = share * found.value;
   };
-  for (std::size_t f = key; f + 1 < problem.frames(); ++f) step(f, f + 1);
-  for (std::size_t f = key; f > 0; --f) step(f, f - 1);
-  return rows;
-}
-
-JointRows interpolate(const JointRows& coarse, const std::vector<std::size_t>& frames) {
-  JointRows fine(static_cast<Index>(frames.back() + 1), coarse.cols());
-  for (std::size_t k = 0; k + 1 < frames.size(); ++k) {
-    const double span = static_cast<double>(frames[k + 1] - frames[k]);
-    for (std::size_t f = frames[k]; f <= frames[k + 1]; ++f) {
-      const double share = static_cast<double>(f - frames[k]) / span;
-      fine.row(static_cast<Index>(f)) = (1 - share) * coarse.row(static_cast<Index>(k)) +
-                                        share * coarse.row(static_cast<Index>(k + 1));
-    }
-  }
-  return fine;
+  solve(key, q);
+  const auto near = [&](std::size_t frame) -> JointVector {
+    return way.q.row(static_cast<Index>(frame)).transpose();
+  };
+  for (std::size_t f = key; f + 1 < problem.frames(); ++f) solve(f + 1, near(f));
+  for (std::size_t f = key; f > 0; --f) solve(f - 1, near(f));
+  return way;
 }
 
 constexpr double kSame = 0.1;  ///< nearer in every joint: the same [rad]
@@ -78,9 +49,10 @@ bool same_course(const Twins& twins, const JointRows& a, const JointRows& b) {
   return true;
 }
 
-/// Iterations that show what a way is worth: the jumps go, the basin shows; and then, how deep it
-/// is.
-constexpr int kFirstLook = 3, kSecondLook = 7;
+/// Iterations after which the jumps are gone and a sequence shows what it is worth, and how many of
+/// the best are smoothed to the end: the others wait for repair, which changes them anyway.
+constexpr int kLook = 7;
+constexpr std::size_t kSmoothed = 2;
 
 MapOptions rough(MapOptions options, int iterations) {
   options.movement.iterations = std::min(options.movement.iterations, iterations);
@@ -107,13 +79,6 @@ void by_value(std::vector<Course>& courses) {
                    [](const Course& a, const Course& b) { return a.value < b.value; });
 }
 
-void keep_best(std::vector<Course>& courses, int count) {
-  by_value(courses);
-  if (courses.size() > static_cast<std::size_t>(count)) {
-    courses.resize(static_cast<std::size_t>(count));
-  }
-}
-
 void add_if_new(const Twins& twins, std::vector<Course>& courses, Course course) {
   for (Course& known : courses) {
     if (!same_course(twins, known.q, course.q)) continue;
@@ -138,9 +103,7 @@ Course smooth_movement(const MappingProblem& problem, const JointRows& start,
   std::vector<MappingScratch> scratch(problem.frames());
   movement.frame_model = [&](std::size_t frame, const JointVector& q, Quadratic& model) {
     add_frame(problem, frame, q, scratch[frame], model, Curvature::exact);
-    model.value *= share;
-    model.gradient *= share;
-    model.hessian *= share;
+    model.scale(share);
   };
   const MovementMinimum found = minimise_movement(movement, start, options.movement);
   return {found.q, found.value};
@@ -153,45 +116,44 @@ std::vector<Course> search_movement(const MappingProblem& problem, const MapOpti
   MappingScratch scratch;
 
   const Twins twins = find_twins(coarse);
-  struct Way {
-    JointRows q;
-    bool stopped;  ///< by a limit that a twin may not meet
-  };
   std::vector<Way> ways;
+  std::vector<bool> stopped;  // by a limit that a twin may not meet
   const auto on_known_way = [&](std::size_t key, const JointVector& q) {
-    return std::ranges::any_of(ways, [&](const Way& way) {
-      const JointVector passed = way.q.row(static_cast<Index>(key)).transpose();
-      return way.stopped ? (passed - q).cwiseAbs().maxCoeff() < kSame
-                         : alike(twins, passed, q, kSame);
-    });
+    for (std::size_t w = 0; w < ways.size(); ++w) {
+      const JointVector passed = ways[w].q.row(static_cast<Index>(key)).transpose();
+      const bool same =
+          stopped[w] ? (passed - q).cwiseAbs().maxCoeff() < kSame : alike(twins, passed, q, kSame);
+      if (same) return true;
+    }
+    return false;
   };
-  std::vector<Course> followed;
   for (int k = 0; k < options.key_frames; ++k) {
     const auto last = static_cast<double>(coarse.frames() - 1);
     const double position = options.key_frames == 1 ? last : last * k / (options.key_frames - 1);
     const auto key = static_cast<std::size_t>(std::lround(position));
     for (const Minimum& start :
-         search_frame(coarse, key, options.starts, options.candidates, options.solver,
+         search_frame(coarse, key, options.starts, options.candidates, quick(options.solver),
                       seed + static_cast<std::uint64_t>(k), scratch)) {
       for (const JointVector& twin : first_twins(twins, start.x)) {
         if (on_known_way(key, twin)) continue;
-        JointRows way = follow(coarse, key, twin, options.solver, scratch);
-        add_if_new(twins, followed, smooth_movement(coarse, way, rough(options, kFirstLook)));
-        const bool stopped = meets_limit(twins, way);
-        ways.push_back({std::move(way), stopped});
-        if (!stopped) break;
+        ways.push_back(follow(coarse, key, twin, options.solver, scratch));
+        stopped.push_back(meets_limit(twins, ways.back().q));
+        if (!stopped.back()) break;
       }
     }
   }
-  keep_best(followed, 3 * options.candidates);
-  std::vector<Course> courses;
-  for (const Course& course : followed) {
-    add_if_new(twins, courses, smooth_movement(coarse, course.q, rough(options, kSecondLook)));
+  std::vector<JointRows> sequences =
+      splice(ways, difference_weights(*problem.robot, coarse.time, options.movement_cost));
+  if (sequences.size() > static_cast<std::size_t>(options.candidates)) {
+    sequences.resize(static_cast<std::size_t>(options.candidates));
   }
-  keep_best(courses, options.candidates);
-  followed = std::exchange(courses, {});
-  for (const Course& course : followed) {
-    add_if_new(twins, courses, smooth_movement(coarse, course.q, options));
+  std::vector<Course> courses;
+  for (const JointRows& sequence : sequences) {
+    add_if_new(twins, courses, smooth_movement(coarse, sequence, rough(options, kLook)));
+  }
+  by_value(courses);
+  for (std::size_t k = 0; k < std::min(kSmoothed, courses.size()); ++k) {
+    courses[k] = smooth_movement(coarse, courses[k].q, options);
   }
   by_value(courses);
   for (Course& course : courses) course.q = interpolate(course.q, frames);
@@ -207,8 +169,8 @@ Course course_through(const MappingProblem& problem, std::size_t frame, const Jo
   if (*place != frame) frames.insert(place, frame);
   const MappingProblem coarse = on_frames(problem, frames);
   MappingScratch scratch;
-  const JointRows followed = follow(coarse, key, posture, options.solver, scratch);
-  const Course smoothed = smooth_movement(coarse, followed, options);
+  const Way followed = follow(coarse, key, posture, options.solver, scratch);
+  const Course smoothed = smooth_movement(coarse, followed.q, options);
   return smooth_movement(problem, interpolate(smoothed.q, frames), options);
 }
 

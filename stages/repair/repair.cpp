@@ -93,6 +93,11 @@ void take_if_less(const decltype(RepairSteps::resolve)& step, const RepairSteps&
   if (less(candidate.findings, judged.findings)) judged = std::move(candidate);
 }
 
+void resolve_and_insist(const RepairSteps& steps, Judged& judged) {
+  take_if_less(steps.resolve, steps, judged);
+  if (worth_insisting(judged.findings)) take_if_less(steps.insist, steps, judged);
+}
+
 std::string end_in_collision(const CollisionWorld& world, const JointPath& path,
                              std::string& detail) {
   const Eigen::Index last = path.position.rows() - 1;
@@ -127,7 +132,7 @@ void detour(const CollisionWorld& around, const JointRows& reach, const RepairSt
     candidate.findings = steps.recheck(candidate.path);
     // A detour costs tracking; the mapping may win it back from where the detour leads.
     const std::vector<Origin> origin = candidate.path.origin;
-    take_if_less(steps.resolve, steps, candidate);
+    resolve_and_insist(steps, candidate);
     for (std::size_t k = 0; k < origin.size(); ++k)
       if (origin[k] == Origin::planned) candidate.path.origin[k] = Origin::planned;
     if (less(candidate.findings, best.findings)) best = std::move(candidate);
@@ -166,6 +171,11 @@ RepairResult stopped(const DeadEnd& end, Judged best) {
 
 }  // namespace
 
+bool worth_insisting(const std::vector<Finding>& findings) {
+  constexpr double kMost = 0.01;  // [m], of jumps and limits [rad]
+  return std::ranges::all_of(findings, [](const Finding& f) { return f.depth <= kMost; });
+}
+
 std::string check(const RepairOptions& options) {
   if (options.method != "humanlike" && options.method != "rrt_connect")
     return "method must be humanlike or rrt_connect";
@@ -184,7 +194,10 @@ RepairResult repair_path(const CollisionWorld& around, const JointRows& reach, J
                          std::vector<Finding> findings, const RepairSteps& given,
                          const RepairOptions& options, std::uint64_t seed) {
   RepairSteps steps = given;
-  if (options.method == "rrt_connect") steps = {nullptr, nullptr, given.recheck, nullptr, nullptr};
+  if (options.method == "rrt_connect") {
+    steps = {};
+    steps.recheck = given.recheck;
+  }
   RepairResult result;
   const bool clean = findings.empty() || path.position.rows() == 0;
   Judged best{std::move(path), std::move(findings)};
@@ -196,6 +209,7 @@ RepairResult repair_path(const CollisionWorld& around, const JointRows& reach, J
         return stopped(*end, std::move(best));
       }
     }
+    take_if_less(steps.insist, steps, best);
     take_if_less(steps.candidates, steps, best);
     detour(around, reach, steps, options, seed, best, result);
     if (!best.findings.empty() && !collides(best.findings)) {
@@ -212,7 +226,7 @@ RepairResult repair_path(const CollisionWorld& around, const JointRows& reach, J
     if (!course) break;
     Judged other{std::move(*course), {}};
     other.findings = steps.recheck(other.path);
-    take_if_less(steps.resolve, steps, other);
+    resolve_and_insist(steps, other);
     RepairResult of_other;
     const bool detour_may_do = std::ranges::all_of(other.findings, is_collision);
     if (detour_may_do) detour(around, reach, steps, options, seed, other, of_other);

@@ -53,11 +53,16 @@ struct DeadEnd {
   Finding nearest;     ///< what is wrong with the best of them
 };
 
+/// Whether a path is so near to free that firmer re-solving has ever made it so.
+bool worth_insisting(const std::vector<Finding>& findings);
+
 /// What repair asks of the mapping and of the judge; all but `recheck` may be empty.
 struct RepairSteps {
   /// Solves the mapping again near the findings, with a clearance term; the changed samples carry
   /// Origin::resolved.
   std::function<JointPath(const JointPath& path, const std::vector<Finding>& findings)> resolve;
+  /// The same, as firmly as it takes, for what `resolve` leaves.
+  std::function<JointPath(const JointPath& path, const std::vector<Finding>& findings)> insist;
   /// The best of `path` and the mapping's other candidates for it, these solved alike.
   std::function<JointPath(const JointPath& path, const std::vector<Finding>& findings)> candidates;
   /// The judge: all findings of a path.
@@ -73,14 +78,15 @@ struct RepairSteps {
 };
 
 /// The smallest change that makes a path free, the least first: (1) what `resolve` gives, and
-/// nothing more if that leaves a `dead_end`; then what `candidates` give; (2) around each collision
-/// that is left, an RRT-Connect between the nearest free samples with certified edges, the arm
-/// first and the fingers in proportion, then all joints; shortened, spread over the interval's
-/// samples and drawn back to the original path as far as it stays free; what that costs in tracking
-/// goes to `resolve` once more; (3) both again from each `new_course`. A step is kept if `recheck`
-/// finds less than before. Samples outside the intervals keep their bits in (1) and (2); those that
-/// went through the planner are Origin::planned. `reach` is capsule_reach(); `findings` are those
-/// of `path`. Depends on its arguments alone.
+/// nothing more if that leaves a `dead_end`; then what `insist` and `candidates` give; (2) around
+/// each collision that is left, an RRT-Connect between the nearest free samples with certified
+/// edges, the arm first and the fingers in proportion, then all joints; shortened, spread over the
+/// interval's samples and drawn back to the original path as far as it stays free; what that costs
+/// in tracking goes to `resolve` once more, and to `insist` if that is worth it; (3) both again
+/// from each `new_course`. A step is kept if `recheck` finds less than before. Samples outside the
+/// intervals keep their bits in (1) and (2); those that went through the planner are
+/// Origin::planned. `reach` is capsule_reach(); `findings` are those of `path`. Depends on its
+/// arguments alone.
 RepairResult repair_path(const CollisionWorld& world, const JointRows& reach, JointPath path,
                          std::vector<Finding> findings, const RepairSteps& steps,
                          const RepairOptions& options, std::uint64_t seed);

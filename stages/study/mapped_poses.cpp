@@ -135,7 +135,7 @@ MappedPoses map_poses(const RobotTable& robot, const std::vector<FrameGoal>& goa
   };
   for (int k = 0; k < kKeys; ++k) {
     const std::size_t key = (goals.size() - 1) * static_cast<std::size_t>(k) / (kKeys - 1);
-    for (const Minimum& start : search_frame(problem, key, starts, kKept, options,
+    for (const Minimum& start : search_frame(problem, key, starts, kKept, exact(options),
                                              seed + static_cast<std::uint64_t>(k), scratch)) {
       take(key, start);
       follow(key, goals.size() - 1, 1, start.x);

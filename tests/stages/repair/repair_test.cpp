@@ -20,6 +20,13 @@ const JointVector kFrom = Vec3(-0.9, 0.3, 0.3), kTo = Vec3(0.9, 0.3, 0.3);
 
 using Resolve = decltype(RepairSteps::resolve);
 
+RepairSteps steps_of(const Resolve& resolve, const decltype(RepairSteps::recheck)& recheck) {
+  RepairSteps steps;
+  steps.resolve = resolve;
+  steps.recheck = recheck;
+  return steps;
+}
+
 RepairResult repair(const Bench& bench, const JointPath& path, const Resolve& resolve = nullptr,
                     RepairOptions options = {}) {
   RepairSteps steps;
@@ -193,6 +200,44 @@ TEST(Repair, AnotherCourseWhereTheGoalIsInCollision) {
   EXPECT_EQ(asked, 1);
 }
 
+TEST(Repair, InsistsOnWhatResolvingLeavesAfterDeadEndsAndOnlyIfItIsNear) {
+  // Tracking errors alone, so that no way around is tried: 3 mm on the path, 30 mm on the course.
+  const Bench bench({});
+  const JointPath path = sweep(kFrom, kTo), free = sweep(kTo, kFrom);
+  JointPath course = path;
+  course.position.row(50) *= 0.5;
+  std::string called;
+  RepairSteps steps;
+  steps.recheck = [&](const JointPath& p) -> std::vector<Finding> {
+    if (p.position == free.position) return {};
+    const double depth = p.position == path.position ? 0.003 : 0.03;
+    return {{0.5, 0.5, "tracking", "tip", "", depth}};
+  };
+  steps.resolve = [&](const JointPath& p, const std::vector<Finding>&) {
+    called += "r";
+    return p;
+  };
+  steps.dead_end = [&](const JointPath&, const std::vector<Finding>&) -> std::optional<DeadEnd> {
+    called += "d";
+    return std::nullopt;
+  };
+  bool frees = true;
+  steps.insist = [&](const JointPath& p, const std::vector<Finding>&) {
+    called += "i";
+    return frees ? free : p;
+  };
+  steps.new_course = [&](bool) { return called.size() < 6 ? std::optional(course) : std::nullopt; };
+  const auto result = [&] {
+    called.clear();
+    return repair_path(bench.world, bench.reach, path, steps.recheck(path), steps, {}, 1);
+  };
+  EXPECT_EQ(result().reason, "");
+  EXPECT_EQ(called, "rdi");
+  frees = false;
+  EXPECT_EQ(result().reason, "tracking");
+  EXPECT_EQ(called, "rdirrr") << "a course that is 30 mm off is not worth it";
+}
+
 TEST(Repair, StopsWhereNoPostureIsGoodEnough) {
   const Bench bench({post("post", 0.9, 0)});
   const JointPath path = sweep(kFrom, kTo);
@@ -225,7 +270,7 @@ TEST(Repair, NamesTheWorstOfWhatPlanningCannotCure) {
     return findings;
   };
   const RepairResult result = repair_path(bench.world, bench.reach, path, recheck(path),
-                                          {{}, {}, recheck, {}, {}}, RepairOptions{}, 1);
+                                          steps_of(nullptr, recheck), RepairOptions{}, 1);
   EXPECT_EQ(result.reason, "tracking");
   EXPECT_THAT(result.detail, HasSubstr("thumb_tip"));
   EXPECT_EQ(result.remaining.size(), 2u);
@@ -248,7 +293,7 @@ TEST(Repair, TheMappingWinsBackWhatADetourCost) {
   RepairOptions options;
   options.widen_samples = 5;
   const RepairResult result = repair_path(bench.world, bench.reach, path, recheck(path),
-                                          {resolve, {}, recheck, {}, {}}, options, 1);
+                                          steps_of(resolve, recheck), options, 1);
   EXPECT_EQ(result.reason, "") << result.detail;
   EXPECT_EQ(result.path.origin[1], Origin::resolved);
   EXPECT_EQ(result.path.origin[50], Origin::planned);

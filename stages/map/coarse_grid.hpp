@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "stages/map/mapping_problem.hpp"
+
+namespace morphe {
+
+/// Frames of an evenly spaced grid that holds the first and the last frame, about step_s apart and
+/// at least five, if there are so many.
+std::vector<std::size_t> coarse_frames(const std::vector<double>& time, double step_s);
+
+/// The problem at some of its frames.
+MappingProblem on_frames(const MappingProblem& problem, const std::vector<std::size_t>& frames);
+
+/// A row for every frame from the first to the last of `frames`, cubic between theirs (Hermite,
+/// with central differences for slopes): continuous velocity, the rows of `frames` as given.
+JointRows interpolate(const JointRows& coarse, const std::vector<std::size_t>& frames);
+
+}  // namespace morphe
