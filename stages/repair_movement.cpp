@@ -39,13 +39,13 @@ struct Judged {
 struct Firmness {
   double clearance, band_share = 1, tips = 1;
   int iterations = 1;
-  double relative_value = 10;  ///< whether it gets free is soon seen
+  double relative_value = 100;  ///< whether it gets free is soon seen
 };
 /// The clearance term firmer and firmer until tips give way to it; then, for tips that gave way to
 /// clearance nobody asked for, just free; at last tips and freedom alone decide, to the last tenth
 /// of a millimetre.
 constexpr std::array<Firmness, 2> kGentle{{{10}, {100}}};
-constexpr std::array<Firmness, 3> kFirm{{{1000}, {10000, 0.2}, {30000, 0.2, 30, 2, 0.1}}};
+constexpr std::array<Firmness, 3> kFirm{{{1000}, {10000, 0.2}, {30000, 0.2, 30, 2, 1}}};
 
 /// The least change of the mapping: the path re-solved near its findings against the whole scene.
 Judged climb(std::span<const Firmness> ladder, const MappingProblem& whole,

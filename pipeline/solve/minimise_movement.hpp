@@ -20,7 +20,7 @@ struct MovementProblem {
 
 struct MovementOptions {
   int iterations = 30;
-  double relative_value = 1e-4;  ///< stop when two steps in a row gain less than this share
+  double relative_value = 1e-5;  ///< stop when two steps in a row gain less than this share
 };
 template <class Fields>
 void fields(Fields& f, MovementOptions& o) {

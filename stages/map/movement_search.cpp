@@ -53,6 +53,7 @@ bool same_course(const Twins& twins, const JointRows& a, const JointRows& b) {
 /// the best are smoothed to the end: the others wait for repair, which changes them anyway.
 constexpr int kLook = 7;
 constexpr std::size_t kSmoothed = 2;
+constexpr double kCoarser = 10;  ///< what `relative_value` is multiplied by on the coarse grid
 
 MapOptions rough(MapOptions options, int iterations) {
   options.movement.iterations = std::min(options.movement.iterations, iterations);
@@ -152,8 +153,10 @@ std::vector<Course> search_movement(const MappingProblem& problem, const MapOpti
     add_if_new(twins, courses, smooth_movement(coarse, sequence, rough(options, kLook)));
   }
   by_value(courses);
+  MapOptions for_coarse = options;
+  for_coarse.movement.relative_value *= kCoarser;
   for (std::size_t k = 0; k < std::min(kSmoothed, courses.size()); ++k) {
-    courses[k] = smooth_movement(coarse, courses[k].q, options);
+    courses[k] = smooth_movement(coarse, courses[k].q, for_coarse);
   }
   by_value(courses);
   for (Course& course : courses) course.q = interpolate(course.q, frames);
