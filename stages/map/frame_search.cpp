@@ -5,6 +5,7 @@
 #include <random>
 
 #include "pipeline/kinematics/forward.hpp"
+#include "stages/map/coarse_grid.hpp"
 #include "stages/map/twins.hpp"
 
 namespace morphe {
@@ -123,21 +124,25 @@ bool goals_reachable(const MappingProblem& problem, std::size_t frame, const Joi
                      std::uint64_t seed, MappingScratch& scratch) {
   constexpr double kSameValue = 1e-4;  // relative
   constexpr int kOftenEnough = 16;     // descents that end in the least value: it is the least
-  MappingProblem plain = problem;
+  MappingProblem moment = on_frames(problem, {frame});
+  moment.clearance.weight = 0;
+  const auto reached = [&](const JointVector& q) {
+    return tip_error(moment, 0, q, scratch) <= tolerance_m;
+  };
+  MappingProblem plain = moment;
   plain.objective = {};
   plain.objective.tip_position = problem.objective.tip_position;
   plain.objective.tip_orientation.weight = 0;
   plain.objective.hand_orientation.weight = 0;
   plain.objective.joint_distance.weight = 0;
   plain.objective.finger_joint_distance.weight = 0;
-  plain.clearance.weight = 0;
   std::mt19937_64 random(seed);
   double least = std::numeric_limits<double>::infinity();
   int ended_there = 0;
   for (int i = 0; i <= starts && ended_there < kOftenEnough; ++i) {
     const JointVector start = i == 0 ? near : random_position(*problem.robot, random);
-    const Minimum found = solve_frame(plain, frame, start, options, scratch);
-    if (tip_error(problem, frame, found.x, scratch) <= tolerance_m) return true;
+    const Minimum found = solve_frame(plain, 0, start, options, scratch);
+    if (reached(found.x)) return true;
     if (found.value < (1 - kSameValue) * least) ended_there = 0;
     if (found.value < (1 + kSameValue) * least) ++ended_there;
     least = std::min(least, found.value);
