@@ -53,7 +53,7 @@ struct DeadEnd {
   Finding nearest;     ///< what is wrong with the best of them
 };
 
-/// Whether a path is so near to free that firmer re-solving has ever made it so.
+/// Whether a path is so near to free that firmer re-solving may make it so.
 bool worth_insisting(const std::vector<Finding>& findings);
 
 /// What repair asks of the mapping and of the judge; all but `recheck` may be empty.
