@@ -91,6 +91,29 @@ void point_jacobian(const RobotTable& robot, const std::vector<Pose>& base_from_
   }
 }
 
+void add_point_slope(const RobotTable& robot, const std::vector<Pose>& base_from_frame, int frame,
+                     int ancestor, const Vec3& point_in_base, const Vec3& direction,
+                     Eigen::Ref<JointVector> slope) {
+  assert(slope.size() >= static_cast<Eigen::Index>(robot.joints()));
+  while (frame != ancestor) {
+    const RobotTable::Frame& f = robot.frames[static_cast<std::size_t>(frame)];
+    if (f.joint >= 0) {
+      const Pose& pose = base_from_frame[static_cast<std::size_t>(frame)];
+      const Vec3 arm = point_in_base - pose.translation();
+      slope[f.joint] += turning_axis(f, pose).dot(arm.cross(direction));
+    }
+    frame = f.parent;
+  }
+}
+
+int common_ancestor(const RobotTable& robot, int frame, int other) {
+  while (frame != other) {  // parents come first
+    int& lower = frame > other ? frame : other;
+    lower = robot.frames[static_cast<std::size_t>(lower)].parent;
+  }
+  return frame;
+}
+
 void rotation_jacobian(const RobotTable& robot, const std::vector<Pose>& base_from_frame, int frame,
                        Eigen::Ref<Eigen::Matrix3Xd> jacobian) {
   assert(jacobian.cols() == static_cast<Eigen::Index>(robot.joints()));

@@ -21,6 +21,15 @@ Pose tip_pose(const RobotTable& robot, const std::vector<Pose>& base_from_frame,
 void point_jacobian(const RobotTable& robot, const std::vector<Pose>& base_from_frame, int frame,
                     const Vec3& point_in_base, Eigen::Ref<Eigen::Matrix3Xd> jacobian);
 
+/// slope [n] += direction · d point / d q of a point that moves with `frame`, by the joints from
+/// there to below `ancestor` (-1 = the base: all of them).
+void add_point_slope(const RobotTable& robot, const std::vector<Pose>& base_from_frame, int frame,
+                     int ancestor, const Vec3& point_in_base, const Vec3& direction,
+                     Eigen::Ref<JointVector> slope);
+
+/// The last frame that both move with, directly or not; -1 = the base.
+int common_ancestor(const RobotTable& robot, int frame, int other);
+
 /// Angular velocity of a frame per joint rate, in the base frame [rad/rad]; overwritten, [3, n].
 void rotation_jacobian(const RobotTable& robot, const std::vector<Pose>& base_from_frame, int frame,
                        Eigen::Ref<Eigen::Matrix3Xd> jacobian);

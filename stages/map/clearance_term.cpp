@@ -3,6 +3,24 @@
 #include "pipeline/kinematics/forward.hpp"
 
 namespace morphe {
+namespace {
+
+/// By which joints the two bodies of a pair come nearer.
+void find_slope(const CollisionWorld& world, const PairSeparation& pair,
+                const std::vector<Pose>& base_from_frame, JointVector& slope) {
+  const RobotTable& robot = *world.robot;
+  const auto frame_of = [&](int capsule) {
+    return robot.capsules[static_cast<std::size_t>(capsule)].frame;
+  };
+  const int first = frame_of(pair.capsule), second = pair.object ? -1 : frame_of(pair.other);
+  const int both = common_ancestor(robot, first, second);  // turns them alike
+  const Separation& s = pair.separation;
+  slope.setZero();
+  add_point_slope(robot, base_from_frame, first, both, s.on_first, -s.normal, slope);
+  add_point_slope(robot, base_from_frame, second, both, s.on_second, s.normal, slope);
+}
+
+}  // namespace
 
 std::string check(const ClearanceTerm& term) {
   if (term.weight < 0) return "weight must not be negative";
@@ -14,25 +32,17 @@ void add_clearance(const ClearanceTerm& term, const CollisionWorld& world, const
                    double time_s, ClearanceScratch& scratch, Quadratic& model) {
   if (term.weight == 0) return;
   near_pairs(world, q, time_s, term.band_m, scratch.collision, scratch.pairs);
-  const auto count = static_cast<Eigen::Index>(scratch.pairs.size());
-  if (count == 0) return;
-  scratch.missing.resize(count);
-  scratch.rows.resize(count, q.size());
-  scratch.jacobian.resize(3, q.size());
-  const auto add_slack = [&](int capsule, const Vec3& point, const Vec3& along, Eigen::Index row) {
-    const int frame = world.robot->capsules[static_cast<std::size_t>(capsule)].frame;
-    point_jacobian(*world.robot, scratch.collision.base_from_frame, frame, point, scratch.jacobian);
-    scratch.rows.row(row).noalias() += along.transpose() * scratch.jacobian;
-  };
-  scratch.rows.setZero();
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const PairSeparation& pair = scratch.pairs[static_cast<std::size_t>(k)];
-    const Separation& s = pair.separation;
-    add_slack(pair.capsule, s.on_first, -s.normal, k);
-    if (!pair.object) add_slack(pair.other, s.on_second, s.normal, k);
-    scratch.missing[k] = term.band_m - pair.slack();
+  JointVector& slope = scratch.slope;
+  slope.resize(q.size());
+  for (const PairSeparation& pair : scratch.pairs) {
+    find_slope(world, pair, scratch.collision.base_from_frame, slope);
+    const double missing = term.band_m - pair.slack();
+    model.value += term.weight * missing * missing;
+    model.gradient += (2 * term.weight * missing) * slope;
+    for (Eigen::Index j = 0; j < slope.size(); ++j) {  // few joints part two bodies
+      if (slope[j] != 0) model.hessian.col(j) += (2 * term.weight * slope[j]) * slope;
+    }
   }
-  model.add_squares(term.weight, scratch.missing, scratch.rows);
 }
 
 }  // namespace morphe

@@ -22,9 +22,7 @@ std::string check(const ClearanceTerm& term);
 struct ClearanceScratch {
   CollisionScratch collision;
   std::vector<PairSeparation> pairs;
-  Eigen::VectorXd missing;  ///< [pairs] of the band
-  Eigen::MatrixXd rows;     ///< [pairs, n] its slopes
-  Eigen::Matrix3Xd jacobian;
+  JointVector slope;  ///< [n] of the slack missing from the band
 };
 
 void add_clearance(const ClearanceTerm& term, const CollisionWorld& world, const JointVector& q,

@@ -46,6 +46,33 @@ TEST_P(Jacobian, OfAPointMatchesDifferences) {
   EXPECT_LT(worst, 1e-7);
 }
 
+/// How fast two points of the robot part: by the joints below what both move with.
+TEST_P(Jacobian, OfADistanceMatchesDifferences) {
+  const Vec3 in_first(0.03, -0.05, 0.11), in_second(-0.02, 0.04, 0.01);
+  double worst = 0;
+  const JointVector q = random_position(robot, random);
+  forward(robot, q, at);
+  for (Eigen::Index joint = 0; joint < q.size(); ++joint) {
+    move(q, joint);
+    for (std::size_t f = 0; f < robot.frames.size(); ++f) {
+      for (std::size_t g = 0; g < robot.frames.size(); ++g) {
+        const auto away = [&](const std::vector<Pose>& poses) -> Vec3 {
+          return poses[f] * in_first - poses[g] * in_second;
+        };
+        const int first = static_cast<int>(f), second = static_cast<int>(g);
+        const int both = common_ancestor(robot, first, second);
+        const Vec3 direction = away(at).normalized();
+        JointVector slope = JointVector::Zero(q.size());
+        add_point_slope(robot, at, first, both, at[f] * in_first, direction, slope);
+        add_point_slope(robot, at, second, both, at[g] * in_second, -direction, slope);
+        const double expected = (away(after).norm() - away(before).norm()) / (2 * kStep);
+        worst = std::max(worst, std::abs(slope[joint] - expected));
+      }
+    }
+  }
+  EXPECT_LT(worst, 1e-7);
+}
+
 TEST_P(Jacobian, OfARotationMatchesDifferences) {
   double worst = 0;
   for (int i = 0; i < 5; ++i) {
