@@ -7,28 +7,35 @@ namespace morphe {
 
 /// A x = b for a symmetric positive definite A of n x n blocks that is zero more than kBandBlocks
 /// blocks off its diagonal: what frames in a row make that differences of third order join. By the
-/// block Cholesky factor, 12 n³ operations a frame; solves of a size after the first allocate
-/// nothing.
+/// block Cholesky factor, 12 n³ operations a frame, row of blocks by row of blocks, in a kernel
+/// that keeps 12 x 4 numbers in registers; solves of a size after the first allocate nothing.
 class BandCholesky {
  public:
   static constexpr Eigen::Index kBandBlocks = 3;
+  using Block = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 
   void resize(std::size_t frames, Eigen::Index n);
-  /// Block row `frame` of A's lower half, [n, 4 n]: the blocks with frames frame - 3 … frame, those
-  /// before the first frame unused; of the last block the lower triangle. To be filled in before
-  /// each factorise(), which replaces it by the factor's.
-  Eigen::MatrixXd& row(std::size_t frame) { return rows_[frame]; }
-  Eigen::Ref<Eigen::MatrixXd> block(std::size_t frame, Eigen::Index before) {
-    return rows_[frame].middleCols((kBandBlocks - before) * n_, n_);
-  }
+  /// Block row `frame` of A's lower half, all zero: to be filled in before factorise() replaces it
+  /// by the factor's.
+  void clear(std::size_t frame);
+  /// The block of `frame` with itself, of which the lower triangle counts, or with the frame one,
+  /// two or three before.
+  Block block(std::size_t frame, Eigen::Index before);
   /// False if A is not positive definite.
   bool factorise();
   /// b [frames * n] becomes x.
-  void solve(Eigen::VectorXd& b) const;
+  void solve(Eigen::VectorXd& b);
 
  private:
-  Eigen::Index n_ = 0;
-  std::vector<Eigen::MatrixXd> rows_;
+  double* columns(std::size_t frame, Eigen::Index before) {
+    return rows_.data() + (static_cast<Eigen::Index>(frame + 1) * (kBandBlocks + 1) - before - 1) *
+                              padded_ * padded_;
+  }
+  bool factorise_block(std::size_t frame, Eigen::Index before, Eigen::Index reach);
+
+  Eigen::Index n_ = 0, padded_ = 0;  ///< rows of a block, and to the next multiple of 4
+  std::vector<double> rows_;         ///< [frames][4 padded][padded], column by column
+  std::vector<double> inverse_, x_;  ///< [frames][padded] of the pivots; the solution
 };
 
 }  // namespace morphe

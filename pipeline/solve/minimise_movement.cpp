@@ -74,52 +74,61 @@ JointRows gradient(const MovementProblem& problem, const Point& point) {
   return g;
 }
 
-/// (H + D) v, D = damping[f] on the diagonal of frame f.
-JointRows multiply(const MovementProblem& problem, const Point& point, const JointVector& damping,
-                   const JointRows& v) {
-  JointRows product = damping.asDiagonal() * v;
-  for (Index f = 0; f < v.rows(); ++f) {
-    const Eigen::MatrixXd& own = point.models[static_cast<std::size_t>(f)].hessian;
-    product.row(f).noalias() += v.row(f) * own;
-  }
-  each_difference(problem, [&](Index f, const auto& coefficients, const JointVector& weight) {
-    const JointVector weighted = 2 * difference(v, f, coefficients).cwiseProduct(weight);
-    for (std::size_t k = 0; k < coefficients.size(); ++k) {
-      product.row(f + static_cast<Index>(k)) += coefficients[k] * weighted.transpose();
-    }
-  });
-  return product;
-}
-
-/// H + D with held variables cut out.
-void damped_hessian(const MovementProblem& problem, const Point& point, const Held& held,
-                    const JointVector& damping, BandCholesky& hessian) {
-  const Index frames = point.q.rows(), n = point.q.cols();
-  for (Index f = 0; f < frames; ++f) {
-    const auto frame = static_cast<std::size_t>(f);
-    hessian.row(frame).setZero();
-    auto block = hessian.block(frame, 0);
-    block = point.models[frame].hessian;
-    block.diagonal().array() += damping[f];
-  }
+/// What the differences add to the Hessian: for each frame the diagonals of its blocks with itself
+/// and the three frames before, [n, 4].
+std::vector<Eigen::MatrixXd> difference_curvature(const MovementProblem& problem) {
+  std::vector<Eigen::MatrixXd> curvature(
+      problem.frames, Eigen::MatrixXd::Zero(problem.lower.size(), BandCholesky::kBandBlocks + 1));
   each_difference(problem, [&](Index f, const auto& coefficients, const JointVector& weight) {
     for (std::size_t a = 0; a < coefficients.size(); ++a) {
       for (std::size_t b = 0; b <= a; ++b) {
-        hessian.block(static_cast<std::size_t>(f) + a, static_cast<Index>(a - b)).diagonal() +=
+        curvature[static_cast<std::size_t>(f) + a].col(static_cast<Index>(a - b)) +=
             2 * coefficients[a] * coefficients[b] * weight;
       }
     }
   });
+  return curvature;
+}
+
+/// (H + D) v, D = damping[f] on the diagonal of frame f; `between` from difference_curvature().
+JointRows multiply(const std::vector<Eigen::MatrixXd>& between, const Point& point,
+                   const JointVector& damping, const JointRows& v) {
+  JointRows product = damping.asDiagonal() * v;
+  for (Index f = 0; f < v.rows(); ++f) {
+    const auto frame = static_cast<std::size_t>(f);
+    product.row(f).noalias() += v.row(f) * point.models[frame].hessian;
+    product.row(f) += v.row(f).cwiseProduct(between[frame].col(0).transpose());
+    for (Index before = 1; before <= std::min(f, BandCholesky::kBandBlocks); ++before) {
+      const auto weight = between[frame].col(before).transpose();
+      product.row(f) += v.row(f - before).cwiseProduct(weight);
+      product.row(f - before) += v.row(f).cwiseProduct(weight);
+    }
+  }
+  return product;
+}
+
+/// H + D with held variables cut out.
+void damped_hessian(const std::vector<Eigen::MatrixXd>& between, const Point& point,
+                    const Held& held, const JointVector& damping, BandCholesky& hessian) {
+  const Index frames = point.q.rows(), n = point.q.cols();
   for (Index f = 0; f < frames; ++f) {
     const auto frame = static_cast<std::size_t>(f);
+    hessian.clear(frame);
+    auto own = hessian.block(frame, 0);
+    own = point.models[frame].hessian;
+    own.diagonal().array() += damping[f];
+    own.diagonal() += between[frame].col(0);
     for (Index j = 0; j < n; ++j) {
       if (!held(f, j)) continue;
-      hessian.row(frame).row(j).setZero();
-      for (Index after = 0; after <= BandCholesky::kBandBlocks; ++after) {
-        const std::size_t below = frame + static_cast<std::size_t>(after);
-        if (below < problem.frames) hessian.block(below, after).col(j).setZero();
+      own.row(j).setZero();
+      own.col(j).setZero();
+      own(j, j) = 1;
+    }
+    for (Index before = 1; before <= std::min(f, BandCholesky::kBandBlocks); ++before) {
+      auto block = hessian.block(frame, before);
+      for (Index j = 0; j < n; ++j) {
+        if (!held(f, j) && !held(f - before, j)) block(j, j) = between[frame](j, before);
       }
-      hessian.block(frame, 0)(j, j) = 1;
     }
   }
 }
@@ -163,8 +172,9 @@ void make_convex(Point& point) {
 /// The step that minimises the damped model within the bounds, as nearly as a few changes of the
 /// held variables find it. A model without a minimum is made convex, for good. False if the damping
 /// does not suffice for that either.
-bool bounded_step(const MovementProblem& problem, Point& now, const JointRows& g,
-                  const JointVector& damping, BandCholesky& hessian, JointRows& step) {
+bool bounded_step(const MovementProblem& problem, const std::vector<Eigen::MatrixXd>& between,
+                  Point& now, const JointRows& g, const JointVector& damping, BandCholesky& hessian,
+                  JointRows& step) {
   constexpr int kChanges = 2;
   constexpr double kOutside = 1e-4;  // clamping may cut off
   const Index frames = now.q.rows(), n = now.q.cols();
@@ -177,19 +187,21 @@ bool bounded_step(const MovementProblem& problem, Point& now, const JointRows& g
   }
   step.setZero(frames, n);
   for (int change = 0; change < kChanges; ++change) {
-    damped_hessian(problem, now, held, damping, hessian);
+    damped_hessian(between, now, held, damping, hessian);
     if (!hessian.factorise()) {
       make_convex(now);
-      damped_hessian(problem, now, held, damping, hessian);
+      damped_hessian(between, now, held, damping, hessian);
       if (!hessian.factorise()) return false;
     }
-    const JointRows held_step = held.select(step, 0);
-    JointRows right = -g - multiply(problem, now, damping, held_step);
-    right = held.select(held_step, right);
+    JointRows right = held.select(0, -g);
+    if (change > 0) {
+      const JointRows held_step = held.select(step, 0);
+      right = held.select(held_step, right - multiply(between, now, damping, held_step));
+    }
     JointVector solved = Eigen::Map<const JointVector>(right.data(), right.size());
     hessian.solve(solved);
     step = Eigen::Map<const JointRows>(solved.data(), frames, n);
-    const JointRows slope = g + multiply(problem, now, damping, step);
+    const JointRows slope = g + multiply(between, now, damping, step);
     if (change_held(problem, now.q, slope, step, held) <= kOutside) break;
   }
   return true;
@@ -211,13 +223,13 @@ bool damp_long(const JointRows& g, const JointRows& step, JointVector& damping) 
 }
 
 /// bounded_step() with the damping that keeps it short. False if the damping does not suffice.
-bool short_step(const MovementProblem& problem, Point& now, JointVector& damping,
-                BandCholesky& hessian, JointRows& step) {
+bool short_step(const MovementProblem& problem, const std::vector<Eigen::MatrixXd>& between,
+                Point& now, JointVector& damping, BandCholesky& hessian, JointRows& step) {
   constexpr int kAttempts = 5;
   const JointRows g = gradient(problem, now);
-  bool solved = bounded_step(problem, now, g, damping, hessian, step);
+  bool solved = bounded_step(problem, between, now, g, damping, hessian, step);
   for (int k = 0; k < kAttempts && solved && damp_long(g, step, damping); ++k) {
-    solved = bounded_step(problem, now, g, damping, hessian, step);
+    solved = bounded_step(problem, between, now, g, damping, hessian, step);
   }
   return solved;
 }
@@ -265,6 +277,7 @@ MovementMinimum minimise_movement(const MovementProblem& problem, const JointRow
 
   BandCholesky hessian;
   hessian.resize(problem.frames, start.cols());
+  const std::vector<Eigen::MatrixXd> between = difference_curvature(problem);
   JointRows step;
   JointVector damping = JointVector::Constant(now.q.rows(), 0.1);
   int uphill = 0, small = 0;
@@ -272,7 +285,7 @@ MovementMinimum minimise_movement(const MovementProblem& problem, const JointRow
   while (result.iterations < options.iterations && small < 2 &&
          damping.minCoeff() <= kMostDamping) {
     ++result.iterations;
-    if (!short_step(problem, now, damping, hessian, step)) {
+    if (!short_step(problem, between, now, damping, hessian, step)) {
       damping *= 8;
       continue;
     }

@@ -28,6 +28,7 @@ void fill(const Eigen::MatrixXd& dense, Index n, BandCholesky& band) {
   const Index frames = dense.rows() / n;
   band.resize(static_cast<std::size_t>(frames), n);
   for (Index f = 0; f < frames; ++f) {
+    band.clear(static_cast<std::size_t>(f));
     for (Index before = 0; before <= std::min(f, BandCholesky::kBandBlocks); ++before) {
       band.block(static_cast<std::size_t>(f), before) = dense.block(f * n, (f - before) * n, n, n);
     }
@@ -39,7 +40,7 @@ TEST(BandCholesky, SolvesAsADenseFactorDoes) {
   std::normal_distribution<double> normal;
   BandCholesky band;
   for (const auto& [frames, n] :
-       {std::pair<Index, Index>{1, 3}, {2, 5}, {3, 1}, {4, 4}, {9, 7}, {12, 22}}) {
+       {std::pair<Index, Index>{1, 3}, {2, 5}, {3, 1}, {4, 4}, {9, 7}, {5, 8}, {6, 13}, {12, 22}}) {
     const Eigen::MatrixXd dense = banded(frames, n, random);
     Eigen::VectorXd b(frames * n);
     for (double& value : b) value = normal(random);
