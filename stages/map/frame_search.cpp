@@ -1,11 +1,8 @@
 #include "stages/map/frame_search.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <random>
 
-#include "pipeline/kinematics/forward.hpp"
-#include "stages/map/coarse_grid.hpp"
 #include "stages/map/twins.hpp"
 
 namespace morphe {
@@ -26,15 +23,6 @@ BoundedProblem bounded(const MappingProblem& problem, std::size_t frame, Mapping
     add_frame(problem, frame, q, scratch, model, Curvature::exact);
   };
   return result;
-}
-
-JointVector random_position(const RobotTable& robot, std::mt19937_64& random) {
-  JointVector q(robot.lower.size());
-  for (Eigen::Index j = 0; j < q.size(); ++j) {
-    const double share = static_cast<double>(random() >> 11) * 0x1p-53;
-    q[j] = robot.lower[j] + share * (robot.upper[j] - robot.lower[j]);
-  }
-  return q;
 }
 
 constexpr double kSame = 0.1;  ///< nearer in every joint: the same minimum [rad]
@@ -59,21 +47,16 @@ void resize_at_most(std::vector<Minimum>& minima, int count) {
   }
 }
 
-/// Largest distance of a tip from its goal; 0 without goals.
-double tip_error(const MappingProblem& problem, std::size_t frame, const JointVector& q,
-                 MappingScratch& scratch) {
-  const FrameGoal& goal = problem.goals[frame];
-  double largest = 0;
-  forward(*problem.robot, q, scratch.base_from_frame);
-  for (std::size_t i = 0; i < goal.tip_position.size(); ++i) {
-    if (!seen(goal.tip_position[i])) continue;
-    const Pose tip = tip_pose(*problem.robot, scratch.base_from_frame, i);
-    largest = std::max(largest, (tip.translation() - goal.tip_position[i]).norm());
-  }
-  return largest;
-}
-
 }  // namespace
+
+JointVector random_start(const RobotTable& robot, std::mt19937_64& random) {
+  JointVector q(robot.lower.size());
+  for (Eigen::Index j = 0; j < q.size(); ++j) {
+    const double share = static_cast<double>(random() >> 11) * 0x1p-53;
+    q[j] = robot.lower[j] + share * (robot.upper[j] - robot.lower[j]);
+  }
+  return q;
+}
 
 Minimum solve_frame(const MappingProblem& problem, std::size_t frame, const JointVector& start,
                     const MinimiseOptions& options, MappingScratch& scratch) {
@@ -105,7 +88,7 @@ std::vector<Minimum> search_frame(const MappingProblem& problem, std::size_t fra
   std::mt19937_64 random(seed);
   std::vector<Minimum> found;
   for (int i = 0; i < starts; ++i) {
-    const JointVector start = random_position(*problem.robot, random);
+    const JointVector start = random_start(*problem.robot, random);
     add_if_new(twins, found, solve_frame(problem, frame, start, descents.first, scratch));
   }
   by_value(found);
@@ -117,37 +100,6 @@ std::vector<Minimum> search_frame(const MappingProblem& problem, std::size_t fra
   by_value(minima);
   resize_at_most(minima, keep);
   return minima;
-}
-
-bool goals_reachable(const MappingProblem& problem, std::size_t frame, const JointVector& near,
-                     int starts, double tolerance_m, const MinimiseOptions& options,
-                     std::uint64_t seed, MappingScratch& scratch) {
-  constexpr double kSameValue = 1e-4;  // relative
-  constexpr int kOftenEnough = 16;     // descents that end in the least value: it is the least
-  MappingProblem moment = on_frames(problem, {frame});
-  moment.clearance.weight = 0;
-  const auto reached = [&](const JointVector& q) {
-    return tip_error(moment, 0, q, scratch) <= tolerance_m;
-  };
-  MappingProblem plain = moment;
-  plain.objective = {};
-  plain.objective.tip_position = problem.objective.tip_position;
-  plain.objective.tip_orientation.weight = 0;
-  plain.objective.hand_orientation.weight = 0;
-  plain.objective.joint_distance.weight = 0;
-  plain.objective.finger_joint_distance.weight = 0;
-  std::mt19937_64 random(seed);
-  double least = std::numeric_limits<double>::infinity();
-  int ended_there = 0;
-  for (int i = 0; i <= starts && ended_there < kOftenEnough; ++i) {
-    const JointVector start = i == 0 ? near : random_position(*problem.robot, random);
-    const Minimum found = solve_frame(plain, 0, start, options, scratch);
-    if (reached(found.x)) return true;
-    if (found.value < (1 - kSameValue) * least) ended_there = 0;
-    if (found.value < (1 + kSameValue) * least) ++ended_there;
-    least = std::min(least, found.value);
-  }
-  return false;
 }
 
 }  // namespace morphe

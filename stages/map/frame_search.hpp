@@ -1,12 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <random>
 #include <vector>
 
 #include "pipeline/solve/minimise.hpp"
 #include "stages/map/mapping_problem.hpp"
 
 namespace morphe {
+
+/// Somewhere inside the limits: the same on any machine.
+JointVector random_start(const RobotTable& robot, std::mt19937_64& random);
 
 /// Local minimum of one frame's objective from a start, by NLopt.
 Minimum solve_frame(const MappingProblem& problem, std::size_t frame, const JointVector& start,
@@ -29,12 +33,5 @@ Descents quick(const MinimiseOptions& options);
 std::vector<Minimum> search_frame(const MappingProblem& problem, std::size_t frame, int starts,
                                   int keep, const Descents& descents, std::uint64_t seed,
                                   MappingScratch& scratch);
-
-/// Whether the robot can reach a frame's fingertip goals, all of them at once: a solve without the
-/// humanlikeness terms, from `near` and then from up to `starts` random positions, brings every tip
-/// that has a goal within `tolerance_m`. Fewer where many of them have ended in one least value.
-bool goals_reachable(const MappingProblem& problem, std::size_t frame, const JointVector& near,
-                     int starts, double tolerance_m, const MinimiseOptions& options,
-                     std::uint64_t seed, MappingScratch& scratch);
 
 }  // namespace morphe

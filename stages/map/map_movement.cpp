@@ -7,8 +7,8 @@
 #include "pipeline/kinematics/forward.hpp"
 #include "stages/map/coarse_grid.hpp"
 #include "stages/map/finger_curve.hpp"
-#include "stages/map/frame_search.hpp"
 #include "stages/map/movement_search.hpp"
+#include "stages/map/reachable.hpp"
 
 namespace morphe {
 namespace {

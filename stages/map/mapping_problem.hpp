@@ -4,6 +4,7 @@
 
 #include "pipeline/collision/world.hpp"
 #include "pipeline/humanlike/frame_objective.hpp"
+#include "pipeline/kinematics/draw_tips.hpp"
 #include "pipeline/motion/plan.hpp"
 #include "stages/map/clearance_term.hpp"
 
@@ -25,6 +26,7 @@ struct MappingProblem {
 struct MappingScratch : ObjectiveScratch {
   ClearanceScratch clearance;
   Quadratic model;
+  DrawScratch draw;
 };
 
 /// Adds the objective of a frame at q, clearance included, to `model`.

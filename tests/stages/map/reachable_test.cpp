@@ -1,0 +1,88 @@
+#include "stages/map/reachable.hpp"
+
+#include <gtest/gtest.h>
+
+#include "pipeline/kinematics/description.hpp"
+#include "pipeline/kinematics/forward.hpp"
+#include "tests/support/random_positions.hpp"
+
+namespace morphe {
+namespace {
+
+/// One frame, whose goals are where the reference robot's own tips are in some posture.
+class GoalsReachable : public testing::Test {
+ protected:
+  GoalsReachable()
+      : robot(load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table) {
+    world = make_world(robot, scene, {}, {});
+    problem.robot = &robot;
+    problem.world = &world;
+    problem.time = {0};
+    problem.goals.resize(1);
+  }
+
+  void set_goals(const JointVector& q, std::size_t tips) {
+    std::vector<Pose> poses;
+    forward(robot, q, poses);
+    problem.goals[0].tip_position.assign(robot.tips.size(), unseen_point());
+    for (std::size_t tip = 0; tip < tips; ++tip) {
+      problem.goals[0].tip_position[tip] = tip_pose(robot, poses, tip).translation();
+    }
+  }
+
+  bool reachable(const JointVector& near, int starts) {
+    return goals_reachable(problem, 0, near, starts, 1e-4, MinimiseOptions{}, 1, scratch);
+  }
+
+  RobotTable robot;
+  Scene scene;
+  CollisionWorld world;
+  MappingProblem problem;
+  MappingScratch scratch;
+};
+
+TEST_F(GoalsReachable, WhereSomePostureHoldsThem) {
+  std::mt19937_64 random(1);
+  const JointVector middle = 0.5 * (robot.lower + robot.upper);
+  for (int k = 0; k < 20; ++k) {
+    const JointVector there = random_position(robot, random, 0.9);
+    for (const std::size_t tips : {std::size_t{2}, robot.tips.size()}) {
+      set_goals(there, tips);
+      EXPECT_TRUE(reachable(there, 1)) << "from the posture itself, " << k;
+      EXPECT_TRUE(reachable(there + 0.02 * (middle - there), 1)) << "from beside it, " << k;
+      EXPECT_TRUE(reachable(middle, 256)) << "from anywhere, " << k;
+    }
+  }
+}
+
+TEST_F(GoalsReachable, NotBeyondTheArmNorApartFromEachOther) {
+  const JointVector middle = 0.5 * (robot.lower + robot.upper);
+  set_goals(middle, 2);
+  const Vec3 thumb = problem.goals[0].tip_position[0];
+  problem.goals[0].tip_position[1] = thumb + Vec3(0, 0, 0.5);  // the hand is not so large
+  EXPECT_FALSE(reachable(middle, 64));
+  problem.goals[0].tip_position = {Vec3(3, 0, 0)};
+  problem.goals[0].tip_position.resize(robot.tips.size(), unseen_point());
+  EXPECT_FALSE(reachable(middle, 64));
+}
+
+TEST_F(GoalsReachable, NotBeyondALimit) {
+  const JointVector middle = 0.5 * (robot.lower + robot.upper);
+  set_goals(middle, 1);
+  for (const double beyond : {-0.05, 0.05}) {
+    RobotTable stiff = robot;
+    stiff.lower = stiff.upper = middle;  // only the last joint of the thumb turns
+    stiff.upper[9] += 0.1;
+    problem.robot = &stiff;
+    JointVector there = middle;
+    there[9] += 0.05 + beyond;
+    set_goals(there, 1);
+    EXPECT_TRUE(reachable(middle, 1));
+    there[9] += beyond;
+    set_goals(there, 1);
+    EXPECT_FALSE(reachable(middle, 16));
+  }
+}
+
+}  // namespace
+}  // namespace morphe
