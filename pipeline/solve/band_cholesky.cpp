@@ -57,7 +57,7 @@ void BandCholesky::resize(std::size_t frames, Index n) {
   n_ = n;
   padded_ = (n + kWidth - 1) / kWidth * kWidth;
   const auto padded = static_cast<std::size_t>(padded_);
-  rows_.assign(frames * (kBandBlocks + 1) * padded * padded, 0);
+  rows_.resize(frames * (kBandBlocks + 1) * padded * padded);
   inverse_.resize(frames * padded);
   x_.resize(frames * padded);
 }

@@ -4,7 +4,6 @@
 
 #include "pipeline/collision/world.hpp"
 #include "pipeline/humanlike/frame_objective.hpp"
-#include "pipeline/kinematics/draw_tips.hpp"
 #include "pipeline/motion/plan.hpp"
 #include "stages/map/clearance_term.hpp"
 
@@ -26,7 +25,6 @@ struct MappingProblem {
 struct MappingScratch : ObjectiveScratch {
   ClearanceScratch clearance;
   Quadratic model;
-  DrawScratch draw;
 };
 
 /// Adds the objective of a frame at q, clearance included, to `model`.
