@@ -34,6 +34,16 @@ bool less(const std::vector<Finding>& a, const std::vector<Finding>& b) {
   return rank(a) < rank(b);
 }
 
+/// The same things wrong at the same times, and about as much.
+bool alike(const std::vector<Finding>& a, const std::vector<Finding>& b) {
+  constexpr double kAsMuch = 0.2;
+  return std::ranges::equal(a, b, [](const Finding& x, const Finding& y) {
+    return x.cause == y.cause && x.first == y.first && x.second == y.second &&
+           x.begin_s <= y.end_s && y.begin_s <= x.end_s &&
+           std::abs(x.depth - y.depth) <= kAsMuch * std::max(x.depth, y.depth);
+  });
+}
+
 std::string sentence(const Finding& finding) {
   const std::string pair =
       finding.second.empty() ? finding.first : finding.first + " – " + finding.second;
@@ -220,8 +230,10 @@ RepairResult repair_path(const CollisionWorld& around, const JointRows& reach, J
       if (less(other.findings, best.findings)) best = std::move(other);
     }
   }
+  constexpr int kOftenEnough = 4;  // courses that end with the same findings: no other will do
+  int ended_there = 0;
   bool nearer = true;
-  while (!best.findings.empty() && steps.new_course) {
+  while (!best.findings.empty() && steps.new_course && ended_there < kOftenEnough) {
     std::optional<JointPath> course = steps.new_course(nearer);
     if (!course) break;
     Judged other{std::move(*course), {}};
@@ -231,7 +243,10 @@ RepairResult repair_path(const CollisionWorld& around, const JointRows& reach, J
     const bool detour_may_do = std::ranges::all_of(other.findings, is_collision);
     if (detour_may_do) detour(around, reach, steps, options, seed, other, of_other);
     nearer = less(other.findings, best.findings);
+    const bool same = alike(other.findings, best.findings);
+    if (same) ++ended_there;
     if (!nearer) continue;
+    if (!same) ended_there = 0;
     best = std::move(other);
     result = of_other;
   }

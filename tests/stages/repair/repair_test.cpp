@@ -238,6 +238,30 @@ TEST(Repair, InsistsOnWhatResolvingLeavesAfterDeadEndsAndOnlyIfItIsNear) {
   EXPECT_EQ(called, "rdirrr") << "a course that is 30 mm off is not worth it";
 }
 
+TEST(Repair, StopsWhereCoursesEndWithTheSameFindings) {
+  const Bench bench({});
+  const JointPath path = sweep(kFrom, kTo);
+  // Of the path and of the courses one after the other: the second is at other moments.
+  const std::vector<Finding> findings{
+      {0.50, 0.52, "tracking", "tip", "", 0.0045}, {0.50, 0.52, "tracking", "tip", "", 0.0041},
+      {0.70, 0.75, "tracking", "tip", "", 0.0044}, {0.51, 0.52, "tracking", "tip", "", 0.0042},
+      {0.50, 0.51, "tracking", "tip", "", 0.0060}, {0.50, 0.52, "tracking", "tip", "", 0.0040},
+      {0.50, 0.52, "tracking", "tip", "", 0.0043}, {0.50, 0.52, "tracking", "tip", "", 0.0041}};
+  RepairSteps steps;
+  std::size_t course = 0;
+  steps.recheck = [&](const JointPath&) { return std::vector<Finding>{findings.at(course)}; };
+  steps.new_course = [&](bool) {
+    ++course;
+    return std::optional(path);
+  };
+  const RepairResult result =
+      repair_path(bench.world, bench.reach, path, {findings[0]}, steps, {}, 1);
+  EXPECT_EQ(course, 6u) << "neither the second nor the fourth are like the path";
+  EXPECT_EQ(result.reason, "tracking");
+  ASSERT_EQ(result.remaining.size(), 1u);
+  EXPECT_EQ(result.remaining[0].depth, 0.0040);
+}
+
 TEST(Repair, StopsWhereNoPostureIsGoodEnough) {
   const Bench bench({post("post", 0.9, 0)});
   const JointPath path = sweep(kFrom, kTo);
