@@ -156,16 +156,28 @@ double change_held(const MovementProblem& problem, const JointRows& q, const Joi
   return outside;
 }
 
-/// Takes the negative curvature out of every frame's own model.
-void make_convex(Point& point) {
+/// Takes the negative curvature out of every frame's own model, where free variables see it and the
+/// damping does not outweigh it.
+void make_convex(Point& point, const Held& held, const JointVector& damping) {
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> own;
   Eigen::LLT<Eigen::MatrixXd> factor;
-  for (Quadratic& model : point.models) {
-    factor.compute(model.hessian);
+  Eigen::MatrixXd free;
+  for (Index f = 0; f < point.q.rows(); ++f) {
+    Eigen::MatrixXd& hessian = point.models[static_cast<std::size_t>(f)].hessian;
+    free = hessian;
+    for (Index j = 0; j < held.cols(); ++j) {
+      if (!held(f, j)) continue;
+      free.row(j).setZero();
+      free.col(j).setZero();
+      free(j, j) = 1;
+    }
+    free.diagonal().array() += damping[f];
+    factor.compute(free);
     if (factor.info() == Eigen::Success) continue;
-    own.compute(model.hessian);
+    free.diagonal().array() -= damping[f];
+    own.compute(free);
     const Eigen::MatrixXd& axes = own.eigenvectors();
-    model.hessian = axes * own.eigenvalues().cwiseMax(0).asDiagonal() * axes.transpose();
+    hessian += axes * (-own.eigenvalues()).cwiseMax(0).asDiagonal() * axes.transpose();
   }
 }
 
@@ -189,7 +201,7 @@ bool bounded_step(const MovementProblem& problem, const std::vector<Eigen::Matri
   for (int change = 0; change < kChanges; ++change) {
     damped_hessian(between, now, held, damping, hessian);
     if (!hessian.factorise()) {
-      make_convex(now);
+      make_convex(now, held, damping);
       damped_hessian(between, now, held, damping, hessian);
       if (!hessian.factorise()) return false;
     }

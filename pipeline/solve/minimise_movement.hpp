@@ -19,7 +19,7 @@ struct MovementProblem {
 };
 
 struct MovementOptions {
-  int iterations = 30;
+  int iterations = 60;
   double relative_value = 1e-5;  ///< stop when two steps in a row gain less than this share
 };
 template <class Fields>

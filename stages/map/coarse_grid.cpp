@@ -53,4 +53,18 @@ JointRows interpolate(const JointRows& coarse, const std::vector<std::size_t>& f
   return fine;
 }
 
+JointRows rows_at(const JointRows& q, const std::vector<std::size_t>& frames) {
+  JointRows rows(static_cast<Index>(frames.size()), q.cols());
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    rows.row(static_cast<Index>(k)) = q.row(static_cast<Index>(frames[k]));
+  }
+  return rows;
+}
+
+MovementOptions between(MovementOptions coarse) {
+  coarse.iterations = std::max(2, coarse.iterations / 2);
+  coarse.relative_value *= 10;
+  return coarse;
+}
+
 }  // namespace morphe

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "pipeline/solve/minimise_movement.hpp"
 #include "stages/map/mapping_problem.hpp"
 
 namespace morphe {
@@ -16,5 +17,12 @@ MappingProblem on_frames(const MappingProblem& problem, const std::vector<std::s
 /// A row for every frame from the first to the last of `frames`, cubic between theirs (Hermite,
 /// with central differences for slopes): continuous velocity, the rows of `frames` as given.
 JointRows interpolate(const JointRows& coarse, const std::vector<std::size_t>& frames);
+
+/// The rows of a movement at some of its frames.
+JointRows rows_at(const JointRows& q, const std::vector<std::size_t>& frames);
+
+/// What all frames take after the coarse grid: what is slow to settle, as fingers that slide along
+/// each other, is settled there; left is what lies between its frames.
+MovementOptions between(MovementOptions coarse);
 
 }  // namespace morphe

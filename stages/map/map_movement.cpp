@@ -134,19 +134,11 @@ std::vector<double> times_at(const MappingProblem& problem,
   return times;
 }
 
-JointRows rows_at(const JointRows& q, const std::vector<std::size_t>& frames) {
-  JointRows rows(static_cast<Index>(frames.size()), q.cols());
-  for (std::size_t k = 0; k < frames.size(); ++k) {
-    rows.row(static_cast<Index>(k)) = q.row(static_cast<Index>(frames[k]));
-  }
-  return rows;
-}
-
 /// The path near a window at some of its frames, those outside the window held where they are;
 /// from `change` beside the path, if there is any.
 JointRows solve_window(const MappingProblem& problem, const std::vector<std::size_t>& frames,
                        const Window& window, const JointRows& path, const JointRows& change,
-                       const MapOptions& options) {
+                       const MovementCost& cost, const MovementOptions& options) {
   constexpr double kHold = 1e6;  // per rad²: far stiffer than any term of a frame
   const JointRows before = rows_at(path, frames);
   const std::vector<double> times = times_at(problem, frames);
@@ -156,7 +148,7 @@ JointRows solve_window(const MappingProblem& problem, const std::vector<std::siz
   movement.frames = frames.size();
   movement.lower = problem.robot->lower;
   movement.upper = problem.robot->upper;
-  movement.difference_weight = difference_weights(*problem.robot, times, options.movement_cost);
+  movement.difference_weight = difference_weights(*problem.robot, times, cost);
   std::vector<MappingScratch> scratch(frames.size());
   movement.frame_model = [&](std::size_t k, const JointVector& q, Quadratic& model) {
     add_frame(problem, frames[k], q, scratch[k], model, Curvature::exact);
@@ -171,7 +163,7 @@ JointRows solve_window(const MappingProblem& problem, const std::vector<std::siz
   for (std::size_t k = 0; k < frames.size() && change.rows() > 0; ++k) {
     if (moves(frames[k])) start.row(static_cast<Index>(k)) += change.row(static_cast<Index>(k));
   }
-  return minimise_movement(movement, start, options.movement).q;
+  return minimise_movement(movement, start, options).q;
 }
 
 }  // namespace
@@ -209,12 +201,10 @@ MapResult map_movement(const MappingProblem& problem, Goals& goals, const MapOpt
   }
   const std::vector<Course> courses = search_movement(problem, options, seed);
   const JointRows& q = courses.front().q;
-  MappingScratch scratch;
+  const std::vector<bool> reachable = reachable_frames(
+      tracked, q, {options.reachable_starts, options.reachable_m, options.solver}, seed + 1000);
   for (std::size_t f = 0; f < problem.frames(); ++f) {
-    const bool reachable = goals_reachable(tracked, f, q.row(static_cast<Index>(f)).transpose(),
-                                           options.reachable_starts, options.reachable_m,
-                                           options.solver, seed + 1000 + f, scratch);
-    for (std::size_t i = 0; i < goals.reachable.cols; ++i) goals.reachable(f, i) = reachable;
+    for (std::size_t i = 0; i < goals.reachable.cols; ++i) goals.reachable(f, i) = reachable[f];
   }
   result.mapped = measure(problem, goals, q);
   result.posture_error_rad = posture_error(problem, goals, q);
@@ -236,10 +226,13 @@ JointPath resolve_path(const MappingProblem& problem, const JointPath& path,
     std::iota(all.begin(), all.end(), begin);
     std::vector<std::size_t> some = coarse_frames(times_at(problem, all), options.coarse_step_s);
     for (std::size_t& frame : some) frame += begin;
-    const JointRows change = solve_window(clear, some, window, path.position, {}, options) -
-                             rows_at(path.position, some);
-    const JointRows found =
-        solve_window(clear, all, window, path.position, interpolate(change, some), options);
+    const auto solve = [&](const std::vector<std::size_t>& frames, const JointRows& change,
+                           const MovementOptions& exactness) {
+      return solve_window(clear, frames, window, path.position, change, options.movement_cost,
+                          exactness);
+    };
+    const JointRows change = solve(some, {}, options.movement) - rows_at(path.position, some);
+    const JointRows found = solve(all, interpolate(change, some), between(options.movement));
     for (std::size_t frame = begin; frame < end; ++frame) {
       const auto row = static_cast<Index>(frame), k = static_cast<Index>(frame - begin);
       if ((found.row(k) - path.position.row(row)).cwiseAbs().maxCoeff() <= 1e-4) continue;

@@ -53,11 +53,31 @@ bool same_course(const Twins& twins, const JointRows& a, const JointRows& b) {
 /// the best are smoothed to the end: the others wait for repair, which changes them anyway.
 constexpr int kLook = 7;
 constexpr std::size_t kSmoothed = 2;
-constexpr double kCoarser = 10;  ///< what `relative_value` is multiplied by on the coarse grid
+constexpr double kToCompare = 10;  ///< times the share of their value that the last steps gain
 
-MapOptions rough(MapOptions options, int iterations) {
-  options.movement.iterations = std::min(options.movement.iterations, iterations);
+MovementOptions rough(MovementOptions options, int iterations) {
+  options.iterations = std::min(options.iterations, iterations);
   return options;
+}
+
+/// All frames of the problem smoothed at once.
+Course minimise_course(const MappingProblem& problem, const JointRows& start,
+                       const MovementCost& cost, const MovementOptions& options) {
+  const RobotTable& robot = *problem.robot;
+  MovementProblem movement;
+  movement.frames = problem.frames();
+  movement.lower = robot.lower;
+  movement.upper = robot.upper;
+  movement.difference_weight = difference_weights(robot, problem.time, cost);
+  // A coarser grid has fewer frames: each stands for more time, in both sums alike.
+  const double share = mean_step(problem.time) / kReferenceStep;
+  std::vector<MappingScratch> scratch(problem.frames());
+  movement.frame_model = [&](std::size_t frame, const JointVector& q, Quadratic& model) {
+    add_frame(problem, frame, q, scratch[frame], model, Curvature::exact);
+    model.scale(share);
+  };
+  const MovementMinimum found = minimise_movement(movement, start, options);
+  return {found.q, found.value};
 }
 
 /// Twins that are worth following.
@@ -93,21 +113,11 @@ void add_if_new(const Twins& twins, std::vector<Course>& courses, Course course)
 
 Course smooth_movement(const MappingProblem& problem, const JointRows& start,
                        const MapOptions& options) {
-  const RobotTable& robot = *problem.robot;
-  MovementProblem movement;
-  movement.frames = problem.frames();
-  movement.lower = robot.lower;
-  movement.upper = robot.upper;
-  movement.difference_weight = difference_weights(robot, problem.time, options.movement_cost);
-  // A coarser grid has fewer frames: each stands for more time, in both sums alike.
-  const double share = mean_step(problem.time) / kReferenceStep;
-  std::vector<MappingScratch> scratch(problem.frames());
-  movement.frame_model = [&](std::size_t frame, const JointVector& q, Quadratic& model) {
-    add_frame(problem, frame, q, scratch[frame], model, Curvature::exact);
-    model.scale(share);
-  };
-  const MovementMinimum found = minimise_movement(movement, start, options.movement);
-  return {found.q, found.value};
+  const std::vector<std::size_t> frames = coarse_frames(problem.time, options.coarse_step_s);
+  const Course coarse = minimise_course(on_frames(problem, frames), rows_at(start, frames),
+                                        options.movement_cost, options.movement);
+  return minimise_course(problem, interpolate(coarse.q, frames), options.movement_cost,
+                         between(options.movement));
 }
 
 std::vector<Course> search_movement(const MappingProblem& problem, const MapOptions& options,
@@ -150,13 +160,15 @@ std::vector<Course> search_movement(const MappingProblem& problem, const MapOpti
   }
   std::vector<Course> courses;
   for (const JointRows& sequence : sequences) {
-    add_if_new(twins, courses, smooth_movement(coarse, sequence, rough(options, kLook)));
+    add_if_new(
+        twins, courses,
+        minimise_course(coarse, sequence, options.movement_cost, rough(options.movement, kLook)));
   }
   by_value(courses);
-  MapOptions for_coarse = options;
-  for_coarse.movement.relative_value *= kCoarser;
+  MovementOptions to_compare = options.movement;
+  to_compare.relative_value *= kToCompare;
   for (std::size_t k = 0; k < std::min(kSmoothed, courses.size()); ++k) {
-    courses[k] = smooth_movement(coarse, courses[k].q, for_coarse);
+    courses[k] = minimise_course(coarse, courses[k].q, options.movement_cost, to_compare);
   }
   by_value(courses);
   for (Course& course : courses) course.q = interpolate(course.q, frames);
@@ -173,8 +185,7 @@ Course course_through(const MappingProblem& problem, std::size_t frame, const Jo
   const MappingProblem coarse = on_frames(problem, frames);
   MappingScratch scratch;
   const Way followed = follow(coarse, key, posture, options.solver, scratch);
-  const Course smoothed = smooth_movement(coarse, followed.q, options);
-  return smooth_movement(problem, interpolate(smoothed.q, frames), options);
+  return smooth_movement(problem, interpolate(followed.q, frames), options);
 }
 
 }  // namespace morphe

@@ -15,7 +15,7 @@ struct Course {
 };
 
 /// The whole movement smoothed at once from a start: objective of every frame plus
-/// the movement's cost, inside the joint limits.
+/// the movement's cost, inside the joint limits. First on the coarse grid, then all frames.
 Course smooth_movement(const MappingProblem& problem, const JointRows& start,
                        const MapOptions& options);
 

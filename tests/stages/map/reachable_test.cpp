@@ -10,9 +10,9 @@ namespace morphe {
 namespace {
 
 /// One frame, whose goals are where the reference robot's own tips are in some posture.
-class GoalsReachable : public testing::Test {
+class ReachableFrames : public testing::Test {
  protected:
-  GoalsReachable()
+  ReachableFrames()
       : robot(load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table) {
     world = make_world(robot, scene, {}, {});
     problem.robot = &robot;
@@ -21,27 +21,26 @@ class GoalsReachable : public testing::Test {
     problem.goals.resize(1);
   }
 
-  void set_goals(const JointVector& q, std::size_t tips) {
+  void set_goals(const JointVector& q, std::size_t tips, std::size_t frame = 0) {
     std::vector<Pose> poses;
     forward(robot, q, poses);
-    problem.goals[0].tip_position.assign(robot.tips.size(), unseen_point());
+    problem.goals[frame].tip_position.assign(robot.tips.size(), unseen_point());
     for (std::size_t tip = 0; tip < tips; ++tip) {
-      problem.goals[0].tip_position[tip] = tip_pose(robot, poses, tip).translation();
+      problem.goals[frame].tip_position[tip] = tip_pose(robot, poses, tip).translation();
     }
   }
 
   bool reachable(const JointVector& near, int starts) {
-    return goals_reachable(problem, 0, near, starts, 1e-4, MinimiseOptions{}, 1, scratch);
+    return reachable_frames(problem, near.transpose(), {starts, 1e-4, {}}, 1).front();
   }
 
   RobotTable robot;
   Scene scene;
   CollisionWorld world;
   MappingProblem problem;
-  MappingScratch scratch;
 };
 
-TEST_F(GoalsReachable, WhereSomePostureHoldsThem) {
+TEST_F(ReachableFrames, WhereSomePostureHoldsThem) {
   std::mt19937_64 random(1);
   const JointVector middle = 0.5 * (robot.lower + robot.upper);
   for (int k = 0; k < 20; ++k) {
@@ -55,7 +54,7 @@ TEST_F(GoalsReachable, WhereSomePostureHoldsThem) {
   }
 }
 
-TEST_F(GoalsReachable, NotBeyondTheArmNorApartFromEachOther) {
+TEST_F(ReachableFrames, NotBeyondTheArmNorApartFromEachOther) {
   const JointVector middle = 0.5 * (robot.lower + robot.upper);
   set_goals(middle, 2);
   const Vec3 thumb = problem.goals[0].tip_position[0];
@@ -66,7 +65,7 @@ TEST_F(GoalsReachable, NotBeyondTheArmNorApartFromEachOther) {
   EXPECT_FALSE(reachable(middle, 64));
 }
 
-TEST_F(GoalsReachable, NotBeyondALimit) {
+TEST_F(ReachableFrames, NotBeyondALimit) {
   const JointVector middle = 0.5 * (robot.lower + robot.upper);
   set_goals(middle, 1);
   for (const double beyond : {-0.05, 0.05}) {
@@ -82,6 +81,35 @@ TEST_F(GoalsReachable, NotBeyondALimit) {
     set_goals(there, 1);
     EXPECT_FALSE(reachable(middle, 16));
   }
+}
+
+/// Two tips move apart until the hand is too small for it, and back, while a third is only seen in
+/// between: every frame is judged as it is by itself.
+TEST_F(ReachableFrames, OfAMovementAsOneByOne) {
+  constexpr std::size_t kFrames = 61;
+  const JointVector middle = 0.5 * (robot.lower + robot.upper);
+  problem.time.resize(kFrames);
+  problem.goals.resize(kFrames);
+  for (std::size_t f = 0; f < kFrames; ++f) {
+    problem.time[f] = 0.01 * static_cast<double>(f);
+    set_goals(middle, f % 20 < 10 ? 2 : 3, f);
+    const double apart = 0.1 - 0.4 * std::pow(static_cast<double>(f) / 30 - 1, 2);
+    problem.goals[f].tip_position[1] += Vec3(0, 0, std::max(0.0, apart));
+  }
+  const JointRows near = middle.transpose().replicate(kFrames, 1);
+  const std::vector<bool> together = reachable_frames(problem, near, {64, 1e-4, {}}, 1);
+
+  const MappingProblem movement = problem;
+  int out = 0;
+  for (std::size_t f = 0; f < kFrames; ++f) {
+    problem.time = {movement.time[f]};
+    problem.goals = {movement.goals[f]};
+    EXPECT_EQ(together[f], reachable(middle, 64)) << f;
+    out += together[f] ? 0 : 1;
+  }
+  EXPECT_GT(out, 5);
+  EXPECT_LT(out, 55);
+  EXPECT_TRUE(together.front() && together.back());
 }
 
 }  // namespace
