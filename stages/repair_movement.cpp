@@ -8,6 +8,7 @@
 #include "stages/check/check_path.hpp"
 #include "stages/dead_end.hpp"
 #include "stages/map/movement_search.hpp"
+#include "stages/map/resolve_path.hpp"
 
 namespace morphe {
 namespace {

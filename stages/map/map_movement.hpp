@@ -24,13 +24,6 @@ struct MapResult {
 MapResult map_movement(const MappingProblem& problem, Goals& goals, const MapOptions& options,
                        std::uint64_t seed);
 
-/// Re-solves a path near findings against `problem.world`, its clearance term `firmness` times as
-/// strong: frames within `reach_s` of a finding may move, the others are drawn to where they are.
-/// Frames that moved by more than 1e-4 rad become Origin::resolved.
-JointPath resolve_path(const MappingProblem& problem, const JointPath& path,
-                       const std::vector<Finding>& findings, const MapOptions& options,
-                       double firmness, double reach_s = 0.3);
-
 /// The problem of a movement: goals frame by frame, with the weights of their phases, and the world
 /// to stay clear of.
 MappingProblem make_mapping_problem(const RobotTable& robot, const Goals& goals,

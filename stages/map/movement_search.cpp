@@ -8,6 +8,7 @@
 #include "stages/map/frame_search.hpp"
 #include "stages/map/splice.hpp"
 #include "stages/map/twins.hpp"
+#include "stages/map/whole_movement.hpp"
 
 namespace morphe {
 namespace {
@@ -63,20 +64,9 @@ MovementOptions rough(MovementOptions options, int iterations) {
 /// All frames of the problem smoothed at once.
 Course minimise_course(const MappingProblem& problem, const JointRows& start,
                        const MovementCost& cost, const MovementOptions& options) {
-  const RobotTable& robot = *problem.robot;
-  MovementProblem movement;
-  movement.frames = problem.frames();
-  movement.lower = robot.lower;
-  movement.upper = robot.upper;
-  movement.difference_weight = difference_weights(robot, problem.time, cost);
-  // A coarser grid has fewer frames: each stands for more time, in both sums alike.
-  const double share = mean_step(problem.time) / kReferenceStep;
-  std::vector<MappingScratch> scratch(problem.frames());
-  movement.frame_model = [&](std::size_t frame, const JointVector& q, Quadratic& model) {
-    add_frame(problem, frame, q, scratch[frame], model, Curvature::exact);
-    model.scale(share);
-  };
-  const MovementMinimum found = minimise_movement(movement, start, options);
+  std::vector<MappingScratch> scratch;
+  const MovementMinimum found =
+      minimise_movement(whole_movement(problem, cost, scratch), start, options);
   return {found.q, found.value};
 }
 

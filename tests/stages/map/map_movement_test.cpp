@@ -6,6 +6,7 @@
 
 #include "pipeline/kinematics/description.hpp"
 #include "pipeline/kinematics/forward.hpp"
+#include "stages/map/resolve_path.hpp"
 
 namespace morphe {
 namespace {

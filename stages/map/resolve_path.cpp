@@ -1,0 +1,96 @@
+#include "stages/map/resolve_path.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "stages/map/coarse_grid.hpp"
+#include "stages/map/whole_movement.hpp"
+
+namespace morphe {
+namespace {
+
+using Eigen::Index;
+
+/// Frames [first, end) that may move.
+struct Window {
+  std::size_t first, end;
+};
+
+constexpr std::size_t kHeldFrames = 3;  ///< beside a window: as far as its differences reach
+
+/// Frames within `reach_s` of a finding; windows whose held frames would meet are one.
+std::vector<Window> windows_around(const std::vector<Finding>& findings,
+                                   const std::vector<double>& time, double reach_s) {
+  std::vector<Window> windows;
+  for (std::size_t f = 0; f < time.size(); ++f) {
+    const bool may_move = std::ranges::any_of(findings, [&](const Finding& finding) {
+      return time[f] >= finding.begin_s - reach_s && time[f] <= finding.end_s + reach_s;
+    });
+    if (!may_move) continue;
+    if (windows.empty() || f > windows.back().end + 2 * kHeldFrames) windows.push_back({f, f});
+    windows.back().end = f + 1;
+  }
+  return windows;
+}
+
+/// The path near a window at some of its frames, those outside the window held where they are;
+/// from `change` beside the path, if there is any.
+JointRows solve_window(const MappingProblem& problem, const std::vector<std::size_t>& frames,
+                       const Window& window, const JointRows& path, const JointRows& change,
+                       const MovementCost& cost, const MovementOptions& options) {
+  constexpr double kHold = 1e6;  // per rad²: far stiffer than any term of a frame
+  const JointRows before = rows_at(path, frames);
+  const MappingProblem part = on_frames(problem, frames);
+  const auto moves = [&](std::size_t frame) { return frame >= window.first && frame < window.end; };
+  std::vector<MappingScratch> scratch;
+  MovementProblem movement = whole_movement(part, cost, scratch);
+  const auto own_model = movement.frame_model;
+  movement.frame_model = [&](std::size_t k, const JointVector& q, Quadratic& model) {
+    own_model(k, q, model);
+    if (moves(frames[k])) return;
+    const JointVector away = q - before.row(static_cast<Index>(k)).transpose();
+    model.value += kHold * away.squaredNorm();
+    model.gradient += 2 * kHold * away;
+    model.hessian.diagonal().array() += 2 * kHold;
+  };
+  JointRows start = before;
+  for (std::size_t k = 0; k < frames.size() && change.rows() > 0; ++k) {
+    if (moves(frames[k])) start.row(static_cast<Index>(k)) += change.row(static_cast<Index>(k));
+  }
+  return minimise_movement(movement, start, options).q;
+}
+
+}  // namespace
+
+JointPath resolve_path(const MappingProblem& problem, const JointPath& path,
+                       const std::vector<Finding>& findings, const MapOptions& options,
+                       double firmness, double reach_s) {
+  MappingProblem clear = problem;
+  clear.clearance.weight *= firmness;
+  JointPath resolved = path;
+  for (const Window& window : windows_around(findings, problem.time, reach_s)) {
+    const std::size_t begin = window.first - std::min(window.first, kHeldFrames);
+    const std::size_t end = std::min(problem.frames(), window.end + kHeldFrames);
+    std::vector<std::size_t> all(end - begin);
+    std::iota(all.begin(), all.end(), begin);
+    std::vector<std::size_t> some =
+        coarse_frames(on_frames(problem, all).time, options.coarse_step_s);
+    for (std::size_t& frame : some) frame += begin;
+    const auto solve = [&](const std::vector<std::size_t>& frames, const JointRows& change,
+                           const MovementOptions& exactness) {
+      return solve_window(clear, frames, window, path.position, change, options.movement_cost,
+                          exactness);
+    };
+    const JointRows change = solve(some, {}, options.movement) - rows_at(path.position, some);
+    const JointRows found = solve(all, interpolate(change, some), between(options.movement));
+    for (std::size_t frame = begin; frame < end; ++frame) {
+      const auto row = static_cast<Index>(frame), k = static_cast<Index>(frame - begin);
+      if ((found.row(k) - path.position.row(row)).cwiseAbs().maxCoeff() <= 1e-4) continue;
+      resolved.position.row(row) = found.row(k);
+      resolved.origin[frame] = Origin::resolved;
+    }
+  }
+  return resolved;
+}
+
+}  // namespace morphe
