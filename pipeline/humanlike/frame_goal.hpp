@@ -20,7 +20,9 @@ struct FrameGoal {
   Quat hand = unseen_rotation();      ///< base_from_hand
   /// Human arm in the common base frame.
   Vec3 shoulder = unseen_point(), elbow = unseen_point(), wrist = unseen_point();
-  std::array<Vec3, kFingers> finger_joint;  ///< middle joints of the human's fingers
+  /// Middle joints of the human's fingers.
+  std::array<Vec3, kFingers> finger_joint{unseen_point(), unseen_point(), unseen_point(),
+                                          unseen_point(), unseen_point()};
   /// Of a tip that follows no finger of its own (RobotTable::Tip::along): the same share of the
   /// curve through the middle joints. Empty: none.
   std::vector<Vec3> curve_joint;  ///< [m]

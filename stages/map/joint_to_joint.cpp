@@ -46,7 +46,6 @@ std::vector<FrameGoal> joint_to_joint_goals(const RobotTable& robot, const Joint
     FrameGoal goal;
     goal.tip_position.assign(robot.tips.size(), unseen_point());
     goal.tip_orientation.assign(robot.tips.size(), unseen_rotation());
-    goal.finger_joint.fill(unseen_point());
     goal.hand = goals.wrist_orientation[f];
     if (arm.size() > 1) {
       goal.chain = posed_like(

@@ -84,7 +84,6 @@ std::vector<FrameGoal> goals_of(const RobotTable& robot, const HumanPoses& poses
                      base_from_shoulder.translation();
   for (const HumanPose& pose : poses) {
     FrameGoal goal;
-    goal.finger_joint.fill(unseen_point());
     goal.elbow = base_from_shoulder * pose.elbow + shift;
     for (const RobotTable::Tip& tip : robot.tips) {
       Vec3 place = pose.wrist;
