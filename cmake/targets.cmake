@@ -4,6 +4,8 @@ target_include_directories(morphe_flags INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(morphe_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
 # g++ 12 warns of overlaps inside its own std::string (GCC bug 105651).
 target_compile_options(morphe_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+# … and, behind a precompiled header, of copies inside its own strings.
+target_compile_options(morphe_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overread;-Wno-stringop-overflow>)
 # a * b - c * d is zero where both products are equal: predicates count on it.
 target_compile_options(morphe_flags INTERFACE -ffp-contract=off)
 # Small dense matrices are most of the work; packages were compiled for 16-byte alignment.
@@ -23,21 +25,83 @@ if(MORPHE_SANITIZE)
   target_compile_options(morphe_flags INTERFACE -fsanitize=${MORPHE_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(morphe_flags INTERFACE -fsanitize=${MORPHE_SANITIZE})
 endif()
+# Eigen and fmt are open to every folder: linked everywhere, so that one precompiled header fits all.
+target_link_libraries(morphe_flags INTERFACE Eigen3::Eigen fmt::fmt)
 
-# morphe_folder(pipeline/store DEPENDS motion LIBRARIES hdf5::hdf5): one target for one folder,
-# called after the folder's last name. DEPENDS names other folders, LIBRARIES outside packages.
-# Public headers show Eigen (and PUBLIC_LIBRARIES); other packages stay behind the .cpp files.
-function(morphe_folder path)
-  cmake_parse_arguments(ARG "" "" "DEPENDS;LIBRARIES;PUBLIC_LIBRARIES" ${ARGN})
-  get_filename_component(name ${path} NAME)
+# A compiler cache is used where there is one; it has to be told that a precompiled header is as
+# good as what it was made from.
+find_program(CCACHE ccache)
+if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros
+      CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${CCACHE})
+  target_compile_options(morphe_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+endif()
+
+# What nearly every file includes, parsed once.
+file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/precompiled.cpp CONTENT "")
+add_library(morphe_precompiled OBJECT ${CMAKE_BINARY_DIR}/precompiled.cpp)
+target_link_libraries(morphe_precompiled PRIVATE morphe_flags)
+target_precompile_headers(morphe_precompiled PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp)
+
+# morphe_packages(PATH VARIABLE): the CMake targets of the packages that folders.txt gives a folder.
+# morphe_folder(PATH): one static library for one folder, morphe_<last name> (robot/files:
+# morphe_robot_files), linked as folders.txt says.
+set(plan ${PROJECT_SOURCE_DIR}/cmake/folders.txt)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${plan})
+
+function(morphe_target_name path variable)
+  string(REGEX REPLACE "^(pipeline|stages)/" "" name ${path})
+  string(REPLACE "/" "_" name ${name})
+  set(${variable} morphe_${name} PARENT_SCOPE)
+endfunction()
+
+function(morphe_folder path folders packages)
+  morphe_target_name(${path} target)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${path}/*.cpp)
-  list(TRANSFORM ARG_DEPENDS PREPEND morphe_)
+  list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
+  set(links)
+  foreach(folder IN LISTS folders)
+    morphe_target_name(${folder} other)
+    list(APPEND links ${other})
+  endforeach()
   if(sources)
-    add_library(morphe_${name} STATIC ${sources})
-    target_link_libraries(morphe_${name} PUBLIC morphe_flags Eigen3::Eigen ${ARG_DEPENDS} ${ARG_PUBLIC_LIBRARIES}
-                                         PRIVATE ${ARG_LIBRARIES})
+    add_library(${target} STATIC ${sources})
+    target_precompile_headers(${target} REUSE_FROM morphe_precompiled)
+    target_link_libraries(${target} PUBLIC morphe_flags ${links} ${packages})
+    target_compile_definitions(${target} PRIVATE MORPHE_VERSION="${PROJECT_VERSION}")
   else()
-    add_library(morphe_${name} INTERFACE)
-    target_link_libraries(morphe_${name} INTERFACE morphe_flags Eigen3::Eigen ${ARG_DEPENDS})
+    add_library(${target} INTERFACE)
+    target_link_libraries(${target} INTERFACE morphe_flags ${links} ${packages})
   endif()
+endfunction()
+
+# Every folder of the plan.
+function(morphe_folders)
+  file(STRINGS ${plan} rows REGEX "^(package|folder) ")
+  foreach(row IN LISTS rows)
+    string(REGEX REPLACE " +" ";" words "${row}")
+    list(POP_FRONT words kind name)
+    if(kind STREQUAL "package")
+      list(REMOVE_ITEM words once)
+      list(GET words 0 package_${name})
+      continue()
+    endif()
+    set(folders)
+    set(packages)
+    set(part)
+    foreach(word IN LISTS words)
+      if(word STREQUAL ":")
+        set(part ${part}x)
+      elseif(part STREQUAL "x")
+        list(APPEND folders ${word})
+      elseif(DEFINED package_${word})
+        list(APPEND packages ${package_${word}})
+      else()
+        message(FATAL_ERROR "cmake/folders.txt: ${name}: there is no package '${word}'")
+      endif()
+    endforeach()
+    morphe_folder(${name} "${folders}" "${packages}")
+    list(APPEND all ${name})
+  endforeach()
+  set(morphe_all_folders ${all} PARENT_SCOPE)
 endfunction()

@@ -4,7 +4,7 @@
 #include "pipeline/collision/distance.hpp"
 #include "pipeline/collision/segments.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 namespace {
 
 /// Parameter in [0, 1] of the segment's point nearest to `point`.
@@ -67,4 +67,4 @@ Separation capsule_capsule(const CapsuleBody& first, const CapsuleBody& second) 
   return result;
 }
 
-}  // namespace morphe
+}  // namespace morphe::collision

@@ -4,7 +4,7 @@
 #include "pipeline/collision/distance.hpp"
 #include "pipeline/collision/mesh_solid.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 namespace {
 
 /// The segment is cut down to this before the minimum counts as found [m].
@@ -205,4 +205,4 @@ Separation capsule_solid(const CapsuleBody& first, const SceneObject& solid, con
   return result;
 }
 
-}  // namespace morphe
+}  // namespace morphe::collision

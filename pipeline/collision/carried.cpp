@@ -1,9 +1,9 @@
 #include <algorithm>
 
 #include "pipeline/collision/certified.hpp"
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/forward.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 
 TargetPlace place_of_target(const CollisionWorld& world, double time_s) {
   const CarriedTarget& carried = world.carried;
@@ -34,7 +34,7 @@ void carry_target(const std::vector<double>& demonstration_time, const JointRows
   std::vector<Pose> base_from_frame;
   const auto frame_at = [&](auto sample) -> const Pose& {
     const JointVector q = position.row(sample - demonstration_time.begin());
-    forward(robot, q, base_from_frame);
+    robot::forward(robot, q, base_from_frame);
     return base_from_frame[static_cast<std::size_t>(carried.frame)];
   };
   carried.frame_from_object = frame_at(taken).inverse() * recorded_pose(target, *taken);
@@ -47,4 +47,4 @@ void carry_target(const std::vector<double>& demonstration_time, const JointRows
   carried.base_from_released = frame_at(released) * carried.frame_from_object;
 }
 
-}  // namespace morphe
+}  // namespace morphe::collision

@@ -6,7 +6,7 @@
 
 #include "pipeline/collision/motion_pairs.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 namespace {
 
 struct Bisection {
@@ -104,4 +104,4 @@ MotionCheck check_motion(const CollisionWorld& world, const JointRows& reach,
   return failed.empty() ? bisection.least : failed.front();
 }
 
-}  // namespace morphe
+}  // namespace morphe::collision

@@ -4,7 +4,7 @@
 
 #include "pipeline/collision/world.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 
 /// How far any point of a capsule can travel per radian of each joint: |dx| <= sum_j reach(c, j)
 /// |dq_j|, whatever the robot's position. From the joint's axis to the capsule's far end along the
@@ -65,4 +65,4 @@ MotionClearance motion_clearance(const CollisionWorld& world, const JointRows& r
 /// (demonstration time): the length of its way plus its radius times the angle turned on it [m].
 double object_travel(const SceneObject& object, double begin_s, double middle_s, double end_s);
 
-}  // namespace morphe
+}  // namespace morphe::collision

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-namespace morphe {
+namespace morphe::collision {
 namespace {
 
 constexpr double kSame_m = 1e-6;
@@ -140,4 +140,4 @@ void close_holes(SceneObject& mesh, double widest_m) {
   }
 }
 
-}  // namespace morphe
+}  // namespace morphe::collision

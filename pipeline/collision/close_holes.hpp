@@ -2,7 +2,7 @@
 
 #include "pipeline/motion/scene.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 
 /// Makes one vertex of all within the same micrometre (the first of them), and drops triangles that
 /// are none then.
@@ -14,4 +14,4 @@ void weld(SceneObject& mesh);
 /// mesh must be welded.
 void close_holes(SceneObject& mesh, double widest_m);
 
-}  // namespace morphe
+}  // namespace morphe::collision

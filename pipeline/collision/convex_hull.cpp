@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <map>
 
-namespace morphe {
+namespace morphe::collision {
 namespace {
 
 /// Triangles of the hull by point, in any sense of rotation.
@@ -54,4 +54,4 @@ bool take_hull(SceneObject& mesh) {
   return true;
 }
 
-}  // namespace morphe
+}  // namespace morphe::collision

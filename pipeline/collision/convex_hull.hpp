@@ -2,9 +2,9 @@
 
 #include "pipeline/motion/scene.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 
 /// Makes a mesh the convex hull of its vertices. False if they lie in a plane.
 bool take_hull(SceneObject& mesh);
 
-}  // namespace morphe
+}  // namespace morphe::collision

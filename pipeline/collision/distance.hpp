@@ -3,7 +3,7 @@
 #include "pipeline/motion/geometry.hpp"
 #include "pipeline/motion/scene.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 
 /// Points within `radius` of the segment from–to, in one common frame [m]. from == to is a sphere.
 struct CapsuleBody {
@@ -40,4 +40,4 @@ double bounding_radius(const SceneObject& solid);
 /// to 1e-9 m; for a mesh see capsule_mesh(). The pose is common_from_solid.
 Separation capsule_solid(const CapsuleBody& first, const SceneObject& solid, const Pose& pose);
 
-}  // namespace morphe
+}  // namespace morphe::collision

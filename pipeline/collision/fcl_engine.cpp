@@ -14,7 +14,7 @@
 
 #include "pipeline/collision/mesh_solid.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 namespace {
 
 /// FCL needs radii above zero; a capsule that is to sink deeper than its radius keeps this much and
@@ -237,4 +237,4 @@ void FclEngine::pairs(const Eigen::Ref<const JointVector>& q, double time_s,
   }
 }
 
-}  // namespace morphe
+}  // namespace morphe::collision

@@ -4,7 +4,7 @@
 
 #include "pipeline/collision/world.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 
 /// FCL's verdict alone: collide() of capsules grown or shrunk by what is required, found by its
 /// dynamic trees. Its depths and distances are not used: they are wrong at times, and some of its
@@ -30,4 +30,4 @@ class FclEngine {
   std::unique_ptr<Trees> trees_;
 };
 
-}  // namespace morphe
+}  // namespace morphe::collision

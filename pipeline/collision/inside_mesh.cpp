@@ -4,7 +4,7 @@
 
 #include "pipeline/collision/mesh_solid.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 namespace {
 
 /// A ray this near to a triangle's edge is asked again in another direction.
@@ -81,4 +81,4 @@ bool inside(const MeshSolid& mesh, const Vec3& point) {
   return true;  // on the surface, as good as
 }
 
-}  // namespace morphe
+}  // namespace morphe::collision

@@ -7,7 +7,7 @@
 
 #include "pipeline/collision/mesh_solid.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 namespace {
 
 constexpr int kLeaf = 4;  ///< triangles of a leaf at most
@@ -167,4 +167,4 @@ void prepare_meshes(Scene& scene) {
   }
 }
 
-}  // namespace morphe
+}  // namespace morphe::collision

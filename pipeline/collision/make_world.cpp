@@ -4,7 +4,7 @@
 #include "pipeline/collision/mesh_solid.hpp"
 #include "pipeline/collision/world.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 namespace {
 
 /// The nearest frame at or above `frame` that a joint turns, -1 if none does.
@@ -78,4 +78,4 @@ CollisionWorld make_world(const RobotTable& robot, const Scene& scene, const Mov
   return world;
 }
 
-}  // namespace morphe
+}  // namespace morphe::collision

@@ -6,7 +6,7 @@
 #include "pipeline/collision/mesh_solid.hpp"
 #include "pipeline/collision/segments.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -176,4 +176,4 @@ Separation capsule_mesh(const CapsuleBody& capsule, const MeshSolid& mesh) {
   return result;
 }
 
-}  // namespace morphe
+}  // namespace morphe::collision

@@ -12,7 +12,7 @@
 #include "pipeline/collision/convex_hull.hpp"
 #include "pipeline/collision/mesh_solid.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 namespace {
 
 /// No finger of a robot fits through.
@@ -68,4 +68,4 @@ std::string load_mesh(const std::filesystem::path& file, double scale, bool hull
   return "";
 }
 
-}  // namespace morphe
+}  // namespace morphe::collision

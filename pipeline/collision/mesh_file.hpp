@@ -5,7 +5,7 @@
 
 #include "pipeline/motion/scene.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 
 /// Reads an STL or OBJ file into vertices and triangles of a mesh, in the file's axes, its numbers
 /// times `scale` = m, and makes it ready for distances. Vertices within a micrometre become one,
@@ -14,4 +14,4 @@ namespace morphe {
 std::string load_mesh(const std::filesystem::path& file, double scale, bool hull,
                       SceneObject& mesh);
 
-}  // namespace morphe
+}  // namespace morphe::collision

@@ -5,7 +5,7 @@
 
 #include "pipeline/collision/distance.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 
 /// A triangle mesh made ready for distances, in its object's frame. Triangles hang together in
 /// parts by the edges they share. A part is closed if every edge has an even number of triangles;
@@ -54,4 +54,4 @@ double mesh_distance_at_least(const MeshSolid& mesh, const Vec3& point);
 /// the solid, up to 5 % + 10 um deeper than it is, never less deep.
 Separation capsule_mesh(const CapsuleBody& capsule, const MeshSolid& mesh);
 
-}  // namespace morphe
+}  // namespace morphe::collision

@@ -3,7 +3,7 @@
 
 #include "pipeline/collision/certified.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 
 double object_travel(const SceneObject& object, double begin_s, double middle_s, double end_s) {
   const double radius_m = bounding_radius(object);
@@ -37,4 +37,4 @@ JointMotion straight_motion(const JointVector& from, const JointVector& to, doub
   return motion;
 }
 
-}  // namespace morphe
+}  // namespace morphe::collision

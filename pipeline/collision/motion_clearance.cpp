@@ -3,7 +3,7 @@
 
 #include "pipeline/collision/motion_pairs.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 namespace {
 
 struct Approach {
@@ -63,4 +63,4 @@ MotionClearance motion_clearance(const CollisionWorld& world, const JointRows& r
   return {std::min(nearest.at_least, distance), distance, least.at, least.pair};
 }
 
-}  // namespace morphe
+}  // namespace morphe::collision

@@ -4,7 +4,7 @@
 #include <array>
 #include <numeric>
 
-namespace morphe {
+namespace morphe::collision {
 
 PairSeparation MotionPairs::pair_of(std::size_t number) const {
   PairSeparation pair;
@@ -139,4 +139,4 @@ void MotionPairs::run(const std::function<bool(double, double)>& part) {
   }
 }
 
-}  // namespace morphe
+}  // namespace morphe::collision

@@ -4,7 +4,7 @@
 
 #include "pipeline/collision/certified.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 
 /// Deeper than this an interval is 1e-12 of the motion: its travel does not shrink, or cannot.
 inline constexpr std::size_t kDeepestBisection = 40;
@@ -43,4 +43,4 @@ struct MotionPairs {
   double passing(double time_s) const;
 };
 
-}  // namespace morphe
+}  // namespace morphe::collision

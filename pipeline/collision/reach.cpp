@@ -2,7 +2,7 @@
 
 #include "pipeline/collision/certified.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 namespace {
 
 double from_axis(const Vec3& point, const Vec3& axis) {
@@ -49,4 +49,4 @@ JointVector ball_reach(const RobotTable& robot, int frame, const Vec3& centre, d
   return reach;
 }
 
-}  // namespace morphe
+}  // namespace morphe::collision

@@ -2,7 +2,7 @@
 
 #include "pipeline/motion/geometry.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 
 struct NearestOfSegments {
   Vec3 on_first, on_second;
@@ -12,4 +12,4 @@ struct NearestOfSegments {
 /// min over s, t in [0, 1] of |a + s (b - a) - c - t (d - c)|^2; a == b or c == d is a point.
 NearestOfSegments nearest_of_segments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-}  // namespace morphe
+}  // namespace morphe::collision

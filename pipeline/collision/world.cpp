@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/forward.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -101,7 +101,7 @@ double required_m(const CollisionWorld& world, int capsule, int object, double t
 void place_bodies(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q,
                   double time_s, CollisionScratch& scratch) {
   const RobotTable& robot = *world.robot;
-  forward(robot, q, scratch.base_from_frame);
+  robot::forward(robot, q, scratch.base_from_frame);
   scratch.bodies.resize(robot.capsules.size());
   scratch.balls.resize(robot.capsules.size());
   for (std::size_t i = 0; i < robot.capsules.size(); ++i) {
@@ -207,4 +207,4 @@ std::string second_name(const CollisionWorld& world, const PairSeparation& pair)
   return pair.object ? world.scene->objects[other].name : world.robot->capsules[other].name;
 }
 
-}  // namespace morphe
+}  // namespace morphe::collision

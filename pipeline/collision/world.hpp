@@ -9,7 +9,7 @@
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 
 /// The target in the hand: it moves with a frame from begin_s to end_s as it lay there at begin_s,
 /// and then stays where it is. Before, it is where it was recorded.
@@ -116,4 +116,4 @@ double clearance(const CollisionWorld& world, const Eigen::Ref<const JointVector
 std::string first_name(const CollisionWorld& world, const PairSeparation& pair);
 std::string second_name(const CollisionWorld& world, const PairSeparation& pair);
 
-}  // namespace morphe
+}  // namespace morphe::collision

@@ -11,14 +11,14 @@
 
 #include "pipeline/config/node.hpp"
 
-namespace morphe {
+namespace morphe::config {
 
 /// Options structs describe themselves once, for reading and for writing:
 ///
 ///     struct SegmentOptions { double onset_share = 0.05; };
 ///     template <class Fields>
 ///     void fields(Fields& f, SegmentOptions& o) { f("onset_share", o.onset_share); }
-///     std::string check(const SegmentOptions& o);   // optional: "" or what is wrong
+///     std::string why_invalid(const SegmentOptions& o);   // optional: "" or what is wrong
 ///
 /// read_options(node, options) leaves defaults where a key is absent; write_options gives YAML that
 /// read_options takes back to the same values. Supported: bool, int, std::uint64_t, double,
@@ -31,8 +31,8 @@ concept HasFields = requires(FieldWriter& f, T& options) {
   fields(f, options);
 };
 template <class T>
-concept HasCheck = requires(const T& options) {
-  { check(options) } -> std::same_as<std::string>;
+concept HasWhyInvalid = requires(const T& options) {
+  { why_invalid(options) } -> std::same_as<std::string>;
 };
 
 template <class Options>
@@ -151,8 +151,8 @@ void read_options(const ConfigNode& node, Options& options) {
   if (!node.is_map()) node.fail("must be a mapping of keys to values");
   FieldReader reader(node);
   fields(reader, options);
-  if constexpr (HasCheck<Options>) {
-    if (const std::string wrong = check(options); !wrong.empty()) node.fail(wrong);
+  if constexpr (HasWhyInvalid<Options>) {
+    if (const std::string wrong = why_invalid(options); !wrong.empty()) node.fail(wrong);
   }
 }
 
@@ -164,4 +164,4 @@ std::string write_options(const Options& options) {
   return writer.text;
 }
 
-}  // namespace morphe
+}  // namespace morphe::config

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <sstream>
 
-namespace morphe {
+namespace morphe::config {
 
 struct ConfigNode::Value {
   enum class Kind { empty, scalar, list, map } kind = Kind::empty;
@@ -287,4 +287,4 @@ std::filesystem::path ConfigNode::folder() const {
 }
 int ConfigNode::line() const { return value_->line; }
 
-}  // namespace morphe
+}  // namespace morphe::config

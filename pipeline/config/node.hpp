@@ -12,7 +12,7 @@
 #include "pipeline/motion/geometry.hpp"
 #include "pipeline/motion/input_error.hpp"
 
-namespace morphe {
+namespace morphe::config {
 
 /// A YAML value that knows where it stands (file, line, key) and whether it was read. Copies refer
 /// to the same document. Everything thrown is an InputError "FILE:LINE: KEY: message".
@@ -64,4 +64,4 @@ class ConfigNode {
   std::string key_;
 };
 
-}  // namespace morphe
+}  // namespace morphe::config

@@ -1,6 +1,6 @@
 #include "pipeline/human/anthropometry.hpp"
 
-namespace morphe {
+namespace morphe::human {
 namespace {
 
 struct Measure {
@@ -20,4 +20,4 @@ Anthropometry anthropometry(Sex sex, const std::array<double, 5>& deviates) {
   return {measure(0), {measure(1), measure(2)}, {measure(3), measure(4)}};
 }
 
-}  // namespace morphe
+}  // namespace morphe::human

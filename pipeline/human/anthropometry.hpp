@@ -5,7 +5,7 @@
 #include "pipeline/human/arm.hpp"
 #include "pipeline/human/hand.hpp"
 
-namespace morphe {
+namespace morphe::human {
 
 enum class Sex { female, male };
 
@@ -19,4 +19,4 @@ struct Anthropometry {
 /// given deviate. Deviates: stature, upper arm, forearm, hand length, hand breadth.
 Anthropometry anthropometry(Sex sex, const std::array<double, 5>& deviates);
 
-}  // namespace morphe
+}  // namespace morphe::human

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace morphe {
+namespace morphe::human {
 
 ArmLengths arm_lengths_of_stature(double stature_m) {
   return {0.186 * stature_m, 0.146 * stature_m};
@@ -48,4 +48,4 @@ std::optional<Vec3> shoulder_within_reach(const Vec3& wanted, const std::vector<
   return std::nullopt;
 }
 
-}  // namespace morphe
+}  // namespace morphe::human

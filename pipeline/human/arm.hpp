@@ -5,7 +5,7 @@
 
 #include "pipeline/motion/geometry.hpp"
 
-namespace morphe {
+namespace morphe::human {
 
 struct ArmLengths {
   double upper_arm = 0, forearm = 0;  ///< shoulder to elbow, elbow to wrist [m]
@@ -30,4 +30,4 @@ Vec3 natural_elbow(const Vec3& shoulder, const Vec3& wrist, const ArmLengths& le
 std::optional<Vec3> shoulder_within_reach(const Vec3& wanted, const std::vector<Vec3>& wrists,
                                           double reach);
 
-}  // namespace morphe
+}  // namespace morphe::human

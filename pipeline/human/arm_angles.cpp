@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace morphe {
+namespace morphe::human {
 namespace {
 
 using Eigen::Matrix3d;
@@ -146,4 +146,4 @@ ArmFit fit_arm_angles(const ArmPose& pose) {
   return missed(above) < missed(below) ? above : below;
 }
 
-}  // namespace morphe
+}  // namespace morphe::human

@@ -5,7 +5,7 @@
 #include "pipeline/human/arm.hpp"
 #include "pipeline/motion/human_motion.hpp"
 
-namespace morphe {
+namespace morphe::human {
 
 /// The arm's joint centres and the hand's orientation in the world (X right, Y forward, Z up).
 struct ArmPose {
@@ -46,4 +46,4 @@ struct ArmFit {
 /// X has flexion 0). NaN throughout if the pose has a NaN or a bone no length.
 ArmFit fit_arm_angles(const ArmPose& pose);
 
-}  // namespace morphe
+}  // namespace morphe::human

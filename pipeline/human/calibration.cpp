@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace morphe {
+namespace morphe::human {
 namespace {
 
 template <class T>
@@ -89,4 +89,4 @@ SensorOffsets sensor_offsets(const Streams& calibration, std::vector<std::string
   return offsets;
 }
 
-}  // namespace morphe
+}  // namespace morphe::human

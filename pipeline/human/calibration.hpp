@@ -5,7 +5,7 @@
 
 #include "pipeline/motion/demonstration.hpp"
 
-namespace morphe {
+namespace morphe::human {
 
 /// Offsets of the sensors from a calibration pose, a still recording in which joint centres were
 /// digitised: with the means over its frames of each sensor's pose and of each marker,
@@ -19,4 +19,4 @@ SensorOffsets sensor_offsets(const Streams& calibration, std::vector<std::string
 /// Mean of the seen rotations, which lie close together; NaN if there are none.
 Quat mean_rotation(const std::vector<Quat>& rotations);
 
-}  // namespace morphe
+}  // namespace morphe::human

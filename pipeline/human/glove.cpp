@@ -1,6 +1,6 @@
 #include "pipeline/human/glove.hpp"
 
-namespace morphe {
+namespace morphe::human {
 namespace {
 
 /// Sensors and joints (kHandAngleNames) that measure the same angle; none for the relative ones.
@@ -43,4 +43,4 @@ GloveAngles encode_glove(const GloveReading& reading) {
   return glove;
 }
 
-}  // namespace morphe
+}  // namespace morphe::human

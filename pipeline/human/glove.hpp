@@ -6,7 +6,7 @@
 
 #include "pipeline/human/hand.hpp"
 
-namespace morphe {
+namespace morphe::human {
 
 /// CyberGlove II, in the order of its data.
 inline constexpr const char* kGloveSensors[] = {
@@ -27,4 +27,4 @@ GloveReading decode_glove(const GloveAngles& glove);
 /// The inverse: what an ideal glove reads on a hand whose middle finger is not abducted.
 GloveAngles encode_glove(const GloveReading& reading);
 
-}  // namespace morphe
+}  // namespace morphe::human

@@ -6,10 +6,10 @@
 #include <numbers>
 #include <string>
 
-#include "pipeline/kinematics/forward.hpp"
-#include "pipeline/kinematics/hand_proportions.hpp"
+#include "pipeline/robot/forward.hpp"
+#include "pipeline/robot/hand_proportions.hpp"
 
-namespace morphe {
+namespace morphe::human {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -62,7 +62,7 @@ RobotTable human_hand(const HandSize& size) {
       JointVector::Constant(kJoints, std::numeric_limits<double>::infinity());
   const int palm = b.frame("hand", -1, Pose::Identity(), Vec3::UnitZ(), -1);
 
-  const ThumbProportions& t = kThumbProportions;
+  const robot::ThumbProportions& t = robot::kThumbProportions;
   const auto thumb = [&](int parent, const Pose& transform, const Vec3& axis, std::size_t k) {
     return b.joint(parent, transform, axis, t.lower[k], t.upper[k]);
   };
@@ -76,7 +76,7 @@ RobotTable human_hand(const HandSize& size) {
   b.tip(0, mcp, ip, t.distal * hl);
 
   for (std::size_t finger = 1; finger < kFingers; ++finger) {
-    const FingerProportions& f = kFingerProportions[finger - 1];
+    const robot::FingerProportions& f = robot::kFingerProportions[finger - 1];
     const auto joint = [&](int parent, const Pose& transform, const Vec3& axis, std::size_t k) {
       return b.joint(parent, transform, axis, f.lower[k], f.upper[k]);
     };
@@ -104,7 +104,7 @@ HandPoints hand_points(const RobotTable& hand, const HandAngles& angles,
   Eigen::Matrix<double, static_cast<int>(kHandAngles) + 1, 1> q;
   std::copy(angles.joint.begin(), angles.joint.end(), q.data());
   q[kPalmArch] = angles.palm_arch;
-  forward(hand, Eigen::Map<const JointVector>(q.data(), q.size()), frames);
+  robot::forward(hand, Eigen::Map<const JointVector>(q.data(), q.size()), frames);
   HandPoints points;
   for (std::size_t finger = 0; finger < kFingers; ++finger) {
     const RobotTable::Tip& tip = hand.tips[finger];
@@ -117,4 +117,4 @@ HandPoints hand_points(const RobotTable& hand, const HandAngles& angles,
   return points;
 }
 
-}  // namespace morphe
+}  // namespace morphe::human

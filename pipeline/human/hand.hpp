@@ -6,7 +6,7 @@
 #include "pipeline/motion/human_motion.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
-namespace morphe {
+namespace morphe::human {
 
 struct HandSize {
   double length = 0, breadth = 0;  ///< wrist to middle fingertip; across the knuckles [m]
@@ -44,4 +44,4 @@ struct HandPoints {
 /// By pipeline/kinematics' forward(); `frames` is scratch that may be reused.
 HandPoints hand_points(const RobotTable& hand, const HandAngles& angles, std::vector<Pose>& frames);
 
-}  // namespace morphe
+}  // namespace morphe::human

@@ -5,7 +5,7 @@
 #include "pipeline/humanlike/hull.hpp"
 #include "pipeline/humanlike/knots.hpp"
 
-namespace morphe {
+namespace morphe::humanlike {
 namespace {
 
 /// A chain, its knots and what a metric's slopes by both are.
@@ -126,4 +126,4 @@ ChainSlopes hull_volume_slopes(const Chain& human, const Chain& robot) {
   return result;
 }
 
-}  // namespace morphe
+}  // namespace morphe::humanlike

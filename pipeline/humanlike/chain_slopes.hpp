@@ -4,7 +4,7 @@
 
 #include "pipeline/humanlike/metrics.hpp"
 
-namespace morphe {
+namespace morphe::humanlike {
 
 /// A metric of two chains with its slope by each joint of the robot's chain.
 struct ChainSlopes {
@@ -24,4 +24,4 @@ ChainSlopes hull_volume_slopes(const Chain& human, const Chain& robot);
 /// Volume of the hull of points, with its slope by each of them; zero where they are flat.
 ChainSlopes hull_slopes(const std::vector<Vec3>& points);
 
-}  // namespace morphe
+}  // namespace morphe::humanlike

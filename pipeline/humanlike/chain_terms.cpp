@@ -1,7 +1,7 @@
 #include "pipeline/humanlike/chain_slopes.hpp"
 #include "pipeline/humanlike/terms.hpp"
 
-namespace morphe {
+namespace morphe::humanlike {
 namespace {
 
 bool seen_arm(const FrameGoal& goal) {
@@ -65,4 +65,4 @@ ArmChain arm_chain(const RobotTable& robot, const std::vector<Pose>& base_from_f
   return arm;
 }
 
-}  // namespace morphe
+}  // namespace morphe::humanlike

@@ -1,6 +1,6 @@
 #include "pipeline/humanlike/frame_goal.hpp"
 
-namespace morphe {
+namespace morphe::humanlike {
 
 FrameGoal frame_goal(const Goals& goals, std::size_t frame) {
   FrameGoal goal;
@@ -18,4 +18,4 @@ FrameGoal frame_goal(const Goals& goals, std::size_t frame) {
   return goal;
 }
 
-}  // namespace morphe
+}  // namespace morphe::humanlike

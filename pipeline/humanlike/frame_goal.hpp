@@ -6,7 +6,7 @@
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
-namespace morphe {
+namespace morphe::humanlike {
 
 /// Shares of the objective's weights in one frame, 1 unless its phase says otherwise.
 struct FrameWeights {
@@ -41,4 +41,4 @@ struct FrameGoal {
 
 FrameGoal frame_goal(const Goals& goals, std::size_t frame);
 
-}  // namespace morphe
+}  // namespace morphe::humanlike

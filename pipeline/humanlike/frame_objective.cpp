@@ -1,11 +1,11 @@
 #include "pipeline/humanlike/frame_objective.hpp"
 
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/forward.hpp"
 
-namespace morphe {
+namespace morphe::humanlike {
 
 void add_objective(const FrameObjective& objective, const RobotTable& robot, const JointVector& q,
-                   const FrameGoal& goal, ObjectiveScratch& scratch, Quadratic& model,
+                   const FrameGoal& goal, ObjectiveScratch& scratch, solve::Quadratic& model,
                    Curvature curvature) {
   if (curvature == Curvature::exact) {
     if (!scratch.loads.points.empty()) {
@@ -14,7 +14,7 @@ void add_objective(const FrameObjective& objective, const RobotTable& robot, con
     }
     scratch.last = q;
   }
-  forward(robot, q.head(static_cast<Eigen::Index>(robot.joints())), scratch.base_from_frame);
+  robot::forward(robot, q.head(static_cast<Eigen::Index>(robot.joints())), scratch.base_from_frame);
   RobotState state{robot, q, scratch.base_from_frame};
   if (objective.offset.free) state.offset = q.tail<3>();
   scratch.loads.reset(robot.frames.size(), curvature);
@@ -32,4 +32,4 @@ void add_objective(const FrameObjective& objective, const RobotTable& robot, con
   objective.offset.add(state, model);
 }
 
-}  // namespace morphe
+}  // namespace morphe::humanlike

@@ -2,7 +2,7 @@
 
 #include "pipeline/humanlike/terms.hpp"
 
-namespace morphe {
+namespace morphe::humanlike {
 
 /// The paper's arm-hand objective of one frame, Eq. (16), with metric A (and B, C where weighted):
 ///   w_x sum ‖x_i - goal_i‖² + w_o sum d_o + w_A A + w_a sum A_i  (+ hand orientation, posture,
@@ -39,7 +39,7 @@ struct ObjectiveScratch {
 /// Adds every term at q [variables] to the model; with Curvature::none the Hessian stays as it is
 /// (posture and offset, which are quadratic, add theirs in any case).
 void add_objective(const FrameObjective& objective, const RobotTable& robot, const JointVector& q,
-                   const FrameGoal& goal, ObjectiveScratch& scratch, Quadratic& model,
+                   const FrameGoal& goal, ObjectiveScratch& scratch, solve::Quadratic& model,
                    Curvature curvature = Curvature::gauss_newton);
 
-}  // namespace morphe
+}  // namespace morphe::humanlike

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <utility>
 
-namespace morphe {
+namespace morphe::humanlike {
 namespace {
 
 using Facet = std::array<std::size_t, 3>;
@@ -77,4 +77,4 @@ std::vector<Facet> hull_facets(const std::vector<Vec3>& points) {
   return facets;
 }
 
-}  // namespace morphe
+}  // namespace morphe::humanlike

@@ -5,10 +5,10 @@
 
 #include "pipeline/motion/geometry.hpp"
 
-namespace morphe {
+namespace morphe::humanlike {
 
 /// Facets of the convex hull of points: three indices each, counter-clockwise from outside. Four
 /// points are a tetrahedron, more go through Quickhull; none if they are fewer, or flat.
 std::vector<std::array<std::size_t, 3>> hull_facets(const std::vector<Vec3>& points);
 
-}  // namespace morphe
+}  // namespace morphe::humanlike

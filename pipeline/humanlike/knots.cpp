@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace morphe {
+namespace morphe::humanlike {
 
 std::vector<double> knots(const Chain& chain) {
   std::vector<double> lengths{0};
@@ -30,4 +30,4 @@ ChainPlace place_of(const std::vector<double>& at, double knot) {
   return {end, (knot - at[end - 1]) / (at[end] - at[end - 1])};
 }
 
-}  // namespace morphe
+}  // namespace morphe::humanlike

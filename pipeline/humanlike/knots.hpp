@@ -4,7 +4,7 @@
 
 #include "pipeline/humanlike/metrics.hpp"
 
-namespace morphe {
+namespace morphe::humanlike {
 
 /// Normalised arc length of each joint of a chain, 0 … 1.
 std::vector<double> knots(const Chain& chain);
@@ -21,4 +21,4 @@ struct ChainPlace {
 };
 ChainPlace place_of(const std::vector<double>& at, double knot);
 
-}  // namespace morphe
+}  // namespace morphe::humanlike

@@ -1,6 +1,6 @@
 #include "pipeline/humanlike/loads.hpp"
 
-namespace morphe {
+namespace morphe::humanlike {
 namespace {
 
 Eigen::Matrix3d cross_matrix(const Vec3& v) {
@@ -91,7 +91,7 @@ void promise(const RobotTable& robot, const JointVector& step, LoadSweep& sweep,
 }
 
 void add_derivatives(const RobotTable& robot, const std::vector<Pose>& base_from_frame,
-                     Loads& loads, LoadSweep& sweep, Quadratic& model) {
+                     Loads& loads, LoadSweep& sweep, solve::Quadratic& model) {
   const std::size_t frames = robot.frames.size();
   sweep.twist.resize(frames);
   sweep.above.resize(frames);
@@ -152,4 +152,4 @@ void add_derivatives(const RobotTable& robot, const std::vector<Pose>& base_from
   }
 }
 
-}  // namespace morphe
+}  // namespace morphe::humanlike

@@ -5,7 +5,7 @@
 #include "pipeline/motion/robot_table.hpp"
 #include "pipeline/solve/quadratic.hpp"
 
-namespace morphe {
+namespace morphe::humanlike {
 
 /// How much of a term's second derivative is wanted: nothing; what is left of it without the
 /// curvature of the kinematics (positive semidefinite); all of it.
@@ -101,6 +101,6 @@ void promise(const RobotTable& robot, const JointVector& step, LoadSweep& sweep,
 /// With ancestors i of j: dF/dq_j = S_j · (moment, force), d²F/dq_i dq_j = S_i · I_j S_j, both
 /// summed below j; coupled joints add up in the joint that drives them. Uses up the loads.
 void add_derivatives(const RobotTable& robot, const std::vector<Pose>& base_from_frame,
-                     Loads& loads, LoadSweep& sweep, Quadratic& model);
+                     Loads& loads, LoadSweep& sweep, solve::Quadratic& model);
 
-}  // namespace morphe
+}  // namespace morphe::humanlike

@@ -6,7 +6,7 @@
 #include "pipeline/humanlike/chain_slopes.hpp"
 #include "pipeline/humanlike/knots.hpp"
 
-namespace morphe {
+namespace morphe::humanlike {
 namespace {
 
 /// Heron's formula; round-off of a flat triangle counts as zero.
@@ -42,4 +42,4 @@ double hull_volume_sum(const Chain& human, const Chain& robot) {
   return hull_volume_slopes(human, robot).value;
 }
 
-}  // namespace morphe
+}  // namespace morphe::humanlike

@@ -4,7 +4,7 @@
 
 #include "pipeline/motion/geometry.hpp"
 
-namespace morphe {
+namespace morphe::humanlike {
 
 /// Two kinematic chains in the paper's common base frame, from the shoulder outwards [m]. The human
 /// chain is shoulder, elbow, wrist; the robot's its joint centres, shoulder and end included.
@@ -28,4 +28,4 @@ double hull_volume_sum(const Chain& human, const Chain& robot);
 /// Volume of the convex hull of points: a determinant for four, Quickhull for more, 0 if flat [m³].
 double hull_volume(const std::vector<Vec3>& points);
 
-}  // namespace morphe
+}  // namespace morphe::humanlike

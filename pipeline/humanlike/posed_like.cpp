@@ -4,7 +4,7 @@
 
 #include "pipeline/humanlike/knots.hpp"
 
-namespace morphe {
+namespace morphe::humanlike {
 
 Chain posed_like(const Chain& human, const Chain& robot) {
   if (!std::ranges::all_of(human, [](const Vec3& joint) { return seen(joint); })) {
@@ -20,4 +20,4 @@ Chain posed_like(const Chain& human, const Chain& robot) {
   return posed;
 }
 
-}  // namespace morphe
+}  // namespace morphe::humanlike

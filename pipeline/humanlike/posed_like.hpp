@@ -2,7 +2,7 @@
 
 #include "pipeline/humanlike/metrics.hpp"
 
-namespace morphe {
+namespace morphe::humanlike {
 
 /// Joint-to-joint of a chain: the robot's links, from its first joint on, each pointing as the
 /// human's link that lies beside its middle by normalised arc length. What angles at corresponding
@@ -10,4 +10,4 @@ namespace morphe {
 /// fewer. Both chains have two joints at least and length; NaN where the human's has one.
 Chain posed_like(const Chain& human, const Chain& robot);
 
-}  // namespace morphe
+}  // namespace morphe::humanlike

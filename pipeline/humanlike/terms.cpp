@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/forward.hpp"
 
-namespace morphe {
+namespace morphe::humanlike {
 namespace {
 
 const Pose& pose_of(const RobotState& state, int frame) {
@@ -149,7 +149,8 @@ void FingerJointDistance::add(const RobotState& state, const FrameGoal& goal, Lo
   }
 }
 
-void NaturalPosture::add(const RobotState& state, const FrameGoal& goal, Quadratic& model) const {
+void NaturalPosture::add(const RobotState& state, const FrameGoal& goal,
+                         solve::Quadratic& model) const {
   for (const Joint& entry : joints) {
     if (!active(entry, goal)) continue;
     const double error = posture_error(entry, state.q);
@@ -176,7 +177,8 @@ double NaturalPosture::distance(const JointVector& q, const FrameGoal& goal) con
   return count == 0 ? kNotSeen : std::sqrt(sum / count);
 }
 
-void JointAngle::add(const RobotState& state, const FrameGoal& goal, Quadratic& model) const {
+void JointAngle::add(const RobotState& state, const FrameGoal& goal,
+                     solve::Quadratic& model) const {
   if (weight == 0) return;
   for (Eigen::Index j = 0; j < goal.angles.size(); ++j) {
     const double error = state.q[j] - goal.angles[j];
@@ -187,11 +189,11 @@ void JointAngle::add(const RobotState& state, const FrameGoal& goal, Quadratic& 
   }
 }
 
-void FreeOffset::add(const RobotState& state, Quadratic& model) const {
+void FreeOffset::add(const RobotState& state, solve::Quadratic& model) const {
   if (!free) return;
   model.value += weight * state.offset.squaredNorm();
   model.gradient.tail<3>() += 2 * weight * state.offset;
   model.hessian.diagonal().tail<3>().array() += 2 * weight;
 }
 
-}  // namespace morphe
+}  // namespace morphe::humanlike

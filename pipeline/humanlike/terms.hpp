@@ -8,7 +8,7 @@
 #include "pipeline/humanlike/metrics.hpp"
 #include "pipeline/solve/quadratic.hpp"
 
-namespace morphe {
+namespace morphe::humanlike {
 
 /// Where the robot is: what every term of a frame's objective reads.
 struct RobotState {
@@ -84,7 +84,7 @@ struct NaturalPosture {
   };
   double weight = 1e-3;
   std::vector<Joint> joints;
-  void add(const RobotState& state, const FrameGoal& goal, Quadratic& model) const;
+  void add(const RobotState& state, const FrameGoal& goal, solve::Quadratic& model) const;
   /// Root mean square distance from the natural posture over the active joints [rad]; NaN if none.
   double distance(const JointVector& q, const FrameGoal& goal) const;
 };
@@ -99,7 +99,7 @@ struct ChainPosition {
 /// Joint-to-joint, the fingers: sum of (q_j - goal_j)² over the joints that have a goal [rad²].
 struct JointAngle {
   double weight = 0;
-  void add(const RobotState& state, const FrameGoal& goal, Quadratic& model) const;
+  void add(const RobotState& state, const FrameGoal& goal, solve::Quadratic& model) const;
 };
 
 /// Section 3.3: where the robot's base (a hand's: its wrist) stands beside the human's is part of
@@ -109,7 +109,7 @@ struct FreeOffset {
   bool free = false;
   double weight = 1;
   double limit_m = 0.1;
-  void add(const RobotState& state, Quadratic& model) const;
+  void add(const RobotState& state, solve::Quadratic& model) const;
 };
 
 /// The robot's arm as metrics B and C see it, from the shoulder outwards: shoulder, joint centres
@@ -120,4 +120,4 @@ struct ArmChain {
 };
 ArmChain arm_chain(const RobotTable& robot, const std::vector<Pose>& base_from_frame);
 
-}  // namespace morphe
+}  // namespace morphe::humanlike

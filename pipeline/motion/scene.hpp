@@ -8,7 +8,9 @@
 
 namespace morphe {
 
+namespace collision {
 struct MeshSolid;  // pipeline/collision/mesh_solid.hpp
+}
 
 enum class Shape { sphere, box, cylinder, capsule, mesh };
 
@@ -24,10 +26,11 @@ struct SceneObject {
   std::vector<Quat> orientation;  ///< [K]
   std::vector<Vec3> vertices;     ///< mesh only
   std::vector<Eigen::Vector3i> triangles;
-  std::shared_ptr<const MeshSolid> solid;  ///< the mesh made ready for distances, not stored
-  std::string attached_frame;              ///< robot frame that carries it, "" if none
-  double attach_s = kNotSeen;              ///< carried from here …
-  double release_s = kNotSeen;             ///< … to here [demonstration time, s]
+  std::shared_ptr<const collision::MeshSolid>
+      solid;                    ///< the mesh made ready for distances, not stored
+  std::string attached_frame;   ///< robot frame that carries it, "" if none
+  double attach_s = kNotSeen;   ///< carried from here …
+  double release_s = kNotSeen;  ///< … to here [demonstration time, s]
 };
 
 struct Scene {

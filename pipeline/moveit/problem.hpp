@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/kinematics/description.hpp"
 #include "pipeline/motion/scene.hpp"
+#include "pipeline/robot/files/description.hpp"
 
-namespace morphe {
+namespace morphe::moveit {
 
 /// A point of a link must lie in one of the bodies, everything in the robot's base frame.
 struct PositionGoal {
@@ -54,9 +54,9 @@ struct PlanningProblem {
 /// A start or goal in collision is for the planner to find.
 PlanningProblem read_moveit_problem(const std::filesystem::path& scene_file,
                                     const std::filesystem::path& request_file,
-                                    const RobotDescription& robot);
+                                    const robot::RobotDescription& robot);
 
 /// The objects of a planning scene by themselves, in the scene's world frame.
 Scene read_moveit_scene(const std::filesystem::path& scene_file);
 
-}  // namespace morphe
+}  // namespace morphe::moveit

@@ -4,22 +4,22 @@
 
 #include "pipeline/moveit/reading.hpp"
 
-namespace morphe {
+namespace morphe::moveit {
 namespace {
 
 struct GoalReader {
-  const RobotDescription& robot;
+  const robot::RobotDescription& robot;
   const Frames& frames;
   PlanningGoal goal = {};
 
-  int link_frame(const ConfigNode& node) const {
-    const ConfigNode name = node["link_name"];
+  int link_frame(const config::ConfigNode& node) const {
+    const config::ConfigNode name = node["link_name"];
     const auto found = robot.links.find(name.text());
     if (found == robot.links.end()) name.fail(fmt::format("there is no link '{}'", name.text()));
     return found->second;
   }
 
-  void joint(const ConfigNode& node) {
+  void joint(const config::ConfigNode& node) {
     const RobotTable& table = robot.table;
     const std::string name = node["joint_name"].text();
     const auto found = std::ranges::find(table.joint_names, name);
@@ -41,13 +41,13 @@ struct GoalReader {
     }
   }
 
-  void position(const ConfigNode& node) {
+  void position(const config::ConfigNode& node) {
     PositionGoal wanted;
     wanted.frame = link_frame(node);
     if (node.has("target_point_offset")) {
       wanted.point_in_frame = read_vector(node["target_point_offset"]);
     }
-    const ConfigNode region = node["constraint_region"];
+    const config::ConfigNode region = node["constraint_region"];
     wanted.regions = read_shapes(region, frames.of(node));
     if (region.has("meshes") && !region["meshes"].items().empty()) {
       region["meshes"].fail("a goal's region must be made of primitives");
@@ -55,7 +55,7 @@ struct GoalReader {
     goal.positions.push_back(std::move(wanted));
   }
 
-  void orientation(const ConfigNode& node) {
+  void orientation(const config::ConfigNode& node) {
     OrientationGoal wanted;
     wanted.frame = link_frame(node);
     wanted.orientation = Quat(frames.of(node).linear()) * read_rotation(node["orientation"]);
@@ -69,30 +69,30 @@ struct GoalReader {
     goal.orientations.push_back(wanted);
   }
 
-  PlanningGoal read(const ConfigNode& node) {
+  PlanningGoal read(const config::ConfigNode& node) {
     goal = {robot.table.lower, robot.table.upper, {}, {}};
     const auto joints = items_of(node, "joint_constraints");
     const auto positions = items_of(node, "position_constraints");
     const auto orientations = items_of(node, "orientation_constraints");
     refuse(node, "visibility_constraints", "visibility is not understood");
     if (joints.empty() && positions.empty() && orientations.empty()) node.fail("asks for nothing");
-    for (const ConfigNode& item : joints) joint(item);
-    for (const ConfigNode& item : positions) position(item);
-    for (const ConfigNode& item : orientations) orientation(item);
+    for (const config::ConfigNode& item : joints) joint(item);
+    for (const config::ConfigNode& item : positions) position(item);
+    for (const config::ConfigNode& item : orientations) orientation(item);
     return goal;
   }
 };
 
 }  // namespace
 
-std::vector<PlanningGoal> read_goals(const ConfigNode& request, const RobotDescription& robot,
-                                     const Frames& frames) {
+std::vector<PlanningGoal> read_goals(const config::ConfigNode& request,
+                                     const robot::RobotDescription& robot, const Frames& frames) {
   std::vector<PlanningGoal> goals;
-  const ConfigNode list = request["goal_constraints"];
+  const config::ConfigNode list = request["goal_constraints"];
   GoalReader reader{robot, frames};
-  for (const ConfigNode& node : list.items()) goals.push_back(reader.read(node));
+  for (const config::ConfigNode& node : list.items()) goals.push_back(reader.read(node));
   if (goals.empty()) list.fail("holds no goal");
   return goals;
 }
 
-}  // namespace morphe
+}  // namespace morphe::moveit

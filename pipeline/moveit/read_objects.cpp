@@ -4,9 +4,9 @@
 
 #include "pipeline/moveit/reading.hpp"
 
-namespace morphe {
+namespace morphe::moveit {
 
-Pose Frames::of(const ConfigNode& owner) const {
+Pose Frames::of(const config::ConfigNode& owner) const {
   const bool stated = owner.has("header") && owner["header"].has("frame_id");
   const std::string name = stated ? owner["header"]["frame_id"].text() : "";
   const auto found = base_from.find(name);
@@ -16,11 +16,11 @@ Pose Frames::of(const ConfigNode& owner) const {
   return found->second;
 }
 
-Frames read_frames(const ConfigNode& scene, const std::string& root_link,
+Frames read_frames(const config::ConfigNode& scene, const std::string& root_link,
                    const Pose& base_from_world) {
   Frames frames;
   frames.base_from[""] = frames.base_from["world"] = base_from_world;
-  for (const ConfigNode& item : items_of(scene, "fixed_frame_transforms")) {
+  for (const config::ConfigNode& item : items_of(scene, "fixed_frame_transforms")) {
     const Pose base_from_parent = frames.of(item);
     frames.base_from[item["child_frame_id"].text()] =
         base_from_parent * read_transform(item["transform"]);
@@ -29,16 +29,16 @@ Frames read_frames(const ConfigNode& scene, const std::string& root_link,
   return frames;
 }
 
-Scene read_objects(const ConfigNode& scene, const Frames& frames) {
+Scene read_objects(const config::ConfigNode& scene, const Frames& frames) {
   Scene read;
-  const ConfigNode world = scene["world"];
+  const config::ConfigNode world = scene["world"];
   if (world.has("octomap") && world["octomap"].has("octomap")) {
     refuse(world["octomap"]["octomap"], "data", "an octomap is not understood");
   }
   const auto taken = [&](const std::string& name) {
     return std::ranges::find(read.objects, name, &SceneObject::name) != read.objects.end();
   };
-  for (const ConfigNode& item : items_of(world, "collision_objects")) {
+  for (const config::ConfigNode& item : items_of(world, "collision_objects")) {
     const std::string id = item["id"].text();
     if (taken(id)) item["id"].fail(fmt::format("an object '{}' exists already", id));
     refuse(item, "planes", "planes are not understood");
@@ -60,8 +60,8 @@ Scene read_objects(const ConfigNode& scene, const Frames& frames) {
 }
 
 Scene read_moveit_scene(const std::filesystem::path& scene_file) {
-  const ConfigNode scene = ConfigNode::load(scene_file);
+  const config::ConfigNode scene = config::ConfigNode::load(scene_file);
   return read_objects(scene, read_frames(scene, "", Pose::Identity()));
 }
 
-}  // namespace morphe
+}  // namespace morphe::moveit

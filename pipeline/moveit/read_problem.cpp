@@ -6,12 +6,12 @@
 
 #include "pipeline/moveit/reading.hpp"
 
-namespace morphe {
+namespace morphe::moveit {
 namespace {
 
 constexpr double kLimitTolerance = 1e-6;  ///< files are written with rounded limits [rad]
 
-std::string place(const ConfigNode& node) {
+std::string place(const config::ConfigNode& node) {
   return fmt::format("{}:{}", node.file().string(), node.line());
 }
 
@@ -22,15 +22,15 @@ struct StateReader {
   Pose world_from_base = Pose::Identity();
   std::set<std::string> unknown;
 
-  void read(const ConfigNode& owner, const char* key) {
+  void read(const config::ConfigNode& owner, const char* key) {
     if (!owner.has(key)) return;
-    const ConfigNode state = owner[key];
+    const config::ConfigNode state = owner[key];
     refuse(state, "attached_collision_objects", "attached objects are not understood");
     if (state.has("joint_state")) read_joints(state["joint_state"]);
     if (state.has("multi_dof_joint_state")) read_base(state["multi_dof_joint_state"]);
   }
 
-  void read_joints(const ConfigNode& node) {
+  void read_joints(const config::ConfigNode& node) {
     if (!node.has("name") && !node.has("position")) return;
     const std::vector<std::string> names = node["name"].texts();
     const std::vector<double> values = node["position"].numbers();
@@ -48,14 +48,14 @@ struct StateReader {
     }
   }
 
-  void read_base(const ConfigNode& node) {
-    const std::vector<ConfigNode> transforms = items_of(node, "transforms");
+  void read_base(const config::ConfigNode& node) {
+    const std::vector<config::ConfigNode> transforms = items_of(node, "transforms");
     if (transforms.size() > 1) node["transforms"].fail("more than the base floats");
     if (!transforms.empty()) world_from_base = read_transform(transforms.front());
   }
 };
 
-void check_start(const ConfigNode& request, const RobotTable& robot, JointVector& start) {
+void check_start(const config::ConfigNode& request, const RobotTable& robot, JointVector& start) {
   for (std::size_t k = 0; k < robot.joints(); ++k) {
     const auto j = static_cast<Eigen::Index>(k);
     const auto fail = [&](const std::string& what) {
@@ -73,8 +73,8 @@ void check_start(const ConfigNode& request, const RobotTable& robot, JointVector
   }
 }
 
-void allow_links(const RobotDescription& robot, const std::string& one, const std::string& other,
-                 RobotTable& table) {
+void allow_links(const robot::RobotDescription& robot, const std::string& one,
+                 const std::string& other, RobotTable& table) {
   const int first = robot.links.at(one), second = robot.links.at(other);
   const int count = static_cast<int>(table.capsules.size());
   for (int i = 0; i < count; ++i) {
@@ -89,15 +89,17 @@ void allow_links(const RobotDescription& robot, const std::string& one, const st
 }
 
 /// Rows are lists of booleans, or {enabled: [...]} as the message has them.
-void read_matrix(const ConfigNode& scene, const RobotDescription& robot, PlanningProblem& problem) {
+void read_matrix(const config::ConfigNode& scene, const robot::RobotDescription& robot,
+                 PlanningProblem& problem) {
   if (!scene.has("allowed_collision_matrix")) return;
-  const ConfigNode matrix = scene["allowed_collision_matrix"];
+  const config::ConfigNode matrix = scene["allowed_collision_matrix"];
   if (!matrix.has("entry_names")) return;
   const std::vector<std::string> names = matrix["entry_names"].texts();
-  const std::vector<ConfigNode> rows = matrix["entry_values"].items();
+  const std::vector<config::ConfigNode> rows = matrix["entry_values"].items();
   if (rows.size() != names.size()) matrix["entry_values"].fail("is not as long as entry_names");
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::vector<ConfigNode> row = (rows[i].is_map() ? rows[i]["enabled"] : rows[i]).items();
+    const std::vector<config::ConfigNode> row =
+        (rows[i].is_map() ? rows[i]["enabled"] : rows[i]).items();
     if (row.size() != names.size()) rows[i].fail("is not as long as entry_names");
     for (std::size_t k = 0; k < i; ++k) {
       if (!row[k].boolean()) continue;
@@ -114,14 +116,15 @@ void read_matrix(const ConfigNode& scene, const RobotDescription& robot, Plannin
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 }
 
-std::string root_link(const RobotDescription& robot) {
+std::string root_link(const robot::RobotDescription& robot) {
   const auto root =
       std::ranges::find_if(robot.links, [](const auto& link) { return link.second < 0; });
   return root == robot.links.end() ? "" : root->first;
 }
 
-void refuse_padding(const ConfigNode& scene, const char* key, const char* value, double neutral) {
-  for (const ConfigNode& item : items_of(scene, key)) {
+void refuse_padding(const config::ConfigNode& scene, const char* key, const char* value,
+                    double neutral) {
+  for (const config::ConfigNode& item : items_of(scene, key)) {
     if (item[value].number() != neutral) item[value].fail("padding is not understood");
   }
 }
@@ -130,8 +133,9 @@ void refuse_padding(const ConfigNode& scene, const char* key, const char* value,
 
 PlanningProblem read_moveit_problem(const std::filesystem::path& scene_file,
                                     const std::filesystem::path& request_file,
-                                    const RobotDescription& robot) {
-  const ConfigNode scene = ConfigNode::load(scene_file), request = ConfigNode::load(request_file);
+                                    const robot::RobotDescription& robot) {
+  const config::ConfigNode scene = config::ConfigNode::load(scene_file),
+                           request = config::ConfigNode::load(request_file);
   PlanningProblem problem;
   problem.robot = robot.table;
   StateReader state{
@@ -158,4 +162,4 @@ PlanningProblem read_moveit_problem(const std::filesystem::path& scene_file,
   return problem;
 }
 
-}  // namespace morphe
+}  // namespace morphe::moveit

@@ -4,10 +4,11 @@
 
 #include "pipeline/moveit/reading.hpp"
 
-namespace morphe {
+namespace morphe::moveit {
 namespace {
 
-std::vector<double> components(const ConfigNode& node, const std::vector<const char*>& names) {
+std::vector<double> components(const config::ConfigNode& node,
+                               const std::vector<const char*>& names) {
   std::vector<double> values;
   if (node.is_map()) {
     for (const char* name : names) values.push_back(node[name].number());
@@ -20,7 +21,7 @@ std::vector<double> components(const ConfigNode& node, const std::vector<const c
   return values;
 }
 
-Pose pose_of_keys(const ConfigNode& node, const char* position, const char* rotation) {
+Pose pose_of_keys(const config::ConfigNode& node, const char* position, const char* rotation) {
   return make_pose(node.has(position) ? read_vector(node[position]) : Vec3(Vec3::Zero()),
                    node.has(rotation) ? read_rotation(node[rotation]) : Quat::Identity());
 }
@@ -38,7 +39,7 @@ SceneObject still_object(Shape shape, std::vector<double> size, const Pose& pose
 /// shape_msgs/SolidPrimitive: by number or name.
 enum class Primitive { box, sphere, cylinder };
 
-Primitive primitive_of(const ConfigNode& node) {
+Primitive primitive_of(const config::ConfigNode& node) {
   static constexpr std::array<const char*, 3> kNames{"box", "sphere", "cylinder"};
   const std::string word = node.text();
   for (std::size_t k = 0; k < kNames.size(); ++k) {
@@ -47,14 +48,15 @@ Primitive primitive_of(const ConfigNode& node) {
   node.fail(fmt::format("must be box, sphere or cylinder, not '{}'", word));
 }
 
-SceneObject read_mesh(const ConfigNode& node, const Pose& base_from_mesh) {
+SceneObject read_mesh(const config::ConfigNode& node, const Pose& base_from_mesh) {
   SceneObject object = still_object(Shape::mesh, {}, base_from_mesh);
-  for (const ConfigNode& vertex : node["vertices"].items()) {
+  for (const config::ConfigNode& vertex : node["vertices"].items()) {
     object.vertices.push_back(read_vector(vertex));
   }
   const auto count = static_cast<std::int64_t>(object.vertices.size());
-  for (const ConfigNode& item : node["triangles"].items()) {
-    const std::vector<ConfigNode> corners = (item.is_map() ? item["vertex_indices"] : item).items();
+  for (const config::ConfigNode& item : node["triangles"].items()) {
+    const std::vector<config::ConfigNode> corners =
+        (item.is_map() ? item["vertex_indices"] : item).items();
     if (corners.size() != 3) item.fail("must have 3 corners");
     Eigen::Vector3i triangle;
     for (int k = 0; k < 3; ++k) {
@@ -72,12 +74,12 @@ SceneObject read_mesh(const ConfigNode& node, const Pose& base_from_mesh) {
 
 }  // namespace
 
-Vec3 read_vector(const ConfigNode& node) {
+Vec3 read_vector(const config::ConfigNode& node) {
   const std::vector<double> v = components(node, {"x", "y", "z"});
   return {v[0], v[1], v[2]};
 }
 
-Quat read_rotation(const ConfigNode& node) {
+Quat read_rotation(const config::ConfigNode& node) {
   const std::vector<double> v = components(node, {"x", "y", "z", "w"});
   const Quat rotation(v[3], v[0], v[1], v[2]);
   const double length = rotation.norm();
@@ -86,26 +88,28 @@ Quat read_rotation(const ConfigNode& node) {
   return rotation.normalized();
 }
 
-Pose read_pose(const ConfigNode& node) { return pose_of_keys(node, "position", "orientation"); }
+Pose read_pose(const config::ConfigNode& node) {
+  return pose_of_keys(node, "position", "orientation");
+}
 
-Pose read_transform(const ConfigNode& node) {
+Pose read_transform(const config::ConfigNode& node) {
   return pose_of_keys(node, "translation", "rotation");
 }
 
-std::vector<ConfigNode> items_of(const ConfigNode& node, const char* key) {
-  return node.has(key) ? node[key].items() : std::vector<ConfigNode>{};
+std::vector<config::ConfigNode> items_of(const config::ConfigNode& node, const char* key) {
+  return node.has(key) ? node[key].items() : std::vector<config::ConfigNode>{};
 }
 
-void refuse(const ConfigNode& node, const char* key, const char* why) {
+void refuse(const config::ConfigNode& node, const char* key, const char* why) {
   if (!node.has(key)) return;
-  const ConfigNode value = node[key];
+  const config::ConfigNode value = node[key];
   const bool any = value.is_map()    ? !value.keys().empty()
                    : value.is_list() ? !value.items().empty()
                                      : !value.text().empty();
   if (any) value.fail(why);
 }
 
-SceneObject read_primitive(const ConfigNode& node, const Pose& base_from_shape) {
+SceneObject read_primitive(const config::ConfigNode& node, const Pose& base_from_shape) {
   const Primitive primitive = primitive_of(node["type"]);
   std::vector<double> size = node["dimensions"].numbers();
   static constexpr std::array<std::size_t, 3> kCount{3, 1, 2};
@@ -127,10 +131,11 @@ SceneObject read_primitive(const ConfigNode& node, const Pose& base_from_shape) 
   return still_object(Shape::cylinder, {size[1], size[0]}, base_from_shape);
 }
 
-std::vector<SceneObject> read_shapes(const ConfigNode& owner, const Pose& base_from_owner) {
+std::vector<SceneObject> read_shapes(const config::ConfigNode& owner, const Pose& base_from_owner) {
   std::vector<SceneObject> shapes;
   const auto read = [&](const char* key, const char* pose_key, auto shape_of) {
-    const std::vector<ConfigNode> items = items_of(owner, key), poses = items_of(owner, pose_key);
+    const std::vector<config::ConfigNode> items = items_of(owner, key),
+                                          poses = items_of(owner, pose_key);
     // MoveIt takes one shape without a pose to lie at its owner's.
     if (poses.size() != items.size() && !(items.size() == 1 && poses.empty())) {
       owner.fail(fmt::format("{} {}, but {} {}", items.size(), key, poses.size(), pose_key));
@@ -146,4 +151,4 @@ std::vector<SceneObject> read_shapes(const ConfigNode& owner, const Pose& base_f
   return shapes;
 }
 
-}  // namespace morphe
+}  // namespace morphe::moveit

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/run/ordered_map.hpp"
+#include "pipeline/parallel/ordered_map.hpp"
 
-namespace morphe {
+namespace morphe::run {
 namespace {
 
 /// Tip goals of the mapped frames, and how many of them the robot cannot reach.
@@ -73,7 +73,7 @@ DemonstrationOutcome attempt(const std::function<DemonstrationOutcome(const Demo
 
 BatchSummary run_batch(const Batch& batch, int jobs) {
   BatchSummary summary;
-  OrderedMap<Demonstration, DemonstrationOutcome> map;
+  parallel::OrderedMap<Demonstration, DemonstrationOutcome> map;
   map.next = batch.next;
   map.work = [&](const Demonstration& demonstration) {
     return std::make_unique<DemonstrationOutcome>(attempt(batch.plan, demonstration));
@@ -82,7 +82,7 @@ BatchSummary run_batch(const Batch& batch, int jobs) {
     add(summary_of(outcome), summary);
     batch.write(outcome);
   };
-  run(map, jobs);
+  parallel::run(map, jobs);
   return summary;
 }
 
@@ -113,4 +113,4 @@ std::string summary_json(const BatchSummary& summary) {
   return json.dump(2);
 }
 
-}  // namespace morphe
+}  // namespace morphe::run

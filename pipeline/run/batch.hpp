@@ -9,7 +9,7 @@
 #include "pipeline/motion/demonstration.hpp"
 #include "pipeline/motion/plan.hpp"
 
-namespace morphe {
+namespace morphe::run {
 
 /// What became of one demonstration: a plan for each of its movements, or why it could not be
 /// processed at all.
@@ -52,4 +52,4 @@ std::string summary_text_for_people(const BatchSummary& summary);
 /// As docs/formats.md says: what `--json` prints.
 std::string summary_json(const BatchSummary& summary);
 
-}  // namespace morphe
+}  // namespace morphe::run

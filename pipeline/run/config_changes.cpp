@@ -7,14 +7,14 @@
 
 #include "pipeline/config/node.hpp"
 
-namespace morphe {
+namespace morphe::run {
 namespace {
 
 /// A value on one line, as YAML would write it in a list.
-std::string flow(const ConfigNode& node) {
+std::string flow(const config::ConfigNode& node) {
   std::vector<std::string> parts;
   if (node.is_list()) {
-    for (const ConfigNode& item : node.items()) parts.push_back(flow(item));
+    for (const config::ConfigNode& item : node.items()) parts.push_back(flow(item));
     return fmt::format("[{}]", fmt::join(parts, ", "));
   }
   if (!node.is_map()) return node.is_scalar() ? node.text() : "";
@@ -23,9 +23,9 @@ std::string flow(const ConfigNode& node) {
   return fmt::format("{{{}}}", fmt::join(parts, ", "));
 }
 
-void flatten(const ConfigNode& node, std::map<std::string, std::string>& values) {
+void flatten(const config::ConfigNode& node, std::map<std::string, std::string>& values) {
   for (const std::string& key : node.keys()) {
-    const ConfigNode child = node[key];
+    const config::ConfigNode child = node[key];
     if (child.is_map()) {
       flatten(child, values);
     } else {
@@ -36,7 +36,7 @@ void flatten(const ConfigNode& node, std::map<std::string, std::string>& values)
 
 std::map<std::string, std::string> values_of(const std::string& yaml) {
   std::map<std::string, std::string> values;
-  flatten(ConfigNode::parse(yaml, "effective config"), values);
+  flatten(config::ConfigNode::parse(yaml, "effective config"), values);
   return values;
 }
 
@@ -56,4 +56,4 @@ std::vector<std::string> config_changes(const std::string& before, const std::st
   return changes;
 }
 
-}  // namespace morphe
+}  // namespace morphe::run

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
-namespace morphe {
+namespace morphe::run {
 
 Database::Database(const std::filesystem::path& file, DatabaseUse use) : file_(file) {
   const int flags =
@@ -103,4 +103,4 @@ std::string Statement::text(int column) const {
 
 std::int64_t Statement::number(int column) const { return sqlite3_column_int64(handle_, column); }
 
-}  // namespace morphe
+}  // namespace morphe::run

@@ -11,7 +11,7 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
-namespace morphe {
+namespace morphe::run {
 
 /// The file is no database, or one that cannot be read.
 struct DamagedDatabase : InputError {
@@ -65,4 +65,4 @@ class Statement {
   sqlite3_stmt* handle_ = nullptr;
 };
 
-}  // namespace morphe
+}  // namespace morphe::run

@@ -12,7 +12,7 @@
 #include "pipeline/store/hdf5_file.hpp"
 #include "pipeline/store/plan_file.hpp"
 
-namespace morphe {
+namespace morphe::run {
 namespace {
 
 bool same(double a, double b) {
@@ -20,7 +20,7 @@ bool same(double a, double b) {
          std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
-std::string text_of(const Hdf5Value& value) {
+std::string text_of(const store::Hdf5Value& value) {
   constexpr std::size_t kLongest = 60;
   const std::string text = value.is_text ? fmt::format("{}", fmt::join(value.texts, ","))
                                          : fmt::format("{}", fmt::join(value.numbers, ","));
@@ -29,7 +29,7 @@ std::string text_of(const Hdf5Value& value) {
 }
 
 /// Of the same shape: how far apart, and how many are not there in one of them.
-void compare_numbers(const Hdf5Value& a, const Hdf5Value& b, Difference& found) {
+void compare_numbers(const store::Hdf5Value& a, const store::Hdf5Value& b, Difference& found) {
   std::size_t one_sided = 0;
   for (std::size_t i = 0; i < a.numbers.size(); ++i) {
     const double x = a.numbers[i], y = b.numbers[i];
@@ -47,7 +47,7 @@ class Comparison {
  public:
   DiffReport report;
 
-  void compare_files(const Hdf5Group& a, const Hdf5Group& b) {
+  void compare_files(const store::Hdf5Group& a, const store::Hdf5Group& b) {
     compare_attributes(a, b, ".", "");
     in_either(a, b, [&](const std::string& name, bool in_a, bool in_b) {
       if (name != "plans") return compare_member(a, b, name, in_a, in_b, name);
@@ -56,16 +56,16 @@ class Comparison {
   }
 
  private:
-  void compare_all_plans(const Hdf5Group& a, const Hdf5Group& b) {
+  void compare_all_plans(const store::Hdf5Group& a, const store::Hdf5Group& b) {
     in_either(a, b, [&](const std::string& demonstration, bool in_a, bool in_b) {
       if (in_a && in_b) {
-        const Hdf5Group of_a = a.open(demonstration), of_b = b.open(demonstration);
+        const store::Hdf5Group of_a = a.open(demonstration), of_b = b.open(demonstration);
         in_either(of_a, of_b, [&](const std::string& movement, bool here, bool there) {
           begin_plan(demonstration, movement);
           compare_member(of_a, of_b, movement, here, there, "");
         });
       } else {
-        const Hdf5Group only = (in_a ? a : b).open(demonstration);
+        const store::Hdf5Group only = (in_a ? a : b).open(demonstration);
         only.each_child([&](const std::string& movement) {
           begin_plan(demonstration, movement);
           add("", std::nullopt, in_a ? "only in the first" : "only in the second");
@@ -82,15 +82,15 @@ class Comparison {
 
   /// Names of either group: those of the first in their order, then the second's own.
   template <class Visit>
-  static void in_either(const Hdf5Group& a, const Hdf5Group& b, const Visit& visit) {
+  static void in_either(const store::Hdf5Group& a, const store::Hdf5Group& b, const Visit& visit) {
     a.each_child([&](const std::string& name) { visit(name, true, b.has(name)); });
     b.each_child([&](const std::string& name) {
       if (!a.has(name)) visit(name, false, true);
     });
   }
 
-  void compare_member(const Hdf5Group& a, const Hdf5Group& b, const std::string& name, bool in_a,
-                      bool in_b, const std::string& path) {
+  void compare_member(const store::Hdf5Group& a, const store::Hdf5Group& b, const std::string& name,
+                      bool in_a, bool in_b, const std::string& path) {
     if (!in_a || !in_b)
       return add(path, std::nullopt, in_a ? "only in the first" : "only in the second");
     const bool group = a.is_group(name);
@@ -100,7 +100,7 @@ class Comparison {
       compare_attributes(a, b, name.c_str(), path + "/");
       return;
     }
-    const Hdf5Group of_a = a.open(name), of_b = b.open(name);
+    const store::Hdf5Group of_a = a.open(name), of_b = b.open(name);
     const std::string below = path.empty() ? "" : path + "/";
     compare_attributes(of_a, of_b, ".", below);
     in_either(of_a, of_b, [&](const std::string& member, bool here, bool there) {
@@ -108,7 +108,7 @@ class Comparison {
     });
   }
 
-  void compare_attributes(const Hdf5Group& a, const Hdf5Group& b, const char* object,
+  void compare_attributes(const store::Hdf5Group& a, const store::Hdf5Group& b, const char* object,
                           const std::string& below) {
     const std::vector<std::string> of_a = a.attributes(object), of_b = b.attributes(object);
     std::vector<std::string> names;
@@ -126,7 +126,8 @@ class Comparison {
     }
   }
 
-  void compare_values(const Hdf5Value& a, const Hdf5Value& b, const std::string& path) {
+  void compare_values(const store::Hdf5Value& a, const store::Hdf5Value& b,
+                      const std::string& path) {
     if (a.is_text != b.is_text) return add(path, std::nullopt, "texts in one file alone");
     if (a.dims != b.dims)
       return add(path, std::nullopt,
@@ -153,11 +154,11 @@ class Comparison {
 }  // namespace
 
 DiffReport diff_files(const std::filesystem::path& a, const std::filesystem::path& b) {
-  const PlanReader format_of_a(a), format_of_b(b);
-  const Hdf5File first = Hdf5File::open(a), second = Hdf5File::open(b);
+  const store::PlanReader format_of_a(a), format_of_b(b);
+  const store::Hdf5File first = store::Hdf5File::open(a), second = store::Hdf5File::open(b);
   Comparison comparison;
   comparison.compare_files(first.root(), second.root());
   return std::move(comparison.report);
 }
 
-}  // namespace morphe
+}  // namespace morphe::run

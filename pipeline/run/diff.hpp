@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace morphe {
+namespace morphe::run {
 
 /// A dataset or an attribute (@name) in which two plans.h5 differ.
 struct Difference {
@@ -28,4 +28,4 @@ DiffReport diff_files(const std::filesystem::path& a, const std::filesystem::pat
 std::string diff_json(const DiffReport& report);
 std::string diff_text(const DiffReport& report);
 
-}  // namespace morphe
+}  // namespace morphe::run

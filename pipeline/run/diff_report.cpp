@@ -5,7 +5,7 @@
 
 #include "pipeline/run/diff.hpp"
 
-namespace morphe {
+namespace morphe::run {
 
 std::string diff_json(const DiffReport& report) {
   nlohmann::ordered_json plans = nlohmann::ordered_json::array();
@@ -36,4 +36,4 @@ std::string diff_text(const DiffReport& report) {
   return text + fmt::format("{} of {} plans differ\n", plans.size(), report.plans);
 }
 
-}  // namespace morphe
+}  // namespace morphe::run

@@ -6,13 +6,13 @@
 #include <mutex>
 #include <system_error>
 
-#include "pipeline/config/hash.hpp"
+#include "pipeline/files/sha256.hpp"
 #include "pipeline/motion/input_error.hpp"
 #include "pipeline/run/journal_tables.hpp"
 #include "pipeline/run/summary_text.hpp"
 #include "pipeline/store/bytes.hpp"
 
-namespace morphe {
+namespace morphe::run {
 namespace {
 
 namespace fs = std::filesystem;
@@ -112,12 +112,12 @@ void Journal::begin(
   set_about(database, "complete", "0");
   set_about(database, "program", identity.program);
   set_about(database, "scene", identity.scene);
-  set_about(database, "config", sha256(config));
+  set_about(database, "config", files::sha256(config));
   set_about(database, "demonstrations", std::to_string(identity.demonstrations));
-  set_about(database, "header", bytes_of(identity.header));
-  set_about(database, "robot", bytes_of(identity.robot));
+  set_about(database, "header", store::bytes_of(identity.header));
+  set_about(database, "robot", store::bytes_of(identity.robot));
   Statement keep(database, "INSERT OR IGNORE INTO configs VALUES(?, ?)");
-  keep.bind(1, sha256(config)).bind(2, config).run();
+  keep.bind(1, files::sha256(config)).bind(2, config).run();
   database.run("DELETE FROM wanted");
   Statement insert(database, "INSERT INTO wanted VALUES(?, ?)");
   each_wanted(
@@ -156,7 +156,7 @@ void Journal::add(const Finished& finished) {
   Statement insert(database, "INSERT INTO plans VALUES(?, ?, ?, ?, ?)");
   std::int64_t number = 0;
   for (const Finished::StoredPlan& plan : finished.plans) {
-    insert.bind(1, finished.name).bind(2, number++).bind(3, sha256(plan.bytes));
+    insert.bind(1, finished.name).bind(2, number++).bind(3, files::sha256(plan.bytes));
     insert.bind(4, plan.rows).bind_bytes(5, plan.bytes).run();
     state_->batch_bytes += plan.bytes.size();
   }
@@ -212,8 +212,8 @@ RunIdentity Journal::identity() const {
   const std::string header = about(database, "header");
   if (header.empty()) return identity;  // killed before it began
   identity.demonstrations = std::stoll(about(database, "demonstrations"));
-  identity.header = header_from_bytes(header);
-  identity.robot = robot_from_bytes(about(database, "robot"));
+  identity.header = store::header_from_bytes(header);
+  identity.robot = store::robot_from_bytes(about(database, "robot"));
   return identity;
 }
 
@@ -254,7 +254,7 @@ void Journal::each_plan(const std::string& name,
   select.bind(1, name);
   while (select.step()) {
     const Finished::StoredPlan plan{select.text(0), select.text(1)};
-    if (sha256(plan.bytes) != select.text(2))
+    if (files::sha256(plan.bytes) != select.text(2))
       state_->database.fail(fmt::format("{}: a plan is damaged; --fresh begins anew", name));
     visit(plan);
   }
@@ -266,7 +266,7 @@ BatchSummary Journal::summary() const {
                    "SELECT d.summary FROM wanted w CROSS JOIN done d ON d.name = w.name "
                    "ORDER BY w.position");
   BatchSummary sum;
-  while (select.step()) morphe::add(summary_from_text(select.text(0)), sum);
+  while (select.step()) run::add(summary_from_text(select.text(0)), sum);
   return sum;
 }
 
@@ -278,4 +278,4 @@ void Journal::each_row(const std::function<void(const std::string&)>& visit) con
   while (select.step()) visit(select.text(0));
 }
 
-}  // namespace morphe
+}  // namespace morphe::run

@@ -13,7 +13,7 @@
 #include "pipeline/run/batch.hpp"
 #include "pipeline/run/shard.hpp"
 
-namespace morphe {
+namespace morphe::run {
 
 /// What a demonstration's plans depend on, as SHA-256.
 struct Fingerprint {
@@ -98,4 +98,4 @@ class Journal {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace morphe
+}  // namespace morphe::run

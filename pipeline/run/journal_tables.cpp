@@ -1,6 +1,6 @@
 #include "pipeline/run/journal_tables.hpp"
 
-namespace morphe {
+namespace morphe::run {
 namespace {
 
 constexpr const char* kFormat = "morphe-journal 1";
@@ -49,4 +49,4 @@ void check_journal(const Database& database) {
     database.fail("is no journal of a run that this version reads");
 }
 
-}  // namespace morphe
+}  // namespace morphe::run

@@ -4,7 +4,7 @@
 
 #include "pipeline/run/database.hpp"
 
-namespace morphe {
+namespace morphe::run {
 
 /// The tables of a journal: `about` (key, value), `configs` by hash, `wanted` (the run's places in
 /// the dataset), `done` (a row a finished demonstration) and `plans` (a row each). Makes them anew.
@@ -17,4 +17,4 @@ void check_journal(const Database& database);
 std::string about(const Database& database, const std::string& key);
 void set_about(const Database& database, const std::string& key, const std::string& value);
 
-}  // namespace morphe
+}  // namespace morphe::run

@@ -16,7 +16,7 @@
 #include "pipeline/run/write_plans.hpp"
 #include "pipeline/store/bytes.hpp"
 
-namespace morphe {
+namespace morphe::run {
 namespace {
 
 namespace fs = std::filesystem;
@@ -48,8 +48,8 @@ std::string difference(const RunIdentity& first, const RunIdentity& other) {
                        fmt::join(config_changes(first.header.config, other.header.config), ", "));
   if (other.header.dataset_sha256 != first.header.dataset_sha256) return "is of another dataset";
   if (other.scene != first.scene) return "is of another scene";
-  if (bytes_of(other.robot) != bytes_of(first.robot)) return "is of another robot";
-  if (bytes_of(other.header) != bytes_of(first.header))
+  if (store::bytes_of(other.robot) != store::bytes_of(first.robot)) return "is of another robot";
+  if (store::bytes_of(other.header) != store::bytes_of(first.header))
     return "is of configs that differ in their text";
   return "";
 }
@@ -141,7 +141,7 @@ BatchSummary merge_shards(const std::vector<fs::path>& folders, const fs::path& 
   for (std::size_t i = 0; i < shards.size() && first.header.software.empty(); ++i)
     first = shards[i].journal->identity();
   check(shards, first);
-  PlanWriter writer(plans, first.header, first.robot);
+  store::PlanWriter writer(plans, first.header, first.robot);
   in_order(shards, first.demonstrations,
            [&](Journal& journal, const std::string& name) { write_plans(journal, name, writer); });
   writer.finish();
@@ -150,4 +150,4 @@ BatchSummary merge_shards(const std::vector<fs::path>& folders, const fs::path& 
   return summary;
 }
 
-}  // namespace morphe
+}  // namespace morphe::run

@@ -5,7 +5,7 @@
 
 #include "pipeline/run/batch.hpp"
 
-namespace morphe {
+namespace morphe::run {
 
 /// Joins the folders of all shards of a run into `plans`: the bytes that one run over the whole
 /// dataset would have written. InputError "merge: …", one line that lists all that is wrong: shards
@@ -14,4 +14,4 @@ namespace morphe {
 BatchSummary merge_shards(const std::vector<std::filesystem::path>& folders,
                           const std::filesystem::path& plans);
 
-}  // namespace morphe
+}  // namespace morphe::run

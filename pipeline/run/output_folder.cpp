@@ -4,7 +4,7 @@
 
 #include "pipeline/motion/input_error.hpp"
 
-namespace morphe {
+namespace morphe::run {
 
 namespace fs = std::filesystem;
 
@@ -33,4 +33,4 @@ void OutputFolder::remove_made() const {
   for (const fs::path& folder : made_) fs::remove(folder, ignored);
 }
 
-}  // namespace morphe
+}  // namespace morphe::run

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace morphe {
+namespace morphe::run {
 
 /// The folder of a run's results, made where it is missing. If the run fails before keep(), every
 /// folder on its path that did not exist before is taken away again. InputError if it cannot be
@@ -25,4 +25,4 @@ class OutputFolder {
   bool kept_ = false;
 };
 
-}  // namespace morphe
+}  // namespace morphe::run

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace morphe {
+namespace morphe::run {
 namespace {
 
 std::string duration_text(double seconds) {
@@ -82,4 +82,4 @@ void Progress::clear() {
   shown_ = false;
 }
 
-}  // namespace morphe
+}  // namespace morphe::run

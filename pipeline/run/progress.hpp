@@ -6,7 +6,7 @@
 
 #include "pipeline/run/batch.hpp"
 
-namespace morphe {
+namespace morphe::run {
 
 /// How far a run is, on standard error: one line that changes on a terminal (rate, time left,
 /// counts), otherwise a line for each demonstration.
@@ -36,4 +36,4 @@ class Progress {
 /// "37 of 100, 12.3 a minute, 5 min left: 30 executable (2 repaired), 4 infeasible, 1 failed".
 std::string progress_text(const BatchSummary& sum, std::int64_t total, double elapsed_s);
 
-}  // namespace morphe
+}  // namespace morphe::run

@@ -3,17 +3,17 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "pipeline/config/hash.hpp"
+#include "pipeline/files/sha256.hpp"
 #include "pipeline/motion/input_error.hpp"
+#include "pipeline/parallel/ordered_map.hpp"
 #include "pipeline/run/config_changes.hpp"
-#include "pipeline/run/ordered_map.hpp"
 #include "pipeline/run/stop_signal.hpp"
 #include "pipeline/run/write_plans.hpp"
 #include "pipeline/store/bytes.hpp"
 #include "pipeline/store/consistency.hpp"
 #include "pipeline/store/demonstration_file.hpp"
 
-namespace morphe {
+namespace morphe::run {
 namespace {
 
 /// A demonstration to be planned, or why it could not be read; or one that was finished before.
@@ -40,13 +40,13 @@ class Run {
         reader_(request_.dataset) {
     RunIdentity& identity = request_.identity;
     std::string& dataset = identity.header.dataset_sha256;
-    dataset = sha256_of_file(request_.dataset);
+    dataset = files::sha256_of_file(request_.dataset);
     if (!request_.expected_dataset.empty() && request_.expected_dataset != dataset)
       throw InputError(
           fmt::format("{}: is not the dataset of these plans: its SHA-256 is {}, not {}",
                       request_.dataset.string(), dataset, request_.expected_dataset));
-    print_.config = sha256(request_.config);
-    print_.robot = sha256(bytes_of(identity.robot));
+    print_.config = files::sha256(request_.config);
+    print_.robot = files::sha256(store::bytes_of(identity.robot));
     print_.scene = identity.scene;
     print_.program = identity.program;
   }
@@ -54,12 +54,12 @@ class Run {
   RunResult run() {
     begin();
     writer_.emplace(request_.plans, request_.identity.header, request_.identity.robot);
-    OrderedMap<Task, Done> map;
+    parallel::OrderedMap<Task, Done> map;
     map.next = [&] { return next(); };
     map.work = [&](const Task& task) { return work(task); };
     map.write = [&](const Done& done) { write(done); };
     try {
-      morphe::run(map, request_.jobs);
+      morphe::parallel::run(map, request_.jobs);
     } catch (...) {
       writer_.reset();  // first, as it makes room
       keep_what_is_done();
@@ -156,7 +156,7 @@ class Run {
       task->error = error.what();
       if (first_unreadable_.empty()) first_unreadable_ = error.what();
     }
-    task->input = sha256(bytes_of(task->demonstration));
+    task->input = files::sha256(store::bytes_of(task->demonstration));
     return task;
   }
 
@@ -174,7 +174,7 @@ class Run {
     outcome.error = task.error;
     if (task.error.empty()) outcome = attempt(request_.plan, task.demonstration);
     for (const Plan& plan : outcome.plans) {
-      const std::string fault = inconsistency(plan, request_.identity.robot);
+      const std::string fault = store::inconsistency(plan, request_.identity.robot);
       if (fault.empty()) continue;
       outcome = {};
       outcome.error = fault;
@@ -188,7 +188,7 @@ class Run {
     finished.error = outcome.error;
     finished.summary = summary_of(outcome);
     for (const Plan& plan : outcome.plans)
-      finished.plans.push_back({request_.rows(plan), bytes_of(plan)});
+      finished.plans.push_back({request_.rows(plan), store::bytes_of(plan)});
     return finished;
   }
 
@@ -224,8 +224,8 @@ class Run {
   Journal& journal_;
   RunRequest request_;
   Progress& progress_;
-  DemonstrationReader reader_;
-  std::optional<PlanWriter> writer_;
+  store::DemonstrationReader reader_;
+  std::optional<store::PlanWriter> writer_;
   StopSignal stop_;
   Fingerprint print_;  ///< of this run; the input is each demonstration's own
   std::int64_t readable_ = 0;
@@ -238,4 +238,4 @@ RunResult run_dataset(Journal& journal, RunRequest request, Progress& progress) 
   return Run(journal, std::move(request), progress).run();
 }
 
-}  // namespace morphe
+}  // namespace morphe::run

@@ -8,7 +8,7 @@
 #include "pipeline/run/journal.hpp"
 #include "pipeline/run/progress.hpp"
 
-namespace morphe {
+namespace morphe::run {
 
 /// What to run, and what becomes of it.
 struct RunRequest {
@@ -37,4 +37,4 @@ struct RunResult {
 /// journal.
 RunResult run_dataset(Journal& journal, RunRequest request, Progress& progress);
 
-}  // namespace morphe
+}  // namespace morphe::run

@@ -4,7 +4,7 @@
 
 #include "pipeline/motion/input_error.hpp"
 
-namespace morphe {
+namespace morphe::run {
 
 namespace fs = std::filesystem;
 
@@ -32,4 +32,4 @@ bool RunFolder::something_is_finished() const {
   }
 }
 
-}  // namespace morphe
+}  // namespace morphe::run

@@ -7,7 +7,7 @@
 #include "pipeline/run/journal.hpp"
 #include "pipeline/run/output_folder.hpp"
 
-namespace morphe {
+namespace morphe::run {
 
 /// The folder of a run with its journal, held by this process alone. What was made here is taken
 /// away again unless something was finished or keep() was called.
@@ -31,4 +31,4 @@ class RunFolder {
   std::unique_ptr<Journal> journal_;
 };
 
-}  // namespace morphe
+}  // namespace morphe::run

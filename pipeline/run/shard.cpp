@@ -12,7 +12,7 @@
 
 #include "pipeline/motion/input_error.hpp"
 
-namespace morphe {
+namespace morphe::run {
 namespace {
 
 constexpr int kMostShards = 1000000;
@@ -78,4 +78,4 @@ std::vector<std::uint32_t> share_out(const std::vector<std::size_t>& frames, int
   return shard_of;
 }
 
-}  // namespace morphe
+}  // namespace morphe::run

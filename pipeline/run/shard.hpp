@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace morphe {
+namespace morphe::run {
 
 /// One of `count` parts of a dataset that are run apart; index counts from 1.
 struct Shard {
@@ -22,4 +22,4 @@ std::string shard_text(const Shard& shard);
 /// fewest frames so far (the first of several). A function of its arguments alone.
 std::vector<std::uint32_t> share_out(const std::vector<std::size_t>& frames, int count);
 
-}  // namespace morphe
+}  // namespace morphe::run

@@ -4,7 +4,7 @@
 #include <sys/signalfd.h>
 #include <unistd.h>
 
-namespace morphe {
+namespace morphe::run {
 
 StopSignal::StopSignal() {
   sigemptyset(&waited_for_);
@@ -32,4 +32,4 @@ int StopSignal::seen() {
   return seen_;
 }
 
-}  // namespace morphe
+}  // namespace morphe::run

@@ -3,7 +3,7 @@
 #include <atomic>
 #include <csignal>
 
-namespace morphe {
+namespace morphe::run {
 
 /// While it lives, the first SIGINT or SIGTERM does not end the process but is waiting here; after
 /// it was seen, the next one ends the process as usual. Signals that were ignored stay ignored. For
@@ -23,4 +23,4 @@ class StopSignal {
   std::atomic<int> seen_ = 0;
 };
 
-}  // namespace morphe
+}  // namespace morphe::run

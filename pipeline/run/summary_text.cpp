@@ -4,7 +4,7 @@
 
 #include "pipeline/motion/input_error.hpp"
 
-namespace morphe {
+namespace morphe::run {
 
 std::string summary_text(const BatchSummary& s) {
   return nlohmann::json{{"demonstrations", s.demonstrations},
@@ -40,4 +40,4 @@ BatchSummary summary_from_text(const std::string& text) {
   return s;
 }
 
-}  // namespace morphe
+}  // namespace morphe::run

@@ -2,12 +2,13 @@
 
 #include "pipeline/store/bytes.hpp"
 
-namespace morphe {
+namespace morphe::run {
 
-void write_plans(const Journal& journal, const std::string& demonstration, PlanWriter& writer) {
+void write_plans(const Journal& journal, const std::string& demonstration,
+                 store::PlanWriter& writer) {
   journal.each_plan(demonstration, [&](const Finished::StoredPlan& plan) {
-    writer.add(plan_from_bytes(plan.bytes));
+    writer.add(store::plan_from_bytes(plan.bytes));
   });
 }
 
-}  // namespace morphe
+}  // namespace morphe::run

@@ -5,9 +5,10 @@
 #include "pipeline/run/journal.hpp"
 #include "pipeline/store/plan_file.hpp"
 
-namespace morphe {
+namespace morphe::run {
 
 /// The plans of one demonstration, from the journal into the file, one at a time in memory.
-void write_plans(const Journal& journal, const std::string& demonstration, PlanWriter& writer);
+void write_plans(const Journal& journal, const std::string& demonstration,
+                 store::PlanWriter& writer);
 
-}  // namespace morphe
+}  // namespace morphe::run

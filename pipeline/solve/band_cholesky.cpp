@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace morphe {
+namespace morphe::solve {
 namespace {
 
 using Eigen::Index;
@@ -153,4 +153,4 @@ void BandCholesky::solve(Eigen::VectorXd& b) {
   }
 }
 
-}  // namespace morphe
+}  // namespace morphe::solve

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace morphe {
+namespace morphe::solve {
 
 /// A x = b for a symmetric positive definite A of n x n blocks that is zero more than kBandBlocks
 /// blocks off its diagonal: what frames in a row make that differences of third order join. By the
@@ -38,4 +38,4 @@ class BandCholesky {
   std::vector<double> inverse_, x_;  ///< [frames][padded] of the pivots; the solution
 };
 
-}  // namespace morphe
+}  // namespace morphe::solve

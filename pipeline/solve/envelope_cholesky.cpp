@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace morphe {
+namespace morphe::solve {
 
 using Eigen::Index;
 
@@ -86,4 +86,4 @@ void EnvelopeCholesky::solve(JointVector& right_side) const {
   right_side.reverseInPlace();
 }
 
-}  // namespace morphe
+}  // namespace morphe::solve

@@ -5,7 +5,7 @@
 
 #include "pipeline/motion/geometry.hpp"
 
-namespace morphe {
+namespace morphe::solve {
 
 /// H + damping I = Lᵀ L without the rows and columns of variables that are held. Eliminated from
 /// the last variable to the first, so that in a tree whose parents come first (a robot: arm, then
@@ -29,4 +29,4 @@ class EnvelopeCholesky {
   JointVector inverse_pivot, direction;
 };
 
-}  // namespace morphe
+}  // namespace morphe::solve

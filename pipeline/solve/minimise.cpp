@@ -6,7 +6,7 @@
 
 #include "pipeline/solve/structured.hpp"
 
-namespace morphe {
+namespace morphe::solve {
 namespace {
 
 constexpr std::array<std::pair<const char*, nlopt::algorithm>, 3> kAlgorithms{{
@@ -37,7 +37,7 @@ double evaluate(unsigned n, const double* x, double* gradient, void* data) {
 
 }  // namespace
 
-std::string check(const MinimiseOptions& options) {
+std::string why_invalid(const MinimiseOptions& options) {
   bool known = options.algorithm == "structured";
   for (const auto& entry : kAlgorithms) known |= options.algorithm == entry.first;
   if (!known)
@@ -84,4 +84,4 @@ Minimum minimise(const BoundedProblem& problem, const JointVector& start,
   return best;
 }
 
-}  // namespace morphe
+}  // namespace morphe::solve

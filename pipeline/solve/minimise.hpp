@@ -5,7 +5,7 @@
 
 #include "pipeline/solve/quadratic.hpp"
 
-namespace morphe {
+namespace morphe::solve {
 
 /// minimise F(x) subject to lower <= x <= upper.
 struct BoundedProblem {
@@ -32,7 +32,7 @@ void fields(Fields& f, MinimiseOptions& o) {
   f("relative_value", o.relative_value);
   f("absolute_step_rad", o.absolute_step_rad);
 }
-std::string check(const MinimiseOptions& options);
+std::string why_invalid(const MinimiseOptions& options);
 
 struct Minimum {
   JointVector x;  ///< best point seen, inside the bounds
@@ -45,4 +45,4 @@ struct Minimum {
 Minimum minimise(const BoundedProblem& problem, const JointVector& start,
                  const MinimiseOptions& options);
 
-}  // namespace morphe
+}  // namespace morphe::solve

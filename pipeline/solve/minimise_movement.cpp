@@ -5,7 +5,7 @@
 #include "pipeline/solve/movement_model.hpp"
 #include "pipeline/solve/movement_step.hpp"
 
-namespace morphe {
+namespace morphe::solve {
 namespace {
 
 using Eigen::Index;
@@ -97,4 +97,4 @@ MovementMinimum minimise_movement(const MovementProblem& problem, const JointRow
   return result;
 }
 
-}  // namespace morphe
+}  // namespace morphe::solve

@@ -5,7 +5,7 @@
 
 #include "pipeline/solve/quadratic.hpp"
 
-namespace morphe {
+namespace morphe::solve {
 
 /// A whole movement as one problem: minimise, over q_1 … q_F within lower <= q_f <= upper,
 ///   sum_f F_f(q_f) + sum over k = 1, 2, 3, f and j of difference_weight[k - 1][j] (Δ^k q_f)_j²,
@@ -44,4 +44,4 @@ struct MovementMinimum {
 MovementMinimum minimise_movement(const MovementProblem& problem, const JointRows& start,
                                   const MovementOptions& options);
 
-}  // namespace morphe
+}  // namespace morphe::solve

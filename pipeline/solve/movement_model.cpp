@@ -5,7 +5,7 @@
 
 #include "pipeline/solve/band_cholesky.hpp"
 
-namespace morphe {
+namespace morphe::solve {
 namespace {
 
 using Eigen::Index;
@@ -95,4 +95,4 @@ JointRows multiply(const DifferenceCurvature& between, const MovementPoint& poin
   return product;
 }
 
-}  // namespace morphe
+}  // namespace morphe::solve

@@ -4,7 +4,7 @@
 
 #include "pipeline/solve/minimise_movement.hpp"
 
-namespace morphe {
+namespace morphe::solve {
 
 /// A movement at one point of its search: the frames' own models there.
 struct MovementPoint {
@@ -30,4 +30,4 @@ DifferenceCurvature difference_curvature(const MovementProblem& problem);
 JointRows multiply(const DifferenceCurvature& between, const MovementPoint& point,
                    const JointVector& damping, const JointRows& v);
 
-}  // namespace morphe
+}  // namespace morphe::solve

@@ -4,7 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
-namespace morphe {
+namespace morphe::solve {
 namespace {
 
 using Eigen::Index;
@@ -148,4 +148,4 @@ bool short_step(const MovementProblem& problem, const DifferenceCurvature& betwe
   return solved;
 }
 
-}  // namespace morphe
+}  // namespace morphe::solve

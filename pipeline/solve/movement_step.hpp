@@ -3,7 +3,7 @@
 #include "pipeline/solve/band_cholesky.hpp"
 #include "pipeline/solve/movement_model.hpp"
 
-namespace morphe {
+namespace morphe::solve {
 
 /// The step [F, n] from a point that minimises the damped model within the bounds (a primal-dual
 /// active set method, as far as a few changes of the held variables bring it), and no longer than
@@ -13,4 +13,4 @@ namespace morphe {
 bool short_step(const MovementProblem& problem, const DifferenceCurvature& between,
                 MovementPoint& now, JointVector& damping, BandCholesky& hessian, JointRows& step);
 
-}  // namespace morphe
+}  // namespace morphe::solve

@@ -4,7 +4,7 @@
 
 #include "pipeline/motion/geometry.hpp"
 
-namespace morphe {
+namespace morphe::solve {
 
 /// Local model of a sum of terms at a point: value, gradient and Hessian, which is positive
 /// semidefinite (Gauss–Newton) or, if that was asked for, exact and then perhaps indefinite. A
@@ -33,4 +33,4 @@ struct Quadratic {
   }
 };
 
-}  // namespace morphe
+}  // namespace morphe::solve

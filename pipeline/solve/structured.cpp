@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace morphe {
+namespace morphe::solve {
 namespace {
 
 using Eigen::Index;
@@ -197,4 +197,4 @@ Minimum minimise_structured(const BoundedProblem& problem, const JointVector& st
   return result;
 }
 
-}  // namespace morphe
+}  // namespace morphe::solve

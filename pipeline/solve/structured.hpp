@@ -3,7 +3,7 @@
 #include "pipeline/solve/envelope_cholesky.hpp"
 #include "pipeline/solve/minimise.hpp"
 
-namespace morphe {
+namespace morphe::solve {
 
 /// Memory of descents, to be reused: one a thread.
 struct StructuredScratch {
@@ -22,4 +22,4 @@ struct StructuredScratch {
 Minimum minimise_structured(const BoundedProblem& problem, const JointVector& start,
                             const MinimiseOptions& options, StructuredScratch& scratch);
 
-}  // namespace morphe
+}  // namespace morphe::solve

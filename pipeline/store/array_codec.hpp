@@ -9,7 +9,7 @@
 #include "pipeline/motion/geometry.hpp"
 #include "pipeline/store/hdf5_file.hpp"
 
-namespace morphe {
+namespace morphe::store {
 
 /// How one value of a plain struct's array lies in a file: `Scalar`, the trailing dimensions, and
 /// the copy in and out, bit for bit. Rotations lie as w, x, y, z, poses as row-major 4 x 4.
@@ -170,4 +170,4 @@ struct ArrayCodec<JointRows> {
   }
 };
 
-}  // namespace morphe
+}  // namespace morphe::store

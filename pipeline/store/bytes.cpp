@@ -5,7 +5,7 @@
 #include "pipeline/store/plan_layout.hpp"
 #include "pipeline/store/robot_layout.hpp"
 
-namespace morphe {
+namespace morphe::store {
 namespace {
 
 /// A plan and its place in the file, which HDF5 keeps in the names of groups.
@@ -84,4 +84,4 @@ PlanFileHeader header_from_bytes(std::string_view bytes) {
   return header;
 }
 
-}  // namespace morphe
+}  // namespace morphe::store

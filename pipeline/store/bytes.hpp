@@ -7,7 +7,7 @@
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
-namespace morphe {
+namespace morphe::store {
 
 /// What the files of docs/formats.md hold of these, as plain bytes (bytes_layout.hpp): bit for bit,
 /// and nothing that a file does not hold. Reading throws InputError for bytes that are damaged.
@@ -21,4 +21,4 @@ Plan plan_from_bytes(std::string_view bytes);
 RobotTable robot_from_bytes(std::string_view bytes);
 PlanFileHeader header_from_bytes(std::string_view bytes);
 
-}  // namespace morphe
+}  // namespace morphe::store

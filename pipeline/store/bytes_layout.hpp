@@ -15,7 +15,7 @@
 #include "pipeline/motion/input_error.hpp"
 #include "pipeline/store/layout.hpp"
 
-namespace morphe {
+namespace morphe::store {
 
 /// The layouts of the files (layout.hpp) over plain bytes instead of HDF5: what a file would hold,
 /// for hashing and for the journal of a run. The same values give the same bytes. Every item is
@@ -241,4 +241,4 @@ class BytesReader {
   std::string_view bytes_;
 };
 
-}  // namespace morphe
+}  // namespace morphe::store

@@ -4,7 +4,7 @@
 
 #include <iterator>
 
-namespace morphe {
+namespace morphe::store {
 namespace {
 
 /// Keeps the first fault it is shown.
@@ -241,4 +241,4 @@ std::string inconsistency(const Plan& plan, const RobotTable& robot) {
   return faults.first;
 }
 
-}  // namespace morphe
+}  // namespace morphe::store

@@ -6,7 +6,7 @@
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
-namespace morphe {
+namespace morphe::store {
 
 /// What keeps the arrays of a struct from fitting together: lengths that differ, indices out of
 /// range. "goals/tip_position: has 3 rows, not 4" with the path below the struct's group, "" if
@@ -16,4 +16,4 @@ std::string inconsistency(const Demonstration& demonstration);
 std::string inconsistency(const RobotTable& robot);
 std::string inconsistency(const Plan& plan, const RobotTable& robot);
 
-}  // namespace morphe
+}  // namespace morphe::store

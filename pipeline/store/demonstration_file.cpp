@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <optional>
 
+#include "pipeline/files/part_file.hpp"
 #include "pipeline/store/consistency.hpp"
 #include "pipeline/store/demonstration_layout.hpp"
 #include "pipeline/store/hdf5_file.hpp"
-#include "pipeline/store/part_file.hpp"
 
-namespace morphe {
+namespace morphe::store {
 namespace {
 
 constexpr const char* kFormat = "morphe-demonstrations";
@@ -20,13 +20,13 @@ constexpr int kVersion = 1;
 
 // Members close in reverse order: groups, then the file, then what is left of it is removed.
 struct DemonstrationWriter::State {
-  PartFile part;
+  files::PartFile part;
   Hdf5File file;
   Hdf5Group demonstrations;
 };
 
 DemonstrationWriter::DemonstrationWriter(const std::filesystem::path& path)
-    : state_(new State{PartFile(path), {}, {}}) {
+    : state_(new State{files::PartFile(path), {}, {}}) {
   state_->file = Hdf5File::create(state_->part.part());
   state_->file.call_it(path);
   const Hdf5Group root = state_->file.root();
@@ -97,4 +97,4 @@ std::size_t DemonstrationReader::frames(const std::string& name) const {
   return most;
 }
 
-}  // namespace morphe
+}  // namespace morphe::store

@@ -9,7 +9,7 @@
 
 #include "pipeline/motion/demonstration.hpp"
 
-namespace morphe {
+namespace morphe::store {
 
 /// Writes demonstrations.h5 (docs/formats.md). The file appears, whole and synced, with finish();
 /// without it nothing is left behind. InputError: a name that is empty, taken or holds '/'; arrays
@@ -50,4 +50,4 @@ class DemonstrationReader {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace morphe
+}  // namespace morphe::store

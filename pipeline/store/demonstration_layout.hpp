@@ -8,7 +8,7 @@
 #include "pipeline/store/layout.hpp"
 #include "pipeline/store/scene_layout.hpp"
 
-namespace morphe {
+namespace morphe::store {
 
 inline constexpr const char* kHandKinds[] = {"glove", "joint_angles", "keypoints", "fingertips"};
 
@@ -95,4 +95,4 @@ void lay_out_demonstration(Io& io, T& demo) {
   io.names_if_any("reports", demo.reports);
 }
 
-}  // namespace morphe
+}  // namespace morphe::store

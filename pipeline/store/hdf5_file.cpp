@@ -13,7 +13,7 @@
 
 #include "pipeline/store/hdf5_output.hpp"
 
-namespace morphe {
+namespace morphe::store {
 namespace {
 
 static_assert(std::is_same_v<hid_t, Hdf5Id::Id> && std::is_same_v<herr_t, int>);
@@ -247,4 +247,4 @@ void check_format(const Hdf5Group& root, const std::string& format, int version)
     root.fail(fmt::format("@version is {}; this program reads up to {}", number, version));
 }
 
-}  // namespace morphe
+}  // namespace morphe::store

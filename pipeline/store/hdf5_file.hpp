@@ -9,7 +9,7 @@
 
 #include "pipeline/motion/input_error.hpp"
 
-namespace morphe {
+namespace morphe::store {
 
 /// An HDF5 identifier that closes itself. (hdf5.h itself stays in the .cpp files.)
 class Hdf5Id {
@@ -153,4 +153,4 @@ void write_format(const Hdf5Group& root, const std::string& format, int version)
 /// InputError if the file is of another format or of a higher version.
 void check_format(const Hdf5Group& root, const std::string& format, int version);
 
-}  // namespace morphe
+}  // namespace morphe::store

@@ -11,7 +11,7 @@
 #include <memory>
 #include <new>
 
-namespace morphe {
+namespace morphe::store {
 namespace {
 
 constexpr const char* kName = "morphe-output";
@@ -161,4 +161,4 @@ void report_hdf5_output_error(std::int64_t file, int& error) {
   if (Output* const out = output_of(file)) out->report = &error;
 }
 
-}  // namespace morphe
+}  // namespace morphe::store

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace morphe {
+namespace morphe::store {
 
 /// HDF5 does not survive a write that fails: closing what it could not flush crashes the library.
 /// This driver, the plain one otherwise (same calls, same bytes), never fails towards HDF5: it
@@ -14,4 +14,4 @@ int hdf5_output_error(std::int64_t file);
 /// Leaves it in `error` when the file is closed, which writes, too.
 void report_hdf5_output_error(std::int64_t file, int& error);
 
-}  // namespace morphe
+}  // namespace morphe::store

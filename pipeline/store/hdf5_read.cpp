@@ -7,7 +7,7 @@
 
 #include "pipeline/store/hdf5_file.hpp"
 
-namespace morphe {
+namespace morphe::store {
 namespace {
 
 // No filter in use packs tighter (deflate's limit is 1032), so a file cannot ask for more memory
@@ -290,4 +290,4 @@ void Hdf5Group::get(const std::string& name, std::vector<std::string>& values) c
     fail("@" + name, "is missing or not texts");
 }
 
-}  // namespace morphe
+}  // namespace morphe::store

@@ -5,7 +5,7 @@
 
 #include "pipeline/store/hdf5_file.hpp"
 
-namespace morphe {
+namespace morphe::store {
 namespace {
 
 constexpr std::size_t kMostChunkBytes = std::size_t{16} << 20;
@@ -149,4 +149,4 @@ void Hdf5Group::set(const std::string& name, const std::vector<double>& values) 
     fail("@" + name, "cannot be written");
 }
 
-}  // namespace morphe
+}  // namespace morphe::store

@@ -12,7 +12,7 @@
 #include "pipeline/store/array_codec.hpp"
 #include "pipeline/store/hdf5_file.hpp"
 
-namespace morphe {
+namespace morphe::store {
 
 /// Attributes of a dataset.
 struct Tags {
@@ -195,4 +195,4 @@ class LayoutReader {
   bool rows_known_ = false;
 };
 
-}  // namespace morphe
+}  // namespace morphe::store

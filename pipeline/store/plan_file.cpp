@@ -4,14 +4,14 @@
 
 #include <charconv>
 
+#include "pipeline/files/part_file.hpp"
 #include "pipeline/store/consistency.hpp"
 #include "pipeline/store/hdf5_file.hpp"
-#include "pipeline/store/part_file.hpp"
 #include "pipeline/store/plan_header.hpp"
 #include "pipeline/store/plan_layout.hpp"
 #include "pipeline/store/robot_layout.hpp"
 
-namespace morphe {
+namespace morphe::store {
 namespace {
 
 constexpr const char* kFormat = "morphe-plans";
@@ -30,7 +30,7 @@ int movement_index(const Hdf5Group& demonstration, const std::string& name) {
 
 // Members close in reverse order: groups, then the file, then what is left of it is removed.
 struct PlanWriter::State {
-  PartFile part;
+  files::PartFile part;
   RobotTable robot;
   Hdf5File file;
   Hdf5Group plans;
@@ -38,7 +38,7 @@ struct PlanWriter::State {
 
 PlanWriter::PlanWriter(const std::filesystem::path& path, const PlanFileHeader& header,
                        const RobotTable& robot)
-    : state_(new State{PartFile(path), robot, {}, {}}) {
+    : state_(new State{files::PartFile(path), robot, {}, {}}) {
   state_->file = Hdf5File::create(state_->part.part());
   state_->file.call_it(path);
   const Hdf5Group root = state_->file.root();
@@ -111,4 +111,4 @@ Plan PlanReader::read(std::size_t index) const {
   return plan;
 }
 
-}  // namespace morphe
+}  // namespace morphe::store

@@ -9,7 +9,7 @@
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
-namespace morphe {
+namespace morphe::store {
 
 /// Writes plans.h5 (docs/formats.md), plan by plan, in the order of the calls. The file appears,
 /// whole and synced, with finish(); without it nothing is left behind. InputError: a plan or input
@@ -50,4 +50,4 @@ class PlanReader {
   std::vector<std::string> paths_;
 };
 
-}  // namespace morphe
+}  // namespace morphe::store

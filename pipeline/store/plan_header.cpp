@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace morphe {
+namespace morphe::store {
 namespace {
 
 // A file whose groups link in circles ends here.
@@ -74,4 +74,4 @@ PlanFileHeader read_plan_header(const Hdf5Group& root) {
   return header;
 }
 
-}  // namespace morphe
+}  // namespace morphe::store

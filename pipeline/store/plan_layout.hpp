@@ -6,7 +6,7 @@
 #include "pipeline/store/layout.hpp"
 #include "pipeline/store/scene_layout.hpp"
 
-namespace morphe {
+namespace morphe::store {
 
 template <class Io, class T>
 void lay_out_goals(Io& io, T& goals) {
@@ -144,4 +144,4 @@ void lay_out_plan(Io& io, T& plan) {
   io.group("certificate", [&](Io& in) { lay_out_certificate(in, plan.certificate); });
 }
 
-}  // namespace morphe
+}  // namespace morphe::store

@@ -3,7 +3,7 @@
 #include "pipeline/motion/robot_table.hpp"
 #include "pipeline/store/layout.hpp"
 
-namespace morphe {
+namespace morphe::store {
 
 /// /robot of docs/formats.md.
 template <class Io, class T>
@@ -54,4 +54,4 @@ void lay_out_robot(Io& io, T& robot) {
   io.dataset("allowed_pairs", robot.allowed_pairs, {"1", "", ""});
 }
 
-}  // namespace morphe
+}  // namespace morphe::store

@@ -7,7 +7,7 @@
 #include "pipeline/motion/scene.hpp"
 #include "pipeline/store/layout.hpp"
 
-namespace morphe {
+namespace morphe::store {
 
 inline constexpr const char* kStoredShapes[] = {"sphere", "box", "cylinder", "capsule", "mesh"};
 
@@ -39,4 +39,4 @@ void lay_out_object(Io& io, T& object, const std::string& frame) {
   lay_out_time(io, "release_s", object.release_s);
 }
 
-}  // namespace morphe
+}  // namespace morphe::store

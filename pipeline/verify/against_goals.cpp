@@ -7,7 +7,7 @@
 #include "pipeline/verify/frame_poses.hpp"
 #include "pipeline/verify/tracking.hpp"
 
-namespace morphe::judge {
+namespace morphe::verify {
 namespace {
 
 struct Sum {
@@ -105,4 +105,4 @@ AgainstGoals against_goals(const RobotTable& robot, const Plan& plan) {
   return out;
 }
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

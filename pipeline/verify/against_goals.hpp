@@ -3,7 +3,7 @@
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
-namespace morphe::judge {
+namespace morphe::verify {
 
 /// A trajectory's samples against the goals at their demonstration times. NaN: nothing to compare.
 struct AgainstGoals {
@@ -16,4 +16,4 @@ struct AgainstGoals {
 };
 AgainstGoals against_goals(const RobotTable& robot, const Plan& plan);
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

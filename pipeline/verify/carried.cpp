@@ -6,7 +6,7 @@
 
 #include "pipeline/verify/frame_poses.hpp"
 
-namespace morphe::judge {
+namespace morphe::verify {
 
 Carried carried_target(const RobotTable& robot, const Plan& plan, const Trajectory& trajectory) {
   const auto& objects = plan.scene.objects;
@@ -38,4 +38,4 @@ Carried carried_target(const RobotTable& robot, const Plan& plan, const Trajecto
   return carried;
 }
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

@@ -3,7 +3,7 @@
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
-namespace morphe::judge {
+namespace morphe::verify {
 
 /// The target in the hand: from the first sample at or after its attach_s it moves with its
 /// attached_frame as it lay there, to the first sample at or after its release_s, where it stays.
@@ -18,4 +18,4 @@ struct Carried {
 };
 Carried carried_target(const RobotTable& robot, const Plan& plan, const Trajectory& trajectory);
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

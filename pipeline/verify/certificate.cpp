@@ -7,7 +7,7 @@
 #include "pipeline/verify/against_goals.hpp"
 #include "pipeline/verify/smoothness.hpp"
 
-namespace morphe::judge {
+namespace morphe::verify {
 namespace {
 
 constexpr double kClearance_m = 1e-4, kAlgebra = 1e-9;
@@ -117,4 +117,4 @@ void judge_certificate(const RobotTable& robot, const Plan& plan, const Curve& c
   }
 }
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

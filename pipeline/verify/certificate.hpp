@@ -4,7 +4,7 @@
 #include "pipeline/verify/limits.hpp"
 #include "pipeline/verify/violation_runs.hpp"
 
-namespace morphe::judge {
+namespace morphe::verify {
 
 /// A plan's certificate, recomputed from its samples, goals and mapped frames.
 /// natural_posture_error is not: what the posture is stands in the mapping's config.
@@ -17,4 +17,4 @@ Certificate recomputed_certificate(const RobotTable& robot, const Plan& plan, co
 void judge_certificate(const RobotTable& robot, const Plan& plan, const Curve& curve,
                        const LimitUse& use, double clearance, ViolationRuns& runs);
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

@@ -8,7 +8,7 @@
 #include "pipeline/verify/mesh.hpp"
 #include "pipeline/verify/separation.hpp"
 
-namespace morphe::judge {
+namespace morphe::verify {
 namespace {
 
 constexpr double kDistanceTolerance_m = 1e-6;
@@ -265,4 +265,4 @@ double judge_contacts(const RobotTable& robot, const Plan& plan, const Curve& cu
   return ContactJudge(robot, plan, curve, runs).run();
 }
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

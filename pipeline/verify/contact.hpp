@@ -5,7 +5,7 @@
 #include "pipeline/verify/curve.hpp"
 #include "pipeline/verify/violation_runs.hpp"
 
-namespace morphe::judge {
+namespace morphe::verify {
 
 /// What one pair of bodies may do. `other` is a capsule, or an object of the scene if `object`.
 struct ContactPair {
@@ -36,4 +36,4 @@ std::vector<ContactPair> contact_pairs(const RobotTable& robot, const Plan& plan
 double judge_contacts(const RobotTable& robot, const Plan& plan, const Curve& curve,
                       ViolationRuns& runs);
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

@@ -6,7 +6,7 @@
 #include "pipeline/verify/frame_poses.hpp"
 #include "pipeline/verify/separation.hpp"
 
-namespace morphe::judge {
+namespace morphe::verify {
 namespace {
 
 bool allowed(const RobotTable& robot, int first, int second) {
@@ -59,4 +59,4 @@ std::vector<ContactPair> contact_pairs(const RobotTable& robot, const Plan& plan
   return pairs;
 }
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

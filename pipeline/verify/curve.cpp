@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace morphe::judge {
+namespace morphe::verify {
 
 double Curve::time_at(std::size_t piece, double s) const {
   return std::lerp(trajectory->time[piece], trajectory->time[piece + 1], s);
@@ -46,4 +46,4 @@ Curve make_curve(const Trajectory& trajectory) {
   return curve;
 }
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

@@ -7,7 +7,7 @@
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/verify/quintic.hpp"
 
-namespace morphe::judge {
+namespace morphe::verify {
 
 /// A trajectory as a controller runs it: a quintic per joint between each two samples.
 struct Curve {
@@ -26,4 +26,4 @@ struct Curve {
 /// increasing time.
 Curve make_curve(const Trajectory& trajectory);
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace morphe::judge {
+namespace morphe::verify {
 namespace {
 
 bool carries(const RobotTable& robot, int ancestor, int frame) {
@@ -68,4 +68,4 @@ JointVector relative_lever(const RobotTable& robot, int first, int frame, const 
   return lever;
 }
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

@@ -4,7 +4,7 @@
 
 #include "pipeline/motion/robot_table.hpp"
 
-namespace morphe::judge {
+namespace morphe::verify {
 
 /// base_from_frame of all frames: parent * transform * Rotation(axis, ratio * q[joint] + offset).
 void frame_poses(const RobotTable& robot, const JointVector& q, std::vector<Pose>& base_from_frame);
@@ -23,4 +23,4 @@ JointVector relative_lever(const RobotTable& robot, int first, int second);
 JointVector relative_lever(const RobotTable& robot, int first, int frame, const Vec3& centre,
                            double radius);
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace morphe::judge {
+namespace morphe::verify {
 namespace {
 
 constexpr double kRelativeTolerance = 1e-6;
@@ -73,4 +73,4 @@ void judge_rest(const RobotTable& robot, const Trajectory& trajectory, Violation
   }
 }
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

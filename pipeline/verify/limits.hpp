@@ -4,7 +4,7 @@
 #include "pipeline/verify/curve.hpp"
 #include "pipeline/verify/violation_runs.hpp"
 
-namespace morphe::judge {
+namespace morphe::verify {
 
 /// What the curve makes of the robot's limits: the least distance to a position limit [rad] and
 /// the largest |value| / limit of each derivative.
@@ -20,4 +20,4 @@ LimitUse judge_limits(const RobotTable& robot, const Curve& curve, ViolationRuns
 /// Notes `rest` for each joint whose velocity or acceleration exceeds 1e-9 at an end.
 void judge_rest(const RobotTable& robot, const Trajectory& trajectory, ViolationRuns& runs);
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

@@ -7,7 +7,7 @@
 
 #include "pipeline/verify/mesh.hpp"
 
-namespace morphe::judge {
+namespace morphe::verify {
 namespace {
 
 using Corners = std::array<int, 3>;
@@ -143,4 +143,4 @@ Mesh make_mesh(const SceneObject& object) {
   return mesh;
 }
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace morphe::judge {
+namespace morphe::verify {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -120,4 +120,4 @@ double segment_mesh_distance(const Mesh& mesh, const Segment& segment, double en
   return -deepest;
 }
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

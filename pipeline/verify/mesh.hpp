@@ -4,7 +4,7 @@
 
 #include "pipeline/verify/separation.hpp"
 
-namespace morphe::judge {
+namespace morphe::verify {
 
 /// A triangle mesh in its object's frame, as docs/formats.md says what of it is solid: triangles
 /// hang together in parts by the edges they share; a part is closed if each of its edges has an
@@ -38,4 +38,4 @@ bool inside(const Mesh& mesh, const Vec3& point);
 /// too little. At least `enough` is returned without a search when nothing smaller can come out.
 double segment_mesh_distance(const Mesh& mesh, const Segment& segment, double enough);
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

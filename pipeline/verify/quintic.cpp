@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace morphe::judge {
+namespace morphe::verify {
 namespace {
 
 /// d^order/ds^order of the polynomial.
@@ -100,4 +100,4 @@ std::array<Range, 4> ranges(const Quintic& quintic) {
   return found;
 }
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace morphe::judge {
+namespace morphe::verify {
 
 /// One joint between two samples: q(s) = sum_k c_k s^k, s in [0, 1], the quintic that meets
 /// position, velocity and acceleration at both ends [rad].
@@ -30,4 +30,4 @@ struct Range {
 /// derivative are where the one below turns, so a chain from the linear snap down finds them all.
 std::array<Range, 4> ranges(const Quintic& quintic);
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

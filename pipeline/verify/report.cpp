@@ -4,7 +4,7 @@
 
 #include "pipeline/verify/verify.hpp"
 
-namespace morphe {
+namespace morphe::verify {
 namespace {
 
 std::string quoted(const std::string& text) {
@@ -56,4 +56,4 @@ std::string verify_text(const VerifyReport& report) {
                            report.infeasible, report.violations.size());
 }
 
-}  // namespace morphe
+}  // namespace morphe::verify

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-namespace morphe::judge {
+namespace morphe::verify {
 namespace {
 
 /// Squared distance of a point to a segment: a clamped parabola.
@@ -136,4 +136,4 @@ double bounding_radius(const SceneObject& solid) {
   return radius;
 }
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

@@ -2,7 +2,7 @@
 
 #include "pipeline/motion/scene.hpp"
 
-namespace morphe::judge {
+namespace morphe::verify {
 
 struct Segment {
   Vec3 from, to;
@@ -29,4 +29,4 @@ bool can_judge(const SceneObject& solid);
 /// Greatest distance of a point of the solid from its centre [m].
 double bounding_radius(const SceneObject& solid);
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

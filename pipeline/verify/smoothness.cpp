@@ -7,7 +7,7 @@
 
 #include "pipeline/verify/frame_poses.hpp"
 
-namespace morphe::judge {
+namespace morphe::verify {
 namespace {
 
 bool has_goal_throughout(const Goals& goals, std::size_t tip) {
@@ -115,4 +115,4 @@ double log_dimensionless_jerk(const std::vector<double>& speed, double step_s) {
   return -(3 * std::log(steps) + std::log(sum) - 2 * std::log(peak));
 }
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

@@ -5,7 +5,7 @@
 #include "pipeline/motion/robot_table.hpp"
 #include "pipeline/verify/curve.hpp"
 
-namespace morphe::judge {
+namespace morphe::verify {
 
 /// Mean speed of the tips that every frame has a goal for, at the instants k h between the first
 /// and the last, h the mean step of the goals' clock: |x(t + h) - x(t - h)| / 2h [m/s].
@@ -25,4 +25,4 @@ double sparc(const std::vector<double>& speed, double step_s);
 /// -ln(duration^3 / peak^2 * integral of the speed's squared second derivative), likewise.
 double log_dimensionless_jerk(const std::vector<double>& speed, double step_s);
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

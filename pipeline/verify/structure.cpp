@@ -6,7 +6,7 @@
 
 #include "pipeline/verify/separation.hpp"
 
-namespace morphe::judge {
+namespace morphe::verify {
 namespace {
 
 constexpr double kCoverage_s = 0.05;
@@ -165,4 +165,4 @@ bool judge_transfer_structure(const RobotTable& robot, const Plan& plan, const T
   return true;
 }
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

@@ -4,7 +4,7 @@
 #include "pipeline/motion/robot_table.hpp"
 #include "pipeline/verify/violation_runs.hpp"
 
-namespace morphe::judge {
+namespace morphe::verify {
 
 /// Whether status and content go together, shapes fit, numbers are numbers, time runs on from 0 and
 /// demonstration_time never back; the trajectory must lead through the goals' time, to 0.05 s.
@@ -16,4 +16,4 @@ bool judge_structure(const RobotTable& robot, const Plan& plan, ViolationRuns& r
 bool judge_transfer_structure(const RobotTable& robot, const Plan& plan, const Trajectory& transfer,
                               bool at_its_end, ViolationRuns& runs);
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

@@ -5,7 +5,7 @@
 
 #include "pipeline/verify/frame_poses.hpp"
 
-namespace morphe::judge {
+namespace morphe::verify {
 GoalShare goal_share(const Goals& goals, double time_s) {
   const std::size_t last = goals.frames() - 1;
   if (time_s <= goals.time.front()) return {0, 0, 0};
@@ -56,4 +56,4 @@ void judge_tracking(const RobotTable& robot, const Plan& plan, ViolationRuns& ru
   }
 }
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

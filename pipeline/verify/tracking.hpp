@@ -5,7 +5,7 @@
 #include "pipeline/verify/curve.hpp"
 #include "pipeline/verify/violation_runs.hpp"
 
-namespace morphe::judge {
+namespace morphe::verify {
 
 /// Goals at a demonstration time: those of two frames, `share` of the way from one to the other.
 /// Held before the first and after the last; a frame's own instant is that frame alone.
@@ -26,4 +26,4 @@ std::optional<Vec3> goal_at(const Goals& goals, std::size_t tip, double time_s);
 /// and hold `tracking_grasp`, elsewhere `tracking`.
 void judge_tracking(const RobotTable& robot, const Plan& plan, ViolationRuns& runs);
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

@@ -5,7 +5,7 @@
 #include "pipeline/verify/structure.hpp"
 #include "pipeline/verify/tracking.hpp"
 
-namespace morphe {
+namespace morphe::verify {
 namespace {
 
 void append(std::vector<Violation>& all, std::vector<Violation> more) {
@@ -16,12 +16,12 @@ void append(std::vector<Violation>& all, std::vector<Violation> more) {
 std::vector<Violation> verify_transfer(const RobotTable& robot, const std::string& path,
                                        const Plan& plan, const Trajectory& transfer,
                                        bool at_its_end) {
-  judge::ViolationRuns runs(path);
-  if (judge::judge_transfer_structure(robot, plan, transfer, at_its_end, runs)) {
-    const judge::Curve curve = judge::make_curve(transfer);
-    judge::judge_rest(robot, transfer, runs);
-    judge::judge_limits(robot, curve, runs);
-    judge::judge_contacts(robot, plan, curve, runs);
+  ViolationRuns runs(path);
+  if (judge_transfer_structure(robot, plan, transfer, at_its_end, runs)) {
+    const Curve curve = make_curve(transfer);
+    judge_rest(robot, transfer, runs);
+    judge_limits(robot, curve, runs);
+    judge_contacts(robot, plan, curve, runs);
   }
   return runs.finish();
 }
@@ -30,18 +30,18 @@ std::vector<Violation> verify_transfer(const RobotTable& robot, const std::strin
 
 std::vector<Violation> verify_plan(const RobotTable& robot, const std::string& plan_path,
                                    const Plan& plan) {
-  judge::ViolationRuns runs(plan_path);
-  if (!judge::judge_structure(robot, plan, runs)) return runs.finish();
-  const judge::Curve curve = judge::make_curve(plan.trajectory);
-  judge::judge_rest(robot, plan.trajectory, runs);
-  const judge::LimitUse use = judge::judge_limits(robot, curve, runs);
-  judge::judge_tracking(robot, plan, runs);
-  const double clearance = judge::judge_contacts(robot, plan, curve, runs);
-  judge::judge_certificate(robot, plan, curve, use, clearance, runs);
+  ViolationRuns runs(plan_path);
+  if (!judge_structure(robot, plan, runs)) return runs.finish();
+  const Curve curve = make_curve(plan.trajectory);
+  judge_rest(robot, plan.trajectory, runs);
+  const LimitUse use = judge_limits(robot, curve, runs);
+  judge_tracking(robot, plan, runs);
+  const double clearance = judge_contacts(robot, plan, curve, runs);
+  judge_certificate(robot, plan, curve, use, clearance, runs);
   std::vector<Violation> violations = runs.finish();
   append(violations, verify_transfer(robot, plan_path + "/approach", plan, plan.approach, true));
   append(violations, verify_transfer(robot, plan_path + "/retreat", plan, plan.retreat, false));
   return violations;
 }
 
-}  // namespace morphe
+}  // namespace morphe::verify

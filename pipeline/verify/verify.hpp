@@ -7,7 +7,7 @@
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
-namespace morphe {
+namespace morphe::verify {
 
 /// One thing that does not hold, at its worst place; neighbouring samples with the same cause and
 /// subject are one violation.
@@ -55,4 +55,4 @@ std::string verify_json(const VerifyReport& report);
 /// A line per violation, then the sum.
 std::string verify_text(const VerifyReport& report);
 
-}  // namespace morphe
+}  // namespace morphe::verify

@@ -1,10 +1,10 @@
 #include "pipeline/store/plan_file.hpp"
 #include "pipeline/verify/verify.hpp"
 
-namespace morphe {
+namespace morphe::verify {
 
 VerifyReport verify_file(const std::filesystem::path& file) {
-  const PlanReader reader(file);
+  const store::PlanReader reader(file);
   VerifyReport report;
   for (std::size_t i = 0; i < reader.plan_paths().size(); ++i) {
     const Plan plan = reader.read(i);
@@ -15,4 +15,4 @@ VerifyReport verify_file(const std::filesystem::path& file) {
   return report;
 }
 
-}  // namespace morphe
+}  // namespace morphe::verify

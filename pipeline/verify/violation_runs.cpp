@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace morphe::judge {
+namespace morphe::verify {
 
 void ViolationRuns::note(const std::string& cause, const std::string& subject, const Place& place,
                          double value, double limit, double excess) {
@@ -38,4 +38,4 @@ std::vector<Violation> ViolationRuns::finish() {
   return std::exchange(closed_, {});
 }
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

@@ -7,7 +7,7 @@
 
 #include "pipeline/verify/verify.hpp"
 
-namespace morphe::judge {
+namespace morphe::verify {
 
 /// Where on a curve: sample k is step 2k, the piece after it is step 2k + 1.
 struct Place {
@@ -40,4 +40,4 @@ class ViolationRuns {
   std::vector<Violation> closed_;
 };
 
-}  // namespace morphe::judge
+}  // namespace morphe::verify

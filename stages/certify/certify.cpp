@@ -7,12 +7,12 @@
 #include <limits>
 
 #include "pipeline/collision/certified.hpp"
-#include "pipeline/motion/quintic.hpp"
+#include "pipeline/math/quintic.hpp"
 #include "stages/certify/goal_errors.hpp"
 #include "stages/certify/smoothness.hpp"
 #include "stages/certify/trajectory_motion.hpp"
 
-namespace morphe {
+namespace morphe::certify {
 namespace {
 
 constexpr double kClearanceResolution_m = 1e-5;
@@ -30,7 +30,7 @@ double mean_of_seen(const Eigen::Ref<const Eigen::VectorXd>& values) {
 
 /// A sentence for the first limit that does not hold, "" if all do.
 std::string beyond_limits(const RobotTable& robot, const Trajectory& trajectory,
-                          const LimitReport& report) {
+                          const math::LimitReport& report) {
   const auto sentence = [&](const char* what, int sample, int joint, const std::string& value) {
     return fmt::format("{} of joint {} is {} after sample {} ({:.3f} s)", what,
                        robot.joint_names[static_cast<std::size_t>(joint)], value, sample,
@@ -40,7 +40,7 @@ std::string beyond_limits(const RobotTable& robot, const Trajectory& trajectory,
     return sentence("position", report.margin_sample, report.margin_joint,
                     fmt::format("{:.3g} rad beyond its limit", -report.position_margin));
   }
-  const auto over = [&](const char* what, const LimitUse& use) {
+  const auto over = [&](const char* what, const math::LimitUse& use) {
     return use.ratio <= 1 ? std::string()
                           : sentence(what, use.sample, use.joint,
                                      fmt::format("{:.4f} times its limit", use.ratio));
@@ -53,26 +53,28 @@ std::string beyond_limits(const RobotTable& robot, const Trajectory& trajectory,
   return "";
 }
 
-void fill_clearance(const CollisionWorld& world, Trajectory& trajectory,
-                    CollisionScratch& scratch) {
+void fill_clearance(const collision::CollisionWorld& world, Trajectory& trajectory,
+                    collision::CollisionScratch& scratch) {
   trajectory.clearance.resize(trajectory.samples());
   for (std::size_t i = 0; i < trajectory.samples(); ++i) {
     const JointVector q = trajectory.position.row(static_cast<Eigen::Index>(i)).transpose();
-    trajectory.clearance[i] = clearance(world, q, trajectory.demonstration_time[i], scratch);
+    trajectory.clearance[i] =
+        collision::clearance(world, q, trajectory.demonstration_time[i], scratch);
   }
 }
 
 /// A sentence for a contact that is not allowed, or not excluded; "" if there is none.
-std::string contacts(const CollisionWorld& world, const JointRows& reach, const JointMotion& motion,
-                     const Trajectory& trajectory, CollisionScratch& scratch) {
-  const MotionCheck found = check_motion(world, reach, motion, scratch);
-  if (found.verdict == MotionVerdict::free) return "";
+std::string contacts(const collision::CollisionWorld& world, const JointRows& reach,
+                     const collision::JointMotion& motion, const Trajectory& trajectory,
+                     collision::CollisionScratch& scratch) {
+  const collision::MotionCheck found = collision::check_motion(world, reach, motion, scratch);
+  if (found.verdict == collision::MotionVerdict::free) return "";
   return fmt::format(
       "{} and {} are {:.2f} mm apart at {:.3f} s (sample {}), {} than the {:.2f} mm "
       "required",
-      first_name(world, found.pair), second_name(world, found.pair),
+      collision::first_name(world, found.pair), collision::second_name(world, found.pair),
       1e3 * found.pair.separation.distance, found.at, sample_before(trajectory, found.at),
-      found.verdict == MotionVerdict::colliding ? "less" : "not provably more",
+      found.verdict == collision::MotionVerdict::colliding ? "less" : "not provably more",
       1e3 * found.pair.required);
 }
 
@@ -88,7 +90,7 @@ std::string off_goals(const RobotTable& robot, const Trajectory& trajectory,
 
 }  // namespace
 
-CertifyResult certify_motion(const CollisionWorld& world, Trajectory& trajectory,
+CertifyResult certify_motion(const collision::CollisionWorld& world, Trajectory& trajectory,
                              bool path_was_free) {
   CertifyResult result;
   const auto fail = [&](const char* reason, const std::string& sentence) {
@@ -101,27 +103,29 @@ CertifyResult certify_motion(const CollisionWorld& world, Trajectory& trajectory
     return result;
   }
   Certificate& c = result.certificate;
-  const LimitReport limits = judge_limits(*world.robot, trajectory);
+  const math::LimitReport limits = math::judge_limits(*world.robot, trajectory);
   c.position_margin = limits.position_margin;
   c.velocity_ratio = limits.velocity.ratio;
   c.acceleration_ratio = limits.acceleration.ratio;
   c.jerk_ratio = limits.jerk.ratio;
   fail("limit", beyond_limits(*world.robot, trajectory, limits));
 
-  CollisionScratch scratch;
+  collision::CollisionScratch scratch;
   fill_clearance(world, trajectory, scratch);
-  const JointRows reach = capsule_reach(*world.robot);
-  const JointMotion motion = trajectory_motion(trajectory);
-  c.clearance = motion_clearance(world, reach, motion, scratch, kClearanceResolution_m).at_least;
+  const JointRows reach = collision::capsule_reach(*world.robot);
+  const collision::JointMotion motion = trajectory_motion(trajectory);
+  c.clearance =
+      collision::motion_clearance(world, reach, motion, scratch, kClearanceResolution_m).at_least;
   fail(path_was_free ? "smoothing" : "collision",
        contacts(world, reach, motion, trajectory, scratch));
   return result;
 }
 
-CertifyResult certify(const CollisionWorld& around, const Goals& goals, const Movement& movement,
-                      Trajectory& trajectory, const Mapped& mapped, bool path_was_free) {
-  CollisionWorld world = around;
-  carry_target(trajectory.demonstration_time, trajectory.position, world);
+CertifyResult certify(const collision::CollisionWorld& around, const Goals& goals,
+                      const Movement& movement, Trajectory& trajectory, const Mapped& mapped,
+                      bool path_was_free) {
+  collision::CollisionWorld world = around;
+  collision::carry_target(trajectory.demonstration_time, trajectory.position, world);
   CertifyResult result = certify_motion(world, trajectory, path_was_free);
   if (trajectory.samples() < 2) return result;
   Certificate& c = result.certificate;
@@ -157,4 +161,4 @@ CertifyResult certify(const CollisionWorld& around, const Goals& goals, const Mo
   return result;
 }
 
-}  // namespace morphe
+}  // namespace morphe::certify

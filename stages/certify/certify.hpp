@@ -5,7 +5,7 @@
 #include "pipeline/collision/world.hpp"
 #include "pipeline/motion/plan.hpp"
 
-namespace morphe {
+namespace morphe::certify {
 
 struct CertifyResult {
   Certificate certificate;  ///< filled in as far as it could be, also if something fails
@@ -14,7 +14,7 @@ struct CertifyResult {
 };
 
 /// The limits and contacts alone, for a motion without goals. The world stands as it is.
-CertifyResult certify_motion(const CollisionWorld& world, Trajectory& trajectory,
+CertifyResult certify_motion(const collision::CollisionWorld& world, Trajectory& trajectory,
                              bool path_was_free = true);
 
 /// What holds for a trajectory as a controller runs it, the quintic between samples:
@@ -24,7 +24,8 @@ CertifyResult certify_motion(const CollisionWorld& world, Trajectory& trajectory
 ///   tracking   tips against goals interpolated at the samples' demonstration times, with
 ///              tracking_grasp in the phases grasp and hold and tracking elsewhere.
 /// Fills in the trajectory's clearance. The first failure in this order is the reason.
-CertifyResult certify(const CollisionWorld& world, const Goals& goals, const Movement& movement,
-                      Trajectory& trajectory, const Mapped& mapped, bool path_was_free = true);
+CertifyResult certify(const collision::CollisionWorld& world, const Goals& goals,
+                      const Movement& movement, Trajectory& trajectory, const Mapped& mapped,
+                      bool path_was_free = true);
 
-}  // namespace morphe
+}  // namespace morphe::certify

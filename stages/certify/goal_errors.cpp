@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "pipeline/humanlike/metrics.hpp"
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/forward.hpp"
 
-namespace morphe {
+namespace morphe::certify {
 namespace {
 
 struct Between {
@@ -85,10 +85,10 @@ GoalErrors goal_errors(const RobotTable& robot, const Goals& goals, const Moveme
     const double time_s = trajectory.demonstration_time[sample];
     const bool grasp = grasping(movement, time_s);
     const double tolerance = grasp ? tolerances.tracking_grasp : tolerances.tracking;
-    forward(robot, trajectory.position.row(static_cast<Eigen::Index>(sample)).transpose(),
-            base_from_frame);
+    robot::forward(robot, trajectory.position.row(static_cast<Eigen::Index>(sample)).transpose(),
+                   base_from_frame);
     for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
-      const Pose base_from_tip = tip_pose(robot, base_from_frame, tip);
+      const Pose base_from_tip = robot::tip_pose(robot, base_from_frame, tip);
       const Quat turned = tip_orientation_goal_at(goals, tip, time_s);
       if (seen(turned)) {
         const double angle = angle_between(Quat(base_from_tip.linear()), turned);
@@ -111,7 +111,7 @@ GoalErrors goal_errors(const RobotTable& robot, const Goals& goals, const Moveme
     const std::vector<Vec3> centres = arm_centres(robot, base_from_frame);
     const Vec3 elbow = point_at(goals.elbow_position, at);
     if (centres.empty() || !seen(elbow)) continue;
-    humanlikeness.add(joint_distance_sum(elbow, centres));
+    humanlikeness.add(humanlike::joint_distance_sum(elbow, centres));
     const Vec3 human = elbow - point_at(goals.shoulder_position, at);
     if (!seen(human)) continue;
     const double angle = angle_of(human, centres.front() - base_from_frame[shoulder].translation());
@@ -124,4 +124,4 @@ GoalErrors goal_errors(const RobotTable& robot, const Goals& goals, const Moveme
   return out;
 }
 
-}  // namespace morphe
+}  // namespace morphe::certify

@@ -3,7 +3,7 @@
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
-namespace morphe {
+namespace morphe::certify {
 
 /// Goals at a demonstration time: linear (slerp) between frames, held at the ends, NaN where one of
 /// the two frames has none. goals must have a frame.
@@ -25,4 +25,4 @@ struct GoalErrors {
 GoalErrors goal_errors(const RobotTable& robot, const Goals& goals, const Movement& movement,
                        const Tolerances& tolerances, const Trajectory& trajectory);
 
-}  // namespace morphe
+}  // namespace morphe::certify

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/forward.hpp"
 
-namespace morphe {
+namespace morphe::certify {
 namespace {
 
 const SceneObject* target_of(const Scene& scene, const Movement& movement) {
@@ -33,9 +33,9 @@ JointVector widest_open(const RobotTable& robot, const Trajectory& trajectory,
   double most_m = -1;
   std::vector<Pose> base_from_frame;
   for (std::size_t i = 0; thumb >= 0 && index >= 0 && i <= grasp_sample; ++i) {
-    forward(robot, posture_at(trajectory, i), base_from_frame);
+    robot::forward(robot, posture_at(trajectory, i), base_from_frame);
     const auto place = [&](int tip) -> Vec3 {
-      return tip_pose(robot, base_from_frame, static_cast<std::size_t>(tip)).translation();
+      return robot::tip_pose(robot, base_from_frame, static_cast<std::size_t>(tip)).translation();
     };
     const double opening_m = (place(thumb) - place(index)).norm();
     if (opening_m <= most_m) continue;
@@ -64,14 +64,14 @@ Grasp find_grasp(const RobotTable& robot, const Scene& scene, const Movement& mo
   grasp.base_from_object = recorded_pose(*target, times[sample]);
   const Pose object_from_base = grasp.base_from_object.inverse();
   std::vector<Pose> base_from_frame;
-  forward(robot, grasp.hand_posture, base_from_frame);
+  robot::forward(robot, grasp.hand_posture, base_from_frame);
   grasp.object_from_palm =
       object_from_base * base_from_frame[static_cast<std::size_t>(robot.palm_frame)];
   for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
     grasp.tips_in_object.push_back(object_from_base *
-                                   tip_pose(robot, base_from_frame, tip).translation());
+                                   robot::tip_pose(robot, base_from_frame, tip).translation());
   }
   return grasp;
 }
 
-}  // namespace morphe
+}  // namespace morphe::certify

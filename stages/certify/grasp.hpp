@@ -3,7 +3,7 @@
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
-namespace morphe {
+namespace morphe::certify {
 
 /// The grasp in the frame of the movement's target, at the first sample of the first phase `grasp`
 /// (the last sample if the trajectory ends before). The pregrasp posture is where thumb and index
@@ -12,4 +12,4 @@ namespace morphe {
 Grasp find_grasp(const RobotTable& robot, const Scene& scene, const Movement& movement,
                  const Trajectory& trajectory);
 
-}  // namespace morphe
+}  // namespace morphe::certify

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/forward.hpp"
 #include "stages/certify/trajectory_motion.hpp"
 
-namespace morphe {
+namespace morphe::certify {
 namespace {
 
 std::vector<std::size_t> tips_always_seen(const Goals& goals) {
@@ -65,7 +65,7 @@ SpeedProfile robot_speed(const RobotTable& robot, const Goals& goals,
   const std::vector<std::size_t> tips = tips_always_seen(goals);
   const double step_s = step_of(goals);
   if (tips.empty() || !(step_s > 0) || trajectory.samples() < 2) return {};
-  const JointMotion motion = trajectory_motion(trajectory);
+  const collision::JointMotion motion = trajectory_motion(trajectory);
   const auto steps =
       static_cast<std::size_t>((motion.end - motion.begin) / step_s * (1 + 1e-12) + 1e-9);
   std::vector<std::vector<Vec3>> positions(steps + 1);
@@ -73,9 +73,9 @@ SpeedProfile robot_speed(const RobotTable& robot, const Goals& goals,
   JointVector q;
   for (std::size_t k = 0; k <= steps; ++k) {
     motion.position(std::min(motion.begin + static_cast<double>(k) * step_s, motion.end), q);
-    forward(robot, q, base_from_frame);
+    robot::forward(robot, q, base_from_frame);
     for (const std::size_t tip : tips) {
-      positions[k].push_back(tip_pose(robot, base_from_frame, tip).translation());
+      positions[k].push_back(robot::tip_pose(robot, base_from_frame, tip).translation());
     }
   }
   return central_differences(positions, step_s);
@@ -133,4 +133,4 @@ double log_dimensionless_jerk(const SpeedProfile& profile) {
   return -std::log(std::pow(duration_s, 3) / (peak * peak) * squared_jerk);
 }
 
-}  // namespace morphe
+}  // namespace morphe::certify

@@ -5,7 +5,7 @@
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
-namespace morphe {
+namespace morphe::certify {
 
 /// Speed at equal instants [m/s].
 struct SpeedProfile {
@@ -35,4 +35,4 @@ double spectral_arc_length(const SpeedProfile& profile);
 /// fewer than three instants or without motion.
 double log_dimensionless_jerk(const SpeedProfile& profile);
 
-}  // namespace morphe
+}  // namespace morphe::certify

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <memory>
 
-#include "pipeline/motion/quintic.hpp"
+#include "pipeline/math/quintic.hpp"
 
-namespace morphe {
+namespace morphe::certify {
 namespace {
 
 /// way(i, j): how far joint j can have gone up to sample i at each piece's largest speed [rad].
@@ -15,8 +15,8 @@ JointRows longest_way(const Trajectory& trajectory) {
   for (std::size_t i = 0; i + 1 < trajectory.samples(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     for (Eigen::Index joint = 0; joint < way.cols(); ++joint) {
-      const QuinticPiece piece = quintic_piece(trajectory, i, joint);
-      const Range speed = extremes(piece).velocity;
+      const math::QuinticPiece piece = math::quintic_piece(trajectory, i, joint);
+      const math::Range speed = math::extremes(piece).velocity;
       way(row + 1, joint) =
           way(row, joint) + std::max(-speed.least, speed.greatest) * piece.duration;
     }
@@ -46,15 +46,15 @@ double demonstration_time_at(const Trajectory& trajectory, double time_s) {
          share * trajectory.demonstration_time[i + 1];
 }
 
-JointMotion trajectory_motion(const Trajectory& trajectory) {
-  JointMotion motion;
+collision::JointMotion trajectory_motion(const Trajectory& trajectory) {
+  collision::JointMotion motion;
   motion.begin = trajectory.time.front();
   motion.end = trajectory.time.back();
   motion.position = [&trajectory](double s, JointVector& q) {
     const std::size_t i = sample_before(trajectory, s);
     q.resize(trajectory.position.cols());
     for (Eigen::Index joint = 0; joint < q.size(); ++joint) {
-      q[joint] = value_at(quintic_piece(trajectory, i, joint), s - trajectory.time[i]);
+      q[joint] = math::value_at(math::quintic_piece(trajectory, i, joint), s - trajectory.time[i]);
     }
   };
   const auto way = std::make_shared<const JointRows>(longest_way(trajectory));
@@ -74,4 +74,4 @@ JointMotion trajectory_motion(const Trajectory& trajectory) {
   return motion;
 }
 
-}  // namespace morphe
+}  // namespace morphe::certify

@@ -3,12 +3,12 @@
 #include "pipeline/collision/certified.hpp"
 #include "pipeline/motion/plan.hpp"
 
-namespace morphe {
+namespace morphe::certify {
 
 /// A trajectory as certified motion over its time: the quintics between the samples. Within
 /// [s0, s1] a joint gets no farther from its middle position than the way it can make at the
 /// largest speed of each piece. The trajectory must outlive the motion and have two samples.
-JointMotion trajectory_motion(const Trajectory& trajectory);
+collision::JointMotion trajectory_motion(const Trajectory& trajectory);
 
 /// Linear between the samples [s].
 double demonstration_time_at(const Trajectory& trajectory, double time_s);
@@ -16,4 +16,4 @@ double demonstration_time_at(const Trajectory& trajectory, double time_s);
 /// Sample at or before a time, never the last one.
 std::size_t sample_before(const Trajectory& trajectory, double time_s);
 
-}  // namespace morphe
+}  // namespace morphe::certify

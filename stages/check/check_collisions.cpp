@@ -5,15 +5,16 @@
 
 #include "pipeline/collision/fcl_engine.hpp"
 
-namespace morphe {
+namespace morphe::check {
 namespace {
 
 constexpr double kBand_m = 1e-4;
 constexpr double kLeastStep_m = 5e-4;  ///< FCL's sub-samples with a margin near zero
 
-void add_pair(const CollisionWorld& world, const PairSeparation& pair, std::size_t first,
-              std::size_t last, double depth_m, FindingRows& rows) {
-  const std::string one = first_name(world, pair), other = second_name(world, pair);
+void add_pair(const collision::CollisionWorld& world, const collision::PairSeparation& pair,
+              std::size_t first, std::size_t last, double depth_m, FindingRows& rows) {
+  const std::string one = collision::first_name(world, pair),
+                    other = collision::second_name(world, pair);
   rows.add(!pair.object       ? "self"
            : other == "table" ? "table"
                               : "object",
@@ -21,22 +22,23 @@ void add_pair(const CollisionWorld& world, const PairSeparation& pair, std::size
 }
 
 /// What a sample shows, it shows for the steps to both its neighbours: they cannot be free.
-void add_at_sample(const CollisionWorld& world, const std::vector<PairSeparation>& pairs,
-                   std::size_t sample, std::size_t samples, FindingRows& rows) {
+void add_at_sample(const collision::CollisionWorld& world,
+                   const std::vector<collision::PairSeparation>& pairs, std::size_t sample,
+                   std::size_t samples, FindingRows& rows) {
   const std::size_t before = sample > 0 ? sample - 1 : 0;
   const std::size_t after = std::min(sample + 1, samples - 1);
-  for (const PairSeparation& pair : pairs) {
+  for (const collision::PairSeparation& pair : pairs) {
     add_pair(world, pair, before, after, std::max(-pair.slack(), 1e-9), rows);
   }
 }
 
 struct Walk {
-  const CollisionWorld& world;
+  const collision::CollisionWorld& world;
   const JointPath& path;
   JointRows reach;
-  CollisionScratch scratch;
-  std::vector<PairSeparation> pairs;
-  std::vector<MotionCheck> failing;
+  collision::CollisionScratch scratch;
+  std::vector<collision::PairSeparation> pairs;
+  std::vector<collision::MotionCheck> failing;
 
   std::size_t samples() const { return path.demonstration_time.size(); }
   JointVector position(std::size_t sample) const {
@@ -46,13 +48,13 @@ struct Walk {
 
   void certified(FindingRows& rows) {
     for (std::size_t k = 0; k < samples(); ++k) {
-      near_pairs(world, position(k), time_s(k), 0, scratch, pairs);
+      collision::near_pairs(world, position(k), time_s(k), 0, scratch, pairs);
       add_at_sample(world, pairs, k, samples(), rows);
       if (k + 1 == samples()) return;
-      const JointMotion motion =
-          straight_motion(position(k), position(k + 1), time_s(k), time_s(k + 1));
-      failing_pairs(world, reach, motion, scratch, failing, kBand_m);
-      for (const MotionCheck& found : failing) {
+      const collision::JointMotion motion =
+          collision::straight_motion(position(k), position(k + 1), time_s(k), time_s(k + 1));
+      collision::failing_pairs(world, reach, motion, scratch, failing, kBand_m);
+      for (const collision::MotionCheck& found : failing) {
         const double slack_m = found.pair.slack();
         const double depth_m = slack_m < 0 ? -slack_m : std::max(kBand_m - slack_m, 1e-9);
         add_pair(world, found.pair, k, k + 1, depth_m, rows);
@@ -68,7 +70,8 @@ struct Walk {
     double object_m = 0;
     for (const SceneObject& object : world.scene->objects) {
       if (object.time.size() < 2) continue;
-      object_m = std::max(object_m, object_travel(object, time_s(k), time_s(k), time_s(k + 1)));
+      object_m =
+          std::max(object_m, collision::object_travel(object, time_s(k), time_s(k), time_s(k + 1)));
     }
     if (world.carried.frame >= 0) {
       object_m = std::max(object_m, world.carried.reach.dot(travel));
@@ -78,20 +81,20 @@ struct Walk {
   }
 
   void by_fcl(FindingRows& rows) {
-    FclEngine engine(world);
+    collision::FclEngine engine(world);
     for (std::size_t k = 0; k < samples(); ++k) {
       engine.pairs(position(k), time_s(k), scratch, pairs);
       add_at_sample(world, pairs, k, samples(), rows);
       if (k + 1 == samples()) return;
-      const JointMotion motion =
-          straight_motion(position(k), position(k + 1), time_s(k), time_s(k + 1));
+      const collision::JointMotion motion =
+          collision::straight_motion(position(k), position(k + 1), time_s(k), time_s(k + 1));
       const int steps = fcl_steps(k);
       JointVector q;
       for (int step = 1; step < steps; ++step) {
         const double s = static_cast<double>(step) / steps;
         motion.position(s, q);
         engine.pairs(q, motion.demonstration_time(s), scratch, pairs);
-        for (const PairSeparation& pair : pairs) {
+        for (const collision::PairSeparation& pair : pairs) {
           add_pair(world, pair, k, k + 1, std::max(-pair.slack(), 1e-9), rows);
         }
       }
@@ -101,9 +104,9 @@ struct Walk {
 
 }  // namespace
 
-void check_collisions(const CollisionWorld& world, const JointPath& path, const std::string& engine,
-                      FindingRows& rows) {
-  Walk walk{world, path, capsule_reach(*world.robot), {}, {}, {}};
+void check_collisions(const collision::CollisionWorld& world, const JointPath& path,
+                      const std::string& engine, FindingRows& rows) {
+  Walk walk{world, path, collision::capsule_reach(*world.robot), {}, {}, {}};
   if (engine == "fcl") {
     walk.by_fcl(rows);
   } else {
@@ -111,4 +114,4 @@ void check_collisions(const CollisionWorld& world, const JointPath& path, const 
   }
 }
 
-}  // namespace morphe
+}  // namespace morphe::check

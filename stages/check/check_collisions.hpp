@@ -3,10 +3,10 @@
 #include "stages/check/check_path.hpp"
 #include "stages/check/finding_rows.hpp"
 
-namespace morphe {
+namespace morphe::check {
 
 /// The causes self, object and table of check_path().
-void check_collisions(const CollisionWorld& world, const JointPath& path, const std::string& engine,
-                      FindingRows& rows);
+void check_collisions(const collision::CollisionWorld& world, const JointPath& path,
+                      const std::string& engine, FindingRows& rows);
 
-}  // namespace morphe
+}  // namespace morphe::check

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/forward.hpp"
 #include "stages/check/check_collisions.hpp"
 #include "stages/check/finding_rows.hpp"
 
-namespace morphe {
+namespace morphe::check {
 namespace {
 
 constexpr double kLimitTolerance = 1e-9;  ///< rounding of what was clamped to a limit [rad]
@@ -63,11 +63,11 @@ void check_tracking(const RobotTable& robot, const Goals& goals, const Movement&
                                  ? tolerances.tracking_grasp
                                  : tolerances.tracking;
     const JointVector q = path.position.row(static_cast<Eigen::Index>(k));
-    forward(robot, q, base_from_frame);
+    robot::forward(robot, q, base_from_frame);
     for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
       const Vec3 goal = goal_at(goals, tip, time_s);
       if (!seen(goal)) continue;
-      const Vec3 reached = tip_pose(robot, base_from_frame, tip).translation();
+      const Vec3 reached = robot::tip_pose(robot, base_from_frame, tip).translation();
       const double beyond_m = (reached - goal).norm() - allowed_m;
       if (beyond_m > 0) rows.add("tracking", robot.tips[tip].name, "", k, k, beyond_m);
     }
@@ -111,7 +111,7 @@ void check_jumps(const RobotTable& robot, const JointPath& path, double jump_ste
 
 }  // namespace
 
-std::string check(const CheckOptions& options) {
+std::string why_invalid(const CheckOptions& options) {
   const Tolerances& t = options.tolerances;
   if (!(t.margin >= 0)) return "margin must not be negative";
   if (!(t.contact_depth >= 0)) return "contact_depth must not be negative";
@@ -121,13 +121,13 @@ std::string check(const CheckOptions& options) {
   return "";
 }
 
-std::vector<Finding> check_path(const CollisionWorld& world, const Goals& goals,
+std::vector<Finding> check_path(const collision::CollisionWorld& world, const Goals& goals,
                                 const Movement& movement, const JointPath& path,
                                 const CheckOptions& options) {
   assert(path.position.rows() == static_cast<Eigen::Index>(path.demonstration_time.size()));
   FindingRows rows;
-  CollisionWorld carrying = world;
-  carry_target(path.demonstration_time, path.position, carrying);
+  collision::CollisionWorld carrying = world;
+  collision::carry_target(path.demonstration_time, path.position, carrying);
   check_collisions(carrying, path, options.engine, rows);
   check_limits(*world.robot, path, rows);
   check_tracking(*world.robot, goals, movement, path, options.tolerances, rows);
@@ -135,4 +135,4 @@ std::vector<Finding> check_path(const CollisionWorld& world, const Goals& goals,
   return rows.join(path.demonstration_time);
 }
 
-}  // namespace morphe
+}  // namespace morphe::check

@@ -5,7 +5,7 @@
 #include "pipeline/collision/certified.hpp"
 #include "pipeline/motion/plan.hpp"
 
-namespace morphe {
+namespace morphe::check {
 
 struct CheckOptions {
   Tolerances tolerances;
@@ -22,7 +22,7 @@ void fields(Fields& f, CheckOptions& o) {
   f("engine", o.engine);
   f("jump_step", o.jump_step);
 }
-std::string check(const CheckOptions& options);
+std::string why_invalid(const CheckOptions& options);
 
 /// Everything that keeps a path from being executed, one finding for each cause and pair of names
 /// in a row of samples, ordered by begin, then cause and names. Empty = free. Times are the path's
@@ -40,8 +40,8 @@ std::string check(const CheckOptions& options);
 ///   jump                 a joint's step that is larger than jump_step in its time and 3 times the
 ///                        mean of its neighbours: a fast smooth motion is none. Steps to or from a
 ///                        planned sample are none either. Depth: what is beyond jump_step
-std::vector<Finding> check_path(const CollisionWorld& world, const Goals& goals,
+std::vector<Finding> check_path(const collision::CollisionWorld& world, const Goals& goals,
                                 const Movement& movement, const JointPath& path,
                                 const CheckOptions& options);
 
-}  // namespace morphe
+}  // namespace morphe::check

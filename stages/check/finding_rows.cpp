@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace morphe {
+namespace morphe::check {
 
 void FindingRows::add(const std::string& cause, const std::string& one, const std::string& other,
                       std::size_t first, std::size_t last, double depth) {
@@ -35,4 +35,4 @@ std::vector<Finding> FindingRows::join(const std::vector<double>& demonstration_
   return findings;
 }
 
-}  // namespace morphe
+}  // namespace morphe::check

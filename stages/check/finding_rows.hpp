@@ -7,7 +7,7 @@
 
 #include "pipeline/motion/plan.hpp"
 
-namespace morphe {
+namespace morphe::check {
 
 /// Collects what is wrong at single samples, or between two, and joins what touches.
 class FindingRows {
@@ -27,4 +27,4 @@ class FindingRows {
   std::map<std::tuple<std::string, std::string, std::string>, std::vector<Row>> rows_;
 };
 
-}  // namespace morphe
+}  // namespace morphe::check

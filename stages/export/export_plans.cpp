@@ -6,18 +6,18 @@
 #include <fstream>
 #include <iterator>
 
+#include "pipeline/files/part_file.hpp"
 #include "pipeline/motion/input_error.hpp"
-#include "pipeline/store/part_file.hpp"
 #include "pipeline/store/plan_file.hpp"
 #include "stages/export/robomimic.hpp"
 #include "stages/export/ros_trajectory.hpp"
 #include "stages/export/trajectory_csv.hpp"
 
-namespace morphe {
+namespace morphe::exports {
 namespace {
 
 void write_text(const std::filesystem::path& file, const std::string& text) {
-  PartFile part(file);
+  files::PartFile part(file);
   std::ofstream stream(part.part(), std::ios::binary);
   stream << text;
   stream.close();
@@ -50,8 +50,8 @@ std::string why_not(const Plan& plan) {
   return "";
 }
 
-void export_texts(const PlanReader& reader, const std::filesystem::path& folder, const char* ending,
-                  std::string (*text_of)(const RobotTable&, const Trajectory&),
+void export_texts(const store::PlanReader& reader, const std::filesystem::path& folder,
+                  const char* ending, std::string (*text_of)(const RobotTable&, const Trajectory&),
                   ExportReport& report) {
   const auto write = [&](const Plan& plan, const char* what, const Trajectory& trajectory) {
     const std::string name =
@@ -71,7 +71,7 @@ void export_texts(const PlanReader& reader, const std::filesystem::path& folder,
   }
 }
 
-void export_robomimic(const PlanReader& reader, const std::filesystem::path& folder,
+void export_robomimic(const store::PlanReader& reader, const std::filesystem::path& folder,
                       ExportReport& report) {
   // Twice through the file: whether all have a target must be known before the first is written.
   std::vector<std::size_t> chosen;
@@ -106,7 +106,7 @@ std::vector<std::string> export_format_names() { return {"csv", "ros", "robomimi
 
 ExportReport export_plans(const std::filesystem::path& plans, const std::string& format,
                           const std::filesystem::path& folder) {
-  const PlanReader reader(plans);
+  const store::PlanReader reader(plans);
   ExportReport report;
   if (format == "csv") export_texts(reader, folder, ".csv", trajectory_csv, report);
   if (format == "ros") export_texts(reader, folder, ".yaml", ros_trajectory, report);
@@ -114,4 +114,4 @@ ExportReport export_plans(const std::filesystem::path& plans, const std::string&
   return report;
 }
 
-}  // namespace morphe
+}  // namespace morphe::exports

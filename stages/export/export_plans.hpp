@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace morphe {
+namespace morphe::exports {
 
 /// csv, ros, robomimic.
 std::vector<std::string> export_format_names();
@@ -28,4 +28,4 @@ struct ExportReport {
 ExportReport export_plans(const std::filesystem::path& plans, const std::string& format,
                           const std::filesystem::path& folder);
 
-}  // namespace morphe
+}  // namespace morphe::exports

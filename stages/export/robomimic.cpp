@@ -6,10 +6,10 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/kinematics/forward.hpp"
 #include "pipeline/motion/input_error.hpp"
+#include "pipeline/robot/forward.hpp"
 
-namespace morphe {
+namespace morphe::exports {
 namespace {
 
 constexpr int kGymType = 2;  ///< of robomimic's environments: the one without a robot simulator
@@ -44,10 +44,12 @@ RobomimicDemo robomimic_demo(const RobotTable& robot, const Plan& plan, bool tar
   JointRows phase = JointRows::Zero(samples, std::size(kPhaseNames));
   std::vector<Pose> base_from_frame;
   for (Eigen::Index i = 0; i < samples; ++i) {
-    forward(robot, t.position.row(i).transpose(), base_from_frame);
+    robot::forward(robot, t.position.row(i).transpose(), base_from_frame);
     for (Eigen::Index k = 0; k < tips; ++k) {
       tip_positions.block<1, 3>(i, 3 * k) =
-          tip_pose(robot, base_from_frame, static_cast<std::size_t>(k)).translation().transpose();
+          robot::tip_pose(robot, base_from_frame, static_cast<std::size_t>(k))
+              .translation()
+              .transpose();
     }
     const Pose& palm = base_from_frame[static_cast<std::size_t>(robot.palm_frame)];
     palm_position.row(i) = palm.translation().transpose();
@@ -76,4 +78,4 @@ RobomimicDemo robomimic_demo(const RobotTable& robot, const Plan& plan, bool tar
   return demo;
 }
 
-}  // namespace morphe
+}  // namespace morphe::exports

@@ -4,9 +4,9 @@
 
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
-#include "pipeline/store/robomimic_file.hpp"
+#include "stages/export/robomimic_file.hpp"
 
-namespace morphe {
+namespace morphe::exports {
 
 /// Joint positions scaled by the joints' limits; env_args names the robot (there is no simulator to
 /// make one from), the controller's rate and the order of joints and tips. InputError for a joint
@@ -20,4 +20,4 @@ RobomimicHeader robomimic_header(const RobotTable& robot, double rate_hz);
 ///   with `target`: target_position [3]  target_orientation [4], of the object where it is grasped
 RobomimicDemo robomimic_demo(const RobotTable& robot, const Plan& plan, bool target);
 
-}  // namespace morphe
+}  // namespace morphe::exports

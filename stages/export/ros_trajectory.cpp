@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <iterator>
 
-namespace morphe {
+namespace morphe::exports {
 namespace {
 
 /// A YAML string in double quotes; other control characters do not stand in names of joints.
@@ -49,4 +49,4 @@ std::string ros_trajectory(const RobotTable& robot, const Trajectory& t) {
   return text;
 }
 
-}  // namespace morphe
+}  // namespace morphe::exports

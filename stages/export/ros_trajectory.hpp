@@ -5,7 +5,7 @@
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
-namespace morphe {
+namespace morphe::exports {
 
 /// A trajectory_msgs/msg/JointTrajectory of ROS 2 as YAML: the actuated joints by name, and a point
 /// per sample with position, velocity, acceleration and time_from_start. The stamp is zero (begin
@@ -14,4 +14,4 @@ namespace morphe {
 /// point: YAML 1.1, as ROS reads it, takes 1e-05 for text.
 std::string ros_trajectory(const RobotTable& robot, const Trajectory& trajectory);
 
-}  // namespace morphe
+}  // namespace morphe::exports

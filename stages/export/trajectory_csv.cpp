@@ -4,7 +4,7 @@
 
 #include <iterator>
 
-namespace morphe {
+namespace morphe::exports {
 namespace {
 
 std::string cell(const std::string& text) {
@@ -35,4 +35,4 @@ std::string trajectory_csv(const RobotTable& robot, const Trajectory& t) {
   return text;
 }
 
-}  // namespace morphe
+}  // namespace morphe::exports

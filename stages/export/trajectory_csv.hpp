@@ -5,7 +5,7 @@
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
-namespace morphe {
+namespace morphe::exports {
 
 /// A row per sample under one line of names:
 ///   time_s, demonstration_time_s, phase, <joint>_position_rad …, <joint>_velocity_rad_s …,
@@ -14,4 +14,4 @@ namespace morphe {
 /// double; a name with a comma or a quote is quoted (RFC 4180), lines end with a line feed.
 std::string trajectory_csv(const RobotTable& robot, const Trajectory& trajectory);
 
-}  // namespace morphe
+}  // namespace morphe::exports

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <map>
 
+#include "pipeline/files/csv.hpp"
 #include "stages/import/adroit_hand.hpp"
-#include "stages/import/csv.hpp"
 #include "stages/import/format.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 /// The door handle's bar, as a ball around the one point that was recorded of it. While the latch
@@ -25,7 +25,8 @@ struct Row {
 };
 
 /// Every column by its name: all that are needed, none twice.
-std::map<std::string, std::size_t, std::less<>> read_columns(const CsvText& csv, std::size_t line) {
+std::map<std::string, std::size_t, std::less<>> read_columns(const files::CsvText& csv,
+                                                             std::size_t line) {
   std::map<std::string, std::size_t, std::less<>> columns;
   const auto cells = csv.cells(line);
   for (std::size_t c = 0; c < cells.size(); ++c) {
@@ -40,7 +41,7 @@ std::map<std::string, std::size_t, std::less<>> read_columns(const CsvText& csv,
   return columns;
 }
 
-std::vector<Row> read_rows(const CsvText& csv) {
+std::vector<Row> read_rows(const files::CsvText& csv) {
   const std::size_t header = !csv.lines.empty() && csv.lines[0].starts_with('#') ? 2 : 1;
   if (csv.lines.size() <= header) csv.fail(csv.lines.size(), "", "ends before the first row");
   const auto columns = read_columns(csv, header);
@@ -74,7 +75,7 @@ bool recognises_adroit_csv(std::string_view head) {
 }
 
 Demonstration read_adroit_csv(const RecordingFiles& files) {
-  const CsvText csv = read_csv(files.file);
+  const files::CsvText csv = files::read_csv(files.file);
   if (!files.static_trial.empty()) csv.fail(1, "static", "this format has no static trial");
   const std::vector<Row> rows = read_rows(csv);
   std::vector<double> time;
@@ -116,4 +117,4 @@ Demonstration read_adroit_csv(const RecordingFiles& files) {
   return demonstration;
 }
 
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -6,7 +6,7 @@
 #include <initializer_list>
 #include <numbers>
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 Pose turn(double angle, const Vec3& axis) { return Pose(Eigen::AngleAxisd(angle, axis)); }
@@ -71,4 +71,4 @@ Eigen::Matrix3d adroit_palm_from_hand() {
   return axes;
 }
 
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -5,7 +5,7 @@
 
 #include "pipeline/motion/geometry.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 
 /// Joint columns of an Adroit recording, in order: forearm, wrist, index, middle, ring, little,
 /// thumb. The forearm's slide ARTz is not recorded.
@@ -36,4 +36,4 @@ std::array<Vec3, 5> adroit_fingertips(const AdroitAngles& angles);
 /// palm) in the palm frame.
 Eigen::Matrix3d adroit_palm_from_hand();
 
-}  // namespace morphe
+}  // namespace morphe::imports

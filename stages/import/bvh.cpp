@@ -12,7 +12,7 @@
 #include "stages/import/rename.hpp"
 #include "stages/import/skeleton_axes.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 /// Between two frames [s]; and body lengths that the unit must not lead out of [m]: from the root
@@ -166,4 +166,4 @@ Demonstration read_bvh(const RecordingFiles& files) {
   return demonstration;
 }
 
-}  // namespace morphe
+}  // namespace morphe::imports

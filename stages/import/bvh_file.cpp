@@ -8,7 +8,7 @@
 #include <optional>
 #include <set>
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 constexpr std::size_t kMostJoints = 2000;  // a body with both hands has about 100
@@ -24,7 +24,7 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f' |
 /// The words of a file; a bracket is a word of its own.
 class Words {
  public:
-  explicit Words(const CsvText& text) : text_(text) {}
+  explicit Words(const files::CsvText& text) : text_(text) {}
 
   std::size_t line() const { return line_ + 1; }
 
@@ -65,7 +65,7 @@ class Words {
   }
 
  private:
-  const CsvText& text_;
+  const files::CsvText& text_;
   std::size_t line_ = 0, column_ = 0;
 };
 
@@ -80,7 +80,7 @@ std::optional<BvhChannel> channel_of(std::string_view word) {
 /// Reads the tree with a list of open joints, so that no depth of it can exhaust the stack.
 class Hierarchy {
  public:
-  Hierarchy(Words& words, const CsvText& text, std::vector<BvhJoint>& joints)
+  Hierarchy(Words& words, const files::CsvText& text, std::vector<BvhJoint>& joints)
       : words_(words), text_(text), joints_(joints) {}
 
   void read() {
@@ -163,14 +163,14 @@ class Hierarchy {
   }
 
   Words& words_;
-  const CsvText& text_;
+  const files::CsvText& text_;
   std::vector<BvhJoint>& joints_;
   std::vector<Open> open_;
   std::set<std::string> names_;
 };
 
 /// "Frames: 12" or "Frame Time:.01", blanks anywhere; the number.
-double read_setting(Words& words, const CsvText& text, std::string_view key) {
+double read_setting(Words& words, const files::CsvText& text, std::string_view key) {
   std::string line(words.next());
   if (line.empty()) words.fail(key, "is missing: the file ends before it");
   line += " " + words.rest_of_line();
@@ -190,7 +190,7 @@ double read_setting(Words& words, const CsvText& text, std::string_view key) {
 }
 
 /// The numbers of one line into `row`.
-void read_row(const CsvText& text, std::size_t line, Eigen::Index channels, double* row) {
+void read_row(const files::CsvText& text, std::size_t line, Eigen::Index channels, double* row) {
   const std::string_view here = text.lines[line - 1];
   Eigen::Index count = 0;
   for (std::size_t at = 0; at < here.size();) {
@@ -214,8 +214,8 @@ void read_row(const CsvText& text, std::size_t line, Eigen::Index channels, doub
 
 BvhFile read_bvh_file(const std::filesystem::path& file) {
   BvhFile bvh;
-  bvh.text = read_csv(file, ' ');
-  const CsvText& text = bvh.text;
+  bvh.text = files::read_csv(file, ' ');
+  const files::CsvText& text = bvh.text;
   if (text.lines.empty()) text.fail(1, "", "the file is empty");
   Words words(text);
   Hierarchy(words, text, bvh.joints).read();
@@ -274,4 +274,4 @@ void pose_bvh(const BvhFile& bvh, const double* row, BvhPoses& poses) {
   }
 }
 
-}  // namespace morphe
+}  // namespace morphe::imports

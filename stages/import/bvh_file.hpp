@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/files/csv.hpp"
 #include "pipeline/motion/geometry.hpp"
-#include "stages/import/csv.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 
 /// One number of a row: what it does to its joint.
 struct BvhChannel {
@@ -25,7 +25,7 @@ struct BvhJoint {
 
 /// A BVH file as it stands there: its own axes and unit, angles in degrees.
 struct BvhFile {
-  CsvText text;
+  files::CsvText text;
   std::vector<BvhJoint> joints;  ///< parents first
   double frame_s = 0;            ///< "Frame Time", not checked
   std::size_t frame_time_line = 0;
@@ -47,4 +47,4 @@ struct BvhPoses {
 };
 void pose_bvh(const BvhFile& bvh, const double* row, BvhPoses& poses);
 
-}  // namespace morphe
+}  // namespace morphe::imports

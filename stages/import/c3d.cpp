@@ -8,7 +8,7 @@
 #include "stages/import/c3d_file.hpp"
 #include "stages/import/marker_recording.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 /// "+X", "-Z", "Y" as a vector; zero if it is none.
@@ -64,4 +64,4 @@ Demonstration read_c3d(const RecordingFiles& files) {
   return read_marker_recording(files, &read_one);
 }
 
-}  // namespace morphe
+}  // namespace morphe::imports

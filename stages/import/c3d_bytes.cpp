@@ -6,7 +6,7 @@
 
 #include "pipeline/motion/input_error.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 
 void C3dBytes::fail(std::size_t offset, std::string_view message) const {
   throw InputError(fmt::format("{}: byte {}: {}", file, offset, message));
@@ -46,4 +46,4 @@ float C3dBytes::real(std::size_t offset) const {
   return processor == C3dProcessor::dec ? value / 4 : value;
 }
 
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace morphe {
+namespace morphe::imports {
 
 /// What the numbers of a C3D file look like.
 enum class C3dProcessor : std::uint8_t { intel = 84, dec = 85, sgi = 86 };
@@ -27,4 +27,4 @@ struct C3dBytes {
   [[noreturn]] void fail(std::size_t offset, std::string_view message) const;
 };
 
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -11,7 +11,7 @@
 #include "pipeline/motion/input_error.hpp"
 #include "stages/import/c3d_parameters.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 constexpr std::size_t kBlock = 512;
@@ -199,4 +199,4 @@ C3dPoints read_c3d_points(const std::filesystem::path& file) {
   return points;
 }
 
-}  // namespace morphe
+}  // namespace morphe::imports

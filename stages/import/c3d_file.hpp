@@ -7,7 +7,7 @@
 
 #include "pipeline/motion/geometry.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 
 /// The 3D points of a C3D file, as they stand there: own unit, own axes.
 struct C3dPoints {
@@ -26,4 +26,4 @@ struct C3dPoints {
 /// be told from each other.
 C3dPoints read_c3d_points(const std::filesystem::path& file);
 
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -6,10 +6,10 @@
 #include <cctype>
 #include <cstdlib>
 
+#include "pipeline/files/text_encoding.hpp"
 #include "pipeline/motion/input_error.hpp"
-#include "stages/import/text_encoding.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 std::string capitals(std::string text) {
@@ -108,7 +108,7 @@ std::vector<std::string> C3dParameters::texts(const std::string& key) const {
     std::string& text = texts.emplace_back(bytes_.text(record.offset + at, length));
     while (!text.empty() && (text.back() == ' ' || text.back() == '\0')) text.pop_back();
     if (!printable(text)) fail(key, "holds what is no text");
-    if (!is_utf8(text)) text = utf8_from_latin1(text);
+    if (!files::is_utf8(text)) text = files::utf8_from_latin1(text);
   }
   return texts;
 }
@@ -127,4 +127,4 @@ void C3dParameters::fail(const std::string& key, const std::string& message) con
   throw InputError(fmt::format("{}: {}: {}", bytes_.file, key, message));
 }
 
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -6,7 +6,7 @@
 
 #include "stages/import/c3d_bytes.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 
 /// The parameters of a C3D file by "GROUP:NAME", in capitals. A value is read when it is asked for.
 class C3dParameters {
@@ -37,4 +37,4 @@ class C3dParameters {
   std::map<std::string, Record> found_;
 };
 
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -10,7 +10,7 @@
 
 #include "pipeline/human/glove.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 using Columns = CaptureColumns;
@@ -53,7 +53,7 @@ std::optional<Part> part_of(std::string_view column) {
 
 class HeaderReader {
  public:
-  HeaderReader(const CsvText& csv, const std::map<std::string, std::string>& renamed,
+  HeaderReader(const files::CsvText& csv, const std::map<std::string, std::string>& renamed,
                std::vector<std::string>& used)
       : csv_(csv), renamed_(renamed), used_(used) {}
 
@@ -118,11 +118,11 @@ class HeaderReader {
       unit = Unit::radians;
     else if (take(name, "raw"))
       unit = Unit::raw;
-    const auto sensor = std::ranges::find(kGloveSensors, ours(name));
-    if (sensor == std::end(kGloveSensors)) return false;
+    const auto sensor = std::ranges::find(human::kGloveSensors, ours(name));
+    if (sensor == std::end(human::kGloveSensors)) return false;
     if (!unit) csv_.fail(1, column, "must say its unit: end in _deg, _rad or _raw");
     columns_.glove.push_back(
-        {static_cast<std::size_t>(sensor - std::begin(kGloveSensors)), c, *unit});
+        {static_cast<std::size_t>(sensor - std::begin(human::kGloveSensors)), c, *unit});
     return true;
   }
 
@@ -185,7 +185,7 @@ class HeaderReader {
     }
   }
 
-  const CsvText& csv_;
+  const files::CsvText& csv_;
   const std::map<std::string, std::string>& renamed_;
   std::vector<std::string>& used_;
   Columns columns_;
@@ -194,11 +194,11 @@ class HeaderReader {
 
 }  // namespace
 
-CaptureColumns read_capture_columns(const CsvText& csv,
+CaptureColumns read_capture_columns(const files::CsvText& csv,
                                     const std::map<std::string, std::string>& renamed,
                                     std::vector<std::string>& used) {
   if (csv.lines.empty()) csv.fail(1, "", "the file is empty");
   return HeaderReader(csv, renamed, used).read();
 }
 
-}  // namespace morphe
+}  // namespace morphe::imports

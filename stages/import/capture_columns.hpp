@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "stages/import/csv.hpp"
+#include "pipeline/files/csv.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 
 /// Where a table of a motion capture by name has what; columns in any order. kNone = no column.
 struct CaptureColumns {
@@ -43,8 +43,8 @@ struct CaptureColumns {
 /// Reads the header, line 1; `renamed` maps recorded names of bodies, points and glove sensors to
 /// ours, and what it was used for goes into `used`. InputError for a column that stands twice, a
 /// body or point that lacks one, one with two rotations, a glove sensor without a unit.
-CaptureColumns read_capture_columns(const CsvText& csv,
+CaptureColumns read_capture_columns(const files::CsvText& csv,
                                     const std::map<std::string, std::string>& renamed,
                                     std::vector<std::string>& used);
 
-}  // namespace morphe
+}  // namespace morphe::imports

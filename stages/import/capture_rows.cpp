@@ -12,7 +12,7 @@
 #include "stages/import/glove_columns.hpp"
 #include "stages/import/marker_recording.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 using Columns = CaptureColumns;
@@ -20,13 +20,13 @@ constexpr double kPi = std::numbers::pi;
 
 /// What a file's bodies and points have in common.
 struct Place {
-  const CsvText& csv;
+  const files::CsvText& csv;
   Eigen::Matrix3d world_from_recorded;
   double metres;  ///< in one unit of a column without a suffix
 };
 
 /// True if all are there, false if none is.
-bool whole(const CsvText& csv, std::size_t row, std::span<const double> values,
+bool whole(const files::CsvText& csv, std::size_t row, std::span<const double> values,
            std::span<const std::size_t> columns, const std::string& key, const char* what) {
   std::size_t found = 0;
   for (const std::size_t c : columns) found += std::isfinite(values[c]) ? 1 : 0;
@@ -140,7 +140,7 @@ void read_bodies(const Place& place, const Columns& columns, const CaptureTable&
   }
 }
 
-Place place_of(const CsvText& csv, const Columns& columns, const Conventions& conventions,
+Place place_of(const files::CsvText& csv, const Columns& columns, const Conventions& conventions,
                std::vector<std::string>& reports) {
   if (conventions.axes.empty()) {
     throw InputError(
@@ -170,7 +170,7 @@ Place place_of(const CsvText& csv, const Columns& columns, const Conventions& co
 
 Streams read_capture_file(const std::filesystem::path& file, const RecordingFiles& files,
                           std::vector<std::string>& used, std::vector<std::string>& reports) {
-  const CsvText csv = read_csv(file);
+  const files::CsvText csv = files::read_csv(file);
   const Columns columns = read_capture_columns(csv, files.renamed, used);
   std::vector<std::string> said = csv.reports;
   const bool placed = !columns.bodies.empty() || !columns.points.empty();
@@ -205,4 +205,4 @@ Streams read_capture_file(const std::filesystem::path& file, const RecordingFile
   return streams;
 }
 
-}  // namespace morphe
+}  // namespace morphe::imports

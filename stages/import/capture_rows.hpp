@@ -3,7 +3,7 @@
 #include "pipeline/motion/demonstration.hpp"
 #include "stages/import/format.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 
 /// A table of tracked bodies, points or a glove's sensors (see capture_columns.hpp) as streams in
 /// the world and in metres: bodies become `sensors`, points `markers`, the glove `hand` (all 22
@@ -16,4 +16,4 @@ namespace morphe {
 Streams read_capture_file(const std::filesystem::path& file, const RecordingFiles& files,
                           std::vector<std::string>& used, std::vector<std::string>& reports);
 
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -8,7 +8,7 @@
 
 #include "pipeline/motion/geometry.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 using Columns = CaptureColumns;
@@ -19,7 +19,7 @@ bool not_seen(std::string_view cell) {
 
 }  // namespace
 
-CaptureTable read_capture_table(const CsvText& csv, const Columns& columns, double rate_hz) {
+CaptureTable read_capture_table(const files::CsvText& csv, const Columns& columns, double rate_hz) {
   if (csv.lines.size() < 2) csv.fail(1, "", "ends before the first row");
   std::vector<bool> needed(columns.names.size(), true);
   for (std::size_t c = 0; c < needed.size(); ++c) {
@@ -58,4 +58,4 @@ CaptureTable read_capture_table(const CsvText& csv, const Columns& columns, doub
   return rows;
 }
 
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -6,7 +6,7 @@
 
 #include "stages/import/capture_columns.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 
 /// Every cell of a capture's table as a number, NaN = not seen.
 struct CaptureTable {
@@ -22,6 +22,7 @@ struct CaptureTable {
 /// Rows from line 2 on; time is time_s, else the frames since the first over rate_hz. InputError
 /// for a row with another number of cells, a cell that is no number, and time that is missing, does
 /// not advance or jumps by more than an hour.
-CaptureTable read_capture_table(const CsvText& csv, const CaptureColumns& columns, double rate_hz);
+CaptureTable read_capture_table(const files::CsvText& csv, const CaptureColumns& columns,
+                                double rate_hz);
 
-}  // namespace morphe
+}  // namespace morphe::imports

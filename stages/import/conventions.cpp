@@ -9,7 +9,7 @@
 
 #include "pipeline/motion/input_error.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 
 Eigen::Matrix3d world_from_recorded(const std::string& axes, const std::string& source) {
   Eigen::Matrix3d world_from_recorded = Eigen::Matrix3d::Zero();
@@ -53,4 +53,4 @@ double metres_per_unit(const std::string& unit, const std::string& source) {
   return metres;
 }
 
-}  // namespace morphe
+}  // namespace morphe::imports

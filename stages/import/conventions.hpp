@@ -5,7 +5,7 @@
 
 #include "pipeline/motion/geometry.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 
 /// What a recording's file may leave unsaid, from the command line or a manifest.
 struct Conventions {
@@ -23,4 +23,4 @@ Eigen::Matrix3d world_from_recorded(const std::string& axes, const std::string& 
 /// Metres in one unit of the given name; InputError with `source` in front if it is none.
 double metres_per_unit(const std::string& unit, const std::string& source);
 
-}  // namespace morphe
+}  // namespace morphe::imports

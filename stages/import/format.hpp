@@ -9,7 +9,7 @@
 #include "pipeline/motion/demonstration.hpp"
 #include "stages/import/conventions.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 
 /// One recording on disk and what belongs to it.
 struct RecordingFiles {
@@ -60,4 +60,4 @@ Demonstration read_mot(const RecordingFiles& files);
 bool recognises_keypoints_csv(std::string_view head);
 Demonstration read_keypoints_csv(const RecordingFiles& files);
 
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -5,15 +5,15 @@
 #include "pipeline/config/node.hpp"
 #include "pipeline/human/glove.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 
 std::map<std::string, RawToAngle> read_glove_calibration(const std::filesystem::path& file) {
-  const ConfigNode root = ConfigNode::load(file);
+  const config::ConfigNode root = config::ConfigNode::load(file);
   if (!root.is_map()) root.fail("must map a glove's sensors to their calibration points");
   std::map<std::string, RawToAngle> calibration;
   for (const std::string& sensor : root.keys()) {
-    const ConfigNode node = root[sensor];
-    if (std::ranges::find(kGloveSensors, sensor) == std::end(kGloveSensors)) {
+    const config::ConfigNode node = root[sensor];
+    if (std::ranges::find(human::kGloveSensors, sensor) == std::end(human::kGloveSensors)) {
       node.fail("is no sensor of a CyberGlove II");
     }
     const RawToAngle points = {node["raw_low"].number(), node["angle_low"].number(),
@@ -25,4 +25,4 @@ std::map<std::string, RawToAngle> read_glove_calibration(const std::filesystem::
   return calibration;
 }
 
-}  // namespace morphe
+}  // namespace morphe::imports

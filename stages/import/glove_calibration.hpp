@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-namespace morphe {
+namespace morphe::imports {
 
 /// A glove sensor's two calibration points: angle = angle_low + (raw - raw_low) * slope.
 struct RawToAngle {
@@ -21,4 +21,4 @@ struct RawToAngle {
 /// InputError for a name that is no sensor, a missing or unknown key and equal raw values.
 std::map<std::string, RawToAngle> read_glove_calibration(const std::filesystem::path& file);
 
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -8,7 +8,7 @@
 
 #include "pipeline/human/glove.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 using Columns = CaptureColumns;
@@ -16,19 +16,21 @@ constexpr double kPi = std::numbers::pi;
 
 }  // namespace
 
-HandStream read_glove_columns(const CsvText& csv, const Columns& columns, const CaptureTable& rows,
+HandStream read_glove_columns(const files::CsvText& csv, const Columns& columns,
+                              const CaptureTable& rows,
                               const std::map<std::string, RawToAngle>& calibration,
                               std::vector<std::string>& reports) {
   using Unit = Columns::GloveSensor::Unit;
   HandStream hand;
   hand.kind = HandKind::glove;
-  hand.names.assign(std::begin(kGloveSensors), std::end(kGloveSensors));
+  hand.names.assign(std::begin(human::kGloveSensors), std::end(human::kGloveSensors));
   hand.time = rows.time;
   const auto n = static_cast<Eigen::Index>(rows.time.size());
-  hand.angles = JointRows::Constant(n, static_cast<Eigen::Index>(kGloveSensorCount), kNotSeen);
+  hand.angles =
+      JointRows::Constant(n, static_cast<Eigen::Index>(human::kGloveSensorCount), kNotSeen);
   std::vector<std::string> missing(hand.names), never;
   for (const auto& [sensor, column, unit] : columns.glove) {
-    const std::string name = kGloveSensors[sensor];
+    const std::string name = human::kGloveSensors[sensor];
     std::erase(missing, name);
     const auto raw = calibration.find(name);
     if (unit == Unit::raw && raw == calibration.end()) {
@@ -60,4 +62,4 @@ HandStream read_glove_columns(const CsvText& csv, const Columns& columns, const 
   return hand;
 }
 
-}  // namespace morphe
+}  // namespace morphe::imports

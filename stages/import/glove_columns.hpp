@@ -8,14 +8,14 @@
 #include "stages/import/capture_table.hpp"
 #include "stages/import/glove_calibration.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 
 /// The glove of a capture's table, all kGloveSensors in rad: NaN for those the file lacks, which
 /// are reported, as are those without a number. InputError for raw counts without calibration and
 /// an angle of more than half a turn.
-HandStream read_glove_columns(const CsvText& csv, const CaptureColumns& columns,
+HandStream read_glove_columns(const files::CsvText& csv, const CaptureColumns& columns,
                               const CaptureTable& rows,
                               const std::map<std::string, RawToAngle>& calibration,
                               std::vector<std::string>& reports);
 
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -11,7 +11,7 @@
 #include "stages/import/manifest.hpp"
 #include "stages/import/plausible.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 
 const std::vector<RecordingFormat>& recording_formats() {
   static const std::vector<RecordingFormat> formats = {
@@ -61,7 +61,7 @@ const RecordingFormat& format_of(const std::filesystem::path& file, const std::s
 std::map<std::string, std::string> read_names(const std::filesystem::path& file) {
   std::map<std::string, std::string> renamed;
   if (file.empty()) return renamed;
-  const ConfigNode root = ConfigNode::load(file);
+  const config::ConfigNode root = config::ConfigNode::load(file);
   if (!root.is_map()) root.fail("must map recorded marker names to names");
   for (const std::string& key : root.keys()) renamed[key] = root[key].text();
   return renamed;
@@ -128,4 +128,4 @@ std::size_t import_recordings(const ImportRequest& request,
   return entries.size();
 }
 
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -9,7 +9,7 @@
 #include "pipeline/motion/demonstration.hpp"
 #include "stages/import/conventions.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 
 /// What to read. A path is a recording or a manifest (.yaml, see manifest.hpp) that lists several.
 struct ImportRequest {
@@ -28,4 +28,4 @@ std::size_t import_recordings(const ImportRequest& request,
 
 std::vector<std::string> import_format_names();
 
-}  // namespace morphe
+}  // namespace morphe::imports

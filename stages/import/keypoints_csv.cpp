@@ -8,11 +8,11 @@
 #include <map>
 #include <optional>
 
-#include "stages/import/csv.hpp"
+#include "pipeline/files/csv.hpp"
 #include "stages/import/format.hpp"
 #include "stages/import/marker_recording.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 constexpr std::size_t kPoints = 21;
@@ -27,7 +27,7 @@ std::string column_name(std::size_t point, std::size_t axis) {
   return fmt::format("kp{:02}_{}", point, "xyz"[axis]);
 }
 
-Columns read_columns(const CsvText& csv) {
+Columns read_columns(const files::CsvText& csv) {
   std::map<std::string, std::size_t, std::less<>> at;
   Columns columns;
   for (const std::string_view cell : csv.cells(1)) {
@@ -54,8 +54,9 @@ Columns read_columns(const CsvText& csv) {
   return columns;
 }
 
-Vec3 read_point(const CsvText& csv, std::size_t line, const std::vector<std::string_view>& cells,
-                const Columns& columns, std::size_t point) {
+Vec3 read_point(const files::CsvText& csv, std::size_t line,
+                const std::vector<std::string_view>& cells, const Columns& columns,
+                std::size_t point) {
   Vec3 result = unseen_point();
   int filled = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -70,8 +71,9 @@ Vec3 read_point(const CsvText& csv, std::size_t line, const std::vector<std::str
   return result;
 }
 
-double read_time(const CsvText& csv, std::size_t line, const std::vector<std::string_view>& cells,
-                 const Columns& columns, double rate_hz) {
+double read_time(const files::CsvText& csv, std::size_t line,
+                 const std::vector<std::string_view>& cells, const Columns& columns,
+                 double rate_hz) {
   if (columns.time_s) return csv.number(line, "time_s", cells[*columns.time_s]);
   const double frame = csv.number(line, "frame", cells[*columns.frame]);
   if (frame != std::floor(frame) || frame < 0) {
@@ -81,7 +83,7 @@ double read_time(const CsvText& csv, std::size_t line, const std::vector<std::st
 }
 
 /// Says what of the points is not known, and refuses a hand that no unit explains.
-void judge(const CsvText& csv, const HandStream& hand, std::vector<std::string>& reports) {
+void judge(const files::CsvText& csv, const HandStream& hand, std::vector<std::string>& reports) {
   std::size_t unseen = 0, centred = 0;
   double farthest = 0;
   for (std::size_t i = 0; i < hand.position.rows; ++i) {
@@ -119,7 +121,7 @@ bool recognises_keypoints_csv(std::string_view head) {
 }
 
 Demonstration read_keypoints_csv(const RecordingFiles& files) {
-  const CsvText csv = read_csv(files.file);
+  const files::CsvText csv = files::read_csv(files.file);
   if (!files.static_trial.empty()) csv.fail(1, "static", "this format has no static trial");
   if (!files.renamed.empty()) csv.fail(1, "names", "this format has no names to map");
   if (!files.conventions.axes.empty()) {
@@ -156,4 +158,4 @@ Demonstration read_keypoints_csv(const RecordingFiles& files) {
   return demonstration;
 }
 
-}  // namespace morphe
+}  // namespace morphe::imports

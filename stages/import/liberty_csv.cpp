@@ -9,7 +9,7 @@
 #include "stages/import/capture_rows.hpp"
 #include "stages/import/format.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 /// The streams of one or two files; what both have is an error.
@@ -62,7 +62,8 @@ Demonstration read_liberty_csv(const RecordingFiles& files) {
     }
   }
   if (demonstration.calibration.sensors && demonstration.streams.sensors) {
-    demonstration.sensor_offsets = sensor_offsets(demonstration.calibration, demonstration.reports);
+    demonstration.sensor_offsets =
+        human::sensor_offsets(demonstration.calibration, demonstration.reports);
   } else if (demonstration.streams.sensors) {
     demonstration.reports.push_back(
         "no calibration pose: the sensors are taken to stand at the joints");
@@ -73,4 +74,4 @@ Demonstration read_liberty_csv(const RecordingFiles& files) {
   return demonstration;
 }
 
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -7,10 +7,10 @@
 #include "pipeline/config/fields.hpp"
 #include "pipeline/motion/movement.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
-void shared_fields(FieldReader& f, ManifestEntry& e) {
+void shared_fields(config::FieldReader& f, ManifestEntry& e) {
   f("static", e.static_trial);
   f("glove", e.glove);
   f("static_glove", e.static_glove);
@@ -32,11 +32,11 @@ void shared_fields(FieldReader& f, ManifestEntry& e) {
   f("objects", e.objects);
 }
 
-std::vector<Label> read_labels(const ConfigNode& node) {
+std::vector<Label> read_labels(const config::ConfigNode& node) {
   std::vector<Label> labels;
-  for (const ConfigNode& item : node.items()) {
+  for (const config::ConfigNode& item : node.items()) {
     Label& label = labels.emplace_back();
-    FieldReader reader(item);
+    config::FieldReader reader(item);
     reader.required("phase", label.phase);
     reader.required("begin_s", label.begin_s);
     reader.required("end_s", label.end_s);
@@ -51,15 +51,15 @@ std::vector<Label> read_labels(const ConfigNode& node) {
 }  // namespace
 
 std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file) {
-  const ConfigNode root = ConfigNode::load(file);
+  const config::ConfigNode root = config::ConfigNode::load(file);
   if (!root.is_map()) root.fail("must be a mapping of keys to values");
   ManifestEntry defaults;
-  FieldReader root_reader(root);
+  config::FieldReader root_reader(root);
   shared_fields(root_reader, defaults);
   std::vector<ManifestEntry> entries;
-  for (const ConfigNode& item : root["recordings"].items()) {
+  for (const config::ConfigNode& item : root["recordings"].items()) {
     ManifestEntry entry = defaults;
-    FieldReader reader(item);
+    config::FieldReader reader(item);
     reader.required("file", entry.file);
     reader("name", entry.name);
     shared_fields(reader, entry);
@@ -85,4 +85,4 @@ std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file) {
   return entries;
 }
 
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -9,7 +9,7 @@
 #include "stages/import/conventions.hpp"
 #include "stages/import/marker_objects.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 
 /// One line of a manifest. Paths are as written there joined to the manifest's folder.
 struct ManifestEntry {
@@ -35,4 +35,4 @@ struct ManifestEntry {
 /// hand that is neither right nor left.
 std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file);
 
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -5,7 +5,7 @@
 #include <optional>
 #include <set>
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 bool not_a_number(std::string_view cell) { return cell == "NaN" || cell == "nan" || cell == "NAN"; }
@@ -17,7 +17,7 @@ std::string MarkerColumns::name(std::size_t column) const {
   return fmt::format("{}.{}", names[(column - kFirst) / 3], "XYZ"[(column - kFirst) % 3]);
 }
 
-std::vector<std::string> read_marker_names(const CsvText& csv, std::size_t line) {
+std::vector<std::string> read_marker_names(const files::CsvText& csv, std::size_t line) {
   const auto cells = csv.cells(line);
   std::size_t end = cells.size();
   while (end > MarkerColumns::kFirst && cells[end - 1].empty()) --end;
@@ -38,9 +38,9 @@ std::vector<std::string> read_marker_names(const CsvText& csv, std::size_t line)
   return names;
 }
 
-void read_points(const CsvText& csv, std::size_t line, const std::vector<std::string_view>& cells,
-                 const MarkerColumns& columns, double metres, Table<Vec3>& position,
-                 std::size_t row) {
+void read_points(const files::CsvText& csv, std::size_t line,
+                 const std::vector<std::string_view>& cells, const MarkerColumns& columns,
+                 double metres, Table<Vec3>& position, std::size_t row) {
   const auto wrong_count = [&](const std::string& key) {
     csv.fail(line, key,
              fmt::format("the row has {} cells, the header {}", cells.size(), columns.count()));
@@ -55,7 +55,7 @@ void read_points(const CsvText& csv, std::size_t line, const std::vector<std::st
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::size_t c = MarkerColumns::kFirst + 3 * k + axis;
       if (cells[c].empty() || not_a_number(cells[c])) continue;
-      const std::optional<double> value = finite_number(cells[c]);
+      const std::optional<double> value = files::finite_number(cells[c]);
       if (!value) csv.number(line, columns.name(c), cells[c]);  // fails, and says where
       point[static_cast<Eigen::Index>(axis)] = *value * metres;
       ++filled;
@@ -68,4 +68,4 @@ void read_points(const CsvText& csv, std::size_t line, const std::vector<std::st
   }
 }
 
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -5,10 +5,10 @@
 #include <string_view>
 #include <vector>
 
+#include "pipeline/files/csv.hpp"
 #include "pipeline/motion/geometry.hpp"
-#include "stages/import/csv.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 
 /// Markers as Vicon's CSV and TRC write them: two columns of their own, then X, Y and Z of each
 /// marker, whose name stands above its X.
@@ -23,13 +23,13 @@ struct MarkerColumns {
 
 /// The names of a line, empty cells behind the last one aside. InputError for one where no marker
 /// begins, a marker without one, a name that stands twice, and none at all.
-std::vector<std::string> read_marker_names(const CsvText& csv, std::size_t line);
+std::vector<std::string> read_marker_names(const files::CsvText& csv, std::size_t line);
 
 /// A marker's three cells of a row, times `metres`. No cell, or NaN in all three, was not seen.
 /// InputError for a row with too few cells or text behind the last marker's, a cell that is no
 /// number, and a marker with some of X, Y, Z but not all.
-void read_points(const CsvText& csv, std::size_t line, const std::vector<std::string_view>& cells,
-                 const MarkerColumns& columns, double metres, Table<Vec3>& position,
-                 std::size_t row);
+void read_points(const files::CsvText& csv, std::size_t line,
+                 const std::vector<std::string_view>& cells, const MarkerColumns& columns,
+                 double metres, Table<Vec3>& position, std::size_t row);
 
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/math/rigid.hpp"
 #include "pipeline/motion/input_error.hpp"
-#include "pipeline/motion/rigid.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 constexpr double kThinnest = 0.001;  ///< a box of markers in one plane has no thickness [m]
@@ -46,7 +46,7 @@ Points mean_shape(const std::vector<Points>& frames, const Points& reference) {
   Points sum(reference.size(), Vec3::Zero());
   std::vector<int> count(reference.size(), 0);
   for (const Points& frame : frames) {
-    const Pose reference_from_frame = fit_rigid(frame, reference);
+    const Pose reference_from_frame = math::fit_rigid(frame, reference);
     if (!found(reference_from_frame)) continue;
     for (std::size_t k = 0; k < frame.size(); ++k) {
       if (!seen(frame[k])) continue;
@@ -95,7 +95,7 @@ Eigen::Matrix3d axes_of(const Points& shape) {
 
 }  // namespace
 
-std::string check(const MarkerObject& object) {
+std::string why_invalid(const MarkerObject& object) {
   Shape shape = Shape::box;
   if (!parse_shape(object.shape, shape) || shape == Shape::mesh) {
     return fmt::format("shape must be sphere, box, cylinder or capsule, not '{}'", object.shape);
@@ -128,7 +128,7 @@ void add_marker_object(const std::string& file, const MarkerObject& object,
       fullest = i;
     }
   }
-  if (most == 0 || !found(fit_rigid(frames[fullest], frames[fullest]))) {
+  if (most == 0 || !found(math::fit_rigid(frames[fullest], frames[fullest]))) {
     fail(file, object, "no frame shows three of its markers that are not in a line");
   }
   Points shape = mean_shape(frames, frames[fullest]);
@@ -152,12 +152,12 @@ void add_marker_object(const std::string& file, const MarkerObject& object,
   }
   double squares = 0;
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    const Pose world_from_body = fit_rigid(shape, frames[i]);
+    const Pose world_from_body = math::fit_rigid(shape, frames[i]);
     if (!found(world_from_body)) continue;
     body.time.push_back(markers.time[i]);
     body.position.push_back(world_from_body.translation());
     body.orientation.push_back(Quat(world_from_body.linear()).normalized());
-    const double residual = rigid_residual(world_from_body, shape, frames[i]);
+    const double residual = math::rigid_residual(world_from_body, shape, frames[i]);
     squares += residual * residual;
   }
   const auto poses = static_cast<double>(body.time.size());
@@ -171,4 +171,4 @@ void add_marker_object(const std::string& file, const MarkerObject& object,
   demonstration.objects.push_back(std::move(body));
 }
 
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -6,7 +6,7 @@
 
 #include "pipeline/motion/demonstration.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 
 /// A rigid object that carries markers, as a manifest names it.
 struct MarkerObject {
@@ -23,7 +23,7 @@ void fields(Fields& f, MarkerObject& o) {
   f("shape", o.shape);
   f("size", o.size);
 }
-std::string check(const MarkerObject& object);
+std::string why_invalid(const MarkerObject& object);
 
 /// Adds the object: the rigid motion of its markers. Their shape is the mean over all frames, each
 /// brought onto the frame that shows most of them by the motion that fits best; the object's axes
@@ -36,4 +36,4 @@ std::string check(const MarkerObject& object);
 void add_marker_object(const std::string& file, const MarkerObject& object,
                        Demonstration& demonstration);
 
-}  // namespace morphe
+}  // namespace morphe::imports

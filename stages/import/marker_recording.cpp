@@ -10,7 +10,7 @@
 #include "pipeline/motion/input_error.hpp"
 #include "stages/import/rename.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 constexpr double kRoom = 30, kHand = 0.002;  // [m]
@@ -165,4 +165,4 @@ Demonstration read_marker_recording(const RecordingFiles& files,
   return demonstration;
 }
 
-}  // namespace morphe
+}  // namespace morphe::imports

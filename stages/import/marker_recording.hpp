@@ -5,7 +5,7 @@
 
 #include "stages/import/format.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 
 /// A file of markers as it stands there: its own axes, but metres.
 struct MarkerRecording {
@@ -32,4 +32,4 @@ Demonstration read_marker_recording(const RecordingFiles& files,
                                                             const Conventions&),
                                     const std::string& usual_axes = "");
 
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -12,12 +12,12 @@
 #include <optional>
 #include <set>
 
+#include "pipeline/files/csv.hpp"
 #include "pipeline/motion/input_error.hpp"
-#include "stages/import/csv.hpp"
 #include "stages/import/format.hpp"
 #include "stages/import/rename.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 std::string lower(std::string_view text) {
@@ -27,7 +27,7 @@ std::string lower(std::string_view text) {
 }
 
 /// The cells of a line; empty ones at its end are padding.
-std::vector<std::string_view> cells_of(const CsvText& text, std::size_t line) {
+std::vector<std::string_view> cells_of(const files::CsvText& text, std::size_t line) {
   std::vector<std::string_view> cells;
   if (text.separator == ',') {
     cells = text.cells(line);
@@ -49,7 +49,7 @@ struct Header {
 };
 
 /// Lines "key=value" up to "endheader"; others are the author's words.
-Header read_header(const CsvText& text) {
+Header read_header(const files::CsvText& text) {
   Header header;
   for (std::size_t line = 1; line <= text.lines.size(); ++line) {
     std::string here = lower(text.lines[line - 1]);
@@ -73,7 +73,8 @@ bool is_translation(const std::string& column) {
 }
 
 /// Radians in the file's unit of angle.
-double radians_of(const CsvText& text, const Header& header, const Conventions& conventions) {
+double radians_of(const files::CsvText& text, const Header& header,
+                  const Conventions& conventions) {
   if (const auto said = header.value.find("indegrees"); said != header.value.end()) {
     if (said->second == "yes" || said->second == "true") return M_PI / 180;
     if (said->second == "no" || said->second == "false") return 1;
@@ -87,7 +88,7 @@ double radians_of(const CsvText& text, const Header& header, const Conventions& 
 }
 
 /// Says so where the header is wrong about how much there is.
-void compare_count(const CsvText& text, const Header& header, const std::string& key,
+void compare_count(const files::CsvText& text, const Header& header, const std::string& key,
                    std::size_t found, const char* what, std::vector<std::string>& reports) {
   const auto said = header.value.find(lower(key));
   if (said == header.value.end()) return;
@@ -97,12 +98,12 @@ void compare_count(const CsvText& text, const Header& header, const std::string&
 }
 
 /// A number, or NaN where a program wrote that it has none.
-double number_or_nan(const CsvText& text, std::size_t line, const std::string& column,
+double number_or_nan(const files::CsvText& text, std::size_t line, const std::string& column,
                      std::string_view cell) {
   return lower(cell) == "nan" ? kNotSeen : text.number(line, column, cell);
 }
 
-std::vector<std::string> read_columns(const CsvText& text, std::size_t line) {
+std::vector<std::string> read_columns(const files::CsvText& text, std::size_t line) {
   std::vector<std::string> columns;
   std::set<std::string> known;
   for (const std::string_view cell : cells_of(text, line)) {
@@ -126,7 +127,7 @@ bool recognises_mot(std::string_view head) {
 }
 
 Demonstration read_mot(const RecordingFiles& files) {
-  CsvText text = read_csv(files.file);
+  files::CsvText text = files::read_csv(files.file);
   if (!files.static_trial.empty()) text.fail(1, "static", "this format has no static trial");
   Demonstration demonstration;
   std::vector<std::string>& reports = demonstration.reports;
@@ -188,4 +189,4 @@ Demonstration read_mot(const RecordingFiles& files) {
   return demonstration;
 }
 
-}  // namespace morphe
+}  // namespace morphe::imports

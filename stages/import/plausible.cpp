@@ -7,7 +7,7 @@
 
 #include "pipeline/motion/input_error.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 constexpr double kFarthest_m = 1000, kMostTurned = 6 * M_PI, kLongest_s = 6 * 3600, kStep_s = 600;
@@ -66,4 +66,4 @@ void check_plausible(const std::string& file, const Demonstration& demonstration
   check_streams(file, demonstration.calibration);
 }
 
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -6,7 +6,7 @@
 
 #include "pipeline/motion/input_error.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 
 void rename(const std::string& file, const std::map<std::string, std::string>& renamed,
             std::vector<std::string>& names) {
@@ -28,4 +28,4 @@ void rename(const std::string& file, const std::map<std::string, std::string>& r
   }
 }
 
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -8,7 +8,7 @@
 
 #include "pipeline/motion/input_error.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 constexpr double kNearAxis = 0.9659258262890683;  // cos 15 degrees
@@ -104,4 +104,4 @@ Eigen::Matrix3d world_from_skeleton(const BodyStream& body, const std::vector<Ve
   return Eigen::AngleAxisd(turn, Vec3::UnitZ()).toRotationMatrix() * world;
 }
 
-}  // namespace morphe
+}  // namespace morphe::imports

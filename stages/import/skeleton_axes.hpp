@@ -5,7 +5,7 @@
 
 #include "pipeline/motion/demonstration.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 
 /// Rotation from a skeleton's own axes into the world, read off the skeleton itself:
 ///   up     the file axis within 15 degrees of root -> middle of the shoulders at rest; it must
@@ -21,4 +21,4 @@ namespace morphe {
 Eigen::Matrix3d world_from_skeleton(const BodyStream& body, const std::vector<Vec3>& rest,
                                     const std::string& file, std::vector<std::string>& reports);
 
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -11,14 +11,14 @@
 #include "stages/import/marker_columns.hpp"
 #include "stages/import/marker_recording.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 constexpr std::size_t kKeyLine = 2, kValueLine = 3, kNameLine = 4, kAxisLine = 5, kFirstRow = 6;
 
 using Header = std::map<std::string, std::string, std::less<>>;
 
-Header read_header(const CsvText& csv) {
+Header read_header(const files::CsvText& csv) {
   Header header;
   const auto keys = csv.cells(kKeyLine), values = csv.cells(kValueLine);
   for (std::size_t c = 0; c < keys.size(); ++c) {
@@ -35,19 +35,19 @@ std::string value_of(const Header& header, std::string_view key) {
   return found == header.end() ? "" : found->second;
 }
 
-double number_of(const CsvText& csv, const Header& header, std::string_view key) {
+double number_of(const files::CsvText& csv, const Header& header, std::string_view key) {
   const std::string value = value_of(header, key);
   return value.empty() ? 0 : csv.number(kValueLine, key, value);
 }
 
-void compare_count(const CsvText& csv, const Header& header, std::string_view key,
+void compare_count(const files::CsvText& csv, const Header& header, std::string_view key,
                    std::string_view what, std::size_t count, std::vector<std::string>& reports) {
   const std::string value = value_of(header, key);
   if (value.empty() || csv.number(kValueLine, key, value) == static_cast<double>(count)) return;
   reports.push_back(fmt::format("the header says {} {}, {} are there", value, what, count));
 }
 
-void check_axes(const CsvText& csv, const MarkerColumns& columns) {
+void check_axes(const files::CsvText& csv, const MarkerColumns& columns) {
   const auto cells = csv.cells(kAxisLine);
   for (std::size_t c = MarkerColumns::kFirst; c < columns.count(); ++c) {
     const std::size_t k = c - MarkerColumns::kFirst;
@@ -59,8 +59,8 @@ void check_axes(const CsvText& csv, const MarkerColumns& columns) {
 }
 
 /// Rows from the sixth line on. The times are the file's own; `rate_hz` is only compared.
-void read_rows(const CsvText& csv, const MarkerColumns& columns, double metres, double rate_hz,
-               MarkerRecording& recording) {
+void read_rows(const files::CsvText& csv, const MarkerColumns& columns, double metres,
+               double rate_hz, MarkerRecording& recording) {
   MarkerStream& markers = recording.markers;
   const std::size_t first = csv.blank(kFirstRow) ? kFirstRow + 1 : kFirstRow;
   markers.position =
@@ -85,7 +85,7 @@ void read_rows(const CsvText& csv, const MarkerColumns& columns, double metres, 
 }
 
 MarkerRecording read_one(const std::filesystem::path& file, const Conventions& conventions) {
-  CsvText csv = read_csv(file);
+  files::CsvText csv = files::read_csv(file);
   if (csv.lines.size() < kFirstRow) csv.fail(csv.lines.size(), "", "ends before the first frame");
   csv.separator = csv.lines[0].find('\t') != std::string::npos ? '\t' : ',';
   if (csv.cells(1)[0] != "PathFileType") csv.fail(1, "", "must begin with 'PathFileType'");
@@ -117,4 +117,4 @@ Demonstration read_trc(const RecordingFiles& files) {
   return read_marker_recording(files, &read_one);
 }
 
-}  // namespace morphe
+}  // namespace morphe::imports

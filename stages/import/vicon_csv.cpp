@@ -12,7 +12,7 @@
 #include "stages/import/marker_columns.hpp"
 #include "stages/import/marker_recording.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 constexpr std::string_view kMarkerSection = "Trajectories";
@@ -32,7 +32,7 @@ struct Section {
   std::size_t first = 0, last = 0;
 };
 
-Section find_section(const CsvText& csv, std::vector<std::string>& reports) {
+Section find_section(const files::CsvText& csv, std::vector<std::string>& reports) {
   Section markers;
   std::vector<std::string> others;
   for (std::size_t line = 1; line <= csv.lines.size(); ++line) {
@@ -77,7 +77,7 @@ void strip_subject(std::vector<std::string>& names, std::string& subject,
 }
 
 /// The unit that stands under every column ("" if under none).
-std::string read_columns_and_unit(const CsvText& csv, std::size_t line,
+std::string read_columns_and_unit(const files::CsvText& csv, std::size_t line,
                                   const MarkerColumns& columns) {
   const auto axes = csv.cells(line), units = csv.cells(line + 1);
   for (std::size_t c = 0; c < columns.count(); ++c) {
@@ -102,7 +102,7 @@ std::string read_columns_and_unit(const CsvText& csv, std::size_t line,
 }
 
 /// Frames from `line` to `last` into `markers`; numbers that were left out are reported.
-void read_frames(const CsvText& csv, std::size_t line, std::size_t last,
+void read_frames(const files::CsvText& csv, std::size_t line, std::size_t last,
                  const MarkerColumns& columns, double metres, double rate_hz,
                  MarkerRecording& recording) {
   MarkerStream& markers = recording.markers;
@@ -129,7 +129,7 @@ void read_frames(const CsvText& csv, std::size_t line, std::size_t last,
 }
 
 MarkerRecording read_one(const std::filesystem::path& file, const Conventions& conventions) {
-  const CsvText csv = read_csv(file);
+  const files::CsvText csv = files::read_csv(file);
   MarkerRecording recording;
   recording.reports = csv.reports;
   const Section section = find_section(csv, recording.reports);
@@ -158,4 +158,4 @@ Demonstration read_vicon_csv(const RecordingFiles& files) {
   return read_marker_recording(files, &read_one, "x y z");
 }
 
-}  // namespace morphe
+}  // namespace morphe::imports

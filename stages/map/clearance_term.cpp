@@ -1,40 +1,41 @@
 #include "stages/map/clearance_term.hpp"
 
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/forward.hpp"
 
-namespace morphe {
+namespace morphe::map {
 namespace {
 
 /// By which joints the two bodies of a pair come nearer.
-void find_slope(const CollisionWorld& world, const PairSeparation& pair,
+void find_slope(const collision::CollisionWorld& world, const collision::PairSeparation& pair,
                 const std::vector<Pose>& base_from_frame, JointVector& slope) {
   const RobotTable& robot = *world.robot;
   const auto frame_of = [&](int capsule) {
     return robot.capsules[static_cast<std::size_t>(capsule)].frame;
   };
   const int first = frame_of(pair.capsule), second = pair.object ? -1 : frame_of(pair.other);
-  const int both = common_ancestor(robot, first, second);  // turns them alike
-  const Separation& s = pair.separation;
+  const int both = robot::common_ancestor(robot, first, second);  // turns them alike
+  const collision::Separation& s = pair.separation;
   slope.setZero();
-  add_point_slope(robot, base_from_frame, first, both, s.on_first, -s.normal, slope);
-  add_point_slope(robot, base_from_frame, second, both, s.on_second, s.normal, slope);
+  robot::add_point_slope(robot, base_from_frame, first, both, s.on_first, -s.normal, slope);
+  robot::add_point_slope(robot, base_from_frame, second, both, s.on_second, s.normal, slope);
 }
 
 }  // namespace
 
-std::string check(const ClearanceTerm& term) {
+std::string why_invalid(const ClearanceTerm& term) {
   if (term.weight < 0) return "weight must not be negative";
   if (term.band_m <= 0) return "band must be positive";
   return "";
 }
 
-void add_clearance(const ClearanceTerm& term, const CollisionWorld& world, const JointVector& q,
-                   double time_s, ClearanceScratch& scratch, Quadratic& model) {
+void add_clearance(const ClearanceTerm& term, const collision::CollisionWorld& world,
+                   const JointVector& q, double time_s, ClearanceScratch& scratch,
+                   solve::Quadratic& model) {
   if (term.weight == 0) return;
-  near_pairs(world, q, time_s, term.band_m, scratch.collision, scratch.pairs);
+  collision::near_pairs(world, q, time_s, term.band_m, scratch.collision, scratch.pairs);
   JointVector& slope = scratch.slope;
   slope.resize(q.size());
-  for (const PairSeparation& pair : scratch.pairs) {
+  for (const collision::PairSeparation& pair : scratch.pairs) {
     find_slope(world, pair, scratch.collision.base_from_frame, slope);
     const double missing = term.band_m - pair.slack();
     model.value += term.weight * missing * missing;
@@ -45,4 +46,4 @@ void add_clearance(const ClearanceTerm& term, const CollisionWorld& world, const
   }
 }
 
-}  // namespace morphe
+}  // namespace morphe::map

@@ -3,7 +3,7 @@
 #include "pipeline/collision/world.hpp"
 #include "pipeline/solve/quadratic.hpp"
 
-namespace morphe {
+namespace morphe::map {
 
 /// A term of ours beside the paper's: weight * sum over pairs of max(0, band - slack)², with the
 /// slack of the collision check (distance less the margin asked for), so that the mapping stays a
@@ -17,15 +17,16 @@ void fields(Fields& f, ClearanceTerm& o) {
   f("weight", o.weight);
   f("band", o.band_m);
 }
-std::string check(const ClearanceTerm& term);
+std::string why_invalid(const ClearanceTerm& term);
 
 struct ClearanceScratch {
-  CollisionScratch collision;
-  std::vector<PairSeparation> pairs;
+  collision::CollisionScratch collision;
+  std::vector<collision::PairSeparation> pairs;
   JointVector slope;  ///< [n] of the slack missing from the band
 };
 
-void add_clearance(const ClearanceTerm& term, const CollisionWorld& world, const JointVector& q,
-                   double time_s, ClearanceScratch& scratch, Quadratic& model);
+void add_clearance(const ClearanceTerm& term, const collision::CollisionWorld& world,
+                   const JointVector& q, double time_s, ClearanceScratch& scratch,
+                   solve::Quadratic& model);
 
-}  // namespace morphe
+}  // namespace morphe::map

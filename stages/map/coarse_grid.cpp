@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace morphe {
+namespace morphe::map {
 
 using Eigen::Index;
 
@@ -61,10 +61,10 @@ JointRows rows_at(const JointRows& q, const std::vector<std::size_t>& frames) {
   return rows;
 }
 
-MovementOptions between(MovementOptions coarse) {
+solve::MovementOptions between(solve::MovementOptions coarse) {
   coarse.iterations = std::max(2, coarse.iterations / 2);
   coarse.relative_value *= 10;
   return coarse;
 }
 
-}  // namespace morphe
+}  // namespace morphe::map

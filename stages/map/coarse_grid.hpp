@@ -5,7 +5,7 @@
 #include "pipeline/solve/minimise_movement.hpp"
 #include "stages/map/mapping_problem.hpp"
 
-namespace morphe {
+namespace morphe::map {
 
 /// Frames of an evenly spaced grid that holds the first and the last frame, about step_s apart and
 /// at least five, if there are so many.
@@ -23,6 +23,6 @@ JointRows rows_at(const JointRows& q, const std::vector<std::size_t>& frames);
 
 /// What all frames take after the coarse grid: what is slow to settle, as fingers that slide along
 /// each other, is settled there; left is what lies between its frames.
-MovementOptions between(MovementOptions coarse);
+solve::MovementOptions between(solve::MovementOptions coarse);
 
-}  // namespace morphe
+}  // namespace morphe::map

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace morphe {
+namespace morphe::map {
 
 Vec3 compass_search(const std::function<double(const Vec3&)>& function, double limit,
                     double finest) {
@@ -30,4 +30,4 @@ Vec3 compass_search(const std::function<double(const Vec3&)>& function, double l
   return best;
 }
 
-}  // namespace morphe
+}  // namespace morphe::map

@@ -5,11 +5,11 @@
 
 #include "pipeline/humanlike/loads.hpp"
 #include "pipeline/humanlike/posed_like.hpp"
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/forward.hpp"
 #include "pipeline/solve/minimise.hpp"
 #include "stages/map/finger_curve.hpp"
 
-namespace morphe {
+namespace morphe::map {
 namespace {
 
 using Eigen::Index;
@@ -60,7 +60,7 @@ Vec3 origin(const std::vector<Pose>& poses, int frame) {
 std::vector<int> hinges_of(const RobotTable& robot, const std::vector<Pose>& poses,
                            std::size_t tip) {
   std::vector<int> hinges;
-  Vec3 beyond = tip_pose(robot, poses, tip).translation();
+  Vec3 beyond = robot::tip_pose(robot, poses, tip).translation();
   for (int frame = robot.tips[tip].frame; frame >= 0 && frame != robot.palm_frame;
        frame = robot.frames[static_cast<std::size_t>(frame)].parent) {
     if (robot.frames[static_cast<std::size_t>(frame)].joint < 0) continue;
@@ -73,11 +73,11 @@ std::vector<int> hinges_of(const RobotTable& robot, const std::vector<Pose>& pos
 }
 
 /// The finger's joints as they are, its tip last.
-Chain chain_at(const RobotTable& robot, const std::vector<Pose>& poses,
-               const std::vector<int>& hinges, std::size_t tip) {
-  Chain chain;
+humanlike::Chain chain_at(const RobotTable& robot, const std::vector<Pose>& poses,
+                          const std::vector<int>& hinges, std::size_t tip) {
+  humanlike::Chain chain;
   for (const int frame : hinges) chain.push_back(origin(poses, frame));
-  chain.push_back(tip_pose(robot, poses, tip).translation());
+  chain.push_back(robot::tip_pose(robot, poses, tip).translation());
   return chain;
 }
 
@@ -86,9 +86,9 @@ Chain chain_at(const RobotTable& robot, const std::vector<Pose>& poses,
 FingerAngles::FingerAngles(const RobotTable& robot)
     : hand(beyond_palm(robot, joints)),
       robot_joints(static_cast<Index>(robot.joints())),
-      human(human_hand(hand_size_of_stature(kStature))) {
+      human(human::human_hand(human::hand_size_of_stature(kStature))) {
   std::vector<Pose> poses;
-  forward(hand, zero_of(hand), poses);
+  robot::forward(hand, zero_of(hand), poses);
   base_from_palm = poses[static_cast<std::size_t>(hand.palm_frame)];
   for (std::size_t tip = 0; tip < hand.tips.size(); ++tip) {
     if (hand.tips[tip].finger < 0) continue;
@@ -108,13 +108,14 @@ FingerAngles::FingerAngles(const RobotTable& robot)
   start = zero_of(hand).cwiseMax(hand.lower).cwiseMin(hand.upper);
 }
 
-Chain FingerAngles::human_chain(const Finger& finger, const std::vector<Pose>& poses) const {
+humanlike::Chain FingerAngles::human_chain(const Finger& finger,
+                                           const std::vector<Pose>& poses) const {
   const auto of = [&](std::size_t k) {
     return chain_at(human, poses, hinges_of(human, poses, k), k);
   };
   if (!std::isfinite(finger.along)) return of(finger.human);
-  const std::array<Chain, 4> four = {of(1), of(2), of(3), of(4)};
-  Chain between;
+  const std::array<humanlike::Chain, 4> four = {of(1), of(2), of(3), of(4)};
+  humanlike::Chain between;
   for (std::size_t i = 0; i <= kBones; ++i) {
     between.push_back(point_along({four[0][i], four[1][i], four[2][i], four[3][i]}, finger.along));
   }
@@ -125,35 +126,35 @@ JointVector FingerAngles::operator()(const JointVector& human_angles) {
   std::vector<Pose> poses;
   JointVector q = zero_of(human);
   q.head(human_angles.size()) = human_angles;
-  forward(human, q, poses);
-  std::vector<Chain> goals;
+  robot::forward(human, q, poses);
+  std::vector<humanlike::Chain> goals;
   for (const Finger& finger : fingers) {
-    Chain chain = human_chain(finger, poses);
+    humanlike::Chain chain = human_chain(finger, poses);
     for (Vec3& joint : chain) joint = base_from_palm * joint;
-    goals.push_back(posed_like(chain, finger.at_zero));
+    goals.push_back(humanlike::posed_like(chain, finger.at_zero));
   }
 
-  BoundedProblem problem;
+  solve::BoundedProblem problem;
   problem.lower = hand.lower;
   problem.upper = hand.upper;
-  Loads loads;
-  LoadSweep sweep;
-  problem.model = [&](const JointVector& at, Quadratic& model) {
+  humanlike::Loads loads;
+  humanlike::LoadSweep sweep;
+  problem.model = [&](const JointVector& at, solve::Quadratic& model) {
     constexpr double kWeight = 1e4;  // per m²: a centimetre counts one
-    forward(hand, at, poses);
-    loads.reset(hand.frames.size(), Curvature::gauss_newton);
+    robot::forward(hand, at, poses);
+    loads.reset(hand.frames.size(), humanlike::Curvature::gauss_newton);
     for (std::size_t k = 0; k < fingers.size(); ++k) {
       const Finger& finger = fingers[k];
-      const Chain reached = chain_at(hand, poses, finger.frames, finger.tip);
+      const humanlike::Chain reached = chain_at(hand, poses, finger.frames, finger.tip);
       for (std::size_t i = 1; i < reached.size(); ++i) {
         if (!seen(goals[k][i])) continue;
         const int frame = i < finger.frames.size() ? finger.frames[i] : hand.tips[finger.tip].frame;
         loads.add_point(frame, reached[i], goals[k][i], kWeight, true);
       }
     }
-    add_derivatives(hand, poses, loads, sweep, model);
+    humanlike::add_derivatives(hand, poses, loads, sweep, model);
   };
-  start = minimise(problem, start, MinimiseOptions{}).x;
+  start = solve::minimise(problem, start, solve::MinimiseOptions{}).x;
 
   JointVector angles = JointVector::Constant(robot_joints, kNotSeen);
   for (std::size_t k = 0; k < fingers.size(); ++k) {
@@ -165,4 +166,4 @@ JointVector FingerAngles::operator()(const JointVector& human_angles) {
   return angles;
 }
 
-}  // namespace morphe
+}  // namespace morphe::map

@@ -6,7 +6,7 @@
 #include "pipeline/humanlike/metrics.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
-namespace morphe {
+namespace morphe::map {
 
 /// Turns the angles of a human hand into those of a robot's: of each finger the angles, inside
 /// their limits, whose bones point most nearly as the human's do in the palm's frame (least sum of
@@ -21,14 +21,14 @@ class FingerAngles {
 
  private:
   struct Finger {
-    std::size_t human = 0;    ///< 0 the thumb; others: the nearest
-    double along = 0;         ///< of the curves through the joints of index … little, or NaN
-    std::vector<int> frames;  ///< of `hand`, the knuckle's first
-    std::size_t tip = 0;      ///< of `hand`
-    Chain at_zero;            ///< the frames' origins and the tip
-    std::vector<int> joints;  ///< of `hand` that move it
+    std::size_t human = 0;     ///< 0 the thumb; others: the nearest
+    double along = 0;          ///< of the curves through the joints of index … little, or NaN
+    std::vector<int> frames;   ///< of `hand`, the knuckle's first
+    std::size_t tip = 0;       ///< of `hand`
+    humanlike::Chain at_zero;  ///< the frames' origins and the tip
+    std::vector<int> joints;   ///< of `hand` that move it
   };
-  Chain human_chain(const Finger& finger, const std::vector<Pose>& poses) const;
+  humanlike::Chain human_chain(const Finger& finger, const std::vector<Pose>& poses) const;
 
   std::vector<int> joints;  ///< of the robot, by those of `hand`
   RobotTable hand;          ///< the robot's joints beyond the palm, all others at zero
@@ -39,4 +39,4 @@ class FingerAngles {
   JointVector start;  ///< the last answer
 };
 
-}  // namespace morphe
+}  // namespace morphe::map

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace morphe {
+namespace morphe::map {
 namespace {
 
 constexpr std::size_t kSpans = 3;
@@ -82,4 +82,4 @@ Vec3 point_along(const std::array<Vec3, 4>& fingers, double share) {
   return spline.at(span, (low + high) / 2);
 }
 
-}  // namespace morphe
+}  // namespace morphe::map

@@ -5,31 +5,32 @@
 
 #include "stages/map/twins.hpp"
 
-namespace morphe {
+namespace morphe::map {
 namespace {
 
-BoundedProblem bounded(const MappingProblem& problem, std::size_t frame, MappingScratch& scratch) {
-  BoundedProblem result;
+solve::BoundedProblem bounded(const MappingProblem& problem, std::size_t frame,
+                              MappingScratch& scratch) {
+  solve::BoundedProblem result;
   result.lower = problem.robot->lower;
   result.upper = problem.robot->upper;
   result.objective = [&problem, frame, &scratch](const JointVector& q, JointVector* gradient) {
     scratch.model.reset(q.size());
-    add_frame(problem, frame, q, scratch, scratch.model, Curvature::none);
+    add_frame(problem, frame, q, scratch, scratch.model, humanlike::Curvature::none);
     if (gradient) *gradient = scratch.model.gradient;
     return scratch.model.value;
   };
   scratch.new_descent();
-  result.model = [&problem, frame, &scratch](const JointVector& q, Quadratic& model) {
-    add_frame(problem, frame, q, scratch, model, Curvature::exact);
+  result.model = [&problem, frame, &scratch](const JointVector& q, solve::Quadratic& model) {
+    add_frame(problem, frame, q, scratch, model, humanlike::Curvature::exact);
   };
   return result;
 }
 
 constexpr double kSame = 0.1;  ///< nearer in every joint: the same minimum [rad]
 
-void add_if_new(const Twins& twins, std::vector<Minimum>& minima, Minimum found) {
+void add_if_new(const Twins& twins, std::vector<solve::Minimum>& minima, solve::Minimum found) {
   const auto known = std::ranges::find_if(
-      minima, [&](const Minimum& m) { return alike(twins, found.x, m.x, kSame); });
+      minima, [&](const solve::Minimum& m) { return alike(twins, found.x, m.x, kSame); });
   if (known == minima.end()) {
     minima.push_back(std::move(found));
   } else if (found.value < known->value) {
@@ -37,11 +38,11 @@ void add_if_new(const Twins& twins, std::vector<Minimum>& minima, Minimum found)
   }
 }
 
-void by_value(std::vector<Minimum>& minima) {
-  std::ranges::stable_sort(minima, {}, &Minimum::value);
+void by_value(std::vector<solve::Minimum>& minima) {
+  std::ranges::stable_sort(minima, {}, &solve::Minimum::value);
 }
 
-void resize_at_most(std::vector<Minimum>& minima, int count) {
+void resize_at_most(std::vector<solve::Minimum>& minima, int count) {
   if (minima.size() > static_cast<std::size_t>(count)) {
     minima.resize(static_cast<std::size_t>(count));
   }
@@ -58,43 +59,44 @@ JointVector random_start(const RobotTable& robot, std::mt19937_64& random) {
   return q;
 }
 
-Minimum solve_frame(const MappingProblem& problem, std::size_t frame, const JointVector& start,
-                    const MinimiseOptions& options, MappingScratch& scratch) {
-  return minimise(bounded(problem, frame, scratch), start, options);
+solve::Minimum solve_frame(const MappingProblem& problem, std::size_t frame,
+                           const JointVector& start, const solve::MinimiseOptions& options,
+                           MappingScratch& scratch) {
+  return solve::minimise(bounded(problem, frame, scratch), start, options);
 }
 
-MinimiseOptions brief(MinimiseOptions options, int evaluations) {
+solve::MinimiseOptions brief(solve::MinimiseOptions options, int evaluations) {
   if (options.algorithm == "structured") {
     options.evaluations = std::min(options.evaluations, evaluations);
   }
   return options;
 }
 
-Descents exact(const MinimiseOptions& options) {
-  MinimiseOptions first = options;  // enough to tell which starts are worth more
+Descents exact(const solve::MinimiseOptions& options) {
+  solve::MinimiseOptions first = options;  // enough to tell which starts are worth more
   first.relative_value = std::max(options.relative_value, 1e-4);
   return {first, options};
 }
 
-Descents quick(const MinimiseOptions& options) {
+Descents quick(const solve::MinimiseOptions& options) {
   const Descents descents = exact(options);
   return {brief(descents.first, 40), brief(descents.then, 10)};
 }
 
-std::vector<Minimum> search_frame(const MappingProblem& problem, std::size_t frame, int starts,
-                                  int keep, const Descents& descents, std::uint64_t seed,
-                                  MappingScratch& scratch) {
+std::vector<solve::Minimum> search_frame(const MappingProblem& problem, std::size_t frame,
+                                         int starts, int keep, const Descents& descents,
+                                         std::uint64_t seed, MappingScratch& scratch) {
   const Twins twins = find_twins(problem);
   std::mt19937_64 random(seed);
-  std::vector<Minimum> found;
+  std::vector<solve::Minimum> found;
   for (int i = 0; i < starts; ++i) {
     const JointVector start = random_start(*problem.robot, random);
     add_if_new(twins, found, solve_frame(problem, frame, start, descents.first, scratch));
   }
   by_value(found);
   resize_at_most(found, 2 * keep);
-  std::vector<Minimum> minima;
-  for (const Minimum& start : found) {
+  std::vector<solve::Minimum> minima;
+  for (const solve::Minimum& start : found) {
     add_if_new(twins, minima, solve_frame(problem, frame, start.x, descents.then, scratch));
   }
   by_value(minima);
@@ -102,4 +104,4 @@ std::vector<Minimum> search_frame(const MappingProblem& problem, std::size_t fra
   return minima;
 }
 
-}  // namespace morphe
+}  // namespace morphe::map

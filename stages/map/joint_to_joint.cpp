@@ -4,28 +4,30 @@
 
 #include "pipeline/humanlike/posed_like.hpp"
 #include "pipeline/humanlike/terms.hpp"
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/forward.hpp"
 #include "stages/map/finger_angles.hpp"
 
-namespace morphe {
+namespace morphe::map {
 namespace {
 
 using Eigen::Index;
 
 /// Joints of fingers that never get an angle: at zero, or the limit next to it.
-void rest_unrecorded(const RobotTable& robot, std::vector<FrameGoal>& frames, Goals& goals) {
+void rest_unrecorded(const RobotTable& robot, std::vector<humanlike::FrameGoal>& frames,
+                     Goals& goals) {
   bool any = false;
   for (const RobotTable::Tip& tip : robot.tips) {
     if (tip.finger < 0) continue;
     for (int frame = tip.frame; frame >= 0 && frame != robot.palm_frame;
          frame = robot.frames[static_cast<std::size_t>(frame)].parent) {
       const int joint = robot.frames[static_cast<std::size_t>(frame)].joint;
-      const bool recorded = joint < 0 || std::ranges::any_of(frames, [&](const FrameGoal& goal) {
-                              return std::isfinite(goal.angles[joint]);
-                            });
+      const bool recorded =
+          joint < 0 || std::ranges::any_of(frames, [&](const humanlike::FrameGoal& goal) {
+            return std::isfinite(goal.angles[joint]);
+          });
       if (recorded) continue;
       any = true;
-      for (FrameGoal& goal : frames) {
+      for (humanlike::FrameGoal& goal : frames) {
         goal.angles[joint] = std::clamp(0.0, robot.lower[joint], robot.upper[joint]);
       }
     }
@@ -35,20 +37,22 @@ void rest_unrecorded(const RobotTable& robot, std::vector<FrameGoal>& frames, Go
 
 }  // namespace
 
-std::vector<FrameGoal> joint_to_joint_goals(const RobotTable& robot, const JointRows& angles,
-                                            const std::vector<double>& angle_time, Goals& goals) {
+std::vector<humanlike::FrameGoal> joint_to_joint_goals(const RobotTable& robot,
+                                                       const JointRows& angles,
+                                                       const std::vector<double>& angle_time,
+                                                       Goals& goals) {
   std::vector<Pose> poses;
-  forward(robot, JointVector::Zero(static_cast<Index>(robot.joints())), poses);
-  const Chain arm = arm_chain(robot, poses).joints;
+  robot::forward(robot, JointVector::Zero(static_cast<Index>(robot.joints())), poses);
+  const humanlike::Chain arm = humanlike::arm_chain(robot, poses).joints;
   FingerAngles finger_angles(robot);
-  std::vector<FrameGoal> frames;
+  std::vector<humanlike::FrameGoal> frames;
   for (std::size_t f = 0; f < goals.frames(); ++f) {
-    FrameGoal goal;
+    humanlike::FrameGoal goal;
     goal.tip_position.assign(robot.tips.size(), unseen_point());
     goal.tip_orientation.assign(robot.tips.size(), unseen_rotation());
     goal.hand = goals.wrist_orientation[f];
     if (arm.size() > 1) {
-      goal.chain = posed_like(
+      goal.chain = humanlike::posed_like(
           {goals.shoulder_position[f], goals.elbow_position[f], goals.wrist_position[f]}, arm);
     }
     goal.angles = JointVector::Constant(static_cast<Index>(robot.joints()), kNotSeen);
@@ -61,4 +65,4 @@ std::vector<FrameGoal> joint_to_joint_goals(const RobotTable& robot, const Joint
   return frames;
 }
 
-}  // namespace morphe
+}  // namespace morphe::map

@@ -6,7 +6,7 @@
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
-namespace morphe {
+namespace morphe::map {
 
 /// Joint-to-joint mapping, a baseline: the robot's joints take the angles of the human's, as far as
 /// it has them; where the fingertips get to is left to the lengths of its links. In terms that hold
@@ -21,7 +21,9 @@ namespace morphe {
 /// it), and goals.estimated says "finger angles".
 ///
 /// `angles` [N, 20] are the human's kHandAngleNames at `angle_time`, or have no rows.
-std::vector<FrameGoal> joint_to_joint_goals(const RobotTable& robot, const JointRows& angles,
-                                            const std::vector<double>& angle_time, Goals& goals);
+std::vector<humanlike::FrameGoal> joint_to_joint_goals(const RobotTable& robot,
+                                                       const JointRows& angles,
+                                                       const std::vector<double>& angle_time,
+                                                       Goals& goals);
 
-}  // namespace morphe
+}  // namespace morphe::map

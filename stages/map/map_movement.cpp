@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "pipeline/humanlike/metrics.hpp"
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/forward.hpp"
 #include "stages/map/finger_curve.hpp"
 #include "stages/map/movement_search.hpp"
 #include "stages/map/reachable.hpp"
 
-namespace morphe {
+namespace morphe::map {
 namespace {
 
 using Eigen::Index;
@@ -18,32 +18,32 @@ void measure_humanlikeness(const MappingProblem& problem, const Goals& goals, st
                            const std::vector<Pose>& base_from_frame, Mapped& mapped) {
   const auto row = static_cast<Index>(frame);
   mapped.humanlikeness.row(row).setConstant(kNotSeen);
-  const Chain human{goals.shoulder_position[frame], goals.elbow_position[frame],
-                    goals.wrist_position[frame]};
+  const humanlike::Chain human{goals.shoulder_position[frame], goals.elbow_position[frame],
+                               goals.wrist_position[frame]};
   if (!seen(human[0]) || !seen(human[1]) || !seen(human[2])) return;
-  const Chain robot = arm_chain(*problem.robot, base_from_frame).joints;
+  const humanlike::Chain robot = humanlike::arm_chain(*problem.robot, base_from_frame).joints;
   std::vector<Vec3> inner;
   for (const auto& centre : problem.robot->centres) {
     if (centre.chain == "arm") {
       inner.push_back(base_from_frame[static_cast<std::size_t>(centre.frame)].translation());
     }
   }
-  mapped.humanlikeness(row, 0) = joint_distance_sum(human[1], inner);
-  mapped.humanlikeness(row, 1) = triangle_area_sum(human, robot);
-  mapped.humanlikeness(row, 2) = hull_volume_sum(human, robot);
+  mapped.humanlikeness(row, 0) = humanlike::joint_distance_sum(human[1], inner);
+  mapped.humanlikeness(row, 1) = humanlike::triangle_area_sum(human, robot);
+  mapped.humanlikeness(row, 2) = humanlike::hull_volume_sum(human, robot);
 }
 
 void measure_frame(const MappingProblem& problem, const Goals& goals, std::size_t frame,
                    MappingScratch& scratch, Mapped& mapped) {
   const auto row = static_cast<Index>(frame);
   const JointVector q = mapped.position.row(row).transpose();
-  const FrameGoal goal = frame_goal(goals, frame);
+  const humanlike::FrameGoal goal = humanlike::frame_goal(goals, frame);
   scratch.model.reset(q.size());
   add_frame(problem, frame, q, scratch, scratch.model);
   mapped.objective.push_back(scratch.model.value);
   bool any = false, met = true, reachable = true;
   for (std::size_t i = 0; i < goal.tip_position.size(); ++i) {
-    const Pose tip = tip_pose(*problem.robot, scratch.base_from_frame, i);
+    const Pose tip = robot::tip_pose(*problem.robot, scratch.base_from_frame, i);
     const auto col = static_cast<Index>(i);
     if (seen(goal.tip_orientation[i])) {
       mapped.orientation_error(row, col) =
@@ -83,7 +83,7 @@ double posture_error(const MappingProblem& problem, const Goals& goals, const Jo
   int count = 0;
   for (std::size_t f = 0; f < problem.frames(); ++f) {
     const double error = problem.objective.posture.distance(
-        q.row(static_cast<Index>(f)).transpose(), frame_goal(goals, f));
+        q.row(static_cast<Index>(f)).transpose(), humanlike::frame_goal(goals, f));
     if (std::isnan(error)) continue;
     sum += error * error;
     ++count;
@@ -106,8 +106,8 @@ std::vector<Vec3> curve_joints(const RobotTable& robot, const Goals& goals, std:
 }  // namespace
 
 MappingProblem make_mapping_problem(const RobotTable& robot, const Goals& goals,
-                                    const CollisionWorld& world, const MapOptions& options,
-                                    const std::vector<Phase>& phases) {
+                                    const collision::CollisionWorld& world,
+                                    const MapOptions& options, const std::vector<Phase>& phases) {
   MappingProblem problem;
   problem.robot = &robot;
   problem.objective = make_objective(options, robot);
@@ -115,7 +115,7 @@ MappingProblem make_mapping_problem(const RobotTable& robot, const Goals& goals,
   problem.world = &world;
   problem.time = goals.time;
   for (std::size_t f = 0; f < goals.frames(); ++f) {
-    problem.goals.push_back(frame_goal(goals, f));
+    problem.goals.push_back(humanlike::frame_goal(goals, f));
     problem.goals.back().curve_joint = curve_joints(robot, goals, f);
     problem.goals.back().weights =
         weights_at(options.phases, phases, goals.time[f], options.phase_blend_s);
@@ -127,9 +127,11 @@ MapResult map_movement(const MappingProblem& problem, Goals& goals, const MapOpt
                        std::uint64_t seed) {
   MapResult result;
   MappingProblem tracked = problem;  // what is reached is judged by the tips in every mode
-  for (std::size_t f = 0; f < goals.frames(); ++f) tracked.goals[f] = frame_goal(goals, f);
-  const bool any_goal = std::any_of(tracked.goals.begin(), tracked.goals.end(),
-                                    [](const FrameGoal& goal) { return goal.tips_seen() > 0; });
+  for (std::size_t f = 0; f < goals.frames(); ++f)
+    tracked.goals[f] = humanlike::frame_goal(goals, f);
+  const bool any_goal =
+      std::any_of(tracked.goals.begin(), tracked.goals.end(),
+                  [](const humanlike::FrameGoal& goal) { return goal.tips_seen() > 0; });
   if (problem.frames() < 5 || !any_goal) {
     result.reason = "no_goal";
     result.detail = any_goal ? "the movement has fewer than 5 frames"
@@ -150,4 +152,4 @@ MapResult map_movement(const MappingProblem& problem, Goals& goals, const MapOpt
   return result;
 }
 
-}  // namespace morphe
+}  // namespace morphe::map

@@ -7,7 +7,7 @@
 #include "stages/map/map_options.hpp"
 #include "stages/map/mapping_problem.hpp"
 
-namespace morphe {
+namespace morphe::map {
 
 struct MapResult {
   std::string reason;  ///< "" or why there is no mapping: "no_goal"
@@ -27,7 +27,8 @@ MapResult map_movement(const MappingProblem& problem, Goals& goals, const MapOpt
 /// The problem of a movement: goals frame by frame, with the weights of their phases, and the world
 /// to stay clear of.
 MappingProblem make_mapping_problem(const RobotTable& robot, const Goals& goals,
-                                    const CollisionWorld& world, const MapOptions& options,
+                                    const collision::CollisionWorld& world,
+                                    const MapOptions& options,
                                     const std::vector<Phase>& phases = {});
 
-}  // namespace morphe
+}  // namespace morphe::map

@@ -5,7 +5,7 @@
 
 #include "pipeline/motion/input_error.hpp"
 
-namespace morphe {
+namespace morphe::map {
 namespace {
 
 int joint_index(const RobotTable& robot, const std::string& name) {
@@ -30,7 +30,7 @@ std::vector<int> tips_moved_by(const RobotTable& robot, int joint) {
 }
 
 /// What a mode leaves out, or has in its place.
-void set_mode(MapMode mode, FrameObjective& objective) {
+void set_mode(MapMode mode, humanlike::FrameObjective& objective) {
   if (mode == MapMode::humanlike) return;
   objective.joint_distance.weight = objective.finger_joint_distance.weight = 0;
   objective.triangle_area.weight = objective.hull_volume.weight = 0;
@@ -47,12 +47,12 @@ void set_mode(MapMode mode, FrameObjective& objective) {
 
 }  // namespace
 
-std::string check(const BaseOffset& o) {
+std::string why_invalid(const BaseOffset& o) {
   if (!(o.limit_m >= 0 && o.weight >= 0)) return "limit and weight must not be negative";
   return "";
 }
 
-std::string check(const MapOptions& o) {
+std::string why_invalid(const MapOptions& o) {
   if (std::ranges::find(kMapModeNames, o.mode) == std::end(kMapModeNames)) {
     return "mode must be humanlike, joint_to_joint, inverse_kinematics or fingertip_only, not '" +
            o.mode + "'";
@@ -66,7 +66,7 @@ std::string check(const MapOptions& o) {
   if (*std::min_element(std::begin(weights), std::end(weights)) < 0) {
     return "weights must not be negative";
   }
-  if (const std::string wrong = check(o.phases); !wrong.empty()) return "phases: " + wrong;
+  if (const std::string wrong = why_invalid(o.phases); !wrong.empty()) return "phases: " + wrong;
   if (o.phase_blend_s < 0) return "phase_blend_s must not be negative";
   if (o.orientation_smoothing <= 0) return "orientation_smoothing must be positive";
   if (o.key_frames < 1 || o.starts < 1 || o.candidates < 1) {
@@ -84,8 +84,8 @@ MapMode mode_of(const MapOptions& options) {
   return static_cast<MapMode>(named - std::begin(kMapModeNames));
 }
 
-FrameObjective make_objective(const MapOptions& options, const RobotTable& robot) {
-  FrameObjective objective;
+humanlike::FrameObjective make_objective(const MapOptions& options, const RobotTable& robot) {
+  humanlike::FrameObjective objective;
   objective.tip_position.weight = options.tip_position;
   objective.tip_orientation = {options.tip_orientation, options.orientation_smoothing};
   objective.hand_orientation = {options.hand_orientation, options.orientation_smoothing};
@@ -95,7 +95,7 @@ FrameObjective make_objective(const MapOptions& options, const RobotTable& robot
   objective.hull_volume.weight = options.humanlike_hull;
   objective.posture.weight = options.posture;
   for (const NaturalJoint& natural : options.natural) {
-    NaturalPosture::Joint entry;
+    humanlike::NaturalPosture::Joint entry;
     entry.joint = joint_index(robot, natural.joint);
     entry.follow = natural.follow.empty() ? -1 : joint_index(robot, natural.follow);
     entry.value = natural.value;
@@ -106,4 +106,4 @@ FrameObjective make_objective(const MapOptions& options, const RobotTable& robot
   return objective;
 }
 
-}  // namespace morphe
+}  // namespace morphe::map

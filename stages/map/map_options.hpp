@@ -10,7 +10,7 @@
 #include "stages/map/movement_cost.hpp"
 #include "stages/map/phase_weights.hpp"
 
-namespace morphe {
+namespace morphe::map {
 
 /// How goals become joint angles; the last three are what the paper compares itself with.
 /// Clearance, movement cost and the natural posture of fingers without a goal count in all of them,
@@ -41,7 +41,7 @@ void fields(Fields& f, BaseOffset& o) {
   f("limit", o.limit_m);
   f("weight", o.weight);
 }
-std::string check(const BaseOffset& options);
+std::string why_invalid(const BaseOffset& options);
 
 /// Config section `map`: weights of Eq. (16), our terms beside it, and the search.
 struct MapOptions {
@@ -72,8 +72,8 @@ struct MapOptions {
   double coarse_step_s = 0.05;  ///< grid on which candidates are followed and compared
   int reachable_starts = 256;   ///< before a goal is declared out of reach
   double reachable_m = 1e-4;    ///< error below which a goal counts as met by that search
-  MinimiseOptions solver;       ///< of single frames
-  MovementOptions movement;
+  solve::MinimiseOptions solver;  ///< of single frames
+  solve::MovementOptions movement;
 };
 template <class Fields>
 void fields(Fields& f, NaturalJoint& o) {
@@ -109,13 +109,13 @@ void fields(Fields& f, MapOptions& o) {
   f("solver", o.solver);
   f("movement", o.movement);
 }
-std::string check(const MapOptions& options);
+std::string why_invalid(const MapOptions& options);
 
-/// The mode that the options name; they must pass check().
+/// The mode that the options name; they must pass why_invalid().
 MapMode mode_of(const MapOptions& options);
 
 /// The frame objective that the options and the robot make; InputError if `natural` names an
 /// unknown joint.
-FrameObjective make_objective(const MapOptions& options, const RobotTable& robot);
+humanlike::FrameObjective make_objective(const MapOptions& options, const RobotTable& robot);
 
-}  // namespace morphe
+}  // namespace morphe::map

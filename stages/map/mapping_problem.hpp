@@ -7,29 +7,29 @@
 #include "pipeline/motion/plan.hpp"
 #include "stages/map/clearance_term.hpp"
 
-namespace morphe {
+namespace morphe::map {
 
 /// One movement to be mapped: the objective of its frames in one place. Robot and world must
 /// outlive it.
 struct MappingProblem {
   const RobotTable* robot = nullptr;
-  FrameObjective objective;
+  humanlike::FrameObjective objective;
   ClearanceTerm clearance;
-  const CollisionWorld* world = nullptr;  ///< what the mapping stays clear of
-  std::vector<double> time;               ///< [F] demonstration time [s]
-  std::vector<FrameGoal> goals;           ///< [F]
+  const collision::CollisionWorld* world = nullptr;  ///< what the mapping stays clear of
+  std::vector<double> time;                          ///< [F] demonstration time [s]
+  std::vector<humanlike::FrameGoal> goals;           ///< [F]
 
   std::size_t frames() const { return time.size(); }
 };
 
-struct MappingScratch : ObjectiveScratch {
+struct MappingScratch : humanlike::ObjectiveScratch {
   ClearanceScratch clearance;
-  Quadratic model;
+  solve::Quadratic model;
 };
 
 /// Adds the objective of a frame at q, clearance included, to `model`.
 void add_frame(const MappingProblem& problem, std::size_t frame, const JointVector& q,
-               MappingScratch& scratch, Quadratic& model,
-               Curvature curvature = Curvature::gauss_newton);
+               MappingScratch& scratch, solve::Quadratic& model,
+               humanlike::Curvature curvature = humanlike::Curvature::gauss_newton);
 
-}  // namespace morphe
+}  // namespace morphe::map

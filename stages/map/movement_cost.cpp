@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace morphe {
+namespace morphe::map {
 
 double mean_step(const std::vector<double>& time) {
   return (time.back() - time.front()) / static_cast<double>(time.size() - 1);
@@ -20,4 +20,4 @@ std::array<JointVector, 3> difference_weights(const RobotTable& robot,
           weight(cost.acceleration, robot.acceleration, 2), weight(cost.jerk, robot.jerk, 3)};
 }
 
-}  // namespace morphe
+}  // namespace morphe::map

@@ -5,7 +5,7 @@
 
 #include "pipeline/motion/robot_table.hpp"
 
-namespace morphe {
+namespace morphe::map {
 
 /// What a movement costs beside its frames, per 10 ms: weights on (velocity / limit)²,
 /// (acceleration / limit)² and (jerk / limit)² of every joint at the human's tempo. Jerk keeps
@@ -30,4 +30,4 @@ std::array<JointVector, 3> difference_weights(const RobotTable& robot,
 inline constexpr double kReferenceStep = 0.01;  ///< weights count per frame of this length [s]
 double mean_step(const std::vector<double>& time);
 
-}  // namespace morphe
+}  // namespace morphe::map

@@ -10,7 +10,7 @@
 #include "stages/map/twins.hpp"
 #include "stages/map/whole_movement.hpp"
 
-namespace morphe {
+namespace morphe::map {
 namespace {
 
 using Eigen::Index;
@@ -20,14 +20,14 @@ constexpr int kFollow = 5;  ///< evaluations at a frame that is followed
 /// Warm-started solves from a key frame to both ends, as exact as what is spliced and smoothed has
 /// to be.
 Way follow(const MappingProblem& problem, std::size_t key, const JointVector& q,
-           MinimiseOptions options, MappingScratch& scratch) {
+           solve::MinimiseOptions options, MappingScratch& scratch) {
   options = brief(options, kFollow);
   options.relative_value = std::max(options.relative_value, 1e-5);
   const double share = mean_step(problem.time) / kReferenceStep;
   Way way{key, JointRows(static_cast<Index>(problem.frames()), q.size()),
           std::vector<double>(problem.frames())};
   const auto solve = [&](std::size_t frame, const JointVector& start) {
-    const Minimum found = solve_frame(problem, frame, start, options, scratch);
+    const solve::Minimum found = solve_frame(problem, frame, start, options, scratch);
     way.q.row(static_cast<Index>(frame)) = found.x.transpose();
     way.value[frame] = share * found.value;
   };
@@ -56,17 +56,17 @@ constexpr int kLook = 7;
 constexpr std::size_t kSmoothed = 2;
 constexpr double kToCompare = 10;  ///< times the share of their value that the last steps gain
 
-MovementOptions rough(MovementOptions options, int iterations) {
+solve::MovementOptions rough(solve::MovementOptions options, int iterations) {
   options.iterations = std::min(options.iterations, iterations);
   return options;
 }
 
 /// All frames of the problem smoothed at once.
 Course minimise_course(const MappingProblem& problem, const JointRows& start,
-                       const MovementCost& cost, const MovementOptions& options) {
+                       const MovementCost& cost, const solve::MovementOptions& options) {
   std::vector<MappingScratch> scratch;
-  const MovementMinimum found =
-      minimise_movement(whole_movement(problem, cost, scratch), start, options);
+  const solve::MovementMinimum found =
+      solve::minimise_movement(whole_movement(problem, cost, scratch), start, options);
   return {found.q, found.value};
 }
 
@@ -132,7 +132,7 @@ std::vector<Course> search_movement(const MappingProblem& problem, const MapOpti
     const auto last = static_cast<double>(coarse.frames() - 1);
     const double position = options.key_frames == 1 ? last : last * k / (options.key_frames - 1);
     const auto key = static_cast<std::size_t>(std::lround(position));
-    for (const Minimum& start :
+    for (const solve::Minimum& start :
          search_frame(coarse, key, options.starts, options.candidates, quick(options.solver),
                       seed + static_cast<std::uint64_t>(k), scratch)) {
       for (const JointVector& twin : first_twins(twins, start.x)) {
@@ -155,7 +155,7 @@ std::vector<Course> search_movement(const MappingProblem& problem, const MapOpti
         minimise_course(coarse, sequence, options.movement_cost, rough(options.movement, kLook)));
   }
   by_value(courses);
-  MovementOptions to_compare = options.movement;
+  solve::MovementOptions to_compare = options.movement;
   to_compare.relative_value *= kToCompare;
   for (std::size_t k = 0; k < std::min(kSmoothed, courses.size()); ++k) {
     courses[k] = minimise_course(coarse, courses[k].q, options.movement_cost, to_compare);
@@ -178,4 +178,4 @@ Course course_through(const MappingProblem& problem, std::size_t frame, const Jo
   return smooth_movement(problem, interpolate(followed.q, frames), options);
 }
 
-}  // namespace morphe
+}  // namespace morphe::map

@@ -6,7 +6,7 @@
 #include "stages/map/map_options.hpp"
 #include "stages/map/mapping_problem.hpp"
 
-namespace morphe {
+namespace morphe::map {
 
 /// A continuous way through the whole movement.
 struct Course {
@@ -31,4 +31,4 @@ std::vector<Course> search_movement(const MappingProblem& problem, const MapOpti
 Course course_through(const MappingProblem& problem, std::size_t frame, const JointVector& posture,
                       const MapOptions& options);
 
-}  // namespace morphe
+}  // namespace morphe::map

@@ -4,10 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-namespace morphe {
+namespace morphe::map {
 namespace {
 
-FrameWeights of_phase(const std::vector<PhaseWeights>& weights, const std::string& phase) {
+humanlike::FrameWeights of_phase(const std::vector<PhaseWeights>& weights,
+                                 const std::string& phase) {
   for (const PhaseWeights& w : weights) {
     if (w.phase == phase) {
       return {w.tip_position, w.tip_orientation, w.humanlike_arm, w.humanlike_fingers};
@@ -18,7 +19,7 @@ FrameWeights of_phase(const std::vector<PhaseWeights>& weights, const std::strin
 
 }  // namespace
 
-std::string check(const std::vector<PhaseWeights>& weights) {
+std::string why_invalid(const std::vector<PhaseWeights>& weights) {
   for (std::size_t i = 0; i < weights.size(); ++i) {
     const PhaseWeights& w = weights[i];
     if (std::ranges::find(kPhaseNames, w.phase) == std::end(kPhaseNames)) {
@@ -34,8 +35,9 @@ std::string check(const std::vector<PhaseWeights>& weights) {
   return "";
 }
 
-FrameWeights weights_at(const std::vector<PhaseWeights>& weights, const std::vector<Phase>& phases,
-                        double time_s, double blend_s) {
+humanlike::FrameWeights weights_at(const std::vector<PhaseWeights>& weights,
+                                   const std::vector<Phase>& phases, double time_s,
+                                   double blend_s) {
   if (weights.empty()) return {};
   const auto at = [&](double t) {
     return of_phase(weights, kPhaseNames[static_cast<std::size_t>(phase_at(phases, t))]);
@@ -52,11 +54,11 @@ FrameWeights weights_at(const std::vector<PhaseWeights>& weights, const std::vec
   const auto filled = [](double place) {  // integral of (1 + cos(pi place)) / 2
     return 0.5 * (1 + place) + std::sin(std::numbers::pi * place) / (2 * std::numbers::pi);
   };
-  FrameWeights sum{0, 0, 0, 0};
+  humanlike::FrameWeights sum{0, 0, 0, 0};
   for (std::size_t i = 1; i < cuts.size(); ++i) {
     const double share = filled(cuts[i]) - filled(cuts[i - 1]);
     if (share <= 0) continue;
-    const FrameWeights own = at(time_s + 0.25 * blend_s * (cuts[i - 1] + cuts[i]));
+    const humanlike::FrameWeights own = at(time_s + 0.25 * blend_s * (cuts[i - 1] + cuts[i]));
     sum.tip_position += share * own.tip_position;
     sum.tip_orientation += share * own.tip_orientation;
     sum.humanlike_arm += share * own.humanlike_arm;
@@ -65,4 +67,4 @@ FrameWeights weights_at(const std::vector<PhaseWeights>& weights, const std::vec
   return sum;
 }
 
-}  // namespace morphe
+}  // namespace morphe::map

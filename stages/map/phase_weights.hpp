@@ -6,7 +6,7 @@
 #include "pipeline/humanlike/frame_goal.hpp"
 #include "pipeline/motion/movement.hpp"
 
-namespace morphe {
+namespace morphe::map {
 
 /// Config list `map.phases`: what a phase multiplies the weights of `map` by. Reaching may favour
 /// humanlikeness, grasping accuracy.
@@ -23,12 +23,12 @@ void fields(Fields& f, PhaseWeights& o) {
   f("humanlike_fingers", o.humanlike_fingers);
 }
 /// Empty, or what is wrong: an unknown phase, one named twice, a negative weight.
-std::string check(const std::vector<PhaseWeights>& weights);
+std::string why_invalid(const std::vector<PhaseWeights>& weights);
 
 /// The weights' shares at a time: those of the phases around it in the proportion in which they
 /// fill a window of `blend_s` about it, weighed by (1 + cos) so that nothing jumps at a boundary;
 /// the phase's own with blend_s = 0. A phase that is not listed has 1.
-FrameWeights weights_at(const std::vector<PhaseWeights>& weights, const std::vector<Phase>& phases,
-                        double time_s, double blend_s);
+humanlike::FrameWeights weights_at(const std::vector<PhaseWeights>& weights,
+                                   const std::vector<Phase>& phases, double time_s, double blend_s);
 
-}  // namespace morphe
+}  // namespace morphe::map

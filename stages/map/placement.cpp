@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/forward.hpp"
 #include "stages/map/finger_curve.hpp"
 
-namespace morphe {
+namespace morphe::map {
 namespace {
 
 Vec3 on_curve(const Table<Vec3>& fingers, std::size_t row, double along) {
@@ -14,7 +14,8 @@ Vec3 on_curve(const Table<Vec3>& fingers, std::size_t row, double along) {
 
 Vec3 robot_shoulder(const RobotTable& robot) {
   std::vector<Pose> base_from_frame;
-  forward(robot, JointVector::Zero(static_cast<Eigen::Index>(robot.joints())), base_from_frame);
+  robot::forward(robot, JointVector::Zero(static_cast<Eigen::Index>(robot.joints())),
+                 base_from_frame);
   return base_from_frame[static_cast<std::size_t>(robot.shoulder_frame)].translation();
 }
 
@@ -35,7 +36,7 @@ bool inside(const Movement& movement, double time_s) {
 
 }  // namespace
 
-std::string check(const PlacementOptions& options) {
+std::string why_invalid(const PlacementOptions& options) {
   for (const auto& turn : options.rotation) {
     if (turn.axis != "x" && turn.axis != "y" && turn.axis != "z") {
       return "rotation: axis must be x, y or z, not '" + turn.axis + "'";
@@ -68,7 +69,8 @@ bool hand_alone(const RobotTable& robot) {
 
 Pose place_hand(const RobotTable& robot, const PlacementOptions& options) {
   std::vector<Pose> base_from_frame;
-  forward(robot, JointVector::Zero(static_cast<Eigen::Index>(robot.joints())), base_from_frame);
+  robot::forward(robot, JointVector::Zero(static_cast<Eigen::Index>(robot.joints())),
+                 base_from_frame);
   Pose hand_from_palm = Pose::Identity();
   hand_from_palm.linear() = product(options.rotation);
   hand_from_palm.translation() = options.shoulder_offset;
@@ -135,4 +137,4 @@ Goals make_goals(const RobotTable& robot, const HumanMotion& motion, const Movem
   return goals;
 }
 
-}  // namespace morphe
+}  // namespace morphe::map

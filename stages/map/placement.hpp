@@ -6,7 +6,7 @@
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
-namespace morphe {
+namespace morphe::map {
 
 /// Where the robot stands relative to the human (config section `placement`): the paper's common
 /// base frame. Per movement the human shoulder is frozen where it is when the movement begins.
@@ -30,7 +30,7 @@ void fields(Fields& f, PlacementOptions& o) {
   f("rotation", o.rotation);
   f("shoulder_offset", o.shoulder_offset);
 }
-std::string check(const PlacementOptions& options);
+std::string why_invalid(const PlacementOptions& options);
 
 /// world_from_base = Translation(t) * R with R the product of the turns and t such that
 /// world_from_base * (robot shoulder) = human shoulder + shoulder_offset.
@@ -55,4 +55,4 @@ Goals make_goals(const RobotTable& robot, const HumanMotion& motion, const Movem
 /// First frame of the movement whose shoulder was seen (or estimated); unseen if there is none.
 Vec3 shoulder_at_begin(const HumanMotion& motion, const Movement& movement);
 
-}  // namespace morphe
+}  // namespace morphe::map

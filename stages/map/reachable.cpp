@@ -4,11 +4,11 @@
 #include <limits>
 #include <random>
 
-#include "pipeline/kinematics/draw_tips.hpp"
+#include "pipeline/robot/draw_tips.hpp"
 #include "stages/map/coarse_grid.hpp"
 #include "stages/map/frame_search.hpp"
 
-namespace morphe {
+namespace morphe::map {
 namespace {
 
 using Eigen::Index;
@@ -35,7 +35,7 @@ MappingProblem tips_alone(const MappingProblem& problem, std::size_t frame) {
 
 /// How far one frame's goals are from another's, over the tips that the other asks for; infinite if
 /// this one does not ask for all of them.
-double goals_apart(const FrameGoal& goal, const FrameGoal& other) {
+double goals_apart(const humanlike::FrameGoal& goal, const humanlike::FrameGoal& other) {
   double squared = 0;
   for (std::size_t tip = 0; tip < goal.tip_position.size(); ++tip) {
     if (!seen(other.tip_position[tip])) continue;
@@ -53,8 +53,8 @@ class Judge {
 
   /// Whether the tips can be drawn from a posture to their goals: if so, it is remembered.
   bool drawn(std::size_t frame, JointVector q) {
-    if (draw_tips(*problem_.robot, problem_.goals[frame].tip_position, kDrawn, options_.tolerance_m,
-                  q, draw_) > options_.tolerance_m) {
+    if (robot::draw_tips(*problem_.robot, problem_.goals[frame].tip_position, kDrawn,
+                         options_.tolerance_m, q, draw_) > options_.tolerance_m) {
       return false;
     }
     reached_[frame] = std::move(q);
@@ -73,7 +73,7 @@ class Judge {
   }
 
   bool proven_out_of_reach(std::size_t frame) const {
-    const FrameGoal& goal = problem_.goals[frame];
+    const humanlike::FrameGoal& goal = problem_.goals[frame];
     const double met = std::sqrt(static_cast<double>(goal.tips_seen())) * options_.tolerance_m;
     return std::ranges::any_of(out_of_reach_, [&](const OutOfReach& other) {
       return other.error_m - goals_apart(goal, problem_.goals[other.frame]) > met;
@@ -85,7 +85,7 @@ class Judge {
     constexpr double kSameValue = 1e-4;  // relative
     constexpr int kOftenEnough = 8;      // descents that end in the least value: it is the least
     const MappingProblem plain = tips_alone(problem_, frame);
-    MinimiseOptions as_exact = options_.solver;
+    solve::MinimiseOptions as_exact = options_.solver;
     as_exact.relative_value = std::max(as_exact.relative_value, 1e-4 * kSameValue);
     std::mt19937_64 random(seed_ + frame);
     std::vector<JointVector> starts{near};
@@ -95,11 +95,11 @@ class Judge {
       random_starts /= kShorter;
     }
     for (int i = 0; i < random_starts; ++i) starts.push_back(random_start(*problem_.robot, random));
-    Minimum best;
+    solve::Minimum best;
     best.value = std::numeric_limits<double>::infinity();
     int ended_there = 0;
     for (std::size_t i = 0; i < starts.size() && ended_there < kOftenEnough; ++i) {
-      Minimum minimum = solve_frame(plain, 0, starts[i], as_exact, scratch_);
+      solve::Minimum minimum = solve_frame(plain, 0, starts[i], as_exact, scratch_);
       if (drawn(frame, minimum.x)) return true;
       if (minimum.value < (1 - kSameValue) * best.value) ended_there = 0;
       if (minimum.value < (1 + kSameValue) * best.value) ++ended_there;
@@ -134,7 +134,7 @@ class Judge {
   std::uint64_t seed_;
   std::vector<JointVector> reached_;  ///< postures that reach a frame's goals; empty: none known
   std::vector<OutOfReach> out_of_reach_;
-  DrawScratch draw_;
+  robot::DrawScratch draw_;
   MappingScratch scratch_;
 };
 
@@ -167,4 +167,4 @@ std::vector<bool> reachable_frames(const MappingProblem& problem, const JointRow
   return reachable;
 }
 
-}  // namespace morphe
+}  // namespace morphe::map

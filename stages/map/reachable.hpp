@@ -6,12 +6,12 @@
 #include "pipeline/solve/minimise.hpp"
 #include "stages/map/mapping_problem.hpp"
 
-namespace morphe {
+namespace morphe::map {
 
 struct ReachOptions {
   int starts = 256;           ///< random ones, before a frame's goals are out of reach
   double tolerance_m = 1e-4;  ///< error below which a goal is met
-  MinimiseOptions solver;
+  solve::MinimiseOptions solver;
 };
 
 /// [F] whether the robot can reach a frame's fingertip goals, all of them at once: a solve without
@@ -23,4 +23,4 @@ struct ReachOptions {
 std::vector<bool> reachable_frames(const MappingProblem& problem, const JointRows& near,
                                    const ReachOptions& options, std::uint64_t seed);
 
-}  // namespace morphe
+}  // namespace morphe::map

@@ -6,7 +6,7 @@
 #include "stages/map/coarse_grid.hpp"
 #include "stages/map/whole_movement.hpp"
 
-namespace morphe {
+namespace morphe::map {
 namespace {
 
 using Eigen::Index;
@@ -37,15 +37,15 @@ std::vector<Window> windows_around(const std::vector<Finding>& findings,
 /// from `change` beside the path, if there is any.
 JointRows solve_window(const MappingProblem& problem, const std::vector<std::size_t>& frames,
                        const Window& window, const JointRows& path, const JointRows& change,
-                       const MovementCost& cost, const MovementOptions& options) {
+                       const MovementCost& cost, const solve::MovementOptions& options) {
   constexpr double kHold = 1e6;  // per rad²: far stiffer than any term of a frame
   const JointRows before = rows_at(path, frames);
   const MappingProblem part = on_frames(problem, frames);
   const auto moves = [&](std::size_t frame) { return frame >= window.first && frame < window.end; };
   std::vector<MappingScratch> scratch;
-  MovementProblem movement = whole_movement(part, cost, scratch);
+  solve::MovementProblem movement = whole_movement(part, cost, scratch);
   const auto own_model = movement.frame_model;
-  movement.frame_model = [&](std::size_t k, const JointVector& q, Quadratic& model) {
+  movement.frame_model = [&](std::size_t k, const JointVector& q, solve::Quadratic& model) {
     own_model(k, q, model);
     if (moves(frames[k])) return;
     const JointVector away = q - before.row(static_cast<Index>(k)).transpose();
@@ -57,7 +57,7 @@ JointRows solve_window(const MappingProblem& problem, const std::vector<std::siz
   for (std::size_t k = 0; k < frames.size() && change.rows() > 0; ++k) {
     if (moves(frames[k])) start.row(static_cast<Index>(k)) += change.row(static_cast<Index>(k));
   }
-  return minimise_movement(movement, start, options).q;
+  return solve::minimise_movement(movement, start, options).q;
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ JointPath resolve_path(const MappingProblem& problem, const JointPath& path,
         coarse_frames(on_frames(problem, all).time, options.coarse_step_s);
     for (std::size_t& frame : some) frame += begin;
     const auto solve = [&](const std::vector<std::size_t>& frames, const JointRows& change,
-                           const MovementOptions& exactness) {
+                           const solve::MovementOptions& exactness) {
       return solve_window(clear, frames, window, path.position, change, options.movement_cost,
                           exactness);
     };
@@ -93,4 +93,4 @@ JointPath resolve_path(const MappingProblem& problem, const JointPath& path,
   return resolved;
 }
 
-}  // namespace morphe
+}  // namespace morphe::map

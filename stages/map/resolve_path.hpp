@@ -5,7 +5,7 @@
 #include "stages/map/map_options.hpp"
 #include "stages/map/mapping_problem.hpp"
 
-namespace morphe {
+namespace morphe::map {
 
 /// Re-solves a path near findings against `problem.world`, its clearance term `firmness` times as
 /// strong: frames within `reach_s` of a finding may move, the others are drawn to where they are.
@@ -14,4 +14,4 @@ JointPath resolve_path(const MappingProblem& problem, const JointPath& path,
                        const std::vector<Finding>& findings, const MapOptions& options,
                        double firmness, double reach_s = 0.3);
 
-}  // namespace morphe
+}  // namespace morphe::map

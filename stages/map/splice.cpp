@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace morphe {
+namespace morphe::map {
 namespace {
 
 using Eigen::Index;
@@ -103,4 +103,4 @@ std::vector<JointRows> splice(const std::vector<Way>& ways,
   return sequences;
 }
 
-}  // namespace morphe
+}  // namespace morphe::map

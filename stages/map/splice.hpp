@@ -5,7 +5,7 @@
 
 #include "pipeline/motion/geometry.hpp"
 
-namespace morphe {
+namespace morphe::map {
 
 /// A posture at a key frame, followed to both ends of the movement.
 struct Way {
@@ -23,4 +23,4 @@ struct Way {
 std::vector<JointRows> splice(const std::vector<Way>& ways,
                               const std::array<JointVector, 3>& difference_weight);
 
-}  // namespace morphe
+}  // namespace morphe::map

@@ -6,9 +6,9 @@
 #include <numbers>
 #include <random>
 
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/forward.hpp"
 
-namespace morphe {
+namespace morphe::map {
 namespace {
 
 using Eigen::Index;
@@ -46,7 +46,7 @@ int hinge_before(const RobotTable& robot, int frame) {
 /// Flips by their axes alone: all triples of hinges in a row with the middle one square to both.
 std::vector<Twins::Flip> possible_flips(const RobotTable& robot) {
   std::vector<Pose> base_from_frame;
-  forward(robot, JointVector::Zero(robot.lower.size()), base_from_frame);
+  robot::forward(robot, JointVector::Zero(robot.lower.size()), base_from_frame);
   const auto axis = [&](int frame) -> Vec3 {
     const auto f = static_cast<std::size_t>(frame);
     return base_from_frame[f].linear() * robot.frames[f].axis;
@@ -76,7 +76,7 @@ bool leaves_objective(const Twins::Flip& flip, const MappingProblem& problem) {
   MappingScratch scratch;
   const auto value = [&](std::size_t frame, const JointVector& q) {
     scratch.model.reset(q.size());
-    add_frame(problem, frame, q, scratch, scratch.model, Curvature::none);
+    add_frame(problem, frame, q, scratch, scratch.model, humanlike::Curvature::none);
     return scratch.model.value;
   };
   for (int k = 0; k < kPostures; ++k) {
@@ -170,4 +170,4 @@ std::vector<JointVector> twins_of(const Twins& twins, const JointVector& q) {
   return found;
 }
 
-}  // namespace morphe
+}  // namespace morphe::map

@@ -4,7 +4,7 @@
 
 #include "stages/map/mapping_problem.hpp"
 
-namespace morphe {
+namespace morphe::map {
 
 /// Postures that the objective cannot tell apart, because they place every link alike: where the
 /// axes of three joints in a row meet as in a shoulder (the first and the last can be made parallel
@@ -35,4 +35,4 @@ bool alike(const Twins& twins, const JointVector& a, const JointVector& b, doubl
 /// q and its twins, those within the limits; the farthest from them first.
 std::vector<JointVector> twins_of(const Twins& twins, const JointVector& q);
 
-}  // namespace morphe
+}  // namespace morphe::map

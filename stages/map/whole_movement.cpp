@@ -1,21 +1,22 @@
 #include "stages/map/whole_movement.hpp"
 
-namespace morphe {
+namespace morphe::map {
 
-MovementProblem whole_movement(const MappingProblem& problem, const MovementCost& cost,
-                               std::vector<MappingScratch>& scratch) {
-  MovementProblem movement;
+solve::MovementProblem whole_movement(const MappingProblem& problem, const MovementCost& cost,
+                                      std::vector<MappingScratch>& scratch) {
+  solve::MovementProblem movement;
   movement.frames = problem.frames();
   movement.lower = problem.robot->lower;
   movement.upper = problem.robot->upper;
   movement.difference_weight = difference_weights(*problem.robot, problem.time, cost);
   scratch.assign(problem.frames(), {});
   const double share = mean_step(problem.time) / kReferenceStep;
-  movement.frame_model = [&, share](std::size_t frame, const JointVector& q, Quadratic& model) {
-    add_frame(problem, frame, q, scratch[frame], model, Curvature::exact);
+  movement.frame_model = [&, share](std::size_t frame, const JointVector& q,
+                                    solve::Quadratic& model) {
+    add_frame(problem, frame, q, scratch[frame], model, humanlike::Curvature::exact);
     model.scale(share);
   };
   return movement;
 }
 
-}  // namespace morphe
+}  // namespace morphe::map

@@ -9,7 +9,7 @@
 
 #include "pipeline/human/arm_angles.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 constexpr double kNoBone = 0.02;  ///< RMS of a length that no sliding skin explains [m]
@@ -73,8 +73,8 @@ void meet_length(double length, Vec3& a, Vec3& b) {
 
 }  // namespace
 
-void keep_bone_lengths(HumanMotion& motion, const std::optional<ArmLengths>& known) {
-  const auto [upper_arm, forearm] = known.value_or(ArmLengths{
+void keep_bone_lengths(HumanMotion& motion, const std::optional<human::ArmLengths>& known) {
+  const auto [upper_arm, forearm] = known.value_or(human::ArmLengths{
       median_distance(motion.shoulder, motion.elbow), median_distance(motion.elbow, motion.wrist)});
   Deviations upper_arm_off, forearm_off;
   for (std::size_t i = 0; i < motion.time.size(); ++i) {
@@ -110,7 +110,7 @@ void add_arm_angles(HumanMotion& motion) {
   Deviations missed, turned;
   for (Eigen::Index row = 0; row < frames; ++row) {
     const auto i = static_cast<std::size_t>(row);
-    const ArmFit fit = fit_arm_angles(
+    const human::ArmFit fit = human::fit_arm_angles(
         {motion.shoulder[i], motion.elbow[i], motion.wrist[i], motion.wrist_orientation[i]});
     for (std::size_t k = 0; k < kArmAngles; ++k) {
       angles(row, static_cast<Eigen::Index>(k)) = fit.angles[k];
@@ -135,4 +135,4 @@ void add_arm_angles(HumanMotion& motion) {
   }
 }
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

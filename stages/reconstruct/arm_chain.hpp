@@ -5,7 +5,7 @@
 #include "pipeline/human/arm.hpp"
 #include "pipeline/motion/human_motion.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 
 /// Gives upper arm and forearm one length each, the median of the recording's. In every frame the
 /// three joint centres move as little as that takes (least sum of squares): a measurement error is
@@ -13,7 +13,7 @@ namespace morphe {
 /// by goes into `residuals` ("upper arm length", "forearm length"). Where that is more than 20 mm
 /// RMS nothing moves, and `problems` says so. Lengths that are `known` (of a static trial) hold in
 /// place of the medians, whatever the recording says.
-void keep_bone_lengths(HumanMotion& motion, const std::optional<ArmLengths>& known = {});
+void keep_bone_lengths(HumanMotion& motion, const std::optional<human::ArmLengths>& known = {});
 
 /// Fills `arm_angles` from shoulder, elbow, wrist and the hand's orientation, where all are seen
 /// (pipeline/human/arm_angles; the trunk is taken to face Y). Residuals: "arm angles", what elbow
@@ -21,4 +21,4 @@ void keep_bone_lengths(HumanMotion& motion, const std::optional<ArmLengths>& kno
 /// is missed by times 0.1 m. No rows if no frame has them all.
 void add_arm_angles(HumanMotion& motion);
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stages/reconstruct/low_pass.hpp"
+#include "pipeline/math/low_pass.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 constexpr double kTimeTolerance = 1e-9;  // [s]
@@ -101,7 +101,7 @@ std::vector<double> on_clock(const std::vector<double>& time, const std::vector<
       if (t > run.end() + kTimeTolerance) break;
       samples.push_back(run(std::clamp(t, run.begin(), run.end())));
     }
-    samples = low_pass(samples, fine_rate, options.cutoff_hz);
+    samples = math::low_pass(samples, fine_rate, options.cutoff_hz);
     for (std::size_t i = 0; i < samples.size(); ++i) {
       if ((begin + i) % refine == 0) result[(begin + i) / refine] = samples[i];
     }
@@ -143,4 +143,4 @@ std::vector<Quat> on_clock(const std::vector<double>& time, const std::vector<Qu
   return result;
 }
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -6,7 +6,7 @@
 #include "pipeline/motion/geometry.hpp"
 #include "stages/reconstruct/reconstruct.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 
 /// Instants start_s + i / rate_hz, i = 0 … count - 1.
 struct Clock {
@@ -30,4 +30,4 @@ std::vector<Vec3> on_clock(const std::vector<double>& time, const std::vector<Ve
 std::vector<Quat> on_clock(const std::vector<double>& time, const std::vector<Quat>& values,
                            const Clock& clock, const ReconstructOptions& options);
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

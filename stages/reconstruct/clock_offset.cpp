@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 constexpr double kLongest_s = 0.5;
@@ -86,4 +86,4 @@ ClockOffset clock_offset(const std::vector<SeenTwice>& seen, double rate_hz, dou
 
 bool clear(const ClockOffset& offset) { return offset.correlation > 0.6 && offset.sure_s < 0.02; }
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

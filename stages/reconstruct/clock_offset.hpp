@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace morphe {
+namespace morphe::reconstruct {
 
 /// One quantity as two devices saw it, sampled at the same rate from the same instant by their own
 /// clocks; NaN = not seen.
@@ -30,4 +30,4 @@ ClockOffset clock_offset(const std::vector<SeenTwice>& signals, double rate_hz, 
 /// deviation below 20 ms.
 bool clear(const ClockOffset& offset);
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -4,7 +4,7 @@
 
 #include "stages/reconstruct/gaps.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
@@ -15,7 +15,7 @@ Pose pose_at(const std::vector<Vec3>& shape, const std::vector<std::vector<Vec3>
   std::vector<Vec3> now;
   for (const auto& track : tracks) now.push_back(track[frame]);
   if (left_out != kNone) now[left_out] = unseen_point();
-  return fit_rigid(shape, now);
+  return math::fit_rigid(shape, now);
 }
 
 double median(std::vector<double>& values) {
@@ -93,4 +93,4 @@ void complete_cluster(const std::vector<Vec3>& shape, std::vector<std::vector<Ve
   tracks = std::move(completed);
 }
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "pipeline/motion/rigid.hpp"
+#include "pipeline/math/rigid.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 
 /// Shape of a rigid cluster from its own tracks, [marker][frame]: every frame is fitted to the
 /// shape and the shape becomes the median of what is brought back, a few times over, beginning
@@ -29,4 +29,4 @@ void complete_marker(const std::vector<Vec3>& shape, std::vector<std::vector<Vec
 /// complete_marker() of all; only what was recorded carries a marker.
 void complete_cluster(const std::vector<Vec3>& shape, std::vector<std::vector<Vec3>>& tracks);
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace morphe {
+namespace morphe::reconstruct {
 
 bool never_seen(const std::vector<Vec3>& points) {
   return std::ranges::none_of(points, [](const Vec3& p) { return seen(p); });
@@ -91,4 +91,4 @@ Residual residual_of(const std::string& name, const std::vector<double>& distanc
   return residual;
 }
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -7,7 +7,7 @@
 #include "pipeline/motion/geometry.hpp"
 #include "pipeline/motion/human_motion.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 
 bool never_seen(const std::vector<Vec3>& points);
 
@@ -29,4 +29,4 @@ void note_unseen(const std::string& name, const std::vector<Vec3>& points,
 /// Of the finite ones among the distances; NaN if there is none.
 Residual residual_of(const std::string& name, const std::vector<double>& distances);
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stages/reconstruct/low_pass.hpp"
+#include "pipeline/math/low_pass.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 constexpr double kWithin_s = 0.1;
@@ -32,8 +32,8 @@ double band_gain(const std::vector<double>& time, const Clock& clock, double fas
   const auto half = static_cast<std::size_t>(4 * clock.rate_hz / slow_hz);
   std::vector<double> impulse(2 * half + 1, 0.0);
   impulse[half] = 1;
-  const std::vector<double> fast = low_pass(impulse, clock.rate_hz, fast_hz);
-  const std::vector<double> slow = low_pass(impulse, clock.rate_hz, slow_hz);
+  const std::vector<double> fast = math::low_pass(impulse, clock.rate_hz, fast_hz);
+  const std::vector<double> slow = math::low_pass(impulse, clock.rate_hz, slow_hz);
   double gain = 0;
   for (std::size_t i = 0; i < fast.size(); ++i) gain += (fast[i] - slow[i]) * (fast[i] - slow[i]);
   const double glove_hz = static_cast<double>(time.size() - 1) / (time.back() - time.front());
@@ -105,4 +105,4 @@ std::vector<std::vector<double>> filtered_glove(const std::vector<double>& time,
   return fast;
 }
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

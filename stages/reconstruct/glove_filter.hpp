@@ -4,7 +4,7 @@
 
 #include "stages/reconstruct/clock.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 
 /// Columns of a glove on a clock: y = s + w (f - s), with f low-passed at cutoff_hz and s at
 /// glove_rest_cutoff_hz. What f has and s has not is motion or noise: with E its mean square within
@@ -20,4 +20,4 @@ std::vector<std::vector<double>> filtered_glove(const std::vector<double>& time,
                                                 const Clock& clock,
                                                 const ReconstructOptions& options);
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

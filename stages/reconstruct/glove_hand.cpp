@@ -6,7 +6,7 @@
 #include "pipeline/human/glove.hpp"
 #include "stages/reconstruct/glove_filter.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 constexpr std::size_t kPalmArch = 19;
@@ -34,7 +34,7 @@ bool never_seen(const std::vector<double>& column) {
 GloveColumns completed(const GloveColumns& glove, std::vector<std::string>& estimated) {
   GloveColumns whole = glove;
   const auto note = [&](std::size_t sensor) {
-    estimated.push_back(std::string("glove sensor ") + kGloveSensors[sensor]);
+    estimated.push_back(std::string("glove sensor ") + human::kGloveSensors[sensor]);
   };
   for (const std::size_t last : kLastJoints) {
     if (!never_seen(whole[last]) || never_seen(whole[last - 1])) continue;
@@ -72,21 +72,21 @@ GloveColumns glove_on_clock(const HandStream& glove, const std::optional<HandStr
   return filtered_glove(time, columns, clock, options);
 }
 
-void place_fingers(const GloveColumns& glove, const HandSize& size, HumanMotion& motion) {
+void place_fingers(const GloveColumns& glove, const human::HandSize& size, HumanMotion& motion) {
   const GloveColumns columns = completed(glove, motion.estimated);
-  const RobotTable hand = human_hand(size);
+  const RobotTable hand = human::human_hand(size);
   std::vector<Pose> frames;
   const auto rows = static_cast<Eigen::Index>(motion.time.size());
   motion.hand_angles.resize(rows, static_cast<Eigen::Index>(kHandAngles));
   for (std::size_t i = 0; i < motion.time.size(); ++i) {
-    GloveAngles angles;
-    for (std::size_t k = 0; k < kGloveSensorCount; ++k) angles[k] = columns[k][i];
-    const HandAngles decoded = decode_glove(angles).hand;
+    human::GloveAngles angles;
+    for (std::size_t k = 0; k < human::kGloveSensorCount; ++k) angles[k] = columns[k][i];
+    const human::HandAngles decoded = human::decode_glove(angles).hand;
     for (std::size_t k = 0; k < kHandAngles; ++k) {
       motion.hand_angles(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) =
           decoded.joint[k];
     }
-    const HandPoints points = hand_points(hand, decoded, frames);
+    const human::HandPoints points = human::hand_points(hand, decoded, frames);
     const Quat& world_from_hand = motion.wrist_orientation[i];
     for (std::size_t finger = 0; finger < kFingers; ++finger) {
       if (!seen(points.tip[finger])) continue;
@@ -98,9 +98,9 @@ void place_fingers(const GloveColumns& glove, const HandSize& size, HumanMotion&
   }
 }
 
-HandSize hand_size_of(const Demonstration& demonstration, const HumanOptions& human,
-                      std::vector<std::string>& estimated) {
-  HandSize size = hand_size_of_stature(human.stature_m);
+human::HandSize hand_size_of(const Demonstration& demonstration, const HumanOptions& human,
+                             std::vector<std::string>& estimated) {
+  human::HandSize size = human::hand_size_of_stature(human.stature_m);
   if (demonstration.hand_length) {
     // The breadth that goes with this length, unless it was measured too.
     size.breadth *= *demonstration.hand_length / size.length;
@@ -116,4 +116,4 @@ HandSize hand_size_of(const Demonstration& demonstration, const HumanOptions& hu
   return size;
 }
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/forward.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 constexpr int kIterations = 60, kFirstRounds = 50;
@@ -77,7 +77,7 @@ void HandFit::descend(const HandKeypoints& in_hand, std::array<Task, kFingers>& 
     for (std::size_t f = 0; f < kFingers; ++f) {
       q.segment<4>(static_cast<Eigen::Index>(kJoints * f)) = tasks[f].trial;
     }
-    forward(hand_, q, frames_);
+    robot::forward(hand_, q, frames_);
     for (std::size_t f = 0; f < kFingers; ++f) {
       Task& task = tasks[f];
       if (task.done) continue;
@@ -112,14 +112,14 @@ void HandFit::descend(const HandKeypoints& in_hand, std::array<Task, kFingers>& 
   }
 }
 
-HandAngles HandFit::operator()(const HandKeypoints& in_hand) {
+human::HandAngles HandFit::operator()(const HandKeypoints& in_hand) {
   bool any_first = false;
   for (std::size_t f = 0; f < kFingers; ++f) {
     Finger& finger = fingers_[f];
     if (!finger.followed) finger.last = 0.5 * (finger.lower + finger.upper);
     any_first = any_first || !finger.followed;
   }
-  HandAngles angles;
+  human::HandAngles angles;
   for (int round = 0; round < (any_first ? kFirstRounds : 1); ++round) {
     std::array<Task, kFingers> tasks;
     start(in_hand, tasks);
@@ -142,4 +142,4 @@ HandAngles HandFit::operator()(const HandKeypoints& in_hand) {
   return angles;
 }
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -6,7 +6,7 @@
 #include "pipeline/human/hand.hpp"
 #include "stages/reconstruct/hand_shape.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 
 /// Finds the angles of a hand, within its limits, that bring its joints and tips nearest to given
 /// points, frame after frame: for each finger by itself,
@@ -19,7 +19,7 @@ class HandFit {
  public:
   HandFit(RobotTable hand, double most_step);
   /// Points in the hand frame. A finger with a point unseen has NaN angles.
-  HandAngles operator()(const HandKeypoints& in_hand);
+  human::HandAngles operator()(const HandKeypoints& in_hand);
 
  private:
   static constexpr std::size_t kJoints = 4;  ///< of each finger
@@ -40,4 +40,4 @@ class HandFit {
   std::vector<Pose> frames_;  ///< scratch
 };
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -1,6 +1,6 @@
 #include "stages/reconstruct/hand_frame.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 
 HumanMotion reconstruct_hand(const Demonstration& demonstration, const ReconstructOptions& options,
                              const HumanOptions& human) {
@@ -44,4 +44,4 @@ HumanMotion in_hand_frame(HumanMotion motion) {
   return motion;
 }
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -2,7 +2,7 @@
 
 #include "stages/reconstruct/reconstruct.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 
 /// As reconstruct(); but a recording of the hand alone (keypoints or a glove, no wrist tracked) has
 /// a wrist that stays at the world's origin, its axes the world's: `estimated` names it.
@@ -14,4 +14,4 @@ HumanMotion reconstruct_hand(const Demonstration& demonstration, const Reconstru
 /// which the wrist's pose was not seen have no fingers either.
 HumanMotion in_hand_frame(HumanMotion motion);
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -8,7 +8,7 @@
 #include "stages/reconstruct/hand_fit.hpp"
 #include "stages/reconstruct/streams.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 constexpr double kFastest = 30;  // of a finger's joint [rad/s]
@@ -56,10 +56,10 @@ std::optional<FittedHand> fit_hand(const std::vector<HandKeypoints>& frames,
       in_hand[k] = scale * axes.transpose() * (frames[i][k] - frames[i][0]);
     }
     const HandKeypoints joints = keep_bones(*shape, in_hand);
-    const HandAngles angles = fit(joints);
+    const human::HandAngles angles = fit(joints);
     fitted.angles.row(static_cast<Eigen::Index>(i)) = Eigen::Map<const Eigen::RowVectorXd>(
         angles.joint.data(), static_cast<Eigen::Index>(kHandAngles));
-    const HandPoints points = hand_points(hand, angles, poses);
+    const human::HandPoints points = human::hand_points(hand, angles, poses);
     for (std::size_t k = 0; seen(in_hand[0]) && k < kHandKeypoints; ++k) {
       fitted.joints(i, k) = joints[k];
       moved.add((joints[k] - in_hand[k]).norm());
@@ -124,4 +124,4 @@ HumanMotion motion_from_hand(const Demonstration& demonstration,
   return motion;
 }
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

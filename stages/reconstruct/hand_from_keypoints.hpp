@@ -6,7 +6,7 @@
 #include "stages/reconstruct/clock.hpp"
 #include "stages/reconstruct/hand_shape.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 
 /// A hand of constant bones, frame by frame, in the hand frame.
 struct FittedHand {
@@ -31,4 +31,4 @@ void add_hand_from_keypoints(const HandStream& keypoints, const std::optional<do
                              const Clock& clock, const ReconstructOptions& options,
                              HumanMotion& motion);
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -6,7 +6,7 @@
 
 #include "pipeline/human/hand.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 constexpr std::size_t kIndex = 1, kMiddle = 2, kLittle = 4;
@@ -92,7 +92,7 @@ HandKeypoints keep_bones(const HandShape& shape, const HandKeypoints& in_hand) {
 }
 
 RobotTable hand_of_shape(const HandShape& shape) {
-  RobotTable hand = human_hand({1, 1});
+  RobotTable hand = human::human_hand({1, 1});
   for (std::size_t finger = 0; finger < kFingers; ++finger) {
     // Up the chain from the tip: what has a length is a bone, the last one the way from the wrist.
     RobotTable::Tip& tip = hand.tips[finger];
@@ -125,4 +125,4 @@ Eigen::Matrix3d fit_palm(const HandShape& shape, const HandKeypoints& points) {
   return svd.matrixU() * Vec3(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
 }
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

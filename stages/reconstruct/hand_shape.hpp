@@ -7,7 +7,7 @@
 #include "pipeline/motion/human_motion.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 
 /// The wrist, then four points a finger from its base to its tip, thumb first (thumb: CMC, MCP, IP,
 /// tip; fingers: MCP, PIP, DIP, tip).
@@ -48,4 +48,4 @@ RobotTable hand_of_shape(const HandShape& shape);
 /// four knuckles; NaN if one is not seen.
 Eigen::Matrix3d fit_palm(const HandShape& shape, const HandKeypoints& points);
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -8,7 +8,7 @@
 #include "stages/reconstruct/gaps.hpp"
 #include "stages/reconstruct/pivot.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 // How far a joint's centre may be from where it is looked for.
@@ -132,4 +132,4 @@ std::vector<Vec3> joint_centre(MarkerTrial& trial, const MarkerJoint& joint,
       carry(first.world_from_body, a.place), carry(other, b.place), motion.residuals);
 }
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -5,7 +5,7 @@
 
 #include "stages/reconstruct/marker_body.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 
 /// A joint between two bodies and the landmarks in whose middle it lies.
 struct MarkerJoint {
@@ -29,4 +29,4 @@ std::vector<Vec3> joint_centre(MarkerTrial& trial, const MarkerJoint& joint,
                                const MarkerBody& first, const MarkerBody& second,
                                HumanMotion& motion);
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -7,7 +7,7 @@
 #include "stages/reconstruct/cluster.hpp"
 #include "stages/reconstruct/gaps.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 constexpr std::size_t kLeast = 3;  ///< markers of a cluster
@@ -30,7 +30,7 @@ void judge_fit(const MarkerBody& body, const std::vector<std::vector<Vec3>>& tra
   for (std::size_t i = 0; i < body.world_from_body.size(); ++i) {
     std::vector<Vec3> now;
     for (const auto& track : tracks) now.push_back(track[i]);
-    misfit.push_back(rigid_residual(body.world_from_body[i], body.shape, now));
+    misfit.push_back(math::rigid_residual(body.world_from_body[i], body.shape, now));
   }
   // The trials' own static poses fit to 0.2-1.1 mm; another subject's forearm plate is off by 9.
   constexpr double kMisfit = 0.004;
@@ -138,4 +138,4 @@ Vec3 landmark_in_body(MarkerTrial& trial, const Landmark& landmark, const Marker
   return median_in_body(poses_of(body.shape, body.tracks), landmark.recorded);
 }
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

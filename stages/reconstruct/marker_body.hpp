@@ -6,7 +6,7 @@
 #include "stages/reconstruct/clock.hpp"
 #include "stages/reconstruct/static_trial.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 
 /// A marker recording and what it is rebuilt with.
 struct MarkerTrial {
@@ -53,4 +53,4 @@ Landmark landmark_of(MarkerTrial& trial, const std::string& name, const MarkerBo
 Vec3 landmark_in_body(MarkerTrial& trial, const Landmark& landmark, const MarkerBody& body,
                       HumanMotion& motion);
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -2,7 +2,7 @@
 
 #include "stages/reconstruct/gaps.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 constexpr std::size_t kThumb = 0, kIndex = 1;
@@ -66,4 +66,4 @@ void set_marker_tips(const MarkerTrial& trial, HumanMotion& motion) {
   }
 }
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

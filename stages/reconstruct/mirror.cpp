@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 void mirror(Vec3& point) { point.x() = -point.x(); }
@@ -86,4 +86,4 @@ std::vector<SceneObject> objects_beside_right_hand(const Demonstration& demonstr
   return objects;
 }
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -2,7 +2,7 @@
 
 #include "pipeline/motion/demonstration.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 
 /// A left-handed demonstration seen in the mirror X -> -X: the same movement of a right hand.
 /// Points are mirrored, orientations become M R M with M = diag(-1, 1, 1), markers of the left side
@@ -15,4 +15,4 @@ Demonstration mirrored(const Demonstration& demonstration);
 /// The recorded objects where the rebuilt motion is: those of a left hand in the mirror.
 std::vector<SceneObject> objects_beside_right_hand(const Demonstration& demonstration);
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -6,7 +6,7 @@
 #include "stages/reconstruct/marker_tips.hpp"
 #include "stages/reconstruct/streams.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 /// Hand frame: z from the wrist to the finger base, y to the thumb's side (from the ulnar to the
@@ -56,10 +56,11 @@ void set_hand(MarkerTrial& trial, const MarkerBody& forearm, const MarkerBody& h
 
 /// Upper arm and forearm of the static trial, if it shows all of their landmarks: of one subject
 /// they are the same in every recording, while pivots differ by a centimetre.
-std::optional<ArmLengths> static_lengths(MarkerTrial& trial, std::vector<std::string>& problems) {
+std::optional<human::ArmLengths> static_lengths(MarkerTrial& trial,
+                                                std::vector<std::string>& problems) {
   const auto at = [&](const char* marker) { return trial.still.at(marker, problems); };
   const Vec3 elbow = (at("RLEP") + at("RMEP")) / 2, wrist = (at("RSPR") + at("RSPU")) / 2;
-  const ArmLengths lengths{(elbow - at("RGTH")).norm(), (wrist - elbow).norm()};
+  const human::ArmLengths lengths{(elbow - at("RGTH")).norm(), (wrist - elbow).norm()};
   const bool known = std::isfinite(lengths.upper_arm) && std::isfinite(lengths.forearm);
   return known ? std::optional(lengths) : std::nullopt;
 }
@@ -90,4 +91,4 @@ HumanMotion motion_from_markers(const Demonstration& demonstration,
   return motion;
 }
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -10,13 +10,13 @@
 #include "stages/reconstruct/sensor_joints.hpp"
 #include "stages/reconstruct/streams.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 constexpr std::size_t kWristPitch = 20, kWristYaw = 21;  ///< glove sensors
 
-ArmLengths lengths_of(const Demonstration& demonstration, const HumanOptions& human) {
-  ArmLengths lengths = arm_lengths_of_stature(human.stature_m);
+human::ArmLengths lengths_of(const Demonstration& demonstration, const HumanOptions& human) {
+  human::ArmLengths lengths = human::arm_lengths_of_stature(human.stature_m);
   if (human.upper_arm) lengths.upper_arm = *human.upper_arm;
   if (human.forearm) lengths.forearm = *human.forearm;
   if (demonstration.upper_arm) lengths.upper_arm = *demonstration.upper_arm;
@@ -24,13 +24,14 @@ ArmLengths lengths_of(const Demonstration& demonstration, const HumanOptions& hu
   return lengths;
 }
 
-void estimate_shoulder(const ArmLengths& lengths, const HumanOptions& human, HumanMotion& motion) {
+void estimate_shoulder(const human::ArmLengths& lengths, const HumanOptions& human,
+                       HumanMotion& motion) {
   const auto first = std::find_if(motion.wrist.begin(), motion.wrist.end(),
                                   [](const Vec3& point) { return seen(point); });
   if (first == motion.wrist.end()) return;
   const double reach = human.reach_share * (lengths.upper_arm + lengths.forearm);
   const Vec3 wanted = *first + human.shoulder_from_first_wrist;
-  const std::optional<Vec3> shoulder = shoulder_within_reach(wanted, motion.wrist, reach);
+  const std::optional<Vec3> shoulder = human::shoulder_within_reach(wanted, motion.wrist, reach);
   if (!shoulder) {
     motion.problems.push_back(fmt::format(
         "no fixed shoulder has every wrist position within {:.3f} m: none is estimated", reach));
@@ -40,10 +41,11 @@ void estimate_shoulder(const ArmLengths& lengths, const HumanOptions& human, Hum
   motion.estimated.push_back("shoulder");
 }
 
-void estimate_elbow(const ArmLengths& lengths, const HumanOptions& human, HumanMotion& motion) {
+void estimate_elbow(const human::ArmLengths& lengths, const HumanOptions& human,
+                    HumanMotion& motion) {
   for (std::size_t i = 0; i < motion.elbow.size(); ++i) {
     motion.elbow[i] =
-        natural_elbow(motion.shoulder[i], motion.wrist[i], lengths, human.elbow_outward);
+        human::natural_elbow(motion.shoulder[i], motion.wrist[i], lengths, human.elbow_outward);
   }
   motion.estimated.push_back("elbow");
 }
@@ -145,7 +147,7 @@ HumanMotion motion_from_sensors(const Demonstration& demonstration,
   } else {
     motion.problems.push_back("no body called wrist is tracked");
   }
-  const ArmLengths lengths = lengths_of(demonstration, human);
+  const human::ArmLengths lengths = lengths_of(demonstration, human);
   if (shoulder) {
     motion.shoulder = on_clock(sensors->time, shoulder->position, clock, options);
   } else {
@@ -172,4 +174,4 @@ HumanMotion motion_from_sensors(const Demonstration& demonstration,
   return motion;
 }
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -9,7 +9,7 @@
 #include "stages/reconstruct/hand_from_keypoints.hpp"
 #include "stages/reconstruct/streams.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 constexpr double kNoLength = 1e-4;  // bones that are there in name only [m]
@@ -100,7 +100,7 @@ Eigen::Matrix3d wrist_from_hand(const Joint& wrist, const Digits& digits, HumanM
 /// Puts tips that stand on the joint before them where a last bone of usual length, straight at
 /// rest, would end: along the bone before it, turned as the last joint is.
 void estimate_tips(Digits& digits, HumanMotion& motion) {
-  const RobotTable usual = human_hand({1, 1});
+  const RobotTable usual = human::human_hand({1, 1});
   std::vector<std::string> estimated;
   for (std::size_t finger = 0; finger < kFingers; ++finger) {
     auto& [base, middle, last, tip] = digits[finger];
@@ -180,7 +180,8 @@ HumanMotion motion_from_skeleton(const Demonstration& demonstration,
   place("elbow", elbow, motion.elbow);
   place("wrist", wrist, motion.wrist);
   if (shoulder.there() && elbow.there() && wrist.there()) {
-    keep_bone_lengths(motion, ArmLengths{mean_length(shoulder, elbow), mean_length(elbow, wrist)});
+    keep_bone_lengths(motion,
+                      human::ArmLengths{mean_length(shoulder, elbow), mean_length(elbow, wrist)});
   }
   if (!wrist.there()) return motion;
 
@@ -223,4 +224,4 @@ HumanMotion motion_from_skeleton(const Demonstration& demonstration,
   return motion;
 }
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace morphe {
+namespace morphe::reconstruct {
 
 Pivot find_pivot(const std::vector<Pose>& world_from_a, const std::vector<Pose>& world_from_b,
                  const PivotPrior& prior) {
@@ -47,4 +47,4 @@ Pivot find_pivot(const std::vector<Pose>& world_from_a, const std::vector<Pose>&
           std::max(residual, kFloor) / std::sqrt(std::max(0.0, least) + weight)};
 }
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

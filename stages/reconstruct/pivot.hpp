@@ -4,7 +4,7 @@
 
 #include "pipeline/motion/geometry.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 
 /// Where a joint centre is thought to be, in both of its bodies, before they move.
 struct PivotPrior {
@@ -27,4 +27,4 @@ struct Pivot {
 Pivot find_pivot(const std::vector<Pose>& world_from_a, const std::vector<Pose>& world_from_b,
                  const PivotPrior& prior);
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

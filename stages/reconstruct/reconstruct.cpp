@@ -3,9 +3,9 @@
 #include "stages/reconstruct/mirror.hpp"
 #include "stages/reconstruct/streams.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 
-std::string check(const ReconstructOptions& o) {
+std::string why_invalid(const ReconstructOptions& o) {
   if (!(o.rate_hz > 0)) return "rate_hz must be positive";
   if (!(o.cutoff_hz > 0 && o.cutoff_hz < 0.4 * o.rate_hz)) {
     return "cutoff_hz must lie between 0 and 0.4 rate_hz";
@@ -18,7 +18,7 @@ std::string check(const ReconstructOptions& o) {
   return "";
 }
 
-std::string check(const HumanOptions& o) {
+std::string why_invalid(const HumanOptions& o) {
   if (!(o.stature_m > 0.5 && o.stature_m < 2.5)) return "stature_m must lie between 0.5 and 2.5 m";
   for (const auto& length : {o.upper_arm, o.forearm}) {
     if (length && !(*length > 0)) return "upper_arm and forearm must be positive";
@@ -62,4 +62,4 @@ HumanMotion reconstruct(const Demonstration& demonstration, const ReconstructOpt
   return nothing;
 }
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

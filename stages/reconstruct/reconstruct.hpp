@@ -6,7 +6,7 @@
 #include "pipeline/motion/demonstration.hpp"
 #include "pipeline/motion/human_motion.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 
 /// Config section `reconstruct`.
 struct ReconstructOptions {
@@ -37,7 +37,7 @@ void fields(Fields& f, ReconstructOptions& o) {
   f("thumb_marker_to_axis_m", o.thumb_marker_to_axis_m);
   f("index_marker_to_axis_m", o.index_marker_to_axis_m);
 }
-std::string check(const ReconstructOptions& options);
+std::string why_invalid(const ReconstructOptions& options);
 
 /// Config section `human`: the arm of a recording that saw only the hand.
 struct HumanOptions {
@@ -60,7 +60,7 @@ void fields(Fields& f, HumanOptions& o) {
   f("reach_share", o.reach_share);
   f("elbow_outward", o.elbow_outward);
 }
-std::string check(const HumanOptions& options);
+std::string why_invalid(const HumanOptions& options);
 
 /// Rebuilds a demonstration on one clock: positions of shoulder, elbow, wrist and fingertips and
 /// the orientation of the hand, low-passed, as a right hand (a left one is mirrored, see
@@ -80,4 +80,4 @@ std::string check(const HumanOptions& options);
 HumanMotion reconstruct(const Demonstration& demonstration, const ReconstructOptions& options,
                         const HumanOptions& human);
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 /// Index of a name, or nothing.
@@ -41,4 +41,4 @@ std::optional<BodyTrack> joint_of_sensor(const Demonstration& demonstration,
   return track;
 }
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

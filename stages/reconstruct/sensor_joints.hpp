@@ -6,7 +6,7 @@
 
 #include "pipeline/motion/demonstration.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 
 /// One body's recorded pose, frame by frame.
 struct BodyTrack {
@@ -23,4 +23,4 @@ std::optional<BodyTrack> joint_of_sensor(const Demonstration& demonstration,
                                          const std::string& name,
                                          std::vector<std::string>& problems);
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace morphe {
+namespace morphe::reconstruct {
 
 StaticTrial::StaticTrial(const std::optional<MarkerStream>& trial) : given_(trial.has_value()) {
   for (std::size_t k = 0; given_ && k < trial->names.size(); ++k) {
@@ -32,4 +32,4 @@ Vec3 StaticTrial::at(const std::string& marker, std::vector<std::string>& proble
   return found->second.mean;
 }
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -7,7 +7,7 @@
 
 #include "pipeline/motion/demonstration.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 
 /// Where each marker stood in a static trial, on average.
 class StaticTrial {
@@ -27,4 +27,4 @@ class StaticTrial {
   std::map<std::string, Marker> markers_;
 };
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

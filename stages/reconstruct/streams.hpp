@@ -3,7 +3,7 @@
 #include "stages/reconstruct/clock.hpp"
 #include "stages/reconstruct/reconstruct.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 
 /// A motion of `clock.count` frames in which nothing is seen.
 HumanMotion unseen_motion(const Clock& clock);
@@ -27,4 +27,4 @@ HumanMotion motion_from_skeleton(const Demonstration& demonstration,
 /// A hand of 21 keypoints whose wrist was not tracked: hand angles alone.
 HumanMotion motion_from_hand(const Demonstration& demonstration, const ReconstructOptions& options);
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace morphe {
+namespace morphe::repair {
 namespace {
 
 namespace ob = ompl::base;
@@ -66,7 +66,7 @@ struct Query {
   const IntervalWorld& interval;
   const JointRows& reach;
   const Coordinates& coordinates;
-  CollisionScratch scratch;
+  collision::CollisionScratch scratch;
   JointVector first, second;
 
   bool state(const ob::State* state) {
@@ -189,4 +189,4 @@ std::vector<JointVector> connect(const IntervalWorld& interval, const JointRows&
   return vertices;
 }
 
-}  // namespace morphe
+}  // namespace morphe::repair

@@ -5,7 +5,7 @@
 
 #include "stages/repair/interval_world.hpp"
 
-namespace morphe {
+namespace morphe::repair {
 
 /// Where the planner looks: `joints` move freely between `lower` and `upper`; all others go from
 /// their start to their goal in one common proportion, which is planned as one more dimension.
@@ -25,4 +25,4 @@ std::vector<JointVector> connect(const IntervalWorld& interval, const JointRows&
                                  const JointVector& to, int iterations, double range,
                                  std::uint64_t seed);
 
-}  // namespace morphe
+}  // namespace morphe::repair

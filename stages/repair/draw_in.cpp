@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace morphe {
+namespace morphe::repair {
 namespace {
 
 int below(int limit, std::mt19937_64& random) {
@@ -50,7 +50,7 @@ Eigen::MatrixXd best_correction(const Eigen::MatrixXd& d, int first, int last, d
 }
 
 bool rows_free(const ClearWorld& world, const JointRows& reach, const std::vector<double>& times,
-               const JointRows& rows, int first, int last, CollisionScratch& scratch) {
+               const JointRows& rows, int first, int last, collision::CollisionScratch& scratch) {
   const RobotTable& robot = *world.around.robot;
   JointVector from = rows.row(first), to;
   for (int k = first + 1; k <= last; ++k, from = to) {
@@ -68,7 +68,7 @@ bool rows_free(const ClearWorld& world, const JointRows& reach, const std::vecto
 std::vector<JointVector> shortcut(const IntervalWorld& interval, const JointRows& reach,
                                   std::vector<JointVector> vertices, int attempts,
                                   std::mt19937_64& random) {
-  CollisionScratch scratch;
+  collision::CollisionScratch scratch;
   for (int attempt = 0; attempt < attempts && vertices.size() > 2; ++attempt) {
     const std::vector<double> lengths = edge_lengths(*interval.world.around.robot, vertices);
     double total = 0;
@@ -134,7 +134,7 @@ void draw_in(const ClearWorld& world, const JointRows& reach, const std::vector<
   const int rows = static_cast<int>(planned.rows()), joints = static_cast<int>(planned.cols());
   if (rows < 3) return;
   const double length = std::max(2.0, rows / 8.0);
-  CollisionScratch scratch;
+  collision::CollisionScratch scratch;
   for (int attempt = 0; attempt < attempts; ++attempt) {
     const int half_size = std::max(2, rows >> (1 + random() % 4));
     const int middle = 1 + below(rows - 2, random);
@@ -160,4 +160,4 @@ void draw_in(const ClearWorld& world, const JointRows& reach, const std::vector<
   }
 }
 
-}  // namespace morphe
+}  // namespace morphe::repair

@@ -5,7 +5,7 @@
 
 #include "stages/repair/interval_world.hpp"
 
-namespace morphe {
+namespace morphe::repair {
 
 /// Replaces parts of a certified polyline by straight lines while they are certified too. Shorter
 /// in shares of the joints' spans; `attempts` pairs of points are tried.
@@ -25,4 +25,4 @@ JointRows spread(const RobotTable& robot, const std::vector<JointVector>& vertic
 void draw_in(const ClearWorld& world, const JointRows& reach, const std::vector<double>& times,
              const JointRows& original, int attempts, std::mt19937_64& random, JointRows& planned);
 
-}  // namespace morphe
+}  // namespace morphe::repair

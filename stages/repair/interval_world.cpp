@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace morphe {
+namespace morphe::repair {
 namespace {
 
 constexpr double kHandRoom = 2e-4;  ///< what smoothing takes of the clearance between fingers [m]
@@ -16,7 +16,7 @@ bool moves(const SceneObject& object, double begin_s, double end_s) {
                .isApprox(recorded_pose(object, (begin_s + end_s) / 2), 1e-9));
 }
 
-void apply(TouchRule rule, double begin_s, double end_s, CollisionWorld& world) {
+void apply(TouchRule rule, double begin_s, double end_s, collision::CollisionWorld& world) {
   const bool always = begin_s >= world.touch_begin_s && end_s <= world.touch_end_s;
   const bool sometimes = begin_s <= world.touch_end_s && end_s >= world.touch_begin_s;
   if (always || !sometimes) return;
@@ -32,14 +32,15 @@ bool in_hand(const RobotTable& robot, int capsule) {
   return frame >= 0;
 }
 
-bool line_free(const CollisionWorld& world, const JointRows& reach, const JointMotion& line,
-               CollisionScratch& scratch) {
-  return check_motion(world, reach, line, scratch).verdict == MotionVerdict::free;
+bool line_free(const collision::CollisionWorld& world, const JointRows& reach,
+               const collision::JointMotion& line, collision::CollisionScratch& scratch) {
+  return collision::check_motion(world, reach, line, scratch).verdict ==
+         collision::MotionVerdict::free;
 }
 
 }  // namespace
 
-ClearWorld clear_world(const CollisionWorld& world, double extra_m) {
+ClearWorld clear_world(const collision::CollisionWorld& world, double extra_m) {
   ClearWorld clear{world, world, std::make_shared<Scene>(*world.scene), std::make_shared<Scene>()};
   clear.around.scene = clear.scene.get();
   clear.around.tolerances.margin += extra_m;
@@ -56,16 +57,17 @@ ClearWorld clear_world(const CollisionWorld& world, double extra_m) {
 }
 
 bool line_free(const ClearWorld& world, const JointRows& reach, const JointVector& from,
-               const JointVector& to, double from_s, double to_s, CollisionScratch& scratch) {
-  const JointMotion line = straight_motion(from, to, from_s, to_s);
+               const JointVector& to, double from_s, double to_s,
+               collision::CollisionScratch& scratch) {
+  const collision::JointMotion line = collision::straight_motion(from, to, from_s, to_s);
   return line_free(world.around, reach, line, scratch) &&
          (world.hand.pairs.empty() || line_free(world.hand, reach, line, scratch));
 }
 
-IntervalWorld interval_world(const CollisionWorld& world, double begin_s, double end_s,
+IntervalWorld interval_world(const collision::CollisionWorld& world, double begin_s, double end_s,
                              double extra_m, TouchRule rule) {
   IntervalWorld interval{clear_world(world, extra_m), {begin_s}};
-  CollisionWorld& around = interval.world.around;
+  collision::CollisionWorld& around = interval.world.around;
   apply(rule, begin_s, end_s, around);
 
   auto scene = std::make_shared<Scene>(*world.scene);
@@ -87,24 +89,25 @@ IntervalWorld interval_world(const CollisionWorld& world, double begin_s, double
   return interval;
 }
 
-bool state_free(const IntervalWorld& interval, const JointVector& q, CollisionScratch& scratch) {
-  const CollisionWorld& hand = interval.world.hand;
-  if (least_slack(hand, q, interval.times.front(), scratch).slack() < 0) return false;
+bool state_free(const IntervalWorld& interval, const JointVector& q,
+                collision::CollisionScratch& scratch) {
+  const collision::CollisionWorld& hand = interval.world.hand;
+  if (collision::least_slack(hand, q, interval.times.front(), scratch).slack() < 0) return false;
   return std::all_of(interval.times.begin(), interval.times.end(), [&](double time_s) {
-    return least_slack(interval.world.around, q, time_s, scratch).slack() >= 0;
+    return collision::least_slack(interval.world.around, q, time_s, scratch).slack() >= 0;
   });
 }
 
 bool line_free(const IntervalWorld& interval, const JointRows& reach, const JointVector& from,
-               const JointVector& to, CollisionScratch& scratch) {
-  const CollisionWorld& hand = interval.world.hand;
-  const JointMotion line =
-      straight_motion(from, to, interval.times.front(), interval.times.front());
+               const JointVector& to, collision::CollisionScratch& scratch) {
+  const collision::CollisionWorld& hand = interval.world.hand;
+  const collision::JointMotion line =
+      collision::straight_motion(from, to, interval.times.front(), interval.times.front());
   if (!hand.pairs.empty() && !line_free(hand, reach, line, scratch)) return false;
   return std::all_of(interval.times.begin(), interval.times.end(), [&](double time_s) {
-    return line_free(interval.world.around, reach, straight_motion(from, to, time_s, time_s),
-                     scratch);
+    return line_free(interval.world.around, reach,
+                     collision::straight_motion(from, to, time_s, time_s), scratch);
   });
 }
 
-}  // namespace morphe
+}  // namespace morphe::repair

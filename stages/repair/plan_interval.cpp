@@ -7,15 +7,15 @@
 #include "stages/repair/connect.hpp"
 #include "stages/repair/draw_in.hpp"
 
-namespace morphe {
+namespace morphe::repair {
 namespace {
 
 /// Grows first and last until both are free; false if an end of the path is reached before.
-bool reach_free_ends(const CollisionWorld& world, const JointPath& path, double extra_m,
+bool reach_free_ends(const collision::CollisionWorld& world, const JointPath& path, double extra_m,
                      TouchRule rule, Interval& interval) {
   const auto& times = path.demonstration_time;
   const int end = static_cast<int>(path.position.rows()) - 1;
-  CollisionScratch scratch;
+  collision::CollisionScratch scratch;
   while (true) {
     interval.within = interval_world(world, times[static_cast<std::size_t>(interval.first)],
                                      times[static_cast<std::size_t>(interval.last)], extra_m, rule);
@@ -41,9 +41,9 @@ ConnectSpace space_around(const RobotTable& robot, const JointRows& original, do
 
 }  // namespace
 
-std::optional<Interval> interval_around(const CollisionWorld& world, const JointPath& path,
-                                        double begin_s, double end_s, int widen,
-                                        double extra_clearance) {
+std::optional<Interval> interval_around(const collision::CollisionWorld& world,
+                                        const JointPath& path, double begin_s, double end_s,
+                                        int widen, double extra_clearance) {
   const auto& times = path.demonstration_time;
   const int end = static_cast<int>(times.size()) - 1;
   const auto from = std::lower_bound(times.begin(), times.end(), begin_s) - times.begin();
@@ -111,4 +111,4 @@ bool plan_interval(const Interval& interval, const JointRows& reach, const Repai
   return true;
 }
 
-}  // namespace morphe
+}  // namespace morphe::repair

@@ -9,7 +9,7 @@
 
 #include "stages/repair/plan_interval.hpp"
 
-namespace morphe {
+namespace morphe::repair {
 namespace {
 
 struct Judged {
@@ -53,8 +53,8 @@ std::string sentence(const Finding& finding) {
 }
 
 /// Intervals around all collisions; those that overlap become one.
-std::vector<Interval> intervals_of(const CollisionWorld& world, const Judged& judged, int attempt,
-                                   const RepairOptions& options) {
+std::vector<Interval> intervals_of(const collision::CollisionWorld& world, const Judged& judged,
+                                   int attempt, const RepairOptions& options) {
   std::vector<std::pair<double, double>> spans;  // [s]
   for (const Finding& finding : judged.findings)
     if (is_collision(finding)) spans.emplace_back(finding.begin_s, finding.end_s);
@@ -83,8 +83,8 @@ std::vector<Interval> intervals_of(const CollisionWorld& world, const Judged& ju
 }
 
 /// Plans around all collisions; false if nothing could be planned.
-bool plan_around(const CollisionWorld& world, const JointRows& reach, const RepairOptions& options,
-                 int attempt, std::uint64_t seed, Judged& judged) {
+bool plan_around(const collision::CollisionWorld& world, const JointRows& reach,
+                 const RepairOptions& options, int attempt, std::uint64_t seed, Judged& judged) {
   bool planned = false;
   std::uint64_t number = 0;
   for (const Interval& interval : intervals_of(world, judged, attempt, options)) {
@@ -108,18 +108,18 @@ void resolve_and_insist(const RepairSteps& steps, Judged& judged) {
   if (worth_insisting(judged.findings)) take_if_less(steps.insist, steps, judged);
 }
 
-std::string end_in_collision(const CollisionWorld& world, const JointPath& path,
+std::string end_in_collision(const collision::CollisionWorld& world, const JointPath& path,
                              std::string& detail) {
   const Eigen::Index last = path.position.rows() - 1;
-  CollisionScratch scratch;
+  collision::CollisionScratch scratch;
   for (const Eigen::Index row : {Eigen::Index{0}, last}) {
     const JointVector q = path.position.row(row);
     const double time_s = path.demonstration_time[static_cast<std::size_t>(row)];
-    const PairSeparation pair = least_slack(world, q, time_s, scratch);
+    const collision::PairSeparation pair = collision::least_slack(world, q, time_s, scratch);
     if (pair.slack() >= 0) continue;
-    detail =
-        fmt::format("{} – {} at the {} ({:.3f} s): {:.4f} m too close", first_name(world, pair),
-                    second_name(world, pair), row == 0 ? "start" : "goal", time_s, -pair.slack());
+    detail = fmt::format("{} – {} at the {} ({:.3f} s): {:.4f} m too close",
+                         collision::first_name(world, pair), collision::second_name(world, pair),
+                         row == 0 ? "start" : "goal", time_s, -pair.slack());
     return row == 0 ? "start_in_collision" : "goal_in_collision";
   }
   return "";
@@ -127,11 +127,12 @@ std::string end_in_collision(const CollisionWorld& world, const JointPath& path,
 
 /// Plans around the collisions that are left, more widely in each attempt. A path that collides at
 /// one of its ends is left as it is, with the reason.
-void detour(const CollisionWorld& around, const JointRows& reach, const RepairSteps& steps,
-            const RepairOptions& options, std::uint64_t seed, Judged& best, RepairResult& result) {
+void detour(const collision::CollisionWorld& around, const JointRows& reach,
+            const RepairSteps& steps, const RepairOptions& options, std::uint64_t seed,
+            Judged& best, RepairResult& result) {
   if (!collides(best.findings)) return;
-  CollisionWorld world = around;  // what the hand carries moves as this path takes it
-  carry_target(best.path.demonstration_time, best.path.position, world);
+  collision::CollisionWorld world = around;  // what the hand carries moves as this path takes it
+  collision::carry_target(best.path.demonstration_time, best.path.position, world);
   result.reason = end_in_collision(world, best.path, result.detail);
   if (!result.reason.empty()) return;
   const Judged base = best;
@@ -186,7 +187,7 @@ bool worth_insisting(const std::vector<Finding>& findings) {
   return std::ranges::all_of(findings, [](const Finding& f) { return f.depth <= kMost; });
 }
 
-std::string check(const RepairOptions& options) {
+std::string why_invalid(const RepairOptions& options) {
   if (options.method != "humanlike" && options.method != "rrt_connect")
     return "method must be humanlike or rrt_connect";
   if (options.attempts < 0) return "attempts must not be negative";
@@ -200,8 +201,8 @@ std::string check(const RepairOptions& options) {
   return "";
 }
 
-RepairResult repair_path(const CollisionWorld& around, const JointRows& reach, JointPath path,
-                         std::vector<Finding> findings, const RepairSteps& given,
+RepairResult repair_path(const collision::CollisionWorld& around, const JointRows& reach,
+                         JointPath path, std::vector<Finding> findings, const RepairSteps& given,
                          const RepairOptions& options, std::uint64_t seed) {
   RepairSteps steps = given;
   if (options.method == "rrt_connect") {
@@ -257,4 +258,4 @@ RepairResult repair_path(const CollisionWorld& around, const JointRows& reach, J
   return result;
 }
 
-}  // namespace morphe
+}  // namespace morphe::repair

@@ -9,7 +9,7 @@
 #include "pipeline/collision/certified.hpp"
 #include "pipeline/motion/plan.hpp"
 
-namespace morphe {
+namespace morphe::repair {
 
 struct RepairOptions {
   std::string method = "humanlike";  ///< or a baseline, rrt_connect: all joints and shortcuts alone
@@ -34,7 +34,7 @@ void fields(Fields& f, RepairOptions& o) {
   f("searches", o.searches);
   f("extra_clearance", o.extra_clearance);
 }
-std::string check(const RepairOptions& options);
+std::string why_invalid(const RepairOptions& options);
 
 struct RepairResult {
   JointPath path;
@@ -87,8 +87,8 @@ struct RepairSteps {
 /// intervals keep their bits in (1) and (2); those that went through the planner are
 /// Origin::planned. `reach` is capsule_reach(); `findings` are those of `path`. Depends on its
 /// arguments alone.
-RepairResult repair_path(const CollisionWorld& world, const JointRows& reach, JointPath path,
-                         std::vector<Finding> findings, const RepairSteps& steps,
+RepairResult repair_path(const collision::CollisionWorld& world, const JointRows& reach,
+                         JointPath path, std::vector<Finding> findings, const RepairSteps& steps,
                          const RepairOptions& options, std::uint64_t seed);
 
-}  // namespace morphe
+}  // namespace morphe::repair

@@ -8,16 +8,16 @@
 #include "stages/repair/connect.hpp"
 #include "stages/repair/draw_in.hpp"
 
-namespace morphe {
+namespace morphe::repair {
 namespace {
 
 constexpr double kStep_rad = 0.02, kStep_s = 0.01;
 constexpr int kLeastSamples = 21;
 
 /// As much more than the margin as both ends allow.
-bool free_at_both(const CollisionWorld& world, const JointVector& from, const JointVector& to,
-                  double time_s, double extra_m, IntervalWorld& interval) {
-  CollisionScratch scratch;
+bool free_at_both(const collision::CollisionWorld& world, const JointVector& from,
+                  const JointVector& to, double time_s, double extra_m, IntervalWorld& interval) {
+  collision::CollisionScratch scratch;
   for (const double share : {1.0, 0.3, 0.1, 0.0}) {
     interval = interval_world(world, time_s, time_s, share * extra_m, TouchRule::lenient);
     if (state_free(interval, from, scratch) && state_free(interval, to, scratch)) return true;
@@ -56,7 +56,7 @@ JointPath labelled(const JointRows& rows, double time_s) {
 
 }  // namespace
 
-JointPath plan_transfer(const CollisionWorld& world, const JointRows& reach,
+JointPath plan_transfer(const collision::CollisionWorld& world, const JointRows& reach,
                         const JointVector& from, const JointVector& to, double time_s,
                         const RepairOptions& options, std::uint64_t seed) {
   const RobotTable& robot = *world.robot;
@@ -84,4 +84,4 @@ JointPath plan_transfer(const CollisionWorld& world, const JointRows& reach,
   return labelled(rows, time_s);
 }
 
-}  // namespace morphe
+}  // namespace morphe::repair

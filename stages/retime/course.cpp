@@ -3,21 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/forward.hpp"
 
-namespace morphe {
+namespace morphe::retime {
 namespace {
 
 /// Speed of the fastest tip per du/dt [m].
 double tip_rate(const RobotTable& robot, const JointRows& q) {
   std::vector<Pose> base_from_frame;
   const JointVector position = q.row(0).transpose(), rate = q.row(1).transpose();
-  forward(robot, position, base_from_frame);
+  robot::forward(robot, position, base_from_frame);
   Eigen::Matrix3Xd jacobian(3, position.size());
   double fastest = 0;
   for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
-    const Vec3 point = tip_pose(robot, base_from_frame, tip).translation();
-    point_jacobian(robot, base_from_frame, robot.tips[tip].frame, point, jacobian);
+    const Vec3 point = robot::tip_pose(robot, base_from_frame, tip).translation();
+    robot::point_jacobian(robot, base_from_frame, robot.tips[tip].frame, point, jacobian);
     fastest = std::max(fastest, (jacobian * rate).norm());
   }
   return fastest;
@@ -57,7 +57,7 @@ PaceGrid pace_grid(const Course& course, Eigen::Index steps) {
   JointRows q;
   for (Eigen::Index i = 0; i <= steps; ++i) {
     const double u = static_cast<double>(i) * grid.step;
-    evaluate(course.spline, u, q);
+    math::evaluate(course.spline, u, q);
     const double slower = slowdown_at(course, u) * slowdown_at(course, u);
     grid.first.col(i) = slower * q.row(1).transpose().array() * inverse;
     grid.second.col(i) = slower * q.row(2).transpose().array() * inverse;
@@ -67,4 +67,4 @@ PaceGrid pace_grid(const Course& course, Eigen::Index steps) {
   return grid;
 }
 
-}  // namespace morphe
+}  // namespace morphe::retime

@@ -2,19 +2,19 @@
 
 #include <vector>
 
+#include "pipeline/math/joint_spline.hpp"
 #include "pipeline/motion/movement.hpp"
-#include "stages/retime/joint_spline.hpp"
 #include "stages/retime/path_clock.hpp"
 #include "stages/retime/reachability.hpp"
 
-namespace morphe {
+namespace morphe::retime {
 
 /// A smooth path and what bounds the pace du/dt along it, all of it positive and perhaps infinite.
 struct Course {
   const RobotTable* robot = nullptr;
   const Movement* movement = nullptr;
   ClockedPath clocked;
-  JointSpline spline;
+  math::JointSpline spline;
   JointVector velocity, acceleration, jerk;  ///< [n] shares of the robot's limits
   double tempo = kMostPace;                  ///< clock seconds per second at most
   double catch_up = 0;                       ///< tempo is greater by this share at both ends …
@@ -35,4 +35,4 @@ double most_pace(const Course& course, double u, const JointRows& q);
 /// For the reachability analysis, on `steps` equal steps.
 PaceGrid pace_grid(const Course& course, Eigen::Index steps);
 
-}  // namespace morphe
+}  // namespace morphe::retime

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include "pipeline/kinematics/forward.hpp"
-#include "stages/retime/banded.hpp"
+#include "pipeline/math/banded.hpp"
+#include "pipeline/robot/forward.hpp"
 #include "stages/retime/inside_limits.hpp"
 
-namespace morphe {
+namespace morphe::retime {
 namespace {
 
 constexpr int kRounds = 30,
@@ -45,8 +45,8 @@ Leverage leverage_of(const RobotTable& robot, const JointRows& samples) {
   Eigen::MatrixXd both(6 * tips, n);
   for (Eigen::Index i = 0; i < samples.rows(); ++i) {
     const JointVector q = samples.row(i).transpose();
-    forward(robot, q, base_from_frame);
-    tip_jacobians(robot, base_from_frame, both);
+    robot::forward(robot, q, base_from_frame);
+    robot::tip_jacobians(robot, base_from_frame, both);
     Eigen::MatrixXd& points = out.jacobian.emplace_back(3 * tips, n);
     for (Eigen::Index t = 0; t < tips; ++t) {
       points.middleRows<3>(3 * t) = both.middleRows<3>(6 * t);
@@ -72,7 +72,7 @@ Deviation deviation_at(const Leverage& leverage, std::size_t i, const JointVecto
 
 /// Where the samples lie among the knots, and what they weigh; the same for all joints.
 struct Rows {
-  std::vector<KnotPlace> place;
+  std::vector<math::KnotPlace> place;
   std::vector<Eigen::Matrix<double, 6, 1>> basis;
   std::vector<double> weight;
   Eigen::VectorXd roughness;     ///< weight of each third difference
@@ -80,13 +80,13 @@ struct Rows {
 };
 
 Rows rows_of(const std::vector<double>& clock, const std::vector<double>& allowance,
-             double duration_s, const JointSpline& spline) {
+             double duration_s, const math::JointSpline& spline) {
   Rows rows;
   rows.roughness = Eigen::VectorXd::Constant(spline.coefficient.rows() - 3, kLeastRoughness);
   for (std::size_t i = 0; i < clock.size(); ++i) {
-    const KnotPlace at = place_of(spline, clock[i]);
+    const math::KnotPlace at = math::place_of(spline, clock[i]);
     rows.place.push_back(at);
-    const auto basis = bspline_weights<5>(at.z);
+    const auto basis = math::bspline_weights<5>(at.z);
     rows.basis.emplace_back(basis.data());
     const double roughness =
         std::min(kMostRoughness, std::pow(allowance[i] * duration_s / spline.step(), 6));
@@ -129,8 +129,8 @@ void weigh_limits(Rows& rows) {
 }
 
 /// The normal equations' matrix without pulls.
-BandedMatrix normal_of(const Rows& rows) {
-  BandedMatrix normal(rows.roughness.size() + 3, 5);
+math::BandedMatrix normal_of(const Rows& rows) {
+  math::BandedMatrix normal(rows.roughness.size() + 3, 5);
   for (std::size_t i = 0; i < rows.weight.size(); ++i) {
     add_form(normal, rows.place[i].interval, rows.weight[i], rows.basis[i].data());
   }
@@ -156,8 +156,8 @@ void solve(Rows& rows, const JointRows& offset, const JointVector& lower, const 
     }
   }
   const JointRows right = coefficient;
-  const BandedMatrix free = normal_of(rows);
-  solve_factored(factored(free), coefficient);
+  const math::BandedMatrix free = normal_of(rows);
+  math::solve_factored(factored(free), coefficient);
   for (std::size_t joint = 0; joint < pulls.size(); ++joint) {
     const auto column = static_cast<Eigen::Index>(joint);
     Eigen::VectorXd c = coefficient.col(column);
@@ -218,12 +218,12 @@ double fit(const RobotTable& robot, const std::vector<double>& clock, const Join
 }
 
 /// Whether a joint's curve is inside its limits on the knots from `from` to `to` and between.
-bool stays_inside(const JointSpline& spline, Eigen::Index joint, Eigen::Index from, Eigen::Index to,
-                  double lower, double upper) {
+bool stays_inside(const math::JointSpline& spline, Eigen::Index joint, Eigen::Index from,
+                  Eigen::Index to, double lower, double upper) {
   constexpr int kPoints = 8;  // a knot's interval
   JointRows at;
   for (Eigen::Index k = from * kPoints; k <= to * kPoints; ++k) {
-    evaluate(spline, spline.step() * static_cast<double>(k) / kPoints, at);
+    math::evaluate(spline, spline.step() * static_cast<double>(k) / kPoints, at);
     if (at(0, joint) < lower || at(0, joint) > upper) return false;
   }
   return true;
@@ -232,7 +232,7 @@ bool stays_inside(const JointSpline& spline, Eigen::Index joint, Eigen::Index fr
 /// Where an end was missed for all its weight, the rest is added to the coefficients there and
 /// fades out over some knots; where that would leave a joint's limits, what rests at the end stays
 /// there for a moment and the coefficients keep inside; not where that would change much.
-void meet_ends(const RobotTable& robot, const JointRows& samples, JointSpline& spline) {
+void meet_ends(const RobotTable& robot, const JointRows& samples, math::JointSpline& spline) {
   constexpr Eigen::Index kFlat = 5, kFade = 25;  // a knot's value is the mean of five coefficients
   constexpr double kRest = 1e-4;                 // nearer to the end: as good as at rest [rad]
   const Eigen::Index count = spline.coefficient.rows();
@@ -240,7 +240,7 @@ void meet_ends(const RobotTable& robot, const JointRows& samples, JointSpline& s
   if (fade < 1) return;
   JointRows there;
   for (const bool first : {true, false}) {
-    evaluate(spline, first ? 0 : spline.length, there);
+    math::evaluate(spline, first ? 0 : spline.length, there);
     const Eigen::RowVectorXd missing = samples.row(first ? 0 : samples.rows() - 1) - there.row(0);
     const Eigen::Index reach = std::min(spline.intervals, kFlat + fade);
     for (Eigen::Index joint = 0; joint < missing.size(); ++joint) {
@@ -296,4 +296,4 @@ PathFit fit_path(const RobotTable& robot, const std::vector<double>& clock,
   return best;
 }
 
-}  // namespace morphe
+}  // namespace morphe::retime

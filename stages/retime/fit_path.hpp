@@ -2,10 +2,10 @@
 
 #include <vector>
 
+#include "pipeline/math/joint_spline.hpp"
 #include "pipeline/motion/robot_table.hpp"
-#include "stages/retime/joint_spline.hpp"
 
-namespace morphe {
+namespace morphe::retime {
 
 /// What smoothing may do. A tolerance of zero leaves as much as keeps the spline from ringing
 /// between the samples: 1e-5 m, 1e-5 rad.
@@ -16,7 +16,7 @@ struct FitTolerance {
 };
 
 struct PathFit {
-  JointSpline spline;
+  math::JointSpline spline;
   double tip_deviation = 0;    ///< largest over tips and samples, 0 without tips [m]
   double joint_deviation = 0;  ///< largest over joints and samples [rad]
 };
@@ -32,4 +32,4 @@ PathFit fit_path(const RobotTable& robot, const std::vector<double>& clock,
                  const JointRows& samples, const std::vector<double>& allowance,
                  const FitTolerance& tolerance, double step_s);
 
-}  // namespace morphe
+}  // namespace morphe::retime

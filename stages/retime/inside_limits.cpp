@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace morphe {
+namespace morphe::retime {
 namespace {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
@@ -63,18 +63,18 @@ double update_pull(const LimitedFit& fit, const Matrix6& bezier, const Eigen::Ve
 
 }  // namespace
 
-void add_form(BandedMatrix& normal, Eigen::Index first, double weight, const double* form) {
+void add_form(math::BandedMatrix& normal, Eigen::Index first, double weight, const double* form) {
   for (Eigen::Index a = 0; a < 6; ++a) {
     const double weighted = weight * form[a];
     for (Eigen::Index b = 0; b <= a; ++b) normal.entry(first + a, a - b) += weighted * form[b];
   }
 }
 
-BandedMatrix factored(const BandedMatrix& normal) {
+math::BandedMatrix factored(const math::BandedMatrix& normal) {
   for (double damping = 1e-10;; damping *= 1e2) {
-    BandedMatrix damped = normal;
+    math::BandedMatrix damped = normal;
     for (Eigen::Index i = 0; i < damped.size; ++i) damped.entry(i, 0) += damping;
-    if (factor(damped)) return damped;
+    if (math::factor(damped)) return damped;
   }
 }
 
@@ -86,7 +86,7 @@ void solve_inside(const LimitedFit& fit, LimitPull& pull, Eigen::VectorXd& coeff
     if (round > 0 || pull.side.size() == 0) {
       if (update_pull(fit, bezier, coefficient, pull) < 0.5 * kLimitInset) return;
     }
-    BandedMatrix normal = fit.normal;
+    math::BandedMatrix normal = fit.normal;
     coefficient = fit.right;
     for (Eigen::Index point = 0; point < pull.side.size(); ++point) {
       const double side = pull.side[point];
@@ -98,7 +98,7 @@ void solve_inside(const LimitedFit& fit, LimitPull& pull, Eigen::VectorXd& coeff
       coefficient.segment<6>(at.interval) += weight * target * form;
       add_form(normal, at.interval, weight, form.data());
     }
-    solve_factored(factored(normal), coefficient);
+    math::solve_factored(factored(normal), coefficient);
   }
   // With its coefficients inside, an interval is.
   for (Eigen::Index i = 0; i < intervals; ++i) {
@@ -112,4 +112,4 @@ void solve_inside(const LimitedFit& fit, LimitPull& pull, Eigen::VectorXd& coeff
   }
 }
 
-}  // namespace morphe
+}  // namespace morphe::retime

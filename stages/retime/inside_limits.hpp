@@ -1,16 +1,16 @@
 #pragma once
 
-#include "stages/retime/banded.hpp"
+#include "pipeline/math/banded.hpp"
 
-namespace morphe {
+namespace morphe::retime {
 
 inline constexpr double kLimitInset = 1e-7;  ///< [rad]: rounding must not leave the limits
 
 /// Adds weight * (form . c)^2 over the six coefficients from `first` on.
-void add_form(BandedMatrix& normal, Eigen::Index first, double weight, const double* form);
+void add_form(math::BandedMatrix& normal, Eigen::Index first, double weight, const double* form);
 
 /// A factor of the matrix, with more damping if rounding ate what makes it definite.
-BandedMatrix factored(const BandedMatrix& normal);
+math::BandedMatrix factored(const math::BandedMatrix& normal);
 
 /// Bézier points of one joint's quintic B-spline that left its limits, and are pulled back onto
 /// them by the method of multipliers: beyond the limit by `shift`, as much as they still lay
@@ -22,7 +22,7 @@ struct LimitPull {
 
 /// One joint's least squares: normal * c = right, with lower <= curve <= upper.
 struct LimitedFit {
-  const BandedMatrix& normal;
+  const math::BandedMatrix& normal;
   const Eigen::VectorXd& right;
   const Eigen::VectorXd& weight;  ///< [intervals] of what is pulled
   double lower = 0, upper = 0;
@@ -34,4 +34,4 @@ struct LimitedFit {
 /// such points. What twenty pulls do not bring inside is cut off.
 void solve_inside(const LimitedFit& fit, LimitPull& pull, Eigen::VectorXd& coefficient);
 
-}  // namespace morphe
+}  // namespace morphe::retime

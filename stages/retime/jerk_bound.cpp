@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "stages/retime/banded.hpp"
+#include "pipeline/math/banded.hpp"
 
-namespace morphe {
+namespace morphe::retime {
 namespace {
 
 /// Of the barrier, as a share of what a point adds to the duration: bounds the duration's excess.
@@ -39,9 +39,9 @@ struct Constraints {
 
 FromCoefficients local_from_coefficients(double z, double step) {
   FromCoefficients m = FromCoefficients::Zero();
-  const auto value = bspline_weights<3>(z);
-  const auto first = bspline_weights<2>(z);
-  const auto second = bspline_weights<1>(z);
+  const auto value = math::bspline_weights<3>(z);
+  const auto first = math::bspline_weights<2>(z);
+  const auto second = math::bspline_weights<1>(z);
   for (std::size_t k = 0; k < 4; ++k) m(0, static_cast<Eigen::Index>(k)) = value[k];
   for (std::size_t k = 0; k < 3; ++k) {
     const auto column = static_cast<Eigen::Index>(k);
@@ -88,7 +88,7 @@ Constraints constraints_of(const Course& course, const RampedClock& clock, Eigen
   JointRows q;
   for (Eigen::Index i = 0; i < points; ++i) {
     const ClockAt at = clock_at(clock, c.point[static_cast<std::size_t>(i)].w);
-    evaluate(course.spline, at.u, q);
+    math::evaluate(course.spline, at.u, q);
     const double pace = std::min(most, most_pace(course, at.u, q) / std::max(at.d1, 1e-12));
     c.ceiling[i] = pace * pace;
     chain(at, q);
@@ -133,7 +133,7 @@ double merit(const Constraints& c, const Eigen::VectorXd& coefficient, double ba
 
 struct Newton {
   Eigen::VectorXd gradient, step;
-  BandedMatrix hessian{0, 3};
+  math::BandedMatrix hessian{0, 3};
 };
 
 /// Gradient and Hessian of -log(1 - v^2) over v = d . x, added up over lanes.
@@ -186,7 +186,7 @@ void local_model(const Constraints& c, Eigen::Index i, double weight, const Loca
 /// Newton's step of the merit; false if there is none. decrement = -gradient . step.
 bool newton_step(const Constraints& c, const Eigen::VectorXd& coefficient, double barrier,
                  Newton& newton, double& decrement) {
-  newton.hessian = BandedMatrix(coefficient.size(), 3);
+  newton.hessian = math::BandedMatrix(coefficient.size(), 3);
   newton.gradient.setZero(coefficient.size());
   Local gradient;
   Eigen::Matrix3d hessian;
@@ -203,9 +203,9 @@ bool newton_step(const Constraints& c, const Eigen::VectorXd& coefficient, doubl
       }
     }
   }
-  if (!newton.gradient.allFinite() || !factor(newton.hessian)) return false;
+  if (!newton.gradient.allFinite() || !math::factor(newton.hessian)) return false;
   newton.step = -newton.gradient;
-  solve_factored(newton.hessian, newton.step);
+  math::solve_factored(newton.hessian, newton.step);
   decrement = -newton.gradient.dot(newton.step);
   return newton.step.allFinite() && decrement > 0;
 }
@@ -293,4 +293,4 @@ Progress fastest_progress(const Course& course, const RampedClock& clock, Eigen:
   return positive(fastest) ? fastest : start;
 }
 
-}  // namespace morphe
+}  // namespace morphe::retime

@@ -3,7 +3,7 @@
 #include "stages/retime/course.hpp"
 #include "stages/retime/progress.hpp"
 
-namespace morphe {
+namespace morphe::retime {
 
 /// Minimises the duration, integral of x^(-1/2) dw, subject to
 ///   |q_ww x + q_w x_w / 2| <= a,  |q_www x + 3/2 q_ww x_w + q_w x_ww / 2| x^(1/2) <= j
@@ -14,4 +14,4 @@ namespace morphe {
 Progress fastest_progress(const Course& course, const RampedClock& clock, Eigen::Index intervals,
                           double most, double scale_s);
 
-}  // namespace morphe
+}  // namespace morphe::retime

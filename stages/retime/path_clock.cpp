@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace morphe {
+namespace morphe::retime {
 namespace {
 
 /// A recorded step may ask for this many times the joints' full speed before its clock is
@@ -88,4 +88,4 @@ Origin origin_at(const ClockedPath& path, double clock) {
   return path.origin[share_at(path, i, clock) < 0.5 ? i : i + 1];
 }
 
-}  // namespace morphe
+}  // namespace morphe::retime

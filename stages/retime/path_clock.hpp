@@ -5,7 +5,7 @@
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
-namespace morphe {
+namespace morphe::retime {
 
 /// A path with a clock that runs wherever the robot moves: the demonstration's time, except where
 /// that stands still or a planned stretch would have to be faster than the joints; there a sample
@@ -27,4 +27,4 @@ double demonstration_time_at(const ClockedPath& path, double clock);
 /// Origin of the nearest sample.
 Origin origin_at(const ClockedPath& path, double clock);
 
-}  // namespace morphe
+}  // namespace morphe::retime

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stages/retime/joint_spline.hpp"
+#include "pipeline/math/joint_spline.hpp"
 
-namespace morphe {
+namespace morphe::retime {
 namespace {
 
 double duration_between(const Progress& progress, double from, double to) {
@@ -30,7 +30,7 @@ double square_at(const Progress& progress, double w) {
   const Eigen::Index intervals = progress.coefficient.size() - 3;
   const double knots = std::clamp(w / progress.length, 0.0, 1.0) * static_cast<double>(intervals);
   const auto interval = std::min(static_cast<Eigen::Index>(knots), intervals - 1);
-  const auto weights = bspline_weights<3>(knots - static_cast<double>(interval));
+  const auto weights = math::bspline_weights<3>(knots - static_cast<double>(interval));
   return progress.coefficient.segment<4>(interval).dot(
       Eigen::Map<const Eigen::Vector4d>(weights.data()));
 }
@@ -62,4 +62,4 @@ double clock_at(const ProgressLaw& law, double time_s) {
   return clock_at(law.clock, w).u;
 }
 
-}  // namespace morphe
+}  // namespace morphe::retime

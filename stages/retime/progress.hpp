@@ -4,7 +4,7 @@
 
 #include "stages/retime/ramped_clock.hpp"
 
-namespace morphe {
+namespace morphe::retime {
 
 /// Progress along w: x = (dw/dt)^2 as a cubic B-spline on uniform knots, C^2, so that the jerk is
 /// continuous.
@@ -25,4 +25,4 @@ ProgressLaw progress_law(const RampedClock& clock, Progress progress);
 /// u at a time; the ends beyond them.
 double clock_at(const ProgressLaw& law, double time_s);
 
-}  // namespace morphe
+}  // namespace morphe::retime

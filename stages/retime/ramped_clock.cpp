@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace morphe {
+namespace morphe::retime {
 
 RampedClock ramp_ends(double clock_length, double ramp_s) {
   // A ramp covers 0.6 of its length on the clock.
@@ -34,4 +34,4 @@ void chain(const ClockAt& at, JointRows& q) {
   q.row(1) *= at.d1;
 }
 
-}  // namespace morphe
+}  // namespace morphe::retime

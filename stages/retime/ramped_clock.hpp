@@ -2,7 +2,7 @@
 
 #include "pipeline/motion/geometry.hpp"
 
-namespace morphe {
+namespace morphe::retime {
 
 /// The clock over a parameter w that is slow at its ends: u = g(w) with g' = 6z^2 - 8z^3 + 3z^4,
 /// z = w / ramp, rising from 0 to 1 (the same backwards at the end). dq/dw and d2q/dw2 vanish
@@ -23,4 +23,4 @@ ClockAt clock_at(const RampedClock& clock, double w);
 /// Derivatives by the clock, rows 0 … 3 of q [4, n], become derivatives by w.
 void chain(const ClockAt& at, JointRows& q);
 
-}  // namespace morphe
+}  // namespace morphe::retime

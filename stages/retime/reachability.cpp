@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace morphe {
+namespace morphe::retime {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -111,4 +111,4 @@ double clock_at(const GridLaw& law, double time_s) {
   return static_cast<double>(i) * law.step + t * (std::sqrt(law.square[i]) + 0.5 * a * t);
 }
 
-}  // namespace morphe
+}  // namespace morphe::retime

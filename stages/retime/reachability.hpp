@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace morphe {
+namespace morphe::retime {
 
 /// A path q(u) on a grid of equal steps, with what bounds the pace du/dt along it.
 struct PaceGrid {
@@ -30,4 +30,4 @@ GridLaw grid_law(double step, Eigen::VectorXd square);
 /// u at a time; the ends beyond them.
 double clock_at(const GridLaw& law, double time_s);
 
-}  // namespace morphe
+}  // namespace morphe::retime

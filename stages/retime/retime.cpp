@@ -8,11 +8,11 @@
 #include <iterator>
 #include <optional>
 
-#include "pipeline/motion/quintic.hpp"
+#include "pipeline/math/quintic.hpp"
 #include "stages/retime/fit_path.hpp"
 #include "stages/retime/time_law.hpp"
 
-namespace morphe {
+namespace morphe::retime {
 namespace {
 
 constexpr double kKnotStep_s = 0.01;  ///< of the path's spline at most
@@ -101,13 +101,13 @@ std::vector<double> haste(const Course& course, const Trajectory& trajectory) {
   for (std::size_t i = 0; i + 1 < trajectory.samples(); ++i) {
     double worst = 0;
     for (Eigen::Index joint = 0; joint < trajectory.position.cols(); ++joint) {
-      const QuinticPiece piece = quintic_piece(trajectory, i, joint);
-      if (surely_within(piece, course.velocity[joint], course.acceleration[joint],
-                        course.jerk[joint])) {
+      const math::QuinticPiece piece = math::quintic_piece(trajectory, i, joint);
+      if (math::surely_within(piece, course.velocity[joint], course.acceleration[joint],
+                              course.jerk[joint])) {
         continue;
       }
-      const QuinticExtremes over = extremes(piece);
-      const auto ratio = [](const Range& range, double limit) {
+      const math::QuinticExtremes over = math::extremes(piece);
+      const auto ratio = [](const math::Range& range, double limit) {
         return std::max(-range.least, range.greatest) / limit;
       };
       worst = std::max({worst, ratio(over.velocity, course.velocity[joint]),
@@ -214,13 +214,13 @@ bool follow_for(Eigen::Index periods, const std::function<Course(bool keep_pause
 
 }  // namespace
 
-std::string check(const PhaseSpeed& o) {
+std::string why_invalid(const PhaseSpeed& o) {
   if (phase_index(o.phase) < 0) return fmt::format("there is no phase '{}'", o.phase);
   if (!(o.scale > 0)) return "scale must be positive";
   return "";
 }
 
-std::string check(const RetimeOptions& o) {
+std::string why_invalid(const RetimeOptions& o) {
   if (o.mode != "human" && o.mode != "fastest" && o.mode != "duration") {
     return fmt::format("mode must be human, fastest or duration, not '{}'", o.mode);
   }
@@ -280,4 +280,4 @@ RetimeResult retime(const RobotTable& robot, const JointPath& path, const Moveme
   return result;
 }
 
-}  // namespace morphe
+}  // namespace morphe::retime

@@ -7,7 +7,7 @@
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
-namespace morphe {
+namespace morphe::retime {
 
 struct PhaseSpeed {
   std::string phase;  ///< one of kPhaseNames
@@ -18,7 +18,7 @@ void fields(Fields& f, PhaseSpeed& o) {
   f.required("phase", o.phase);
   f.required("scale", o.scale);
 }
-std::string check(const PhaseSpeed& options);
+std::string why_invalid(const PhaseSpeed& options);
 
 struct RetimeOptions {
   std::string mode = "human";           ///< human | fastest | duration
@@ -45,7 +45,7 @@ void fields(Fields& f, RetimeOptions& o) {
   f("joint_tolerance", o.joint_tolerance);
   f("planned_smoothing", o.planned_smoothing);
 }
-std::string check(const RetimeOptions& options);
+std::string why_invalid(const RetimeOptions& options);
 
 struct RetimeResult {
   std::string reason;     ///< "" = ok, path (not a path of this robot), limit, duration
@@ -65,4 +65,4 @@ struct RetimeResult {
 RetimeResult retime(const RobotTable& robot, const JointPath& path, const Movement& movement,
                     const RetimeOptions& options);
 
-}  // namespace morphe
+}  // namespace morphe::retime

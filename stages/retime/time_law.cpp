@@ -5,7 +5,7 @@
 
 #include "stages/retime/jerk_bound.hpp"
 
-namespace morphe {
+namespace morphe::retime {
 namespace {
 
 constexpr double kRamp_s = 0.25;  ///< of the path parameter at both ends
@@ -114,7 +114,7 @@ SampledLaw sample_law(const Course& course, const PacedLaw& paced, double rate_h
     const double u = (c[i] + 4 * c[i + 1] + c[i + 2]) / 6;
     const double rate = 0.5 * (c[i + 2] - c[i]) * rate_hz;
     const double bend = (c[i] - 2 * c[i + 1] + c[i + 2]) * rate_hz * rate_hz;
-    evaluate(course.spline, u, q);
+    math::evaluate(course.spline, u, q);
     out.position.row(i) = q.row(0);
     if (i > 0 && i < periods) {
       out.velocity.row(i) = q.row(1) * rate;
@@ -133,4 +133,4 @@ SampledLaw sample_law(const Course& course, const PacedLaw& paced, double rate_h
   return sampled;
 }
 
-}  // namespace morphe
+}  // namespace morphe::retime

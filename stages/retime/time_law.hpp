@@ -5,7 +5,7 @@
 
 #include "stages/retime/course.hpp"
 
-namespace morphe {
+namespace morphe::retime {
 
 /// The clock as a function of time, from rest to rest.
 struct TimeLaw {
@@ -51,4 +51,4 @@ struct SampledLaw {
 };
 SampledLaw sample_law(const Course& course, const PacedLaw& paced, double rate_hz);
 
-}  // namespace morphe
+}  // namespace morphe::retime

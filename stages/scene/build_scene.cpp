@@ -6,7 +6,7 @@
 
 #include "stages/scene/inferred.hpp"
 
-namespace morphe {
+namespace morphe::scene {
 namespace {
 
 SceneObject body(const ConfiguredObject& configured, double time_s) {
@@ -108,4 +108,4 @@ std::vector<std::string> mapping_objects(const SceneOptions& options, const Scen
   return names;
 }
 
-}  // namespace morphe
+}  // namespace morphe::scene

@@ -11,7 +11,7 @@
 #include "pipeline/motion/movement.hpp"
 #include "pipeline/motion/scene.hpp"
 
-namespace morphe {
+namespace morphe::scene {
 
 /// A fixed body of the world frame (X right, Y forward, Z up, origin as in the recording).
 struct ConfiguredObject {
@@ -38,7 +38,7 @@ void fields(Fields& f, ConfiguredObject& o) {
   f("rpy", o.rpy);
   f("in_mapping", o.in_mapping);
 }
-std::string check(const ConfiguredObject& object);
+std::string why_invalid(const ConfiguredObject& object);
 
 /// The box "table". Nobody records the table, but hands rest on it: its height is taken from the
 /// lowest fingertips.
@@ -70,7 +70,7 @@ void fields(Fields& f, TableOptions& o) {
   f("front_margin", o.front_margin);
   f("side_margin", o.side_margin);
 }
-std::string check(const TableOptions& options);
+std::string why_invalid(const TableOptions& options);
 
 /// Where the target stands instead of where it stood: see stages/scene/move_target.hpp.
 struct TargetPlacement {
@@ -123,7 +123,7 @@ void fields(Fields& f, TargetOptions& o) {
   f("moved", o.moved);
   f("placed", o.placed);
 }
-std::string check(const TargetOptions& options);
+std::string why_invalid(const TargetOptions& options);
 
 struct SceneOptions {
   std::string file;                       ///< YAML with more `objects`, relative to the config;
@@ -140,13 +140,13 @@ void fields(Fields& f, SceneOptions& o) {
   f("table", o.table);
   f("target", o.target);
 }
-std::string check(const SceneOptions& options);
+std::string why_invalid(const SceneOptions& options);
 
 /// The section `scene` of a config, its files included. InputError for a wrong value (with file,
 /// line and key), a name used twice, a file that cannot be read, a mesh that is none.
-SceneOptions read_scene(const ConfigNode& node);
+SceneOptions read_scene(const config::ConfigNode& node);
 /// For options that were read from `node`: loads the meshes and `file` (if any).
-void load_scene_files(SceneOptions& options, const ConfigNode& node);
+void load_scene_files(SceneOptions& options, const config::ConfigNode& node);
 
 /// The bodies around one movement, in the world frame: configured objects, then "table", then
 /// recorded objects with their motion, then the inferred target. Sets `movement.target` if the
@@ -164,4 +164,4 @@ Scene move_scene(const Scene& scene, const Pose& base_from_world);
 /// `in_mapping`; never the target.
 std::vector<std::string> mapping_objects(const SceneOptions& options, const Scene& scene);
 
-}  // namespace morphe
+}  // namespace morphe::scene

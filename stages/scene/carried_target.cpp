@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace morphe {
+namespace morphe::scene {
 namespace {
 
 constexpr std::size_t kThumb = 0, kIndex = 1;
@@ -57,4 +57,4 @@ void carry_between_tips(const HumanMotion& motion, const Movement& movement, Sce
   }
 }
 
-}  // namespace morphe
+}  // namespace morphe::scene

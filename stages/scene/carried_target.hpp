@@ -4,7 +4,7 @@
 #include "pipeline/motion/movement.hpp"
 #include "pipeline/motion/scene.hpp"
 
-namespace morphe {
+namespace morphe::scene {
 
 /// Gives the target, if it has no motion of its own, the one that thumb and index carry it with
 /// from its attach_s to its release_s (or the movement's end), as it lay between them at attach_s:
@@ -15,4 +15,4 @@ namespace morphe {
 /// bridged. Then it stays where it is. One recorded in motion keeps that motion.
 void carry_between_tips(const HumanMotion& motion, const Movement& movement, SceneObject& target);
 
-}  // namespace morphe
+}  // namespace morphe::scene

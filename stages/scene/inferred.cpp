@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace morphe {
+namespace morphe::scene {
 namespace {
 
 constexpr std::size_t kThumb = 0, kIndex = 1;
@@ -166,4 +166,4 @@ std::optional<SceneObject> infer_target(const TargetOptions& options, const Huma
   return target;
 }
 
-}  // namespace morphe
+}  // namespace morphe::scene

@@ -4,7 +4,7 @@
 
 #include "stages/scene/build_scene.hpp"
 
-namespace morphe {
+namespace morphe::scene {
 
 /// The part of `phase` in a movement, nullptr if there is none; the last one of that name.
 const Phase* last_phase(const Movement& movement, const char* name);
@@ -31,4 +31,4 @@ void set_carrying(const Movement& movement, const Phase& grasp, SceneObject& tar
 std::optional<SceneObject> infer_target(const TargetOptions& options, const HumanMotion& motion,
                                         const Movement& movement, const SceneObject* table);
 
-}  // namespace morphe
+}  // namespace morphe::scene

@@ -8,7 +8,7 @@
 
 #include "stages/scene/inferred.hpp"
 
-namespace morphe {
+namespace morphe::scene {
 namespace {
 
 Quat turn_of(const Vec3& rpy) {
@@ -143,4 +143,4 @@ MovedTarget move_target(const SceneOptions& options, const HumanMotion& motion,
   return out;
 }
 
-}  // namespace morphe
+}  // namespace morphe::scene

@@ -2,7 +2,7 @@
 
 #include "stages/scene/build_scene.hpp"
 
-namespace morphe {
+namespace morphe::scene {
 
 /// A movement as it would be with its target elsewhere.
 struct MovedTarget {
@@ -25,4 +25,4 @@ struct MovedTarget {
 MovedTarget move_target(const SceneOptions& options, const HumanMotion& motion,
                         const Movement& movement, const Scene& scene);
 
-}  // namespace morphe
+}  // namespace morphe::scene

@@ -7,7 +7,7 @@
 #include "pipeline/moveit/problem.hpp"
 #include "stages/scene/build_scene.hpp"
 
-namespace morphe {
+namespace morphe::scene {
 namespace {
 
 struct SceneFile {
@@ -30,13 +30,14 @@ double extent(const SceneObject& mesh) {
   return (high - low).maxCoeff();
 }
 
-void load_meshes(const ConfigNode& list, std::vector<ConfiguredObject>& objects) {
-  const std::vector<ConfigNode> nodes = list.items();
+void load_meshes(const config::ConfigNode& list, std::vector<ConfiguredObject>& objects) {
+  const std::vector<config::ConfigNode> nodes = list.items();
   for (std::size_t k = 0; k < objects.size(); ++k) {
     if (objects[k].file.empty()) continue;
-    const ConfigNode file = nodes[k]["file"];
-    const std::string wrong = load_mesh(file.folder() / objects[k].file, objects[k].scale,
-                                        objects[k].shape == "convex", objects[k].mesh);
+    const config::ConfigNode file = nodes[k]["file"];
+    const std::string wrong =
+        collision::load_mesh(file.folder() / objects[k].file, objects[k].scale,
+                             objects[k].shape == "convex", objects[k].mesh);
     if (!wrong.empty()) file.fail(wrong);
     const double extent_m = extent(objects[k].mesh);
     if (extent_m > kLargest_m && !nodes[k].has("scale")) {
@@ -50,7 +51,7 @@ void load_meshes(const ConfigNode& list, std::vector<ConfiguredObject>& objects)
 /// A planning scene's objects as if they had been configured one by one.
 std::vector<ConfiguredObject> moveit_objects(const std::filesystem::path& file) {
   std::vector<ConfiguredObject> objects;
-  for (const SceneObject& object : read_moveit_scene(file).objects) {
+  for (const SceneObject& object : moveit::read_moveit_scene(file).objects) {
     ConfiguredObject& configured = objects.emplace_back();
     configured.name = object.name;
     configured.shape = shape_name(object.shape);
@@ -75,7 +76,7 @@ std::size_t numbers_of(Shape shape) {
 
 }  // namespace
 
-std::string check(const ConfiguredObject& o) {
+std::string why_invalid(const ConfiguredObject& o) {
   Shape shape = Shape::box;
   if (o.name.empty()) return "name: must not be empty";
   if (o.name == "table") return "name: 'table' is the table of scene.table";
@@ -99,7 +100,7 @@ std::string check(const ConfiguredObject& o) {
   return "";
 }
 
-std::string check(const TableOptions& o) {
+std::string why_invalid(const TableOptions& o) {
   if (o.size.size() != 2) return fmt::format("size: needs x and y, not {} numbers", o.size.size());
   for (const double length : o.size) {
     if (!(length > 0)) return fmt::format("size: must be positive, not {}", length);
@@ -113,7 +114,7 @@ std::string check(const TableOptions& o) {
   return "";
 }
 
-std::string check(const TargetOptions& o) {
+std::string why_invalid(const TargetOptions& o) {
   if (o.name.empty() || o.name == "table") return "name: must not be empty or 'table'";
   if (!(o.height > 0)) return fmt::format("height: must be positive, not {}", o.height);
   if (!(o.min_radius > 0)) return fmt::format("min_radius: must be positive, not {}", o.min_radius);
@@ -132,7 +133,7 @@ std::string check(const TargetOptions& o) {
   return "";
 }
 
-std::string check(const SceneOptions& o) {
+std::string why_invalid(const SceneOptions& o) {
   std::set<std::string> names;
   if (o.target.infer) names.insert(o.target.name);
   for (const auto* list : {&o.objects, &o.file_objects}) {
@@ -145,11 +146,11 @@ std::string check(const SceneOptions& o) {
   return "";
 }
 
-void load_scene_files(SceneOptions& options, const ConfigNode& node) {
+void load_scene_files(SceneOptions& options, const config::ConfigNode& node) {
   if (node.has("objects")) load_meshes(node["objects"], options.objects);
   options.file_objects.clear();
   if (options.file.empty()) return;
-  const ConfigNode root = ConfigNode::load(node["file"].folder() / options.file);
+  const config::ConfigNode root = config::ConfigNode::load(node["file"].folder() / options.file);
   if (root.has("world")) {
     options.file_objects = moveit_objects(root.file());
     const bool own_table = options.table.infer || options.table.height;
@@ -159,19 +160,19 @@ void load_scene_files(SceneOptions& options, const ConfigNode& node) {
     }
   } else {
     SceneFile file;
-    read_options(root, file);
+    config::read_options(root, file);
     root.expect_all_read();
     load_meshes(root["objects"], file.objects);
     options.file_objects = std::move(file.objects);
   }
-  if (const std::string wrong = check(options); !wrong.empty()) root.fail(wrong);
+  if (const std::string wrong = why_invalid(options); !wrong.empty()) root.fail(wrong);
 }
 
-SceneOptions read_scene(const ConfigNode& node) {
+SceneOptions read_scene(const config::ConfigNode& node) {
   SceneOptions options;
-  read_options(node, options);
+  config::read_options(node, options);
   load_scene_files(options, node);
   return options;
 }
 
-}  // namespace morphe
+}  // namespace morphe::scene

@@ -6,7 +6,7 @@
 #include "stages/segment/edges.hpp"
 #include "stages/segment/fingers.hpp"
 
-namespace morphe {
+namespace morphe::segment {
 namespace {
 
 using Speeds = std::vector<double>;
@@ -284,4 +284,4 @@ std::vector<Bout> find_bouts(const HandSignals& signals, const SegmentOptions& o
   return bouts;
 }
 
-}  // namespace morphe
+}  // namespace morphe::segment

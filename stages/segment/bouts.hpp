@@ -6,7 +6,7 @@
 #include "stages/segment/segment.hpp"
 #include "stages/segment/signals.hpp"
 
-namespace morphe {
+namespace morphe::segment {
 
 /// An interval of motion between two rests or two deep dips of speed.
 struct Bout {
@@ -49,4 +49,4 @@ void absorb(const HandSignals& signals, const SegmentOptions& options, const Bou
 /// 1 − slowest / (dip_share · smaller_peak) within 0 … 1.
 double dip_confidence(double slowest, double smaller_peak, double dip_share);
 
-}  // namespace morphe
+}  // namespace morphe::segment

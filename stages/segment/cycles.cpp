@@ -6,7 +6,7 @@
 
 #include "stages/segment/opening.hpp"
 
-namespace morphe {
+namespace morphe::segment {
 namespace {
 
 constexpr std::size_t kMostBouts = 12;  ///< in one movement
@@ -151,4 +151,4 @@ std::vector<Cycle> find_cycles(const HandSignals& signals, const HumanMotion& mo
   return cycles;
 }
 
-}  // namespace morphe
+}  // namespace morphe::segment

@@ -6,7 +6,7 @@
 #include "stages/segment/bouts.hpp"
 #include "stages/segment/objects.hpp"
 
-namespace morphe {
+namespace morphe::segment {
 
 /// Consecutive bouts that are one movement: out to a target, and back if `comes_home`.
 struct Cycle {
@@ -35,4 +35,4 @@ std::vector<Cycle> find_cycles(const HandSignals& signals, const HumanMotion& mo
                                const std::vector<SceneObject>& objects,
                                const std::vector<ObjectMotion>& motions);
 
-}  // namespace morphe
+}  // namespace morphe::segment

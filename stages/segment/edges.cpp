@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace morphe {
+namespace morphe::segment {
 namespace {
 
 constexpr double kAboveNoise = 2;     ///< rms of noise that a level must exceed to be read off
@@ -87,4 +87,4 @@ Edge find_edge(const HandSignals& signals, std::size_t rest, std::size_t peak, d
   return edge;
 }
 
-}  // namespace morphe
+}  // namespace morphe::segment

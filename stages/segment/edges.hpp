@@ -4,7 +4,7 @@
 
 #include "stages/segment/signals.hpp"
 
-namespace morphe {
+namespace morphe::segment {
 
 /// Where a rise or fall of speed passes a level.
 struct Edge {
@@ -22,4 +22,4 @@ struct Edge {
 Edge find_edge(const HandSignals& signals, std::size_t rest, std::size_t peak, double level,
                double part);
 
-}  // namespace morphe
+}  // namespace morphe::segment

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace morphe {
+namespace morphe::segment {
 namespace {
 
 constexpr double kWithWrist = 0.25, kWithFingers = 0.5;  ///< shares of the tip's way
@@ -110,4 +110,4 @@ void take_in_fingers(const HandSignals& signals, const SegmentOptions& options,
   });
 }
 
-}  // namespace morphe
+}  // namespace morphe::segment

@@ -4,7 +4,7 @@
 
 #include "stages/segment/bouts.hpp"
 
-namespace morphe {
+namespace morphe::segment {
 
 /// The wrist goes less than a quarter of the tip's way, and the opening changes by more than half
 /// of it: the hand closes, or lets go.
@@ -19,4 +19,4 @@ bool only_fingers(const HandSignals& signals, const Bout& bout);
 void take_in_fingers(const HandSignals& signals, const SegmentOptions& options,
                      std::vector<Bout>& bouts);
 
-}  // namespace morphe
+}  // namespace morphe::segment

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace morphe {
+namespace morphe::segment {
 namespace {
 
 constexpr double kLonelyGrasp_s = 0.3;
@@ -110,4 +110,4 @@ GraspTimes find_grasp(const HandSignals& signals, const SegmentOptions& options,
   return grasp;
 }
 
-}  // namespace morphe
+}  // namespace morphe::segment

@@ -7,7 +7,7 @@
 #include "stages/segment/objects.hpp"
 #include "stages/segment/opening.hpp"
 
-namespace morphe {
+namespace morphe::segment {
 
 /// Where the reach ends and what follows it.
 struct GraspTimes {
@@ -29,4 +29,4 @@ GraspTimes find_grasp(const HandSignals& signals, const SegmentOptions& options,
                       const std::vector<ObjectMotion>& motions, const std::vector<Bout>& bouts,
                       const std::vector<Bout>& weak, bool comes_home);
 
-}  // namespace morphe
+}  // namespace morphe::segment

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace morphe {
+namespace morphe::segment {
 namespace {
 
 constexpr double kWindow_s = 0.25, kShare = 0.1;
@@ -50,4 +50,4 @@ double noise_rms(const std::vector<double>& values, double step_s) {
   return rms_of_quiet_windows(values, step_s);
 }
 
-}  // namespace morphe
+}  // namespace morphe::segment

@@ -4,7 +4,7 @@
 
 #include "pipeline/motion/geometry.hpp"
 
-namespace morphe {
+namespace morphe::segment {
 
 /// Noise of a signal that rests now and then: the root mean square of its deviation from a straight
 /// line, in windows of a quarter of a second; the value below which a tenth of the windows lies.
@@ -12,4 +12,4 @@ namespace morphe {
 double noise_rms(const std::vector<Vec3>& values, double step_s);
 double noise_rms(const std::vector<double>& values, double step_s);
 
-}  // namespace morphe
+}  // namespace morphe::segment

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace morphe {
+namespace morphe::segment {
 namespace {
 
 constexpr double kWithin_s = 0.2;
@@ -68,4 +68,4 @@ std::vector<ObjectMotion> object_motions(const std::vector<SceneObject>& objects
   return motions;
 }
 
-}  // namespace morphe
+}  // namespace morphe::segment

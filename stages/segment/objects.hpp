@@ -5,7 +5,7 @@
 
 #include "pipeline/motion/scene.hpp"
 
-namespace morphe {
+namespace morphe::segment {
 
 /// An interval in which a recorded object is on its way.
 struct ObjectMotion {
@@ -19,4 +19,4 @@ struct ObjectMotion {
 /// began, within `least_m`, in less than 0.2 s is none (a hand that closes nudges an object).
 std::vector<ObjectMotion> object_motions(const std::vector<SceneObject>& objects, double least_m);
 
-}  // namespace morphe
+}  // namespace morphe::segment

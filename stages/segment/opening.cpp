@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace morphe {
+namespace morphe::segment {
 namespace {
 
 constexpr double kAboveNoise = 3;
@@ -35,4 +35,4 @@ Opening judge_opening(const HandSignals& signals, const SegmentOptions& options,
   return result;
 }
 
-}  // namespace morphe
+}  // namespace morphe::segment

@@ -3,7 +3,7 @@
 #include "stages/segment/segment.hpp"
 #include "stages/segment/signals.hpp"
 
-namespace morphe {
+namespace morphe::segment {
 
 /// What the hand's opening did in a reach.
 struct Opening {
@@ -21,4 +21,4 @@ struct Opening {
 Opening judge_opening(const HandSignals& signals, const SegmentOptions& options,
                       double reach_begin_s, double reach_end_s, double closed_by_s);
 
-}  // namespace morphe
+}  // namespace morphe::segment

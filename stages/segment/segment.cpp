@@ -11,7 +11,7 @@
 #include "stages/segment/cycles.hpp"
 #include "stages/segment/grasp.hpp"
 
-namespace morphe {
+namespace morphe::segment {
 namespace {
 
 double share_seen(const HandSignals& signals, double begin_s, double end_s) {
@@ -133,7 +133,7 @@ std::vector<Movement> whole_recording(const HumanMotion& motion) {
 
 }  // namespace
 
-std::string check(const SegmentOptions& o) {
+std::string why_invalid(const SegmentOptions& o) {
   const std::pair<const char*, double> shares[] = {
       {"onset_share", o.onset_share},     {"weak_share", o.weak_share},
       {"dip_share", o.dip_share},         {"widening_share", o.widening_share},
@@ -185,4 +185,4 @@ std::vector<Movement> segment(const HumanMotion& motion, const SegmentOptions& o
   return movements;
 }
 
-}  // namespace morphe
+}  // namespace morphe::segment

@@ -7,7 +7,7 @@
 #include "pipeline/motion/movement.hpp"
 #include "pipeline/motion/scene.hpp"
 
-namespace morphe {
+namespace morphe::segment {
 
 /// Speeds are those of the index tip (of the wrist where the tip is not seen), after a Gaussian of
 /// `smoothing`, wider in noise. Shares are of a bout's own peak or way, never of another's.
@@ -49,7 +49,7 @@ void fields(Fields& f, SegmentOptions& o) {
   f("whole", o.whole);
   f("plan_until", o.plan_until);
 }
-std::string check(const SegmentOptions& options);
+std::string why_invalid(const SegmentOptions& options);
 
 /// The movements of a recording in order of time, each an out-and-back cycle of bouts of motion:
 ///
@@ -76,4 +76,4 @@ std::string check(const SegmentOptions& options);
 std::vector<Movement> segment(const HumanMotion& motion, const SegmentOptions& options,
                               const std::vector<SceneObject>& objects = {});
 
-}  // namespace morphe
+}  // namespace morphe::segment

@@ -5,7 +5,7 @@
 
 #include "stages/segment/noise.hpp"
 
-namespace morphe {
+namespace morphe::segment {
 namespace {
 
 constexpr std::size_t kThumb = 0, kIndex = 1, kLeastFrames = 10;
@@ -162,4 +162,4 @@ HandSignals hand_signals(const HumanMotion& motion, double smoothing_s) {
   return signals;
 }
 
-}  // namespace morphe
+}  // namespace morphe::segment

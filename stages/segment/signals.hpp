@@ -4,7 +4,7 @@
 
 #include "pipeline/motion/human_motion.hpp"
 
-namespace morphe {
+namespace morphe::segment {
 
 /// What segmentation looks at, on the clock of the recording.
 struct HandSignals {
@@ -30,4 +30,4 @@ struct HandSignals {
 /// if there are fewer than 10 frames, the clock does not advance or the wrist was never seen.
 HandSignals hand_signals(const HumanMotion& motion, double smoothing_s);
 
-}  // namespace morphe
+}  // namespace morphe::segment

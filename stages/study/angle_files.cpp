@@ -7,11 +7,11 @@
 #include <numbers>
 #include <optional>
 
+#include "pipeline/files/csv.hpp"
 #include "pipeline/motion/input_error.hpp"
-#include "stages/import/csv.hpp"
 #include "stages/study/cluster_angles.hpp"
 
-namespace morphe {
+namespace morphe::study {
 namespace {
 
 constexpr double kStep_s = 0.01;
@@ -22,7 +22,7 @@ constexpr const char* kFlexion = "Shoulder flexion-extension";
 constexpr const char* kRotation = "Shoulder internal-external rotation";
 using Angles = std::vector<double>;  // [rad] every kStep_s
 
-Angles read_column(const CsvText& csv, const std::string& name) {
+Angles read_column(const files::CsvText& csv, const std::string& name) {
   const auto header = csv.cells(1);
   const auto found = std::find(header.begin(), header.end(), name);
   if (found == header.end()) csv.fail(1, name, "the column is missing");
@@ -132,7 +132,7 @@ std::optional<std::size_t> best_place(const Angles& ours, const Angles& theirs,
   return place;
 }
 
-std::size_t place_of(const CsvText& csv, const HumanMotion& motion, const Angles& elbow) {
+std::size_t place_of(const files::CsvText& csv, const HumanMotion& motion, const Angles& elbow) {
   const auto by_speed =
       best_place(stepped(motion.time, index_speed(motion)), read_column(csv, "Finger Velocity"),
                  [](const auto& a, const auto& b) { return a.correlation > b.correlation; });
@@ -146,9 +146,9 @@ std::size_t place_of(const CsvText& csv, const HumanMotion& motion, const Angles
 
 std::vector<AngleAgreement> compare_with_angle_file(const Demonstration& demonstration,
                                                     const HumanMotion& motion,
-                                                    const ReconstructOptions& options,
+                                                    const reconstruct::ReconstructOptions& options,
                                                     const std::filesystem::path& file) {
-  const CsvText csv = read_csv(file);
+  const files::CsvText csv = files::read_csv(file);
   const Angles elbow = stepped(motion.time, elbow_flexion(motion));
   if (read_column(csv, kElbow).size() > elbow.size()) {
     throw InputError(fmt::format("{}: is longer than the recording", file.string()));
@@ -188,4 +188,4 @@ std::vector<AngleAgreement> compare_with_angle_file(const Demonstration& demonst
   return all;
 }
 
-}  // namespace morphe
+}  // namespace morphe::study

@@ -9,7 +9,7 @@
 #include "pipeline/motion/human_motion.hpp"
 #include "stages/reconstruct/reconstruct.hpp"
 
-namespace morphe {
+namespace morphe::study {
 
 /// One of our angles against the same one of somebody else.
 struct AngleAgreement {
@@ -34,7 +34,7 @@ struct AngleAgreement {
 /// InputError for a file that is not of this kind.
 std::vector<AngleAgreement> compare_with_angle_file(const Demonstration& demonstration,
                                                     const HumanMotion& motion,
-                                                    const ReconstructOptions& options,
+                                                    const reconstruct::ReconstructOptions& options,
                                                     const std::filesystem::path& file);
 
-}  // namespace morphe
+}  // namespace morphe::study

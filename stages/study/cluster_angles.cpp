@@ -5,19 +5,21 @@
 #include "stages/reconstruct/marker_body.hpp"
 #include "stages/reconstruct/mirror.hpp"
 
-namespace morphe {
+namespace morphe::study {
 
 ClusterAngles cluster_angles(const Demonstration& demonstration,
-                             const ReconstructOptions& options) {
-  if (demonstration.hand == "left") return cluster_angles(mirrored(demonstration), options);
+                             const reconstruct::ReconstructOptions& options) {
+  if (demonstration.hand == "left")
+    return cluster_angles(reconstruct::mirrored(demonstration), options);
   if (!demonstration.streams.markers) return {};
   const MarkerStream& markers = *demonstration.streams.markers;
-  MarkerTrial trial{markers, StaticTrial(demonstration.calibration.markers),
-                    clock_over({&markers.time}, options.rate_hz), options};
+  reconstruct::MarkerTrial trial{
+      markers, reconstruct::StaticTrial(demonstration.calibration.markers),
+      reconstruct::clock_over({&markers.time}, options.rate_hz), options};
   HumanMotion said;  // what is wrong with a cluster, reconstruct() says
-  const MarkerBody girdle = body_of(trial, "RSHO", true, said);
-  const MarkerBody upper_arm = body_of(trial, "RUAR", true, said);
-  const MarkerBody forearm = body_of(trial, "RLAR", true, said);
+  const reconstruct::MarkerBody girdle = reconstruct::body_of(trial, "RSHO", true, said);
+  const reconstruct::MarkerBody upper_arm = reconstruct::body_of(trial, "RUAR", true, said);
+  const reconstruct::MarkerBody forearm = reconstruct::body_of(trial, "RLAR", true, said);
   const Vec3 across = trial.still.at("RLEP", said.problems) - trial.still.at("RMEP", said.problems);
   if (!girdle.in_static || !upper_arm.in_static || !forearm.in_static || !seen(across)) return {};
   const Vec3 x = across.normalized(), y = (Vec3::UnitY() - x * x.y()).normalized();
@@ -39,4 +41,4 @@ ClusterAngles cluster_angles(const Demonstration& demonstration,
   return angles;
 }
 
-}  // namespace morphe
+}  // namespace morphe::study

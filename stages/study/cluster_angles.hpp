@@ -5,7 +5,7 @@
 #include "pipeline/motion/demonstration.hpp"
 #include "stages/reconstruct/reconstruct.hpp"
 
-namespace morphe {
+namespace morphe::study {
 
 /// The angles of the ue-adl database by its own definition: rotations R of the marker clusters
 /// since the static trial, taken apart one after the other (found by trying all sequences and
@@ -20,6 +20,7 @@ struct ClusterAngles {
 
 /// Empty unless recording and static trial show the clusters RSHO, RUAR, RLAR and the epicondyles
 /// (of a left hand: their mirror images).
-ClusterAngles cluster_angles(const Demonstration& demonstration, const ReconstructOptions& options);
+ClusterAngles cluster_angles(const Demonstration& demonstration,
+                             const reconstruct::ReconstructOptions& options);
 
-}  // namespace morphe
+}  // namespace morphe::study

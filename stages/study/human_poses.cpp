@@ -8,7 +8,7 @@
 #include "stages/reconstruct/reconstruct.hpp"
 #include "stages/segment/segment.hpp"
 
-namespace morphe {
+namespace morphe::study {
 namespace {
 
 /// Every how many frames of a clock a step of `step_s` is.
@@ -20,20 +20,21 @@ std::size_t stride(const std::vector<double>& time, double step_s) {
 
 template <class Use>
 void for_each_motion(const std::filesystem::path& manifest, const Use& use) {
-  ImportRequest request;
+  imports::ImportRequest request;
   request.paths = {manifest};
-  import_recordings(request, [&](Demonstration&& demonstration) {
-    use(demonstration, reconstruct(demonstration, {}, {}));
+  imports::import_recordings(request, [&](Demonstration&& demonstration) {
+    use(demonstration, reconstruct::reconstruct(demonstration, {}, {}));
   });
 }
 
 }  // namespace
 
-std::vector<HumanPoses> arm_poses(const std::filesystem::path& manifest, const ArmLengths& lengths,
-                                  double step_s) {
+std::vector<HumanPoses> arm_poses(const std::filesystem::path& manifest,
+                                  const human::ArmLengths& lengths, double step_s) {
   std::vector<HumanPoses> all;
   for_each_motion(manifest, [&](const Demonstration& demonstration, const HumanMotion& motion) {
-    for (const Movement& movement : segment(motion, {}, objects_beside_right_hand(demonstration))) {
+    for (const Movement& movement :
+         segment::segment(motion, {}, reconstruct::objects_beside_right_hand(demonstration))) {
       HumanPoses poses;
       const std::size_t every = stride(motion.time, step_s);
       for (std::size_t i = 0; i < motion.time.size(); i += every) {
@@ -57,16 +58,16 @@ std::vector<HumanPoses> arm_poses(const std::filesystem::path& manifest, const A
   return all;
 }
 
-std::vector<HumanPoses> hand_poses(const std::filesystem::path& manifest, const HandSize& size,
-                                   double step_s) {
+std::vector<HumanPoses> hand_poses(const std::filesystem::path& manifest,
+                                   const human::HandSize& size, double step_s) {
   std::vector<HumanPoses> all;
-  const RobotTable hand = human_hand(size);
+  const RobotTable hand = human::human_hand(size);
   std::vector<Pose> frames;
   for_each_motion(manifest, [&](const Demonstration&, const HumanMotion& motion) {
     HumanPoses poses;
     const auto rows = static_cast<std::size_t>(motion.hand_angles.rows());
     for (std::size_t i = 0; i < rows; i += stride(motion.time, step_s)) {
-      HandAngles angles;
+      human::HandAngles angles;
       const JointVector row = motion.hand_angles.row(static_cast<Eigen::Index>(i)).transpose();
       if (!row.allFinite()) continue;
       std::copy(row.begin(), row.end(), angles.joint.begin());
@@ -74,7 +75,7 @@ std::vector<HumanPoses> hand_poses(const std::filesystem::path& manifest, const 
       pose.time = motion.time[i];
       pose.wrist = Vec3::Zero();
       pose.hand = Quat::Identity();
-      pose.tip = hand_points(hand, angles, frames).tip;
+      pose.tip = human::hand_points(hand, angles, frames).tip;
       poses.push_back(pose);
     }
     if (!poses.empty()) all.push_back(std::move(poses));
@@ -82,4 +83,4 @@ std::vector<HumanPoses> hand_poses(const std::filesystem::path& manifest, const 
   return all;
 }
 
-}  // namespace morphe
+}  // namespace morphe::study

@@ -8,7 +8,7 @@
 #include "pipeline/human/hand.hpp"
 #include "pipeline/motion/human_motion.hpp"
 
-namespace morphe {
+namespace morphe::study {
 
 /// A human arm and hand whose shoulder is the origin (X right, Y forward, Z up) [m].
 struct HumanPose {
@@ -24,12 +24,12 @@ using HumanPoses = std::vector<HumanPose>;
 /// The movements of recordings, as an arm of other lengths makes them: upper arm and forearm keep
 /// their directions, the hand its pose at the wrist. Frames about `step_s` apart in which shoulder,
 /// elbow, wrist and hand were seen; one series a movement.
-std::vector<HumanPoses> arm_poses(const std::filesystem::path& manifest, const ArmLengths& lengths,
-                                  double step_s);
+std::vector<HumanPoses> arm_poses(const std::filesystem::path& manifest,
+                                  const human::ArmLengths& lengths, double step_s);
 
 /// Hands alone, whole recordings: the recorded angles of the fingers, made by a hand of another
 /// size (pipeline/human/hand), in its own frame. The wrist is the origin; there is no elbow.
-std::vector<HumanPoses> hand_poses(const std::filesystem::path& manifest, const HandSize& size,
-                                   double step_s);
+std::vector<HumanPoses> hand_poses(const std::filesystem::path& manifest,
+                                   const human::HandSize& size, double step_s);
 
-}  // namespace morphe
+}  // namespace morphe::study

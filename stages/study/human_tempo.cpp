@@ -1,11 +1,12 @@
 #include "stages/study/human_tempo.hpp"
+#include "pipeline/math/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/forward.hpp"
 
-namespace morphe {
+namespace morphe::study {
 namespace {
 
 double correlation_of(const std::vector<double>& a, const std::vector<double>& b) {
@@ -60,13 +61,13 @@ HumanTempo human_tempo(const RobotTable& robot, const Goals& goals, const Trajec
   out.share = static_cast<double>(human) / static_cast<double>(all);
   std::vector<std::vector<Pose>> frames(goals.frames());
   for (std::size_t f = 0; f < goals.frames(); ++f) {
-    forward(robot, position_at(t, goals.time[f] - t.demonstration_time.front()), frames[f]);
+    robot::forward(robot, position_at(t, goals.time[f] - t.demonstration_time.front()), frames[f]);
   }
   std::vector<double> ours, theirs;
   for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
     std::vector<Vec3> robots, humans;
     for (std::size_t f = 0; f < goals.frames(); ++f) {
-      robots.push_back(tip_pose(robot, frames[f], tip).translation());
+      robots.push_back(robot::tip_pose(robot, frames[f], tip).translation());
       humans.push_back(goals.tip_position(f, tip));
     }
     const std::vector<double> a = speeds(goals.time, robots), b = speeds(goals.time, humans);
@@ -80,4 +81,4 @@ HumanTempo human_tempo(const RobotTable& robot, const Goals& goals, const Trajec
   return out;
 }
 
-}  // namespace morphe
+}  // namespace morphe::study

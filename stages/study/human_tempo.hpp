@@ -3,7 +3,7 @@
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
-namespace morphe {
+namespace morphe::study {
 
 /// How a trajectory keeps the demonstration's time.
 struct HumanTempo {
@@ -16,4 +16,4 @@ struct HumanTempo {
 /// with goals in nine frames around count.
 HumanTempo human_tempo(const RobotTable& robot, const Goals& goals, const Trajectory& trajectory);
 
-}  // namespace morphe
+}  // namespace morphe::study

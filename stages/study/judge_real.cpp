@@ -2,14 +2,16 @@
 
 #include <algorithm>
 
+#include "pipeline/math/statistics.hpp"
 #include "pipeline/motion/stream_report.hpp"
 #include "stages/import/import.hpp"
 #include "stages/reconstruct/mirror.hpp"
 #include "stages/study/angle_files.hpp"
 #include "stages/study/judge.hpp"
 #include "stages/study/segmentation_score.hpp"
+#include "stages/study/stopwatch.hpp"
 
-namespace morphe {
+namespace morphe::study {
 namespace {
 
 /// Speed of the index tip with the phases found: what the eye judges.
@@ -49,20 +51,21 @@ bool overlaps_a_reach(const Label& label, const std::vector<Movement>& movements
 
 void judge_real(const JudgeOptions& options, const RealSet& set, const StudyRun& run,
                 StudyResult& result) {
-  ImportRequest request;
+  imports::ImportRequest request;
   request.paths = {options.folder / set.manifest};
   SegmentationScore all;
   std::size_t labelled = 0, overlapped = 0, recordings = 0;
   double recorded_s = 0, rebuild_s = 0;
   const double total_s = seconds([&] {
-    import_recordings(request, [&](Demonstration&& demonstration) {
+    imports::import_recordings(request, [&](Demonstration&& demonstration) {
       ++recordings;
       recorded_s += longest_s(report_streams(demonstration.streams));
       HumanMotion motion;
       std::vector<Movement> movements;
       rebuild_s += seconds([&] {
-        motion = reconstruct(demonstration, options.reconstruct, options.human);
-        movements = segment(motion, options.segment, objects_beside_right_hand(demonstration));
+        motion = reconstruct::reconstruct(demonstration, options.reconstruct, options.human);
+        movements = segment::segment(motion, options.segment,
+                                     reconstruct::objects_beside_right_hand(demonstration));
       });
       const Case of = {{"set", set.name}, {"recording", demonstration.name}};
       for (const StreamReport& stream : report_streams(demonstration.streams)) {
@@ -118,12 +121,12 @@ void judge_real(const JudgeOptions& options, const RealSet& set, const StudyRun&
     for (const char* which : {"reach begin", "reach end"}) {
       const std::vector<double>& part = all.error_s[which];
       errors.insert(errors.end(), part.begin(), part.end());
-      result.rows.push_back(
-          row_of(of, fmt::format("{}, largest error", which), "s", quantile(part, 1), part.size()));
+      result.rows.push_back(row_of(of, fmt::format("{}, largest error", which), "s",
+                                   math::quantile(part, 1), part.size()));
       result.rows.back().at_most = 0.1;
     }
-    result.rows.push_back(
-        row_of(of, "reach boundaries, median error", "s", quantile(errors, 0.5), errors.size()));
+    result.rows.push_back(row_of(of, "reach boundaries, median error", "s",
+                                 math::quantile(errors, 0.5), errors.size()));
     result.rows.back().at_most = 0.04;
   }
   StudyRow import =
@@ -136,4 +139,4 @@ void judge_real(const JudgeOptions& options, const RealSet& set, const StudyRun&
   run.progress(fmt::format("{}: {} recordings", set.name, recordings));
 }
 
-}  // namespace morphe
+}  // namespace morphe::study

@@ -2,15 +2,17 @@
 
 #include <memory>
 
+#include "pipeline/math/statistics.hpp"
 #include "pipeline/motion/stream_report.hpp"
-#include "pipeline/run/ordered_map.hpp"
+#include "pipeline/parallel/ordered_map.hpp"
 #include "stages/reconstruct/mirror.hpp"
 #include "stages/study/judge.hpp"
 #include "stages/study/reconstruction_score.hpp"
 #include "stages/study/segmentation_score.hpp"
+#include "stages/study/stopwatch.hpp"
 #include "stages/synthesize/synthesize.hpp"
 
-namespace morphe {
+namespace morphe::study {
 namespace {
 
 /// What one synthetic recording showed.
@@ -20,16 +22,19 @@ struct Outcome {
   double recorded_s = 0, synthesize_s = 0, rebuild_s = 0;
 };
 
-Outcome outcome_of(const JudgeOptions& options, const SynthesizeOptions& synthetic,
+Outcome outcome_of(const JudgeOptions& options, const synthesize::SynthesizeOptions& synthetic,
                    const SyntheticSet& set, std::size_t index) {
   Outcome outcome;
-  SyntheticRecording recording;
-  outcome.synthesize_s = seconds([&] { recording = synthesize(synthetic, set.seed, index); });
+  synthesize::SyntheticRecording recording;
+  outcome.synthesize_s =
+      seconds([&] { recording = synthesize::synthesize(synthetic, set.seed, index); });
   HumanMotion motion;
   std::vector<Movement> movements;
-  outcome.rebuild_s = seconds(
-      [&] { motion = reconstruct(recording.recorded, options.reconstruct, options.human); });
-  movements = segment(motion, options.segment, objects_beside_right_hand(recording.recorded));
+  outcome.rebuild_s = seconds([&] {
+    motion = reconstruct::reconstruct(recording.recorded, options.reconstruct, options.human);
+  });
+  movements = segment::segment(motion, options.segment,
+                               reconstruct::objects_beside_right_hand(recording.recorded));
   outcome.recorded_s = longest_s(report_streams(recording.recorded.streams));
   outcome.segmentation = score_segmentation(recording.recorded.labels, movements);
   if (set.accuracy) outcome.reconstruction = score_reconstruction(motion, recording.truth);
@@ -37,19 +42,19 @@ Outcome outcome_of(const JudgeOptions& options, const SynthesizeOptions& synthet
 }
 
 Outcome sum_of(const JudgeOptions& options, const SyntheticSet& set, const StudyRun& run) {
-  ConfigNode node = ConfigNode::load(options.folder / set.config);
+  config::ConfigNode node = config::ConfigNode::load(options.folder / set.config);
   for (const std::string& setting : set.set) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos) node.fail(fmt::format("set: '{}' holds no '='", setting));
     node.set(setting.substr(0, equals), setting.substr(equals + 1));
   }
-  SynthesizeOptions synthetic;
-  read_options(node, synthetic);
+  synthesize::SynthesizeOptions synthetic;
+  config::read_options(node, synthetic);
   node.expect_all_read();
 
   const auto count = static_cast<std::size_t>(run.quick ? set.quick_count : set.count);
   Outcome sum;
-  OrderedMap<std::size_t, Outcome> map;
+  parallel::OrderedMap<std::size_t, Outcome> map;
   map.next = [&, next = std::size_t{0}]() mutable {
     return next == count ? nullptr : std::make_unique<std::size_t>(next++);
   };
@@ -63,7 +68,7 @@ Outcome sum_of(const JudgeOptions& options, const SyntheticSet& set, const Study
     sum.synthesize_s += one.synthesize_s;
     sum.rebuild_s += one.rebuild_s;
   };
-  morphe::run(map, run.jobs);
+  morphe::parallel::run(map, run.jobs);
   return sum;
 }
 
@@ -88,13 +93,14 @@ void add_accuracy(const Case& of, const SyntheticSet& set, const ReconstructionS
                                static_cast<double>(score.seen) / static_cast<double>(score.frames),
                                score.frames));
   const std::size_t delays = score.delay_s.size(), peaks = score.peak_ratio.size();
-  result.rows.push_back(row_of(of, "delay, median", "s", quantile(score.delay_s, 0.5), delays));
   result.rows.push_back(
-      row_of(of, "delay, 5th percentile", "s", quantile(score.delay_s, 0.05), delays));
+      row_of(of, "delay, median", "s", math::quantile(score.delay_s, 0.5), delays));
   result.rows.push_back(
-      row_of(of, "delay, 95th percentile", "s", quantile(score.delay_s, 0.95), delays));
+      row_of(of, "delay, 5th percentile", "s", math::quantile(score.delay_s, 0.05), delays));
+  result.rows.push_back(
+      row_of(of, "delay, 95th percentile", "s", math::quantile(score.delay_s, 0.95), delays));
   result.rows.push_back(row_of(of, "peak speed of reaches over the true one, median", "1",
-                               quantile(score.peak_ratio, 0.5), peaks));
+                               math::quantile(score.peak_ratio, 0.5), peaks));
 }
 
 void add_boundaries(const Case& of, const SyntheticSet& set, const SegmentationScore& score,
@@ -102,16 +108,16 @@ void add_boundaries(const Case& of, const SyntheticSet& set, const SegmentationS
   std::vector<double> errors;
   for (const auto& [name, part] : score.error_s) {
     result.rows.push_back(
-        row_of(of, name + ", median error", "s", quantile(part, 0.5), part.size()));
+        row_of(of, name + ", median error", "s", math::quantile(part, 0.5), part.size()));
     result.rows.push_back(
-        row_of(of, name + ", 95th percentile", "s", quantile(part, 0.95), part.size()));
+        row_of(of, name + ", 95th percentile", "s", math::quantile(part, 0.95), part.size()));
     if (name == "reach begin" || name == "reach end")
       errors.insert(errors.end(), part.begin(), part.end());
   }
   StudyRow median =
-      row_of(of, "reach boundaries, median error", "s", quantile(errors, 0.5), errors.size());
-  StudyRow high =
-      row_of(of, "reach boundaries, 95th percentile", "s", quantile(errors, 0.95), errors.size());
+      row_of(of, "reach boundaries, median error", "s", math::quantile(errors, 0.5), errors.size());
+  StudyRow high = row_of(of, "reach boundaries, 95th percentile", "s", math::quantile(errors, 0.95),
+                         errors.size());
   if (set.median_s > 0) median.at_most = set.median_s;
   if (set.percentile_95_s > 0) high.at_most = set.percentile_95_s;
   result.rows.push_back(median);
@@ -147,7 +153,7 @@ void judge_synthetic(const JudgeOptions& options, const SyntheticSet& set, const
       all.insert(all.end(), part->second.begin(), part->second.end());
   }
   for (int percent = 0; percent <= 98; ++percent) {
-    line.x.push_back(1000 * quantile(all, percent / 100.0));
+    line.x.push_back(1000 * math::quantile(all, percent / 100.0));
     line.y.push_back(percent);
   }
   errors.lines.push_back(std::move(line));
@@ -155,4 +161,4 @@ void judge_synthetic(const JudgeOptions& options, const SyntheticSet& set, const
       fmt::format("{}: {} movements labelled, {} found", set.name, score.labelled, score.found));
 }
 
-}  // namespace morphe
+}  // namespace morphe::study

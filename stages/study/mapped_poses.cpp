@@ -5,16 +5,17 @@
 
 #include "pipeline/collision/world.hpp"
 #include "pipeline/humanlike/metrics.hpp"
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/forward.hpp"
 #include "stages/map/finger_curve.hpp"
 #include "stages/map/frame_search.hpp"
 #include "stages/study/judge.hpp"
+#include "stages/study/stopwatch.hpp"
 
-namespace morphe {
+namespace morphe::study {
 namespace {
 
-FrameObjective objective_of(const StudyWeights& weights) {
-  FrameObjective objective;
+humanlike::FrameObjective objective_of(const StudyWeights& weights) {
+  humanlike::FrameObjective objective;
   objective.tip_position.weight = weights.tip_position;
   objective.tip_orientation.weight = weights.tip_orientation;
   objective.tip_orientation.smoothing_rad = 1e-5;
@@ -31,14 +32,14 @@ void move_to_back(std::vector<T>& to, std::vector<T>&& from) {
 }
 
 /// Errors and A at q.
-void measure(const RobotTable& robot, const FrameGoal& goal, const JointVector& q,
+void measure(const RobotTable& robot, const humanlike::FrameGoal& goal, const JointVector& q,
              MappedPoses& mapped) {
   std::vector<Pose> frames;
-  forward(robot, q, frames);
+  robot::forward(robot, q, frames);
   double position = 0, orientation = 0;
   int positions = 0, orientations = 0;
   for (std::size_t i = 0; i < robot.tips.size(); ++i) {
-    const Pose tip = tip_pose(robot, frames, i);
+    const Pose tip = robot::tip_pose(robot, frames, i);
     if (seen(goal.tip_position[i])) {
       position += (tip.translation() - goal.tip_position[i]).norm();
       ++positions;
@@ -58,7 +59,7 @@ void measure(const RobotTable& robot, const FrameGoal& goal, const JointVector& 
   }
   mapped.humanlike_m2.push_back(inner.empty() || !seen(goal.elbow)
                                     ? kNotSeen
-                                    : joint_distance_sum(goal.elbow, inner) /
+                                    : humanlike::joint_distance_sum(goal.elbow, inner) /
                                           static_cast<double>(inner.size()));
 }
 
@@ -74,22 +75,22 @@ void MappedPoses::append(MappedPoses&& other) {
   solves += other.solves;
 }
 
-std::vector<FrameGoal> goals_of(const RobotTable& robot, const HumanPoses& poses,
-                                const Pose& base_from_shoulder) {
-  std::vector<FrameGoal> goals;
+std::vector<humanlike::FrameGoal> goals_of(const RobotTable& robot, const HumanPoses& poses,
+                                           const Pose& base_from_shoulder) {
+  std::vector<humanlike::FrameGoal> goals;
   const Quat turn(base_from_shoulder.linear());
   std::vector<Pose> frames;
-  forward(robot, (robot.lower + robot.upper) / 2, frames);
+  robot::forward(robot, (robot.lower + robot.upper) / 2, frames);
   const Vec3 shift = frames[static_cast<std::size_t>(robot.shoulder_frame)].translation() -
                      base_from_shoulder.translation();
   for (const HumanPose& pose : poses) {
-    FrameGoal goal;
+    humanlike::FrameGoal goal;
     goal.elbow = base_from_shoulder * pose.elbow + shift;
     for (const RobotTable::Tip& tip : robot.tips) {
       Vec3 place = pose.wrist;
       if (tip.finger >= 0) place = pose.tip[static_cast<std::size_t>(tip.finger)];
       if (std::isfinite(tip.along)) {
-        place = point_along({pose.tip[1], pose.tip[2], pose.tip[3], pose.tip[4]}, tip.along);
+        place = map::point_along({pose.tip[1], pose.tip[2], pose.tip[3], pose.tip[4]}, tip.along);
       }
       goal.tip_position.push_back(base_from_shoulder * place);
       goal.tip_orientation.push_back(tip.finger < 0 ? Quat(turn * pose.hand) : unseen_rotation());
@@ -99,12 +100,12 @@ std::vector<FrameGoal> goals_of(const RobotTable& robot, const HumanPoses& poses
   return goals;
 }
 
-MappedPoses map_poses(const RobotTable& robot, const std::vector<FrameGoal>& goals,
-                      const StudyWeights& weights, const MinimiseOptions& options, int starts,
-                      std::uint64_t seed) {
+MappedPoses map_poses(const RobotTable& robot, const std::vector<humanlike::FrameGoal>& goals,
+                      const StudyWeights& weights, const solve::MinimiseOptions& options,
+                      int starts, std::uint64_t seed) {
   constexpr int kKeys = 3, kKept = 4;
-  const CollisionWorld nothing = make_world(robot, {}, {}, {});
-  MappingProblem problem;
+  const collision::CollisionWorld nothing = collision::make_world(robot, {}, {}, {});
+  map::MappingProblem problem;
   problem.robot = &robot;
   problem.objective = objective_of(weights);
   problem.clearance.weight = 0;
@@ -115,8 +116,8 @@ MappedPoses map_poses(const RobotTable& robot, const std::vector<FrameGoal>& goa
   MappedPoses best;
   best.q.resize(goals.size());
   best.value.assign(goals.size(), std::numeric_limits<double>::infinity());
-  MappingScratch scratch;
-  const auto take = [&](std::size_t frame, const Minimum& found) {
+  map::MappingScratch scratch;
+  const auto take = [&](std::size_t frame, const solve::Minimum& found) {
     if (!(found.value < best.value[frame])) return;
     best.value[frame] = found.value;
     best.q[frame] = found.x;
@@ -125,7 +126,7 @@ MappedPoses map_poses(const RobotTable& robot, const std::vector<FrameGoal>& goa
     best.seconds += seconds([&] {
       while (frame != end) {
         frame = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(frame) + step);
-        const Minimum found = solve_frame(problem, frame, q, options, scratch);
+        const solve::Minimum found = map::solve_frame(problem, frame, q, options, scratch);
         take(frame, found);
         q = found.x;
         ++best.solves;
@@ -134,8 +135,9 @@ MappedPoses map_poses(const RobotTable& robot, const std::vector<FrameGoal>& goa
   };
   for (int k = 0; k < kKeys; ++k) {
     const std::size_t key = (goals.size() - 1) * static_cast<std::size_t>(k) / (kKeys - 1);
-    for (const Minimum& start : search_frame(problem, key, starts, kKept, exact(options),
-                                             seed + static_cast<std::uint64_t>(k), scratch)) {
+    for (const solve::Minimum& start :
+         map::search_frame(problem, key, starts, kKept, map::exact(options),
+                           seed + static_cast<std::uint64_t>(k), scratch)) {
       take(key, start);
       follow(key, goals.size() - 1, 1, start.x);
       follow(key, 0, -1, start.x);
@@ -145,7 +147,7 @@ MappedPoses map_poses(const RobotTable& robot, const std::vector<FrameGoal>& goa
   return best;
 }
 
-MappedPoses measure_poses(const RobotTable& robot, const std::vector<FrameGoal>& goals,
+MappedPoses measure_poses(const RobotTable& robot, const std::vector<humanlike::FrameGoal>& goals,
                           const std::vector<JointVector>& q) {
   MappedPoses mapped;
   mapped.q = q;
@@ -153,4 +155,4 @@ MappedPoses measure_poses(const RobotTable& robot, const std::vector<FrameGoal>&
   return mapped;
 }
 
-}  // namespace morphe
+}  // namespace morphe::study

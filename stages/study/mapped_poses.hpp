@@ -7,7 +7,7 @@
 #include "pipeline/solve/minimise.hpp"
 #include "stages/study/human_poses.hpp"
 
-namespace morphe {
+namespace morphe::study {
 
 /// Weights of a study: tip position [1/m²], tip orientation (half the angle) [1/rad], metric A of
 /// the arm as its mean over the joint centres [1/m²].
@@ -19,8 +19,8 @@ struct StudyWeights {
 /// `base_from_shoulder` carries human poses there; elbows are shifted on, so that the human's
 /// shoulder is the robot's (the common base frame). Robots with a wrist as end-effector get its
 /// pose, those with fingers the fingertips' positions (by the rule for m fingers).
-std::vector<FrameGoal> goals_of(const RobotTable& robot, const HumanPoses& poses,
-                                const Pose& base_from_shoulder);
+std::vector<humanlike::FrameGoal> goals_of(const RobotTable& robot, const HumanPoses& poses,
+                                           const Pose& base_from_shoulder);
 
 /// Frames solved one by one. [F] each; errors are means over the frame's tips.
 struct MappedPoses {
@@ -35,12 +35,12 @@ struct MappedPoses {
 
 /// The least of F in every frame over minima found from `starts` random positions in each of three
 /// key frames and followed through the series both ways.
-MappedPoses map_poses(const RobotTable& robot, const std::vector<FrameGoal>& goals,
-                      const StudyWeights& weights, const MinimiseOptions& options, int starts,
-                      std::uint64_t seed);
+MappedPoses map_poses(const RobotTable& robot, const std::vector<humanlike::FrameGoal>& goals,
+                      const StudyWeights& weights, const solve::MinimiseOptions& options,
+                      int starts, std::uint64_t seed);
 
 /// Errors and A of postures that were found otherwise.
-MappedPoses measure_poses(const RobotTable& robot, const std::vector<FrameGoal>& goals,
+MappedPoses measure_poses(const RobotTable& robot, const std::vector<humanlike::FrameGoal>& goals,
                           const std::vector<JointVector>& q);
 
-}  // namespace morphe
+}  // namespace morphe::study

@@ -6,7 +6,7 @@
 
 #include "stages/study/variant.hpp"
 
-namespace morphe {
+namespace morphe::study {
 
 /// Recordings that one pipeline config plans.
 struct MappingSet {
@@ -26,7 +26,7 @@ void fields(Fields& f, MappingSet& o) {
   f("quick_count", o.quick_count);
   f("seed", o.seed);
 }
-std::string check(const MappingSet& set);
+std::string why_invalid(const MappingSet& set);
 
 /// configs/studies/mapping.yaml: the whole pipeline over recordings, by several variants of its
 /// config. The first variant is ours; the others are compared with it.
@@ -51,6 +51,6 @@ void fields(Fields& f, MappingStudyOptions& o) {
   f("excess", o.excess);
   f("tip_position", o.tip_position);
 }
-std::string check(const MappingStudyOptions& options);
+std::string why_invalid(const MappingStudyOptions& options);
 
-}  // namespace morphe
+}  // namespace morphe::study

@@ -4,15 +4,16 @@
 #include <limits>
 
 #include "pipeline/collision/certified.hpp"
+#include "pipeline/math/statistics.hpp"
 #include "pipeline/store/demonstration_file.hpp"
 #include "stages/import/import.hpp"
-#include "stages/plan_movement.hpp"
+#include "stages/planning/plan_movement.hpp"
 #include "stages/study/judge.hpp"
 #include "stages/study/mapping_options.hpp"
 #include "stages/study/results.hpp"
 #include "stages/synthesize/synthesize.hpp"
 
-namespace morphe {
+namespace morphe::study {
 namespace {
 
 /// What a variant made of a set.
@@ -28,40 +29,42 @@ std::vector<Demonstration> recordings_of(const MappingSet& set, const StudyRun& 
   const auto count = static_cast<std::size_t>(run.quick ? set.quick_count : set.count);
   std::vector<Demonstration> all;
   if (set.synthetic.empty()) {
-    ImportRequest request;
+    imports::ImportRequest request;
     request.paths = {folder / set.manifest};
-    import_recordings(request, [&](Demonstration&& d) {
+    imports::import_recordings(request, [&](Demonstration&& d) {
       if (all.size() < count) all.push_back(std::move(d));
     });
     return all;
   }
-  SynthesizeOptions synthetic;
-  const ConfigNode node = ConfigNode::load(folder / set.synthetic);
-  read_options(node, synthetic);
+  synthesize::SynthesizeOptions synthetic;
+  const config::ConfigNode node = config::ConfigNode::load(folder / set.synthetic);
+  config::read_options(node, synthetic);
   node.expect_all_read();
   for (std::size_t i = 0; i < count; ++i) {
-    all.push_back(synthesize(synthetic, set.seed, i).recorded);
+    all.push_back(synthesize::synthesize(synthetic, set.seed, i).recorded);
   }
   return all;
 }
 
 Variant plan_all(const MappingSet& set, const StudyVariant& variant,
                  const std::vector<Demonstration>& recordings, const StudyRun& run) {
-  const LoadedConfig config = load_config(run.config.parent_path() / set.pipeline, variant.set);
-  const Planner planner{config.options, config.robot, capsule_reach(config.robot)};
+  const planning::LoadedConfig config =
+      planning::load_config(run.config.parent_path() / set.pipeline, variant.set);
+  const planning::Planner planner{config.options, config.robot,
+                                  collision::capsule_reach(config.robot)};
   Variant result;
   result.name = variant.name;
   result.tip_position = config.options.map.tip_position;
-  Batch batch;
+  run::Batch batch;
   batch.next = [&, next = std::size_t{0}]() mutable {
     return next == recordings.size() ? nullptr
                                      : std::make_unique<Demonstration>(recordings[next++]);
   };
-  batch.plan = [&](const Demonstration& d) { return plan_demonstration(planner, d); };
-  batch.write = [&](const DemonstrationOutcome& outcome) {
+  batch.plan = [&](const Demonstration& d) { return planning::plan_demonstration(planner, d); };
+  batch.write = [&](const run::DemonstrationOutcome& outcome) {
     result.plans.insert(result.plans.end(), outcome.plans.begin(), outcome.plans.end());
   };
-  result.map_s = run_batch(batch, run.jobs).stage_seconds["map"];
+  result.map_s = run::run_batch(batch, run.jobs).stage_seconds["map"];
   return result;
 }
 
@@ -164,28 +167,30 @@ void judge(const MappingStudyOptions& options, const MappingSet& set,
     }
     StudyRow& jumps = row("jumps", "1", static_cast<double>(figures.jumps), figures.movements);
     if (first) jumps.at_most = 0;
-    row("fingertips, reachable goals, median", "m", quantile(figures.tips, 0.5),
+    row("fingertips, reachable goals, median", "m", math::quantile(figures.tips, 0.5),
         figures.tips.size());
     if (first) ours = result.rows.size() - 1;
-    row("fingertips, reachable goals, 99th percentile", "m", quantile(figures.tips, 0.99),
+    row("fingertips, reachable goals, 99th percentile", "m", math::quantile(figures.tips, 0.99),
         figures.tips.size());
-    row("A, sum over centres", "m^2", mean(figures.a), figures.a.size());
-    row("B", "m^2", mean(figures.b), figures.b.size());
-    row("C", "m^3", mean(figures.c), figures.c.size());
-    row("upper arm against the human's", "rad", mean(figures.upper_arm), figures.upper_arm.size());
+    row("A, sum over centres", "m^2", math::mean(figures.a), figures.a.size());
+    row("B", "m^2", math::mean(figures.b), figures.b.size());
+    row("C", "m^3", math::mean(figures.c), figures.c.size());
+    row("upper arm against the human's", "rad", math::mean(figures.upper_arm),
+        figures.upper_arm.size());
     StudyRow& time = row("mapping a frame", "s",
                          variant.map_s / static_cast<double>(figures.frames), figures.frames);
     time.timed = true;
     if (variant.name == options.without) {
-      without_a = mean(figures.a);
-      without_tips = quantile(figures.tips, 0.5);
+      without_a = math::mean(figures.a);
+      without_tips = math::quantile(figures.tips, 0.5);
     }
   }
   if (options.without.empty()) return;
   const Case of = {{"set", set.name},
                    {"variant", variants.front().name + " over " + options.without}};
   const Figures figures = figures_of(options, variants.front(), best);
-  result.rows.push_back(row_of(of, "A, ratio", "1", mean(figures.a) / without_a, figures.a.size()));
+  result.rows.push_back(
+      row_of(of, "A, ratio", "1", math::mean(figures.a) / without_a, figures.a.size()));
   // Promised of real recordings, all of them together.
   if (all_recordings && set.synthetic.empty()) result.rows.back().at_most = 0.7;
   result.rows.push_back(row_of(of, "fingertips, median, difference", "m",
@@ -195,13 +200,13 @@ void judge(const MappingStudyOptions& options, const MappingSet& set,
 
 }  // namespace
 
-std::string check(const MappingSet& o) {
+std::string why_invalid(const MappingSet& o) {
   if (o.manifest.empty() == o.synthetic.empty()) return "needs `manifest` or `synthetic`";
   if (o.count < 1 || o.quick_count < 1) return "count and quick_count must be positive";
   return "";
 }
 
-std::string check(const MappingStudyOptions& o) {
+std::string why_invalid(const MappingStudyOptions& o) {
   if (o.sets.empty()) return "sets is empty";
   if (o.variants.empty()) return "variants is empty";
   for (const std::string& name : {o.best, o.without}) {
@@ -214,9 +219,9 @@ std::string check(const MappingStudyOptions& o) {
   return "";
 }
 
-StudyResult mapping_study(const ConfigNode& config, const StudyRun& run) {
+StudyResult mapping_study(const config::ConfigNode& config, const StudyRun& run) {
   MappingStudyOptions options;
-  read_options(config, options);
+  config::read_options(config, options);
   config.expect_all_read();
   StudyResult result;
   for (const MappingSet& set : options.sets) {
@@ -235,4 +240,4 @@ StudyResult mapping_study(const ConfigNode& config, const StudyRun& run) {
   return result;
 }
 
-}  // namespace morphe
+}  // namespace morphe::study

@@ -6,9 +6,9 @@
 #include <random>
 
 #include "pipeline/collision/world.hpp"
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/forward.hpp"
 
-namespace morphe {
+namespace morphe::study {
 namespace {
 
 constexpr int kDraws = 40;
@@ -30,8 +30,8 @@ struct Way {
   std::vector<Pose> frames_at(double share) const {
     const double last = static_cast<double>(plan.path.position.rows() - 1);
     std::vector<Pose> frames;
-    forward(robot, plan.path.position.row(static_cast<Eigen::Index>(share * last)).transpose(),
-            frames);
+    robot::forward(
+        robot, plan.path.position.row(static_cast<Eigen::Index>(share * last)).transpose(), frames);
     for (Pose& frame : frames) frame = world_from_base * frame;
     return frames;
   }
@@ -56,8 +56,9 @@ struct Way {
   }
 };
 
-ConfiguredObject body(const std::string& shape, std::vector<double> size, const Vec3& position) {
-  ConfiguredObject object;
+scene::ConfiguredObject body(const std::string& shape, std::vector<double> size,
+                             const Vec3& position) {
+  scene::ConfiguredObject object;
   object.name = "obstacle";
   object.shape = shape;
   object.size = std::move(size);
@@ -66,7 +67,7 @@ ConfiguredObject body(const std::string& shape, std::vector<double> size, const 
   return object;
 }
 
-ConfiguredObject beside_elbow(Way& way) {
+scene::ConfiguredObject beside_elbow(Way& way) {
   constexpr double kRadius = 0.05;
   const int elbow = way.robot.centres.front().frame;
   double arm = 0;
@@ -79,7 +80,7 @@ ConfiguredObject beside_elbow(Way& way) {
               frames[static_cast<std::size_t>(elbow)].translation() + away * way.level_direction());
 }
 
-ConfiguredObject in_the_reach(Way& way) {
+scene::ConfiguredObject in_the_reach(Way& way) {
   constexpr double kRadius = 0.015, kLength = 0.3;
   const std::vector<Pose> frames = way.frames_at(way.grasp() * way.between(0.35, 0.65));
   const Vec3 palm = frames[static_cast<std::size_t>(way.robot.palm_frame)].translation();
@@ -87,7 +88,7 @@ ConfiguredObject in_the_reach(Way& way) {
   return body("cylinder", {kRadius, kLength}, palm + aside + Vec3(0, 0, way.between(-0.1, 0.05)));
 }
 
-ConfiguredObject beside_target(Way& way, const SceneObject& target) {
+scene::ConfiguredObject beside_target(Way& way, const SceneObject& target) {
   const std::vector<double> size = {0.04, 0.04, 0.12};
   const Vec3 centre = way.place_of(target);
   const double bottom = centre.z() - target.size.back() / 2;
@@ -97,7 +98,7 @@ ConfiguredObject beside_target(Way& way, const SceneObject& target) {
   return body("box", size, place);
 }
 
-ConfiguredObject shelf(Way& way, const SceneObject& target) {
+scene::ConfiguredObject shelf(Way& way, const SceneObject& target) {
   const std::vector<double> size = {0.4, 0.2, 0.02};
   const std::vector<Pose> frames = way.frames_at(std::min(way.grasp(), 1.0));
   double top = -std::numeric_limits<double>::infinity();
@@ -115,13 +116,13 @@ ConfiguredObject shelf(Way& way, const SceneObject& target) {
   away.normalize();
   Vec3 place = way.place_of(target) + (size[1] / 2 - way.between(0, 0.04)) * away;
   place.z() = top + size[2] / 2 + way.between(0.01, 0.04);
-  ConfiguredObject board = body("box", size, place);
+  scene::ConfiguredObject board = body("box", size, place);
   board.rpy.z() = std::atan2(-away.x(), away.y());
   return board;
 }
 
 /// Free at the first sample and in the way later.
-bool in_the_way(Way& way, const ConfiguredObject& obstacle) {
+bool in_the_way(Way& way, const scene::ConfiguredObject& obstacle) {
   SceneObject object;
   object.name = obstacle.name;
   parse_shape(obstacle.shape, object.shape);
@@ -134,14 +135,16 @@ bool in_the_way(Way& way, const ConfiguredObject& obstacle) {
            Eigen::AngleAxisd(obstacle.rpy.z(), Vec3::UnitZ()).toRotationMatrix())};
   Scene scene;
   scene.objects = {object};
-  const CollisionWorld world = make_world(way.robot, scene, way.plan.movement, way.plan.tolerances);
-  CollisionScratch scratch;
+  const collision::CollisionWorld world =
+      collision::make_world(way.robot, scene, way.plan.movement, way.plan.tolerances);
+  collision::CollisionScratch scratch;
   const JointRows& rows = way.plan.path.position;
   const auto free = [&](Eigen::Index row) {
     const double time_s = way.plan.path.demonstration_time[static_cast<std::size_t>(row)];
-    std::vector<PairSeparation> near;
-    near_pairs(world, rows.row(row).transpose(), time_s, 0, scratch, near);
-    return std::ranges::none_of(near, [](const PairSeparation& pair) { return pair.object; });
+    std::vector<collision::PairSeparation> near;
+    collision::near_pairs(world, rows.row(row).transpose(), time_s, 0, scratch, near);
+    return std::ranges::none_of(near,
+                                [](const collision::PairSeparation& pair) { return pair.object; });
   };
   if (!free(0)) return false;
   for (Eigen::Index row = 1; row < rows.rows(); ++row) {
@@ -152,21 +155,23 @@ bool in_the_way(Way& way, const ConfiguredObject& obstacle) {
 
 }  // namespace
 
-std::optional<ConfiguredObject> obstacle_in_the_way(const RobotTable& robot, const Plan& plan,
-                                                    const Pose& world_from_base,
-                                                    const std::string& kind, std::uint64_t seed) {
+std::optional<scene::ConfiguredObject> obstacle_in_the_way(const RobotTable& robot,
+                                                           const Plan& plan,
+                                                           const Pose& world_from_base,
+                                                           const std::string& kind,
+                                                           std::uint64_t seed) {
   Way way{robot, plan, world_from_base, std::mt19937_64(seed)};
   const SceneObject* target = way.object(plan.movement.target);
   const bool needs_target = kind == "object" || kind == "shelf";
   if (needs_target && (!target || target->shape != Shape::cylinder)) return std::nullopt;
   for (int draw = 0; draw < kDraws; ++draw) {
-    const ConfiguredObject obstacle = kind == "elbow"    ? beside_elbow(way)
-                                      : kind == "reach"  ? in_the_reach(way)
-                                      : kind == "object" ? beside_target(way, *target)
-                                                         : shelf(way, *target);
+    const scene::ConfiguredObject obstacle = kind == "elbow"    ? beside_elbow(way)
+                                             : kind == "reach"  ? in_the_reach(way)
+                                             : kind == "object" ? beside_target(way, *target)
+                                                                : shelf(way, *target);
     if (in_the_way(way, obstacle)) return obstacle;
   }
   return std::nullopt;
 }
 
-}  // namespace morphe
+}  // namespace morphe::study

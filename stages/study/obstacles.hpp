@@ -8,7 +8,7 @@
 #include "pipeline/motion/robot_table.hpp"
 #include "stages/scene/build_scene.hpp"
 
-namespace morphe {
+namespace morphe::study {
 
 /// What is put into a robot's way, in turn:
 ///   elbow   a ball beside the elbow, which it cuts by 5 to 25 mm in the middle of the movement
@@ -21,8 +21,10 @@ inline constexpr const char* kObstacleKinds[] = {"elbow", "reach", "object", "sh
 
 /// An obstacle that the path of a free plan runs into, away from its first sample. None if no draw
 /// of many does. `world_from_base` is the placement of that plan.
-std::optional<ConfiguredObject> obstacle_in_the_way(const RobotTable& robot, const Plan& plan,
-                                                    const Pose& world_from_base,
-                                                    const std::string& kind, std::uint64_t seed);
+std::optional<scene::ConfiguredObject> obstacle_in_the_way(const RobotTable& robot,
+                                                           const Plan& plan,
+                                                           const Pose& world_from_base,
+                                                           const std::string& kind,
+                                                           std::uint64_t seed);
 
-}  // namespace morphe
+}  // namespace morphe::study

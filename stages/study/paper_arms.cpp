@@ -2,10 +2,11 @@
 
 #include <numbers>
 
-#include "pipeline/kinematics/generate.hpp"
+#include "pipeline/math/statistics.hpp"
+#include "pipeline/robot/files/generate.hpp"
 #include "stages/study/paper_cases.hpp"
 
-namespace morphe {
+namespace morphe::study {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -35,17 +36,17 @@ void add_rows(const Case& of, const Mapping& mapping, double position_limit_m,
     result.rows.back().reachable = share_of(mapping.met);
     return result.rows.back();
   };
-  row("position error, all frames", "m", mean(ours.position_m));
+  row("position error, all frames", "m", math::mean(ours.position_m));
   row("position error, reachable frames", "m", mean_of(ours.position_m, mapping.met)).at_most =
       position_limit_m;
-  const double turn = mean(ours.orientation_rad);
+  const double turn = math::mean(ours.orientation_rad);
   if (turn == turn) {
     row("orientation error, all frames", "rad", turn);
     row("orientation error, reachable frames", "rad", mean_of(ours.orientation_rad, mapping.met))
         .at_most = orientation_limit_rad;
   }
-  if (mean(ours.humanlike_m2) == mean(ours.humanlike_m2)) {
-    row("A, mean over centres", "m^2", mean(ours.humanlike_m2));
+  if (math::mean(ours.humanlike_m2) == math::mean(ours.humanlike_m2)) {
+    row("A, mean over centres", "m^2", math::mean(ours.humanlike_m2));
   }
   StudyRow& time = row("a frame, warm", "s", ours.seconds / static_cast<double>(ours.solves));
   time.timed = true;
@@ -73,13 +74,13 @@ void tracking(const PaperContext& context, StudyResult& result) {
                              Entry{"5", "arm 44 with hand", 44, true, 1e-3, kNotSeen},
                              Entry{"6", "arm 20", 20, false, 0.2e-3, 0.10},
                              Entry{"6", "arm 23 with hand", 23, true, 1e-3, kNotSeen}}) {
-    const ArmShape arm{.joints = entry.joints, .length = context.arm_length()};
-    const HandSize hand = context.robot_hand();
+    const robot::ArmShape arm{.joints = entry.joints, .length = context.arm_length()};
+    const human::HandSize hand = context.robot_hand();
     const auto& series = entry.hand ? context.tips : context.arms;
     const Mapping mapping = map_and_judge(
         context,
-        entry.hand ? generate_arm_hand(arm, {.length = hand.length, .breadth = hand.breadth})
-                   : generate_arm(arm),
+        entry.hand ? robot::generate_arm_hand(arm, {.length = hand.length, .breadth = hand.breadth})
+                   : robot::generate_arm(arm),
         series);
     const Case of = {{"figure", entry.figure}, {"robot", entry.name}};
     add_rows(of, mapping, entry.position_m, entry.orientation_deg * kDegree, result);
@@ -90,9 +91,10 @@ void tracking(const PaperContext& context, StudyResult& result) {
 
 void fingers(const PaperContext& context, StudyResult& result) {
   for (int m = 3; m <= 6; ++m) {
-    const HandSize size = context.robot_hand();
+    const human::HandSize size = context.robot_hand();
     const Mapping mapping = map_and_judge(
-        context, generate_hand({.fingers = m, .length = size.length, .breadth = size.breadth}),
+        context,
+        robot::generate_hand({.fingers = m, .length = size.length, .breadth = size.breadth}),
         context.hands);
     add_rows({{"figure", "4"}, {"fingers", std::to_string(m)}}, mapping, 1e-3, kNotSeen, result);
   }
@@ -101,9 +103,9 @@ void fingers(const PaperContext& context, StudyResult& result) {
 void scales(const PaperContext& context, StudyResult& result) {
   std::vector<std::pair<std::string, std::vector<Vec3>>> chains;
   for (const double scale : {0.8, 0.9, 1.0, 1.1, 1.2}) {
-    const Mapping mapping =
-        map_and_judge(context, generate_arm({.joints = 21, .length = scale * context.arm_length()}),
-                      context.arms);
+    const Mapping mapping = map_and_judge(
+        context, robot::generate_arm({.joints = 21, .length = scale * context.arm_length()}),
+        context.arms);
     const std::string name = fmt::format("{:.0f} %", 100 * scale);
     add_rows({{"figure", "7"}, {"length", name}}, mapping, kNotSeen, kNotSeen, result);
     chains.emplace_back(
@@ -118,7 +120,7 @@ void terms(const PaperContext& context, StudyResult& result) {
     const char* name;
     double position, orientation, humanlike;
   };
-  const RobotTable robot = generate_arm({.joints = 21, .length = context.arm_length()});
+  const RobotTable robot = robot::generate_arm({.joints = 21, .length = context.arm_length()});
   std::vector<std::pair<std::string, std::vector<Vec3>>> chains;
   for (const Entry& entry :
        {Entry{"all terms", 1, 1, 1}, Entry{"position and orientation", 1, 1, 0},
@@ -129,13 +131,15 @@ void terms(const PaperContext& context, StudyResult& result) {
     const MappedPoses ours = map_all(context, robot, context.arms, weights);
     const Case of = {{"figure", "8"}, {"terms", entry.name}};
     const std::size_t n = ours.q.size();
-    result.rows.push_back(row_of(of, "position error", "m", mean(ours.position_m), n));
-    result.rows.push_back(row_of(of, "orientation error", "rad", mean(ours.orientation_rad), n));
-    result.rows.push_back(row_of(of, "A, mean over centres", "m^2", mean(ours.humanlike_m2), n));
+    result.rows.push_back(row_of(of, "position error", "m", math::mean(ours.position_m), n));
+    result.rows.push_back(
+        row_of(of, "orientation error", "rad", math::mean(ours.orientation_rad), n));
+    result.rows.push_back(
+        row_of(of, "A, mean over centres", "m^2", math::mean(ours.humanlike_m2), n));
     chains.emplace_back(entry.name, arm_chain_of(robot, ours.q[context.arms.front().size() - 1]));
   }
   result.plots.emplace_back(
       "figure_8", pose_plot("Fig. 8: what each term does", context.arms.front().back(), chains));
 }
 
-}  // namespace morphe
+}  // namespace morphe::study

@@ -1,11 +1,12 @@
 #include "stages/study/paper_cases.hpp"
+#include "pipeline/math/statistics.hpp"
 
 #include <cmath>
 #include <numbers>
 
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/forward.hpp"
 
-namespace morphe {
+namespace morphe::study {
 
 MappedPoses map_all(const PaperContext& context, const RobotTable& robot,
                     const std::vector<HumanPoses>& series, const StudyWeights& weights,
@@ -34,7 +35,7 @@ double mean_of(const std::vector<double>& values, const std::vector<char>& which
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (which[i]) kept.push_back(values[i]);
   }
-  return mean(kept);
+  return math::mean(kept);
 }
 
 double share_of(const std::vector<char>& which) {
@@ -44,8 +45,8 @@ double share_of(const std::vector<char>& which) {
 
 std::vector<Vec3> arm_chain_of(const RobotTable& robot, const JointVector& q) {
   std::vector<Pose> frames;
-  forward(robot, q, frames);
-  return arm_chain(robot, frames).joints;
+  robot::forward(robot, q, frames);
+  return humanlike::arm_chain(robot, frames).joints;
 }
 
 Plot pose_plot(const std::string& title, const HumanPose& human,
@@ -69,4 +70,4 @@ Plot pose_plot(const std::string& title, const HumanPose& human,
   return plot;
 }
 
-}  // namespace morphe
+}  // namespace morphe::study

@@ -6,7 +6,7 @@
 #include "stages/study/mapped_poses.hpp"
 #include "stages/study/paper_options.hpp"
 
-namespace morphe {
+namespace morphe::study {
 
 /// What every case of the paper's study has.
 struct PaperContext {
@@ -16,7 +16,7 @@ struct PaperContext {
   StudyWeights weights;
 
   double arm_length() const { return options.upper_arm + options.forearm; }
-  HandSize robot_hand() const {
+  human::HandSize robot_hand() const {
     return {options.hand_scale * options.hand_length, options.hand_scale * options.hand_breadth};
   }
 };
@@ -54,4 +54,4 @@ void mappings(const PaperContext& context, StudyResult& result);
 /// 4.1, 4.2: the PA10, and the PA10 with the DLR/HIT II hand.
 void reference(const PaperContext& context, StudyResult& result);
 
-}  // namespace morphe
+}  // namespace morphe::study

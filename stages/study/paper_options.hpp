@@ -6,7 +6,7 @@
 #include "pipeline/config/fields.hpp"
 #include "pipeline/solve/minimise.hpp"
 
-namespace morphe {
+namespace morphe::study {
 
 /// configs/studies/paper*.yaml: results of the paper again, per frame, without scene.
 struct PaperStudyOptions {
@@ -20,7 +20,7 @@ struct PaperStudyOptions {
   double hand_scale = 1.1;  ///< robot hands over the human's
   /// Weights of every case that does not say otherwise [1/m²], [1/rad of half the angle], [1/m²].
   double tip_position = 1e6, tip_orientation = 10, humanlike = 1;
-  MinimiseOptions solver;
+  solve::MinimiseOptions solver;
   int starts = 32;  ///< at each of three key frames a movement
   double step_s = 0.05, quick_step_s = 0.2;
   std::vector<std::string> cases;  ///< which of the study's results; empty = all
@@ -46,6 +46,6 @@ void fields(Fields& f, PaperStudyOptions& o) {
   f("quick_step_s", o.quick_step_s);
   f("cases", o.cases);
 }
-std::string check(const PaperStudyOptions& options);
+std::string why_invalid(const PaperStudyOptions& options);
 
-}  // namespace morphe
+}  // namespace morphe::study

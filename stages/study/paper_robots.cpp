@@ -3,10 +3,11 @@
 
 #include "pipeline/humanlike/metrics.hpp"
 #include "pipeline/humanlike/posed_like.hpp"
-#include "pipeline/kinematics/description.hpp"
+#include "pipeline/math/statistics.hpp"
+#include "pipeline/robot/files/description.hpp"
 #include "stages/study/paper_cases.hpp"
 
-namespace morphe {
+namespace morphe::study {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -32,7 +33,8 @@ std::vector<HumanPoses> as_long_as(const RobotTable& robot, const std::vector<Hu
   std::vector<HumanPoses> result = series;
   for (HumanPoses& poses : result) {
     for (HumanPose& pose : poses) {
-      const Chain posed = posed_like({Vec3::Zero(), pose.elbow, pose.wrist}, chain);
+      const humanlike::Chain posed =
+          humanlike::posed_like({Vec3::Zero(), pose.elbow, pose.wrist}, chain);
       pose.elbow = posed[1] - posed[0];
       pose.wrist = posed.back() - posed[0];
     }
@@ -50,22 +52,23 @@ Metrics metrics_of(const RobotTable& robot, const std::vector<HumanPoses>& serie
   std::size_t f = 0;
   for (const HumanPoses& poses : series) {
     for (const HumanPose& pose : poses) {
-      const Chain chain = arm_chain_of(robot, q[f++]);
+      const humanlike::Chain chain = arm_chain_of(robot, q[f++]);
       const Vec3 shift = chain.front() - base_from_shoulder.translation();
-      const Chain human{chain.front(), base_from_shoulder * pose.elbow + shift,
-                        base_from_shoulder * pose.wrist + shift};
-      metrics.b.push_back(triangle_area_sum(human, chain));
-      metrics.c.push_back(hull_volume_sum(human, chain));
+      const humanlike::Chain human{chain.front(), base_from_shoulder * pose.elbow + shift,
+                                   base_from_shoulder * pose.wrist + shift};
+      metrics.b.push_back(humanlike::triangle_area_sum(human, chain));
+      metrics.c.push_back(humanlike::hull_volume_sum(human, chain));
     }
   }
   return metrics;
 }
 
-std::vector<FrameGoal> all_goals(const RobotTable& robot, const std::vector<HumanPoses>& series,
-                                 const Pose& base_from_shoulder) {
-  std::vector<FrameGoal> goals;
+std::vector<humanlike::FrameGoal> all_goals(const RobotTable& robot,
+                                            const std::vector<HumanPoses>& series,
+                                            const Pose& base_from_shoulder) {
+  std::vector<humanlike::FrameGoal> goals;
   for (const HumanPoses& poses : series) {
-    for (FrameGoal& goal : goals_of(robot, poses, base_from_shoulder)) {
+    for (humanlike::FrameGoal& goal : goals_of(robot, poses, base_from_shoulder)) {
       goals.push_back(std::move(goal));
     }
   }
@@ -83,9 +86,9 @@ std::vector<double> kept(const std::vector<double>& values, const std::vector<ch
 }  // namespace
 
 void mappings(const PaperContext& context, StudyResult& result) {
-  const RobotTable robot = load_robot(context.robots / "wam.yaml").table;
+  const RobotTable robot = robot::load_robot(context.robots / "wam.yaml").table;
   const Pose base = base_from_shoulder(robot, Vec3::Zero());
-  const std::vector<FrameGoal> goals = all_goals(robot, context.arms, base);
+  const std::vector<humanlike::FrameGoal> goals = all_goals(robot, context.arms, base);
   StudyWeights plain = context.weights, joints = context.weights;
   plain.humanlike = 0;
   joints.humanlike = context.weights.tip_position;
@@ -115,11 +118,11 @@ void mappings(const PaperContext& context, StudyResult& result) {
       result.rows.back().reachable = share_of(met);
       return result.rows.back();
     };
-    row("position error", "m", mean(mapped.position_m)).published = entry.published_m;
-    row("orientation error", "rad", mean(mapped.orientation_rad));
-    row("A, mean over centres", "m^2", mean(mapped.humanlike_m2));
-    row("B", "m^2", mean(metrics.b));
-    row("C", "m^3", mean(metrics.c));
+    row("position error", "m", math::mean(mapped.position_m)).published = entry.published_m;
+    row("orientation error", "rad", math::mean(mapped.orientation_rad));
+    row("A, mean over centres", "m^2", math::mean(mapped.humanlike_m2));
+    row("B", "m^2", math::mean(metrics.b));
+    row("C", "m^3", math::mean(metrics.c));
     std::vector<Vec3> chain = arm_chain_of(robot, mapped.q[last]);
     const Vec3 shoulder = base.inverse() * chain.front();
     for (Vec3& point : chain) point = base.inverse() * point - shoulder;
@@ -137,7 +140,7 @@ void reference(const PaperContext& context, StudyResult& result) {
   for (const Entry& entry :
        {Entry{"PA10", "pa10.yaml", 0.05e-3, 1e-3, 1, 0.05 * kDegree, 1 * kDegree},
         Entry{"PA10 + DLR/HIT II", "pa10_dlr_hit2.yaml", 0.2e-3, 1e-3, 0.99, kNotSeen, kNotSeen}}) {
-    const RobotTable robot = load_robot(context.robots / entry.file).table;
+    const RobotTable robot = robot::load_robot(context.robots / entry.file).table;
     const Pose base = base_from_shoulder(robot, Vec3(0.10, -0.30, 0.30));
     StudyWeights plain = context.weights;
     plain.humanlike = 0;
@@ -151,7 +154,7 @@ void reference(const PaperContext& context, StudyResult& result) {
       return result.rows.back();
     };
     const auto quantile_of = [&](const std::vector<double>& values, double share) {
-      return quantile(kept(values, met), share);
+      return math::quantile(kept(values, met), share);
     };
     const char* part = entry.share_of_largest < 1 ? "99th percentile" : "largest";
     StudyRow& p = row("position error, reachable frames", "m", mean_of(ours.position_m, met));
@@ -169,13 +172,13 @@ void reference(const PaperContext& context, StudyResult& result) {
           quantile_of(ours.orientation_rad, 1))
           .at_most = entry.largest_rad;
     }
-    row("A, mean over centres", "m^2", mean(ours.humanlike_m2));
+    row("A, mean over centres", "m^2", math::mean(ours.humanlike_m2));
     row("A over that of plain inverse kinematics", "1",
-        mean(ours.humanlike_m2) / mean(without.humanlike_m2));
+        math::mean(ours.humanlike_m2) / math::mean(without.humanlike_m2));
     StudyRow& time = row("a frame, warm", "s", ours.seconds / static_cast<double>(ours.solves));
     time.timed = true;
     time.published = 0.2e-3;
   }
 }
 
-}  // namespace morphe
+}  // namespace morphe::study

@@ -5,7 +5,7 @@
 
 #include "stages/study/paper_cases.hpp"
 
-namespace morphe {
+namespace morphe::study {
 namespace {
 
 struct PaperCase {
@@ -22,7 +22,7 @@ constexpr std::array<PaperCase, 7> kCases{{{"table_1", table_1},
 
 }  // namespace
 
-std::string check(const PaperStudyOptions& o) {
+std::string why_invalid(const PaperStudyOptions& o) {
   if (!(o.upper_arm > 0) || !(o.forearm > 0) || !(o.hand_length > 0) || !(o.hand_breadth > 0)) {
     return "lengths must be positive";
   }
@@ -36,10 +36,10 @@ std::string check(const PaperStudyOptions& o) {
   return "";
 }
 
-StudyResult paper_study(const ConfigNode& config, const StudyRun& run) {
+StudyResult paper_study(const config::ConfigNode& config, const StudyRun& run) {
   PaperContext context;
   PaperStudyOptions& options = context.options;
-  read_options(config, options);
+  config::read_options(config, options);
   config.expect_all_read();
   const std::filesystem::path folder = run.config.parent_path();
   const double step_s = run.quick ? options.quick_step_s : options.step_s;
@@ -61,4 +61,4 @@ StudyResult paper_study(const ConfigNode& config, const StudyRun& run) {
   return result;
 }
 
-}  // namespace morphe
+}  // namespace morphe::study

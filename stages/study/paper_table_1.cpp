@@ -5,10 +5,11 @@
 #include <limits>
 #include <numbers>
 
-#include "pipeline/kinematics/generate.hpp"
+#include "pipeline/math/statistics.hpp"
+#include "pipeline/robot/files/generate.hpp"
 #include "stages/study/paper_cases.hpp"
 
-namespace morphe {
+namespace morphe::study {
 namespace {
 
 constexpr double kMillimetre = 1e-3, kDegree = std::numbers::pi / 180;
@@ -39,7 +40,7 @@ std::vector<Pair> front(const PaperContext& context, const RobotTable& robot) {
   for (double orientation = 1e-2; orientation < 2e3; orientation *= 10) {
     const MappedPoses plain =
         map_all(context, robot, context.arms, {context.weights.tip_position, orientation, 0});
-    pairs.push_back({mean(plain.position_m), mean(plain.orientation_rad)});
+    pairs.push_back({math::mean(plain.position_m), math::mean(plain.orientation_rad)});
   }
   return pairs;
 }
@@ -60,7 +61,7 @@ double nearest(const std::vector<Pair>& front, const Pair& wanted) {
 void table_1(const PaperContext& context, StudyResult& result) {
   for (const Published& cell : kPublished) {
     const RobotTable robot =
-        generate_arm({.joints = cell.joints, .length = cell.scale * context.arm_length()});
+        robot::generate_arm({.joints = cell.joints, .length = cell.scale * context.arm_length()});
     const MappedPoses ours = map_all(context, robot, context.arms, context.weights);
     StudyWeights plain = context.weights, exact = context.weights;
     plain.humanlike = 0;
@@ -77,7 +78,7 @@ void table_1(const PaperContext& context, StudyResult& result) {
       result.rows.back().reachable = share_of(met);
       return result.rows.back();
     };
-    const double position = mean(ours.position_m), turn = mean(ours.orientation_rad);
+    const double position = math::mean(ours.position_m), turn = math::mean(ours.orientation_rad);
     // The paper's degrees may be half the angle of rotation: then they stand for twice as much.
     const Pair whole{cell.position_mm * kMillimetre, cell.orientation_deg * kDegree};
     const Pair half{whole.position_m, 2 * whole.orientation_rad};
@@ -97,7 +98,7 @@ void table_1(const PaperContext& context, StudyResult& result) {
       row("without humanlikeness, nearest pair over published", "1", nearest(pairs, whole));
       row("the same, published degrees as half the angle", "1", nearest(pairs, half));
     }
-    row("A, mean over centres", "m^2", mean(ours.humanlike_m2));
+    row("A, mean over centres", "m^2", math::mean(ours.humanlike_m2));
     if (share_of(met) > 0) {
       row("A over its optimum at exact tips, reachable frames", "1",
           mean_of(ours.humanlike_m2, met) / mean_of(best.humanlike_m2, met))
@@ -110,4 +111,4 @@ void table_1(const PaperContext& context, StudyResult& result) {
   }
 }
 
-}  // namespace morphe
+}  // namespace morphe::study

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace morphe {
+namespace morphe::study {
 namespace {
 
 constexpr double kWidth = 900, kHeight = 360;
@@ -146,4 +146,4 @@ std::string svg_of(const Plot& plot) {
   return svg;
 }
 
-}  // namespace morphe
+}  // namespace morphe::study

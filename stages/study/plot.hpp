@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace morphe {
+namespace morphe::study {
 
 /// Lines over one x axis, drawn as SVG.
 struct Plot {
@@ -27,4 +27,4 @@ struct Plot {
 /// text.
 std::string svg_of(const Plot& plot);
 
-}  // namespace morphe
+}  // namespace morphe::study

@@ -1,10 +1,11 @@
 #include "stages/study/reconstruction_score.hpp"
+#include "pipeline/math/statistics.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <optional>
 
-namespace morphe {
+namespace morphe::study {
 namespace {
 
 constexpr std::size_t kIndex = 1;
@@ -187,4 +188,4 @@ ReconstructionScore score_reconstruction(const HumanMotion& motion, const Demons
   return score;
 }
 
-}  // namespace morphe
+}  // namespace morphe::study

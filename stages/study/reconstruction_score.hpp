@@ -7,7 +7,7 @@
 #include "pipeline/motion/demonstration.hpp"
 #include "pipeline/motion/human_motion.hpp"
 
-namespace morphe {
+namespace morphe::study {
 
 /// Root mean square of what was added.
 struct MeanSquare {
@@ -49,4 +49,4 @@ ReconstructionScore score_reconstruction(const HumanMotion& motion, const Demons
 double delay_behind(const std::vector<double>& signal, const std::vector<double>& reference,
                     double step_s);
 
-}  // namespace morphe
+}  // namespace morphe::study

@@ -7,7 +7,7 @@
 #include "stages/reconstruct/reconstruct.hpp"
 #include "stages/segment/segment.hpp"
 
-namespace morphe {
+namespace morphe::study {
 
 struct AngleFile {
   std::string recording, file;
@@ -58,16 +58,16 @@ void fields(Fields& f, SyntheticSet& o) {
   f("joints_m", o.joints_m);
   f("fingertips_m", o.fingertips_m);
 }
-std::string check(const SyntheticSet& set);
+std::string why_invalid(const SyntheticSet& set);
 
 /// configs/studies/recordings.yaml.
 struct RecordingsStudyOptions {
   std::string study;
   std::vector<RealSet> real;
   std::vector<SyntheticSet> synthetic;
-  ReconstructOptions reconstruct;
-  HumanOptions human;
-  SegmentOptions segment;
+  reconstruct::ReconstructOptions reconstruct;
+  reconstruct::HumanOptions human;
+  segment::SegmentOptions segment;
 };
 template <class Fields>
 void fields(Fields& f, RecordingsStudyOptions& o) {
@@ -79,4 +79,4 @@ void fields(Fields& f, RecordingsStudyOptions& o) {
   f("segment", o.segment);
 }
 
-}  // namespace morphe
+}  // namespace morphe::study

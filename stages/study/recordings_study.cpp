@@ -1,16 +1,16 @@
 #include "stages/study/judge.hpp"
 
-namespace morphe {
+namespace morphe::study {
 
-std::string check(const SyntheticSet& o) {
+std::string why_invalid(const SyntheticSet& o) {
   if (o.count < 1 || o.quick_count < 1) return "count and quick_count must be positive";
   return "";
 }
 
-StudyResult recordings_study(const ConfigNode& config, const StudyRun& run) {
+StudyResult recordings_study(const config::ConfigNode& config, const StudyRun& run) {
   JudgeOptions options;
   options.folder = run.config.parent_path();
-  read_options(config, static_cast<RecordingsStudyOptions&>(options));
+  config::read_options(config, static_cast<RecordingsStudyOptions&>(options));
   config.expect_all_read();
   StudyResult result;
   for (const RealSet& set : options.real) judge_real(options, set, run, result);
@@ -25,4 +25,4 @@ StudyResult recordings_study(const ConfigNode& config, const StudyRun& run) {
   return result;
 }
 
-}  // namespace morphe
+}  // namespace morphe::study

@@ -6,7 +6,7 @@
 
 #include "stages/study/variant.hpp"
 
-namespace morphe {
+namespace morphe::study {
 
 /// configs/studies/repair.yaml: movements that are executable as they are, planned again with an
 /// obstacle put into the robot's way (stages/study/obstacles.hpp), by several ways of repairing.
@@ -42,6 +42,6 @@ void fields(Fields& f, RepairStudyOptions& o) {
   f("long_seeds", o.long_seeds);
   f("step_m", o.step_m);
 }
-std::string check(const RepairStudyOptions& options);
+std::string why_invalid(const RepairStudyOptions& options);
 
-}  // namespace morphe
+}  // namespace morphe::study

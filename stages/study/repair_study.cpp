@@ -5,16 +5,17 @@
 
 #include "pipeline/collision/certified.hpp"
 #include "pipeline/collision/fcl_engine.hpp"
-#include "pipeline/config/hash.hpp"
+#include "pipeline/math/seed.hpp"
+#include "pipeline/math/statistics.hpp"
+#include "pipeline/parallel/for_each.hpp"
 #include "stages/certify/goal_errors.hpp"
-#include "stages/plan_movement.hpp"
-#include "stages/study/for_each.hpp"
+#include "stages/planning/plan_movement.hpp"
 #include "stages/study/judge.hpp"
 #include "stages/study/obstacles.hpp"
 #include "stages/study/repair_options.hpp"
 #include "stages/synthesize/synthesize.hpp"
 
-namespace morphe {
+namespace morphe::study {
 namespace {
 
 /// One movement of a recording, before anything is planned.
@@ -46,26 +47,29 @@ struct ObstacleCase {
 struct Study {
   const RepairStudyOptions& options;
   std::filesystem::path pipeline;
-  SynthesizeOptions synthetic;
+  synthesize::SynthesizeOptions synthetic;
 };
 
-Recorded recorded_movement(const Study& study, const PipelineConfig& config, std::uint64_t index) {
-  Recorded recorded{synthesize(study.synthetic, study.options.seed, index).recorded, {}, {}};
-  recorded.motion = reconstruct(recorded.demonstration, config.reconstruct, config.human);
+Recorded recorded_movement(const Study& study, const planning::PipelineConfig& config,
+                           std::uint64_t index) {
+  Recorded recorded{
+      synthesize::synthesize(study.synthetic, study.options.seed, index).recorded, {}, {}};
+  recorded.motion =
+      reconstruct::reconstruct(recorded.demonstration, config.reconstruct, config.human);
   const std::vector<Movement> movements =
-      segment(recorded.motion, config.segment, recorded.demonstration.objects);
+      segment::segment(recorded.motion, config.segment, recorded.demonstration.objects);
   if (!movements.empty()) recorded.movement = movements.front();
   return recorded;
 }
 
-Plan plan_with(const LoadedConfig& loaded, const std::optional<ConfiguredObject>& obstacle,
-               const Recorded& recorded) {
-  PipelineConfig config = loaded.options;
+Plan plan_with(const planning::LoadedConfig& loaded,
+               const std::optional<scene::ConfiguredObject>& obstacle, const Recorded& recorded) {
+  planning::PipelineConfig config = loaded.options;
   if (obstacle) config.scene.objects.push_back(*obstacle);
-  const Planner planner{config, loaded.robot, capsule_reach(loaded.robot)};
-  StageSeconds seconds;
-  return plan_movement(planner, recorded.demonstration, recorded.motion, recorded.movement,
-                       seconds);
+  const planning::Planner planner{config, loaded.robot, collision::capsule_reach(loaded.robot)};
+  planning::StageSeconds seconds;
+  return planning::plan_movement(planner, recorded.demonstration, recorded.motion,
+                                 recorded.movement, seconds);
 }
 
 /// FCL alone, no margin, at states between which no body moves farther than `step_m`.
@@ -73,10 +77,11 @@ void look_for_collisions(const RobotTable& robot, const Plan& plan, const Trajec
                          double step_m, Repaired& repaired) {
   Tolerances touching = plan.tolerances;
   touching.margin = 0;
-  const CollisionWorld world = make_world(robot, plan.scene, plan.movement, touching);
-  const JointRows reach = capsule_reach(robot);
-  FclEngine engine(world);
-  CollisionScratch scratch;
+  const collision::CollisionWorld world =
+      collision::make_world(robot, plan.scene, plan.movement, touching);
+  const JointRows reach = collision::capsule_reach(robot);
+  collision::FclEngine engine(world);
+  collision::CollisionScratch scratch;
   for (std::size_t i = 1; i < trajectory.samples(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     const JointVector from = trajectory.position.row(row - 1), to = trajectory.position.row(row);
@@ -100,7 +105,8 @@ Repaired judge(const Study& study, const RobotTable& robot, const Plan& plan) {
   Trajectory untimed;
   untimed.time = untimed.demonstration_time = plan.path.demonstration_time;
   untimed.position = plan.path.position;
-  const GoalErrors errors = goal_errors(robot, plan.goals, plan.movement, plan.tolerances, untimed);
+  const certify::GoalErrors errors =
+      certify::goal_errors(robot, plan.goals, plan.movement, plan.tolerances, untimed);
   repaired.a_ratio = errors.humanlikeness / plan.certificate.humanlikeness_mapped;
   repaired.tips_m = errors.position_mean;
   for (std::size_t k = 0; k < plan.path.origin.size(); ++k) {
@@ -114,53 +120,56 @@ Repaired judge(const Study& study, const RobotTable& robot, const Plan& plan) {
 }
 
 /// What a planner alone makes of the path that was free before the obstacle came.
-Plan repair_plainly(const LoadedConfig& loaded, const Plan& undisturbed, const Plan& disturbed,
-                    std::uint64_t seed) {
+Plan repair_plainly(const planning::LoadedConfig& loaded, const Plan& undisturbed,
+                    const Plan& disturbed, std::uint64_t seed) {
   Plan plan = undisturbed;
   plan.scene = disturbed.scene;
   plan.trajectory = {};
-  const CollisionWorld world = make_world(loaded.robot, plan.scene, plan.movement, plan.tolerances);
-  RepairSteps steps;
+  const collision::CollisionWorld world =
+      collision::make_world(loaded.robot, plan.scene, plan.movement, plan.tolerances);
+  repair::RepairSteps steps;
   steps.recheck = [&](const JointPath& path) {
-    return check_path(world, plan.goals, plan.movement, path, loaded.options.check);
+    return check::check_path(world, plan.goals, plan.movement, path, loaded.options.check);
   };
-  const RepairResult repaired =
-      repair_path(world, capsule_reach(loaded.robot), plan.path, steps.recheck(plan.path), steps,
-                  loaded.options.repair, seed);
+  const repair::RepairResult repaired =
+      repair::repair_path(world, collision::capsule_reach(loaded.robot), plan.path,
+                          steps.recheck(plan.path), steps, loaded.options.repair, seed);
   plan.path = repaired.path;
   plan.reason = repaired.reason;
   plan.detail = repaired.detail;
   return plan;
 }
 
-ObstacleCase run_case(const Study& study, const std::vector<LoadedConfig>& variants,
-                      const LoadedConfig& plain, const std::vector<LoadedConfig>& long_searches,
+ObstacleCase run_case(const Study& study, const std::vector<planning::LoadedConfig>& variants,
+                      const planning::LoadedConfig& plain,
+                      const std::vector<planning::LoadedConfig>& long_searches,
                       std::uint64_t index) {
   ObstacleCase result;
   result.recording = index;
   result.kind = kObstacleKinds[index % std::size(kObstacleKinds)];
-  const LoadedConfig& ours = variants.front();
+  const planning::LoadedConfig& ours = variants.front();
   const Recorded recorded = recorded_movement(study, ours.options, index);
   if (recorded.movement.phases.empty()) return result;
   const Plan undisturbed = plan_with(ours, std::nullopt, recorded);
   if (!undisturbed.executable()) return result;
   const std::uint64_t seed =
-      seed_from(study.options.seed, fmt::format("{}/{}", index, result.kind));
-  const Pose world_from_base = place_robot(
-      ours.robot, shoulder_at_begin(recorded.motion, recorded.movement), ours.options.placement);
-  const std::optional<ConfiguredObject> obstacle =
+      math::seed_from(study.options.seed, fmt::format("{}/{}", index, result.kind));
+  const Pose world_from_base =
+      map::place_robot(ours.robot, map::shoulder_at_begin(recorded.motion, recorded.movement),
+                       ours.options.placement);
+  const std::optional<scene::ConfiguredObject> obstacle =
       obstacle_in_the_way(ours.robot, undisturbed, world_from_base, result.kind, seed);
   if (!obstacle) return result;
   result.exists = true;
   Plan disturbed;
-  for (const LoadedConfig& variant : variants) {
+  for (const planning::LoadedConfig& variant : variants) {
     disturbed = plan_with(variant, obstacle, recorded);
     result.variants.push_back(judge(study, ours.robot, disturbed));
   }
   result.variants.push_back(
       judge(study, ours.robot, repair_plainly(plain, undisturbed, disturbed, seed)));
   if (result.variants.front().executable) return result;
-  for (const LoadedConfig& search : long_searches) {
+  for (const planning::LoadedConfig& search : long_searches) {
     if (result.found_by_long_search) break;
     result.found_by_long_search = plan_with(search, obstacle, recorded).executable();
   }
@@ -212,23 +221,24 @@ void add_rows(const RepairStudyOptions& options, const std::string& kind,
     StudyRow& bits =
         row("changed outside the repaired intervals", "1", static_cast<double>(changed), solved);
     if (first) bits.at_most = 0;
-    StudyRow& a = row("A over the mapping's, median", "1", quantile(a_ratio, 0.5), a_ratio.size());
+    StudyRow& a =
+        row("A over the mapping's, median", "1", math::quantile(a_ratio, 0.5), a_ratio.size());
     if (first && whole) a.at_most = 1.25;
-    row("fingertips from their goals, mean", "m", mean(tips), tips.size());
-    StudyRow& common =
-        row("A over the mapping's, where all succeed, mean", "1", mean(both_a), both_a.size());
+    row("fingertips from their goals, mean", "m", math::mean(tips), tips.size());
+    StudyRow& common = row("A over the mapping's, where all succeed, mean", "1", math::mean(both_a),
+                           both_a.size());
     if (first) {
       ours_a = common.ours;
     } else if (whole) {
       common.at_least = ours_a;  // ours is not worse
     }
-    row("fingertips, where all succeed, mean", "m", mean(both_tips), both_tips.size());
+    row("fingertips, where all succeed, mean", "m", math::mean(both_tips), both_tips.size());
   }
 }
 
 }  // namespace
 
-std::string check(const RepairStudyOptions& o) {
+std::string why_invalid(const RepairStudyOptions& o) {
   if (o.variants.empty()) return "variants is empty";
   if (o.cases < 1 || o.quick_cases < 1) return "cases and quick_cases must be positive";
   if (o.recordings < 1) return "recordings must be positive";
@@ -237,33 +247,33 @@ std::string check(const RepairStudyOptions& o) {
   return "";
 }
 
-StudyResult repair_study(const ConfigNode& config, const StudyRun& run) {
+StudyResult repair_study(const config::ConfigNode& config, const StudyRun& run) {
   RepairStudyOptions options;
-  read_options(config, options);
+  config::read_options(config, options);
   config.expect_all_read();
   const std::filesystem::path folder = run.config.parent_path();
   Study study{options, folder / options.pipeline, {}};
-  const ConfigNode node = ConfigNode::load(folder / options.synthetic);
-  read_options(node, study.synthetic);
+  const config::ConfigNode node = config::ConfigNode::load(folder / options.synthetic);
+  config::read_options(node, study.synthetic);
   node.expect_all_read();
 
-  std::vector<LoadedConfig> variants, long_searches;
+  std::vector<planning::LoadedConfig> variants, long_searches;
   for (const StudyVariant& variant : options.variants) {
-    variants.push_back(load_config(study.pipeline, variant.set));
+    variants.push_back(planning::load_config(study.pipeline, variant.set));
   }
   for (const std::uint64_t seed : options.long_seeds) {
     if (run.quick) break;
     std::vector<std::string> set = options.long_search.set;
     set.push_back(fmt::format("seed={}", seed));
-    long_searches.push_back(load_config(study.pipeline, set));
+    long_searches.push_back(planning::load_config(study.pipeline, set));
   }
 
-  const LoadedConfig plain = load_config(study.pipeline, options.plain.set);
+  const planning::LoadedConfig plain = planning::load_config(study.pipeline, options.plain.set);
 
   const auto wanted = static_cast<std::size_t>(run.quick ? options.quick_cases : options.cases);
   std::vector<ObstacleCase> cases;
   std::size_t looked_at = 0;
-  OrderedMap<std::uint64_t, ObstacleCase> map;
+  parallel::OrderedMap<std::uint64_t, ObstacleCase> map;
   const int end = options.first_recording + options.recordings;
   map.next = [&, next = options.first_recording]() mutable {
     return cases.size() >= wanted || next == end
@@ -288,7 +298,7 @@ StudyResult repair_study(const ConfigNode& config, const StudyRun& run) {
     if (one.found_by_long_search) line += " found by the long search";
     run.progress(line);
   };
-  morphe::run(map, run.jobs);
+  morphe::parallel::run(map, run.jobs);
 
   StudyResult result;
   result.rows.push_back(row_of({{"obstacle", "all"}}, "recordings looked at", "1",
@@ -298,4 +308,4 @@ StudyResult repair_study(const ConfigNode& config, const StudyRun& run) {
   return result;
 }
 
-}  // namespace morphe
+}  // namespace morphe::study

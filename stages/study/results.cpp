@@ -6,10 +6,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "pipeline/files/part_file.hpp"
 #include "pipeline/store/hdf5_file.hpp"
-#include "pipeline/store/part_file.hpp"
 
-namespace morphe {
+namespace morphe::study {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -36,7 +36,7 @@ std::string quoted(const std::string& text) {
 }
 
 void write_text(const std::filesystem::path& path, const std::string& text) {
-  PartFile file(path);
+  files::PartFile file(path);
   std::ofstream stream(file.part(), std::ios::binary);
   stream << text;
   stream.close();
@@ -51,13 +51,13 @@ StudyResult without_times(StudyResult result) {
 }
 
 void write_hdf5(const StudyResult& result, const std::filesystem::path& path) {
-  PartFile part(path);
-  Hdf5File file = Hdf5File::create(part.part());
-  const Hdf5Group root = file.root();
-  write_format(root, "morphe-study", 1);
+  files::PartFile part(path);
+  store::Hdf5File file = store::Hdf5File::create(part.part());
+  const store::Hdf5Group root = file.root();
+  store::write_format(root, "morphe-study", 1);
   root.set("study", result.study);
   std::vector<std::string> cases, metrics, units;
-  Hdf5Array<double> ours, published, reachable, count;
+  store::Hdf5Array<double> ours, published, reachable, count;
   for (const StudyRow& row : result.rows) {
     cases.push_back(case_of(row));
     metrics.push_back(row.metric);
@@ -151,4 +151,4 @@ void write_results(const StudyResult& all, const std::filesystem::path& folder) 
   for (const auto& [name, plot] : result.plots) write_text(folder / (name + ".svg"), svg_of(plot));
 }
 
-}  // namespace morphe
+}  // namespace morphe::study

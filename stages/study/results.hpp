@@ -5,7 +5,7 @@
 
 #include "stages/study/study.hpp"
 
-namespace morphe {
+namespace morphe::study {
 
 /// {study, rows: [{case: {…}, metric, unit, ours, published, reachable, n, wanted, holds}]}; NaN is
 /// null, `wanted` (such as ">= 0.99") and `holds` stand where something is asked for.
@@ -18,4 +18,4 @@ std::string results_table(const StudyResult& result);
 /// results.json, .csv, .h5 (format "morphe-study": a dataset a column) and one .svg a plot.
 void write_results(const StudyResult& result, const std::filesystem::path& folder);
 
-}  // namespace morphe
+}  // namespace morphe::study

@@ -5,7 +5,7 @@
 
 #include "pipeline/config/fields.hpp"
 
-namespace morphe {
+namespace morphe::study {
 
 /// configs/studies/retime.yaml.
 struct RetimeStudyOptions {
@@ -31,6 +31,6 @@ void fields(Fields& f, RetimeStudyOptions& o) {
   f("quick_trials", o.quick_trials);
   f("stronger", o.stronger);
 }
-std::string check(const RetimeStudyOptions& options);
+std::string why_invalid(const RetimeStudyOptions& options);
 
-}  // namespace morphe
+}  // namespace morphe::study

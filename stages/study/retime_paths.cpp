@@ -7,18 +7,18 @@
 #include <limits>
 #include <numbers>
 
-#include "stages/synthesize/random_stream.hpp"
+#include "pipeline/math/random_stream.hpp"
 
-namespace morphe {
+namespace morphe::study {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
-double log_between(RandomStream& random, double low, double high) {
+double log_between(math::RandomStream& random, double low, double high) {
   return low * std::pow(high / low, random.uniform());
 }
 
-RobotTable random_robot(RandomStream& random, Eigen::Index joints) {
+RobotTable random_robot(math::RandomStream& random, Eigen::Index joints) {
   RobotTable robot;
   robot.name = "random";
   robot.velocity.resize(joints);
@@ -34,7 +34,7 @@ RobotTable random_robot(RandomStream& random, Eigen::Index joints) {
 }
 
 /// Three sines a joint, over times that are not short against the path.
-void add_sines(RandomStream& random, JointPath& path) {
+void add_sines(math::RandomStream& random, JointPath& path) {
   const double duration_s = path.demonstration_time.back();
   for (Eigen::Index k = 0; k < path.position.cols(); ++k) {
     for (int wave = 1; wave <= 3; ++wave) {
@@ -49,7 +49,7 @@ void add_sines(RandomStream& random, JointPath& path) {
   }
 }
 
-void add_noise(RandomStream& random, JointPath& path) {
+void add_noise(math::RandomStream& random, JointPath& path) {
   const double amplitude = log_between(random, 1e-5, 1e-2);
   for (Eigen::Index i = 0; i < path.position.size(); ++i) {
     path.position.data()[i] += random.between(-amplitude, amplitude);
@@ -57,7 +57,7 @@ void add_noise(RandomStream& random, JointPath& path) {
 }
 
 /// A triangle wave on some joints.
-void add_reversals(RandomStream& random, JointPath& path) {
+void add_reversals(math::RandomStream& random, JointPath& path) {
   for (Eigen::Index k = 0; k < path.position.cols(); ++k) {
     if (random.chance(0.5)) continue;
     const double amplitude = random.between(0.01, 0.3), period = random.between(0.2, 1);
@@ -69,7 +69,7 @@ void add_reversals(RandomStream& random, JointPath& path) {
 }
 
 /// A run of waypoints at the place of its first one; at its time too, if asked.
-void hold(RandomStream& random, JointPath& path, bool same_time) {
+void hold(math::RandomStream& random, JointPath& path, bool same_time) {
   const auto rows = static_cast<double>(path.position.rows());
   const auto from = static_cast<Eigen::Index>(random.between(0, 0.9) * rows);
   const auto to = std::min(path.position.rows(),
@@ -82,7 +82,7 @@ void hold(RandomStream& random, JointPath& path, bool same_time) {
   }
 }
 
-RandomPath begin_path(RandomStream& random, int joints, int waypoints, double duration_s) {
+RandomPath begin_path(math::RandomStream& random, int joints, int waypoints, double duration_s) {
   RandomPath out;
   out.robot = random_robot(random, joints);
   out.path.position = JointRows::Zero(waypoints, joints);
@@ -102,7 +102,7 @@ void set_range(RandomPath& out, double margin) {
 
 RandomPath smooth_path(std::uint64_t seed, std::uint64_t index, int joints, int waypoints,
                        double duration_s) {
-  RandomStream random(seed, fmt::format("path {}", index));
+  math::RandomStream random(seed, fmt::format("path {}", index));
   RandomPath out = begin_path(random, joints, waypoints, duration_s);
   add_sines(random, out.path);
   set_range(out, 1);
@@ -110,7 +110,7 @@ RandomPath smooth_path(std::uint64_t seed, std::uint64_t index, int joints, int 
 }
 
 RandomPath random_path(std::uint64_t seed, std::uint64_t index) {
-  RandomStream random(seed, fmt::format("path {}", index));
+  math::RandomStream random(seed, fmt::format("path {}", index));
   const int joints = 1 + static_cast<int>(random.between(0, 44));
   const int waypoints = static_cast<int>(std::lround(log_between(random, 2, 2000)));
   const double step_s = waypoints < 30 ? random.between(0.01, 0.3) : random.between(0.004, 0.02);
@@ -177,4 +177,4 @@ SeenLimits seen_limits(const RobotTable& robot, const Trajectory& t) {
   return seen;
 }
 
-}  // namespace morphe
+}  // namespace morphe::study

@@ -5,7 +5,7 @@
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
-namespace morphe {
+namespace morphe::study {
 
 /// A random robot without tips and a path for it: 1 to 44 joints with limits over two decades (the
 /// jerk's sometimes infinite, the positions' sometimes exactly the path's range), 2 to 2,000
@@ -31,4 +31,4 @@ struct SeenLimits {
 };
 SeenLimits seen_limits(const RobotTable& robot, const Trajectory& trajectory);
 
-}  // namespace morphe
+}  // namespace morphe::study

@@ -6,7 +6,7 @@
 
 #include "stages/retime/fit_path.hpp"
 
-namespace morphe {
+namespace morphe::study {
 namespace {
 
 /// Accelerations of the clock that all joints allow; empty if least > most.
@@ -15,7 +15,7 @@ struct Range {
   double most = std::numeric_limits<double>::infinity();
 };
 
-Range allowed(const Course& course, const JointRows& q, double x) {
+Range allowed(const retime::Course& course, const JointRows& q, double x) {
   Range range;
   for (Eigen::Index k = 0; k < q.cols(); ++k) {
     const double first = q(1, k), rest = q(2, k) * x, limit = course.acceleration[k];
@@ -32,31 +32,32 @@ Range allowed(const Course& course, const JointRows& q, double x) {
 
 }  // namespace
 
-Course plain_course(const RobotTable& robot, const JointPath& path, const Movement& movement) {
+retime::Course plain_course(const RobotTable& robot, const JointPath& path,
+                            const Movement& movement) {
   constexpr double kKnotStep_s = 0.01;
-  Course course;
+  retime::Course course;
   course.robot = &robot;
   course.movement = &movement;
-  course.clocked = clock_path(robot, path, kKnotStep_s, false);
+  course.clocked = retime::clock_path(robot, path, kKnotStep_s, false);
   const std::vector<double> allowance(course.clocked.clock.size(), 1);
-  course.spline =
-      fit_path(robot, course.clocked.clock, course.clocked.position, allowance, {}, kKnotStep_s)
-          .spline;
+  course.spline = retime::fit_path(robot, course.clocked.clock, course.clocked.position, allowance,
+                                   {}, kKnotStep_s)
+                      .spline;
   course.velocity = robot.velocity;
   course.acceleration = robot.acceleration;
   course.jerk = JointVector::Constant(robot.jerk.size(), std::numeric_limits<double>::infinity());
   return course;
 }
 
-double reference_time(const Course& course, int steps) {
+double reference_time(const retime::Course& course, int steps) {
   const double h = course.spline.length / steps;
   std::vector<JointRows> q(static_cast<std::size_t>(steps) + 1);
   for (std::size_t i = 0; i < q.size(); ++i) {
-    evaluate(course.spline, h * static_cast<double>(i), q[i]);
+    math::evaluate(course.spline, h * static_cast<double>(i), q[i]);
   }
   std::vector<double> most(q.size(), 0);
   for (std::size_t i = q.size() - 1; i-- > 0;) {
-    double ceiling = kMostPace * kMostPace;
+    double ceiling = retime::kMostPace * retime::kMostPace;
     for (Eigen::Index k = 0; k < course.velocity.size(); ++k) {
       ceiling = std::min(ceiling, std::pow(course.velocity[k] / std::abs(q[i](1, k)), 2));
     }
@@ -81,4 +82,4 @@ double reference_time(const Course& course, int steps) {
   return time_s;
 }
 
-}  // namespace morphe
+}  // namespace morphe::study

@@ -4,17 +4,19 @@
 #include <limits>
 
 #include "pipeline/collision/certified.hpp"
+#include "pipeline/math/statistics.hpp"
+#include "pipeline/parallel/for_each.hpp"
 #include "stages/import/import.hpp"
-#include "stages/plan_movement.hpp"
+#include "stages/planning/plan_movement.hpp"
 #include "stages/retime/time_law.hpp"
-#include "stages/study/for_each.hpp"
 #include "stages/study/human_tempo.hpp"
 #include "stages/study/judge.hpp"
 #include "stages/study/retime_options.hpp"
 #include "stages/study/retime_paths.hpp"
 #include "stages/study/retime_reference.hpp"
+#include "stages/study/stopwatch.hpp"
 
-namespace morphe {
+namespace morphe::study {
 namespace {
 
 constexpr const char* kModes[] = {"human", "fastest", "duration"};
@@ -32,12 +34,12 @@ PathOutcome judge_path(std::uint64_t seed, std::uint64_t index) {
   PathOutcome out;
   double fastest_s = 0;
   for (std::size_t mode = 0; mode < 3; ++mode) {
-    RetimeOptions options;
+    retime::RetimeOptions options;
     options.mode = kModes[mode];
     if (options.mode == "duration") options.duration_s = std::max(0.05, kSpare * fastest_s);
-    RetimeResult result;
+    retime::RetimeResult result;
     out.took_s[mode] =
-        seconds([&] { result = retime(random.robot, random.path, Movement{}, options); });
+        seconds([&] { result = retime::retime(random.robot, random.path, Movement{}, options); });
     out.reason[mode] = result.reason;
     out.detail[mode] = result.detail;
     if (!result.reason.empty()) continue;
@@ -49,7 +51,7 @@ PathOutcome judge_path(std::uint64_t seed, std::uint64_t index) {
 
 void random_paths(const RetimeStudyOptions& options, const StudyRun& study, StudyResult& result) {
   std::vector<PathOutcome> all;
-  for_each<PathOutcome>(
+  parallel::for_each<PathOutcome>(
       study.quick ? options.quick_paths : options.paths, study.jobs,
       [&](std::uint64_t index) { return judge_path(options.seed, index); },
       [&](const PathOutcome& outcome) {
@@ -89,8 +91,8 @@ void random_paths(const RetimeStudyOptions& options, const StudyRun& study, Stud
     row("farthest beyond a position limit", "rad", worst.beyond).at_most = 0;
     row("all at rest at both ends", "1", worst.at_rest).at_least = 1;
     row("time always increases", "1", worst.time_increases).at_least = 1;
-    row("time of one, median", "s", quantile(took_s, 0.5)).timed = true;
-    row("time of one, 99th percentile", "s", quantile(took_s, 0.99)).timed = true;
+    row("time of one, median", "s", math::quantile(took_s, 0.5)).timed = true;
+    row("time of one, 99th percentile", "s", math::quantile(took_s, 0.99)).timed = true;
   }
 }
 
@@ -100,20 +102,21 @@ void optimum(const RetimeStudyOptions& options, const StudyRun& study, StudyResu
     double law = 0, sampled = 0;
   };
   std::vector<double> law, sampled;
-  for_each<Ratios>(
+  parallel::for_each<Ratios>(
       study.quick ? options.quick_optimum_paths : options.optimum_paths, study.jobs,
       [&](std::uint64_t index) {
         RandomPath path =
             smooth_path(options.seed, index, 1 + static_cast<int>(index * 7 % 30), 200, 2);
         path.robot.jerk.setConstant(std::numeric_limits<double>::infinity());
         const Movement movement;
-        const Course course = plain_course(path.robot, path.path, movement);
+        const retime::Course course = plain_course(path.robot, path.path, movement);
         const double least_s = reference_time(course, kFine);
-        RetimeOptions fastest;
+        retime::RetimeOptions fastest;
         fastest.mode = "fastest";
         return Ratios{
-            fastest_law(course).duration_s / least_s,
-            retime(path.robot, path.path, movement, fastest).trajectory.time.back() / least_s};
+            retime::fastest_law(course).duration_s / least_s,
+            retime::retime(path.robot, path.path, movement, fastest).trajectory.time.back() /
+                least_s};
       },
       [&](const Ratios& ratios) {
         law.push_back(ratios.law);
@@ -121,33 +124,34 @@ void optimum(const RetimeStudyOptions& options, const StudyRun& study, StudyResu
       });
   const Case of = {{"paths", "smooth, no jerk limit"}, {"mode", "fastest"}};
   const auto row = [&](const char* metric, const std::vector<double>& values, double at_most) {
-    result.rows.push_back(
-        row_of(of, fmt::format("{}, largest", metric), "1", quantile(values, 1), values.size()));
+    result.rows.push_back(row_of(of, fmt::format("{}, largest", metric), "1",
+                                 math::quantile(values, 1), values.size()));
     result.rows.back().at_most = at_most;
     result.rows.push_back(
-        row_of(of, fmt::format("{}, mean", metric), "1", mean(values), values.size()));
+        row_of(of, fmt::format("{}, mean", metric), "1", math::mean(values), values.size()));
   };
   row("law over the least time", law, 1.005);
   result.rows.push_back(
-      row_of(of, "law over the least time, smallest", "1", quantile(law, 0), law.size()));
+      row_of(of, "law over the least time, smallest", "1", math::quantile(law, 0), law.size()));
   result.rows.back().at_least = 0.995;
   row("samples over the least time", sampled, 1.02);
 }
 
 void trials(const RetimeStudyOptions& options, const StudyRun& study, StudyResult& result) {
   const std::filesystem::path folder = study.config.parent_path();
-  const LoadedConfig config = load_config(folder / options.pipeline);
-  const Planner planner{config.options, config.robot, capsule_reach(config.robot)};
+  const planning::LoadedConfig config = planning::load_config(folder / options.pipeline);
+  const planning::Planner planner{config.options, config.robot,
+                                  collision::capsule_reach(config.robot)};
   RobotTable stronger = config.robot;
   stronger.velocity *= options.stronger;
   stronger.acceleration *= options.stronger;
   stronger.jerk *= options.stronger;
-  ImportRequest request;
+  imports::ImportRequest request;
   request.paths = {folder / options.manifest};
   int recordings = 0;
-  import_recordings(request, [&](Demonstration&& demonstration) {
+  imports::import_recordings(request, [&](Demonstration&& demonstration) {
     if (recordings++ >= (study.quick ? options.quick_trials : options.trials)) return;
-    for (const Plan& plan : plan_demonstration(planner, demonstration).plans) {
+    for (const Plan& plan : planning::plan_demonstration(planner, demonstration).plans) {
       if (!plan.executable()) continue;
       const auto row = [&](const char* robot, const char* metric, double value) -> StudyRow& {
         const Case of = {{"trial", demonstration.name}, {"limits", robot}};
@@ -157,7 +161,8 @@ void trials(const RetimeStudyOptions& options, const StudyRun& study, StudyResul
       const HumanTempo real = human_tempo(config.robot, plan.goals, plan.trajectory);
       row("the robot's", "tempo", real.tempo);
       row("the robot's", "share of time at the human's tempo", real.share);
-      const RetimeResult free = retime(stronger, plan.path, plan.movement, config.options.retime);
+      const retime::RetimeResult free =
+          retime::retime(stronger, plan.path, plan.movement, config.options.retime);
       const HumanTempo kept = human_tempo(config.robot, plan.goals, free.trajectory);
       StudyRow& tempo = row("stronger", "tempo", kept.tempo);
       tempo.at_least = 0.9995;
@@ -172,7 +177,7 @@ void trials(const RetimeStudyOptions& options, const StudyRun& study, StudyResul
 
 }  // namespace
 
-std::string check(const RetimeStudyOptions& o) {
+std::string why_invalid(const RetimeStudyOptions& o) {
   if (o.paths < 1 || o.quick_paths < 1 || o.optimum_paths < 1 || o.quick_optimum_paths < 1) {
     return "numbers of paths must be positive";
   }
@@ -181,9 +186,9 @@ std::string check(const RetimeStudyOptions& o) {
   return "";
 }
 
-StudyResult retime_study(const ConfigNode& config, const StudyRun& run) {
+StudyResult retime_study(const config::ConfigNode& config, const StudyRun& run) {
   RetimeStudyOptions options;
-  read_options(config, options);
+  config::read_options(config, options);
   config.expect_all_read();
   StudyResult result;
   random_paths(options, run, result);
@@ -192,4 +197,4 @@ StudyResult retime_study(const ConfigNode& config, const StudyRun& run) {
   return result;
 }
 
-}  // namespace morphe
+}  // namespace morphe::study

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace morphe {
+namespace morphe::study {
 namespace {
 
 struct Interval {
@@ -95,4 +95,4 @@ SegmentationScore score_segmentation(const std::vector<Label>& labels,
   return score;
 }
 
-}  // namespace morphe
+}  // namespace morphe::study

@@ -8,7 +8,7 @@
 #include "pipeline/motion/demonstration.hpp"
 #include "pipeline/motion/movement.hpp"
 
-namespace morphe {
+namespace morphe::study {
 
 /// Found movements against labelled ones. A labelled movement begins with each label `reach` and
 /// goes on to the next one; it is found if a movement's reach overlaps the labelled reach by more
@@ -27,4 +27,4 @@ struct SegmentationScore {
 SegmentationScore score_segmentation(const std::vector<Label>& labels,
                                      const std::vector<Movement>& movements);
 
-}  // namespace morphe
+}  // namespace morphe::study

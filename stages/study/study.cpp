@@ -6,12 +6,12 @@
 
 #include "pipeline/config/node.hpp"
 
-namespace morphe {
+namespace morphe::study {
 namespace {
 
 struct Entry {
   const char* name;
-  StudyResult (*run)(const ConfigNode&, const StudyRun&);
+  StudyResult (*run)(const config::ConfigNode&, const StudyRun&);
 };
 
 constexpr std::array<Entry, 5> kStudies{{{"recordings", recordings_study},
@@ -23,8 +23,8 @@ constexpr std::array<Entry, 5> kStudies{{{"recordings", recordings_study},
 }  // namespace
 
 StudyResult run_study(const StudyRun& run) {
-  const ConfigNode root = ConfigNode::load(run.config);
-  const ConfigNode name = root["study"];
+  const config::ConfigNode root = config::ConfigNode::load(run.config);
+  const config::ConfigNode name = root["study"];
   for (const Entry& entry : kStudies) {
     if (name.text() != entry.name) continue;
     StudyResult result = entry.run(root, run);
@@ -36,4 +36,15 @@ StudyResult run_study(const StudyRun& run) {
   name.fail(fmt::format("there is no study '{}'; known:{}", name.text(), known));
 }
 
-}  // namespace morphe
+StudyRow row_of(const Case& of, const std::string& metric, const std::string& unit, double ours,
+                std::size_t n) {
+  StudyRow row;
+  row.of = of;
+  row.metric = metric;
+  row.unit = unit;
+  row.ours = ours;
+  row.n = n;
+  return row;
+}
+
+}  // namespace morphe::study

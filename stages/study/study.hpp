@@ -7,10 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include "pipeline/config/node.hpp"
 #include "pipeline/motion/geometry.hpp"
 #include "stages/study/plot.hpp"
 
-namespace morphe {
+namespace morphe::study {
 
 /// One figure of a study: what was measured, on what, and what is asked of it.
 struct StudyRow {
@@ -26,6 +27,10 @@ struct StudyRow {
   bool holds() const { return !(ours < at_least) && !(ours > at_most) && !(ours != ours); }
   bool asked() const { return at_least == at_least || at_most == at_most; }
 };
+
+using Case = std::vector<std::pair<std::string, std::string>>;
+StudyRow row_of(const Case& of, const std::string& metric, const std::string& unit, double ours,
+                std::size_t n);
 
 struct StudyResult {
   std::string study;
@@ -45,15 +50,14 @@ struct StudyRun {
 StudyResult run_study(const StudyRun& run);
 
 /// Movements and boundaries, and what is rebuilt, against annotations and synthetic truth.
-class ConfigNode;
-StudyResult recordings_study(const ConfigNode& config, const StudyRun& run);
+StudyResult recordings_study(const config::ConfigNode& config, const StudyRun& run);
 /// The paper's table and figures again.
-StudyResult paper_study(const ConfigNode& config, const StudyRun& run);
+StudyResult paper_study(const config::ConfigNode& config, const StudyRun& run);
 /// Whole movements through the pipeline, by variants of its config.
-StudyResult mapping_study(const ConfigNode& config, const StudyRun& run);
+StudyResult mapping_study(const config::ConfigNode& config, const StudyRun& run);
 /// Obstacles put into the way of movements: what repair makes of them.
-StudyResult repair_study(const ConfigNode& config, const StudyRun& run);
+StudyResult repair_study(const config::ConfigNode& config, const StudyRun& run);
 /// The time law on random paths, beside the least time there is, and at the human's tempo.
-StudyResult retime_study(const ConfigNode& config, const StudyRun& run);
+StudyResult retime_study(const config::ConfigNode& config, const StudyRun& run);
 
-}  // namespace morphe
+}  // namespace morphe::study

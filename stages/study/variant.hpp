@@ -5,7 +5,7 @@
 
 #include "pipeline/config/fields.hpp"
 
-namespace morphe {
+namespace morphe::study {
 
 /// A pipeline config with settings "a.b=value".
 struct StudyVariant {
@@ -18,4 +18,4 @@ void fields(Fields& f, StudyVariant& o) {
   f("set", o.set);
 }
 
-}  // namespace morphe
+}  // namespace morphe::study

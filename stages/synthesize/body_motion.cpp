@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace morphe {
+namespace morphe::synthesize {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
@@ -19,7 +19,7 @@ Quat neutral_hand(const Vec3& upper_arm, const Vec3& forearm) {
 }
 
 Unrest draw_waves(int count, double from_hz, double to_hz, const Vec3& amplitude,
-                  RandomStream& random) {
+                  math::RandomStream& random) {
   Unrest unrest;
   for (int k = 0; k < count; ++k) {
     Unrest::Wave& wave = unrest.waves.emplace_back();
@@ -45,13 +45,13 @@ bool Unrest::still() const {
   return std::ranges::all_of(waves, [](const Wave& wave) { return wave.amplitude.isZero(0); });
 }
 
-Unrest draw_drift(const SyntheticBody& options, RandomStream& random) {
+Unrest draw_drift(const SyntheticBody& options, math::RandomStream& random) {
   constexpr int kWaves = 3;
   const double amplitude = options.drift * std::sqrt(2.0 / kWaves);
   return draw_waves(kWaves, 0.05, 0.3, Vec3::Constant(amplitude), random);
 }
 
-Unrest draw_tremor(const SyntheticBody& options, RandomStream& random) {
+Unrest draw_tremor(const SyntheticBody& options, math::RandomStream& random) {
   constexpr int kWaves = 3;
   constexpr double kHalfBand = 0.4;  // [Hz]
   const double hz = random.between(options.tremor_hz);
@@ -68,16 +68,16 @@ ArmState arm_state(const BodyMotion& motion, double time_s) {
 
 ArmAt arm_at(const Subject& subject, const ArmState& state) {
   const Vec3 shoulder = state.segment<3>(kShoulderAt), wrist = state.segment<3>(kWristAt);
-  const Vec3 elbow = natural_elbow(shoulder, wrist, subject.body.arm, state[kSwivel]);
+  const Vec3 elbow = human::natural_elbow(shoulder, wrist, subject.body.arm, state[kSwivel]);
   ArmAt arm;
   arm.angles =
-      fit_arm_angles({shoulder, elbow, wrist, neutral_hand(elbow - shoulder, wrist - elbow)})
+      human::fit_arm_angles({shoulder, elbow, wrist, neutral_hand(elbow - shoulder, wrist - elbow)})
           .angles;
   for (int k = 0; k < 3; ++k) {
     arm.angles[static_cast<std::size_t>(4 + k)] = state[kPronation + k];
   }
-  arm.pose = arm_pose(shoulder, subject.body.arm, arm.angles);
+  arm.pose = human::arm_pose(shoulder, subject.body.arm, arm.angles);
   return arm;
 }
 
-}  // namespace morphe
+}  // namespace morphe::synthesize

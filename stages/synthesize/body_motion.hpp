@@ -4,8 +4,9 @@
 
 #include "pipeline/human/arm_angles.hpp"
 #include "stages/synthesize/subject.hpp"
+#include "stages/synthesize/synthesize_options.hpp"
 
-namespace morphe {
+namespace morphe::synthesize {
 
 /// What an arm is led by: wrist [m], pronation, wrist flexion, radial deviation, elbow swivel
 /// [rad], shoulder [m].
@@ -25,8 +26,8 @@ struct Unrest {
   bool still() const;
 };
 /// Drift: three waves below 0.3 Hz. Tremor: three close to one frequency, which beat.
-Unrest draw_drift(const SyntheticBody& options, RandomStream& random);
-Unrest draw_tremor(const SyntheticBody& options, RandomStream& random);
+Unrest draw_drift(const SyntheticBody& options, math::RandomStream& random);
+Unrest draw_tremor(const SyntheticBody& options, math::RandomStream& random);
 
 /// All that moves.
 struct BodyMotion {
@@ -36,8 +37,8 @@ struct BodyMotion {
 };
 
 struct ArmAt {
-  ArmAngles angles{};
-  ArmPose pose;
+  human::ArmAngles angles{};
+  human::ArmPose pose;
 };
 /// The elbow hangs at the swivel (natural_elbow), the angles are within human limits, the pose is
 /// theirs: bones keep their lengths.
@@ -45,4 +46,4 @@ ArmAt arm_at(const Subject& subject, const ArmState& state);
 /// With the drift, without the tremor.
 ArmState arm_state(const BodyMotion& motion, double time_s);
 
-}  // namespace morphe
+}  // namespace morphe::synthesize

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/forward.hpp"
 
-namespace morphe {
+namespace morphe::synthesize {
 namespace {
 
 /// Knuckles of the flat hand in the hand frame: index, middle, little.
 std::array<Vec3, 3> knuckles(const RobotTable& hand) {
   std::vector<Pose> hand_from_frame;
-  forward(hand, flat_hand(), hand_from_frame);
+  robot::forward(hand, flat_hand(), hand_from_frame);
   std::array<Vec3, 3> points;
   constexpr const char* kNames[] = {"index_mcp", "middle_mcp", "little_mcp"};
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -22,8 +22,8 @@ std::array<Vec3, 3> knuckles(const RobotTable& hand) {
   return points;
 }
 
-MarkerStream digitise(const SyntheticSensors& options, const Subject& subject, const ArmPose& pose,
-                      RandomStream& random) {
+MarkerStream digitise(const SyntheticSensors& options, const Subject& subject,
+                      const human::ArmPose& pose, math::RandomStream& random) {
   MarkerStream markers;
   markers.names = {"shoulder", "elbow", "wrist", "index_mcp", "middle_mcp", "little_mcp"};
   std::vector<Vec3> points = {pose.shoulder, pose.elbow, pose.wrist};
@@ -46,7 +46,7 @@ MarkerStream digitise(const SyntheticSensors& options, const Subject& subject, c
 
 Streams simulate_calibration(const SynthesizeOptions& options, const Subject& subject,
                              const ArmState& resting, const SensorMounts& mounts,
-                             const GloveBias& bias, RandomStream& random) {
+                             const GloveBias& bias, math::RandomStream& random) {
   ArmState straight = resting;
   straight[kFlexion] = straight[kDeviation] = 0;
   const ArmAt arm = arm_at(subject, straight);
@@ -56,8 +56,8 @@ Streams simulate_calibration(const SynthesizeOptions& options, const Subject& su
   calibration.sensors = simulate_sensors(o, mounts, std::vector<ArmAt>(count, arm), random);
   calibration.markers = digitise(o, subject, arm.pose, random);
   calibration.hand = simulate_glove(
-      options.glove, bias, [](double) { return GloveAngles{}; }, o.calibration_s, 0, random);
+      options.glove, bias, [](double) { return human::GloveAngles{}; }, o.calibration_s, 0, random);
   return calibration;
 }
 
-}  // namespace morphe
+}  // namespace morphe::synthesize

@@ -2,8 +2,9 @@
 
 #include "stages/synthesize/simulated_glove.hpp"
 #include "stages/synthesize/simulated_sensors.hpp"
+#include "stages/synthesize/synthesize_options.hpp"
 
-namespace morphe {
+namespace morphe::synthesize {
 
 /// The still recording before the movements: the arm where it rests, wrist straight, hand flat. The
 /// sensors with their noise, the glove with its noise and bias, and the digitised points shoulder,
@@ -11,6 +12,6 @@ namespace morphe {
 /// touched.
 Streams simulate_calibration(const SynthesizeOptions& options, const Subject& subject,
                              const ArmState& resting, const SensorMounts& mounts,
-                             const GloveBias& bias, RandomStream& random);
+                             const GloveBias& bias, math::RandomStream& random);
 
-}  // namespace morphe
+}  // namespace morphe::synthesize

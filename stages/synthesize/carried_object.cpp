@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace morphe {
+namespace morphe::synthesize {
 
 SceneObject carried_object(const Script& script, const MotionSamples& samples, double height_m,
                            std::size_t first, std::size_t last) {
@@ -43,4 +43,4 @@ SceneObject carried_object(const Script& script, const MotionSamples& samples, d
   return object;
 }
 
-}  // namespace morphe
+}  // namespace morphe::synthesize

@@ -5,7 +5,7 @@
 
 #include "stages/synthesize/profile.hpp"
 
-namespace morphe {
+namespace morphe::synthesize {
 
 /// A quantity that goes from place to place: q(t) = start + Σ_k (delta_k s_k(t) + detour_k b(s_k)),
 /// b(s) = 64 s³ (1 - s)³, which is 1 halfway. Steps may overlap; twice continuously differentiable.
@@ -41,4 +41,4 @@ struct Course {
   }
 };
 
-}  // namespace morphe
+}  // namespace morphe::synthesize

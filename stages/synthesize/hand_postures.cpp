@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace morphe {
+namespace morphe::synthesize {
 namespace {
 
 constexpr std::size_t kMiddleAbduction = 8;
@@ -26,8 +26,8 @@ HandState varied(const double* typical, const HandState& personal, const RobotTa
 
 }  // namespace
 
-HandAngles hand_angles(const HandState& state) {
-  HandAngles angles;
+human::HandAngles hand_angles(const HandState& state) {
+  human::HandAngles angles;
   std::copy_n(state.data(), kHandAngles, angles.joint.begin());
   angles.palm_arch = state[kHandState - 1];
   return angles;
@@ -35,7 +35,7 @@ HandAngles hand_angles(const HandState& state) {
 
 HandState flat_hand() { return HandState::Zero(); }
 
-HandPostures draw_hand_postures(const RobotTable& hand, RandomStream& random) {
+HandPostures draw_hand_postures(const RobotTable& hand, math::RandomStream& random) {
   constexpr double kPersonal = 0.05;  // [rad]
   HandState personal;
   for (double& joint : personal) joint = kPersonal * random.normal();
@@ -45,7 +45,7 @@ HandPostures draw_hand_postures(const RobotTable& hand, RandomStream& random) {
 
 double aperture(const RobotTable& hand, const HandState& state) {
   std::vector<Pose> frames;
-  const HandPoints points = hand_points(hand, hand_angles(state), frames);
+  const human::HandPoints points = human::hand_points(hand, hand_angles(state), frames);
   return (points.tip[0] - points.tip[1]).norm();
 }
 
@@ -63,4 +63,4 @@ HandState posture_of_aperture(const RobotTable& hand, const HandPostures& postur
   return at(0.5 * (wider + narrower));
 }
 
-}  // namespace morphe
+}  // namespace morphe::synthesize

@@ -3,16 +3,16 @@
 #include <vector>
 
 #include "pipeline/human/hand.hpp"
+#include "pipeline/math/random_stream.hpp"
 #include "stages/synthesize/course.hpp"
-#include "stages/synthesize/random_stream.hpp"
 
-namespace morphe {
+namespace morphe::synthesize {
 
 inline constexpr int kHandState =
     static_cast<int>(kHandAngles) + 1;                   ///< kHandAngleNames, palm_arch
 using HandState = Eigen::Matrix<double, kHandState, 1>;  ///< [rad]
 
-HandAngles hand_angles(const HandState& state);
+human::HandAngles hand_angles(const HandState& state);
 HandState flat_hand();
 
 /// The postures that one person's hand goes between: everything from wide open to closed on a thin
@@ -22,7 +22,7 @@ struct HandPostures {
   HandState resting, open, closed, pointing;
 };
 /// Typical angles, each joint changed by about 3 degrees from one subject to the next.
-HandPostures draw_hand_postures(const RobotTable& hand, RandomStream& random);
+HandPostures draw_hand_postures(const RobotTable& hand, math::RandomStream& random);
 
 /// Distance of thumb and index tip [m].
 double aperture(const RobotTable& hand, const HandState& state);
@@ -30,4 +30,4 @@ double aperture(const RobotTable& hand, const HandState& state);
 HandState posture_of_aperture(const RobotTable& hand, const HandPostures& postures,
                               double aperture_m);
 
-}  // namespace morphe
+}  // namespace morphe::synthesize

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace morphe {
+namespace morphe::synthesize {
 
 MotionSamples sample_motion(const Subject& subject, const Script& script, double rate_hz) {
   MotionSamples samples;
@@ -22,14 +22,15 @@ MotionSamples sample_motion(const Subject& subject, const Script& script, double
     if (trembles) shaken.segment<3>(kWristAt) += script.motion.tremor.at(t);
     samples.arm.push_back(arm_at(subject, shaken));
     samples.hand.push_back(script.motion.hand.at(t));
-    const HandPoints points = hand_points(subject.hand, hand_angles(samples.hand.back()), frames);
-    const ArmPose& pose = samples.arm.back().pose;
+    const human::HandPoints points =
+        human::hand_points(subject.hand, hand_angles(samples.hand.back()), frames);
+    const human::ArmPose& pose = samples.arm.back().pose;
     for (std::size_t finger = 0; finger < kFingers; ++finger) {
       samples.tip(i, finger) = pose.wrist + pose.world_from_hand * points.tip[finger];
     }
     samples.aperture.push_back((points.tip[0] - points.tip[1]).norm());
     if (trembles) {
-      const ArmPose steady = arm_at(subject, state).pose;
+      const human::ArmPose steady = arm_at(subject, state).pose;
       samples.steady_index.push_back(steady.wrist + steady.world_from_hand * points.tip[1]);
     } else {
       samples.steady_index.push_back(samples.tip(i, 1));
@@ -38,4 +39,4 @@ MotionSamples sample_motion(const Subject& subject, const Script& script, double
   return samples;
 }
 
-}  // namespace morphe
+}  // namespace morphe::synthesize

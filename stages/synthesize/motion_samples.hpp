@@ -4,7 +4,7 @@
 
 #include "stages/synthesize/script.hpp"
 
-namespace morphe {
+namespace morphe::synthesize {
 
 /// The truth at the sensors' instants i / rate_hz, over the whole script.
 struct MotionSamples {
@@ -20,4 +20,4 @@ struct MotionSamples {
 };
 MotionSamples sample_motion(const Subject& subject, const Script& script, double rate_hz);
 
-}  // namespace morphe
+}  // namespace morphe::synthesize

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace morphe {
+namespace morphe::synthesize {
 
 ArmState Places::home() {
   ArmState state;
@@ -76,4 +76,4 @@ ArmState Places::within_reach(const Vec3& from, ArmState state) const {
   return state;
 }
 
-}  // namespace morphe
+}  // namespace morphe::synthesize

@@ -1,14 +1,15 @@
 #pragma once
 
 #include "stages/synthesize/body_motion.hpp"
+#include "stages/synthesize/synthesize_options.hpp"
 
-namespace morphe {
+namespace morphe::synthesize {
 
 /// Where the arm is led. Every place is within reach (reach_share): a wrist beyond is drawn back
 /// along the way that leads to it.
 class Places {
  public:
-  Places(const SyntheticMovements& options, const Subject& subject, RandomStream& random)
+  Places(const SyntheticMovements& options, const Subject& subject, math::RandomStream& random)
       : options_(options), subject_(subject), random_(random) {}
 
   ArmState home();                          ///< palm down on the table before the body
@@ -23,7 +24,7 @@ class Places {
 
   const SyntheticMovements& options_;
   const Subject& subject_;
-  RandomStream& random_;
+  math::RandomStream& random_;
 };
 
-}  // namespace morphe
+}  // namespace morphe::synthesize

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace morphe {
+namespace morphe::synthesize {
 namespace {
 
 /// The speed f(t) is at exp(-(y + σ²)² / (2 σ²)) of its peak where y = ln t - μ: 5 % where
@@ -42,4 +42,4 @@ double covered_share(const Profile& profile, double time_s) {
   return tau * tau * tau * (10 + tau * (6 * tau - 15));
 }
 
-}  // namespace morphe
+}  // namespace morphe::synthesize

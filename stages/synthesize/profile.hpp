@@ -1,6 +1,6 @@
 #pragma once
 
-namespace morphe {
+namespace morphe::synthesize {
 
 enum class ProfileShape { minimum_jerk, lognormal, beta };
 
@@ -19,4 +19,4 @@ struct Profile {
 /// 0 before, 1 afterwards.
 double covered_share(const Profile& profile, double time_s);
 
-}  // namespace morphe
+}  // namespace morphe::synthesize

@@ -6,10 +6,10 @@
 
 #include "stages/synthesize/places.hpp"
 
-namespace morphe {
+namespace morphe::synthesize {
 namespace {
 
-MovementKind draw_kind(const KindWeights& w, RandomStream& random) {
+MovementKind draw_kind(const KindWeights& w, math::RandomStream& random) {
   const double weights[] = {w.minimum_jerk, w.lognormal,          w.asymmetric, w.curved,
                             w.two_peaks,    w.pause_before_grasp, w.no_grasp};
   double sum = 0;
@@ -26,7 +26,8 @@ MovementKind draw_kind(const KindWeights& w, RandomStream& random) {
 }
 
 /// The speed profile that goes with a kind.
-Profile draw_profile(MovementKind kind, double begin_s, double duration_s, RandomStream& random) {
+Profile draw_profile(MovementKind kind, double begin_s, double duration_s,
+                     math::RandomStream& random) {
   const double sigma = random.between(0.2, 0.35), peak = random.between(0.3, 0.45);
   if (kind == MovementKind::lognormal) {
     return {ProfileShape::lognormal, begin_s, duration_s, sigma};
@@ -36,7 +37,7 @@ Profile draw_profile(MovementKind kind, double begin_s, double duration_s, Rando
 }
 
 /// A direction across a way, somewhere between its side and up.
-Vec3 across(const Vec3& way, RandomStream& random) {
+Vec3 across(const Vec3& way, math::RandomStream& random) {
   const Vec3 along = way.normalized();
   const Vec3 aside = along.cross(Vec3::UnitZ()).normalized();
   const double turn = random.between(0, std::numbers::pi);
@@ -46,9 +47,9 @@ Vec3 across(const Vec3& way, RandomStream& random) {
 /// No angle of the arm comes near a limit, where it would have to stop at once.
 bool within_human_limits(const Script& script, const Subject& subject) {
   constexpr double kStep_s = 0.02, kMargin = 0.05;  // [rad]
-  const ArmLimits& limits = human_arm_limits();
+  const human::ArmLimits& limits = human::human_arm_limits();
   for (double t = 0; t < script.length_s; t += kStep_s) {
-    const ArmAngles angles = arm_at(subject, arm_state(script.motion, t)).angles;
+    const human::ArmAngles angles = arm_at(subject, arm_state(script.motion, t)).angles;
     for (std::size_t k = 0; k < kArmAngles; ++k) {
       if (angles[k] < limits.lower[k] + kMargin || angles[k] > limits.upper[k] - kMargin) {
         return false;
@@ -61,7 +62,7 @@ bool within_human_limits(const Script& script, const Subject& subject) {
 /// Draws a recording movement by movement; `now_s_` is where it has got to.
 class Writer {
  public:
-  Writer(const SynthesizeOptions& options, const Subject& subject, RandomStream& random)
+  Writer(const SynthesizeOptions& options, const Subject& subject, math::RandomStream& random)
       : o_(options),
         m_(options.movements),
         subject_(subject),
@@ -215,7 +216,7 @@ class Writer {
   const SynthesizeOptions& o_;
   const SyntheticMovements& m_;
   const Subject& subject_;
-  RandomStream& random_;
+  math::RandomStream& random_;
   Places places_;
   Script script_;
   ArmState home_, target_, arm_;
@@ -225,7 +226,8 @@ class Writer {
 
 }  // namespace
 
-Script draw_script(const SynthesizeOptions& options, const Subject& subject, RandomStream& random) {
+Script draw_script(const SynthesizeOptions& options, const Subject& subject,
+                   math::RandomStream& random) {
   constexpr int kTries = 100;
   Script script = Writer(options, subject, random).write();
   for (int k = 1; k < kTries && !within_human_limits(script, subject); ++k) {
@@ -234,4 +236,4 @@ Script draw_script(const SynthesizeOptions& options, const Subject& subject, Ran
   return script;
 }
 
-}  // namespace morphe
+}  // namespace morphe::synthesize

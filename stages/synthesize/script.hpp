@@ -1,8 +1,9 @@
 #pragma once
 
 #include "stages/synthesize/body_motion.hpp"
+#include "stages/synthesize/synthesize_options.hpp"
 
-namespace morphe {
+namespace morphe::synthesize {
 
 enum class MovementKind {
   minimum_jerk,
@@ -39,6 +40,7 @@ struct Script {
 };
 /// Drawn again, at most 100 times, while an angle of the arm comes within 0.05 rad of its human
 /// limit.
-Script draw_script(const SynthesizeOptions& options, const Subject& subject, RandomStream& random);
+Script draw_script(const SynthesizeOptions& options, const Subject& subject,
+                   math::RandomStream& random);
 
-}  // namespace morphe
+}  // namespace morphe::synthesize

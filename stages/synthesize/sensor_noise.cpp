@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-namespace morphe {
+namespace morphe::synthesize {
 
 std::vector<bool> draw_dropouts(std::size_t count, double rate_hz, double share,
-                                const FromTo& burst_s, RandomStream& random) {
+                                const FromTo& burst_s, math::RandomStream& random) {
   std::vector<bool> lost(count, false);
   if (share <= 0) return lost;
   const double mean_burst_s = 0.5 * (burst_s[0] + burst_s[1]);
@@ -25,4 +25,4 @@ std::vector<bool> draw_dropouts(std::size_t count, double rate_hz, double share,
   return lost;
 }
 
-}  // namespace morphe
+}  // namespace morphe::synthesize

@@ -2,9 +2,10 @@
 
 #include <vector>
 
-#include "stages/synthesize/random_stream.hpp"
+#include "pipeline/math/random_stream.hpp"
+#include "stages/synthesize/synthesize_options.hpp"
 
-namespace morphe {
+namespace morphe::synthesize {
 
 /// Noise of one sensor with a given rms: a white part and a slow one (Ornstein-Uhlenbeck), which
 /// has `slow_share` of the variance and is in its stationary state from the start.
@@ -15,7 +16,7 @@ template <int N>
 class SensorNoise {
  public:
   using Value = Eigen::Matrix<double, N, 1>;
-  SensorNoise(const NoiseLaw& law, double rms, RandomStream& random)
+  SensorNoise(const NoiseLaw& law, double rms, math::RandomStream& random)
       : kept_(std::exp(-1 / (law.slow_s * law.rate_hz))),
         added_(rms * std::sqrt(law.slow_share * (1 - kept_ * kept_))),
         white_(rms * std::sqrt(1 - law.slow_share)),
@@ -33,13 +34,13 @@ class SensorNoise {
 
  private:
   double kept_, added_, white_;
-  RandomStream& random_;
+  math::RandomStream& random_;
   Value slow_;
 };
 
 /// Samples [count] that were lost: bursts with lengths drawn from `burst_s`, the time between them
 /// exponential with the mean that makes `share` of the time lost on average.
 std::vector<bool> draw_dropouts(std::size_t count, double rate_hz, double share,
-                                const FromTo& burst_s, RandomStream& random);
+                                const FromTo& burst_s, math::RandomStream& random);
 
-}  // namespace morphe
+}  // namespace morphe::synthesize

@@ -2,21 +2,21 @@
 
 #include <cmath>
 
-namespace morphe {
+namespace morphe::synthesize {
 
-GloveBias draw_bias(const SyntheticGlove& options, RandomStream& random) {
+GloveBias draw_bias(const SyntheticGlove& options, math::RandomStream& random) {
   GloveBias bias;
   for (double& sensor : bias) sensor = options.bias * random.normal();
   return bias;
 }
 
 HandStream simulate_glove(const SyntheticGlove& options, const GloveBias& bias,
-                          const std::function<GloveAngles(double time_s)>& reading, double length_s,
-                          double clock_offset_s, RandomStream& random) {
-  constexpr int kSensors = static_cast<int>(kGloveSensorCount);
+                          const std::function<human::GloveAngles(double time_s)>& reading,
+                          double length_s, double clock_offset_s, math::RandomStream& random) {
+  constexpr int kSensors = static_cast<int>(human::kGloveSensorCount);
   HandStream stream;
   stream.kind = HandKind::glove;
-  stream.names.assign(std::begin(kGloveSensors), std::end(kGloveSensors));
+  stream.names.assign(std::begin(human::kGloveSensors), std::end(human::kGloveSensors));
   const auto count = static_cast<Eigen::Index>(std::floor(length_s * options.rate_hz)) + 1;
   stream.angles.resize(count, kSensors);
   SensorNoise<kSensors> noise({options.slow_share, options.slow_s, options.rate_hz}, options.noise,
@@ -24,7 +24,7 @@ HandStream simulate_glove(const SyntheticGlove& options, const GloveBias& bias,
   for (Eigen::Index i = 0; i < count; ++i) {
     const double time_s = static_cast<double>(i) / options.rate_hz;
     stream.time.push_back(time_s + clock_offset_s);
-    const GloveAngles ideal = reading(time_s);
+    const human::GloveAngles ideal = reading(time_s);
     GloveBias read = Eigen::Map<const GloveBias>(ideal.data()) + bias + noise.next();
     if (options.quantisation > 0) {
       read = (read / options.quantisation).array().round() * options.quantisation;
@@ -34,7 +34,7 @@ HandStream simulate_glove(const SyntheticGlove& options, const GloveBias& bias,
   return stream;
 }
 
-void drop(const SyntheticGlove& options, RandomStream& random, HandStream& glove) {
+void drop(const SyntheticGlove& options, math::RandomStream& random, HandStream& glove) {
   const std::vector<bool> lost = draw_dropouts(glove.time.size(), options.rate_hz,
                                                options.dropout_share, options.dropout_s, random);
   for (std::size_t i = 0; i < lost.size(); ++i) {
@@ -42,4 +42,4 @@ void drop(const SyntheticGlove& options, RandomStream& random, HandStream& glove
   }
 }
 
-}  // namespace morphe
+}  // namespace morphe::synthesize

@@ -5,19 +5,20 @@
 #include "pipeline/human/glove.hpp"
 #include "pipeline/motion/demonstration.hpp"
 #include "stages/synthesize/sensor_noise.hpp"
+#include "stages/synthesize/synthesize_options.hpp"
 
-namespace morphe {
+namespace morphe::synthesize {
 
 /// What each sensor of one glove reads too much [rad].
-using GloveBias = Eigen::Matrix<double, static_cast<int>(kGloveSensorCount), 1>;
-GloveBias draw_bias(const SyntheticGlove& options, RandomStream& random);
+using GloveBias = Eigen::Matrix<double, static_cast<int>(human::kGloveSensorCount), 1>;
+GloveBias draw_bias(const SyntheticGlove& options, math::RandomStream& random);
 
 /// What the glove says of a hand over [0, length_s], reading(t) being what an ideal one would; its
 /// clock reads `clock_offset_s` more than t.
 HandStream simulate_glove(const SyntheticGlove& options, const GloveBias& bias,
-                          const std::function<GloveAngles(double time_s)>& reading, double length_s,
-                          double clock_offset_s, RandomStream& random);
+                          const std::function<human::GloveAngles(double time_s)>& reading,
+                          double length_s, double clock_offset_s, math::RandomStream& random);
 /// Replaces what was lost by NaN.
-void drop(const SyntheticGlove& options, RandomStream& random, HandStream& glove);
+void drop(const SyntheticGlove& options, math::RandomStream& random, HandStream& glove);
 
-}  // namespace morphe
+}  // namespace morphe::synthesize

@@ -1,6 +1,6 @@
 #include "stages/synthesize/simulated_sensors.hpp"
 
-namespace morphe {
+namespace morphe::synthesize {
 namespace {
 
 NoiseLaw noise_law(const SyntheticSensors& o) { return {o.slow_share, o.slow_s, o.rate_hz}; }
@@ -8,7 +8,7 @@ NoiseLaw noise_law(const SyntheticSensors& o) { return {o.slow_share, o.slow_s, 
 /// Position and orientation noise of one tracked body.
 class PoseNoise {
  public:
-  PoseNoise(const SyntheticSensors& o, RandomStream& random)
+  PoseNoise(const SyntheticSensors& o, math::RandomStream& random)
       : position_(noise_law(o), o.position_noise, random),
         rotation_(noise_law(o), o.orientation_noise, random) {}
   void add_to(Vec3& position, Quat& orientation) {
@@ -23,7 +23,7 @@ class PoseNoise {
 };
 
 /// Axes that turn with the upper arm: z along it, x along the hinge of the elbow, which is bent.
-Quat upper_arm_axes(const ArmPose& arm) {
+Quat upper_arm_axes(const human::ArmPose& arm) {
   Eigen::Matrix3d axes;
   axes.col(2) = (arm.shoulder - arm.elbow).normalized();
   axes.col(0) = axes.col(2).cross(arm.elbow - arm.wrist).normalized();
@@ -33,7 +33,7 @@ Quat upper_arm_axes(const ArmPose& arm) {
 
 }  // namespace
 
-SensorMounts draw_mounts(const SyntheticSensors& options, RandomStream& random) {
+SensorMounts draw_mounts(const SyntheticSensors& options, math::RandomStream& random) {
   SensorMounts mounts;
   for (Pose& mount : mounts.segment_from_sensor) {
     const Vec3 away = random.normals().normalized() * random.between(options.mount);
@@ -43,7 +43,7 @@ SensorMounts draw_mounts(const SyntheticSensors& options, RandomStream& random) 
 }
 
 BodyStream simulate_sensors(const SyntheticSensors& options, const SensorMounts& mounts,
-                            const std::vector<ArmAt>& arm, RandomStream& random) {
+                            const std::vector<ArmAt>& arm, math::RandomStream& random) {
   BodyStream stream;
   stream.names = {"shoulder", "elbow", "wrist"};
   stream.position = Table<Vec3>(arm.size(), 3, Vec3::Zero());
@@ -56,7 +56,7 @@ BodyStream simulate_sensors(const SyntheticSensors& options, const SensorMounts&
                                  PoseNoise(options, random)};
   for (std::size_t i = 0; i < arm.size(); ++i) {
     stream.time.push_back(static_cast<double>(i) / options.rate_hz);
-    const ArmPose& pose = arm[i].pose;
+    const human::ArmPose& pose = arm[i].pose;
     const std::array<Vec3, 3> joint = {pose.shoulder, pose.elbow, pose.wrist};
     const std::array<Quat, 3> segment = {Quat::Identity(), upper_arm_axes(pose),
                                          pose.world_from_hand};
@@ -71,7 +71,7 @@ BodyStream simulate_sensors(const SyntheticSensors& options, const SensorMounts&
   return stream;
 }
 
-void drop(const SyntheticSensors& options, RandomStream& random, BodyStream& sensors) {
+void drop(const SyntheticSensors& options, math::RandomStream& random, BodyStream& sensors) {
   for (std::size_t k = 0; k < sensors.names.size(); ++k) {
     const std::vector<bool> lost = draw_dropouts(sensors.time.size(), options.rate_hz,
                                                  options.dropout_share, options.dropout_s, random);
@@ -83,11 +83,11 @@ void drop(const SyntheticSensors& options, RandomStream& random, BodyStream& sen
   }
 }
 
-void add_noise(const SyntheticSensors& options, RandomStream& random, SceneObject& object) {
+void add_noise(const SyntheticSensors& options, math::RandomStream& random, SceneObject& object) {
   PoseNoise noise(options, random);
   for (std::size_t i = 0; i < object.time.size(); ++i) {
     noise.add_to(object.position[i], object.orientation[i]);
   }
 }
 
-}  // namespace morphe
+}  // namespace morphe::synthesize

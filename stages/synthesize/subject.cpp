@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace morphe {
+namespace morphe::synthesize {
 namespace {
 
 constexpr double kMostDeviations = 4;
@@ -21,8 +21,8 @@ double deviate_of(double percentile) {
 
 }  // namespace
 
-Subject draw_subject(const SyntheticSubject& options, RandomStream& random) {
-  const Sex sex = random.chance(options.male_share) ? Sex::male : Sex::female;
+Subject draw_subject(const SyntheticSubject& options, math::RandomStream& random) {
+  const human::Sex sex = random.chance(options.male_share) ? human::Sex::male : human::Sex::female;
   const double least = deviate_of(options.percentiles[0]);
   const double greatest = deviate_of(options.percentiles[1]);
   std::array<double, 5> deviates{};
@@ -31,8 +31,8 @@ Subject draw_subject(const SyntheticSubject& options, RandomStream& random) {
     deviates[k] = std::clamp(0.8 * deviates[0] + 0.6 * deviates[k], least, greatest);
   }
   Subject subject;
-  subject.body = anthropometry(sex, deviates);
-  subject.hand = human_hand(subject.body.hand);
+  subject.body = human::anthropometry(sex, deviates);
+  subject.hand = human::human_hand(subject.body.hand);
   subject.postures = draw_hand_postures(subject.hand, random);
   constexpr double kHalfBreadth = 0.1;  // shoulder joint from the middle, share of stature
   subject.shoulder = {kHalfBreadth * subject.body.stature_m, random.between(-0.18, -0.08),
@@ -40,4 +40,4 @@ Subject draw_subject(const SyntheticSubject& options, RandomStream& random) {
   return subject;
 }
 
-}  // namespace morphe
+}  // namespace morphe::synthesize

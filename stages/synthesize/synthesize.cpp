@@ -9,7 +9,7 @@
 #include "stages/synthesize/carried_object.hpp"
 #include "stages/synthesize/true_labels.hpp"
 
-namespace morphe {
+namespace morphe::synthesize {
 namespace {
 
 /// Samples [first, last] of the script were recorded.
@@ -35,7 +35,7 @@ Streams true_streams(const MotionSamples& samples, const Recorded& part) {
   hand.position = Table<Vec3>(part.count(), kFingers, Vec3::Zero());
   for (std::size_t i = 0; i < part.count(); ++i) {
     const std::size_t k = part.first + i;
-    const ArmPose& pose = samples.arm[k].pose;
+    const human::ArmPose& pose = samples.arm[k].pose;
     joints.time.push_back(samples.time(i));
     joints.position(i, 0) = pose.shoulder;
     joints.position(i, 1) = pose.elbow;
@@ -55,15 +55,15 @@ Streams true_streams(const MotionSamples& samples, const Recorded& part) {
 }
 
 /// What an ideal glove reads; tremor moves the wrist's place, not its angles.
-GloveAngles ideal_glove(const BodyMotion& motion, double time_s) {
+human::GloveAngles ideal_glove(const BodyMotion& motion, double time_s) {
   const ArmState arm = motion.arm.at(time_s);
-  return encode_glove({hand_angles(motion.hand.at(time_s)), arm[kFlexion], arm[kDeviation]});
+  return human::encode_glove({hand_angles(motion.hand.at(time_s)), arm[kFlexion], arm[kDeviation]});
 }
 
 Streams recorded_streams(const SynthesizeOptions& options, const Script& script,
                          const MotionSamples& samples, const Recorded& part,
                          const SensorMounts& mounts, const GloveBias& bias, double clock_offset_s,
-                         RandomStream& random) {
+                         math::RandomStream& random) {
   Streams streams;
   const auto first = samples.arm.begin() + static_cast<std::ptrdiff_t>(part.first);
   const std::vector<ArmAt> arm(first, first + static_cast<std::ptrdiff_t>(part.count()));
@@ -90,10 +90,12 @@ std::string kinds_report(const Script& script) {
 SyntheticRecording synthesize(const SynthesizeOptions& options, std::uint64_t seed,
                               std::size_t index) {
   const std::string number = fmt::format("{:06}", index);
-  const auto stream = [&](const char* purpose) { return RandomStream(seed, number + purpose); };
-  RandomStream of_subject = stream("/subject"), of_script = stream("/script"),
-               of_sensors = stream("/sensors"), of_calibration = stream("/calibration"),
-               of_object = stream("/object"), of_dropouts = stream("/dropouts");
+  const auto stream = [&](const char* purpose) {
+    return math::RandomStream(seed, number + purpose);
+  };
+  math::RandomStream of_subject = stream("/subject"), of_script = stream("/script"),
+                     of_sensors = stream("/sensors"), of_calibration = stream("/calibration"),
+                     of_object = stream("/object"), of_dropouts = stream("/dropouts");
 
   const Subject subject = draw_subject(options.subject, of_subject);
   Script script = draw_script(options, subject, of_script);
@@ -130,7 +132,8 @@ SyntheticRecording synthesize(const SynthesizeOptions& options, std::uint64_t se
   drop(options.glove, of_dropouts, *made.recorded.streams.hand);
   made.recorded.calibration =
       simulate_calibration(options, subject, script.motion.arm.start, mounts, bias, of_calibration);
-  made.recorded.sensor_offsets = sensor_offsets(made.recorded.calibration, made.recorded.reports);
+  made.recorded.sensor_offsets =
+      human::sensor_offsets(made.recorded.calibration, made.recorded.reports);
 
   if (of_object.chance(options.object.recorded_share)) {
     const double height_m = of_object.between(options.object.height);
@@ -141,4 +144,4 @@ SyntheticRecording synthesize(const SynthesizeOptions& options, std::uint64_t se
   return made;
 }
 
-}  // namespace morphe
+}  // namespace morphe::synthesize

@@ -6,7 +6,7 @@
 #include "pipeline/motion/demonstration.hpp"
 #include "stages/synthesize/synthesize_options.hpp"
 
-namespace morphe {
+namespace morphe::synthesize {
 
 /// A recording that never was, and what it should have shown. Both have the same name, labels and
 /// (if there is one) object, and say in `reports` what was drawn: the kind of every movement, the
@@ -26,4 +26,4 @@ struct SyntheticRecording {
 SyntheticRecording synthesize(const SynthesizeOptions& options, std::uint64_t seed,
                               std::size_t index);
 
-}  // namespace morphe
+}  // namespace morphe::synthesize

@@ -6,7 +6,7 @@
 #include <initializer_list>
 #include <numbers>
 
-namespace morphe {
+namespace morphe::synthesize {
 namespace {
 
 struct NamedRange {
@@ -50,13 +50,13 @@ constexpr double kPi = std::numbers::pi;
 
 }  // namespace
 
-std::string check(const SyntheticSubject& o) {
+std::string why_invalid(const SyntheticSubject& o) {
   return first_of({first_fault({NamedNumber{"male_share", o.male_share, 0, 1}}),
                    first_fault({NamedRange{"percentiles", o.percentiles, 0, 100},
                                 NamedRange{"shoulder_height", o.shoulder_height, 0.15, 0.5}})});
 }
 
-std::string check(const KindWeights& o) {
+std::string why_invalid(const KindWeights& o) {
   constexpr double kMost = 1e6;
   const std::string fault = first_fault(
       {NamedNumber{"minimum_jerk", o.minimum_jerk, 0, kMost},
@@ -71,7 +71,7 @@ std::string check(const KindWeights& o) {
   return sum > 0 ? "" : "one kind must have a weight above 0";
 }
 
-std::string check(const SyntheticMovements& o) {
+std::string why_invalid(const SyntheticMovements& o) {
   const std::string fault = first_of(
       {first_fault(
            {NamedRange{"per_recording", o.per_recording, 1, 1000},
@@ -94,26 +94,26 @@ std::string check(const SyntheticMovements& o) {
   return "";
 }
 
-std::string check(const SyntheticHand& o) {
+std::string why_invalid(const SyntheticHand& o) {
   return first_of({first_fault({NamedRange{"peak_share", o.peak_share, 0.3, 0.9},
                                 NamedRange{"opening_excess", o.opening_excess, 0.005, 0.08}}),
                    first_fault({NamedNumber{"least_widening", o.least_widening, 0.005, 0.06},
                                 NamedNumber{"pad", o.pad, 0, 0.015}})});
 }
 
-std::string check(const SyntheticObject& o) {
+std::string why_invalid(const SyntheticObject& o) {
   return first_of({first_fault({NamedRange{"radius", o.radius, 0.01, 0.045},
                                 NamedRange{"height", o.height, 0.02, 0.4}}),
                    first_fault({NamedNumber{"recorded_share", o.recorded_share, 0, 1}})});
 }
 
-std::string check(const SyntheticBody& o) {
+std::string why_invalid(const SyntheticBody& o) {
   return first_of({first_fault({NamedRange{"tremor_hz", o.tremor_hz, 3, 30}}),
                    first_fault({NamedNumber{"tremor", o.tremor, 0, 0.01},
                                 NamedNumber{"drift", o.drift, 0, 0.002}})});
 }
 
-std::string check(const SyntheticSensors& o) {
+std::string why_invalid(const SyntheticSensors& o) {
   return first_of(
       {first_fault(
            {NamedRange{"mount", o.mount, 0, 0.2}, NamedRange{"dropout_s", o.dropout_s, 0.001, 10}}),
@@ -128,7 +128,7 @@ std::string check(const SyntheticSensors& o) {
                     NamedNumber{"digitised", static_cast<double>(o.digitised), 1, 1000}})});
 }
 
-std::string check(const SyntheticGlove& o) {
+std::string why_invalid(const SyntheticGlove& o) {
   return first_of(
       {first_fault({NamedRange{"dropout_s", o.dropout_s, 0.001, 10},
                     NamedRange{"clock_offset_s", o.clock_offset_s, -1, 1}}),
@@ -140,4 +140,4 @@ std::string check(const SyntheticGlove& o) {
                     NamedNumber{"dropout_share", o.dropout_share, 0, 0.9}})});
 }
 
-}  // namespace morphe
+}  // namespace morphe::synthesize

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace morphe {
+namespace morphe::synthesize {
 
 /// A quantity drawn evenly: [from, to].
 using FromTo = std::vector<double>;
@@ -20,7 +20,7 @@ void fields(Fields& f, SyntheticSubject& o) {
   f("percentiles", o.percentiles);
   f("shoulder_height", o.shoulder_height);
 }
-std::string check(const SyntheticSubject& options);
+std::string why_invalid(const SyntheticSubject& options);
 
 /// How often a movement is of each kind, in proportion.
 struct KindWeights {
@@ -42,7 +42,7 @@ void fields(Fields& f, KindWeights& o) {
   f("pause_before_grasp", o.pause_before_grasp);
   f("no_grasp", o.no_grasp);
 }
-std::string check(const KindWeights& options);
+std::string why_invalid(const KindWeights& options);
 
 /// What the subject does: reach, grasp, transport, hold, put back, release, return, rest.
 struct SyntheticMovements {
@@ -83,7 +83,7 @@ void fields(Fields& f, SyntheticMovements& o) {
   f("ends_inside_share", o.ends_inside_share);
   f("kinds", o.kinds);
 }
-std::string check(const SyntheticMovements& options);
+std::string why_invalid(const SyntheticMovements& options);
 
 struct SyntheticHand {
   FromTo peak_share = {0.6, 0.74};        ///< of the reach's time: the hand is widest open
@@ -98,7 +98,7 @@ void fields(Fields& f, SyntheticHand& o) {
   f("least_widening", o.least_widening);
   f("pad", o.pad);
 }
-std::string check(const SyntheticHand& options);
+std::string why_invalid(const SyntheticHand& options);
 
 /// An upright cylinder between thumb and index finger.
 struct SyntheticObject {
@@ -112,7 +112,7 @@ void fields(Fields& f, SyntheticObject& o) {
   f("height", o.height);
   f("recorded_share", o.recorded_share);
 }
-std::string check(const SyntheticObject& options);
+std::string why_invalid(const SyntheticObject& options);
 
 /// What the body does unasked.
 struct SyntheticBody {
@@ -126,7 +126,7 @@ void fields(Fields& f, SyntheticBody& o) {
   f("tremor_hz", o.tremor_hz);
   f("drift", o.drift);
 }
-std::string check(const SyntheticBody& options);
+std::string why_invalid(const SyntheticBody& options);
 
 /// Polhemus Liberty: shoulder, elbow (on the upper arm), wrist (on the hand).
 struct SyntheticSensors {
@@ -156,7 +156,7 @@ void fields(Fields& f, SyntheticSensors& o) {
   f("digitising_noise", o.digitising_noise);
   f("digitised", o.digitised);
 }
-std::string check(const SyntheticSensors& options);
+std::string why_invalid(const SyntheticSensors& options);
 
 /// CyberGlove II.
 struct SyntheticGlove {
@@ -182,7 +182,7 @@ void fields(Fields& f, SyntheticGlove& o) {
   f("dropout_s", o.dropout_s);
   f("clock_offset_s", o.clock_offset_s);
 }
-std::string check(const SyntheticGlove& options);
+std::string why_invalid(const SyntheticGlove& options);
 
 /// A config of `morphe synthesize`.
 struct SynthesizeOptions {
@@ -205,4 +205,4 @@ void fields(Fields& f, SynthesizeOptions& o) {
   f("glove", o.glove);
 }
 
-}  // namespace morphe
+}  // namespace morphe::synthesize

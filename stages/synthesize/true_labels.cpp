@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace morphe {
+namespace morphe::synthesize {
 namespace {
 
 constexpr double kBoundaryShare = 0.05, kPreshapeShare = 0.1;
@@ -125,4 +125,4 @@ std::vector<Label> true_labels(const Script& script, const MotionSamples& sample
   return std::move(out.labels);
 }
 
-}  // namespace morphe
+}  // namespace morphe::synthesize

@@ -5,7 +5,7 @@
 #include "pipeline/motion/demonstration.hpp"
 #include "stages/synthesize/motion_samples.hpp"
 
-namespace morphe {
+namespace morphe::synthesize {
 
 /// The phases of a script as the motion without noise and tremor shows them, in the order reach,
 /// preshape, grasp, transport, hold, transport, hold, return (a touch: reach, hold, return); what
@@ -19,4 +19,4 @@ namespace morphe {
 /// recorded is not labelled, nor its preshape.
 std::vector<Label> true_labels(const Script& script, const MotionSamples& samples);
 
-}  // namespace morphe
+}  // namespace morphe::synthesize

@@ -18,7 +18,7 @@
 
 #include "pipeline/collision/certified.hpp"
 #include "pipeline/collision/fcl_engine.hpp"
-#include "pipeline/kinematics/description.hpp"
+#include "pipeline/robot/files/description.hpp"
 #include "tests/pipeline/collision/random_pairs.hpp"
 #include "tests/pipeline/collision/thin_walls.hpp"
 #include "tests/support/random_positions.hpp"
@@ -52,13 +52,13 @@ Scene table_and_five() {
 }
 
 struct Bench {
-  RobotTable robot =
-      load_robot(std::filesystem::path(MORPHE_SOURCE_DIR) / "configs/robots/pa10_dlr_hit2.yaml")
-          .table;
+  RobotTable robot = robot::load_robot(std::filesystem::path(MORPHE_SOURCE_DIR) /
+                                       "configs/robots/pa10_dlr_hit2.yaml")
+                         .table;
   Scene scene = table_and_five();
-  CollisionWorld world = make_world(robot, scene, {}, {});
-  JointRows reach = capsule_reach(robot);
-  CollisionScratch scratch;
+  collision::CollisionWorld world = collision::make_world(robot, scene, {}, {});
+  JointRows reach = collision::capsule_reach(robot);
+  collision::CollisionScratch scratch;
 };
 
 struct Times {
@@ -144,14 +144,14 @@ struct Case {
 int run(bool quick, const std::string& file) {
   Json rows = Json::array();
   Bench bench;
-  FclEngine fcl(bench.world);
+  collision::FclEngine fcl(bench.world);
   std::mt19937_64 random(1);
   const std::size_t wanted = quick ? 500 : 5000;
   std::vector<JointVector> all, free_states;
   int differ = 0;
   while (free_states.size() < wanted) {
     const JointVector q = random_position(bench.robot, random);
-    const bool free = is_free(bench.world, q, 0, bench.scratch);
+    const bool free = collision::is_free(bench.world, q, 0, bench.scratch);
     differ += free != fcl.free(q, 0, bench.scratch);
     if (all.size() < wanted) all.push_back(q);
     if (free) free_states.push_back(q);
@@ -160,7 +160,9 @@ int run(bool quick, const std::string& file) {
              bench.robot.capsules.size(), bench.world.pairs.size(), bench.scene.objects.size(),
              differ);
   fmt::print("{:38} {:>9} {:>9}  us\n", "", "median", "99 %");
-  const auto ours = [&](const JointVector& q) { return is_free(bench.world, q, 0, bench.scratch); };
+  const auto ours = [&](const JointVector& q) {
+    return collision::is_free(bench.world, q, 0, bench.scratch);
+  };
   const auto theirs = [&](const JointVector& q) { return fcl.free(q, 0, bench.scratch); };
   for (const auto& [name, states] :
        {std::pair("free states", &free_states), {"any states", &all}}) {
@@ -173,7 +175,7 @@ int run(bool quick, const std::string& file) {
     one.add_peer("fcl_dynamic_tree", tree);
     rows.push_back(one.json());
     Times slack = timed(*states, [&](const JointVector& q) {
-      return least_slack(bench.world, q, 0, bench.scratch);
+      return collision::least_slack(bench.world, q, 0, bench.scratch);
     });
     fmt::print("{}", row("  least slack and its pair", slack));
   }
@@ -182,20 +184,22 @@ int run(bool quick, const std::string& file) {
   std::vector<double> checks;
   int free_edges = 0;
   Times certified = timed(edges, [&](const Edge& edge) {
-    return check_motion(bench.world, bench.reach, straight_motion(edge.from, edge.to, 0, 0.01),
-                        bench.scratch);
+    return collision::check_motion(bench.world, bench.reach,
+                                   collision::straight_motion(edge.from, edge.to, 0, 0.01),
+                                   bench.scratch);
   });
   for (const Edge& edge : edges) {
-    const MotionCheck check = check_motion(
-        bench.world, bench.reach, straight_motion(edge.from, edge.to, 0, 0.01), bench.scratch);
-    free_edges += check.verdict == MotionVerdict::free;
+    const collision::MotionCheck check = collision::check_motion(
+        bench.world, bench.reach, collision::straight_motion(edge.from, edge.to, 0, 0.01),
+        bench.scratch);
+    free_edges += check.verdict == collision::MotionVerdict::free;
   }
   const auto sampled = [&](int steps) {
     return timed(edges, [&, steps](const Edge& edge) {
       bool free = true;
       for (int k = 0; k <= steps && free; ++k) {
         const JointVector q = edge.from + (edge.to - edge.from) * k / steps;
-        free = is_free(bench.world, q, 0, bench.scratch);
+        free = collision::is_free(bench.world, q, 0, bench.scratch);
       }
       return free;
     });
@@ -224,10 +228,10 @@ int pairs(int count) {
   fmt::print("{:10} {:>9} {:>12} {:>12} {:>12}  m\n", "capsule -", "pairs", "over", "under",
              "reference");
   for (const Shape shape : kShapes) {
-    RandomBodies random(81);
-    DistanceError worst{-1, -1, -1};
+    collision::RandomBodies random(81);
+    collision::DistanceError worst{-1, -1, -1};
     for (int k = 0; k < count / 5; ++k) {
-      const DistanceError error = random_pair_error(random, shape, k);
+      const collision::DistanceError error = collision::random_pair_error(random, shape, k);
       worst.over = std::max(worst.over, error.over);
       worst.under = std::max(worst.under, error.under);
       worst.uncertain = std::max(worst.uncertain, error.uncertain);
@@ -239,9 +243,9 @@ int pairs(int count) {
 }
 
 int walls(int motions) {
-  RandomBodies random(82);
-  CollisionScratch scratch;
-  ThinWallCount count;
+  collision::RandomBodies random(82);
+  collision::CollisionScratch scratch;
+  collision::ThinWallCount count;
   for (int k = 0; k < motions; ++k) count_thin_walls(random, count, scratch);
   fmt::print(
       "{} motions; colliding at 0.1 mm steps: {}, of those proved free: {}, free at ten "

@@ -4,14 +4,15 @@
 #include <filesystem>
 #include <string>
 
-#include "pipeline/kinematics/description.hpp"
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/files/description.hpp"
+#include "pipeline/robot/forward.hpp"
 
 namespace morphe {
 namespace {
 
 RobotTable robot_named(const std::string& name) {
-  return load_robot(std::filesystem::path(MORPHE_SOURCE_DIR) / "configs/robots" / (name + ".yaml"))
+  return robot::load_robot(std::filesystem::path(MORPHE_SOURCE_DIR) / "configs/robots" /
+                           (name + ".yaml"))
       .table;
 }
 
@@ -31,7 +32,7 @@ void frames(benchmark::State& state, const std::string& name) {
   std::vector<Pose> base_from_frame;
   for (auto _ : state) {
     benchmark::DoNotOptimize(q.data());
-    forward(robot, q, base_from_frame);
+    robot::forward(robot, q, base_from_frame);
     benchmark::DoNotOptimize(base_from_frame.data());
     benchmark::ClobberMemory();
   }
@@ -44,11 +45,11 @@ void tips_one_by_one(benchmark::State& state, const std::string& name) {
   Eigen::Matrix3Xd point(3, q.size()), turn(3, q.size());
   for (auto _ : state) {
     benchmark::DoNotOptimize(q.data());
-    forward(robot, q, base_from_frame);
+    robot::forward(robot, q, base_from_frame);
     for (std::size_t i = 0; i < robot.tips.size(); ++i) {
-      const Vec3 tip = tip_pose(robot, base_from_frame, i).translation();
-      point_jacobian(robot, base_from_frame, robot.tips[i].frame, tip, point);
-      rotation_jacobian(robot, base_from_frame, robot.tips[i].frame, turn);
+      const Vec3 tip = robot::tip_pose(robot, base_from_frame, i).translation();
+      robot::point_jacobian(robot, base_from_frame, robot.tips[i].frame, tip, point);
+      robot::rotation_jacobian(robot, base_from_frame, robot.tips[i].frame, turn);
       benchmark::DoNotOptimize(point.data());
       benchmark::DoNotOptimize(turn.data());
     }
@@ -63,8 +64,8 @@ void tips_at_once(benchmark::State& state, const std::string& name) {
   Eigen::MatrixXd jacobian(6 * static_cast<Eigen::Index>(robot.tips.size()), q.size());
   for (auto _ : state) {
     benchmark::DoNotOptimize(q.data());
-    forward(robot, q, base_from_frame);
-    tip_jacobians(robot, base_from_frame, jacobian);
+    robot::forward(robot, q, base_from_frame);
+    robot::tip_jacobians(robot, base_from_frame, jacobian);
     benchmark::DoNotOptimize(jacobian.data());
     benchmark::ClobberMemory();
   }

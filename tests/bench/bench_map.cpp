@@ -8,9 +8,9 @@
 #include <numbers>
 #include <random>
 
-#include "pipeline/kinematics/description.hpp"
-#include "pipeline/kinematics/forward.hpp"
-#include "pipeline/kinematics/generate.hpp"
+#include "pipeline/robot/files/description.hpp"
+#include "pipeline/robot/files/generate.hpp"
+#include "pipeline/robot/forward.hpp"
 #include "pipeline/solve/structured.hpp"
 #include "tests/bench/bench_map_problems.hpp"
 #ifdef MORPHE_KDL
@@ -37,12 +37,12 @@ double percentile(std::vector<double> values, double share) {
 /// One solver on one robot: everything that is allocated once.
 struct Solver {
   const BenchProblem* bench;
-  MinimiseOptions options;
-  BoundedProblem problem;
-  ObjectiveScratch scratch;
-  StructuredScratch structured;
-  Quadratic model;
-  const FrameGoal* goal = nullptr;
+  solve::MinimiseOptions options;
+  solve::BoundedProblem problem;
+  humanlike::ObjectiveScratch scratch;
+  solve::StructuredScratch structured;
+  solve::Quadratic model;
+  const humanlike::FrameGoal* goal = nullptr;
 
   Solver(const BenchProblem& b, const std::string& algorithm) : bench(&b) {
     options.algorithm = algorithm;
@@ -52,23 +52,25 @@ struct Solver {
     problem.objective = [this](const JointVector& q, JointVector* gradient) {
       model.value = 0;
       model.gradient.setZero();
-      add_objective(bench->objective, bench->robot, q, *goal, scratch, model, Curvature::none);
+      humanlike::add_objective(bench->objective, bench->robot, q, *goal, scratch, model,
+                               humanlike::Curvature::none);
       if (gradient) *gradient = model.gradient;
       return model.value;
     };
-    problem.model = [this](const JointVector& q, Quadratic& out) {
-      add_objective(bench->objective, bench->robot, q, *goal, scratch, out, Curvature::exact);
+    problem.model = [this](const JointVector& q, solve::Quadratic& out) {
+      humanlike::add_objective(bench->objective, bench->robot, q, *goal, scratch, out,
+                               humanlike::Curvature::exact);
     };
   }
   Solver(const Solver&) = delete;
 
-  Minimum solve(const FrameGoal& at, const JointVector& start) {
+  solve::Minimum solve(const humanlike::FrameGoal& at, const JointVector& start) {
     goal = &at;
     scratch.new_descent();
     if (options.algorithm == "structured") {
-      return minimise_structured(problem, start, options, structured);
+      return solve::minimise_structured(problem, start, options, structured);
     }
-    return minimise(problem, start, options);
+    return solve::minimise(problem, start, options);
   }
 };
 
@@ -78,11 +80,11 @@ struct Row {
   double evaluations = 0;
 };
 
-void measure_errors(const BenchProblem& bench, const FrameGoal& goal, const JointVector& q,
-                    std::vector<Pose>& poses, Row& row) {
-  forward(bench.robot, q, poses);
+void measure_errors(const BenchProblem& bench, const humanlike::FrameGoal& goal,
+                    const JointVector& q, std::vector<Pose>& poses, Row& row) {
+  robot::forward(bench.robot, q, poses);
   for (std::size_t i = 0; i < bench.robot.tips.size(); ++i) {
-    const Pose tip = tip_pose(bench.robot, poses, i);
+    const Pose tip = robot::tip_pose(bench.robot, poses, i);
     row.position_mm.push_back(1e3 * (tip.translation() - goal.tip_position[i]).norm());
     if (!seen(goal.tip_orientation[i])) continue;
     row.orientation_deg.push_back(180 / std::numbers::pi *
@@ -98,12 +100,13 @@ JointVector random_position(const RobotTable& robot, std::mt19937_64& random) {
   return q;
 }
 
-Minimum best_of(Solver& solver, const FrameGoal& goal, int starts, std::uint64_t seed) {
+solve::Minimum best_of(Solver& solver, const humanlike::FrameGoal& goal, int starts,
+                       std::uint64_t seed) {
   std::mt19937_64 random(seed);
-  Minimum best;
+  solve::Minimum best;
   best.value = std::numeric_limits<double>::infinity();
   for (int i = 0; i < starts; ++i) {
-    Minimum found = solver.solve(goal, random_position(solver.bench->robot, random));
+    solve::Minimum found = solver.solve(goal, random_position(solver.bench->robot, random));
     if (found.value < best.value) best = std::move(found);
   }
   return best;
@@ -116,10 +119,10 @@ Row follow(Solver& solver, const std::vector<JointVector>& first, bool extrapola
   std::vector<Pose> poses;
   for (std::size_t m = 0; m < solver.bench->movements.size(); ++m) {
     JointVector last = first[m], before = first[m], start;
-    for (const FrameGoal& goal : solver.bench->movements[m]) {
+    for (const humanlike::FrameGoal& goal : solver.bench->movements[m]) {
       const double begin = processor_us();
       start = extrapolate ? JointVector(2 * last - before) : last;
-      Minimum found = solver.solve(goal, start);
+      solve::Minimum found = solver.solve(goal, start);
       row.time_us.push_back(processor_us() - begin);
       row.value.push_back(found.value);
       row.evaluations += found.evaluations;
@@ -140,7 +143,7 @@ Row follow_kdl(const BenchProblem& bench, const std::vector<JointVector>& first,
   solved = 0;
   for (std::size_t m = 0; m < bench.movements.size(); ++m) {
     JointVector q = first[m];
-    for (const FrameGoal& goal : bench.movements[m]) {
+    for (const humanlike::FrameGoal& goal : bench.movements[m]) {
       const Pose target = make_pose(goal.tip_position[0], goal.tip_orientation[0]);
       const double begin = processor_us();
       solved += arm.solve(target, q) ? 1 : 0;
@@ -185,7 +188,7 @@ void print_cold(const BenchProblem& bench, Solver& solver) {
     int global = 0, count = 0;
     for (std::size_t m = 0; m < bench.movements.size(); ++m) {
       for (const std::size_t f : {std::size_t{0}, bench.movements[m].size() / 2}) {
-        const FrameGoal& goal = bench.movements[m][f];
+        const humanlike::FrameGoal& goal = bench.movements[m][f];
         const double best = best_of(solver, goal, 200, 77).value;
         const double begin = processor_us();
         const double found = best_of(solver, goal, starts, 3 + m).value;
@@ -240,15 +243,15 @@ void run(const BenchProblem& bench) {
 int main(int argc, char** argv) {
   using namespace morphe;
   const std::string robots = MORPHE_SOURCE_DIR "/configs/robots/";
-  const RobotTable arm = load_robot(robots + "pa10.yaml").table;
-  const RobotTable arm_hand = load_robot(robots + "pa10_dlr_hit2.yaml").table;
+  const RobotTable arm = robot::load_robot(robots + "pa10.yaml").table;
+  const RobotTable arm_hand = robot::load_robot(robots + "pa10_dlr_hit2.yaml").table;
   std::vector<std::pair<std::string, const RobotTable*>> cases = {
       {"arm 7, wrist pose", &arm},
       {"arm-hand 22, fingertip positions", &arm_hand},
       {"arm-hand 22, fingertip positions and orientations", &arm_hand}};
   std::vector<RobotTable> hyper;
   for (const int n : {9, 21, 27, 44})
-    hyper.push_back(generate_arm({n, 0.5775, std::numbers::pi / 2}));
+    hyper.push_back(robot::generate_arm({n, 0.5775, std::numbers::pi / 2}));
   for (const RobotTable& robot : hyper) {
     cases.emplace_back(fmt::format("arm {}, wrist pose", robot.joints()), &robot);
   }

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <random>
 
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/forward.hpp"
 
 namespace morphe {
 namespace {
@@ -27,7 +27,8 @@ struct Noise {
   }
 };
 
-FrameGoal goal_at(const RobotTable& robot, JointVector q, bool orientations, Noise& noise) {
+humanlike::FrameGoal goal_at(const RobotTable& robot, JointVector q, bool orientations,
+                             Noise& noise) {
   for (std::size_t j = 0; j < robot.joints(); ++j) {
     const bool finger = std::any_of(kFingerNames, kFingerNames + kFingers, [&](const char* name) {
       return robot.joint_names[j].starts_with(name);
@@ -36,7 +37,7 @@ FrameGoal goal_at(const RobotTable& robot, JointVector q, bool orientations, Noi
   }
   q = q.cwiseMax(robot.lower).cwiseMin(robot.upper);
   std::vector<Pose> poses;
-  forward(robot, q, poses);
+  robot::forward(robot, q, poses);
   const auto origin = [&](int frame) -> Vec3 {
     return poses[static_cast<std::size_t>(frame)].translation();
   };
@@ -45,9 +46,9 @@ FrameGoal goal_at(const RobotTable& robot, JointVector q, bool orientations, Noi
   const Quat turn = noise.turn(0.15 * kDegree);
   const auto sensed = [&](const Vec3& p) -> Vec3 { return hand + shift + turn * (p - hand); };
 
-  FrameGoal goal;
+  humanlike::FrameGoal goal;
   for (std::size_t i = 0; i < robot.tips.size(); ++i) {
-    const Pose tip = tip_pose(robot, poses, i);
+    const Pose tip = robot::tip_pose(robot, poses, i);
     goal.tip_position.push_back(sensed(tip.translation()));
     goal.tip_orientation.push_back(orientations ? turn * Quat(tip.linear()) : unseen_rotation());
   }
@@ -96,7 +97,7 @@ BenchProblem make_bench_problem(const std::string& name, const RobotTable& robot
       to[j] = std::clamp(from[j] + uniform(-reach, reach), 0.9 * low + 0.1 * high,
                          0.1 * low + 0.9 * high);
     }
-    std::vector<FrameGoal> movement;
+    std::vector<humanlike::FrameGoal> movement;
     for (int f = 0; f < kFrames; ++f) {
       const double s = f / (kFrames - 1.0), share = s * s * s * (10 - s * (15 - 6 * s));
       movement.push_back(goal_at(robot, from + share * (to - from), goals.orientations, noise));

@@ -11,8 +11,8 @@ namespace morphe {
 struct BenchProblem {
   std::string name;
   RobotTable robot;
-  FrameObjective objective;
-  std::vector<std::vector<FrameGoal>> movements;
+  humanlike::FrameObjective objective;
+  std::vector<std::vector<humanlike::FrameGoal>> movements;
   std::vector<JointVector> begin;  ///< the position that made each movement's first goals
 };
 

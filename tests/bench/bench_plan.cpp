@@ -14,8 +14,8 @@
 #include <thread>
 #include <vector>
 
-#include "pipeline/kinematics/description.hpp"
 #include "pipeline/moveit/problem.hpp"
+#include "pipeline/robot/files/description.hpp"
 #include "stages/repair/connect.hpp"
 #include "stages/repair/draw_in.hpp"
 #include "stages/repair/repair.hpp"
@@ -34,8 +34,8 @@ double processor_ms() {
 struct Options {
   fs::path problems = fs::path(MORPHE_SOURCE_DIR) / "datasets/motionbenchmaker";
   fs::path robot;  ///< panda.yaml of the same folder if empty
-  int iterations = 20000, shortcuts = RepairOptions{}.shortcut_attempts;
-  double range = RepairOptions{}.range, margin_m = Tolerances{}.margin;
+  int iterations = 20000, shortcuts = repair::RepairOptions{}.shortcut_attempts;
+  double range = repair::RepairOptions{}.range, margin_m = Tolerances{}.margin;
   unsigned threads = 1;
   std::string json;  ///< file of the figures, if any
 };
@@ -75,30 +75,35 @@ double length_of(const std::vector<JointVector>& path) {
   return length;
 }
 
-Answer solve(const Problem& problem, const RobotDescription& robot, const Options& options) {
-  const PlanningProblem asked = read_moveit_problem(problem.scene, problem.request, robot);
+Answer solve(const Problem& problem, const robot::RobotDescription& robot, const Options& options) {
+  const moveit::PlanningProblem asked =
+      moveit::read_moveit_problem(problem.scene, problem.request, robot);
   Tolerances tolerances;
   tolerances.margin = options.margin_m;
-  const CollisionWorld world = make_world(asked.robot, asked.scene, {}, tolerances);
-  const JointRows reach = capsule_reach(asked.robot);
-  const IntervalWorld interval = interval_world(world, 0, 0, 0, TouchRule::strict);
-  const ConnectSpace space{arm_joints(asked.robot), asked.robot.lower, asked.robot.upper};
+  const collision::CollisionWorld world =
+      collision::make_world(asked.robot, asked.scene, {}, tolerances);
+  const JointRows reach = collision::capsule_reach(asked.robot);
+  const repair::IntervalWorld interval =
+      repair::interval_world(world, 0, 0, 0, repair::TouchRule::strict);
+  const repair::ConnectSpace space{repair::arm_joints(asked.robot), asked.robot.lower,
+                                   asked.robot.upper};
   Answer answer;
-  CollisionScratch scratch;
-  if (!is_free(world, asked.start, 0, scratch)) answer.why = "start in collision";
+  collision::CollisionScratch scratch;
+  if (!collision::is_free(world, asked.start, 0, scratch)) answer.why = "start in collision";
   if (!asked.goals.front().is_position()) answer.why = "no joint goal";
   const JointVector& goal = asked.goals.front().lower;
-  if (answer.why.empty() && !is_free(world, goal, 0, scratch)) answer.why = "goal in collision";
+  if (answer.why.empty() && !collision::is_free(world, goal, 0, scratch))
+    answer.why = "goal in collision";
   if (!answer.why.empty()) {
-    const PairSeparation pair =
-        least_slack(world, answer.why[0] == 's' ? asked.start : goal, 0, scratch);
-    answer.why += fmt::format(": {} - {}, {:.4f} m", first_name(world, pair),
-                              second_name(world, pair), pair.slack());
+    const collision::PairSeparation pair =
+        collision::least_slack(world, answer.why[0] == 's' ? asked.start : goal, 0, scratch);
+    answer.why += fmt::format(": {} - {}, {:.4f} m", collision::first_name(world, pair),
+                              collision::second_name(world, pair), pair.slack());
     return answer;
   }
   double begin = processor_ms();
-  answer.path =
-      connect(interval, reach, space, asked.start, goal, options.iterations, options.range, 1);
+  answer.path = repair::connect(interval, reach, space, asked.start, goal, options.iterations,
+                                options.range, 1);
   answer.plan_ms = processor_ms() - begin;
   answer.solved = !answer.path.empty();
   if (!answer.solved) {
@@ -108,19 +113,22 @@ Answer solve(const Problem& problem, const RobotDescription& robot, const Option
   answer.length = length_of(answer.path);
   begin = processor_ms();
   std::mt19937_64 random(1);
-  answer.path = shortcut(interval, reach, std::move(answer.path), options.shortcuts, random);
+  answer.path =
+      repair::shortcut(interval, reach, std::move(answer.path), options.shortcuts, random);
   answer.shorten_ms = processor_ms() - begin;
   answer.shortened = length_of(answer.path);
   answer.certified = true;
   for (std::size_t i = 1; i < answer.path.size(); ++i) {
-    const JointMotion edge = straight_motion(answer.path[i - 1], answer.path[i], 0, 0);
-    answer.certified &= check_motion(world, reach, edge, scratch).verdict == MotionVerdict::free;
+    const collision::JointMotion edge =
+        collision::straight_motion(answer.path[i - 1], answer.path[i], 0, 0);
+    answer.certified &= collision::check_motion(world, reach, edge, scratch).verdict ==
+                        collision::MotionVerdict::free;
   }
   return answer;
 }
 
-std::vector<Answer> solve_all(const std::vector<Problem>& problems, const RobotDescription& robot,
-                              const Options& options) {
+std::vector<Answer> solve_all(const std::vector<Problem>& problems,
+                              const robot::RobotDescription& robot, const Options& options) {
   std::vector<Answer> answers(problems.size());
   std::vector<std::jthread> threads;
   for (unsigned t = 0; t < options.threads; ++t) {
@@ -194,8 +202,8 @@ void write_json(const std::string& file, const std::vector<Problem>& problems,
 
 int run(const Options& options) {
   const std::vector<Problem> problems = problems_in(options.problems);
-  const RobotDescription robot =
-      load_robot(options.robot.empty() ? options.problems / "panda.yaml" : options.robot);
+  const robot::RobotDescription robot =
+      robot::load_robot(options.robot.empty() ? options.problems / "panda.yaml" : options.robot);
   const std::vector<Answer> answers = solve_all(problems, robot, options);
   fmt::print("{:<22} {:>10} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "", "solved", "certified",
              "ms 50 %", "ms 95 %", "+ shorten", "rad 50 %", "shortened");

@@ -43,15 +43,15 @@ Problem problem(bool jerk) {
   return out;
 }
 
-Course course_of(const Problem& from) {
-  Course course;
+retime::Course course_of(const Problem& from) {
+  retime::Course course;
   course.robot = &from.robot;
   course.movement = &from.movement;
-  course.clocked = clock_path(from.robot, from.path, 0.01, true);
+  course.clocked = retime::clock_path(from.robot, from.path, 0.01, true);
   const std::vector<double> allowance(course.clocked.clock.size(), 1);
-  course.spline =
-      fit_path(from.robot, course.clocked.clock, course.clocked.position, allowance, {}, 0.01)
-          .spline;
+  course.spline = retime::fit_path(from.robot, course.clocked.clock, course.clocked.position,
+                                   allowance, {}, 0.01)
+                      .spline;
   course.velocity = from.robot.velocity;
   course.acceleration = from.robot.acceleration;
   course.jerk = from.robot.jerk;
@@ -66,11 +66,11 @@ void path_building(benchmark::State& state) {
 /// `build`: the path is built each time. Points of the jerk law: knots and the middles between.
 void law(benchmark::State& state, bool jerk, bool build) {
   const Problem from = problem(jerk);
-  Course course = course_of(from);
+  retime::Course course = course_of(from);
   double duration_s = 0;
   for (auto _ : state) {
     if (build) course = course_of(from);
-    duration_s = fastest_law(course, state.range(0), state.range(0) / 2).duration_s;
+    duration_s = retime::fastest_law(course, state.range(0), state.range(0) / 2).duration_s;
     benchmark::DoNotOptimize(duration_s);
   }
   state.counters["duration_s"] = duration_s;
@@ -78,11 +78,12 @@ void law(benchmark::State& state, bool jerk, bool build) {
 
 void whole(benchmark::State& state, bool jerk) {
   const Problem from = problem(jerk);
-  RetimeOptions options;
+  retime::RetimeOptions options;
   options.mode = "fastest";
   double duration_s = 0;
   for (auto _ : state) {
-    duration_s = retime(from.robot, from.path, from.movement, options).trajectory.time.back();
+    duration_s =
+        retime::retime(from.robot, from.path, from.movement, options).trajectory.time.back();
     benchmark::DoNotOptimize(duration_s);
   }
   state.counters["duration_s"] = duration_s;

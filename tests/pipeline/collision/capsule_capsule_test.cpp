@@ -4,7 +4,7 @@
 
 #include "tests/pipeline/collision/random_bodies.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 namespace {
 
 double point_to_segment(const Vec3& point, const CapsuleBody& body) {
@@ -97,4 +97,4 @@ TEST(CapsuleCapsule, AxesThatTouchHaveTheirCommonPerpendicular) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::collision

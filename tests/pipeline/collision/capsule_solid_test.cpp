@@ -4,7 +4,7 @@
 
 #include "tests/pipeline/collision/random_bodies.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 namespace {
 
 bool contains(const SceneObject& solid, const Vec3& p) {
@@ -141,4 +141,4 @@ TEST(CapsuleSolidByHand, RightThroughAPlateTheNormalIsTheLongSide) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::collision

@@ -9,7 +9,7 @@
 #include "tests/pipeline/collision/random_robot.hpp"
 #include "tests/support/two_link_arm.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 namespace {
 
 TEST(CapsuleReach, IsNeverExceeded) {
@@ -374,4 +374,4 @@ TEST(ObjectTravel, HoldsForEveryPointOfTheObject) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::collision

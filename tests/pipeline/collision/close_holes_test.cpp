@@ -3,7 +3,7 @@
 #include "pipeline/collision/close_holes.hpp"
 #include "tests/pipeline/collision/meshes.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 namespace {
 
 /// With corners of its own for every triangle, shaken by up to 0.3 um, as an exporter's rounding.
@@ -80,4 +80,4 @@ TEST(CloseHoles, ASheetIsLeftAlone) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::collision

@@ -2,7 +2,7 @@
 
 #include "tests/pipeline/collision/random_pairs.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 namespace {
 
 class DistanceTruth : public testing::TestWithParam<Shape> {};
@@ -28,4 +28,4 @@ INSTANTIATE_TEST_SUITE_P(Shapes, DistanceTruth,
                          [](const auto& shape) { return shape_name(shape.param); });
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::collision

@@ -11,7 +11,7 @@
 #include "tests/pipeline/collision/meshes.hpp"
 #include "tests/pipeline/collision/random_bodies.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 namespace {
 
 std::unique_ptr<fcl::CollisionGeometry<double>> shape_of(const SceneObject& solid) {
@@ -156,4 +156,4 @@ TEST(FclAgreementOfCapsules, Verdict) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::collision

@@ -8,7 +8,7 @@
 #include "tests/pipeline/collision/random_bodies.hpp"
 #include "tests/support/two_link_arm.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 namespace {
 
 SceneObject box_of(const Vec3& size) {
@@ -201,4 +201,4 @@ TEST(Mesh, WorldPreparesItAndCertifiesPastIt) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::collision

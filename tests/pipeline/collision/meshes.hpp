@@ -6,7 +6,7 @@
 
 #include "pipeline/collision/mesh_solid.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 
 inline SceneObject mesh_object(std::vector<Vec3> vertices, std::vector<Eigen::Vector3i> triangles) {
   SceneObject mesh;
@@ -71,4 +71,4 @@ inline SceneObject torus_mesh(double ring, double tube, int around, int across) 
   return mesh_object(std::move(vertices), std::move(triangles));
 }
 
-}  // namespace morphe
+}  // namespace morphe::collision

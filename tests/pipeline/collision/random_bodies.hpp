@@ -5,7 +5,7 @@
 
 #include "pipeline/collision/distance.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 
 /// Bodies for the tests, the same ones on every machine.
 class RandomBodies {
@@ -55,4 +55,4 @@ class RandomBodies {
 
 inline constexpr Shape kSolids[] = {Shape::sphere, Shape::box, Shape::cylinder, Shape::capsule};
 
-}  // namespace morphe
+}  // namespace morphe::collision

@@ -5,7 +5,7 @@
 #include "tests/pipeline/collision/random_bodies.hpp"
 #include "tests/pipeline/collision/reference_distance.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 
 /// The hull of points on an ellipsoid about the origin.
 inline SceneObject random_hull(RandomBodies& random) {
@@ -42,4 +42,4 @@ inline DistanceError random_pair_error(RandomBodies& random, Shape shape, int nu
   return {got - truth.upper, truth.lower - got, truth.upper - truth.lower};
 }
 
-}  // namespace morphe
+}  // namespace morphe::collision

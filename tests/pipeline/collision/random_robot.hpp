@@ -6,7 +6,7 @@
 #include "pipeline/motion/scene.hpp"
 #include "tests/pipeline/collision/random_bodies.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 
 /// An arm of four joints, a fixed palm and two fingers of three joints, the last one coupled to the
 /// middle one. Random links, axes and capsules. 4 + 2 * 2 = 8 actuated joints.
@@ -81,4 +81,4 @@ inline Scene random_scene(RandomBodies& random) {
   return scene;
 }
 
-}  // namespace morphe
+}  // namespace morphe::collision

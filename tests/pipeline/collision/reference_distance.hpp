@@ -6,7 +6,7 @@
 
 #include "pipeline/collision/distance.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 
 /// The distance of a segment from a solid as the convex problem it is, min |x - y| over x on the
 /// segment and y in the solid, from first principles: no closed form of pipeline/collision is used.
@@ -128,4 +128,4 @@ inline ReferenceDistance reference_distance(const Vec3& from, const Vec3& to,
   return best;
 }
 
-}  // namespace morphe
+}  // namespace morphe::collision

@@ -3,7 +3,7 @@
 #include "pipeline/collision/certified.hpp"
 #include "tests/pipeline/collision/random_robot.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 
 /// A slim random robot (links 8 mm thin, fingers 2 mm), walls 1 mm thin about it, and a straight
 /// motion from a place that is free.
@@ -73,4 +73,4 @@ inline void count_thin_walls(RandomBodies& random, ThinWallCount& count,
   count.refused += fine >= 2e-4 && !free;
 }
 
-}  // namespace morphe
+}  // namespace morphe::collision

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace morphe {
+namespace morphe::collision {
 namespace {
 
 /// bench_collision --walls N does any number.
@@ -18,4 +18,4 @@ TEST(ThinWalls, NoCollisionIsMissedAndNoRoomRefused) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::collision

@@ -7,7 +7,7 @@
 
 #include "tests/pipeline/collision/random_robot.hpp"
 
-namespace morphe {
+namespace morphe::collision {
 namespace {
 
 Movement grasping() {
@@ -157,4 +157,4 @@ TEST(World, FclAgreesOnWholeRobots) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::collision

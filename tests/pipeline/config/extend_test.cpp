@@ -2,7 +2,7 @@
 
 #include "pipeline/config/node.hpp"
 
-namespace morphe {
+namespace morphe::config {
 namespace {
 
 TEST(ConfigNode, ExtendingTakesWhatIsMissingAndKeepsWhereItStood) {
@@ -31,4 +31,4 @@ TEST(ConfigNode, AnUnreadKeyOfTheBaseIsNamedWithTheBase) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::config

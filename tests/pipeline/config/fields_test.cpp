@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace morphe {
+namespace morphe::config {
 namespace {
 
 struct Inner {
@@ -47,7 +47,9 @@ void fields(Fields& f, Options& o) {
   f("inner", o.inner);
   f("list", o.list);
 }
-std::string check(const Options& o) { return o.count < 0 ? "count must not be negative" : ""; }
+std::string why_invalid(const Options& o) {
+  return o.count < 0 ? "count must not be negative" : "";
+}
 
 struct Strict {
   double needed = 0;
@@ -127,4 +129,4 @@ TEST(Fields, ChecksAreReportedWithTheSection) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::config

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <numbers>
 
-namespace morphe {
+namespace morphe::config {
 namespace {
 
 using testing::ElementsAre;
@@ -140,4 +140,4 @@ TEST(ConfigNode, SetIsNamedInErrors) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::config

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-namespace morphe {
+namespace morphe::human {
 namespace {
 
 constexpr double kPi = std::numbers::pi, kDegree = kPi / 180;
@@ -156,4 +156,4 @@ TEST(FitArmAngles, AreUnseenWhereThePoseIs) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::human

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-namespace morphe {
+namespace morphe::human {
 namespace {
 
 const ArmLengths kArm{0.30, 0.25};
@@ -68,4 +68,4 @@ TEST(ArmLengths, AreThePublishedShares) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::human

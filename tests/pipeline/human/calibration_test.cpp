@@ -5,7 +5,7 @@
 
 #include <random>
 
-namespace morphe {
+namespace morphe::human {
 namespace {
 
 using testing::ElementsAre;
@@ -105,4 +105,4 @@ TEST(SensorOffsets, SayWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::human

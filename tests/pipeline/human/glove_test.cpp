@@ -6,7 +6,7 @@
 #include <random>
 #include <string>
 
-namespace morphe {
+namespace morphe::human {
 namespace {
 
 std::size_t sensor(const std::string& name) {
@@ -84,4 +84,4 @@ TEST(Glove, EncodingIsTheInverse) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::human

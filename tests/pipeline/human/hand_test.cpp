@@ -7,7 +7,7 @@
 
 #include "pipeline/human/anthropometry.hpp"
 
-namespace morphe {
+namespace morphe::human {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -125,4 +125,4 @@ TEST(Anthropometry, IsAnsur) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::human

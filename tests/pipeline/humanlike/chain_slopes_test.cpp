@@ -6,13 +6,13 @@
 
 #include "pipeline/humanlike/frame_objective.hpp"
 #include "pipeline/humanlike/hull.hpp"
-#include "pipeline/kinematics/description.hpp"
-#include "pipeline/kinematics/forward.hpp"
-#include "pipeline/kinematics/generate.hpp"
+#include "pipeline/robot/files/description.hpp"
+#include "pipeline/robot/files/generate.hpp"
+#include "pipeline/robot/forward.hpp"
 #include "tests/support/finite_differences.hpp"
 #include "tests/support/random_positions.hpp"
 
-namespace morphe {
+namespace morphe::humanlike {
 namespace {
 
 Vec3 random_point(std::mt19937_64& random) {
@@ -123,13 +123,13 @@ TEST(Hull, QuickhullFindsEveryTriangleWithAllPointsBehindIt) {
 /// All terms together on arms and hands of every kind, against differences of fourth order.
 TEST(FrameObjective, GradientOnRandomRobots) {
   const std::string robots = MORPHE_SOURCE_DIR "/configs/robots/";
-  const ArmShape arm{11, 0.6};
-  const std::vector<RobotTable> kinds{load_robot(robots + "pa10.yaml").table,
-                                      load_robot(robots + "dlr_hit2.yaml").table,
-                                      load_robot(robots + "pa10_dlr_hit2.yaml").table,
-                                      generate_arm(arm),
-                                      generate_arm({44, 0.5}),
-                                      generate_arm_hand(arm, {5, 0.19, 0.085})};
+  const robot::ArmShape arm{11, 0.6};
+  const std::vector<RobotTable> kinds{robot::load_robot(robots + "pa10.yaml").table,
+                                      robot::load_robot(robots + "dlr_hit2.yaml").table,
+                                      robot::load_robot(robots + "pa10_dlr_hit2.yaml").table,
+                                      robot::generate_arm(arm),
+                                      robot::generate_arm({44, 0.5}),
+                                      robot::generate_arm_hand(arm, {5, 0.19, 0.085})};
   FrameObjective objective;
   objective.tip_position.weight = 7;
   objective.tip_orientation.weight = 0.6;
@@ -159,7 +159,7 @@ TEST(FrameObjective, GradientOnRandomRobots) {
       JointVector q(objective.variables(robot));
       q << random_position(robot, random), 0.01, 0.02, -0.03;
       ObjectiveScratch scratch;
-      Quadratic model;
+      solve::Quadratic model;
       const auto value = [&](const JointVector& at) {
         model.reset(q.size());
         add_objective(objective, robot, at, goal, scratch, model, Curvature::none);
@@ -176,4 +176,4 @@ TEST(FrameObjective, GradientOnRandomRobots) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::humanlike

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace morphe {
+namespace morphe::humanlike {
 namespace {
 
 TEST(Metrics, JointDistanceIsTheSumOfSquares) {
@@ -55,4 +55,4 @@ TEST(Metrics, HullSumSplitsTheRobotAtTheElbow) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::humanlike

@@ -5,12 +5,12 @@
 #include <array>
 
 #include "pipeline/humanlike/frame_objective.hpp"
-#include "pipeline/kinematics/forward.hpp"
-#include "pipeline/kinematics/generate.hpp"
+#include "pipeline/robot/files/generate.hpp"
+#include "pipeline/robot/forward.hpp"
 #include "tests/support/finite_differences.hpp"
 #include "tests/support/random_positions.hpp"
 
-namespace morphe {
+namespace morphe::humanlike {
 namespace {
 
 const Vec3 kUpper(0, 0, -1), kFore(0, 0.6, 0.8);
@@ -45,14 +45,14 @@ TEST(PosedLike, AHumanNotSeenGivesNothing) {
 /// What joint-to-joint has in place of the paper's terms, on an arm with a hand.
 class JointToJointTerms : public testing::Test {
  protected:
-  JointToJointTerms() : robot(generate_arm_hand({9, 0.6}, {4, 0.2, 0.09})) {
+  JointToJointTerms() : robot(robot::generate_arm_hand({9, 0.6}, {4, 0.2, 0.09})) {
     objective.tip_position.weight = objective.joint_distance.weight = 0;
     goal.tip_position.assign(robot.tips.size(), unseen_point());
     goal.tip_orientation.assign(robot.tips.size(), unseen_rotation());
     goal.finger_joint.fill(unseen_point());
   }
-  Quadratic at(const JointVector& q) {
-    Quadratic model;
+  solve::Quadratic at(const JointVector& q) {
+    solve::Quadratic model;
     model.reset(q.size());
     add_objective(objective, robot, q, goal, scratch, model);
     return model;
@@ -63,7 +63,7 @@ class JointToJointTerms : public testing::Test {
       const JointVector q = random_position(robot, random);
       const JointVector numeric =
           numeric_gradient([&](const JointVector& x) { return at(x).value; }, q);
-      const Quadratic analytic = at(q);
+      const solve::Quadratic analytic = at(q);
       EXPECT_GT(analytic.value, 0);
       EXPECT_LT((analytic.gradient - numeric).cwiseAbs().maxCoeff(),
                 1e-6 * std::max(1.0, numeric.cwiseAbs().maxCoeff()));
@@ -80,7 +80,7 @@ TEST_F(JointToJointTerms, ChainPositionHasItsGradient) {
   const JointVector zero = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
   EXPECT_EQ(at(zero).value, 0);  // no goals
   std::vector<Pose> poses;
-  forward(robot, zero, poses);
+  robot::forward(robot, zero, poses);
   goal.chain = arm_chain(robot, poses).joints;
   ASSERT_GT(goal.chain.size(), 2u);
   EXPECT_EQ(at(zero).value, 0);  // there already
@@ -108,7 +108,7 @@ TEST_F(JointToJointTerms, FingersBetweenTheHumansFollowTheCurve) {
   const JointVector q = JointVector::Constant(static_cast<Eigen::Index>(robot.joints()), 0.1);
   EXPECT_EQ(at(q).value, 0);
   std::vector<Pose> poses;
-  forward(robot, q, poses);
+  robot::forward(robot, q, poses);
   std::vector<Vec3> middle;
   for (const auto& centre : robot.centres) {
     if (centre.chain != "arm") {
@@ -126,14 +126,14 @@ TEST_F(JointToJointTerms, FingersBetweenTheHumansFollowTheCurve) {
 
 /// The finger is that of the tip which a centre moves, whatever its chain is called.
 TEST_F(JointToJointTerms, NamesOfFingersDoNotMatter) {
-  robot = generate_hand({5, 0.2, 0.09});
+  robot = robot::generate_hand({5, 0.2, 0.09});
   for (auto& centre : robot.centres) centre.chain = "f" + centre.chain;
   objective.finger_joint_distance.weight = 1;
   goal.tip_position.assign(robot.tips.size(), unseen_point());
   goal.tip_orientation.assign(robot.tips.size(), unseen_rotation());
   const JointVector q = JointVector::Constant(static_cast<Eigen::Index>(robot.joints()), 0.1);
   std::vector<Pose> poses;
-  forward(robot, q, poses);
+  robot::forward(robot, q, poses);
   goal.finger_joint[3] =
       poses[static_cast<std::size_t>(robot.centres[3].frame)].translation() + Vec3(0.1, 0, 0);
   EXPECT_NEAR(at(q).value, 0.01, 1e-12);
@@ -161,4 +161,4 @@ TEST_F(JointToJointTerms, PhasesWeighAllMetricsOfTheArm) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::humanlike

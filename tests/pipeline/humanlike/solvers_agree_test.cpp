@@ -1,30 +1,30 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/humanlike/frame_objective.hpp"
-#include "pipeline/kinematics/description.hpp"
-#include "pipeline/kinematics/forward.hpp"
-#include "pipeline/kinematics/generate.hpp"
+#include "pipeline/robot/files/description.hpp"
+#include "pipeline/robot/files/generate.hpp"
+#include "pipeline/robot/forward.hpp"
 #include "pipeline/solve/minimise.hpp"
 #include "tests/support/random_positions.hpp"
 
-namespace morphe {
+namespace morphe::humanlike {
 namespace {
 
 /// Frames of the paper's kinds: goals that the robot's own tips make, the elbow somewhere else.
 class SolversAgree : public testing::TestWithParam<std::string> {
  protected:
   static RobotTable robot_called(const std::string& name) {
-    if (name == "arm_9") return generate_arm({9, 0.58, 1.5});
-    if (name == "arm_21") return generate_arm({21, 0.58, 1.5});
-    return load_robot(MORPHE_SOURCE_DIR "/configs/robots/" + name + ".yaml").table;
+    if (name == "arm_9") return robot::generate_arm({9, 0.58, 1.5});
+    if (name == "arm_21") return robot::generate_arm({21, 0.58, 1.5});
+    return robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/" + name + ".yaml").table;
   }
 
   static FrameGoal goal_at(const RobotTable& robot, const JointVector& q) {
     FrameGoal goal;
     std::vector<Pose> poses;
-    forward(robot, q, poses);
+    robot::forward(robot, q, poses);
     for (std::size_t i = 0; i < robot.tips.size(); ++i) {
-      const Pose tip = tip_pose(robot, poses, i);
+      const Pose tip = robot::tip_pose(robot, poses, i);
       goal.tip_position.push_back(tip.translation());
       goal.tip_orientation.push_back(robot.tips.size() == 1 ? Quat(tip.linear())
                                                             : unseen_rotation());
@@ -45,8 +45,8 @@ TEST_P(SolversAgree, OnTheMinimumNextToAStart) {
     const JointVector made = random_position(robot, random, 0.6);
     const FrameGoal goal = goal_at(robot, made);
     ObjectiveScratch scratch;
-    Quadratic value;
-    BoundedProblem problem;
+    solve::Quadratic value;
+    solve::BoundedProblem problem;
     problem.lower = robot.lower;
     problem.upper = robot.upper;
     problem.objective = [&](const JointVector& q, JointVector* gradient) {
@@ -55,20 +55,20 @@ TEST_P(SolversAgree, OnTheMinimumNextToAStart) {
       if (gradient) *gradient = value.gradient;
       return value.value;
     };
-    problem.model = [&](const JointVector& q, Quadratic& model) {
+    problem.model = [&](const JointVector& q, solve::Quadratic& model) {
       add_objective(objective, robot, q, goal, scratch, model, Curvature::exact);
     };
-    MinimiseOptions options;
+    solve::MinimiseOptions options;
     options.evaluations = 5000;
-    const Minimum ours = minimise(problem, made, options);
+    const solve::Minimum ours = solve::minimise(problem, made, options);
     EXPECT_TRUE(ours.converged);
     EXPECT_LT(ours.evaluations, 300);
     for (const char* algorithm : {"tnewton", "slsqp", "lbfgs"}) {
       options.algorithm = algorithm;
       // From the same start it may find another minimum; from ours it must not find a better one.
-      const Minimum theirs = minimise(problem, made, options);
+      const solve::Minimum theirs = solve::minimise(problem, made, options);
       same += std::abs(theirs.value - ours.value) < 1e-6 ? 1 : 0;
-      EXPECT_GT(minimise(problem, ours.x, options).value, ours.value - 1e-8) << algorithm;
+      EXPECT_GT(solve::minimise(problem, ours.x, options).value, ours.value - 1e-8) << algorithm;
     }
     options.algorithm = "structured";
     scratch.new_descent();
@@ -80,4 +80,4 @@ INSTANTIATE_TEST_SUITE_P(Robots, SolversAgree,
                          testing::Values("pa10", "dlr_hit2", "pa10_dlr_hit2", "arm_9", "arm_21"));
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::humanlike

@@ -5,18 +5,18 @@
 #include <numbers>
 
 #include "pipeline/humanlike/frame_objective.hpp"
-#include "pipeline/kinematics/description.hpp"
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/files/description.hpp"
+#include "pipeline/robot/forward.hpp"
 #include "tests/support/finite_differences.hpp"
 #include "tests/support/random_positions.hpp"
 
-namespace morphe {
+namespace morphe::humanlike {
 namespace {
 
 /// One property for every term: its gradient is that of its value.
 class Terms : public testing::Test {
  protected:
-  Terms() : robot(load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table) {
+  Terms() : robot(robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table) {
     goal.tip_position.assign(robot.tips.size(), unseen_point());
     goal.tip_orientation.assign(robot.tips.size(), unseen_rotation());
     goal.finger_joint.fill(unseen_point());
@@ -39,10 +39,10 @@ class Terms : public testing::Test {
   }
 
   template <class Term>
-  Quadratic model(const Term& term, const JointVector& q) const {
+  solve::Quadratic model(const Term& term, const JointVector& q) const {
     std::vector<Pose> poses;
-    forward(robot, q, poses);
-    Quadratic result;
+    robot::forward(robot, q, poses);
+    solve::Quadratic result;
     result.reset(q.size());
     const RobotState state{robot, q, poses};
     if constexpr (std::is_same_v<Term, NaturalPosture>) {
@@ -62,7 +62,7 @@ class Terms : public testing::Test {
     std::mt19937_64 random(7);
     for (int i = 0; i < 20; ++i) {
       const JointVector q = random_position(robot, random);
-      const Quadratic analytic = model(term, q);
+      const solve::Quadratic analytic = model(term, q);
       EXPECT_GT(analytic.value, 0);
       const JointVector numeric =
           numeric_gradient([&](const JointVector& at) { return value(term, at); }, q);
@@ -91,7 +91,7 @@ TEST_F(Terms, ExactHessian) {
     JointVector q(n + 3);
     q << random_position(robot, random), 0.01, -0.02, 0.03;
     ObjectiveScratch scratch;
-    Quadratic exact;
+    solve::Quadratic exact;
     const auto evaluate = [&](const JointVector& at) {
       exact.reset(n + 3);
       add_objective(objective, robot, at, goal, scratch, exact, Curvature::exact);
@@ -142,10 +142,10 @@ TEST_F(Terms, OrientationCountsHalfTheAngle) {
   // The goal is the tip itself turned by 40 degrees: Eq. (2) gives 20 degrees.
   const JointVector q = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
   std::vector<Pose> poses;
-  forward(robot, q, poses);
+  robot::forward(robot, q, poses);
   const double angle = 40 * std::numbers::pi / 180;
   goal.tip_orientation[0] = Quat(Eigen::AngleAxisd(angle, Vec3(1, 2, 3).normalized())) *
-                            Quat(tip_pose(robot, poses, 0).linear());
+                            Quat(robot::tip_pose(robot, poses, 0).linear());
   TipOrientation term;
   term.weight = 1;
   EXPECT_NEAR(value(term, q), angle / 2, 2e-6);  // smoothing of 1e-3 adds 1.4e-6
@@ -167,7 +167,7 @@ TEST_F(Terms, UnseenGoalsAddNothing) {
   const JointVector q = JointVector::Constant(static_cast<Eigen::Index>(robot.joints()), 0.1);
   FrameObjective objective;
   ObjectiveScratch scratch;
-  Quadratic result;
+  solve::Quadratic result;
   result.reset(q.size());
   add_objective(objective, robot, q, goal, scratch, result);
   EXPECT_EQ(result.value, 0);
@@ -187,4 +187,4 @@ TEST_F(Terms, PostureIsForFingersWithoutAGoal) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::humanlike

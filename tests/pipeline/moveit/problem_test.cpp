@@ -7,7 +7,7 @@
 
 #include "pipeline/motion/input_error.hpp"
 
-namespace morphe {
+namespace morphe::moveit {
 namespace {
 
 namespace fs = std::filesystem;
@@ -15,10 +15,10 @@ using testing::HasSubstr;
 
 const fs::path kProblems = fs::path(MORPHE_SOURCE_DIR) / "datasets/motionbenchmaker";
 
-RobotDescription panda() { return load_robot(kProblems / "panda.yaml"); }
+robot::RobotDescription panda() { return robot::load_robot(kProblems / "panda.yaml"); }
 
 TEST(MoveItProblem, AllShippedProblemsAreRead) {
-  const RobotDescription robot = panda();
+  const robot::RobotDescription robot = panda();
   EXPECT_EQ(robot.table.joints(), 7u);
   EXPECT_EQ(robot.table.capsules.size(), 59u);  // grep -c '<sphere' panda_spherized.urdf
   std::size_t problems = 0, objects = 0;
@@ -99,7 +99,7 @@ class MoveItText : public testing::Test {
   const std::string kBox =
       "{id: box, primitives: [{type: box, dimensions: [1, 2, 3]}], primitive_poses: "
       "[{position: [1, 0, 0], orientation: [0, 0, 0, 1]}]}";
-  RobotDescription robot_ = panda();
+  robot::RobotDescription robot_ = panda();
   fs::path folder_;
 };
 
@@ -221,4 +221,4 @@ TEST_F(MoveItText, WrongFilesAreNamedWithTheirPlace) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::moveit

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace morphe {
+namespace morphe::run {
 namespace {
 
 /// Demonstrations 0 … count-1; odd ones are executable, every seventh fails.
@@ -54,4 +54,4 @@ TEST(Batch, OneBrokenDemonstrationDoesNotStopTheOthers) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::run

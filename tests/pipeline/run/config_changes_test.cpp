@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace morphe {
+namespace morphe::run {
 namespace {
 
 using testing::ElementsAre;
@@ -20,4 +20,4 @@ TEST(ConfigChanges, NamesEachKeyOnce) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::run

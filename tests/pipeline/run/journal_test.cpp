@@ -4,7 +4,7 @@
 
 #include "pipeline/motion/input_error.hpp"
 
-namespace morphe {
+namespace morphe::run {
 namespace {
 
 namespace fs = std::filesystem;
@@ -132,4 +132,4 @@ TEST_F(JournalTest, OfAnotherVersionOrShardIsRefusedUnlessFresh) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::run

@@ -6,7 +6,7 @@
 
 #include "pipeline/motion/input_error.hpp"
 
-namespace morphe {
+namespace morphe::run {
 namespace {
 
 using testing::ElementsAre;
@@ -41,4 +41,4 @@ TEST(Shard, LoadsDifferByAtMostTheLongest) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::run

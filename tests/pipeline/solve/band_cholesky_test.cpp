@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace morphe {
+namespace morphe::solve {
 namespace {
 
 using Eigen::Index;
@@ -62,4 +62,4 @@ TEST(BandCholesky, SaysSoWhereAMatrixIsNotPositiveDefinite) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::solve

@@ -5,7 +5,7 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 
-namespace morphe {
+namespace morphe::solve {
 namespace {
 
 using Eigen::Index;
@@ -123,4 +123,4 @@ TEST(MinimiseMovement, ConvergesOnACurvedProblem) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::solve

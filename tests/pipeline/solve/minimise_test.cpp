@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace morphe {
+namespace morphe::solve {
 namespace {
 
 /// Rosenbrock's valley; the minimum (1, 1) is known.
@@ -68,8 +68,8 @@ INSTANTIATE_TEST_SUITE_P(Algorithms, Minimise,
 TEST(MinimiseOptions, RefusesAnUnknownAlgorithm) {
   MinimiseOptions options;
   options.algorithm = "simplex";
-  EXPECT_NE(check(options).find("simplex"), std::string::npos);
+  EXPECT_NE(why_invalid(options).find("simplex"), std::string::npos);
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::solve

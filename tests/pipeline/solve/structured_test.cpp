@@ -5,7 +5,7 @@
 #include <Eigen/Cholesky>
 #include <random>
 
-namespace morphe {
+namespace morphe::solve {
 namespace {
 
 using Eigen::Index;
@@ -143,4 +143,4 @@ TEST(Structured, TheSameScratchGivesTheSameBits) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::solve

@@ -5,7 +5,7 @@
 #include "pipeline/store/plan_file.hpp"
 #include "sample_data.hpp"
 
-namespace morphe {
+namespace morphe::store {
 namespace {
 
 /// What a file holds of a plan, as the bytes of the whole file.
@@ -59,4 +59,4 @@ TEST(Bytes, DamagedOnesAreRefusedOrReadAsSomethingElse) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::store

@@ -10,7 +10,7 @@
 /// Asked for by the leak sanitizer: HDF5 itself forgets an object header whose checksum failed.
 extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5_serial"; }
 
-namespace morphe {
+namespace morphe::store {
 namespace {
 
 using testing::EndsWith;
@@ -139,4 +139,4 @@ TEST(DamagedFiles, NoChangedByteEverCrashesTheReader) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::store

@@ -6,7 +6,7 @@
 #include "same_scene.hpp"
 #include "sample_data.hpp"
 
-namespace morphe {
+namespace morphe::store {
 namespace {
 
 using testing::ElementsAre;
@@ -56,7 +56,7 @@ void expect_same(const Demonstration& a, const Demonstration& b) {
   EXPECT_SAME(hand_breadth.value());
   expect_same(a.streams, b.streams);
   expect_same(a.calibration, b.calibration);
-  morphe::expect_same(a.objects, b.objects);
+  store::expect_same(a.objects, b.objects);
   ASSERT_EQ(a.labels.size(), b.labels.size());
   for (std::size_t i = 0; i < a.labels.size(); ++i) {
     EXPECT_SAME(labels[i].begin_s);
@@ -188,4 +188,4 @@ TEST(DemonstrationFile, LooksLikeTheContractToH5py) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::store

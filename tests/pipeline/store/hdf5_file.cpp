@@ -7,7 +7,7 @@
 #include "same_bits.hpp"
 #include "sample_data.hpp"
 
-namespace morphe {
+namespace morphe::store {
 namespace {
 
 using testing::ElementsAre;
@@ -103,4 +103,4 @@ TEST(Hdf5File, Attributes) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::store

@@ -5,7 +5,7 @@
 #include "same_scene.hpp"
 #include "sample_data.hpp"
 
-namespace morphe {
+namespace morphe::store {
 namespace {
 
 using testing::ElementsAre;
@@ -127,7 +127,7 @@ void expect_same(const Plan& a, const Plan& b) {
   EXPECT_SAME(tolerances.tracking_grasp);
   EXPECT_SAME(tolerances.tracking);
   expect_same(a.goals, b.goals);
-  morphe::expect_same(a.scene.objects, b.scene.objects);
+  store::expect_same(a.scene.objects, b.scene.objects);
   EXPECT_SAME(mapped.position);
   EXPECT_SAME(mapped.position_error);
   EXPECT_SAME(mapped.orientation_error);
@@ -243,4 +243,4 @@ TEST(PlanFile, RefusesAbsoluteInputPaths) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::store

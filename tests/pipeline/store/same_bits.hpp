@@ -8,7 +8,7 @@
 
 #include "pipeline/motion/geometry.hpp"
 
-namespace morphe {
+namespace morphe::store {
 
 /// Equality down to the bits: NaN equals NaN, 0 does not equal -0.
 inline bool same_bits(double a, double b) {
@@ -40,7 +40,7 @@ bool same_bits(const Table<T>& a, const Table<T>& b) {
   return a.rows == b.rows && a.cols == b.cols && same_bits(a.values, b.values);
 }
 
-}  // namespace morphe
+}  // namespace morphe::store
 
 /// One member of two structs `a` and `b`.
-#define EXPECT_SAME(member) EXPECT_TRUE(morphe::same_bits(a.member, b.member)) << #member
+#define EXPECT_SAME(member) EXPECT_TRUE(same_bits(a.member, b.member)) << #member

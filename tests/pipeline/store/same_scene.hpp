@@ -7,7 +7,7 @@
 #include "pipeline/motion/scene.hpp"
 #include "same_bits.hpp"
 
-namespace morphe {
+namespace morphe::store {
 
 inline void expect_same(const std::vector<SceneObject>& all_a,
                         const std::vector<SceneObject>& all_b) {
@@ -28,4 +28,4 @@ inline void expect_same(const std::vector<SceneObject>& all_a,
   }
 }
 
-}  // namespace morphe
+}  // namespace morphe::store

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace morphe {
+namespace morphe::store {
 namespace {
 
 /// Numbers that do not repeat and have no short binary form; every 17th is NaN.
@@ -265,4 +265,4 @@ int run_python(const std::string& script, const std::string& arguments) {
                          .c_str());
 }
 
-}  // namespace morphe
+}  // namespace morphe::store

@@ -8,7 +8,7 @@
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
-namespace morphe {
+namespace morphe::store {
 
 /// Every field differs from its default, every number from every other, and some are NaN.
 Demonstration full_demonstration(const std::string& name);
@@ -35,4 +35,4 @@ std::string input_error(const Call& call) {
   return "";
 }
 
-}  // namespace morphe
+}  // namespace morphe::store

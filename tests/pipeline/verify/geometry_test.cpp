@@ -10,7 +10,7 @@
 #include "pipeline/verify/separation.hpp"
 #include "planar_plan.hpp"
 
-namespace morphe::judge {
+namespace morphe::verify {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -182,4 +182,4 @@ TEST(FramePoses, AgreeWithPlaneTrigonometryAndItsLeverBoundsEveryMotion) {
 }
 
 }  // namespace
-}  // namespace morphe::judge
+}  // namespace morphe::verify

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-namespace morphe::judge {
+namespace morphe::verify {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -161,4 +161,4 @@ TEST(JudgeMesh, SliversDoNotCount) {
 }
 
 }  // namespace
-}  // namespace morphe::judge
+}  // namespace morphe::verify

@@ -15,7 +15,7 @@
 #include "pipeline/verify/verify.hpp"
 #include "planar_plan.hpp"
 
-namespace morphe {
+namespace morphe::verify {
 namespace {
 
 using Causes = std::set<std::string>;  ///< "cause subject"
@@ -33,7 +33,7 @@ class VerifyFile : public testing::Test {
     std::filesystem::remove(file);
     PlanFileHeader header;
     header.software = "morphe test";
-    PlanWriter writer(file, header, planar::robot());
+    store::PlanWriter writer(file, header, planar::robot());
     Plan infeasible = planar::plan();
     infeasible.movement.index = 1;
     infeasible.reason = "tracking";
@@ -124,4 +124,4 @@ TEST_F(VerifyFile, AgreesWithThePythonScriptOnEveryMutation) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::verify

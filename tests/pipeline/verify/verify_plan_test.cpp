@@ -6,7 +6,7 @@
 #include "pipeline/verify/verify.hpp"
 #include "planar_plan.hpp"
 
-namespace morphe {
+namespace morphe::verify {
 namespace {
 
 std::vector<Violation> verify(const Plan& plan, const RobotTable& robot = planar::robot()) {
@@ -344,4 +344,4 @@ TEST(VerifyReport, IsWrittenAsTheDocumentsSay) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::verify

@@ -10,7 +10,7 @@
 #include "stages/certify/trajectory_motion.hpp"
 #include "tests/stages/certify/planar_arm.hpp"
 
-namespace morphe {
+namespace morphe::certify {
 namespace {
 
 constexpr double kSweep = 0.5;
@@ -63,7 +63,8 @@ struct Case {
     trajectory.demonstration_time = {0, 0.8};
   }
   CertifyResult run() {
-    const CollisionWorld world = make_world(robot, scene, movement, Tolerances{});
+    const collision::CollisionWorld world =
+        collision::make_world(robot, scene, movement, Tolerances{});
     return certify(world, goals, movement, trajectory, mapped, path_was_free);
   }
 };
@@ -171,7 +172,7 @@ TEST(TrajectoryMotion, TravelBoundsTheMotion) {
   Trajectory t = sweep(kSweep);
   t.velocity(0, 1) = 0.4;  // the elbow swings out and back
   t.acceleration(1, 2) = -3;
-  const JointMotion motion = trajectory_motion(t);
+  const collision::JointMotion motion = trajectory_motion(t);
   JointVector middle, q, travel;
   for (double s0 = 0; s0 < 0.9; s0 += 0.13) {
     const double s1 = s0 + 0.1;
@@ -185,4 +186,4 @@ TEST(TrajectoryMotion, TravelBoundsTheMotion) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::certify

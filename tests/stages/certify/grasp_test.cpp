@@ -4,7 +4,7 @@
 
 #include "tests/stages/certify/planar_arm.hpp"
 
-namespace morphe {
+namespace morphe::certify {
 namespace {
 
 /// The index opens to 1 rad at 0.4 s and closes again until 1 s.
@@ -99,4 +99,4 @@ TEST(Grasp, NoneWithoutTargetOrPhase) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::certify

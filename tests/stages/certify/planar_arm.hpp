@@ -3,7 +3,7 @@
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
-namespace morphe {
+namespace morphe::certify {
 
 /// Two links in the plane z = 0, upper arm 0.3 m and forearm 0.25 m, both turning about z; thumb
 /// and index tips are 0.04 m beside the end of the forearm, the index on a joint of its own.
@@ -42,4 +42,4 @@ inline Trajectory sweep(double angle) {
   return t;
 }
 
-}  // namespace morphe
+}  // namespace morphe::certify

@@ -8,7 +8,7 @@
 
 #include "tests/stages/certify/planar_arm.hpp"
 
-namespace morphe {
+namespace morphe::certify {
 namespace {
 
 SpeedProfile sampled(double duration_s, double step_s, const std::function<double(double)>& speed) {
@@ -105,4 +105,4 @@ TEST(Smoothness, ATipThatIsLostOnceDoesNotCount) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::certify

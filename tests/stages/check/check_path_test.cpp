@@ -8,7 +8,7 @@
 
 #include "tests/support/two_link_arm.hpp"
 
-namespace morphe {
+namespace morphe::check {
 namespace {
 
 constexpr double kStep_s = 0.01;
@@ -61,7 +61,8 @@ struct CheckPath : testing::Test {
   CheckOptions options;
 
   std::vector<Finding> findings(const JointPath& path) {
-    const CollisionWorld world = make_world(robot, scene, movement, options.tolerances);
+    const collision::CollisionWorld world =
+        collision::make_world(robot, scene, movement, options.tolerances);
     return check_path(world, goals, movement, path, options);
   }
   void goal(double time_s, const Vec3& position) {
@@ -251,13 +252,13 @@ TEST_F(CheckPath, FindingsAreOrderedByBeginThenCause) {
 
 TEST(CheckOptions, SaysWhatIsWrong) {
   CheckOptions options;
-  EXPECT_EQ(check(options), "");
+  EXPECT_EQ(why_invalid(options), "");
   options.engine = "other";
-  EXPECT_EQ(check(options), "engine must be closed or fcl");
+  EXPECT_EQ(why_invalid(options), "engine must be closed or fcl");
   options = {};
   options.tolerances.margin = -1;
-  EXPECT_EQ(check(options), "margin must not be negative");
+  EXPECT_EQ(why_invalid(options), "margin must not be negative");
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::check

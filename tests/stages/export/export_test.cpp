@@ -8,7 +8,7 @@
 #include "stages/export/ros_trajectory.hpp"
 #include "stages/export/trajectory_csv.hpp"
 
-namespace morphe {
+namespace morphe::exports {
 namespace {
 
 RobotTable one_joint() {
@@ -77,4 +77,4 @@ TEST(Robomimic, AJointWithoutLimitsCannotBeScaled) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::exports

@@ -10,7 +10,7 @@
 #include "stages/import/adroit_hand.hpp"
 #include "stages/import/import.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 const std::filesystem::path kManifest =
@@ -177,4 +177,4 @@ TEST(AdroitCsv, ReadsBackASyntheticPose) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -8,7 +8,7 @@
 
 #include "stages/import/import.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 using testing::HasSubstr;
@@ -109,4 +109,4 @@ TEST(BvhRecordings, FiveFingers) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -7,7 +7,7 @@
 
 #include "tests/stages/import/recording_folder.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 using testing::ElementsAre;
@@ -271,4 +271,4 @@ TEST_F(Bvh, ReadsOrRefusesWhateverIsCutOffOrChanged) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -3,7 +3,7 @@
 #include "tests/stages/import/c3d_text.hpp"
 #include "tests/stages/import/recording_folder.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 using testing::ElementsAre;
@@ -204,4 +204,4 @@ TEST_F(C3d, DamageIsNeverACrash) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::imports

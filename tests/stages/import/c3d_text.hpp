@@ -8,7 +8,7 @@
 
 #include "pipeline/motion/geometry.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 
 /// Writes a C3D file by the book, apart from what a test changes.
 struct C3dText {
@@ -112,4 +112,4 @@ struct C3dText {
   }
 };
 
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -1,10 +1,10 @@
 #include <gmock/gmock.h>
 
+#include "pipeline/files/text_encoding.hpp"
 #include "stages/import/plausible.hpp"
-#include "stages/import/text_encoding.hpp"
 #include "tests/stages/import/recording_folder.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 using testing::Contains;
@@ -17,7 +17,7 @@ const std::string kTrial =
 
 TEST(TextEncoding, KnowsUtf8FromOtherBytes) {
   for (const char* text : {"", "abc", "\xC3\xA9", "\xE2\x82\xAC", "\xF0\x9F\x98\x80"}) {
-    EXPECT_TRUE(is_utf8(text)) << text;
+    EXPECT_TRUE(files::is_utf8(text)) << text;
   }
   // Cut short, alone, too long for what it says, half of a pair, beyond the last code.
   for (const char* text :
@@ -25,10 +25,10 @@ TEST(TextEncoding, KnowsUtf8FromOtherBytes) {
         "\xE9"
         "e",
         "\xC0\x80", "\xE0\x80\x80", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xFF"}) {
-    EXPECT_FALSE(is_utf8(text));
+    EXPECT_FALSE(files::is_utf8(text));
   }
-  EXPECT_EQ(utf8_from_latin1("Daphn\xE9"
-                             "e"),
+  EXPECT_EQ(files::utf8_from_latin1("Daphn\xE9"
+                                    "e"),
             "Daphn\xC3\xA9"
             "e");
 }
@@ -69,4 +69,4 @@ TEST_F(RecordingFolder, OutliersBeyondReasonAreRefused) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::imports

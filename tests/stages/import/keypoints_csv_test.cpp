@@ -5,7 +5,7 @@
 
 #include "tests/stages/import/recording_folder.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 using testing::ElementsAre;
@@ -102,4 +102,4 @@ TEST_F(KeypointsCsv, ReadsTheShippedOne) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -10,7 +10,7 @@
 #include "pipeline/motion/input_error.hpp"
 #include "stages/import/import.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 using testing::Contains;
@@ -125,7 +125,7 @@ TEST_F(LibertyCsv, ReadsGloveAndCalibrationPoseByAManifest) {
   const HandStream& glove = *d.streams.hand;
   EXPECT_EQ(glove.kind, HandKind::glove);
   ASSERT_EQ(glove.angles.cols(), 22);
-  EXPECT_THAT(glove.names, testing::ElementsAreArray(kGloveSensors));
+  EXPECT_THAT(glove.names, testing::ElementsAreArray(human::kGloveSensors));
   EXPECT_NEAR(glove.angles(0, 4), 90 * kDegree, 1e-12);
   EXPECT_NEAR(glove.angles(0, 0), 20 * kDegree, 1e-12);
   EXPECT_NEAR(glove.angles(1, 0), -60 * kDegree, 1e-12);
@@ -260,4 +260,4 @@ TEST_F(LibertyCsv, RefusesAGloveWhereNoneBelongs) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::imports

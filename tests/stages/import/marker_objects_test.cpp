@@ -6,7 +6,7 @@
 
 #include "tests/stages/import/recording_folder.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 using testing::ElementsAre;
@@ -107,11 +107,12 @@ TEST(MarkerObjects, SaysWhatIsWrong) {
             "f: objects: o: no frame shows three of its markers that are not in a line");
   EXPECT_EQ(error_of({"o", {"box:0", "box:1", "box:2"}, "box", {}}),
             "f: objects: o: its markers lie in a plane: give its size");
-  EXPECT_EQ(check(MarkerObject{"o", {}, "ball", {}}),
+  EXPECT_EQ(why_invalid(MarkerObject{"o", {}, "ball", {}}),
             "shape must be sphere, box, cylinder or capsule, not 'ball'");
-  EXPECT_EQ(check(MarkerObject{"o", {}, "sphere", {}}), "a sphere needs its size");
-  EXPECT_EQ(check(MarkerObject{"o", {}, "box", {1, 1}}), "the size of a box is 3 positive lengths");
-  EXPECT_EQ(check(MarkerObject{"o", {}, "box", {1, 1, 0}}),
+  EXPECT_EQ(why_invalid(MarkerObject{"o", {}, "sphere", {}}), "a sphere needs its size");
+  EXPECT_EQ(why_invalid(MarkerObject{"o", {}, "box", {1, 1}}),
+            "the size of a box is 3 positive lengths");
+  EXPECT_EQ(why_invalid(MarkerObject{"o", {}, "box", {1, 1, 0}}),
             "the size of a box is 3 positive lengths");
 }
 
@@ -138,4 +139,4 @@ TEST_F(RecordingFolder, ShippedBoxMovesAsItsMarkers) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::imports

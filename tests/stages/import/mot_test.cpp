@@ -5,7 +5,7 @@
 
 #include "tests/stages/import/recording_folder.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 using testing::ElementsAre;
@@ -104,4 +104,4 @@ TEST_F(Mot, ReadsTheShippedOne) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -10,7 +10,7 @@
 #include "pipeline/motion/input_error.hpp"
 #include "stages/import/import.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 
 /// A folder of a test's own for recordings that it writes.
 class RecordingFolder : public testing::Test {
@@ -58,4 +58,4 @@ class RecordingFolder : public testing::Test {
   }
 };
 
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -3,7 +3,7 @@
 
 #include "tests/stages/import/recording_folder.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 using testing::ElementsAre;
@@ -128,4 +128,4 @@ TEST_F(Trc, ShippedFileMatchesItsText) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -5,7 +5,7 @@
 
 #include "tests/stages/import/recording_folder.hpp"
 
-namespace morphe {
+namespace morphe::imports {
 namespace {
 
 using testing::ElementsAre;
@@ -312,4 +312,4 @@ TEST_F(ViconCsv, ManifestErrors) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::imports

@@ -2,16 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/kinematics/description.hpp"
+#include "pipeline/robot/files/description.hpp"
 #include "tests/support/finite_differences.hpp"
 #include "tests/support/random_positions.hpp"
 
-namespace morphe {
+namespace morphe::map {
 namespace {
 
 /// The reference robot beside a table top through its workspace.
 struct Bench {
-  Bench() : robot(load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table) {
+  Bench() : robot(robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table) {
     SceneObject table;
     table.name = "table";
     table.size = {0.8, 0.8, 0.04};
@@ -19,11 +19,11 @@ struct Bench {
     table.position = {Vec3(0.6, 0, 0.7)};
     table.orientation = {Quat::Identity()};
     scene.objects.push_back(table);
-    world = make_world(robot, scene, Movement{}, Tolerances{});
+    world = collision::make_world(robot, scene, Movement{}, Tolerances{});
   }
   RobotTable robot;
   Scene scene;
-  CollisionWorld world;
+  collision::CollisionWorld world;
 };
 
 TEST(ClearanceTerm, GradientIsThatOfTheValue) {
@@ -32,7 +32,7 @@ TEST(ClearanceTerm, GradientIsThatOfTheValue) {
   term.band_m = 0.02;
   ClearanceScratch scratch;
   const auto model_at = [&](const JointVector& q) {
-    Quadratic model;
+    solve::Quadratic model;
     model.reset(q.size());
     add_clearance(term, bench.world, q, 0, scratch, model);
     return model;
@@ -46,10 +46,10 @@ TEST(ClearanceTerm, GradientIsThatOfTheValue) {
   int compared = 0;
   for (int i = 0; i < 3000 && compared < 40; ++i) {
     const JointVector q = reaching + 0.03 * (random_position(bench.robot, random) - middle);
-    const double least = least_slack(bench.world, q, 0, scratch.collision).slack();
+    const double least = collision::least_slack(bench.world, q, 0, scratch.collision).slack();
     // Deep inside one another, nearest points jump; the term is for what barely touches.
     if (least < -0.004 || least > term.band_m) continue;
-    const Quadratic model = model_at(q);
+    const solve::Quadratic model = model_at(q);
     const JointVector numeric =
         numeric_gradient([&](const JointVector& at) { return model_at(at).value; }, q, 1e-7);
     EXPECT_LT((model.gradient - numeric).cwiseAbs().maxCoeff(),
@@ -65,7 +65,7 @@ TEST(ClearanceTerm, NothingBeyondTheBandOrSwitchedOff) {
   const JointVector q = JointVector::Zero(static_cast<Eigen::Index>(bench.robot.joints()));
   ClearanceTerm term;
   term.weight = 0;
-  Quadratic model;
+  solve::Quadratic model;
   model.reset(q.size());
   add_clearance(term, bench.world, q, 0, scratch, model);
   EXPECT_EQ(model.value, 0);
@@ -73,4 +73,4 @@ TEST(ClearanceTerm, NothingBeyondTheBandOrSwitchedOff) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::map

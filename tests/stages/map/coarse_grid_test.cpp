@@ -5,6 +5,7 @@
 #include <cmath>
 
 using namespace morphe;
+using namespace morphe::map;
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace morphe {
+namespace morphe::map {
 namespace {
 
 const std::array<Vec3, 4> kTips = {
@@ -64,4 +64,4 @@ TEST(FingerCurve, NeedsAllFour) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::map

@@ -7,25 +7,25 @@
 #include <numbers>
 
 #include "pipeline/human/hand.hpp"
-#include "pipeline/kinematics/description.hpp"
-#include "pipeline/kinematics/forward.hpp"
-#include "pipeline/kinematics/generate.hpp"
+#include "pipeline/robot/files/description.hpp"
+#include "pipeline/robot/files/generate.hpp"
+#include "pipeline/robot/forward.hpp"
 #include "stages/map/finger_angles.hpp"
 #include "stages/map/map_movement.hpp"
 
-namespace morphe {
+namespace morphe::map {
 namespace {
 
 using Eigen::Index;
 constexpr double kDegree = std::numbers::pi / 180;
 
 RobotTable shipped(const std::string& name) {
-  return load_robot(MORPHE_SOURCE_DIR "/configs/robots/" + name).table;
+  return robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/" + name).table;
 }
 
 /// Angles inside the human's limits, each finger its own.
 JointVector some_angles() {
-  const RobotTable human = human_hand({0.19, 0.085});
+  const RobotTable human = human::human_hand({0.19, 0.085});
   JointVector angles(static_cast<Index>(kHandAngles));
   for (Index k = 0; k < angles.size(); ++k) {
     const double share = 0.3 + 0.4 * std::abs(std::sin(1.7 * static_cast<double>(k)));
@@ -37,7 +37,7 @@ JointVector some_angles() {
 /// A generated hand of five fingers has the human's bones and joints, larger: the angles are the
 /// human's own.
 TEST(FingerAngles, OfAHandLikeTheHumansAreItsAngles) {
-  const RobotTable robot = generate_hand({5, 0.25, 0.1});
+  const RobotTable robot = robot::generate_hand({5, 0.25, 0.1});
   FingerAngles fit(robot);
   const JointVector human = some_angles();
   const JointVector q = fit(human);
@@ -49,7 +49,7 @@ TEST(FingerAngles, OfAHandLikeTheHumansAreItsAngles) {
 }
 
 TEST(FingerAngles, AreThoseOfTheRobotsJointsOnAnArmToo) {
-  const RobotTable robot = generate_arm_hand({9, 0.6}, {5, 0.25, 0.1});
+  const RobotTable robot = robot::generate_arm_hand({9, 0.6}, {5, 0.25, 0.1});
   FingerAngles fit(robot);
   const JointVector human = some_angles(), q = fit(human);
   ASSERT_EQ(q.size(), 29);
@@ -76,7 +76,7 @@ TEST(FingerAngles, OfAnotherHandFlexAsTheHumans) {
 /// Of four fingers the outer ones are index and little; fingers bent alike leave the one between
 /// them bent like that too.
 TEST(FingerAngles, BetweenTheHumansFingers) {
-  const RobotTable robot = generate_hand({4, 0.2, 0.09});
+  const RobotTable robot = robot::generate_hand({4, 0.2, 0.09});
   FingerAngles fit(robot);
   JointVector human = JointVector::Zero(static_cast<Index>(kHandAngles));
   for (Index finger = 1; finger < 5; ++finger) {
@@ -94,7 +94,7 @@ TEST(FingerAngles, BetweenTheHumansFingers) {
 }
 
 TEST(FingerAngles, AFingerNotSeenHasNone) {
-  FingerAngles fit(generate_hand({5, 0.25, 0.1}));
+  FingerAngles fit(robot::generate_hand({5, 0.25, 0.1}));
   JointVector human = some_angles();
   human.segment<4>(8).setConstant(kNotSeen);
   const JointVector q = fit(human);
@@ -117,8 +117,8 @@ class ArmToArm : public testing::Test {
     for (std::size_t f = 0; f < kFrames; ++f) {
       JointVector q = truth;
       q[3] += 0.005 * static_cast<double>(f);
-      forward(robot, q, poses);
-      const Chain chain = arm_chain(robot, poses).joints;
+      robot::forward(robot, q, poses);
+      const humanlike::Chain chain = humanlike::arm_chain(robot, poses).joints;
       const Vec3 elbow = chain[0] + 0.6 * (chain[1] - chain[0]);
       goals.time.push_back(0.01 * static_cast<double>(f));
       goals.shoulder_position.push_back(chain[0]);
@@ -128,7 +128,7 @@ class ArmToArm : public testing::Test {
           poses[static_cast<std::size_t>(robot.palm_frame)].linear());
       goals.tip_position(f, 1) = chain[2];  // somewhere: to be tracked, and missed
     }
-    world = make_world(robot, scene, Movement{}, Tolerances{});
+    world = collision::make_world(robot, scene, Movement{}, Tolerances{});
     options.mode = "joint_to_joint";
     options.starts = 24;
     options.reachable_starts = 4;
@@ -137,7 +137,7 @@ class ArmToArm : public testing::Test {
   JointVector truth;
   Goals goals;
   Scene scene;
-  CollisionWorld world;
+  collision::CollisionWorld world;
   MapOptions options;
 };
 
@@ -148,8 +148,8 @@ TEST_F(ArmToArm, LinksAndHandPointAsTheHumans) {
   ASSERT_EQ(result.reason, "");
   std::vector<Pose> poses;
   for (const std::size_t f : {0u, 10u, 19u}) {
-    forward(robot, result.mapped.position.row(static_cast<Index>(f)).transpose(), poses);
-    const Chain chain = arm_chain(robot, poses).joints;
+    robot::forward(robot, result.mapped.position.row(static_cast<Index>(f)).transpose(), poses);
+    const humanlike::Chain chain = humanlike::arm_chain(robot, poses).joints;
     const auto angle = [](const Vec3& a, const Vec3& b) {
       return std::atan2(a.cross(b).norm(), a.dot(b));
     };
@@ -159,7 +159,7 @@ TEST_F(ArmToArm, LinksAndHandPointAsTheHumans) {
     const Quat palm(poses[static_cast<std::size_t>(robot.palm_frame)].linear());
     EXPECT_LT(angle_between(palm, goals.wrist_orientation[f]), 0.005);
     // The error that is stored is the tip's from its true goal.
-    const Vec3 tip = tip_pose(robot, poses, 1).translation();
+    const Vec3 tip = robot::tip_pose(robot, poses, 1).translation();
     EXPECT_NEAR(result.mapped.position_error(static_cast<Index>(f), 1),
                 (tip - goals.tip_position(f, 1)).norm(), 1e-12);
     EXPECT_GT(result.mapped.position_error(static_cast<Index>(f), 1), 0.05);
@@ -172,7 +172,8 @@ TEST_F(ArmToArm, LinksAndHandPointAsTheHumans) {
 TEST_F(ArmToArm, RecordedAnglesAreFollowed) {
   JointRows angles = JointRows::Zero(20, static_cast<Index>(kHandAngles));
   angles.col(9).setConstant(0.5);  // middle_mcp
-  const std::vector<FrameGoal> frames = joint_to_joint_goals(robot, angles, goals.time, goals);
+  const std::vector<humanlike::FrameGoal> frames =
+      joint_to_joint_goals(robot, angles, goals.time, goals);
   EXPECT_NEAR(frames[7].angles[7 + 7], 0.5, 0.01);  // middle_proximal
   EXPECT_TRUE(std::isnan(frames[7].angles[0]));
   EXPECT_TRUE(goals.estimated.empty());
@@ -180,4 +181,4 @@ TEST_F(ArmToArm, RecordedAnglesAreFollowed) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::map

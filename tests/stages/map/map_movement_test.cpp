@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "pipeline/kinematics/description.hpp"
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/files/description.hpp"
+#include "pipeline/robot/forward.hpp"
 #include "stages/map/resolve_path.hpp"
 
-namespace morphe {
+namespace morphe::map {
 namespace {
 
 using Eigen::Index;
@@ -17,7 +17,8 @@ using Eigen::Index;
 /// error, so that the mapping has to find a continuous way that meets all of them.
 class MapMovement : public testing::Test {
  protected:
-  MapMovement() : robot(load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table) {
+  MapMovement()
+      : robot(robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table) {
     constexpr int kFrames = 40;
     JointVector from = JointVector::Zero(static_cast<Index>(robot.joints()));
     from.head(7) << 1.2, -1.0, -1.6, 1.6, 2.5, 0.7, 0.5;
@@ -33,11 +34,11 @@ class MapMovement : public testing::Test {
     for (int f = 0; f < kFrames; ++f) {
       const double s = f / (kFrames - 1.0);
       const JointVector q = from + (10 - 15 * s + 6 * s * s) * s * s * s * by;
-      forward(robot, q, poses);
+      robot::forward(robot, q, poses);
       goals.time.push_back(0.01 * f);
       for (const std::size_t tip : {0U, 1U}) {
         goals.tip_position(static_cast<std::size_t>(f), tip) =
-            tip_pose(robot, poses, tip).translation();
+            robot::tip_pose(robot, poses, tip).translation();
       }
       goals.shoulder_position.push_back(
           poses[static_cast<std::size_t>(robot.shoulder_frame)].translation());
@@ -48,7 +49,7 @@ class MapMovement : public testing::Test {
       goals.wrist_orientation.emplace_back(
           poses[static_cast<std::size_t>(robot.palm_frame)].linear());
     }
-    world = make_world(robot, scene, Movement{}, Tolerances{});
+    world = collision::make_world(robot, scene, Movement{}, Tolerances{});
     options.starts = 16;
     options.candidates = 3;
   }
@@ -59,7 +60,7 @@ class MapMovement : public testing::Test {
 
   RobotTable robot;
   Scene scene;
-  CollisionWorld world;
+  collision::CollisionWorld world;
   Goals goals;
   MapOptions options;
 };
@@ -86,7 +87,7 @@ TEST_F(MapMovement, StaysOffAnObstacleThatItKnows) {
   const MapResult free = solve();
   // A ball where the elbow's capsules are, half way: the arm has to swing aside.
   std::vector<Pose> poses;
-  forward(robot, free.mapped.position.row(20).transpose(), poses);
+  robot::forward(robot, free.mapped.position.row(20).transpose(), poses);
   SceneObject ball;
   ball.name = "ball";
   ball.shape = Shape::sphere;
@@ -96,11 +97,11 @@ TEST_F(MapMovement, StaysOffAnObstacleThatItKnows) {
                    Vec3(0.09, 0, 0)};
   ball.orientation = {Quat::Identity()};
   scene.objects = {ball};
-  world = make_world(robot, scene, Movement{}, Tolerances{});
-  CollisionScratch scratch;
+  world = collision::make_world(robot, scene, Movement{}, Tolerances{});
+  collision::CollisionScratch scratch;
   const auto slack = [&](const MapResult& result, Index f) {
     const JointVector q = result.mapped.position.row(f).transpose();
-    return least_slack(world, q, 0, scratch).slack();
+    return collision::least_slack(world, q, 0, scratch).slack();
   };
   ASSERT_LT(slack(free, 20), -0.01);
   const MapResult clear = solve();
@@ -143,4 +144,4 @@ TEST_F(MapMovement, ResolvingMovesOnlyWhatIsNearAFinding) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::map

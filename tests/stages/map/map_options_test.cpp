@@ -3,13 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "pipeline/kinematics/description.hpp"
-#include "pipeline/kinematics/generate.hpp"
+#include "pipeline/robot/files/description.hpp"
+#include "pipeline/robot/files/generate.hpp"
 #include "stages/map/compass_search.hpp"
 #include "stages/map/frame_search.hpp"
 #include "stages/map/map_movement.hpp"
 
-namespace morphe {
+namespace morphe::map {
 namespace {
 
 using testing::HasSubstr;
@@ -24,11 +24,11 @@ MapOptions with_mode(const std::string& mode) {
 }
 
 TEST(MapMode, LeavesOutWhatItSays) {
-  const RobotTable robot = generate_arm({6, 0.6});
+  const RobotTable robot = robot::generate_arm({6, 0.6});
   const auto made = [&](const char* mode) { return make_objective(with_mode(mode), robot); };
   const MapOptions defaults;
 
-  const FrameObjective all = made("humanlike");
+  const humanlike::FrameObjective all = made("humanlike");
   EXPECT_EQ(all.joint_distance.weight, defaults.humanlike_arm);
   EXPECT_EQ(all.finger_joint_distance.weight, defaults.humanlike_fingers);
   EXPECT_EQ(all.triangle_area.weight, 0.5);
@@ -37,7 +37,7 @@ TEST(MapMode, LeavesOutWhatItSays) {
   EXPECT_EQ(all.joint_angle.weight, 0);
 
   for (const char* mode : {"inverse_kinematics", "fingertip_only", "joint_to_joint"}) {
-    const FrameObjective some = made(mode);
+    const humanlike::FrameObjective some = made(mode);
     EXPECT_EQ(some.joint_distance.weight, 0) << mode;
     EXPECT_EQ(some.finger_joint_distance.weight, 0) << mode;
     EXPECT_EQ(some.triangle_area.weight, 0) << mode;
@@ -62,22 +62,22 @@ TEST(MapMode, EveryNameIsItsOwn) {
 }
 
 TEST(MapOptions, RefusesWhatMakesNoSense) {
-  EXPECT_EQ(check(MapOptions{}), "");
-  EXPECT_THAT(check(with_mode("elbow_only")), HasSubstr("'elbow_only'"));
+  EXPECT_EQ(why_invalid(MapOptions{}), "");
+  EXPECT_THAT(why_invalid(with_mode("elbow_only")), HasSubstr("'elbow_only'"));
   MapOptions options;
   options.humanlike_hull = -1;
-  EXPECT_THAT(check(options), HasSubstr("negative"));
+  EXPECT_THAT(why_invalid(options), HasSubstr("negative"));
   options = {};
   options.humanlike_triangle = -1;
-  EXPECT_THAT(check(options), HasSubstr("negative"));
-  EXPECT_THAT(check(BaseOffset{-0.1, 1}), HasSubstr("negative"));
-  EXPECT_THAT(check(BaseOffset{0.1, kNotSeen}), HasSubstr("negative"));
+  EXPECT_THAT(why_invalid(options), HasSubstr("negative"));
+  EXPECT_THAT(why_invalid(BaseOffset{-0.1, 1}), HasSubstr("negative"));
+  EXPECT_THAT(why_invalid(BaseOffset{0.1, kNotSeen}), HasSubstr("negative"));
 }
 
 /// The weights do what they say: an arm with joints to spare and the same wrist goal, with B or C
 /// weighted, has less of it than without any humanlikeness.
 TEST(MapOptions, TrianglesAndHullsAreLessWhereTheyCount) {
-  const RobotTable robot = generate_arm({12, 0.6});
+  const RobotTable robot = robot::generate_arm({12, 0.6});
   Goals goals;
   constexpr std::size_t kFrames = 8;
   goals.tip_position = {kFrames, 1, Vec3(0.25, 0.2, 0.2)};
@@ -92,7 +92,7 @@ TEST(MapOptions, TrianglesAndHullsAreLessWhereTheyCount) {
     goals.wrist_orientation.push_back(unseen_rotation());
   }
   const Scene scene;
-  const CollisionWorld world = make_world(robot, scene, {}, {});
+  const collision::CollisionWorld world = collision::make_world(robot, scene, {}, {});
   const auto metrics = [&](double a, double b, double c) {
     MapOptions options;
     options.humanlike_arm = a;
@@ -124,4 +124,4 @@ TEST(CompassSearch, FindsABowlsBottomInsideTheBox) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::map

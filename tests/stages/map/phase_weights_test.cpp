@@ -2,14 +2,14 @@
 
 #include <gtest/gtest.h>
 
-namespace morphe {
+namespace morphe::map {
 namespace {
 
 const std::vector<Phase> kReachAndGrasp{{"reach", 0, 1}, {"grasp", 1, 1.5}};
 const std::vector<PhaseWeights> kHumanlikeReach{{"reach", 0.5, 1, 4, 1}, {"grasp", 2, 1, 1, 1}};
 
 TEST(PhaseWeights, InsideAPhaseTheyAreItsOwn) {
-  const FrameWeights reach = weights_at(kHumanlikeReach, kReachAndGrasp, 0.5, 0.2);
+  const humanlike::FrameWeights reach = weights_at(kHumanlikeReach, kReachAndGrasp, 0.5, 0.2);
   EXPECT_NEAR(reach.tip_position, 0.5, 1e-12);
   EXPECT_NEAR(reach.humanlike_arm, 4, 1e-12);
   EXPECT_NEAR(weights_at(kHumanlikeReach, kReachAndGrasp, 1.25, 0.2).tip_position, 2, 1e-12);
@@ -34,11 +34,11 @@ TEST(PhaseWeights, NothingJumpsAtABoundary) {
 }
 
 TEST(PhaseWeights, RefusesWhatIsNoPhase) {
-  EXPECT_NE(check({{"reech", 1, 1, 1, 1}}).find("reech"), std::string::npos);
-  EXPECT_NE(check({{"reach", 1, 1, 1, 1}, {"reach", 1, 1, 1, 1}}), "");
-  EXPECT_NE(check({{"reach", -1, 1, 1, 1}}), "");
-  EXPECT_EQ(check(kHumanlikeReach), "");
+  EXPECT_NE(why_invalid({{"reech", 1, 1, 1, 1}}).find("reech"), std::string::npos);
+  EXPECT_NE(why_invalid({{"reach", 1, 1, 1, 1}, {"reach", 1, 1, 1, 1}}), "");
+  EXPECT_NE(why_invalid({{"reach", -1, 1, 1, 1}}), "");
+  EXPECT_EQ(why_invalid(kHumanlikeReach), "");
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::map

@@ -4,14 +4,14 @@
 
 #include <numbers>
 
-#include "pipeline/kinematics/description.hpp"
-#include "pipeline/kinematics/generate.hpp"
+#include "pipeline/robot/files/description.hpp"
+#include "pipeline/robot/files/generate.hpp"
 
-namespace morphe {
+namespace morphe::map {
 namespace {
 
 RobotTable reference_robot() {
-  return load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table;
+  return robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table;
 }
 
 PlacementOptions lateral() {
@@ -87,20 +87,21 @@ TEST(Goals, AShoulderNeverSeenIsUnseen) {
 
 TEST(Placement, AHandIsAloneWithoutAnArm) {
   EXPECT_FALSE(hand_alone(reference_robot()));
-  EXPECT_FALSE(hand_alone(generate_arm({6, 0.6})));
-  EXPECT_TRUE(hand_alone(generate_hand({4, 0.2, 0.09})));
-  EXPECT_TRUE(hand_alone(load_robot(MORPHE_SOURCE_DIR "/configs/robots/dlr_hit2.yaml").table));
-  RobotTable wrist = generate_hand({5, 0.2, 0.09});
+  EXPECT_FALSE(hand_alone(robot::generate_arm({6, 0.6})));
+  EXPECT_TRUE(hand_alone(robot::generate_hand({4, 0.2, 0.09})));
+  EXPECT_TRUE(
+      hand_alone(robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/dlr_hit2.yaml").table));
+  RobotTable wrist = robot::generate_hand({5, 0.2, 0.09});
   wrist.frames[static_cast<std::size_t>(wrist.palm_frame)].joint = 0;  // a wrist's joint
   EXPECT_TRUE(hand_alone(wrist));
-  RobotTable unnamed = generate_arm({6, 0.6});  // an arm of which nobody said that it is one
+  RobotTable unnamed = robot::generate_arm({6, 0.6});  // an arm of which nobody said that it is one
   unnamed.centres.clear();
   EXPECT_FALSE(hand_alone(unnamed));
 }
 
 /// A palm that is not the base's own frame, and is turned in it.
 TEST(Placement, APalmStandsWhereTheHumansHandIs) {
-  RobotTable robot = generate_hand({5, 0.2, 0.09});
+  RobotTable robot = robot::generate_hand({5, 0.2, 0.09});
   const Pose base_from_palm =
       make_pose({0.1, 0.2, 0.3}, Quat(Eigen::AngleAxisd(0.8, Vec3(1, 2, 2).normalized())));
   robot.frames[static_cast<std::size_t>(robot.palm_frame)].transform = base_from_palm;
@@ -113,7 +114,7 @@ TEST(Placement, APalmStandsWhereTheHumansHandIs) {
 }
 
 TEST(Goals, AHandAloneNeedsNoArm) {
-  const RobotTable robot = generate_hand({5, 0.2, 0.09});
+  const RobotTable robot = robot::generate_hand({5, 0.2, 0.09});
   HumanMotion motion = small_motion();
   motion.shoulder.assign(3, unseen_point());
   motion.elbow.assign(3, unseen_point());
@@ -128,8 +129,8 @@ TEST(Goals, AHandAloneNeedsNoArm) {
 TEST(PlacementOptions, RefusesAnUnknownAxis) {
   PlacementOptions options;
   options.rotation = {{"w", 1}};
-  EXPECT_NE(check(options).find("'w'"), std::string::npos);
+  EXPECT_NE(why_invalid(options).find("'w'"), std::string::npos);
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::map

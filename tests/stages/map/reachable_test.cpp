@@ -2,19 +2,19 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/kinematics/description.hpp"
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/files/description.hpp"
+#include "pipeline/robot/forward.hpp"
 #include "tests/support/random_positions.hpp"
 
-namespace morphe {
+namespace morphe::map {
 namespace {
 
 /// One frame, whose goals are where the reference robot's own tips are in some posture.
 class ReachableFrames : public testing::Test {
  protected:
   ReachableFrames()
-      : robot(load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table) {
-    world = make_world(robot, scene, {}, {});
+      : robot(robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table) {
+    world = collision::make_world(robot, scene, {}, {});
     problem.robot = &robot;
     problem.world = &world;
     problem.time = {0};
@@ -23,10 +23,10 @@ class ReachableFrames : public testing::Test {
 
   void set_goals(const JointVector& q, std::size_t tips, std::size_t frame = 0) {
     std::vector<Pose> poses;
-    forward(robot, q, poses);
+    robot::forward(robot, q, poses);
     problem.goals[frame].tip_position.assign(robot.tips.size(), unseen_point());
     for (std::size_t tip = 0; tip < tips; ++tip) {
-      problem.goals[frame].tip_position[tip] = tip_pose(robot, poses, tip).translation();
+      problem.goals[frame].tip_position[tip] = robot::tip_pose(robot, poses, tip).translation();
     }
   }
 
@@ -36,7 +36,7 @@ class ReachableFrames : public testing::Test {
 
   RobotTable robot;
   Scene scene;
-  CollisionWorld world;
+  collision::CollisionWorld world;
   MappingProblem problem;
 };
 
@@ -113,4 +113,4 @@ TEST_F(ReachableFrames, OfAMovementAsOneByOne) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::map

@@ -7,6 +7,7 @@
 #include <random>
 
 using namespace morphe;
+using namespace morphe::map;
 
 namespace {
 

@@ -4,10 +4,10 @@
 
 #include <numbers>
 
-#include "pipeline/kinematics/forward.hpp"
-#include "tests/pipeline/kinematics/shipped_robots.hpp"
+#include "pipeline/robot/forward.hpp"
+#include "tests/pipeline/robot/shipped_robots.hpp"
 
-namespace morphe {
+namespace morphe::map {
 namespace {
 
 using std::numbers::pi;
@@ -15,7 +15,8 @@ using std::numbers::pi;
 /// Five frames whose goals are a posture's own tips.
 struct Bench {
   explicit Bench(const std::string& name)
-      : robot(shipped_robot(name)), world(make_world(robot, scene, Movement{}, Tolerances{})) {
+      : robot(robot::shipped_robot(name)),
+        world(collision::make_world(robot, scene, Movement{}, Tolerances{})) {
     posture = 0.5 * (robot.lower + robot.upper);
     for (Eigen::Index j = 0; j < posture.size(); ++j) {
       posture[j] += 0.1 * static_cast<double>(1 + j % 3) * (robot.upper[j] - posture[j]);
@@ -24,10 +25,10 @@ struct Bench {
     problem.world = &world;
     problem.clearance.weight = 0;
     std::vector<Pose> base_from_frame;
-    forward(robot, posture, base_from_frame);
-    FrameGoal goal;
+    robot::forward(robot, posture, base_from_frame);
+    humanlike::FrameGoal goal;
     for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
-      const Pose pose = tip_pose(robot, base_from_frame, tip);
+      const Pose pose = robot::tip_pose(robot, base_from_frame, tip);
       goal.tip_position.push_back(pose.translation());
       goal.tip_orientation.push_back(Quat(pose.linear()));
     }
@@ -42,7 +43,7 @@ struct Bench {
 
   RobotTable robot;
   Scene scene;
-  CollisionWorld world;
+  collision::CollisionWorld world;
   MappingProblem problem;
   JointVector posture;
 };
@@ -66,13 +67,13 @@ TEST(Twins, PlaceEveryTipAndCentreAlike) {
   const std::vector<JointVector> all = twins_of(find_twins(bench.problem), bench.posture);
   ASSERT_GE(all.size(), 8u);
   std::vector<Pose> as_is, twin;
-  forward(robot, bench.posture, as_is);
+  robot::forward(robot, bench.posture, as_is);
   for (const JointVector& q : all) {
     EXPECT_TRUE((q.array() >= robot.lower.array()).all());
     EXPECT_TRUE((q.array() <= robot.upper.array()).all());
-    forward(robot, q, twin);
+    robot::forward(robot, q, twin);
     for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
-      const Pose a = tip_pose(robot, as_is, tip), b = tip_pose(robot, twin, tip);
+      const Pose a = robot::tip_pose(robot, as_is, tip), b = robot::tip_pose(robot, twin, tip);
       EXPECT_TRUE(a.isApprox(b, 1e-9));
     }
     for (const RobotTable::Centre& centre : robot.centres) {
@@ -113,4 +114,4 @@ TEST(Twins, NoneWhereJointAnglesThemselvesCount) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::map

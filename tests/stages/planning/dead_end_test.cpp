@@ -1,13 +1,13 @@
-#include "stages/dead_end.hpp"
+#include "stages/planning/dead_end.hpp"
 
 #include <gtest/gtest.h>
 
-#include "pipeline/kinematics/description.hpp"
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/files/description.hpp"
+#include "pipeline/robot/forward.hpp"
 #include "stages/check/check_path.hpp"
 #include "stages/map/map_movement.hpp"
 
-namespace morphe {
+namespace morphe::planning {
 namespace {
 
 using Eigen::Index;
@@ -16,11 +16,12 @@ using Eigen::Index;
 /// then, so that a posture is known that meets them.
 class FindDeadEnd : public testing::Test {
  protected:
-  FindDeadEnd() : robot(load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table) {
+  FindDeadEnd()
+      : robot(robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table) {
     posture = JointVector::Zero(static_cast<Index>(robot.joints()));
     posture.head(7) << 1.2, -1.0, -1.6, 1.6, 2.5, 0.7, 0.5;
     posture.tail(15) << 0.1, 0.5, 0.4, 0, 0.3, 0.3, 0, 0.4, 0.3, 0, 0.4, 0.3, 0, 0.4, 0.3;
-    forward(robot, posture, poses);
+    robot::forward(robot, posture, poses);
     goals.tip_position = {kFrames, robot.tips.size(), unseen_point()};
     goals.tip_orientation = {kFrames, robot.tips.size(), unseen_rotation()};
     goals.finger_joint_position = {kFrames, kFingers, unseen_point()};
@@ -30,21 +31,22 @@ class FindDeadEnd : public testing::Test {
     for (std::size_t f = 0; f < kFrames; ++f) {
       goals.time.push_back(0.05 * static_cast<double>(f));
       for (const std::size_t tip : {0U, 1U}) {
-        goals.tip_position(f, tip) = tip_pose(robot, poses, tip).translation();
+        goals.tip_position(f, tip) = robot::tip_pose(robot, poses, tip).translation();
       }
     }
     options.starts = 12;
   }
 
   /// From a path that stands a little beside the posture.
-  std::optional<DeadEnd> find() {
-    const CollisionWorld world = make_world(robot, scene, Movement{}, Tolerances{});
+  std::optional<repair::DeadEnd> find() {
+    const collision::CollisionWorld world =
+        collision::make_world(robot, scene, Movement{}, Tolerances{});
     const JointRows beside =
         (posture.array() + 0.05).matrix().transpose().replicate(static_cast<Index>(kFrames), 1);
     const auto judge = [&](const JointPath& path) {
-      return check_path(world, goals, Movement{}, path, CheckOptions{});
+      return check::check_path(world, goals, Movement{}, path, check::CheckOptions{});
     };
-    return find_dead_end(make_mapping_problem(robot, goals, world, options),
+    return find_dead_end(map::make_mapping_problem(robot, goals, world, options),
                          {beside, std::vector<Origin>(kFrames), goals.time},
                          {{0.1, 0.3, "tracking", "thumb_tip", "", 0.01}}, judge, options, 3, holds);
   }
@@ -55,7 +57,7 @@ class FindDeadEnd : public testing::Test {
   std::vector<Pose> poses;
   Scene scene;
   Goals goals;
-  MapOptions options;
+  map::MapOptions options;
   std::vector<Hold> holds;
 };
 
@@ -65,10 +67,10 @@ TEST_F(FindDeadEnd, IsNoneWhereAPostureHoldsTheGoals) {
   for (const Hold& hold : holds) {
     EXPECT_GE(hold.frame, 2U);
     EXPECT_LE(hold.frame, 6U);
-    forward(robot, hold.q, poses);
+    robot::forward(robot, hold.q, poses);
     for (const std::size_t tip : {0U, 1U}) {
       const Vec3 goal = goals.tip_position(hold.frame, tip);
-      EXPECT_LT((tip_pose(robot, poses, tip).translation() - goal).norm(), 2e-3);
+      EXPECT_LT((robot::tip_pose(robot, poses, tip).translation() - goal).norm(), 2e-3);
     }
   }
 }
@@ -81,7 +83,7 @@ TEST_F(FindDeadEnd, IsAGoalInCollisionInsideABody) {
   ball.position = {goals.tip_position(0, 1)};
   ball.orientation = {Quat::Identity()};
   scene.objects.push_back(ball);
-  const std::optional<DeadEnd> end = find();
+  const std::optional<repair::DeadEnd> end = find();
   ASSERT_TRUE(end);
   EXPECT_EQ(end->reason, "goal_in_collision");
   EXPECT_GT(end->tried, 1);
@@ -91,11 +93,11 @@ TEST_F(FindDeadEnd, IsAGoalInCollisionInsideABody) {
 
 TEST_F(FindDeadEnd, IsUnreachableWhereTheArmDoesNotGo) {
   for (std::size_t f = 0; f < kFrames; ++f) goals.tip_position(f, 1) += Vec3(2.5, 0, 0);
-  const std::optional<DeadEnd> end = find();
+  const std::optional<repair::DeadEnd> end = find();
   ASSERT_TRUE(end);
   EXPECT_EQ(end->reason, "unreachable");
   EXPECT_NEAR(end->time_s, 0.2, 1e-9);
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::planning

@@ -7,7 +7,7 @@
 
 #include "tests/stages/reconstruct/gloved_arm.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 /// The arm's joint centres at 100 Hz, with noise on each.
@@ -16,7 +16,7 @@ HumanMotion shaken(const GlovedArm& arm, double noise) {
   std::normal_distribution<double> normal;
   HumanMotion motion;
   for (int i = 0; i < 500; ++i) {
-    const ArmPose pose = arm.pose(0.01 * i);
+    const human::ArmPose pose = arm.pose(0.01 * i);
     const auto near = [&](const Vec3& point) {
       return Vec3(point + noise * Vec3(normal(random), normal(random), normal(random)));
     };
@@ -91,4 +91,4 @@ TEST(AddArmAngles, FollowsTheArmAndLeavesWhatIsNotSeen) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 const std::vector<Vec3> kStill = {
@@ -49,4 +49,4 @@ TEST(CompleteCluster, MakesNoStepAtAGapOfADeformedCluster) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -7,7 +7,7 @@
 
 #include "stages/reconstruct/reconstruct.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 using testing::Contains;
@@ -202,4 +202,4 @@ TEST(FunctionalJoints, OneEpicondyleIsANearbyPlaceToLookAt) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 using Columns = std::vector<std::vector<double>>;
@@ -104,4 +104,4 @@ TEST(GloveFilter, WithoutNoiseNothingIsTakenAway) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -9,20 +9,20 @@
 #include "pipeline/human/glove.hpp"
 #include "pipeline/motion/demonstration.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 
 /// An arm and a hand whose every angle swings, by forward kinematics: what calibrated sensors and a
 /// glove record of them, and the truth at any instant.
 struct GlovedArm {
-  ArmLengths arm{0.30, 0.25};
-  HandSize hand{0.19, 0.085};
+  human::ArmLengths arm{0.30, 0.25};
+  human::HandSize hand{0.19, 0.085};
   Vec3 shoulder = Vec3(0.2, -0.2, 0.4);
   double position_noise = 0, rotation_noise = 0, glove_noise = 0;  ///< [m], [rad], [rad]
   double glove_late_s = 0;                                         ///< what its clock reads more
   double glove_zero = 0.1;                                         ///< of every sensor [rad]
   double duration_s = 10;
 
-  ArmAngles angles(double t) const {
+  human::ArmAngles angles(double t) const {
     const auto swing = [&](double middle, double width, double hz, double phase) {
       return middle + width * std::sin(2 * std::numbers::pi * hz * t + phase);
     };
@@ -30,9 +30,9 @@ struct GlovedArm {
             swing(1.2, 0.4, 0.45, 0.5), swing(0.2, 0.4, 0.35, 3), swing(0.1, 0.3, 0.6, 1.5),
             swing(0.0, 0.15, 0.5, 0.7)};
   }
-  ArmPose pose(double t) const { return arm_pose(shoulder, arm, angles(t)); }
-  HandAngles fingers(double t) const {
-    HandAngles angles;
+  human::ArmPose pose(double t) const { return human::arm_pose(shoulder, arm, angles(t)); }
+  human::HandAngles fingers(double t) const {
+    human::HandAngles angles;
     for (std::size_t k = 0; k < kHandAngles; ++k) {
       const double phase = 0.3 * static_cast<double>(k);
       angles.joint[k] = 0.4 + 0.25 * std::sin(2 * std::numbers::pi * 0.5 * t + phase);
@@ -42,12 +42,12 @@ struct GlovedArm {
     angles.palm_arch = 0.1 + 0.05 * std::sin(t);
     return angles;
   }
-  HandPoints points(double t) const {
+  human::HandPoints points(double t) const {
     std::vector<Pose> frames;
-    return hand_points(human_hand(hand), fingers(t), frames);
+    return human::hand_points(human::human_hand(hand), fingers(t), frames);
   }
   Vec3 tip(double t, std::size_t finger) const {
-    const ArmPose now = pose(t);
+    const human::ArmPose now = pose(t);
     return now.wrist + now.world_from_hand * points(t).tip[finger];
   }
 
@@ -71,8 +71,8 @@ struct GlovedArm {
     for (std::size_t i = 0; i < n; ++i) {
       const double t = static_cast<double>(i) / 240;
       bodies.time.push_back(t);
-      const ArmPose now = pose(t);
-      const ArmAngles q = angles(t);
+      const human::ArmPose now = pose(t);
+      const human::ArmAngles q = angles(t);
       const Quat upper_arm = Eigen::AngleAxisd(q[0], Vec3::UnitX()) *
                              Eigen::AngleAxisd(-q[1], Vec3::UnitY()) *
                              Eigen::AngleAxisd(q[2], Vec3::UnitZ());
@@ -95,15 +95,15 @@ struct GlovedArm {
     const auto glove_of = [&](const std::vector<double>& time, bool flat) {
       HandStream glove;
       glove.kind = HandKind::glove;
-      glove.names.assign(std::begin(kGloveSensors), std::end(kGloveSensors));
+      glove.names.assign(std::begin(human::kGloveSensors), std::end(human::kGloveSensors));
       glove.angles.resize(static_cast<Eigen::Index>(time.size()),
-                          static_cast<Eigen::Index>(kGloveSensorCount));
+                          static_cast<Eigen::Index>(human::kGloveSensorCount));
       for (std::size_t i = 0; i < time.size(); ++i) {
-        GloveReading reading;
+        human::GloveReading reading;
         if (!flat) reading = {fingers(time[i]), angles(time[i])[5], angles(time[i])[6]};
-        const GloveAngles read = encode_glove(reading);
+        const human::GloveAngles read = human::encode_glove(reading);
         glove.time.push_back(time[i] + (flat ? 0 : glove_late_s));
-        for (std::size_t k = 0; k < kGloveSensorCount; ++k) {
+        for (std::size_t k = 0; k < human::kGloveSensorCount; ++k) {
           glove.angles(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) =
               read[k] + glove_zero + glove_noise * normal(random);
         }
@@ -119,4 +119,4 @@ struct GlovedArm {
   }
 };
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

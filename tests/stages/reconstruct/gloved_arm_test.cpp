@@ -8,7 +8,7 @@
 #include "stages/reconstruct/mirror.hpp"
 #include "stages/reconstruct/reconstruct.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 using testing::Contains;
@@ -30,7 +30,7 @@ Errors errors_of(const HumanMotion& motion, const GlovedArm& truth) {
   double n = 0, wrist_way = 0, tips_way = 0;
   for (std::size_t i = 30; i + 30 < motion.time.size(); ++i) {
     const double t = motion.time[i], step = 1e-4;
-    const ArmPose pose = truth.pose(t);
+    const human::ArmPose pose = truth.pose(t);
     const Vec3 wrist_error = motion.wrist[i] - pose.wrist;
     const Vec3 wrist_speed = (truth.pose(t + step).wrist - truth.pose(t - step).wrist) / (2 * step);
     e.elbow += (motion.elbow[i] - pose.elbow).squaredNorm();
@@ -44,13 +44,13 @@ Errors errors_of(const HumanMotion& motion, const GlovedArm& truth) {
       e.tips_late -= error.dot(speed);
       tips_way += speed.squaredNorm();
     }
-    const ArmAngles arm = truth.angles(t);
+    const human::ArmAngles arm = truth.angles(t);
     const auto row = static_cast<Eigen::Index>(i);
     for (std::size_t k = 0; k < kArmAngles; ++k) {
       e.arm_angles +=
           std::pow(motion.arm_angles(row, static_cast<Eigen::Index>(k)) - arm[k], 2) / kArmAngles;
     }
-    const HandAngles hand = truth.fingers(t);
+    const human::HandAngles hand = truth.fingers(t);
     for (std::size_t k = 0; k < kHandAngles; ++k) {
       e.hand_angles +=
           std::pow(motion.hand_angles(row, static_cast<Eigen::Index>(k)) - hand.joint[k], 2) /
@@ -82,8 +82,8 @@ TEST(GlovedArm, IsRebuiltFromCleanSensors) {
     EXPECT_NEAR((motion.wrist[i] - motion.elbow[i]).norm(), 0.25, 1e-4);
   }
   const auto middle = motion.time.size() / 2;
-  const HandPoints points = truth.points(motion.time[middle]);
-  const ArmPose pose = truth.pose(motion.time[middle]);
+  const human::HandPoints points = truth.points(motion.time[middle]);
+  const human::ArmPose pose = truth.pose(motion.time[middle]);
   for (std::size_t f = 0; f < kFingers; ++f) {
     EXPECT_LT((motion.finger_joint(middle, f) - pose.wrist -
                pose.world_from_hand * points.middle_joint[f])
@@ -247,4 +247,4 @@ TEST(ClockOffset, IsNotClearWithoutACommonMovement) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::reconstruct

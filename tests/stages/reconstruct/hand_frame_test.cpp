@@ -7,7 +7,7 @@
 #include "stages/reconstruct/reconstruct.hpp"
 #include "tests/stages/reconstruct/gloved_arm.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 using testing::Contains;
@@ -15,10 +15,10 @@ using testing::Not;
 
 Demonstration shipped_keypoints() {
   Demonstration shipped;
-  ImportRequest request;
+  imports::ImportRequest request;
   request.paths = {std::filesystem::path(MORPHE_SOURCE_DIR) /
                    "datasets/dex-retargeting/recordings.yaml"};
-  import_recordings(request, [&](Demonstration&& d) { shipped = std::move(d); });
+  imports::import_recordings(request, [&](Demonstration&& d) { shipped = std::move(d); });
   return shipped;
 }
 
@@ -75,7 +75,7 @@ TEST(HandFrame, AGloveAloneHasItsFingersToo) {
   const HumanMotion alone = in_hand_frame(reconstruct_hand(d, {}, {}));
   for (const HumanMotion* motion : {&whole, &alone}) {
     const std::size_t i = motion->time.size() / 2;
-    const HandPoints points = truth.points(motion->time[i]);
+    const human::HandPoints points = truth.points(motion->time[i]);
     for (std::size_t finger = 0; finger < kFingers; ++finger) {
       EXPECT_LT((motion->tip(i, finger) - points.tip[finger]).norm(), 0.001);
       EXPECT_LT((motion->finger_joint(i, finger) - points.middle_joint[finger]).norm(), 0.001);
@@ -96,4 +96,4 @@ TEST(HandFrame, ATrackedWristIsLeftAlone) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -5,11 +5,11 @@
 #include <random>
 
 #include "pipeline/human/hand.hpp"
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/forward.hpp"
 #include "stages/import/import.hpp"
 #include "stages/reconstruct/hand_from_keypoints.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 using testing::Contains;
@@ -21,12 +21,12 @@ struct TrueHand {
   JointRows angles;
 };
 TrueHand bending_hand(std::size_t frames, double rate_hz) {
-  const RobotTable hand = human_hand({0.19, 0.085});
+  const RobotTable hand = human::human_hand({0.19, 0.085});
   TrueHand truth;
   truth.angles.resize(static_cast<Eigen::Index>(frames), static_cast<Eigen::Index>(kHandAngles));
   std::vector<Pose> poses;
   for (std::size_t i = 0; i < frames; ++i) {
-    HandAngles angles;
+    human::HandAngles angles;
     for (std::size_t k = 0; k < kHandAngles; ++k) {
       const auto j = static_cast<Eigen::Index>(k);
       const double phase =
@@ -35,7 +35,7 @@ TrueHand bending_hand(std::size_t frames, double rate_hz) {
       angles.joint[k] = hand.lower[j] + share * (hand.upper[j] - hand.lower[j]);
       truth.angles(static_cast<Eigen::Index>(i), j) = angles.joint[k];
     }
-    hand_points(hand, angles, poses);
+    human::hand_points(hand, angles, poses);
     HandKeypoints& points = truth.points.emplace_back();
     points[0].setZero();
     for (std::size_t f = 0; f < kFingers; ++f) {
@@ -168,10 +168,10 @@ TEST(KeypointHand, HangsOnATrackedWrist) {
 }
 
 TEST(KeypointHand, TheShippedHandKeepsItsBones) {
-  ImportRequest request;
+  imports::ImportRequest request;
   request.paths = {std::filesystem::path(MORPHE_SOURCE_DIR) /
                    "datasets/dex-retargeting/recordings.yaml"};
-  import_recordings(request, [](Demonstration&& d) {
+  imports::import_recordings(request, [](Demonstration&& d) {
     const HumanMotion motion = reconstruct(d, {}, {});
     EXPECT_EQ(motion.time.size(), 2067u);
     EXPECT_TRUE(motion.hand_angles.allFinite());
@@ -191,4 +191,4 @@ TEST(KeypointHand, TheShippedHandKeepsItsBones) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -11,7 +11,7 @@
 #include "stages/reconstruct/reconstruct.hpp"
 #include "tests/stages/reconstruct/synthetic_arm.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 using testing::Contains;
@@ -142,4 +142,4 @@ TEST(MotionFromMarkers, LeftHandIsTheMirroredRightOne) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::reconstruct

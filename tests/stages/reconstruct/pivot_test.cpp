@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 const Vec3 kInA(0.02, -0.15, 0.03), kInB(-0.01, 0.12, 0.04);
@@ -64,4 +64,4 @@ TEST(FindPivot, UsesTheFramesThatShowBothBodies) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::reconstruct

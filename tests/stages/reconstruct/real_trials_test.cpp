@@ -10,7 +10,7 @@
 #include "stages/import/import.hpp"
 #include "stages/reconstruct/reconstruct.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 const std::filesystem::path kDatasets = std::filesystem::path(MORPHE_SOURCE_DIR) / "datasets";
@@ -22,9 +22,9 @@ struct Trial {
 
 std::vector<Trial> read_trials(const std::string& folder) {
   std::vector<Trial> trials;
-  ImportRequest request;
+  imports::ImportRequest request;
   request.paths = {kDatasets / folder / "recordings.yaml"};
-  import_recordings(request, [&](Demonstration&& d) {
+  imports::import_recordings(request, [&](Demonstration&& d) {
     HumanMotion motion = reconstruct(d, {}, {});
     trials.push_back({std::move(d), std::move(motion)});
   });
@@ -154,4 +154,4 @@ TEST(RealTrials, GraspLiesInFrontOfThePalm) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::reconstruct

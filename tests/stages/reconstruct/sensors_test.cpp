@@ -8,7 +8,7 @@
 #include "stages/import/import.hpp"
 #include "stages/reconstruct/reconstruct.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 using testing::Contains;
@@ -95,10 +95,10 @@ TEST(MotionFromSensors, NothingRecordedIsAProblemNotAnError) {
 }
 
 TEST(MotionFromSensors, RebuildsTheDoorDemonstrations) {
-  ImportRequest request;
+  imports::ImportRequest request;
   request.paths = {std::filesystem::path(MORPHE_SOURCE_DIR) /
                    "datasets/adroit-dapg/recordings.yaml"};
-  import_recordings(request, [](Demonstration&& d) {
+  imports::import_recordings(request, [](Demonstration&& d) {
     const HumanMotion motion = reconstruct(d, {}, {});
     EXPECT_TRUE(motion.problems.empty()) << motion.problems.front();
     EXPECT_THAT(motion.estimated, ElementsAre("shoulder", "elbow"));
@@ -117,18 +117,18 @@ TEST(MotionFromSensors, RebuildsTheDoorDemonstrations) {
 }
 
 TEST(ReconstructOptions, AreChecked) {
-  EXPECT_EQ(check(ReconstructOptions{}), "");
-  EXPECT_EQ(check(HumanOptions{}), "");
+  EXPECT_EQ(why_invalid(ReconstructOptions{}), "");
+  EXPECT_EQ(why_invalid(HumanOptions{}), "");
   ReconstructOptions options;
   options.cutoff_hz = 45;
-  EXPECT_THAT(check(options), HasSubstr("cutoff_hz"));
+  EXPECT_THAT(why_invalid(options), HasSubstr("cutoff_hz"));
   options = {};
   options.index_marker_to_axis_m = 12;
-  EXPECT_THAT(check(options), HasSubstr("marker_to_axis"));
+  EXPECT_THAT(why_invalid(options), HasSubstr("marker_to_axis"));
   HumanOptions human;
   human.reach_share = 1.2;
-  EXPECT_THAT(check(human), HasSubstr("reach_share"));
+  EXPECT_THAT(why_invalid(human), HasSubstr("reach_share"));
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::reconstruct

@@ -9,7 +9,7 @@
 #include "stages/reconstruct/mirror.hpp"
 #include "stages/reconstruct/reconstruct.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 namespace {
 
 using testing::Contains;
@@ -20,8 +20,8 @@ using testing::Not;
 /// the hand's by an arbitrary rotation, as a file's are.
 struct Swing {
   Demonstration demonstration;
-  std::vector<ArmPose> poses;
-  std::vector<ArmAngles> angles;
+  std::vector<human::ArmPose> poses;
+  std::vector<human::ArmAngles> angles;
 };
 const Quat kWristFromHand(Eigen::AngleAxisd(1.1, Vec3(1, 2, 3).normalized()));
 /// Knuckles and index finger in the hand frame, straight.
@@ -47,9 +47,9 @@ Swing swing(std::size_t frames = 240, double rate_hz = 120) {
   body.orientation = Table<Quat>(frames, body.names.size(), unseen_rotation());
   for (std::size_t i = 0; i < frames; ++i) {
     const double t = static_cast<double>(i) / rate_hz, s = std::sin(2 * M_PI * 0.4 * t);
-    const ArmAngles angles = {0.5 + 0.4 * s, 0.3 + 0.1 * s, 0.1 * s,        0.9 - 0.5 * s,
-                              0.2 * s,       0.1 * s,       0.05 + 0.05 * s};
-    const ArmPose pose = arm_pose(Vec3(0.2, 0.05 * s, 1.3), {0.31, 0.25}, angles);
+    const human::ArmAngles angles = {0.5 + 0.4 * s, 0.3 + 0.1 * s, 0.1 * s,        0.9 - 0.5 * s,
+                                     0.2 * s,       0.1 * s,       0.05 + 0.05 * s};
+    const human::ArmPose pose = human::arm_pose(Vec3(0.2, 0.05 * s, 1.3), {0.31, 0.25}, angles);
     const auto in_world = [&](const Vec3& in_hand) -> Vec3 {
       return pose.wrist + pose.world_from_hand * in_hand;
     };
@@ -89,7 +89,7 @@ TEST(Skeleton, GivesBackTheArmThatMovedIt) {
   const HumanMotion motion = reconstruct(truth.demonstration, {}, {});
   ASSERT_EQ(motion.arm_angles.rows(), static_cast<Eigen::Index>(motion.time.size()));
   for (std::size_t i = 30; i < 150; i += 5) {  // 100 Hz against 120: every 5th is every 6th
-    const ArmPose& pose = truth.poses[i * 6 / 5];
+    const human::ArmPose& pose = truth.poses[i * 6 / 5];
     EXPECT_LT((motion.shoulder[i] - pose.shoulder).norm(), 1e-4);
     EXPECT_LT((motion.elbow[i] - pose.elbow).norm(), 1e-4);
     EXPECT_LT((motion.wrist[i] - pose.wrist).norm(), 2e-4);
@@ -179,10 +179,10 @@ TEST(Skeleton, ALeftArmIsTheRightOneInTheMirror) {
 
 TEST(Skeleton, TheShippedOnes) {
   for (const char* folder : {"cmu-iclone-bvh", "cmu-native", "pybvh"}) {
-    ImportRequest request;
+    imports::ImportRequest request;
     request.paths = {std::filesystem::path(MORPHE_SOURCE_DIR) / "datasets" / folder /
                      "recordings.yaml"};
-    import_recordings(request, [](Demonstration&& d) {
+    imports::import_recordings(request, [](Demonstration&& d) {
       const HumanMotion motion = reconstruct(d, {}, {});
       const bool whole_hand = d.name != "cmu_12_01_walk";
       for (std::size_t i = 0; i < motion.time.size(); ++i) {
@@ -203,9 +203,9 @@ TEST(Skeleton, TheShippedOnes) {
 // A hand that hangs beside the body while its subject stands: the palm faces the thigh.
 TEST(Skeleton, TheHangingHandsPalmFacesTheBody) {
   for (const char* hand : {"right", "left"}) {
-    ImportRequest request;
+    imports::ImportRequest request;
     request.paths = {std::filesystem::path(MORPHE_SOURCE_DIR) / "datasets/pybvh/recordings.yaml"};
-    import_recordings(request, [&](Demonstration&& d) {
+    imports::import_recordings(request, [&](Demonstration&& d) {
       d.hand = hand;
       const HumanMotion motion = reconstruct(d, {}, {});  // a left one is mirrored
       const Vec3 out_of_palm = motion.wrist_orientation[20] * Vec3::UnitX();
@@ -219,4 +219,4 @@ TEST(Skeleton, TheHangingHandsPalmFacesTheBody) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::reconstruct

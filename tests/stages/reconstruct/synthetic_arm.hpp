@@ -6,7 +6,7 @@
 
 #include "pipeline/motion/demonstration.hpp"
 
-namespace morphe {
+namespace morphe::reconstruct {
 
 /// A marker recording of an exactly rigid arm, and the truth behind it. The static pose: the arm
 /// stretched forward, thumb up, palm to the left.
@@ -86,4 +86,4 @@ inline SyntheticArm synthetic_arm() {
   return arm;
 }
 
-}  // namespace morphe
+}  // namespace morphe::reconstruct

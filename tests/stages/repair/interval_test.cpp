@@ -5,7 +5,7 @@
 #include "stages/repair/interval_world.hpp"
 #include "tests/stages/repair/planar_arm.hpp"
 
-namespace morphe {
+namespace morphe::repair {
 namespace {
 
 using test::Bench;
@@ -37,7 +37,7 @@ TEST(IntervalWorld, WhatMovesIsLookedAtSeveralTimesAndAMovingTargetIsLeftOut) {
   const IntervalWorld interval = interval_world(bench.world, 0, 1, 0, TouchRule::strict);
   EXPECT_EQ(interval.times.front(), 0);
   EXPECT_EQ(interval.times.back(), 1);
-  CollisionScratch scratch;
+  collision::CollisionScratch scratch;
   EXPECT_FALSE(state_free(interval, JointVector::Zero(3), scratch));  // free at 0, not at 0.5
 
   bench.world.target = 0;
@@ -56,7 +56,7 @@ TEST(Connect, FollowersKeepOneProportion) {
   ASSERT_GT(vertices.size(), 2u);
   EXPECT_EQ(vertices.front(), from);
   EXPECT_EQ(vertices.back(), to);
-  CollisionScratch scratch;
+  collision::CollisionScratch scratch;
   for (std::size_t k = 0; k + 1 < vertices.size(); ++k) {
     EXPECT_TRUE(line_free(interval, bench.reach, vertices[k], vertices[k + 1], scratch));
     EXPECT_GE(vertices[k][2], 0.2 - 1e-12);
@@ -108,4 +108,4 @@ TEST(DrawIn, ReturnsToTheOriginalWhereNothingIsInTheWay) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::repair

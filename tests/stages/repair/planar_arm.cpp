@@ -63,25 +63,27 @@ JointPath sweep(const JointVector& from, const JointVector& to) {
 
 Bench::Bench(std::vector<SceneObject> objects, RobotTable of) : robot(std::move(of)) {
   scene.objects = std::move(objects);
-  world = make_world(robot, scene, Movement{}, Tolerances{});
-  reach = capsule_reach(robot);
+  world = collision::make_world(robot, scene, Movement{}, Tolerances{});
+  reach = collision::capsule_reach(robot);
 }
 
 std::vector<Finding> Bench::collisions(const JointPath& path) const {
   std::vector<Finding> findings;
-  CollisionScratch scratch;
+  collision::CollisionScratch scratch;
   bool open = false;
   for (Eigen::Index k = 0; k + 1 < path.position.rows(); ++k) {
     const auto sample = static_cast<std::size_t>(k);
     const double begin_s = path.demonstration_time[sample];
     const double end_s = path.demonstration_time[sample + 1];
-    const MotionCheck edge = check_motion(
+    const collision::MotionCheck edge = collision::check_motion(
         world, reach,
-        straight_motion(path.position.row(k), path.position.row(k + 1), begin_s, end_s), scratch);
-    const bool bad = edge.verdict != MotionVerdict::free;
+        collision::straight_motion(path.position.row(k), path.position.row(k + 1), begin_s, end_s),
+        scratch);
+    const bool bad = edge.verdict != collision::MotionVerdict::free;
     if (bad && !open)
       findings.push_back({begin_s, end_s, edge.pair.object ? "object" : "self",
-                          first_name(world, edge.pair), second_name(world, edge.pair), 0});
+                          collision::first_name(world, edge.pair),
+                          collision::second_name(world, edge.pair), 0});
     if (bad) {
       findings.back().end_s = end_s;
       findings.back().depth = std::max(findings.back().depth, -edge.pair.slack());
@@ -92,14 +94,14 @@ std::vector<Finding> Bench::collisions(const JointPath& path) const {
 }
 
 double Bench::densely_sampled_slack(const JointPath& path) const {
-  CollisionScratch scratch;
+  collision::CollisionScratch scratch;
   double least = 1e9;
   for (Eigen::Index k = 0; k + 1 < path.position.rows(); ++k) {
     for (int part = 0; part <= 20; ++part) {
       const JointVector q =
           path.position.row(k) + part / 20.0 * (path.position.row(k + 1) - path.position.row(k));
       const double time_s = path.demonstration_time[static_cast<std::size_t>(k)];
-      least = std::min(least, least_slack(world, q, time_s, scratch).slack());
+      least = std::min(least, collision::least_slack(world, q, time_s, scratch).slack());
     }
   }
   return least;

@@ -20,7 +20,7 @@ JointPath sweep(const JointVector& from, const JointVector& to);
 struct Bench {
   RobotTable robot;
   Scene scene;
-  CollisionWorld world;
+  collision::CollisionWorld world;
   JointRows reach;
 
   explicit Bench(std::vector<SceneObject> objects, RobotTable of = planar_arm());

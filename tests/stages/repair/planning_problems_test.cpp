@@ -6,7 +6,7 @@
 #include "stages/repair/connect.hpp"
 #include "stages/repair/draw_in.hpp"
 
-namespace morphe {
+namespace morphe::repair {
 namespace {
 
 namespace fs = std::filesystem;
@@ -15,17 +15,19 @@ namespace fs = std::filesystem;
 /// start to goal, and small steps along it find no two bodies nearer than the margin.
 class PlanningProblems : public ::testing::TestWithParam<const char*> {
  protected:
-  static PlanningProblem read(const std::string& set) {
+  static moveit::PlanningProblem read(const std::string& set) {
     const fs::path folder = fs::path(MORPHE_SOURCE_DIR) / "datasets/motionbenchmaker";
-    return read_moveit_problem(folder / set / "scene0001.yaml", folder / set / "request0001.yaml",
-                               load_robot(folder / "panda.yaml"));
+    return moveit::read_moveit_problem(folder / set / "scene0001.yaml",
+                                       folder / set / "request0001.yaml",
+                                       robot::load_robot(folder / "panda.yaml"));
   }
 };
 
 TEST_P(PlanningProblems, SolvedWithoutTouchingAnything) {
-  const PlanningProblem problem = read(GetParam());
-  const CollisionWorld world = make_world(problem.robot, problem.scene, {}, Tolerances{});
-  const JointRows reach = capsule_reach(problem.robot);
+  const moveit::PlanningProblem problem = read(GetParam());
+  const collision::CollisionWorld world =
+      collision::make_world(problem.robot, problem.scene, {}, Tolerances{});
+  const JointRows reach = collision::capsule_reach(problem.robot);
   const IntervalWorld interval = interval_world(world, 0, 0, 0, TouchRule::strict);
   const ConnectSpace space{arm_joints(problem.robot), problem.robot.lower, problem.robot.upper};
   const JointVector& goal = problem.goals.front().lower;
@@ -40,14 +42,14 @@ TEST_P(PlanningProblems, SolvedWithoutTouchingAnything) {
   EXPECT_EQ(path.back(), goal);
   EXPECT_EQ(path, plan());
 
-  CollisionScratch scratch;
+  collision::CollisionScratch scratch;
   double least = 1;
   for (std::size_t edge = 1; edge < path.size(); ++edge) {
     const JointVector way = path[edge] - path[edge - 1];
     const int steps = 1 + static_cast<int>(way.cwiseAbs().maxCoeff() / 0.002);
     for (int k = 0; k <= steps; ++k) {
       const JointVector q = path[edge - 1] + way * (static_cast<double>(k) / steps);
-      least = std::min(least, least_slack(world, q, 0, scratch).slack());
+      least = std::min(least, collision::least_slack(world, q, 0, scratch).slack());
       ASSERT_TRUE((q.array() >= problem.robot.lower.array() - 1e-12).all());
       ASSERT_TRUE((q.array() <= problem.robot.upper.array() + 1e-12).all());
     }
@@ -61,4 +63,4 @@ INSTANTIATE_TEST_SUITE_P(MotionBenchMaker, PlanningProblems,
                                            "table_pick_panda", "table_under_pick_panda"));
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::repair

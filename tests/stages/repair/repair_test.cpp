@@ -4,11 +4,11 @@
 
 #include <thread>
 
-#include "pipeline/kinematics/description.hpp"
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/files/description.hpp"
+#include "pipeline/robot/forward.hpp"
 #include "tests/stages/repair/planar_arm.hpp"
 
-namespace morphe {
+namespace morphe::repair {
 namespace {
 
 using test::Bench;
@@ -324,14 +324,15 @@ TEST(Repair, TheMappingWinsBackWhatADetourCost) {
 }
 
 TEST(Repair, TheReferenceRobotTakesItsForearmAroundABall) {
-  const RobotTable robot = load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table;
+  const RobotTable robot =
+      robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table;
   JointVector from = JointVector::Constant(22, 0.2), to = JointVector::Constant(22, 0.3);
   for (int finger = 0; finger < 5; ++finger) from[7 + 3 * finger] = to[7 + 3 * finger] = 0;
   from.head<7>() << 0, 0.6, 0, 1.2, 0, 0.5, 0;
   to.head<7>() << 0.8, 0.8, 0.2, 1.0, 0.2, 0.4, 0.1;
   const JointPath path = sweep(from, to);
   std::vector<Pose> frames;
-  forward(robot, path.position.row(50), frames);
+  robot::forward(robot, path.position.row(50), frames);
   const Vec3 elbow = frames[static_cast<std::size_t>(robot.centres[0].frame)].translation();
   const Vec3 palm = frames[static_cast<std::size_t>(robot.palm_frame)].translation();
   SceneObject ball = post("ball", 0, 0);
@@ -363,11 +364,11 @@ TEST(Repair, IsTheSameToTheBitOnEveryThread) {
 }
 
 TEST(Repair, OptionsAreChecked) {
-  EXPECT_EQ(check(RepairOptions{}), "");
+  EXPECT_EQ(why_invalid(RepairOptions{}), "");
   RepairOptions options;
   options.range = 0;
-  EXPECT_THAT(check(options), HasSubstr("range"));
+  EXPECT_THAT(why_invalid(options), HasSubstr("range"));
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::repair

@@ -4,7 +4,7 @@
 
 #include "tests/stages/repair/planar_arm.hpp"
 
-namespace morphe {
+namespace morphe::repair {
 namespace {
 
 using test::Bench;
@@ -45,4 +45,4 @@ TEST(Transfer, FindsNothingWhereItsEndIsInCollision) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::repair

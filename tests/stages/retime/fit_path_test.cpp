@@ -5,9 +5,9 @@
 #include <cmath>
 #include <random>
 
-#include "pipeline/kinematics/forward.hpp"
+#include "pipeline/robot/forward.hpp"
 
-namespace morphe {
+namespace morphe::retime {
 namespace {
 
 RobotTable bare_robot(Eigen::Index joints, double lower, double upper) {
@@ -37,10 +37,10 @@ RobotTable planar_arm() {
 
 double tip_distance(const RobotTable& robot, const JointVector& a, const JointVector& b) {
   std::vector<Pose> frames;
-  forward(robot, a, frames);
-  const Vec3 first = tip_pose(robot, frames, 0).translation();
-  forward(robot, b, frames);
-  return (tip_pose(robot, frames, 0).translation() - first).norm();
+  robot::forward(robot, a, frames);
+  const Vec3 first = robot::tip_pose(robot, frames, 0).translation();
+  robot::forward(robot, b, frames);
+  return (robot::tip_pose(robot, frames, 0).translation() - first).norm();
 }
 
 TEST(FitPath, FollowsASine) {
@@ -55,7 +55,7 @@ TEST(FitPath, FollowsASine) {
   EXPECT_LT(fit.joint_deviation, 1e-6);
   JointRows q;
   for (double u = 0.1; u < 0.9; u += 0.0137) {
-    evaluate(fit.spline, u, q);
+    math::evaluate(fit.spline, u, q);
     EXPECT_NEAR(q(0, 0), std::sin(4 * u), 1e-6);
     EXPECT_NEAR(q(1, 0), 4 * std::cos(4 * u), 1e-4);
     EXPECT_NEAR(q(2, 0), -16 * std::sin(4 * u), 1e-2);
@@ -75,7 +75,7 @@ TEST(FitPath, StaysWithinLimits) {
   EXPECT_LE(fit.joint_deviation, 1e-3);
   JointRows q;
   for (double u = 0; u <= 1; u += 0.0013) {
-    evaluate(fit.spline, u, q);
+    math::evaluate(fit.spline, u, q);
     EXPECT_LE(q(0, 0), 0.5);
     EXPECT_GE(q(0, 0), 0.0);
   }
@@ -97,7 +97,7 @@ TEST(FitPath, LeavesAndMeetsALimitAtOnceWithoutRinging) {
   EXPECT_LE(fit.joint_deviation, 1.5e-3);
   JointRows q;
   for (double u = 0; u <= 1; u += 0.0007) {
-    evaluate(fit.spline, u, q);
+    math::evaluate(fit.spline, u, q);
     EXPECT_GE(q.row(0).minCoeff(), 0);
     EXPECT_LE(q.row(0).maxCoeff(), 0.5);
     EXPECT_NEAR(q(1, 0), 0.75 * std::cos(2.5 * u), 0.02) << u;
@@ -122,9 +122,9 @@ TEST(FitPath, MeetsItsEndsHoweverMuchIsSmoothed) {
   const PathFit fitted =
       fit_path(bare_robot(2, -3, 3), clock, y, std::vector<double>(150, 4), loose, 0.01);
   JointRows at;
-  evaluate(fitted.spline, 0, at);
+  math::evaluate(fitted.spline, 0, at);
   EXPECT_LT((at.row(0) - y.row(0)).norm(), 1e-6);
-  evaluate(fitted.spline, fitted.spline.length, at);
+  math::evaluate(fitted.spline, fitted.spline.length, at);
   EXPECT_LT((at.row(0) - y.row(149)).norm(), 1e-6);
 }
 
@@ -146,7 +146,7 @@ TEST(FitPath, NoiseIsRemovedWithinTheTipsTolerance) {
   double tip = 0, bare = 0, rough = 0, given = 0;
   JointRows q;
   for (int i = 0; i <= 150; ++i) {
-    evaluate(fit.spline, clock[static_cast<std::size_t>(i)], q);
+    math::evaluate(fit.spline, clock[static_cast<std::size_t>(i)], q);
     const JointVector at = q.row(0).transpose(), sample = y.row(i).transpose();
     tip = std::max(tip, tip_distance(robot, at, sample));
     bare = std::max(bare, std::abs(at[2] - sample[2]));
@@ -166,4 +166,4 @@ TEST(FitPath, NoiseIsRemovedWithinTheTipsTolerance) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::retime

@@ -8,9 +8,9 @@
 #include <random>
 
 #include "pipeline/config/fields.hpp"
-#include "pipeline/motion/quintic.hpp"
+#include "pipeline/math/quintic.hpp"
 
-namespace morphe {
+namespace morphe::retime {
 namespace {
 
 RobotTable robot_with(Eigen::Index joints, double velocity, double acceleration, double jerk) {
@@ -58,14 +58,15 @@ void expect_valid(const RobotTable& robot, const JointPath& path, const RetimeRe
     ASSERT_NEAR(t.time[i + 1] - t.time[i], 0.002, 1e-12);
     ASSERT_GE(t.demonstration_time[i + 1], t.demonstration_time[i]);
     for (Eigen::Index k = 0; k < t.position.cols(); ++k) {
-      const QuinticPiece piece = quintic_piece(t, i, k);
+      const math::QuinticPiece piece = math::quintic_piece(t, i, k);
       for (int part = 0; part <= 8; ++part) {
         const double s = piece.duration * part / 8;
-        worst[0] = std::max(worst[0], std::abs(value_at(piece, s, 1)) / robot.velocity[k]);
-        worst[1] = std::max(worst[1], std::abs(value_at(piece, s, 2)) / robot.acceleration[k]);
-        worst[2] = std::max(worst[2], std::abs(value_at(piece, s, 3)) / robot.jerk[k]);
-        ASSERT_GE(value_at(piece, s), robot.lower[k]);
-        ASSERT_LE(value_at(piece, s), robot.upper[k]);
+        worst[0] = std::max(worst[0], std::abs(math::value_at(piece, s, 1)) / robot.velocity[k]);
+        worst[1] =
+            std::max(worst[1], std::abs(math::value_at(piece, s, 2)) / robot.acceleration[k]);
+        worst[2] = std::max(worst[2], std::abs(math::value_at(piece, s, 3)) / robot.jerk[k]);
+        ASSERT_GE(math::value_at(piece, s), robot.lower[k]);
+        ASSERT_LE(math::value_at(piece, s), robot.upper[k]);
       }
     }
   }
@@ -366,10 +367,11 @@ TEST(Retime, LimitsThatAreNoneAreNone) {
 
 TEST(Retime, OptionsAreReadAndChecked) {
   RetimeOptions options;
-  read_options(ConfigNode::parse("{sample_rate_hz: 250, limit_share: 0.8, tip_speed: 0.5, "
-                                 "phase_speed: [{phase: grasp, scale: 0.5}]}",
-                                 "x"),
-               options);
+  config::read_options(
+      config::ConfigNode::parse("{sample_rate_hz: 250, limit_share: 0.8, tip_speed: 0.5, "
+                                "phase_speed: [{phase: grasp, scale: 0.5}]}",
+                                "x"),
+      options);
   EXPECT_EQ(options.sample_rate_hz, 250);
   EXPECT_EQ(options.limit_share, 0.8);
   EXPECT_EQ(options.tip_speed, 0.5);
@@ -378,9 +380,10 @@ TEST(Retime, OptionsAreReadAndChecked) {
        {"{limit_share: 1.5}", "{mode: quick}", "{mode: duration}", "{duration_s: 2}",
         "{phase_speed: [{phase: lunch, scale: 1}]}", "{tip_speed: 0}"}) {
     RetimeOptions other;
-    EXPECT_THROW(read_options(ConfigNode::parse(wrong, "x"), other), InputError) << wrong;
+    EXPECT_THROW(config::read_options(config::ConfigNode::parse(wrong, "x"), other), InputError)
+        << wrong;
   }
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::retime

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace morphe {
+namespace morphe::retime {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -100,4 +100,4 @@ TEST(TimeLaw, TheLawIsWhereTheGridSays) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::retime

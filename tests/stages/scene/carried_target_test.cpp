@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace morphe {
+namespace morphe::scene {
 namespace {
 
 Quat about(const Vec3& axis, double angle) {
@@ -107,4 +107,4 @@ TEST(CarriedTarget, StopsWithTheMovement) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::scene

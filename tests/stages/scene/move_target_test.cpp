@@ -8,7 +8,7 @@
 
 #include "pipeline/config/fields.hpp"
 
-namespace morphe {
+namespace morphe::scene {
 namespace {
 
 constexpr double kStep_s = 0.01;
@@ -184,10 +184,10 @@ TEST(MoveTarget, NothingToMoveChangesNothing) {
 TEST(MoveTarget, IsAskedForOneWayOnly) {
   TargetOptions options;
   options.moved.position = Vec3(0.1, 0, 0);
-  EXPECT_EQ(check(options), "");
+  EXPECT_EQ(why_invalid(options), "");
   options.placed = TargetPlacement{};
-  EXPECT_THAT(check(options), testing::HasSubstr("placed: "));
+  EXPECT_THAT(why_invalid(options), testing::HasSubstr("placed: "));
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::scene

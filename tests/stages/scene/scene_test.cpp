@@ -6,7 +6,7 @@
 #include "pipeline/config/fields.hpp"
 #include "stages/scene/build_scene.hpp"
 
-namespace morphe {
+namespace morphe::scene {
 namespace {
 
 using testing::ElementsAre;
@@ -187,7 +187,7 @@ TEST(MoveScene, MovesEveryPose) {
 }
 
 SceneOptions read(const std::string& yaml) {
-  const ConfigNode node = ConfigNode::parse(yaml, "c.yaml");
+  const config::ConfigNode node = config::ConfigNode::parse(yaml, "c.yaml");
   SceneOptions options = read_scene(node);
   node.expect_all_read();
   return options;
@@ -226,8 +226,8 @@ TEST(SceneOptions, WrittenOptionsReadBackTheSame) {
   post.rpy = Vec3(0, 0, 1);
   post.in_mapping = false;
   options.objects = {post};
-  const std::string written = write_options(options);
-  EXPECT_EQ(write_options(read(written)), written);
+  const std::string written = config::write_options(options);
+  EXPECT_EQ(config::write_options(read(written)), written);
 }
 
 TEST(SceneOptions, ErrorsNameFileLineAndKey) {
@@ -352,7 +352,7 @@ TEST_F(MeshFiles, MillimetresTakenForMetresAreNoticed) {
 /// What a file leaves out where nothing fits through is closed, a wide opening is not.
 TEST_F(MeshFiles, SmallHolesAreClosed) {
   const auto read_open = [&](const std::string& name, const std::string& text) {
-    return is_open(*read(object_of("mesh", write(name, text))).objects[0].mesh.solid);
+    return collision::is_open(*read(object_of("mesh", write(name, text))).objects[0].mesh.solid);
   };
   EXPECT_FALSE(read_open("whole.obj", kPyramid));
   EXPECT_TRUE(read_open("side.obj", kPyramid.substr(0, kPyramid.size() - 8)));
@@ -375,4 +375,4 @@ TEST_F(MeshFiles, APlanningSceneOfMoveItIsASceneFile) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::scene

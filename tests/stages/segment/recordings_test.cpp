@@ -9,16 +9,16 @@
 #include "stages/reconstruct/reconstruct.hpp"
 #include "stages/segment/segment.hpp"
 
-namespace morphe {
+namespace morphe::segment {
 namespace {
 
 std::vector<Movement> movements_of(const std::string& folder, const std::string& name) {
-  ImportRequest request;
+  imports::ImportRequest request;
   request.paths = {MORPHE_SOURCE_DIR "/datasets/" + folder + "/recordings.yaml"};
   std::vector<Movement> movements;
-  import_recordings(request, [&](Demonstration&& demonstration) {
+  imports::import_recordings(request, [&](Demonstration&& demonstration) {
     if (demonstration.name != name) return;
-    movements = segment(reconstruct(demonstration, {}, {}), {}, demonstration.objects);
+    movements = segment(reconstruct::reconstruct(demonstration, {}, {}), {}, demonstration.objects);
   });
   return movements;
 }
@@ -131,4 +131,4 @@ TEST(Recordings, ABoxIsTakenCarriedAndLeft) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::segment

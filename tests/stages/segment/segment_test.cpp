@@ -6,7 +6,7 @@
 
 #include "tests/stages/segment/synthetic_hand.hpp"
 
-namespace morphe {
+namespace morphe::segment {
 namespace {
 
 using testing::ElementsAre;
@@ -344,16 +344,16 @@ TEST(Segment, AWholeRecordingIsOneMovementWhateverMoves) {
 
 TEST(SegmentOptions, CheckNamesTheKey) {
   SegmentOptions options;
-  EXPECT_EQ(check(options), "");
+  EXPECT_EQ(why_invalid(options), "");
   options.plan_until = "lunch";
-  EXPECT_THAT(check(options), testing::StartsWith("plan_until: "));
+  EXPECT_THAT(why_invalid(options), testing::StartsWith("plan_until: "));
   options = {};
   options.dip_share = 1.5;
-  EXPECT_THAT(check(options), testing::StartsWith("dip_share: "));
+  EXPECT_THAT(why_invalid(options), testing::StartsWith("dip_share: "));
   options = {};
   options.least_reach = -1;
-  EXPECT_THAT(check(options), testing::StartsWith("least_reach: "));
+  EXPECT_THAT(why_invalid(options), testing::StartsWith("least_reach: "));
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::segment

@@ -7,7 +7,7 @@
 
 #include "pipeline/motion/human_motion.hpp"
 
-namespace morphe {
+namespace morphe::segment {
 
 /// A hand that goes from point to point along straight minimum-jerk strokes; 100 Hz.
 struct SyntheticHand {
@@ -68,4 +68,4 @@ inline SyntheticHand drinking_hand() {
   return hand;
 }
 
-}  // namespace morphe
+}  // namespace morphe::segment

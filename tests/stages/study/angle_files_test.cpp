@@ -10,7 +10,7 @@
 #include "pipeline/motion/input_error.hpp"
 #include "stages/import/import.hpp"
 
-namespace morphe {
+namespace morphe::study {
 namespace {
 
 const std::filesystem::path kTrials =
@@ -20,11 +20,11 @@ constexpr double kDegree = std::numbers::pi / 180;
 TEST(AngleFiles, RebuiltAnglesFollowTheAuthorsOwn) {
   // First frame by the peak of the fingertip's speed, found with a script of its own.
   const double begin_s[] = {0.64, 0.32, 0.30, 0.60, 0.84};
-  ImportRequest request;
+  imports::ImportRequest request;
   request.paths = {kTrials / "recordings.yaml"};
   std::size_t trial = 0;
-  import_recordings(request, [&](Demonstration&& d) {
-    const HumanMotion motion = reconstruct(d, {}, {});
+  imports::import_recordings(request, [&](Demonstration&& d) {
+    const HumanMotion motion = reconstruct::reconstruct(d, {}, {});
     const auto all = compare_with_angle_file(d, motion, {}, kTrials / (d.name + "angles.csv"));
     ASSERT_EQ(all.size(), 10u);
     for (const AngleAgreement& one : all) {
@@ -63,4 +63,4 @@ TEST(AngleFiles, RefusesWhatIsNoAngleFile) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::study

@@ -4,15 +4,15 @@
 
 #include <cmath>
 
-#include "pipeline/kinematics/forward.hpp"
-#include "pipeline/kinematics/generate.hpp"
+#include "pipeline/robot/files/generate.hpp"
+#include "pipeline/robot/forward.hpp"
 
-namespace morphe {
+namespace morphe::study {
 namespace {
 
 const std::filesystem::path kRecordings =
     std::filesystem::path(MORPHE_SOURCE_DIR) / "datasets/ue-adl/recordings.yaml";
-constexpr ArmLengths kLengths{0.323, 0.254};
+constexpr human::ArmLengths kLengths{0.323, 0.254};
 
 TEST(HumanPoses, HaveTheLengthsAskedForAndTheDirectionsRecorded) {
   const std::vector<HumanPoses> series = arm_poses(kRecordings, kLengths, 0.1);
@@ -34,24 +34,24 @@ TEST(HumanPoses, HaveTheLengthsAskedForAndTheDirectionsRecorded) {
 
 /// Goals that an arm takes itself are met, with an elbow on its only centre at no cost.
 TEST(MappedPoses, FindsThePosturesThatMadeTheGoals) {
-  const RobotTable robot = generate_arm({.joints = 6, .length = 0.6});
+  const RobotTable robot = robot::generate_arm({.joints = 6, .length = 0.6});
   HumanPoses poses;
   std::vector<Pose> frames;
   for (int f = 0; f < 12; ++f) {
     JointVector q(6);
     for (int j = 0; j < 6; ++j) q[j] = 0.7 * std::sin(0.15 * f + 1.3 * j);
-    forward(robot, q, frames);
+    robot::forward(robot, q, frames);
     HumanPose pose;
-    const Pose wrist = tip_pose(robot, frames, 0);
+    const Pose wrist = robot::tip_pose(robot, frames, 0);
     pose.wrist = wrist.translation();
     pose.hand = Quat(wrist.linear());
     ASSERT_EQ(robot.centres.size(), 1u);
     pose.elbow = frames[static_cast<std::size_t>(robot.centres[0].frame)].translation();
     poses.push_back(pose);
   }
-  const std::vector<FrameGoal> goals = goals_of(robot, poses, Pose::Identity());
+  const std::vector<humanlike::FrameGoal> goals = goals_of(robot, poses, Pose::Identity());
   for (const char* algorithm : {"structured", "tnewton"}) {
-    MinimiseOptions options;
+    solve::MinimiseOptions options;
     options.algorithm = algorithm;
     const MappedPoses mapped = map_poses(robot, goals, {}, options, 8, 1);
     for (std::size_t f = 0; f < poses.size(); ++f) {
@@ -66,4 +66,4 @@ TEST(MappedPoses, FindsThePosturesThatMadeTheGoals) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::study

@@ -8,7 +8,7 @@
 #include "stages/study/retime_paths.hpp"
 #include "stages/study/retime_reference.hpp"
 
-namespace morphe {
+namespace morphe::study {
 namespace {
 
 TEST(RetimeStudy, RandomPathsHoldTheirLimits) {
@@ -16,9 +16,10 @@ TEST(RetimeStudy, RandomPathsHoldTheirLimits) {
     const RandomPath random = random_path(7, index);
     if (random.path.position.size() > 4000) continue;  // the study has them all
     for (const char* mode : {"human", "fastest"}) {
-      RetimeOptions options;
+      retime::RetimeOptions options;
       options.mode = mode;
-      const RetimeResult result = retime(random.robot, random.path, Movement{}, options);
+      const retime::RetimeResult result =
+          retime::retime(random.robot, random.path, Movement{}, options);
       ASSERT_EQ(result.reason, "") << index << " " << mode << ": " << result.detail;
       const SeenLimits seen = seen_limits(random.robot, result.trajectory);
       EXPECT_LE(seen.velocity, 1.001) << index;
@@ -34,8 +35,8 @@ TEST(RetimeStudy, WithinHalfAPercentOfTheLeastTime) {
   for (std::uint64_t index = 0; index < 3; ++index) {
     const RandomPath random = smooth_path(3, index, 1 + 4 * static_cast<int>(index), 100, 1.5);
     const Movement movement;
-    const Course course = plain_course(random.robot, random.path, movement);
-    const double ratio = fastest_law(course).duration_s / reference_time(course, 20000);
+    const retime::Course course = plain_course(random.robot, random.path, movement);
+    const double ratio = retime::fastest_law(course).duration_s / reference_time(course, 20000);
     EXPECT_GE(ratio, 0.995) << index;
     EXPECT_LE(ratio, 1.005) << index;
   }
@@ -65,4 +66,4 @@ TEST(RetimeStudy, SeenLimitsOfAKnownQuintic) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::study

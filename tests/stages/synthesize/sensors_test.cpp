@@ -7,7 +7,7 @@
 #include "pipeline/human/glove.hpp"
 #include "stages/synthesize/synthesize.hpp"
 
-namespace morphe {
+namespace morphe::synthesize {
 namespace {
 
 constexpr std::uint64_t kSeed = 11;
@@ -191,10 +191,10 @@ TEST(SyntheticSensors, DropoutsTakeTheirShareInBursts) {
 
 TEST(SyntheticConfig, WhatIsWrongIsSaidWithItsPlace) {
   const auto message = [](const std::string& text) -> std::string {
-    const ConfigNode node = ConfigNode::parse(text, "c.yaml");
+    const config::ConfigNode node = config::ConfigNode::parse(text, "c.yaml");
     SynthesizeOptions options;
     try {
-      read_options(node, options);
+      config::read_options(node, options);
       node.expect_all_read();
     } catch (const InputError& error) {
       return error.what();
@@ -219,11 +219,11 @@ TEST(SyntheticConfig, OptionsAreWrittenAsTheyAreRead) {
   SynthesizeOptions options;
   options.movements.reach_s = {0.7, 0.8};
   options.glove.clock_offset_s = {-0.04, 0.04};
-  const std::string text = write_options(options);
+  const std::string text = config::write_options(options);
   SynthesizeOptions again;
-  read_options(ConfigNode::parse(text, "written"), again);
-  EXPECT_EQ(write_options(again), text);
+  config::read_options(config::ConfigNode::parse(text, "written"), again);
+  EXPECT_EQ(config::write_options(again), text);
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::synthesize

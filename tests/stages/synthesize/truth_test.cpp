@@ -9,7 +9,7 @@
 #include "pipeline/human/hand.hpp"
 #include "stages/synthesize/synthesize.hpp"
 
-namespace morphe {
+namespace morphe::synthesize {
 namespace {
 
 constexpr std::uint64_t kSeed = 7;
@@ -82,20 +82,21 @@ TEST(Synthesize, TheAnglesGiveThePositions) {
   for (const Demonstration& truth : truths({}, 6)) {
     const BodyStream& joints = *truth.streams.sensors;
     const JointRows& angles = truth.streams.arm_angles->angles;
-    const RobotTable hand = human_hand({*truth.hand_length, *truth.hand_breadth});
+    const RobotTable hand = human::human_hand({*truth.hand_length, *truth.hand_breadth});
     std::vector<Pose> frames;
     double worst_m = 0, worst_rad = 0;
     for (std::size_t i = 0; i < joints.time.size(); i += 7) {
       const auto row = static_cast<Eigen::Index>(i);
-      ArmAngles arm;
+      human::ArmAngles arm;
       for (std::size_t k = 0; k < kArmAngles; ++k) arm[k] = angles(row, static_cast<int>(k));
-      const ArmPose pose = arm_pose(joints.position(i, 0), {*truth.upper_arm, *truth.forearm}, arm);
-      HandAngles fingers;
+      const human::ArmPose pose =
+          human::arm_pose(joints.position(i, 0), {*truth.upper_arm, *truth.forearm}, arm);
+      human::HandAngles fingers;
       for (std::size_t k = 0; k < kHandAngles; ++k) {
         fingers.joint[k] = angles(row, static_cast<int>(kArmAngles + k));
       }
       fingers.palm_arch = angles(row, static_cast<int>(kArmAngles + kHandAngles));
-      const HandPoints points = hand_points(hand, fingers, frames);
+      const human::HandPoints points = human::hand_points(hand, fingers, frames);
       worst_m = std::max({worst_m, (pose.elbow - joints.position(i, 1)).norm(),
                           (pose.wrist - joints.position(i, 2)).norm()});
       worst_rad =
@@ -111,7 +112,7 @@ TEST(Synthesize, TheAnglesGiveThePositions) {
 }
 
 TEST(Synthesize, ArmsStayWithinHumanLimitsAndMoveSmoothly) {
-  const ArmLimits& limits = human_arm_limits();
+  const human::ArmLimits& limits = human::human_arm_limits();
   for (const Demonstration& truth : truths({}, 30)) {
     const JointRows& angles = truth.streams.arm_angles->angles;
     for (Eigen::Index k = 0; k < static_cast<Eigen::Index>(kArmAngles); ++k) {
@@ -318,4 +319,4 @@ TEST(Synthesize, PeopleAreAsTallAsAsked) {
 }
 
 }  // namespace
-}  // namespace morphe
+}  // namespace morphe::synthesize

@@ -1,0 +1,47 @@
+#include "pipeline/files/part_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+#include "pipeline/motion/input_error.hpp"
+
+namespace morphe::files {
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& file) {
+  throw InputError(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(errno)));
+}
+
+void sync(const std::filesystem::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) fail(path);
+  const int synced = ::fsync(descriptor);
+  ::close(descriptor);
+  if (synced != 0) fail(path);
+}
+
+}  // namespace
+
+PartFile::PartFile(std::filesystem::path target)
+    : target_(std::move(target)), part_(target_.string() + ".part") {}
+
+PartFile::~PartFile() {
+  std::error_code ignored;
+  if (!committed_) std::filesystem::remove(part_, ignored);
+}
+
+void PartFile::commit() {
+  sync(part_);
+  if (std::rename(part_.c_str(), target_.c_str()) != 0) fail(target_);
+  committed_ = true;
+  sync(target_.has_parent_path() ? target_.parent_path() : std::filesystem::path("."));
+}
+
+}  // namespace morphe::files

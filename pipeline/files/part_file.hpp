@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+
+namespace morphe::files {
+
+/// A file that appears under its name only when it is whole: written beside it as "<name>.part",
+/// then synced and renamed. Removed again if commit() is never reached.
+class PartFile {
+ public:
+  explicit PartFile(std::filesystem::path target);
+  PartFile(const PartFile&) = delete;
+  PartFile& operator=(const PartFile&) = delete;
+  ~PartFile();
+
+  const std::filesystem::path& target() const { return target_; }
+  const std::filesystem::path& part() const { return part_; }
+  /// The file must be closed. InputError if it cannot be brought to the disk or renamed.
+  void commit();
+
+ private:
+  std::filesystem::path target_, part_;
+  bool committed_ = false;
+};
+
+}  // namespace morphe::files

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <tinyxml.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace morphe::files {
+
+/// A URDF or SRDF as text, for what is wrong with it and where: "FILE:LINE: KEY: message".
+struct XmlText {
+  std::filesystem::path file;
+  TiXmlDocument document;
+
+  /// Throws InputError if the file cannot be read, is no XML, or has another root element.
+  XmlText(const std::filesystem::path& path, const char* root);
+
+  const TiXmlElement& root() const { return *document.RootElement(); }
+  [[noreturn]] void fail(const TiXmlElement& element, const std::string& key,
+                         const std::string& message) const;
+  /// The element's attribute; fails with the element's line if it is missing or empty.
+  std::string attribute(const TiXmlElement& element, const char* name) const;
+};
+
+std::vector<const TiXmlElement*> children(const TiXmlElement& parent, const char* tag);
+
+}  // namespace morphe::files

@@ -1,0 +1,190 @@
+#include "pipeline/math/quintic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+namespace morphe::math {
+namespace {
+
+/// Up to `degree` points that split an interval into parts on which a polynomial is monotone.
+struct Splits {
+  std::array<double, 6> z{};
+  int count = 0;
+  void add(double value) { z[static_cast<std::size_t>(count++)] = value; }
+};
+
+using Polynomial = std::array<double, 6>;  ///< in z, lowest order first
+
+double evaluate(const Polynomial& p, int degree, double z) {
+  double value = 0;
+  for (int k = degree; k >= 0; --k) value = value * z + p[static_cast<std::size_t>(k)];
+  return value;
+}
+
+Polynomial derivative(const Polynomial& p) {
+  Polynomial d{};
+  for (std::size_t k = 1; k < 6; ++k) d[k - 1] = static_cast<double>(k) * p[k];
+  return d;
+}
+
+/// The root of a polynomial that is monotone on [a, b] and changes sign there: bisection until the
+/// interval cannot be halved any more.
+double bracketed_root(const Polynomial& p, int degree, double a, double b, double at_a) {
+  for (int step = 0; step < 80; ++step) {
+    const double middle = 0.5 * (a + b);
+    if (middle <= a || middle >= b) break;
+    const double value = evaluate(p, degree, middle);
+    if (value == 0) return middle;
+    if ((value < 0) == (at_a < 0)) {
+      a = middle;
+    } else {
+      b = middle;
+    }
+  }
+  return 0.5 * (a + b);
+}
+
+/// Roots of p in (a, b), given the roots of its derivative there.
+Splits roots_between(const Polynomial& p, int degree, const Splits& turning, double a, double b) {
+  Splits roots;
+  double left = a, at_left = evaluate(p, degree, a);
+  for (int i = 0; i <= turning.count; ++i) {
+    const double right = i < turning.count ? turning.z[static_cast<std::size_t>(i)] : b;
+    const double at_right = evaluate(p, degree, right);
+    if (at_left * at_right < 0) roots.add(bracketed_root(p, degree, left, right, at_left));
+    left = right;
+    at_left = at_right;
+  }
+  return roots;
+}
+
+Range range_over(const Polynomial& p, int degree, const Splits& turning, double a, double b) {
+  const double at_a = evaluate(p, degree, a), at_b = evaluate(p, degree, b);
+  Range range{std::min(at_a, at_b), std::max(at_a, at_b)};
+  for (int i = 0; i < turning.count; ++i) {
+    const double value = evaluate(p, degree, turning.z[static_cast<std::size_t>(i)]);
+    range.least = std::min(range.least, value);
+    range.greatest = std::max(range.greatest, value);
+  }
+  return range;
+}
+
+/// Ranges of p and its first three derivatives (in z) over [a, b]. From the jerk down, the roots of
+/// each derivative split the interval where the next lower one turns.
+std::array<Range, 4> ranges(const Polynomial& p, double a, double b) {
+  std::array<Polynomial, 5> d{p, derivative(p)};
+  for (std::size_t k = 2; k < 5; ++k) d[k] = derivative(d[k - 1]);
+  std::array<Range, 4> out;
+  Splits turning = roots_between(d[4], 1, Splits{}, a, b);
+  for (std::size_t k = 4; k-- > 0;) {
+    const int degree = 5 - static_cast<int>(k);
+    out[k] = range_over(d[k], degree, turning, a, b);
+    if (k > 0) turning = roots_between(d[k], degree, turning, a, b);
+  }
+  return out;
+}
+
+Range scaled(const Range& range, double factor) {
+  return {range.least * factor, range.greatest * factor};
+}
+
+JointState state_at(const Trajectory& trajectory, std::size_t sample, Eigen::Index joint) {
+  const auto row = static_cast<Eigen::Index>(sample);
+  return {trajectory.position(row, joint), trajectory.velocity(row, joint),
+          trajectory.acceleration(row, joint)};
+}
+
+void raise(LimitUse& use, const Range& range, double limit, std::size_t sample,
+           Eigen::Index joint) {
+  const double ratio = std::max(-range.least, range.greatest) / limit;
+  // Written so that a NaN counts as beyond the limit.
+  if (use.sample >= 0 && ratio <= use.ratio) return;
+  use = {ratio, static_cast<int>(sample), static_cast<int>(joint)};
+}
+
+}  // namespace
+
+QuinticPiece quintic_piece(const JointState& begin, const JointState& end, double duration) {
+  const double v0 = begin.velocity * duration, v1 = end.velocity * duration;
+  const double a0 = begin.acceleration * duration * duration;
+  const double a1 = end.acceleration * duration * duration;
+  const double way = end.position - begin.position;
+  QuinticPiece piece;
+  piece.duration = duration;
+  piece.coefficient = {begin.position,
+                       v0,
+                       0.5 * a0,
+                       10 * way - 6 * v0 - 4 * v1 - 1.5 * a0 + 0.5 * a1,
+                       -15 * way + 8 * v0 + 7 * v1 + 1.5 * a0 - a1,
+                       6 * way - 3 * (v0 + v1) + 0.5 * (a1 - a0)};
+  return piece;
+}
+
+QuinticPiece quintic_piece(const Trajectory& trajectory, std::size_t sample, Eigen::Index joint) {
+  return quintic_piece(state_at(trajectory, sample, joint), state_at(trajectory, sample + 1, joint),
+                       trajectory.time[sample + 1] - trajectory.time[sample]);
+}
+
+double value_at(const QuinticPiece& piece, double t, int order) {
+  Polynomial p = piece.coefficient;
+  for (int k = 0; k < order; ++k) p = derivative(p);
+  return evaluate(p, 5 - order, t / piece.duration) / std::pow(piece.duration, order);
+}
+
+QuinticExtremes extremes(const QuinticPiece& piece) {
+  const std::array<Range, 4> over = ranges(piece.coefficient, 0, 1);
+  const double rate = 1 / piece.duration;
+  return {over[0], scaled(over[1], rate), scaled(over[2], rate * rate),
+          scaled(over[3], rate * rate * rate)};
+}
+
+bool surely_within(const QuinticPiece& piece, double velocity, double acceleration, double jerk) {
+  const auto& c = piece.coefficient;
+  const double t = piece.duration;
+  // Largest Bézier point: of a degree, from power coefficients d.
+  const auto largest = [](const auto& d) {
+    std::array<double, std::tuple_size_v<std::remove_cvref_t<decltype(d)>>> b{};
+    const std::size_t degree = d.size() - 1;
+    double share = 1;  // 1 / C(degree, k)
+    for (std::size_t k = 0; k <= degree; ++k) {
+      b[k] = d[k] * share;
+      share *=
+          static_cast<double>(k + 1) / static_cast<double>(std::max<std::size_t>(1, degree - k));
+    }
+    double most = std::abs(b[0]);
+    for (std::size_t round = 1; round <= degree; ++round) {
+      for (std::size_t k = degree; k >= round; --k) b[k] += b[k - 1];
+    }
+    for (const double value : b) most = std::max(most, std::abs(value));
+    return most;
+  };
+  return largest(std::array{c[1], 2 * c[2], 3 * c[3], 4 * c[4], 5 * c[5]}) <= velocity * t &&
+         largest(std::array{2 * c[2], 6 * c[3], 12 * c[4], 20 * c[5]}) <= acceleration * t * t &&
+         largest(std::array{6 * c[3], 24 * c[4], 60 * c[5]}) <= jerk * t * t * t;
+}
+
+Range position_range(const QuinticPiece& piece, double begin, double end) {
+  return ranges(piece.coefficient, begin / piece.duration, end / piece.duration)[0];
+}
+
+LimitReport judge_limits(const RobotTable& robot, const Trajectory& trajectory) {
+  LimitReport report;
+  for (std::size_t sample = 0; sample + 1 < trajectory.samples(); ++sample) {
+    for (Eigen::Index joint = 0; joint < trajectory.position.cols(); ++joint) {
+      const QuinticExtremes over = extremes(quintic_piece(trajectory, sample, joint));
+      raise(report.velocity, over.velocity, robot.velocity[joint], sample, joint);
+      raise(report.acceleration, over.acceleration, robot.acceleration[joint], sample, joint);
+      raise(report.jerk, over.jerk, robot.jerk[joint], sample, joint);
+      const double margin = std::min(over.position.least - robot.lower[joint],
+                                     robot.upper[joint] - over.position.greatest);
+      if (report.margin_sample >= 0 && margin >= report.position_margin) continue;
+      report.position_margin = margin;
+      report.margin_sample = static_cast<int>(sample);
+      report.margin_joint = static_cast<int>(joint);
+    }
+  }
+  return report;
+}
+
+}  // namespace morphe::math

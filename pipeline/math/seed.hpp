@@ -1,0 +1,11 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace morphe::math {
+
+/// First 64 bits of SHA-256("<seed>/<name>"): seeds that depend on names, not on order.
+std::uint64_t seed_from(std::uint64_t seed, std::string_view name);
+
+}  // namespace morphe::math

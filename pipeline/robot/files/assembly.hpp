@@ -1,0 +1,108 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "pipeline/config/node.hpp"
+#include "pipeline/motion/robot_table.hpp"
+#include "pipeline/robot/dh.hpp"
+#include "pipeline/robot/files/generate.hpp"
+
+namespace morphe::robot {
+
+/// A robot while its files are read; load_robot() puts it together.
+
+/// Where something hangs: a frame (-1 = the robot's base) and the fixed rest of the way.
+struct Place {
+  int frame = -1;
+  Pose frame_from_place = Pose::Identity();
+};
+
+struct Chain {
+  std::string name;
+  std::vector<int> frames;  ///< of its joints, base to tip
+  /// Those that turn across a link, where a person would see a joint: rows with d = 0. The frame of
+  /// a row with d != 0 turns about the link itself and lies, by convention, at either of its ends.
+  std::vector<int> hinges;
+  Place end;  ///< after the last link
+};
+
+struct Assembly {
+  RobotTable table;  ///< limits are filled from the lists below, allowed pairs and centres at last
+  std::vector<double> lower, upper, velocity, acceleration, jerk;
+  std::vector<Chain> chains;
+  std::vector<std::filesystem::path> files;
+  std::string shoulder, palm;      ///< frame names, "" = not named yet
+  std::vector<std::string> notes;  ///< what was left out
+  std::map<std::string, int> links;
+};
+
+/// One file's view: its own base, and where its frames and capsules begin (those of its parts
+/// included).
+struct FileScope {
+  Place base;
+  std::size_t first_capsule = 0;
+  std::map<std::string, Place> links = {};  ///< of a URDF: other names of frames
+};
+
+/// position (default zero) and one of rpy (fixed axes: Rz(yaw) Ry(pitch) Rx(roll)), quaternion
+/// (w, x, y, z) or matrix (3 rows of 3, or 4 of 4 that hold the position too); default identity.
+Pose read_mount(const config::ConfigNode& node);
+/// The same below the key `mount`, identity if there is none.
+Pose read_mount_of(const config::ConfigNode& owner);
+
+/// True if a frame or chain has that name, or it is "base".
+bool has_place(const Assembly& assembly, const std::string& name);
+/// A frame of that name, or the one that a link of this file's URDF moves with; -1 if there is
+/// none.
+int frame_called(const Assembly& assembly, const FileScope& scope, const std::string& name);
+/// The base of the file ("base"), a frame, the end of a chain or a link; InputError if none of
+/// them.
+Place place_named(const Assembly& assembly, const FileScope& scope, const config::ConfigNode& name);
+/// parent's place * mount; the file's base if `node` has no key `parent`.
+Place read_hanging(const Assembly& assembly, const FileScope& scope,
+                   const config::ConfigNode& node);
+int frame_index(const RobotTable& table, const std::string& name);  ///< -1 if unknown
+bool hangs_on(const RobotTable& table, int frame, int ancestor);    ///< or is it
+
+/// Adds a frame; InputError if the name is taken. Returns its index.
+int add_frame(Assembly& assembly, const config::ConfigNode& name, RobotTable::Frame frame);
+/// Adds a chain's frames and joints.
+void read_chain(Assembly& assembly, const FileScope& scope, DhConvention convention,
+                const config::ConfigNode& node);
+DhConvention read_convention(const config::ConfigNode& node);
+
+/// `urdf: {file, srdf, meshes, velocity, acceleration, jerk, limits}` of a description: the joints,
+/// frames and shapes of a URDF, with what a URDF cannot say.
+void read_urdf(Assembly& assembly, FileScope& scope, const config::ConfigNode& node);
+/// `{name, first, last}`: names the joints of a URDF from one to another a chain.
+void read_urdf_chain(Assembly& assembly, const FileScope& scope, const config::ConfigNode& node);
+
+/// Adds a generated robot's chains, tips and palm at `base`, which names must not be taken.
+void add_generated_arm(Assembly& assembly, const Place& base, const ArmShape& shape);
+void add_generated_hand(Assembly& assembly, const Place& base, const HandShape& shape);
+/// {arm: {…}} or {hand: {…}} of a description; InputError as for any other part of it.
+void read_generated(Assembly& assembly, const Place& base, const config::ConfigNode& node);
+
+/// What carries a part at `place` ends in that part's tips, no longer in its own wrist.
+void drop_carriers_wrist(Assembly& assembly, const Place& place);
+
+/// Adds a file's capsules; names may end in `*` in allowed_pairs and may_touch_target.
+void read_collision(Assembly& assembly, const FileScope& scope, const config::ConfigNode& node);
+/// No capsule of the one frame collides with one of the other, among those of the file.
+void allow_frames(RobotTable& table, std::size_t first_capsule, int one, int other);
+/// Capsules of one rigid body, or of two that one joint connects.
+void allow_neighbours(RobotTable& table);
+
+/// Centres of metric A for every chain that the files gave none: for `arm` the distinct hinges
+/// beyond the shoulder, without the last one if the arm carries nothing (there it is the
+/// end-effector's), unless it is the only one; for a finger the first hinge away from its base.
+void derive_centres(Assembly& assembly);
+
+/// The table, with limits, shoulder, palm, centres and allowed neighbours. There must be a palm or
+/// a chain `arm`.
+RobotTable finished(Assembly assembly);
+
+}  // namespace morphe::robot

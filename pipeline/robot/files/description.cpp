@@ -1,0 +1,171 @@
+#include "pipeline/robot/files/description.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "pipeline/robot/files/assembly.hpp"
+
+namespace morphe::robot {
+namespace {
+
+constexpr std::array<const char*, 5> kFingers = {"thumb", "index", "middle", "ring", "little"};
+
+int read_finger(const config::ConfigNode& node) {
+  const std::string word = node.text();
+  if (word == "wrist") return -1;
+  const auto found = std::ranges::find(kFingers, word);
+  if (found != kFingers.end()) return static_cast<int>(found - kFingers.begin());
+  const std::int64_t number = node.integer();
+  if (number < 0 || number > 4) node.fail("must be a finger's name, wrist, or 0 (thumb) … 4");
+  return static_cast<int>(number);
+}
+
+void read_tip(Assembly& assembly, const FileScope& scope, const config::ConfigNode& node) {
+  const char* key = node.has("chain") ? "chain" : "frame";
+  const Place place = place_named(assembly, scope, node[key]);
+  RobotTable::Tip tip;
+  tip.name = node["name"].text();
+  tip.frame = place.frame;
+  if (tip.frame < 0) node[key].fail("a tip must move with a frame");
+  tip.transform = place.frame_from_place * read_mount_of(node);
+  if (node.has("along")) {
+    tip.along = node["along"].number();
+    if (tip.along < 0 || tip.along > 1) node["along"].fail("must be from 0 (index) to 1 (little)");
+    tip.finger = 1 + static_cast<int>(std::lround(3 * tip.along));
+  } else {
+    tip.finger = read_finger(node["finger"]);
+  }
+  for (const RobotTable::Tip& other : assembly.table.tips) {
+    if (other.name == tip.name)
+      node["name"].fail(fmt::format("a tip '{}' exists already", tip.name));
+  }
+  assembly.table.tips.push_back(std::move(tip));
+}
+
+/// Adds the fixed frames whose parents exist by now; the others stay in the list.
+void add_ready_frames(Assembly& assembly, const FileScope& scope,
+                      std::vector<config::ConfigNode>& nodes) {
+  for (auto node = nodes.begin(); node != nodes.end();) {
+    if (node->has("parent") && !has_place(assembly, (*node)["parent"].text()) &&
+        !scope.links.contains((*node)["parent"].text())) {
+      ++node;
+      continue;
+    }
+    const Place place = read_hanging(assembly, scope, *node);
+    RobotTable::Frame frame;
+    frame.parent = place.frame;
+    frame.transform = place.frame_from_place;
+    add_frame(assembly, (*node)["name"], frame);
+    node = nodes.erase(node);
+  }
+}
+
+void read_chains_and_frames(Assembly& assembly, const FileScope& scope,
+                            const config::ConfigNode& root) {
+  DhConvention convention = DhConvention::modified;
+  if (root.has("convention")) convention = read_convention(root["convention"]);
+  std::vector<config::ConfigNode> fixed;
+  if (root.has("frames")) fixed = root["frames"].items();
+  add_ready_frames(assembly, scope, fixed);
+  if (root.has("chains")) {
+    for (const config::ConfigNode& chain : root["chains"].items()) {
+      if (scope.links.empty()) {
+        read_chain(assembly, scope, convention, chain);
+      } else {
+        read_urdf_chain(assembly, scope, chain);
+      }
+      add_ready_frames(assembly, scope, fixed);
+    }
+  }
+  for (const config::ConfigNode& node : fixed) {
+    const config::ConfigNode parent = node["parent"];
+    const auto same = [&](const config::ConfigNode& other) {
+      return other["name"].text() == parent.text();
+    };
+    if (std::ranges::any_of(fixed, same)) continue;
+    (void)place_named(assembly, scope, parent);
+  }
+  if (!fixed.empty()) fixed.front()["parent"].fail("hangs on itself, by way of other frames");
+}
+
+void read_centres(Assembly& assembly, const FileScope& scope, const config::ConfigNode& list) {
+  for (const config::ConfigNode& node : list.items()) {
+    const config::ConfigNode chain = node["chain"];
+    const auto same = [&](const Chain& c) { return c.name == chain.text(); };
+    if (std::ranges::none_of(assembly.chains, same)) {
+      chain.fail(fmt::format("there is no chain '{}'", chain.text()));
+    }
+    const config::ConfigNode frame = node["frame"];
+    (void)place_named(assembly, scope, frame);
+    const int index = frame_called(assembly, scope, frame.text());
+    if (index < 0) frame.fail("must be a frame");
+    assembly.table.centres.push_back({index, chain.text()});
+  }
+}
+
+/// A frame's name below `key` replaces what an earlier file said.
+void read_frame_name(const Assembly& assembly, const FileScope& scope,
+                     const config::ConfigNode& root, const char* key, std::string& name) {
+  if (!root.has(key)) return;
+  const int frame = frame_called(assembly, scope, root[key].text());
+  if (frame < 0) root[key].fail(fmt::format("there is no frame '{}'", root[key].text()));
+  name = assembly.table.frames[static_cast<std::size_t>(frame)].name;
+}
+
+void read_file(const std::filesystem::path& file, const Place& base, Assembly& assembly);
+
+void read_part(Assembly& assembly, const FileScope& scope, const config::ConfigNode& node) {
+  const Place place = read_hanging(assembly, scope, node);
+  drop_carriers_wrist(assembly, place);
+  if (node.has("generate")) return read_generated(assembly, place, node["generate"]);
+  const config::ConfigNode file = node["file"];
+  if (assembly.files.size() > 32) file.fail("more than 32 files: does one name itself?");
+  read_file(node.folder() / file.text(), place, assembly);
+}
+
+void read_file(const std::filesystem::path& file, const Place& base, Assembly& assembly) {
+  const config::ConfigNode root = config::ConfigNode::load(file);
+  assembly.files.push_back(file);
+  FileScope scope{base, assembly.table.capsules.size()};
+  const std::string name = root["name"].text();
+  if (root.has("parts")) {
+    for (const config::ConfigNode& part : root["parts"].items()) read_part(assembly, scope, part);
+  }
+  assembly.table.name = name;
+  if (root.has("generate")) read_generated(assembly, base, root["generate"]);
+  if (root.has("urdf")) read_urdf(assembly, scope, root["urdf"]);
+  read_chains_and_frames(assembly, scope, root);
+  read_frame_name(assembly, scope, root, "shoulder", assembly.shoulder);
+  read_frame_name(assembly, scope, root, "palm", assembly.palm);
+  if (root.has("tips")) {
+    for (const config::ConfigNode& tip : root["tips"].items()) read_tip(assembly, scope, tip);
+  }
+  if (root.has("centres")) read_centres(assembly, scope, root["centres"]);
+  if (root.has("collision")) read_collision(assembly, scope, root["collision"]);
+  root.expect_all_read();
+  if (assembly.chains.empty()) root.fail("has no chains");
+}
+
+}  // namespace
+
+RobotDescription load_robot(const std::filesystem::path& file) {
+  Assembly assembly;
+  read_file(file, Place{}, assembly);
+  const auto is_arm = [](const Chain& chain) { return chain.name == "arm"; };
+  if (assembly.palm.empty() && std::ranges::none_of(assembly.chains, is_arm)) {
+    throw InputError(fmt::format("{}:1: palm: is missing, and there is no chain 'arm' to end in it",
+                                 file.string()));
+  }
+  if (assembly.table.tips.empty()) {
+    throw InputError(fmt::format("{}:1: tips: are missing", file.string()));
+  }
+  RobotDescription description{
+      {}, std::move(assembly.files), std::move(assembly.notes), std::move(assembly.links)};
+  description.table = finished(std::move(assembly));
+  return description;
+}
+
+}  // namespace morphe::robot

@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "pipeline/robot/files/assembly.hpp"
+
+namespace morphe::robot {
+namespace {
+
+double positive(const config::ConfigNode& node) {
+  const double value = node.number();
+  if (value <= 0) node.fail("must be above 0");
+  return value;
+}
+
+/// Adds an actuated joint; returns its index.
+int add_joint(Assembly& assembly, const std::string& name, const config::ConfigNode& row) {
+  assembly.lower.push_back(row["lower"].number());
+  assembly.upper.push_back(row["upper"].number());
+  if (assembly.lower.back() >= assembly.upper.back()) row["upper"].fail("must be above lower");
+  assembly.velocity.push_back(positive(row["velocity"]));
+  assembly.acceleration.push_back(positive(row["acceleration"]));
+  assembly.jerk.push_back(positive(row["jerk"]));
+  assembly.table.joint_names.push_back(name);
+  return static_cast<int>(assembly.table.joint_names.size()) - 1;
+}
+
+void read_coupling(const config::ConfigNode& couple, const std::string& joint,
+                   const RobotTable& table, RobotTable::Frame& frame) {
+  const config::ConfigNode driver = couple["joint"];
+  const auto found = std::ranges::find(table.joint_names, driver.text());
+  if (found == table.joint_names.end()) {
+    if (driver.text() == joint) driver.fail("couples the joint to itself");
+    driver.fail(fmt::format("there is no actuated joint '{}' before this one", driver.text()));
+  }
+  frame.joint = static_cast<int>(found - table.joint_names.begin());
+  if (couple.has("ratio")) frame.ratio = couple["ratio"].number();
+  if (frame.ratio == 0) couple["ratio"].fail("must not be 0");
+  if (couple.has("offset")) frame.offset += couple["offset"].number();
+}
+
+}  // namespace
+
+DhConvention read_convention(const config::ConfigNode& node) {
+  const std::string word = node.text();
+  if (word == "modified") return DhConvention::modified;
+  if (word == "standard") return DhConvention::standard;
+  node.fail(fmt::format("must be modified or standard, not '{}'", word));
+}
+
+void read_chain(Assembly& assembly, const FileScope& scope, DhConvention convention,
+                const config::ConfigNode& node) {
+  const config::ConfigNode name = node["name"];
+  if (has_place(assembly, name.text())) {
+    name.fail(fmt::format("a frame or chain '{}' exists already", name.text()));
+  }
+  if (node.has("convention")) convention = read_convention(node["convention"]);
+  Chain chain{name.text(), {}, {}, read_hanging(assembly, scope, node)};
+  for (const config::ConfigNode& row : node["joints"].items()) {
+    const DhRow dh{row["theta"].number(), row["d"].number(), row["a"].number(),
+                   row["alpha"].number()};
+    const DhLink link = dh_link(convention, dh);
+    RobotTable::Frame frame;
+    frame.parent = chain.end.frame;
+    frame.transform = chain.end.frame_from_place * link.before;
+    frame.offset = dh.theta;
+    if (row.has("couple")) {
+      read_coupling(row["couple"], row["name"].text(), assembly.table, frame);
+    } else {
+      frame.joint = add_joint(assembly, row["name"].text(), row);
+    }
+    chain.end = {add_frame(assembly, row["name"], frame), link.after};
+    chain.frames.push_back(chain.end.frame);
+    if (dh.d == 0) chain.hinges.push_back(chain.end.frame);
+  }
+  if (chain.frames.empty()) node["joints"].fail("must not be empty");
+  assembly.chains.push_back(std::move(chain));
+}
+
+}  // namespace morphe::robot

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <urdf_model/model.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "pipeline/files/xml_text.hpp"
+#include "pipeline/robot/files/assembly.hpp"
+
+namespace morphe::robot {
+
+Pose pose_of(const urdf::Pose& pose);
+
+/// Adds a link's collision shapes as capsules that hold them: a sphere is one, a cylinder the
+/// smaller of the capsule along it and the sphere around it, a box a row of capsules along its
+/// longest side. A cylinder with a sphere of its radius at both ends is the capsule they make up.
+/// Meshes are left out and named in assembly.notes if `ignore_meshes`, else InputError.
+void add_link_shapes(Assembly& assembly, const files::XmlText& text, const urdf::Link& link,
+                     const Place& place, bool ignore_meshes);
+
+/// The links' disabled pairs of an SRDF: no capsule of the one collides with one of the other.
+void read_srdf(Assembly& assembly, const FileScope& scope, const std::filesystem::path& file);
+
+}  // namespace morphe::robot

@@ -1,0 +1,157 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "pipeline/robot/files/read_urdf.hpp"
+
+namespace morphe::robot {
+namespace {
+
+constexpr double kSame_m = 1e-9;
+constexpr int kMostOfOneBox = 8;
+
+using Capsule = RobotTable::Capsule;
+
+struct Shapes {
+  const urdf::Link& link;
+  std::vector<Capsule> capsules;  ///< in the link's frame
+
+  void add(const Vec3& from, const Vec3& to, double radius) {
+    Capsule capsule;
+    capsule.from = from;
+    capsule.to = to;
+    capsule.radius = radius;
+    capsules.push_back(std::move(capsule));
+  }
+
+  bool sphere_at(const Vec3& centre, double radius) const {
+    return std::ranges::any_of(link.collision_array, [&](const urdf::CollisionSharedPtr& c) {
+      const auto* sphere = dynamic_cast<const urdf::Sphere*>(c->geometry.get());
+      return sphere && std::abs(sphere->radius - radius) < kSame_m &&
+             (pose_of(c->origin).translation() - centre).norm() < kSame_m;
+    });
+  }
+
+  void add_cylinder(const Pose& pose, double radius, double length) {
+    const Vec3 from = pose * Vec3(0, 0, -length / 2), to = pose * Vec3(0, 0, length / 2);
+    const bool capsule = sphere_at(from, radius) && sphere_at(to, radius);
+    const double around = std::hypot(radius, length / 2);
+    const double long_volume = radius * radius * (4.0 / 3 * radius + length);
+    if (!capsule && 4.0 / 3 * around * around * around < long_volume) {
+      return add(pose.translation(), pose.translation(), around);
+    }
+    add(from, to, radius);
+  }
+
+  /// Along the longest side; side by side over the middle one, as many as make them about round.
+  void add_box(const Pose& pose, const Vec3& size) {
+    std::array<Eigen::Index, 3> axis = {0, 1, 2};
+    std::ranges::sort(axis, [&](Eigen::Index a, Eigen::Index b) { return size[a] > size[b]; });
+    const auto [first, second, third] = axis;
+    const double ratio = size[third] > 0 ? size[second] / size[third] : kMostOfOneBox;
+    const int count = std::clamp(static_cast<int>(std::lround(ratio)), 1, kMostOfOneBox);
+    const double breadth = size[second] / count;
+    const Vec3 along = 0.5 * size[first] * Vec3::Unit(first);
+    for (int k = 0; k < count; ++k) {
+      const Vec3 middle = (breadth * (k + 0.5) - size[second] / 2) * Vec3::Unit(second);
+      add(pose * Vec3(middle - along), pose * Vec3(middle + along),
+          0.5 * std::hypot(breadth, size[third]));
+    }
+  }
+
+  /// A sphere inside another capsule of the link says nothing new.
+  void drop_hidden_spheres() {
+    const auto hidden = [&](const Capsule& sphere) {
+      if (sphere.from != sphere.to) return false;
+      return std::ranges::any_of(capsules, [&](const Capsule& other) {
+        if (other.from == other.to) return false;
+        const Vec3 axis = other.to - other.from;
+        const double t =
+            std::clamp((sphere.from - other.from).dot(axis) / axis.squaredNorm(), 0.0, 1.0);
+        const double depth = (sphere.from - (other.from + t * axis)).norm() + sphere.radius;
+        return depth <= other.radius + kSame_m;
+      });
+    };
+    std::vector<Capsule> left;
+    std::ranges::copy_if(capsules, std::back_inserter(left), std::not_fn(hidden));
+    capsules = std::move(left);
+  }
+};
+
+const TiXmlElement& link_element(const files::XmlText& text, const std::string& name) {
+  for (const TiXmlElement* link : files::children(text.root(), "link")) {
+    if (name == link->Attribute("name")) return *link;
+  }
+  return text.root();
+}
+
+std::string free_name(const RobotTable& table, const std::string& wanted) {
+  const auto taken = [&](const std::string& name) {
+    return std::ranges::find(table.capsules, name, &Capsule::name) != table.capsules.end();
+  };
+  std::string name = wanted;
+  for (int k = 2; taken(name); ++k) name = fmt::format("{}_{}", wanted, k);
+  return name;
+}
+
+}  // namespace
+
+void add_link_shapes(Assembly& assembly, const files::XmlText& text, const urdf::Link& link,
+                     const Place& place, bool ignore_meshes) {
+  const TiXmlElement& element = link_element(text, link.name);
+  const std::vector<const TiXmlElement*> elements = files::children(element, "collision");
+  Shapes shapes{link, {}};
+  for (std::size_t k = 0; k < link.collision_array.size(); ++k) {
+    const urdf::Collision& collision = *link.collision_array[k];
+    const TiXmlElement& at = k < elements.size() ? *elements[k] : element;
+    const std::string key = fmt::format("link {}.collision", link.name);
+    const Pose pose = pose_of(collision.origin);
+    const std::size_t before = shapes.capsules.size();
+    if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(collision.geometry.get())) {
+      shapes.add(pose.translation(), pose.translation(), sphere->radius);
+    } else if (const auto* rod = dynamic_cast<const urdf::Cylinder*>(collision.geometry.get())) {
+      shapes.add_cylinder(pose, rod->radius, rod->length);
+    } else if (const auto* box = dynamic_cast<const urdf::Box*>(collision.geometry.get())) {
+      shapes.add_box(pose, {box->dim.x, box->dim.y, box->dim.z});
+    } else if (ignore_meshes) {
+      assembly.notes.push_back(fmt::format("{}:{}: {}: a mesh, left out: no contact of it is seen",
+                                           text.file.string(), at.Row(), key));
+    } else {
+      text.fail(at, key, "is a mesh; give a sphere, cylinder or box, or say `meshes: ignore`");
+    }
+    for (std::size_t i = before; i < shapes.capsules.size(); ++i) {
+      shapes.capsules[i].name = collision.name.empty() ? link.name : collision.name;
+      if (!(shapes.capsules[i].radius > 0)) text.fail(at, key, "has no extent");
+    }
+  }
+  shapes.drop_hidden_spheres();
+  for (Capsule& capsule : shapes.capsules) {
+    capsule.name = free_name(assembly.table, capsule.name);
+    capsule.frame = place.frame;
+    capsule.from = place.frame_from_place * capsule.from;
+    capsule.to = place.frame_from_place * capsule.to;
+    assembly.table.capsules.push_back(std::move(capsule));
+  }
+}
+
+void read_srdf(Assembly& assembly, const FileScope& scope, const std::filesystem::path& file) {
+  const files::XmlText text(file, "robot");
+  assembly.files.push_back(file);
+  for (const TiXmlElement* pair : files::children(text.root(), "disable_collisions")) {
+    const auto frame = [&](const char* attribute) {
+      const std::string link = text.attribute(*pair, attribute);
+      const auto found = scope.links.find(link);
+      if (found == scope.links.end()) {
+        text.fail(*pair, fmt::format("disable_collisions.{}", attribute),
+                  fmt::format("there is no link '{}'", link));
+      }
+      return found->second.frame;
+    };
+    const int first = frame("link1"), second = frame("link2");
+    allow_frames(assembly.table, scope.first_capsule, first, second);
+  }
+}
+
+}  // namespace morphe::robot

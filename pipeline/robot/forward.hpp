@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "pipeline/motion/robot_table.hpp"
+
+namespace morphe::robot {
+
+/// base_from_frame = base_from_parent * transform * Rotation(axis, ratio * q[joint] + offset) for
+/// every frame of the robot, in one pass, parents first. `base_from_frame` is resized once and can
+/// be reused. q [n] [rad].
+void forward(const RobotTable& robot, const Eigen::Ref<const JointVector>& q,
+             std::vector<Pose>& base_from_frame);
+
+/// base_from_tip of one tip, given the frames' poses.
+Pose tip_pose(const RobotTable& robot, const std::vector<Pose>& base_from_frame, std::size_t tip);
+
+/// d point / d q of a point that moves with `frame` (-1 = base: zero), in the base frame [m/rad].
+/// A coupled joint adds ratio times its column to the joint that drives it. jacobian [3, n] is
+/// overwritten.
+void point_jacobian(const RobotTable& robot, const std::vector<Pose>& base_from_frame, int frame,
+                    const Vec3& point_in_base, Eigen::Ref<Eigen::Matrix3Xd> jacobian);
+
+/// slope [n] += direction · d point / d q of a point that moves with `frame`, by the joints from
+/// there to below `ancestor` (-1 = the base: all of them).
+void add_point_slope(const RobotTable& robot, const std::vector<Pose>& base_from_frame, int frame,
+                     int ancestor, const Vec3& point_in_base, const Vec3& direction,
+                     Eigen::Ref<JointVector> slope);
+
+/// The last frame that both move with, directly or not; -1 = the base.
+int common_ancestor(const RobotTable& robot, int frame, int other);
+
+/// Angular velocity of a frame per joint rate, in the base frame [rad/rad]; overwritten, [3, n].
+void rotation_jacobian(const RobotTable& robot, const std::vector<Pose>& base_from_frame, int frame,
+                       Eigen::Ref<Eigen::Matrix3Xd> jacobian);
+
+/// Both Jacobians of all tips at once: rows 6 i … 6 i + 2 of `jacobian` [6 m, n] are tip i's point
+/// Jacobian, the next three its rotation Jacobian. Overwritten.
+void tip_jacobians(const RobotTable& robot, const std::vector<Pose>& base_from_frame,
+                   Eigen::Ref<Eigen::MatrixXd> jacobian);
+
+}  // namespace morphe::robot

@@ -1,0 +1,38 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "pipeline/run/output_folder.hpp"
+#include "stages/commands/commands.hpp"
+#include "stages/export/export_plans.hpp"
+
+namespace morphe::commands {
+
+Command export_command(CLI::App& app) {
+  struct Arguments {
+    std::string plans, format, out;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  app.add_option("FILE", arguments->plans, "plans.h5")->required();
+  app.add_option("--format", arguments->format, "What to write")
+      ->required()
+      ->check(CLI::IsMember(exports::export_format_names()));
+  app.add_option("--out", arguments->out, "Folder for it")->required();
+  return [arguments] {
+    run::OutputFolder folder(arguments->out);
+    const exports::ExportReport report =
+        exports::export_plans(arguments->plans, arguments->format, folder.path());
+    folder.keep();
+    for (const exports::ExportReport::Left& left : report.left_out) {
+      fmt::print("{} left out: {}\n", left.plan, left.why);
+    }
+    for (const std::string& file : report.files) {
+      fmt::print("{}\n", (folder.path() / file).string());
+    }
+    fmt::print("{} written, {} plans left out\n", report.files.size(), report.left_out.size());
+    return 0;
+  };
+}
+
+}  // namespace morphe::commands

@@ -1,0 +1,74 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "pipeline/store/demonstration_file.hpp"
+#include "stages/commands/commands.hpp"
+#include "stages/commands/import_options.hpp"
+#include "stages/commands/inspect_report.hpp"
+#include "stages/planning/pipeline_config.hpp"
+
+namespace morphe::commands {
+namespace {
+
+InspectOptions options_of(const std::string& config) {
+  if (config.empty()) return {};
+  const planning::PipelineConfig options = planning::load_config(config).options;
+  return {options.reconstruct, options.human, options.segment};
+}
+
+/// Demonstrations of one file: imported ones, or recordings and manifests that are read first.
+void for_each(const imports::ImportRequest& request,
+              const std::function<void(Demonstration&&)>& sink) {
+  const std::filesystem::path& file = request.paths.front();
+  if (file.extension() != ".h5") {
+    imports::import_recordings(request, sink);
+    return;
+  }
+  const store::DemonstrationReader reader(file);
+  for (std::size_t i = 0; i < reader.size(); ++i) sink(reader.read(i));
+}
+
+}  // namespace
+
+Command inspect_command(CLI::App& app) {
+  struct Arguments {
+    std::string file, config;
+    imports::ImportRequest request;
+    bool json = false;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  app.add_option("FILE", arguments->file, "demonstrations.h5, a recording or a manifest")
+      ->required();
+  app.add_option("--config", arguments->config,
+                 "Pipeline config to rebuild and segment by (default: every default)");
+  add_import_options(app, arguments->request);
+  app.add_flag("--json", arguments->json, "Print JSON");
+  return [arguments] {
+    const InspectOptions options = options_of(arguments->config);
+    arguments->request.paths = {arguments->file};
+    std::vector<Inspection> all;
+    std::size_t demonstrations = 0, movements = 0, usable = 0;
+    for_each(arguments->request, [&](Demonstration&& demonstration) {
+      Inspection inspection = inspect(demonstration, options);
+      ++demonstrations;
+      movements += inspection.movements.size();
+      usable += inspection.usable();
+      if (arguments->json) {
+        all.push_back(std::move(inspection));
+      } else {
+        fmt::print("{}", inspection_text(inspection));
+      }
+    });
+    if (arguments->json) {
+      fmt::print("{}\n", inspections_json(all));
+    } else {
+      fmt::print("{}: {} demonstrations, {} movements, {} of them usable\n", arguments->file,
+                 demonstrations, movements, usable);
+    }
+    return 0;
+  };
+}
+
+}  // namespace morphe::commands

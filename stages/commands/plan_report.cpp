@@ -1,0 +1,96 @@
+#include "stages/commands/plan_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace morphe::commands {
+namespace {
+
+/// "-" for what was not measured.
+std::string number(double value, int digits) {
+  return std::isnan(value) ? "-" : fmt::format("{:.{}f}", value, digits);
+}
+
+struct Tracking {
+  std::size_t goals = 0, unreachable = 0;
+  double worst_m = kNotSeen;  ///< of the mapped frames, over reachable goals
+};
+
+Tracking tracking_of(const Plan& plan) {
+  Tracking tracking;
+  const JointRows& errors = plan.mapped.position_error;
+  for (Eigen::Index f = 0; f < errors.rows(); ++f) {
+    for (Eigen::Index tip = 0; tip < errors.cols(); ++tip) {
+      if (std::isnan(errors(f, tip))) continue;
+      ++tracking.goals;
+      if (plan.goals.reachable(static_cast<std::size_t>(f), static_cast<std::size_t>(tip))) {
+        tracking.worst_m = std::fmax(tracking.worst_m, errors(f, tip));
+      } else {
+        ++tracking.unreachable;
+      }
+    }
+  }
+  return tracking;
+}
+
+/// Largest step of a joint between two frames of the mapping, per 10 ms [rad].
+double largest_step(const Plan& plan) {
+  double largest = 0;
+  const JointRows& q = plan.mapped.position;
+  for (Eigen::Index f = 1; f < q.rows(); ++f) {
+    const auto i = static_cast<std::size_t>(f);
+    const double step_s = plan.goals.time[i] - plan.goals.time[i - 1];
+    largest = std::max(largest, (q.row(f) - q.row(f - 1)).cwiseAbs().maxCoeff() * 0.01 / step_s);
+  }
+  return largest;
+}
+
+}  // namespace
+
+std::string plan_table_head() {
+  return fmt::format(
+      "{:<22} {:<11} {:>9} {:>7} {:>9} {:>9} {:>9} {:>9} {:>9} {:>8}\n"
+      "{:<22} {:<11} {:>9} {:>7} {:>9} {:>9} {:>9} {:>9} {:>9} {:>8}",
+      "plan", "status", "mapped", "out of", "largest", "tips at", "tips", "upper arm", "clearance",
+      "tempo", "", "", "tips mm", "reach %", "step rad", "grasp mm", "max mm", "mean deg", "mm",
+      "");
+}
+
+std::string plan_rows(const Plan& plan) {
+  constexpr double kDegrees = 180 / std::numbers::pi;
+  const Certificate& c = plan.certificate;
+  const Tracking tracking = tracking_of(plan);
+  const std::string name = fmt::format("{}/{:03}", plan.demonstration, plan.movement.index);
+  std::string rows = fmt::format(
+      "{:<22} {:<11} {:>9} {:>7} {:>9} {:>9} {:>9} {:>9} {:>9} {:>8}", name,
+      plan.executable() ? (c.repaired ? "repaired" : "executable") : "infeasible",
+      number(1e3 * tracking.worst_m, 2),
+      number(tracking.goals ? 100.0 * static_cast<double>(tracking.unreachable) /
+                                  static_cast<double>(tracking.goals)
+                            : kNotSeen,
+             1),
+      number(largest_step(plan), 3), number(1e3 * c.position_error_grasp, 2),
+      number(1e3 * c.position_error_max, 2), number(kDegrees * c.upper_arm_error_mean, 1),
+      number(1e3 * c.clearance, 1), number(c.tempo, 2));
+  if (!plan.executable()) {
+    const bool said = plan.detail.starts_with(plan.reason + ":");
+    rows += said ? "\n  " + plan.detail : fmt::format("\n  {}: {}", plan.reason, plan.detail);
+  }
+  if (plan.executable() && !plan.detail.empty()) rows += "\n  note: " + plan.detail;
+  for (const Finding& finding : plan.findings) {
+    rows += fmt::format("\n  found: {} {}{} at {:.2f}-{:.2f} s, {:.4f} too far", finding.cause,
+                        finding.first, finding.second.empty() ? "" : " " + finding.second,
+                        finding.begin_s, finding.end_s, finding.depth);
+  }
+  return rows;
+}
+
+std::string plan_table_foot(const std::string& robot, const run::BatchSummary& summary) {
+  return fmt::format("{}: {} of {} fingertip goals out of reach from this placement", robot,
+                     summary.out_of_reach, summary.goals);
+}
+
+}  // namespace morphe::commands

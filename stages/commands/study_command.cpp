@@ -1,0 +1,43 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <thread>
+
+#include "pipeline/run/output_folder.hpp"
+#include "stages/commands/commands.hpp"
+#include "stages/study/results.hpp"
+
+namespace morphe::commands {
+
+Command study_command(CLI::App& app) {
+  struct Arguments {
+    std::string config, out;
+    bool quick = false;
+    int jobs = 0;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  app.add_option("CONFIG", arguments->config, "Study (YAML, configs/studies)")->required();
+  app.add_option("--out", arguments->out, "Folder for the results")->required();
+  app.add_flag("--quick", arguments->quick, "The small version");
+  app.add_option("--jobs", arguments->jobs, "Threads (default: one per core)")
+      ->check(CLI::PositiveNumber);
+  return [arguments] {
+    run::OutputFolder folder(arguments->out);
+    study::StudyRun run;
+    run.config = arguments->config;
+    run.quick = arguments->quick;
+    run.jobs = arguments->jobs > 0
+                   ? arguments->jobs
+                   : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    run.progress = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+    const study::StudyResult result = study::run_study(run);
+    study::write_results(result, folder.path());
+    folder.keep();
+    fmt::print("{}", study::results_table(result));
+    return 0;
+  };
+}
+
+}  // namespace morphe::commands

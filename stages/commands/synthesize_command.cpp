@@ -1,0 +1,83 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "pipeline/config/fields.hpp"
+#include "pipeline/parallel/ordered_map.hpp"
+#include "pipeline/store/demonstration_file.hpp"
+#include "stages/commands/commands.hpp"
+#include "stages/synthesize/synthesize.hpp"
+
+namespace morphe::commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SynthesizeArguments {
+  std::string config, out;
+  std::size_t count = 100;
+  std::uint64_t seed = 1;
+  int jobs = 0;
+};
+
+synthesize::SynthesizeOptions load_options(const std::string& file) {
+  const config::ConfigNode node = config::ConfigNode::load(file);
+  synthesize::SynthesizeOptions options;
+  config::read_options(node, options);
+  node.expect_all_read();
+  return options;
+}
+
+/// F.h5 -> F.truth.h5
+fs::path truth_beside(const fs::path& out) {
+  fs::path truth = out;
+  return truth.replace_extension(".truth" + out.extension().string());
+}
+
+int execute(const SynthesizeArguments& arguments) {
+  const synthesize::SynthesizeOptions options = load_options(arguments.config);
+  store::DemonstrationWriter recorded(arguments.out), truth(truth_beside(arguments.out));
+  double recorded_s = 0;
+  parallel::OrderedMap<std::size_t, synthesize::SyntheticRecording> map;
+  map.next = [&, next = std::size_t{0}]() mutable {
+    return next == arguments.count ? nullptr : std::make_unique<std::size_t>(next++);
+  };
+  map.work = [&](std::size_t index) {
+    return std::make_unique<synthesize::SyntheticRecording>(
+        synthesize::synthesize(options, arguments.seed, index));
+  };
+  map.write = [&](const synthesize::SyntheticRecording& made) {
+    recorded.add(made.recorded);
+    truth.add(made.truth);
+    recorded_s += made.truth.streams.sensors->time.back();
+  };
+  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  parallel::run(map, std::max(1, arguments.jobs > 0 ? arguments.jobs : cores));
+  recorded.finish();
+  truth.finish();
+  fmt::print("{}: {} demonstrations, {:.0f} s; truth in {}\n", arguments.out, arguments.count,
+             recorded_s, truth_beside(arguments.out).string());
+  return 0;
+}
+
+}  // namespace
+
+Command synthesize_command(CLI::App& app) {
+  const auto arguments = std::make_shared<SynthesizeArguments>();
+  app.add_option("CONFIG", arguments->config, "What to synthesize (YAML, configs/synthetic)")
+      ->required();
+  app.add_option("--out", arguments->out, "The demonstrations.h5 to write; F.truth.h5 beside it")
+      ->required();
+  app.add_option("--count", arguments->count, "Demonstrations (default: 100)")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--seed", arguments->seed, "Another seed, other demonstrations (default: 1)");
+  app.add_option("--jobs", arguments->jobs, "Threads (default: one per core)")
+      ->check(CLI::PositiveNumber);
+  return [arguments] { return execute(*arguments); };
+}
+
+}  // namespace morphe::commands

@@ -1,0 +1,27 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "pipeline/verify/verify.hpp"
+#include "stages/commands/commands.hpp"
+
+namespace morphe::commands {
+
+Command verify_command(CLI::App& app) {
+  struct Arguments {
+    std::string file;
+    bool json = false;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  app.add_option("FILE", arguments->file, "plans.h5")->required();
+  app.add_flag("--json", arguments->json, "Print JSON");
+  return [arguments] {
+    const verify::VerifyReport report = verify::verify_file(arguments->file);
+    fmt::print("{}",
+               arguments->json ? verify::verify_json(report) + "\n" : verify::verify_text(report));
+    return report.violations.empty() ? 0 : 1;
+  };
+}
+
+}  // namespace morphe::commands

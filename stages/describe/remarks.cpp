@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "stages/describe/report.hpp"
+
+namespace morphe::describe {
+namespace {
+
+const RobotTable::Frame& frame_at(const RobotTable& robot, int frame) {
+  return robot.frames[static_cast<std::size_t>(frame)];
+}
+
+bool below(const RobotTable& robot, int frame, int ancestor) {
+  while (frame >= 0 && frame != ancestor) frame = frame_at(robot, frame).parent;
+  return frame == ancestor;
+}
+
+bool moves_a_tip(const RobotTable& robot, int joint) {
+  for (std::size_t i = 0; i < robot.frames.size(); ++i) {
+    if (robot.frames[i].joint != joint) continue;
+    const auto moved = [&](const RobotTable::Tip& tip) {
+      return below(robot, tip.frame, static_cast<int>(i));
+    };
+    if (std::ranges::any_of(robot.tips, moved)) return true;
+  }
+  return false;
+}
+
+bool has_centre(const RobotTable& robot, const RobotTable::Tip& tip) {
+  return std::ranges::any_of(robot.centres, [&](const RobotTable::Centre& centre) {
+    return centre.chain != "arm" && below(robot, tip.frame, centre.frame);
+  });
+}
+
+}  // namespace
+
+double stretched_reach(const RobotTable& robot, const RobotTable::Tip& tip) {
+  double reach = tip.transform.translation().norm();
+  for (int frame = tip.frame; frame >= 0 && frame != robot.shoulder_frame;) {
+    reach += frame_at(robot, frame).transform.translation().norm();
+    frame = frame_at(robot, frame).parent;
+  }
+  return reach;
+}
+
+std::vector<std::string> remarks(const robot::RobotDescription& description) {
+  const RobotTable& robot = description.table;
+  std::vector<std::string> found = description.notes;
+  for (std::size_t k = 0; k < robot.joints(); ++k) {
+    if (!moves_a_tip(robot, static_cast<int>(k))) {
+      found.push_back(fmt::format("joint {} moves no tip", robot.joint_names[k]));
+    }
+  }
+  if (!below(robot, robot.palm_frame, robot.shoulder_frame)) {
+    found.push_back(fmt::format("palm {} does not hang on shoulder {}",
+                                frame_at(robot, robot.palm_frame).name,
+                                frame_at(robot, robot.shoulder_frame).name));
+  }
+  for (const RobotTable::Tip& tip : robot.tips) {
+    if (tip.finger >= 0 && !below(robot, tip.frame, robot.palm_frame)) {
+      found.push_back(fmt::format("tip {} does not hang on palm {}", tip.name,
+                                  frame_at(robot, robot.palm_frame).name));
+    }
+    if (tip.finger >= 0 && !has_centre(robot, tip)) {
+      found.push_back(fmt::format("tip {} has no centre for its finger's humanlikeness", tip.name));
+    }
+  }
+  if (robot.capsules.empty()) found.emplace_back("no collision shapes: no contact of it is seen");
+  return found;
+}
+
+}  // namespace morphe::describe

@@ -1,0 +1,113 @@
+#include "stages/export/robomimic_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+
+#include "pipeline/files/part_file.hpp"
+#include "pipeline/store/array_codec.hpp"
+#include "pipeline/store/hdf5_file.hpp"
+
+namespace morphe::exports {
+namespace {
+
+JointRows scaled(const JointRows& actions, const JointVector& offset, const JointVector& scale) {
+  JointRows out = actions.rowwise() - offset.transpose();
+  for (Eigen::Index j = 0; j < out.cols(); ++j) {
+    // A joint without a range does not move; rounding may lead a hair beyond a limit.
+    if (scale[j] > 0)
+      out.col(j) = (out.col(j) / scale[j]).cwiseMax(-1.0).cwiseMin(1.0);
+    else
+      out.col(j).setZero();
+  }
+  return out;
+}
+
+void write(const store::Hdf5Group& group, const std::string& name, const JointRows& rows) {
+  group.write(name, store::ArrayCodec<JointRows>::encode(rows));
+}
+
+std::vector<double> numbers(const JointVector& values) { return {values.begin(), values.end()}; }
+
+}  // namespace
+
+// Members close in reverse order: groups, then the file, then what is left of it is removed.
+struct RobomimicWriter::State {
+  files::PartFile part;
+  JointVector offset, scale;
+  store::Hdf5File file;
+  store::Hdf5Group data;
+  std::size_t demos = 0;
+  Eigen::Index total = 0;
+};
+
+RobomimicWriter::RobomimicWriter(const std::filesystem::path& path, const RobomimicHeader& header)
+    : state_(new State{files::PartFile(path),
+                       0.5 * (header.low + header.high),
+                       0.5 * (header.high - header.low),
+                       {},
+                       {}}) {
+  State& s = *state_;
+  s.file = store::Hdf5File::create(s.part.part());
+  s.file.call_it(path);
+  s.data = s.file.root().create("data");
+  s.data.set("env_args", header.env_args);
+  s.data.set("action_names", header.action_names);
+  s.data.set("action_offset", numbers(s.offset));
+  s.data.set("action_scale", numbers(s.scale));
+}
+
+RobomimicWriter::~RobomimicWriter() = default;
+
+void RobomimicWriter::add(const RobomimicDemo& demo) {
+  State& s = *state_;
+  const Eigen::Index count = demo.actions.rows();
+  const store::Hdf5Group group = s.data.create(fmt::format("demo_{}", s.demos));
+  group.set("num_samples", static_cast<std::int32_t>(count));
+  group.set("plan", demo.plan);
+  group.set("subject", demo.subject);
+  group.set("task", demo.task);
+  write(group, "actions", scaled(demo.actions, s.offset, s.scale));
+  write(group, "actions_abs", demo.actions);
+  const store::Hdf5Group obs = group.create("obs"), next_obs = group.create("next_obs");
+  for (const auto& [name, rows] : demo.observations) {
+    assert(rows.rows() == count + 1);
+    write(obs, name, rows.topRows(count));
+    write(next_obs, name, rows.bottomRows(count));
+  }
+  std::vector<double> last(static_cast<std::size_t>(count), 0);
+  last.back() = 1;
+  group.write("rewards", store::ArrayCodec<std::vector<double>>::encode(last));
+  group.write("dones", store::ArrayCodec<std::vector<double>>::encode(last));
+  ++s.demos;
+  s.total += count;
+}
+
+void RobomimicWriter::finish() {
+  State& s = *state_;
+  s.data.set("total", static_cast<std::int32_t>(s.total));
+  const std::vector<std::size_t> valid = validation_demos(s.demos);
+  std::vector<std::string> train_names, valid_names;
+  for (std::size_t k = 0; k < s.demos; ++k) {
+    const bool held_out = std::ranges::binary_search(valid, k);
+    (held_out ? valid_names : train_names).push_back(fmt::format("demo_{}", k));
+  }
+  const store::Hdf5Group mask = s.file.root().create("mask");
+  mask.write_strings("train", train_names);
+  mask.write_strings("valid", valid_names);
+  s.data = {};
+  s.file.close();
+  s.part.commit();
+}
+
+std::vector<std::size_t> validation_demos(std::size_t count) {
+  const std::size_t held_out = count < 2 ? 0 : std::max<std::size_t>(1, (count + 5) / 10);
+  std::vector<std::size_t> demos;
+  for (std::size_t k = 0; k < held_out; ++k) {
+    demos.push_back((2 * k + 1) * count / (2 * held_out));
+  }
+  return demos;
+}
+
+}  // namespace morphe::exports

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pipeline/motion/geometry.hpp"
+
+namespace morphe::exports {
+
+/// N transitions of one motion: observation k, action k, observation k + 1.
+struct RobomimicDemo {
+  std::string plan, subject, task;
+  JointRows actions;                                            ///< [N, n], not scaled
+  std::vector<std::pair<std::string, JointRows>> observations;  ///< each [N + 1, …]
+};
+
+/// What all demonstrations of a file share. actions_abs = offset + scale * actions puts
+/// [low, high] onto [-1, 1].
+struct RobomimicHeader {
+  std::string env_args;  ///< JSON: env_name, type, env_kwargs
+  std::vector<std::string> action_names;
+  JointVector low, high;  ///< [n] finite, low <= high
+};
+
+/// A dataset as robomimic reads it: /data/demo_0 … with @num_samples, actions, actions_abs, obs/,
+/// next_obs/, rewards and dones (1 at the last transition); /mask/train and /mask/valid. The file
+/// appears, whole and synced, with finish(); without it nothing is left behind.
+class RobomimicWriter {
+ public:
+  RobomimicWriter(const std::filesystem::path& path, const RobomimicHeader& header);
+  ~RobomimicWriter();
+  void add(const RobomimicDemo& demo);
+  void finish();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Every tenth demonstration, at least one of two, evenly spread.
+std::vector<std::size_t> validation_demos(std::size_t count);
+
+}  // namespace morphe::exports

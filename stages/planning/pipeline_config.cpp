@@ -1,0 +1,141 @@
+#include "stages/planning/pipeline_config.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "pipeline/config/fields.hpp"
+
+namespace morphe::planning {
+namespace {
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw InputError(fmt::format("{}: cannot be read", file.string()));
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+using Paths = std::vector<std::filesystem::path>;
+
+/// The deepest folder that holds them all.
+std::filesystem::path common_folder(const Paths& files) {
+  std::filesystem::path common = files.front().parent_path();
+  for (const auto& file : files) {
+    while (file.lexically_relative(common).string().starts_with(".."))
+      common = common.parent_path();
+  }
+  return common;
+}
+
+/// The files a run was made from. Where they lie on this machine is nothing to tell: those of a
+/// group are named relative to the deepest folder that holds them all, by their own name alone if
+/// that is the root; a name that is taken lies in a numbered folder.
+std::vector<PlanFileHeader::Input> collect(const std::vector<Paths>& groups) {
+  std::vector<PlanFileHeader::Input> inputs;
+  std::set<std::string> taken;
+  for (Paths files : groups) {
+    for (auto& file : files) file = std::filesystem::weakly_canonical(file);
+    const std::filesystem::path common = common_folder(files);
+    for (const auto& file : files) {
+      const auto inside =
+          common == common.root_path() ? file.filename() : file.lexically_relative(common);
+      std::string name = inside.generic_string();
+      for (int number = 2; !taken.insert(name).second; ++number)
+        name = fmt::format("{}/{}", number, inside.generic_string());
+      inputs.push_back({name, text_of(file)});
+    }
+  }
+  return inputs;
+}
+
+/// A config and, where it says `extends: FILE`, what it leaves out taken from that one.
+config::ConfigNode load_extended(const std::filesystem::path& file, Paths& files) {
+  config::ConfigNode node = config::ConfigNode::load(file);
+  files.push_back(file);
+  if (!node.has("extends")) return node;
+  const config::ConfigNode extends = node["extends"];
+  const std::filesystem::path base = node.folder() / extends.text();
+  for (const auto& known : files) {
+    if (std::filesystem::weakly_canonical(known) == std::filesystem::weakly_canonical(base)) {
+      extends.fail("comes back to a config that extends this one");
+    }
+  }
+  node.extend(load_extended(base, files));
+  return node;
+}
+
+/// Index of the joint that an entry of a list names; an empty name is none, -1.
+int named_joint(const config::ConfigNode& entry, const char* key, const RobotTable& robot) {
+  if (!entry.has(key) || entry[key].text().empty()) return -1;
+  const std::string joint = entry[key].text();
+  const auto found = std::ranges::find(robot.joint_names, joint);
+  if (found == robot.joint_names.end()) {
+    entry[key].fail(fmt::format("robot {} has no actuated joint '{}'", robot.name, joint));
+  }
+  return static_cast<int>(found - robot.joint_names.begin());
+}
+
+/// The joints of the natural posture and of home are the robot's, home within its limits.
+void check_joints(const config::ConfigNode& node, const LoadedConfig& loaded) {
+  const RobotTable& robot = loaded.robot;
+  if (node.has("map") && node["map"].has("natural")) {
+    for (const config::ConfigNode& entry : node["map"]["natural"].items()) {
+      named_joint(entry, "joint", robot);
+      named_joint(entry, "follow", robot);
+    }
+  }
+  if (!loaded.options.approach || !node["approach"].has("home")) return;
+  const std::vector<config::ConfigNode> home = node["approach"]["home"].items();
+  for (std::size_t k = 0; k < home.size(); ++k) {
+    const int joint = named_joint(home[k], "joint", robot);
+    const double value = loaded.options.approach->home[k].value;
+    if (joint < 0 || value < robot.lower[joint] || value > robot.upper[joint]) {
+      home[k]["value"].fail("is beyond the joint's limits");
+    }
+  }
+}
+
+}  // namespace
+
+LoadedConfig load_config(const std::filesystem::path& file,
+                         const std::vector<std::string>& settings) {
+  // Files that are named by an absolute path form groups of their own.
+  std::vector<Paths> groups(1);
+  const auto group_of = [&](const std::filesystem::path& named) -> Paths& {
+    return named.is_absolute() ? groups.emplace_back() : groups.front();
+  };
+  config::ConfigNode node = load_extended(file, groups.front());
+  for (const std::string& setting : settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      throw InputError(fmt::format("--set {}: needs a.b=value", setting));
+    }
+    node.set(setting.substr(0, equals), setting.substr(equals + 1));
+  }
+  LoadedConfig loaded;
+  config::read_options(node, loaded.options);
+  node.expect_all_read();
+
+  const robot::RobotDescription robot =
+      robot::load_robot(node["robot"]["file"].folder() / loaded.options.robot.file);
+  loaded.robot = robot.table;
+  Paths& with_robot = group_of(loaded.options.robot.file);
+  with_robot.insert(with_robot.end(), robot.files.begin(), robot.files.end());
+  if (node.has("scene")) scene::load_scene_files(loaded.options.scene, node["scene"]);
+  if (!loaded.options.scene.file.empty()) {
+    group_of(loaded.options.scene.file)
+        .push_back(node["scene"]["file"].folder() / loaded.options.scene.file);
+  }
+  if (loaded.options.dataset) {
+    loaded.dataset = node["dataset"]["file"].folder() / loaded.options.dataset->file;
+  }
+  check_joints(node, loaded);
+  loaded.effective = config::write_options(loaded.options);
+  loaded.inputs = collect(groups);
+  return loaded;
+}
+
+}  // namespace morphe::planning

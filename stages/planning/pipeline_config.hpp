@@ -1,0 +1,77 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "pipeline/motion/plan.hpp"
+#include "pipeline/robot/files/description.hpp"
+#include "stages/check/check_path.hpp"
+#include "stages/map/map_options.hpp"
+#include "stages/map/placement.hpp"
+#include "stages/planning/approach_options.hpp"
+#include "stages/reconstruct/reconstruct.hpp"
+#include "stages/repair/repair.hpp"
+#include "stages/retime/retime.hpp"
+#include "stages/scene/build_scene.hpp"
+#include "stages/segment/segment.hpp"
+
+namespace morphe::planning {
+
+/// A file that the config names, relative to the config's folder.
+struct FileOption {
+  std::string file;
+};
+template <class Fields>
+void fields(Fields& f, FileOption& o) {
+  f.required("file", o.file);
+}
+
+/// A config file, section by section.
+struct PipelineConfig {
+  std::optional<FileOption> dataset;  ///< demonstrations.h5 or a recordings manifest (.yaml)
+  FileOption robot;
+  reconstruct::HumanOptions human;
+  map::PlacementOptions placement;
+  scene::SceneOptions scene;
+  std::uint64_t seed = 1;
+  reconstruct::ReconstructOptions reconstruct;
+  segment::SegmentOptions segment;
+  map::MapOptions map;
+  check::CheckOptions check;
+  repair::RepairOptions repair;
+  retime::RetimeOptions retime;
+  std::optional<ApproachOptions> approach;  ///< none: not asked for
+};
+template <class Fields>
+void fields(Fields& f, PipelineConfig& o) {
+  f("dataset", o.dataset);
+  f.required("robot", o.robot);
+  f("human", o.human);
+  f("placement", o.placement);
+  f("scene", o.scene);
+  f("seed", o.seed);
+  f("reconstruct", o.reconstruct);
+  f("segment", o.segment);
+  f("map", o.map);
+  f("check", o.check);
+  f("repair", o.repair);
+  f("retime", o.retime);
+  f("approach", o.approach);
+}
+
+/// A config with everything that it names.
+struct LoadedConfig {
+  PipelineConfig options;
+  RobotTable robot;
+  std::filesystem::path dataset;  ///< resolved against the config's folder; empty if not named
+  std::string effective;          ///< YAML with every key, defaults included
+  std::vector<PlanFileHeader::Input> inputs;
+};
+
+/// Reads a config, applies "a.b=value" settings, loads what it names. Throws InputError for bad
+/// files and values and for keys that nobody reads.
+LoadedConfig load_config(const std::filesystem::path& file,
+                         const std::vector<std::string>& settings = {});
+
+}  // namespace morphe::planning

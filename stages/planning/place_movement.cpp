@@ -1,0 +1,122 @@
+#include "stages/planning/place_movement.hpp"
+
+#include <algorithm>
+
+#include "stages/map/compass_search.hpp"
+#include "stages/map/frame_search.hpp"
+#include "stages/map/joint_to_joint.hpp"
+#include "stages/map/map_movement.hpp"
+#include "stages/map/movement_search.hpp"
+#include "stages/scene/carried_target.hpp"
+
+namespace morphe::planning {
+namespace {
+
+Pose base_from_motion(const Planner& planner, const HumanMotion& motion, const Movement& movement,
+                      const Vec3& offset) {
+  map::PlacementOptions placement = planner.config.placement;
+  placement.shoulder_offset += offset;
+  const RobotTable& robot = planner.robot;
+  if (map::hand_alone(robot)) return map::place_hand(robot, placement).inverse();
+  return map::place_robot(robot, map::shoulder_at_begin(motion, movement), placement).inverse();
+}
+
+/// What is grasped goes where the hand takes it.
+void carry(const Planner& planner, const HumanMotion& motion, const Movement& movement,
+           Scene& scene) {
+  const RobotTable& robot = planner.robot;
+  for (SceneObject& object : scene.objects) {
+    if (object.name != movement.target || !(object.attach_s < movement.end_s)) continue;
+    if (planner.config.scene.target.carried == "palm") {
+      object.attached_frame = robot.frames[static_cast<std::size_t>(robot.palm_frame)].name;
+    } else {
+      scene::carry_between_tips(motion, movement, object);
+    }
+  }
+}
+
+/// The part of the scene that the mapping's clearance term knows.
+Scene mapping_scene(const PipelineConfig& config, const Scene& scene, const Movement& movement) {
+  std::vector<std::string> names = scene::mapping_objects(config.scene, scene);
+  if (config.map.clear_of_target) names.push_back(movement.target);
+  Scene part;
+  for (const SceneObject& object : scene.objects) {
+    if (std::ranges::find(names, object.name) != names.end()) part.objects.push_back(object);
+  }
+  return part;
+}
+
+/// At most 16 of a problem's frames, evenly spread, the first and the last among them.
+map::MappingProblem thinned(const map::MappingProblem& problem, std::vector<std::size_t>& frames) {
+  constexpr std::size_t kMost = 16;
+  map::MappingProblem thin = problem;
+  thin.time.clear();
+  thin.goals.clear();
+  const std::size_t count = std::min(kMost, problem.frames());
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t frame = k * (problem.frames() - 1) / (count - 1);
+    frames.push_back(frame);
+    thin.time.push_back(problem.time[frame]);
+    thin.goals.push_back(problem.goals[frame]);
+  }
+  return thin;
+}
+
+}  // namespace
+
+Scene scene_around(const Planner& planner, const Demonstration& demonstration,
+                   const HumanMotion& motion, Movement& movement) {
+  if (!map::hand_alone(planner.robot)) {
+    Scene scene = scene::build_scene(planner.config.scene, demonstration, motion, movement);
+    carry(planner, motion, movement, scene);
+    return scene;
+  }
+  scene::SceneOptions configured = planner.config.scene;
+  configured.table = scene::TableOptions{};
+  configured.table.infer = false;
+  configured.target.infer = false;
+  movement.target.clear();
+  return scene::build_scene(configured, {}, motion, movement);
+}
+
+PlacedMovement::PlacedMovement(const Planner& planner, const HumanMotion& motion,
+                               const Movement& movement, const Scene& around, const Vec3& offset) {
+  const PipelineConfig& config = planner.config;
+  const RobotTable& robot = planner.robot;
+  const Pose base_from_world = base_from_motion(planner, motion, movement, offset);
+  scene = scene::move_scene(around, base_from_world);
+  goals = map::make_goals(robot, motion, movement, base_from_world);
+  if (config.map.free_offset.limit_m > 0) goals.free_offset = offset;
+  known = mapping_scene(config, scene, movement);
+  world = collision::make_world(robot, known, movement, config.check.tolerances);
+  problem = map::make_mapping_problem(robot, goals, world, config.map, movement.phases);
+  if (map::mode_of(config.map) == map::MapMode::joint_to_joint) {
+    problem.goals = map::joint_to_joint_goals(robot, motion.hand_angles, motion.time, goals);
+  }
+}
+
+Vec3 choose_offset(const Planner& planner, const HumanMotion& motion, const Movement& movement,
+                   const Scene& around, std::uint64_t seed) {
+  const map::MapOptions& options = planner.config.map;
+  const PlacedMovement unmoved(planner, motion, movement, around, Vec3::Zero());
+  const bool any_goal = std::ranges::any_of(
+      unmoved.problem.goals, [](const humanlike::FrameGoal& goal) { return goal.tips_seen() > 0; });
+  if (unmoved.problem.frames() < 5 || !any_goal) return Vec3::Zero();
+  std::vector<std::size_t> frames;
+  const map::MappingProblem thin = thinned(unmoved.problem, frames);
+  const JointRows start = map::search_movement(thin, options, seed).front().q;
+  map::MappingScratch scratch;
+  const auto cost = [&](const Vec3& offset) {
+    const PlacedMovement moved(planner, motion, movement, around, offset);
+    double sum = 0;
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+      const JointVector near = start.row(static_cast<Eigen::Index>(k)).transpose();
+      sum += map::solve_frame(moved.problem, frames[k], near, options.solver, scratch).value;
+    }
+    return sum / static_cast<double>(frames.size()) +
+           options.free_offset.weight * offset.squaredNorm();
+  };
+  return map::compass_search(cost, options.free_offset.limit_m, 0.001);
+}
+
+}  // namespace morphe::planning

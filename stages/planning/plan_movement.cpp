@@ -1,0 +1,242 @@
+#include "stages/planning/plan_movement.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "pipeline/collision/mesh_solid.hpp"
+#include "pipeline/math/seed.hpp"
+#include "pipeline/parallel/ordered_map.hpp"
+#include "stages/certify/certify.hpp"
+#include "stages/certify/grasp.hpp"
+#include "stages/map/map_movement.hpp"
+#include "stages/planning/approach.hpp"
+#include "stages/planning/place_movement.hpp"
+#include "stages/planning/repair_movement.hpp"
+#include "stages/reconstruct/hand_frame.hpp"
+#include "stages/reconstruct/mirror.hpp"
+#include "stages/scene/move_target.hpp"
+
+namespace morphe::planning {
+namespace {
+
+/// Adds the wall clock of one step to the summary's stage_seconds.
+template <class Step>
+auto timed(StageSeconds& seconds, const char* stage, const Step& step) {
+  const auto begin = std::chrono::steady_clock::now();
+  auto result = step();
+  seconds[stage] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+Plan begin_plan(const Demonstration& demonstration, const Movement& movement,
+                const check::CheckOptions& options) {
+  Plan plan;
+  plan.demonstration = demonstration.name;
+  plan.subject = demonstration.subject;
+  plan.task = demonstration.task;
+  plan.hand = demonstration.hand;
+  plan.movement = movement;
+  plan.tolerances = options.tolerances;
+  return plan;
+}
+
+Plan fail(Plan plan, const std::string& reason, const std::string& detail) {
+  plan.reason = reason;
+  plan.detail = detail;
+  plan.trajectory = plan.approach = plan.retreat = {};
+  return plan;
+}
+
+/// Whether any fingertip goal was seen while the hand grasps (or holds); true without such a phase.
+bool grasp_seen(const Goals& goals, const Movement& movement) {
+  bool asked = false;
+  for (std::size_t f = 0; f < goals.frames(); ++f) {
+    const std::string phase = kPhaseNames[phase_at(movement.phases, goals.time[f])];
+    if (phase != "grasp" && phase != "hold") continue;
+    asked = true;
+    for (std::size_t tip = 0; tip < goals.tip_position.cols; ++tip) {
+      if (seen(goals.tip_position(f, tip))) return true;
+    }
+  }
+  return !asked;
+}
+
+std::string joined(const std::vector<std::string>& sentences) {
+  return fmt::format("{}", fmt::join(sentences, "; "));
+}
+
+/// What a user must know of an executable plan: tips whose goals are missing in some frames, a hand
+/// of which one tip alone was seen, meshes with holes, phases that may begin or end elsewhere (a
+/// recording that is cut off in them), and what reconstruction had to complain of.
+std::string warnings(const RobotTable& robot, const Scene& scene, const Goals& goals,
+                     const Movement& movement, const HumanMotion& motion) {
+  constexpr double kUncertain = 0.5;
+  std::vector<std::string> sentences, asked;
+  for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
+    std::size_t count = 0;
+    for (std::size_t f = 0; f < goals.frames(); ++f) count += seen(goals.tip_position(f, tip));
+    if (count > 0) asked.push_back(robot.tips[tip].name);
+    if (count > 0 && count < goals.frames()) {
+      sentences.push_back(fmt::format("{} has a goal in {} of {} frames", robot.tips[tip].name,
+                                      count, goals.frames()));
+    }
+  }
+  if (goals.free_offset) {
+    const Vec3 moved = 1e3 * *goals.free_offset;
+    sentences.push_back(fmt::format("the base is moved by ({:.0f}, {:.0f}, {:.0f}) mm", moved.x(),
+                                    moved.y(), moved.z()));
+  }
+  for (const SceneObject& object : scene.objects) {
+    if (object.solid && collision::is_open(*object.solid)) {
+      sentences.push_back(object.name + " is not closed: only its surface counts");
+    }
+  }
+  if (asked.size() == 1) sentences.push_back("no tip but " + asked.front() + " has goals");
+  for (const Phase& phase : movement.phases) {
+    if (phase.begin_s > movement.end_s || phase.confidence > kUncertain) continue;
+    sentences.push_back(fmt::format("{} begins or ends uncertainly ({:.0f} %)", phase.name,
+                                    100 * phase.confidence));
+  }
+  sentences.insert(sentences.end(), motion.problems.begin(), motion.problems.end());
+  return joined(sentences);
+}
+
+/// Time law and certificate. Smoothing that makes a path collide, or takes tips too far from their
+/// goals, is taken back before giving up.
+void finish(const Planner& planner, const collision::CollisionWorld& world, Plan& plan,
+            StageSeconds& seconds) {
+  retime::RetimeOptions options = planner.config.retime;
+  while (true) {
+    retime::RetimeResult retimed = timed(seconds, "retime", [&] {
+      return retime::retime(planner.robot, plan.path, plan.movement, options);
+    });
+    certify::CertifyResult certified;
+    if (retimed.reason.empty()) {
+      plan.trajectory = std::move(retimed.trajectory);
+      certified = timed(seconds, "certify", [&] {
+        return certify::certify(world, plan.goals, plan.movement, plan.trajectory, plan.mapped);
+      });
+    } else {
+      certified.reason = retimed.reason;
+      certified.detail = retimed.detail;
+    }
+    certified.certificate.repaired = plan.certificate.repaired;
+    certified.certificate.natural_posture_error = plan.certificate.natural_posture_error;
+    plan.certificate = certified.certificate;
+    const bool smoothed = options.tip_tolerance + options.joint_tolerance > 0;
+    if (smoothed && (certified.reason == "smoothing" || certified.reason == "tracking")) {
+      options.tip_tolerance = options.joint_tolerance = 0;
+      continue;
+    }
+    plan.reason = certified.reason;
+    plan.detail = certified.detail;
+    if (!plan.executable()) plan.trajectory = {};
+    return;
+  }
+}
+
+}  // namespace
+
+Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
+                   const HumanMotion& recorded, const Movement& movement, StageSeconds& seconds) {
+  const PipelineConfig& config = planner.config;
+  const RobotTable& robot = planner.robot;
+  Plan plan = begin_plan(demonstration, movement, config.check);
+  const std::uint64_t seed =
+      math::seed_from(config.seed, fmt::format("{}/{}", demonstration.name, movement.index));
+
+  if (!map::hand_alone(robot) && !seen(map::shoulder_at_begin(recorded, movement))) {
+    return fail(plan, "no_shoulder", "the shoulder was never seen");
+  }
+  const scene::MovedTarget there = timed(seconds, "scene", [&] {
+    const Scene as_recorded = scene_around(planner, demonstration, recorded, plan.movement);
+    return scene::move_target(config.scene, recorded, plan.movement, as_recorded);
+  });
+  const HumanMotion& motion = there.motion;
+  const Scene& around = there.scene;
+  Vec3 offset = Vec3::Zero();
+  if (config.map.free_offset.limit_m > 0) {
+    offset = timed(seconds, "map",
+                   [&] { return choose_offset(planner, motion, plan.movement, around, seed); });
+  }
+  PlacedMovement placed(planner, motion, plan.movement, around, offset);
+  plan.scene = placed.scene;
+  plan.goals = placed.goals;
+  if (!grasp_seen(plan.goals, plan.movement)) {
+    return fail(plan, "no_goal", "no fingertip was seen in the grasp");
+  }
+  const collision::CollisionWorld world =
+      collision::make_world(robot, plan.scene, plan.movement, plan.tolerances);
+  map::MapResult mapped = timed(seconds, "map", [&] {
+    return map::map_movement(placed.problem, plan.goals, config.map, seed);
+  });
+  if (!mapped.reason.empty()) return fail(plan, mapped.reason, mapped.detail);
+  plan.mapped = std::move(mapped.mapped);
+  plan.path = mapped.path;
+  plan.certificate.natural_posture_error = mapped.posture_error_rad;
+
+  plan.findings = timed(seconds, "check", [&] {
+    return check::check_path(world, plan.goals, plan.movement, plan.path, config.check);
+  });
+  if (!plan.findings.empty()) {
+    const repair::RepairResult repaired = timed(seconds, "repair", [&] {
+      return repair_movement(planner, placed, world, plan, mapped, seed);
+    });
+    plan.path = repaired.path;
+    plan.certificate.repaired = repaired.repaired;
+    if (!repaired.reason.empty()) return fail(plan, repaired.reason, repaired.detail);
+  }
+  finish(planner, world, plan, seconds);
+  if (plan.executable()) {
+    if (config.approach) {
+      const ApproachResult there_and_back = timed(
+          seconds, "approach", [&] { return add_approach(planner, *config.approach, seed, plan); });
+      if (!there_and_back.reason.empty()) {
+        return fail(plan, there_and_back.reason, there_and_back.detail);
+      }
+    }
+    plan.grasp = certify::find_grasp(robot, plan.scene, plan.movement, plan.trajectory);
+    plan.detail = warnings(robot, plan.scene, plan.goals, plan.movement, motion);
+  }
+  return plan;
+}
+
+run::DemonstrationOutcome plan_demonstration(const Planner& planner,
+                                             const Demonstration& demonstration) {
+  run::DemonstrationOutcome outcome;
+  StageSeconds& seconds = outcome.stage_seconds;
+  const PipelineConfig& config = planner.config;
+  const bool alone = map::hand_alone(planner.robot);
+  HumanMotion motion = timed(seconds, "reconstruct", [&] {
+    return alone ? reconstruct::reconstruct_hand(demonstration, config.reconstruct, config.human)
+                 : reconstruct::reconstruct(demonstration, config.reconstruct, config.human);
+  });
+  Demonstration beside = demonstration;
+  beside.objects = reconstruct::objects_beside_right_hand(demonstration);
+  const std::vector<Movement> movements = timed(
+      seconds, "segment", [&] { return segment::segment(motion, config.segment, beside.objects); });
+  if (alone) motion = reconstruct::in_hand_frame(std::move(motion));
+  outcome.plans.resize(movements.size());
+  std::vector<StageSeconds> of_movement(movements.size());
+  parallel::for_each_index(movements.size(), [&](std::size_t k) {
+    outcome.plans[k] = plan_movement(planner, beside, motion, movements[k], of_movement[k]);
+  });
+  for (const StageSeconds& own : of_movement) {
+    for (const auto& [stage, taken] : own) seconds[stage] += taken;
+  }
+  if (movements.empty()) {
+    const std::string nothing =
+        alone ? "no complete reach in it (segment.whole plans a recording of gestures)"
+              : "no complete reach in it";
+    const std::string detail =
+        motion.problems.empty() ? nothing : nothing + "; " + joined(motion.problems);
+    outcome.plans.push_back(
+        fail(begin_plan(demonstration, {}, config.check), "no_movement", detail));
+  }
+  return outcome;
+}
+
+}  // namespace morphe::planning

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "pipeline/run/batch.hpp"
+#include "stages/planning/planner.hpp"
+
+namespace morphe::planning {
+
+using StageSeconds = std::map<std::string, double>;
+
+/// All steps for one movement. Never throws for a bad movement: the plan carries the reason. The
+/// objects of `demonstration` are where `recorded` is: a left hand's in the mirror.
+Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
+                   const HumanMotion& recorded, const Movement& movement, StageSeconds& seconds);
+
+/// Reconstructs and segments a demonstration and plans each of its movements. One without any
+/// movement ends as one plan with reason "no_movement".
+run::DemonstrationOutcome plan_demonstration(const Planner& planner,
+                                             const Demonstration& demonstration);
+
+}  // namespace morphe::planning

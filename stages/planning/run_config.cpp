@@ -1,0 +1,126 @@
+#include "stages/planning/run_config.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "pipeline/config/fields.hpp"
+#include "pipeline/files/sha256.hpp"
+#include "pipeline/store/bytes.hpp"
+#include "pipeline/store/plan_file.hpp"
+
+namespace morphe::planning {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string without_paths(PipelineConfig options) {
+  options.dataset.reset();
+  options.robot.file.clear();
+  options.scene.file.clear();
+  return config::write_options(options);
+}
+
+std::string scene_sha256(const scene::SceneOptions& scene) {
+  std::string bytes;
+  for (const auto* objects : {&scene.objects, &scene.file_objects}) {
+    for (const scene::ConfiguredObject& object : *objects)
+      bytes += config::write_options(object) + store::bytes_of(object.mesh);
+  }
+  return files::sha256(bytes);
+}
+
+/// The inputs of a plans.h5 as files, for as long as it lives.
+class UnpackedInputs {
+ public:
+  explicit UnpackedInputs(const std::vector<PlanFileHeader::Input>& inputs) {
+    std::string name = (fs::temp_directory_path() / "morphe_from_XXXXXX").string();
+    if (!::mkdtemp(name.data())) throw InputError(fmt::format("{}: cannot be made", name));
+    folder_ = name;
+    for (const PlanFileHeader::Input& input : inputs) {
+      const fs::path file = (folder_ / input.path).lexically_normal();
+      if (file.lexically_relative(folder_).string().starts_with(".."))
+        throw InputError(fmt::format("/inputs/{}: lies outside", input.path));
+      fs::create_directories(file.parent_path());
+      std::ofstream(file, std::ios::binary) << input.text;
+      folders_.push_back(file.parent_path());
+    }
+  }
+  ~UnpackedInputs() {
+    std::error_code ignored;
+    if (!folder_.empty()) fs::remove_all(folder_, ignored);
+  }
+  UnpackedInputs(const UnpackedInputs&) = delete;
+  UnpackedInputs& operator=(const UnpackedInputs&) = delete;
+  /// A file that the config names: relative to the config, which comes first, or to one that it
+  /// extends; a name from elsewhere is looked for by itself. Empty if there is none.
+  fs::path find(const fs::path& named) const {
+    for (const fs::path& wanted : {named, named.filename()}) {
+      for (const fs::path& folder : folders_) {
+        if (wanted.is_relative() && fs::is_regular_file(folder / wanted)) return folder / wanted;
+      }
+    }
+    return {};
+  }
+  /// A message that calls the files by what they are called in plans.h5.
+  std::string as_stored(std::string message) const {
+    const std::string folder = folder_.string();
+    for (std::size_t at; (at = message.find(folder)) != std::string::npos;)
+      message.replace(at, folder.size(), "/inputs");
+    return message;
+  }
+
+ private:
+  fs::path folder_;
+  std::vector<fs::path> folders_;  ///< one for each input, in their order
+};
+
+}  // namespace
+
+RunConfig run_config(LoadedConfig loaded) {
+  RunConfig config;
+  config.effective = loaded.effective;
+  config.without_paths = without_paths(loaded.options);
+  config.scene_sha256 = scene_sha256(loaded.options.scene);
+  config.loaded = std::move(loaded);
+  return config;
+}
+
+RunConfig stored_config(const fs::path& plans) {
+  const store::PlanReader reader(plans);
+  const PlanFileHeader& header = reader.header();
+  LoadedConfig loaded;
+  config::ConfigNode node = config::ConfigNode::parse(header.config, plans.string() + ":/@config");
+  config::read_options(node, loaded.options);
+  node.expect_all_read();
+  loaded.robot = reader.robot();
+  loaded.inputs = header.inputs;
+  loaded.effective = header.config;
+  if (config::write_options(loaded.options) != header.config)
+    throw InputError(fmt::format("{}: /@config: was written by another version ({})",
+                                 plans.string(), header.software));
+  if (node.has("scene")) {
+    const UnpackedInputs files(header.inputs);
+    const std::string named = loaded.options.scene.file;
+    if (!named.empty()) {
+      const fs::path file = files.find(named);
+      if (file.empty())
+        throw InputError(fmt::format("{}: /inputs: holds no {}", plans.string(), named));
+      loaded.options.scene.file = file.string();
+    }
+    try {
+      scene::load_scene_files(loaded.options.scene, node["scene"]);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: holds no mesh files; run with the config itself: {}",
+                                   plans.string(), files.as_stored(error.what())));
+    }
+    loaded.options.scene.file = named;
+  }
+  RunConfig config = run_config(std::move(loaded));
+  config.dataset_sha256 = header.dataset_sha256;
+  return config;
+}
+
+}  // namespace morphe::planning

@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+"""One name, one type: every file under pipeline/ and stages/ writes into the namespace of its folder,
+no namespace defines a type twice, and no folder's type is called like a noun of pipeline/motion/.
+
+  names_test.py [ROOT]        the check
+  names_test.py --self-test   plants one fault of each kind in a copy; each must be found
+
+A folder's namespace is morphe:: and its name (robot/files: robot); the nouns of pipeline/motion/
+are in morphe itself; import and export, which C++ keeps for itself, are imports and exports. What
+is unnamed in a .cpp file has internal linkage, but its types may not be called like one that the
+file could see.
+"""
+
+import pathlib
+import re
+import shutil
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+KEPT_BY_CPP = {"import": "imports", "export": "exports"}
+NOUNS = "morphe"
+
+NOISE = re.compile(r"//[^\n]*|/\*.*?\*/|R\"\(.*?\)\"|\"(?:\\.|[^\"\\\n])*\"|'(?:\\.|[^'\\\n])'", re.S)
+TEMPLATE = re.compile(r"\btemplate\s*<[^<>\n]*(?:<[^<>\n]*>[^<>\n]*)*>")
+TOKEN = re.compile(
+    r"(?P<namespace>\bnamespace\s+(?P<opened>[\w:]*)\s*\{)"
+    r"|(?P<type>\b(?:struct|class|union|enum(?:\s+class|\s+struct)?)\s+(?P<name>\w+)\b(?!\s*(?:::|<))(?=[^;{}()=]*\{))"
+    r"|\busing\s+(?P<alias>\w+)\s*="
+    r"|(?P<open>\{)|(?P<close>\})"
+)
+
+
+def namespace_of(path):
+    folder = path.split("/")[1]
+    return NOUNS if folder == "motion" else f"{NOUNS}::{KEPT_BY_CPP.get(folder, folder)}"
+
+
+def types_of(text):
+    """(line, namespace, name) of every type at namespace scope; "{}" stands for an unnamed one."""
+    text = NOISE.sub(lambda found: "\n" * found.group().count("\n"), text)
+    text = TEMPLATE.sub("", text)
+    scopes = []  # a namespace's name, or None for any other brace
+    for found in TOKEN.finditer(text):
+        if found["namespace"]:
+            scopes.append(found["opened"] or "{}")
+        elif found["open"]:
+            scopes.append(None)
+        elif found["close"]:
+            if scopes:
+                scopes.pop()
+        elif None not in scopes:
+            yield (text.count("\n", 0, found.start()) + 1, "::".join(scopes), found["name"] or found["alias"])
+
+
+def check(root):
+    found, seen, files = [], {}, []
+    for top in ("pipeline", "stages"):
+        files += [path for path in sorted((root / top).rglob("*")) if path.suffix in {".hpp", ".cpp"}]
+    for path in files:
+        source = path.relative_to(root).as_posix()
+        text = path.read_text(encoding="utf-8")
+        own = namespace_of(source)
+        opened = set(re.findall(r"^namespace (morphe[\w:]*) \{", text, re.M))
+        if opened - {own}:
+            found.append(f"{source}:1: opens {', '.join(sorted(opened - {own}))}, not {own}")
+        for line, namespace, name in types_of(text):
+            seen.setdefault((namespace, name), []).append(f"{source}:{line}")
+    for (namespace, name), places in sorted(seen.items()):
+        unnamed = namespace.endswith("{}")
+        if len(places) > 1 and not unnamed and namespace.startswith(NOUNS):
+            found.append(f"{places[1]}: {namespace}::{name} is defined already: {places[0]}")
+        outer = namespace.removesuffix("::{}")
+        hidden = [outer] if unnamed else []
+        hidden += [NOUNS] if outer != NOUNS else []
+        for visible in hidden:
+            if (visible, name) in seen and namespace.startswith(NOUNS):
+                found.append(f"{places[0]}: {name} hides {visible}::{name}: {seen[visible, name][0]}")
+    return found, len(files)
+
+
+PLANTED = [
+    ("pipeline/collision/planted.hpp", "namespace morphe::collision {\nstruct CollisionWorld {\n};\n}\n"),
+    ("pipeline/collision/planted.cpp", "namespace morphe::collision {\nstruct Twice {};\nenum class Twice { a };\n}\n"),
+    ("pipeline/collision/planted.cpp", "namespace morphe::collision {\nusing CollisionWorld = int;\n}\n"),
+    ("pipeline/collision/planted.cpp", "namespace morphe::collision {\nstruct Plan final : Base {};\n}\n"),
+    ("pipeline/collision/planted.cpp", "namespace morphe::collision {\nnamespace {\nstruct CollisionWorld {};\n}\n}\n"),
+    ("pipeline/collision/planted.cpp", "namespace morphe::solve {\n}\n"),
+    ("stages/map/planted.cpp", "namespace morphe {\nstruct Loose {};\n}\n"),
+]
+ALLOWED = [
+    ("pipeline/collision/planted.cpp", "namespace morphe::collision {\nstruct CollisionWorld;\nstruct A { struct Plan {}; };\n}\n"),
+    ("stages/map/planted.cpp", 'namespace morphe::map {\n// struct Plan {}\nconst char* a = "struct Plan {";\n}\n'),
+    ("stages/export/planted.cpp", "namespace morphe::exports {\nnamespace {\nstruct Row {};\n}\n}\n"),
+]
+
+
+def self_test():
+    failures = []
+    with tempfile.TemporaryDirectory() as folder:
+        copy = pathlib.Path(folder)
+        for top in ("pipeline", "stages"):
+            shutil.copytree(ROOT / top, copy / top)
+        before, _ = check(copy)
+        for name, text in PLANTED + ALLOWED:
+            (copy / name).write_text(text, encoding="utf-8")
+            found = [entry for entry in check(copy)[0] if entry not in before]
+            bad = (name, text) in PLANTED
+            if bad != (len(found) >= 1 and "planted" in found[0]):
+                failures.append(f"{name}: {text!r}: {'not found' if bad else found}")
+            (copy / name).unlink()
+    return failures
+
+
+def main(arguments):
+    if arguments == ["--self-test"]:
+        failures = self_test()
+        print("\n".join(failures) or f"{len(PLANTED)} planted faults found, none too many")
+        return 1 if failures else 0
+    found, files = check(pathlib.Path(arguments[0]) if arguments else ROOT)
+    if not files:
+        found.append("no sources were found")
+    print("\n".join(found) or f"{files} files, one type a name")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
