@@ -40,23 +40,23 @@ std::vector<Corners> welded(const SceneObject& mesh) {
   return triangles;
 }
 
-/// One triangle's side of an edge, lower corner first.
-struct Side {
+/// An edge as one of its triangles has it, lower corner first.
+struct HalfEdge {
   int low, high, triangle;
   auto edge() const { return std::pair(low, high); }
 };
 
 /// Sorted by edge.
-std::vector<Side> sides_of(const std::vector<Corners>& triangles) {
-  std::vector<Side> sides;
+std::vector<HalfEdge> half_edges_of(const std::vector<Corners>& triangles) {
+  std::vector<HalfEdge> half_edges;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto [low, high] = std::minmax(triangles[t][k], triangles[t][(k + 1) % 3]);
-      sides.push_back({low, high, static_cast<int>(t)});
+      half_edges.push_back({low, high, static_cast<int>(t)});
     }
   }
-  std::ranges::stable_sort(sides, {}, &Side::edge);
-  return sides;
+  std::ranges::stable_sort(half_edges, {}, &HalfEdge::edge);
+  return half_edges;
 }
 
 int root_of(std::vector<int>& parent, int t) {
@@ -68,12 +68,14 @@ int root_of(std::vector<int>& parent, int t) {
 }
 
 /// The part of each triangle; parts are numbered by their first triangle.
-std::vector<int> parts_of(std::size_t triangles, const std::vector<Side>& sides, int& count) {
+std::vector<int> parts_of(std::size_t triangles, const std::vector<HalfEdge>& half_edges,
+                          int& count) {
   std::vector<int> parent(triangles);
   std::iota(parent.begin(), parent.end(), 0);
-  for (std::size_t k = 1; k < sides.size(); ++k) {
-    if (sides[k].edge() != sides[k - 1].edge()) continue;
-    const int a = root_of(parent, sides[k - 1].triangle), b = root_of(parent, sides[k].triangle);
+  for (std::size_t k = 1; k < half_edges.size(); ++k) {
+    if (half_edges[k].edge() != half_edges[k - 1].edge()) continue;
+    const int a = root_of(parent, half_edges[k - 1].triangle),
+              b = root_of(parent, half_edges[k].triangle);
     parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
   }
   std::vector<int> part(triangles);
@@ -135,14 +137,14 @@ std::string mesh_problem(const SceneObject& mesh) {
 MeshSolid make_mesh_solid(const SceneObject& mesh) {
   MeshSolid solid;
   const std::vector<Corners> triangles = welded(mesh);
-  const std::vector<Side> sides = sides_of(triangles);
+  const std::vector<HalfEdge> half_edges = half_edges_of(triangles);
   int parts = 0;
-  const std::vector<int> part = parts_of(triangles.size(), sides, parts);
+  const std::vector<int> part = parts_of(triangles.size(), half_edges, parts);
   solid.closed.assign(static_cast<std::size_t>(parts), 1);
-  for (auto side = sides.begin(); side != sides.end();) {
+  for (auto side = half_edges.begin(); side != half_edges.end();) {
     const auto next = std::upper_bound(
-        side, sides.end(), side->edge(),
-        [](const std::pair<int, int>& edge, const Side& other) { return edge < other.edge(); });
+        side, half_edges.end(), side->edge(),
+        [](const std::pair<int, int>& edge, const HalfEdge& other) { return edge < other.edge(); });
     const auto leaky = static_cast<std::size_t>(side->triangle);
     if ((next - side) % 2 == 1) solid.closed[static_cast<std::size_t>(part[leaky])] = 0;
     side = next;

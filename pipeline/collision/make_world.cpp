@@ -41,9 +41,10 @@ void set_touching(const Movement& movement, CollisionWorld& world) {
     if (!(value <= with)) value = with;
   };
   for (const Phase& phase : movement.phases) {
-    if (phase.name == "preshape") lower(preshape_s, phase.begin_s);
-    if (phase.name == "grasp") lower(grasp_s, phase.begin_s);
-    const bool holding = phase.name == "grasp" || phase.name == "hold" || phase.name == "transport";
+    if (phase.kind == PhaseKind::preshape) lower(preshape_s, phase.begin_s);
+    if (phase.kind == PhaseKind::grasp) lower(grasp_s, phase.begin_s);
+    const bool holding = phase.kind == PhaseKind::grasp || phase.kind == PhaseKind::hold ||
+                         phase.kind == PhaseKind::transport;
     if (holding && !(end_s >= phase.end_s)) end_s = phase.end_s;
   }
   const double begin_s = std::isnan(preshape_s) ? grasp_s : preshape_s;

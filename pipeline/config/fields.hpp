@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "pipeline/config/node.hpp"
+#include "pipeline/motion/named.hpp"
 
 namespace morphe::config {
 
@@ -22,7 +23,8 @@ namespace morphe::config {
 ///
 /// read_options(node, options) leaves defaults where a key is absent; write_options gives YAML that
 /// read_options takes back to the same values. Supported: bool, int, std::uint64_t, double,
-/// std::string, Vec3, vectors and optionals of these, and structs with fields() of their own.
+/// std::string, Vec3, named enumerations, vectors and optionals of these, and structs with fields()
+/// of their own.
 class FieldReader;
 class FieldWriter;
 
@@ -71,6 +73,13 @@ class FieldReader {
   static void read(const ConfigNode& n, double& value) { value = n.number(); }
   static void read(const ConfigNode& n, std::string& value) { value = n.text(); }
   static void read(const ConfigNode& n, Vec3& value) { value = n.vec3(); }
+  template <Named E>
+  static void read(const ConfigNode& n, E& value) {
+    const std::string word = n.text();
+    const std::optional<E> known = named<E>(word);
+    if (!known) n.fail(fmt::format("must be {}, not '{}'", choice_of<E>(), word));
+    value = *known;
+  }
   template <class T>
   static void read(const ConfigNode& n, std::vector<T>& values) {
     values.clear();
@@ -115,6 +124,10 @@ class FieldWriter {
     std::string quoted;
     for (const char c : value) quoted += c == '\'' ? std::string("''") : std::string(1, c);
     return fmt::format(" '{}'", quoted);
+  }
+  template <Named E>
+  static std::string write(E value, const std::string& indent) {
+    return write(std::string(name_of(value)), indent);
   }
   static std::string write(const Vec3& value, const std::string&) {
     return fmt::format(" [{}, {}, {}]", value.x(), value.y(), value.z());

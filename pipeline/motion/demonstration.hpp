@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "pipeline/motion/geometry.hpp"
+#include "pipeline/motion/movement.hpp"
 #include "pipeline/motion/scene.hpp"
+#include "pipeline/motion/side.hpp"
 
 namespace morphe {
 
@@ -33,6 +35,9 @@ struct AngleStream {
 };
 
 enum class HandKind { glove, joint_angles, keypoints, fingertips };
+constexpr std::array<std::string_view, 4> names_of(HandKind) {
+  return {"glove", "joint_angles", "keypoints", "fingertips"};
+}
 
 struct HandStream {
   HandKind kind = HandKind::fingertips;
@@ -61,14 +66,14 @@ struct SensorOffsets {
 
 struct Label {
   double begin_s = 0, end_s = 0;
-  std::string phase;
+  PhaseKind phase = PhaseKind::rest;
 };
 
 /// One recording of one person's arm and hand. World frame: X to the subject's right, Y forward,
 /// Z up; the importer brings a recording into it.
 struct Demonstration {
   std::string name, subject, task;
-  std::string hand = "right";
+  Side hand = Side::right;
   std::string source, licence;
   std::optional<double> upper_arm, forearm, hand_length, hand_breadth;  ///< [m]
   Streams streams;

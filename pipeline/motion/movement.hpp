@@ -1,17 +1,24 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "pipeline/motion/named.hpp"
 
 namespace morphe {
 
-/// Phase names in the order in which they may follow each other; a file's uint8 phase is the
-/// index here. `preshape` is the part of the reach in which the hand opens.
-inline constexpr const char* kPhaseNames[] = {"rest", "reach",     "preshape", "grasp",
-                                              "hold", "transport", "return"};
+/// What a person does, in the order in which phases may follow each other; a file's uint8 phase is
+/// the number here. `preshape` is the part of the reach in which the hand opens.
+enum class PhaseKind : std::uint8_t { rest, reach, preshape, grasp, hold, transport, go_back };
+constexpr std::array<std::string_view, 7> names_of(PhaseKind) {
+  return {"rest", "reach", "preshape", "grasp", "hold", "transport", "return"};
+}
 
 struct Phase {
-  std::string name;
+  PhaseKind kind = PhaseKind::rest;
   double begin_s = 0, end_s = 0;                    ///< in the demonstration
   double confidence = 1;                            ///< 0 … 1
   double begin_confidence = 1, end_confidence = 1;  ///< how sure each boundary is, 0 … 1
@@ -26,8 +33,10 @@ struct Movement {
   std::string target;             ///< object grasped, "" if none
 };
 
-/// Index into kPhaseNames of the phase at a time: the shortest one that contains it, "rest" if
-/// none.
-int phase_at(const std::vector<Phase>& phases, double time_s);
+/// The phase at a time: the shortest one that contains it (borders do), rest if none.
+PhaseKind phase_at(const std::vector<Phase>& phases, double time_s);
+
+/// The last phase of a kind, null if there is none.
+const Phase* last_phase(const Movement& movement, PhaseKind kind);
 
 }  // namespace morphe

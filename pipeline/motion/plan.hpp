@@ -4,12 +4,16 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pipeline/motion/geometry.hpp"
 #include "pipeline/motion/human_motion.hpp"
 #include "pipeline/motion/movement.hpp"
+#include "pipeline/motion/named.hpp"
+#include "pipeline/motion/reason.hpp"
 #include "pipeline/motion/scene.hpp"
+#include "pipeline/motion/side.hpp"
 
 namespace morphe {
 
@@ -35,7 +39,9 @@ struct Goals {
 };
 
 enum class FrameStatus : std::uint8_t { met = 0, compromise = 1, out_of_reach = 2, no_goal = 3 };
-inline constexpr const char* kFrameStatusNames[] = {"met", "compromise", "out_of_reach", "no_goal"};
+constexpr std::array<std::string_view, 4> names_of(FrameStatus) {
+  return {"met", "compromise", "out_of_reach", "no_goal"};
+}
 
 struct Mapped {
   JointRows position;               ///< [F, n] [rad]
@@ -46,16 +52,28 @@ struct Mapped {
   std::vector<FrameStatus> status;  ///< [F]
 };
 
+/// What is wrong with a stretch of a path: the robot meets itself, an object or the table; a joint
+/// is beyond a limit or jumps; a tip is too far from its goal.
+enum class Cause : std::uint8_t { jump, limit, object, self, table, tracking };
+constexpr std::array<std::string_view, 6> names_of(Cause) {
+  return {"jump", "limit", "object", "self", "table", "tracking"};
+}
+constexpr bool is_collision(Cause cause) {
+  return cause == Cause::self || cause == Cause::object || cause == Cause::table;
+}
+
 /// An interval of a path that cannot be executed.
 struct Finding {
   double begin_s = 0, end_s = 0;  ///< demonstration time
-  std::string cause;              ///< self, object, table, limit, tracking, jump
-  std::string first, second;      ///< capsule and capsule or object; joint; tip
-  double depth = 0;               ///< how far beyond what is allowed [m or rad], > 0
+  Cause cause = Cause::jump;
+  std::string first, second;  ///< capsule and capsule or object; joint; tip
+  double depth = 0;           ///< how far beyond what is allowed [m or rad], > 0
 };
 
 enum class Origin : std::uint8_t { mapped = 0, resolved = 1, planned = 2 };
-inline constexpr const char* kOriginNames[] = {"mapped", "re-solved", "planned"};
+constexpr std::array<std::string_view, 3> names_of(Origin) {
+  return {"mapped", "re-solved", "planned"};
+}
 
 /// Joint positions along a movement; time here is only a label.
 struct JointPath {
@@ -69,7 +87,7 @@ struct Trajectory {
   std::vector<double> time;                    ///< [T] from 0, strictly increasing [s]
   JointRows position, velocity, acceleration;  ///< [T, n]
   std::vector<double> demonstration_time;      ///< [T]
-  std::vector<std::uint8_t> phase;             ///< [T] index into kPhaseNames
+  std::vector<PhaseKind> phase;                ///< [T]
   std::vector<Origin> origin;                  ///< [T]
   std::vector<double> clearance;               ///< [T] [m], least over pairs that may not touch
 
@@ -115,10 +133,11 @@ struct Tolerances {
 /// A movement and all that became of it. Every movement of every demonstration ends as one.
 struct Plan {
   std::string demonstration;
-  std::string subject, task, hand;
+  std::string subject, task;
+  Side hand = Side::right;
   Movement movement;
-  std::string reason = "unplanned";  ///< short code, "" = executable
-  std::string detail;                ///< a sentence
+  Reason reason = Reason::unplanned;  ///< none: executable
+  std::string detail;                 ///< a sentence
   Tolerances tolerances;
   Goals goals;
   Scene scene;  ///< in the robot's base frame
@@ -131,7 +150,7 @@ struct Plan {
   Trajectory retreat;     ///< from the last sample back home, likewise
   Certificate certificate;
 
-  bool executable() const { return reason.empty(); }
+  bool executable() const { return reason == Reason::none; }
 };
 
 /// What a plans.h5 says of itself as a whole.

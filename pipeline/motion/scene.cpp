@@ -1,15 +1,8 @@
 #include "pipeline/motion/scene.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace morphe {
-namespace {
-
-constexpr std::array<const char*, 5> kShapeNames{"sphere", "box", "cylinder", "capsule", "mesh"};
-
-}  // namespace
-
 Pose recorded_pose(const SceneObject& object, double time_s) {
   const auto upper = std::upper_bound(object.time.begin(), object.time.end(), time_s);
   const auto after = static_cast<std::size_t>(upper - object.time.begin());
@@ -23,15 +16,6 @@ Pose recorded_pose(const SceneObject& object, double time_s) {
   const double share = (time_s - object.time[before]) / span_s;
   return make_pose((1 - share) * object.position[before] + share * object.position[after],
                    object.orientation[before].slerp(share, object.orientation[after]));
-}
-
-const char* shape_name(Shape shape) { return kShapeNames[static_cast<std::size_t>(shape)]; }
-
-bool parse_shape(const std::string& name, Shape& shape) {
-  const auto found = std::find(kShapeNames.begin(), kShapeNames.end(), name);
-  if (found == kShapeNames.end()) return false;
-  shape = static_cast<Shape>(found - kShapeNames.begin());
-  return true;
 }
 
 }  // namespace morphe

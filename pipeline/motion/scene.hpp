@@ -1,10 +1,13 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pipeline/motion/geometry.hpp"
+#include "pipeline/motion/named.hpp"
 
 namespace morphe {
 
@@ -13,6 +16,9 @@ struct MeshSolid;  // pipeline/collision/mesh_solid.hpp
 }
 
 enum class Shape { sphere, box, cylinder, capsule, mesh };
+constexpr std::array<std::string_view, 5> names_of(Shape) {
+  return {"sphere", "box", "cylinder", "capsule", "mesh"};
+}
 
 /// A body of the world. Poses are those of the body's centre; cylinder and capsule lie along z.
 /// size: sphere {r}; box {full x, y, z}; cylinder and capsule {r, length along z} (a capsule's
@@ -40,9 +46,5 @@ struct Scene {
 /// Pose of an object at a demonstration time, as recorded: linear in position, slerp in
 /// orientation, held before the first and after the last sample. Attachment is not considered.
 Pose recorded_pose(const SceneObject& object, double time_s);
-
-const char* shape_name(Shape shape);
-/// False if no shape has that name.
-bool parse_shape(const std::string& name, Shape& shape);
 
 }  // namespace morphe

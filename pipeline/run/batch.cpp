@@ -35,7 +35,7 @@ BatchSummary summary_of(const DemonstrationOutcome& outcome) {
       ++summary.executable;
     } else {
       ++summary.infeasible;
-      ++summary.reasons[plan.reason];
+      ++summary.reasons[std::string(name_of(plan.reason))];
     }
     if (plan.certificate.repaired) ++summary.repaired;
     count_goals(plan, summary);

@@ -62,10 +62,6 @@ class BytesWriter {
   void maybe(const char* name, const std::optional<T>& value) {
     if (value) attribute(name, *value);
   }
-  template <class Enum, std::size_t N>
-  void choice(const char* name, Enum value, const char* const (&choices)[N]) {
-    attribute(name, std::string(choices[static_cast<std::size_t>(value)]));
-  }
   template <class Body>
   void group(const std::string& name, const Body& body) {
     begin(name);
@@ -97,6 +93,8 @@ class BytesWriter {
       put_text(value);
     } else if constexpr (std::is_same_v<T, bool>) {
       put_item(std::uint8_t{value});
+    } else if constexpr (Named<T>) {
+      put_text(name_of(value));
     } else {
       using Codec = ItemCodec<T>;
       typename Codec::Scalar scalars[Codec::size];
@@ -158,14 +156,6 @@ class BytesReader {
   void maybe(const char* name, std::optional<T>& value) {
     if (comes(name)) attribute(name, value.emplace());
   }
-  template <class Enum, std::size_t N>
-  void choice(const char* name, Enum& value, const char* const (&choices)[N]) {
-    std::string text;
-    attribute(name, text);
-    const auto found = std::find(std::begin(choices), std::end(choices), text);
-    if (found == std::end(choices)) damaged();
-    value = static_cast<Enum>(found - std::begin(choices));
-  }
   template <class Body>
   void group(const std::string& name, const Body& body) {
     expect(name);
@@ -225,6 +215,10 @@ class BytesReader {
       std::uint8_t number = 0;
       take_item(number);
       value = number != 0;
+    } else if constexpr (Named<T>) {
+      const std::optional<T> known = named<T>(take_text());
+      if (!known) damaged();
+      value = *known;
     } else {
       using Codec = ItemCodec<T>;
       typename Codec::Scalar scalars[Codec::size];

@@ -129,13 +129,13 @@ Faults faults_of(const Mapped& mapped, std::size_t frames, const RobotTable& rob
   faults.table("humanlikeness", mapped.humanlikeness, frames, 3);
   faults.length("status", mapped.status.size(), frames);
   for (const FrameStatus status : mapped.status)
-    faults.index("status", static_cast<int>(status), 0, std::size(kFrameStatusNames));
+    faults.index("status", static_cast<int>(status), 0, count_of<FrameStatus>());
   return faults;
 }
 
 void check_origin(Faults& faults, const std::vector<Origin>& origins) {
   for (const Origin origin : origins)
-    faults.index("origin", static_cast<int>(origin), 0, std::size(kOriginNames));
+    faults.index("origin", static_cast<int>(origin), 0, count_of<Origin>());
 }
 
 Faults faults_of(const Trajectory& trajectory, const std::string& path, std::size_t joints) {
@@ -148,8 +148,8 @@ Faults faults_of(const Trajectory& trajectory, const std::string& path, std::siz
   faults.length("phase", trajectory.phase.size(), samples);
   faults.length("origin", trajectory.origin.size(), samples);
   faults.length("clearance", trajectory.clearance.size(), samples);
-  for (const std::uint8_t phase : trajectory.phase)
-    faults.index("phase", phase, 0, std::size(kPhaseNames));
+  for (const PhaseKind phase : trajectory.phase)
+    faults.index("phase", static_cast<int>(phase), 0, count_of<PhaseKind>());
   check_origin(faults, trajectory.origin);
   return faults;
 }
@@ -178,8 +178,6 @@ Faults faults_of(const Grasp& grasp, std::size_t samples, const RobotTable& robo
 
 std::string inconsistency(const Demonstration& demonstration) {
   Faults faults;
-  faults.require(demonstration.hand == "right" || demonstration.hand == "left", "@hand",
-                 fmt::format("is '{}', not right or left", demonstration.hand));
   faults.take(faults_of(demonstration.streams, ""));
   faults.take(faults_of(demonstration.calibration, "calibration/"));
   if (const auto& offsets = demonstration.sensor_offsets) {

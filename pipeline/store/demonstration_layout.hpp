@@ -10,8 +10,6 @@
 
 namespace morphe::store {
 
-inline constexpr const char* kHandKinds[] = {"glove", "joint_angles", "keypoints", "fingertips"};
-
 /// A group that is there if the stream is; reading makes the stream.
 template <class Io, class Stream, class Body>
 void lay_out_stream(Io& io, const char* name, Stream& stream, const Body& body) {
@@ -46,7 +44,7 @@ void lay_out_streams(Io& io, T& streams) {
     in.dataset("angles", stream.angles, {"rad", "", ""});
   });
   lay_out_stream(io, "hand", streams.hand, [&](Io& in, auto& stream) {
-    in.choice("kind", stream.kind, kHandKinds);
+    in.attribute("kind", stream.kind);
     in.dataset("time", stream.time, {"s", "", ""});
     if (stream.kind == HandKind::glove) in.attribute("sensors", stream.names);
     if (stream.kind == HandKind::joint_angles) in.attribute("joints", stream.names);

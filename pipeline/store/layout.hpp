@@ -6,9 +6,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "pipeline/motion/named.hpp"
 #include "pipeline/store/array_codec.hpp"
 #include "pipeline/store/hdf5_file.hpp"
 
@@ -21,13 +23,22 @@ struct Tags {
   std::string meaning;  ///< of a coded number: "0=rest,1=reach,…"
 };
 
-/// "0=rest,1=reach,…" of a table of names.
-template <std::size_t N>
-std::string meaning_of(const char* const (&names)[N]) {
+/// "0=rest,1=reach,…" of an enumeration.
+template <Named E>
+std::string meaning() {
   std::string text;
-  for (std::size_t i = 0; i < N; ++i) text += fmt::format("{}{}={}", i > 0 ? "," : "", i, names[i]);
+  for (std::size_t i = 0; i < count_of<E>(); ++i)
+    text += fmt::format("{}{}={}", i > 0 ? "," : "", i, name_of(static_cast<E>(i)));
   return text;
 }
+
+/// How a row's member stands in a column: truth as a byte, an enumeration by its names.
+template <class Member>
+struct ColumnItem : std::type_identity<Member> {};
+template <>
+struct ColumnItem<bool> : std::type_identity<std::uint8_t> {};
+template <Named E>
+struct ColumnItem<E> : std::type_identity<std::string> {};
 
 /// A layout is written once, as a function template over these two classes and over a struct
 /// (const for writing): what one writes, the other takes back bit for bit.
@@ -53,11 +64,17 @@ class LayoutWriter {
   template <class Row, class Member>
   void column(const char* name, const std::vector<Row>& rows, Member Row::*member,
               const Tags& tags) {
-    using Item = std::conditional_t<std::is_same_v<Member, bool>, std::uint8_t, Member>;
+    using Item = typename ColumnItem<Member>::type;
     std::vector<Item> values;
     values.reserve(rows.size());
-    for (const Row& row : rows) values.push_back(row.*member);
-    if constexpr (std::is_same_v<Member, std::string>) {
+    for (const Row& row : rows) {
+      if constexpr (Named<Member>) {
+        values.emplace_back(name_of(row.*member));
+      } else {
+        values.push_back(row.*member);
+      }
+    }
+    if constexpr (std::is_same_v<Item, std::string>) {
       names(name, values);
     } else {
       dataset(name, values, tags);
@@ -76,10 +93,13 @@ class LayoutWriter {
   void maybe(const char* name, const std::optional<T>& value) {
     if (value) attribute(name, *value);
   }
-  /// An attribute that holds the name of an enum's value.
-  template <class Enum, std::size_t N>
-  void choice(const char* name, Enum value, const char* const (&choices)[N]) {
-    group_.set(name, std::string(choices[static_cast<std::size_t>(value)]));
+  template <Named E>
+  void attribute(const char* name, const E& value) {
+    group_.set(name, std::string(name_of(value)));
+  }
+  template <Named E>
+  void maybe(const char* name, const E& value) {
+    attribute(name, value);
   }
   template <class Body>
   void group(const std::string& name, const Body& body) {
@@ -127,9 +147,9 @@ class LayoutReader {
   /// The first column read decides how many rows there are.
   template <class Row, class Member>
   void column(const char* name, std::vector<Row>& rows, Member Row::*member, const Tags& tags) {
-    using Item = std::conditional_t<std::is_same_v<Member, bool>, std::uint8_t, Member>;
+    using Item = typename ColumnItem<Member>::type;
     std::vector<Item> values;
-    if constexpr (std::is_same_v<Member, std::string>) {
+    if constexpr (std::is_same_v<Item, std::string>) {
       names(name, values);
     } else {
       dataset(name, values, tags);
@@ -138,8 +158,15 @@ class LayoutReader {
     rows_known_ = true;
     if (rows.size() != values.size())
       group_.fail(name, fmt::format("has {} rows, not {}", values.size(), rows.size()));
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      rows[i].*member = static_cast<Member>(std::move(values[i]));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if constexpr (Named<Member>) {
+        const std::optional<Member> value = named<Member>(values[i]);
+        if (!value) group_.fail(name, fmt::format("holds '{}', which is not known", values[i]));
+        rows[i].*member = *value;
+      } else {
+        rows[i].*member = static_cast<Member>(std::move(values[i]));
+      }
+    }
   }
   template <class T>
   void attribute(const char* name, T& value) {
@@ -163,14 +190,17 @@ class LayoutReader {
   void maybe(const char* name, std::optional<T>& value) {
     if (group_.has_attribute(name)) attribute(name, value.emplace());
   }
-  template <class Enum, std::size_t N>
-  void choice(const char* name, Enum& value, const char* const (&choices)[N]) {
+  template <Named E>
+  void attribute(const char* name, E& value) {
     std::string text;
     group_.get(name, text);
-    const auto found = std::find(std::begin(choices), std::end(choices), text);
-    if (found == std::end(choices))
-      group_.fail(fmt::format("@{} is '{}', which is not known", name, text));
-    value = static_cast<Enum>(found - std::begin(choices));
+    const std::optional<E> known = named<E>(text);
+    if (!known) group_.fail(fmt::format("@{} is '{}', which is not known", name, text));
+    value = *known;
+  }
+  template <Named E>
+  void maybe(const char* name, E& value) {
+    if (group_.has_attribute(name)) attribute(name, value);
   }
   template <class Body>
   void group(const std::string& name, const Body& body) {

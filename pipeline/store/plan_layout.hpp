@@ -31,7 +31,7 @@ void lay_out_mapped(Io& io, T& mapped) {
   io.dataset("orientation_error", mapped.orientation_error, {"rad", "", ""});
   io.dataset("objective", mapped.objective, {"1", "", ""});
   io.dataset("humanlikeness", mapped.humanlikeness, {"m^2,m^2,m^3", "", ""});
-  io.dataset("status", mapped.status, {"1", "", meaning_of(kFrameStatusNames)});
+  io.dataset("status", mapped.status, {"1", "", meaning<FrameStatus>()});
 }
 
 template <class Io, class T>
@@ -61,8 +61,8 @@ void lay_out_trajectory(Io& io, T& trajectory) {
   io.dataset("velocity", trajectory.velocity, {"rad/s", "", ""});
   io.dataset("acceleration", trajectory.acceleration, {"rad/s^2", "", ""});
   io.dataset("demonstration_time", trajectory.demonstration_time, {"s", "", ""});
-  io.dataset("phase", trajectory.phase, {"1", "", meaning_of(kPhaseNames)});
-  io.dataset("origin", trajectory.origin, {"1", "", meaning_of(kOriginNames)});
+  io.dataset("phase", trajectory.phase, {"1", "", meaning<PhaseKind>()});
+  io.dataset("origin", trajectory.origin, {"1", "", meaning<Origin>()});
   io.dataset("clearance", trajectory.clearance, {"m", "", ""});
 }
 
@@ -99,7 +99,8 @@ void lay_out_status(Io& io, T& plan) {
   std::string status = expected;
   io.attribute("status", status);
   if (status != expected)
-    io.here().fail(fmt::format("@status is '{}' with the @reason '{}'", status, plan.reason));
+    io.here().fail(
+        fmt::format("@status is '{}' with the @reason '{}'", status, name_of(plan.reason)));
 }
 
 /// /plans/<demonstration>/<movement> of docs/formats.md.
@@ -118,7 +119,7 @@ void lay_out_plan(Io& io, T& plan) {
   io.attribute("tracking", plan.tolerances.tracking);
   io.group("goals", [&](Io& in) { lay_out_goals(in, plan.goals); });
   io.group("phases", [&](Io& in) {
-    in.column("name", plan.movement.phases, &Phase::name, {});
+    in.column("name", plan.movement.phases, &Phase::kind, {});
     in.column("begin_s", plan.movement.phases, &Phase::begin_s, {"s", "", ""});
     in.column("end_s", plan.movement.phases, &Phase::end_s, {"s", "", ""});
     in.column("confidence", plan.movement.phases, &Phase::confidence, {"1", "", ""});
@@ -131,7 +132,7 @@ void lay_out_plan(Io& io, T& plan) {
   io.group("findings", [&](Io& in) { lay_out_findings(in, plan.findings); });
   io.group("path", [&](Io& in) {
     in.dataset("position", plan.path.position, {"rad", "", ""});
-    in.dataset("origin", plan.path.origin, {"1", "", meaning_of(kOriginNames)});
+    in.dataset("origin", plan.path.origin, {"1", "", meaning<Origin>()});
     in.dataset("demonstration_time", plan.path.demonstration_time, {"s", "", ""});
   });
   io.group_if(plan.grasp.sample >= 0, "grasp", [&](Io& in) { lay_out_grasp(in, plan.grasp); });

@@ -9,8 +9,6 @@
 
 namespace morphe::store {
 
-inline constexpr const char* kStoredShapes[] = {"sphere", "box", "cylinder", "capsule", "mesh"};
-
 /// A time that may be unknown: no attribute, NaN.
 template <class Io, class Time>
 void lay_out_time(Io& io, const char* name, Time& time_s) {
@@ -23,7 +21,7 @@ void lay_out_time(Io& io, const char* name, Time& time_s) {
 /// objects/<name>/ and scene/<object>/ of docs/formats.md.
 template <class Io, class T>
 void lay_out_object(Io& io, T& object, const std::string& frame) {
-  io.choice("shape", object.shape, kStoredShapes);
+  io.attribute("shape", object.shape);
   const bool mesh = object.shape == Shape::mesh;
   if (!mesh) io.attribute("size", object.size);
   io.dataset("time", object.time, {"s", "", ""});

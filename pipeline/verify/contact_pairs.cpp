@@ -23,9 +23,10 @@ TouchWindow touch_window(const std::vector<Phase>& phases) {
     if (!held || time_s < *held) held = time_s;
   };
   for (const Phase& phase : phases) {
-    if (phase.name == "preshape") earlier(preshape, phase.begin_s);
-    if (phase.name == "grasp") earlier(grasp, phase.begin_s);
-    if (phase.name == "grasp" || phase.name == "hold" || phase.name == "transport")
+    if (phase.kind == PhaseKind::preshape) earlier(preshape, phase.begin_s);
+    if (phase.kind == PhaseKind::grasp) earlier(grasp, phase.begin_s);
+    if (phase.kind == PhaseKind::grasp || phase.kind == PhaseKind::hold ||
+        phase.kind == PhaseKind::transport)
       end = std::max(end.value_or(phase.end_s), phase.end_s);
   }
   if (!preshape) preshape = grasp;

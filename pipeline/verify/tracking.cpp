@@ -19,8 +19,8 @@ GoalShare goal_share(const Goals& goals, double time_s) {
 
 bool is_grasping(const std::vector<Phase>& phases, double time_s) {
   return std::any_of(phases.begin(), phases.end(), [&](const Phase& phase) {
-    return (phase.name == "grasp" || phase.name == "hold") && time_s >= phase.begin_s &&
-           time_s <= phase.end_s;
+    return (phase.kind == PhaseKind::grasp || phase.kind == PhaseKind::hold) &&
+           time_s >= phase.begin_s && time_s <= phase.end_s;
   });
 }
 

@@ -93,13 +93,13 @@ std::string off_goals(const RobotTable& robot, const Trajectory& trajectory,
 CertifyResult certify_motion(const collision::CollisionWorld& world, Trajectory& trajectory,
                              bool path_was_free) {
   CertifyResult result;
-  const auto fail = [&](const char* reason, const std::string& sentence) {
-    if (!result.reason.empty() || sentence.empty()) return;
+  const auto fail = [&](Reason reason, const std::string& sentence) {
+    if (result.reason != Reason::none || sentence.empty()) return;
     result.reason = reason;
     result.detail = sentence;
   };
   if (trajectory.samples() < 2) {
-    fail("limit", "the trajectory has fewer than two samples");
+    fail(Reason::limit, "the trajectory has fewer than two samples");
     return result;
   }
   Certificate& c = result.certificate;
@@ -108,7 +108,7 @@ CertifyResult certify_motion(const collision::CollisionWorld& world, Trajectory&
   c.velocity_ratio = limits.velocity.ratio;
   c.acceleration_ratio = limits.acceleration.ratio;
   c.jerk_ratio = limits.jerk.ratio;
-  fail("limit", beyond_limits(*world.robot, trajectory, limits));
+  fail(Reason::limit, beyond_limits(*world.robot, trajectory, limits));
 
   collision::CollisionScratch scratch;
   fill_clearance(world, trajectory, scratch);
@@ -116,7 +116,7 @@ CertifyResult certify_motion(const collision::CollisionWorld& world, Trajectory&
   const collision::JointMotion motion = trajectory_motion(trajectory);
   c.clearance =
       collision::motion_clearance(world, reach, motion, scratch, kClearanceResolution_m).at_least;
-  fail(path_was_free ? "smoothing" : "collision",
+  fail(path_was_free ? Reason::smoothing : Reason::collision,
        contacts(world, reach, motion, trajectory, scratch));
   return result;
 }
@@ -138,8 +138,8 @@ CertifyResult certify(const collision::CollisionWorld& around, const Goals& goal
   c.upper_arm_error_max = errors.upper_arm_max;
   c.upper_arm_error_mean = errors.upper_arm_mean;
   const std::string off = off_goals(*world.robot, trajectory, errors);
-  if (result.reason.empty() && !off.empty()) {
-    result.reason = "tracking";
+  if (result.reason == Reason::none && !off.empty()) {
+    result.reason = Reason::tracking;
     result.detail = off;
   }
 

@@ -8,9 +8,9 @@
 namespace morphe::certify {
 
 struct CertifyResult {
-  Certificate certificate;  ///< filled in as far as it could be, also if something fails
-  std::string reason;       ///< "" = all of it holds; limit, smoothing, collision, tracking
-  std::string detail;       ///< a sentence with sample or time, what and how much
+  Certificate certificate;       ///< filled in as far as it could be, also if something fails
+  Reason reason = Reason::none;  ///< all of it holds; or limit, smoothing, collision, tracking
+  std::string detail;            ///< a sentence with sample or time, what and how much
 };
 
 /// The limits and contacts alone, for a motion without goals. The world stands as it is.

@@ -30,8 +30,8 @@ Vec3 point_at(const std::vector<Vec3>& points, const Between& at) {
 
 bool grasping(const Movement& movement, double time_s) {
   return std::any_of(movement.phases.begin(), movement.phases.end(), [&](const Phase& phase) {
-    return (phase.name == "grasp" || phase.name == "hold") && time_s >= phase.begin_s &&
-           time_s <= phase.end_s;
+    return (phase.kind == PhaseKind::grasp || phase.kind == PhaseKind::hold) &&
+           time_s >= phase.begin_s && time_s <= phase.end_s;
   });
 }
 

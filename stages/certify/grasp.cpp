@@ -52,7 +52,7 @@ Grasp find_grasp(const RobotTable& robot, const Scene& scene, const Movement& mo
   Grasp grasp;
   const SceneObject* target = target_of(scene, movement);
   const auto phase = std::find_if(movement.phases.begin(), movement.phases.end(),
-                                  [](const Phase& p) { return p.name == "grasp"; });
+                                  [](const Phase& p) { return p.kind == PhaseKind::grasp; });
   if (!target || phase == movement.phases.end() || trajectory.samples() == 0) return grasp;
   const auto& times = trajectory.demonstration_time;
   const auto found = std::lower_bound(times.begin(), times.end(), phase->begin_s);

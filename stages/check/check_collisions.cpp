@@ -15,9 +15,9 @@ void add_pair(const collision::CollisionWorld& world, const collision::PairSepar
               std::size_t first, std::size_t last, double depth_m, FindingRows& rows) {
   const std::string one = collision::first_name(world, pair),
                     other = collision::second_name(world, pair);
-  rows.add(!pair.object       ? "self"
-           : other == "table" ? "table"
-                              : "object",
+  rows.add(!pair.object       ? Cause::self
+           : other == "table" ? Cause::table
+                              : Cause::object,
            one, other, first, last, depth_m);
 }
 
@@ -104,10 +104,10 @@ struct Walk {
 
 }  // namespace
 
-void check_collisions(const collision::CollisionWorld& world, const JointPath& path,
-                      const std::string& engine, FindingRows& rows) {
+void check_collisions(const collision::CollisionWorld& world, const JointPath& path, Engine engine,
+                      FindingRows& rows) {
   Walk walk{world, path, collision::capsule_reach(*world.robot), {}, {}, {}};
-  if (engine == "fcl") {
+  if (engine == Engine::fcl) {
     walk.by_fcl(rows);
   } else {
     walk.certified(rows);

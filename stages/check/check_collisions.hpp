@@ -6,7 +6,7 @@
 namespace morphe::check {
 
 /// The causes self, object and table of check_path().
-void check_collisions(const collision::CollisionWorld& world, const JointPath& path,
-                      const std::string& engine, FindingRows& rows);
+void check_collisions(const collision::CollisionWorld& world, const JointPath& path, Engine engine,
+                      FindingRows& rows);
 
 }  // namespace morphe::check

@@ -24,7 +24,7 @@ void check_limits(const RobotTable& robot, const JointPath& path, FindingRows& r
       const double beyond = std::isnan(q)
                                 ? std::numeric_limits<double>::infinity()
                                 : std::max(robot.lower[joint] - q, q - robot.upper[joint]);
-      if (beyond > kLimitTolerance) rows.add("limit", robot.joint_names[j], "", k, k, beyond);
+      if (beyond > kLimitTolerance) rows.add(Cause::limit, robot.joint_names[j], "", k, k, beyond);
     }
   }
 }
@@ -42,8 +42,8 @@ Vec3 goal_at(const Goals& goals, std::size_t tip, double time_s) {
 }
 
 bool grasps(const Movement& movement, double time_s) {
-  const std::string phase = kPhaseNames[phase_at(movement.phases, time_s)];
-  return phase == "grasp" || phase == "hold";
+  const PhaseKind phase = phase_at(movement.phases, time_s);
+  return phase == PhaseKind::grasp || phase == PhaseKind::hold;
 }
 
 /// Samples beside the grasp count to it: some of the motion between does.
@@ -69,7 +69,7 @@ void check_tracking(const RobotTable& robot, const Goals& goals, const Movement&
       if (!seen(goal)) continue;
       const Vec3 reached = robot::tip_pose(robot, base_from_frame, tip).translation();
       const double beyond_m = (reached - goal).norm() - allowed_m;
-      if (beyond_m > 0) rows.add("tracking", robot.tips[tip].name, "", k, k, beyond_m);
+      if (beyond_m > 0) rows.add(Cause::tracking, robot.tips[tip].name, "", k, k, beyond_m);
     }
   }
 }
@@ -104,7 +104,7 @@ void check_jumps(const RobotTable& robot, const JointPath& path, double jump_ste
     for (std::size_t k = 0; k < steps.size(); ++k) {
       if (steps[k] <= jump_step || planned(k) || planned(k + 1)) continue;
       if (steps[k] <= kIsolated * mean_of_neighbours(steps, k)) continue;
-      rows.add("jump", robot.joint_names[j], "", k, k + 1, steps[k] - jump_step);
+      rows.add(Cause::jump, robot.joint_names[j], "", k, k + 1, steps[k] - jump_step);
     }
   }
 }
@@ -117,7 +117,6 @@ std::string why_invalid(const CheckOptions& options) {
   if (!(t.contact_depth >= 0)) return "contact_depth must not be negative";
   if (!(t.tracking_grasp > 0 && t.tracking > 0)) return "tracking tolerances must be positive";
   if (!(options.jump_step > 0)) return "jump_step must be positive";
-  if (options.engine != "closed" && options.engine != "fcl") return "engine must be closed or fcl";
   return "";
 }
 

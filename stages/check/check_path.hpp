@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <string_view>
 #include <vector>
 
 #include "pipeline/collision/certified.hpp"
@@ -7,11 +9,15 @@
 
 namespace morphe::check {
 
+/// Exact distances, certified between samples; or FCL's verdict alone, at samples less than a
+/// margin apart.
+enum class Engine { closed, fcl };
+constexpr std::array<std::string_view, 2> names_of(Engine) { return {"closed", "fcl"}; }
+
 struct CheckOptions {
   Tolerances tolerances;
-  std::string engine = "closed";  ///< closed: exact distances, certified between samples; fcl:
-                                  ///< FCL's verdict alone, at samples less than a margin apart
-  double jump_step = 0.06;        ///< a joint step that may be a change of basin [rad per 10 ms]
+  Engine engine = Engine::closed;
+  double jump_step = 0.06;  ///< a joint step that may be a change of basin [rad per 10 ms]
 };
 template <class Fields>
 void fields(Fields& f, CheckOptions& o) {

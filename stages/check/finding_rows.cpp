@@ -4,7 +4,7 @@
 
 namespace morphe::check {
 
-void FindingRows::add(const std::string& cause, const std::string& one, const std::string& other,
+void FindingRows::add(Cause cause, const std::string& one, const std::string& other,
                       std::size_t first, std::size_t last, double depth) {
   rows_[{cause, one, other}].push_back({first, last, depth});
 }

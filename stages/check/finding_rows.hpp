@@ -13,8 +13,8 @@ namespace morphe::check {
 class FindingRows {
  public:
   /// Wrong from sample `first` to sample `last`.
-  void add(const std::string& cause, const std::string& one, const std::string& other,
-           std::size_t first, std::size_t last, double depth);
+  void add(Cause cause, const std::string& one, const std::string& other, std::size_t first,
+           std::size_t last, double depth);
   /// Ordered by begin, then cause and names. Rows of one cause and pair whose samples are
   /// neighbours are one finding, with the greatest depth.
   std::vector<Finding> join(const std::vector<double>& demonstration_time) const;
@@ -24,7 +24,7 @@ class FindingRows {
     std::size_t first, last;
     double depth;
   };
-  std::map<std::tuple<std::string, std::string, std::string>, std::vector<Row>> rows_;
+  std::map<std::tuple<Cause, std::string, std::string>, std::vector<Row>> rows_;
 };
 
 }  // namespace morphe::check

@@ -27,7 +27,7 @@ Json json_of(const StreamReport& s) {
 Json json_of(const MovementReport& report) {
   Json phases = Json::array();
   for (const Phase& phase : report.movement.phases) {
-    phases.push_back({{"name", phase.name},
+    phases.push_back({{"name", name_of(phase.kind)},
                       {"begin_s", phase.begin_s},
                       {"end_s", phase.end_s},
                       {"confidence", phase.confidence},
@@ -63,7 +63,7 @@ Json json_of(const Inspection& i) {
           {"problems", i.problems},
           {"subject", i.subject},
           {"task", i.task},
-          {"hand", i.hand},
+          {"hand", name_of(i.hand)},
           {"calibration", json_list(i.calibration)},
           {"objects", i.objects},
           {"rebuilt", rebuilt},
@@ -91,8 +91,9 @@ void add_movement(const MovementReport& report, std::string& text) {
   text +=
       fmt::format("  movement {:.2f} to {:.2f} s:", report.movement.begin_s, report.movement.end_s);
   for (const Phase& phase : report.movement.phases) {
-    text += fmt::format(" {} {:.2f}-{:.2f} ({:.0f} %, {:.0f} %)", phase.name, phase.begin_s,
-                        phase.end_s, 100 * phase.begin_confidence, 100 * phase.end_confidence);
+    text +=
+        fmt::format(" {} {:.2f}-{:.2f} ({:.0f} %, {:.0f} %)", name_of(phase.kind), phase.begin_s,
+                    phase.end_s, 100 * phase.begin_confidence, 100 * phase.end_confidence);
   }
   if (!report.movement.target.empty()) text += fmt::format("; takes {}", report.movement.target);
   if (!report.unusable.empty()) text += fmt::format("; unusable, {}", report.unusable);
@@ -102,7 +103,7 @@ void add_movement(const MovementReport& report, std::string& text) {
 }  // namespace
 
 std::string inspection_text(const Inspection& i) {
-  std::string text = fmt::format("{}: {:.2f} s, {} hand", i.name, i.duration_s, i.hand);
+  std::string text = fmt::format("{}: {:.2f} s, {} hand", i.name, i.duration_s, name_of(i.hand));
   if (!i.subject.empty()) text += fmt::format(", subject {}", i.subject);
   if (!i.task.empty()) text += fmt::format(", {}", i.task);
   text += "\n";

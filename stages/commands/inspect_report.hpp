@@ -20,7 +20,8 @@ struct MovementReport {
 
 /// What a demonstration holds and what of it will be usable.
 struct Inspection {
-  std::string name, subject, task, hand;
+  std::string name, subject, task;
+  Side hand = Side::right;
   double duration_s = 0;
   std::vector<StreamReport> streams, calibration;
   std::vector<std::string> objects;

@@ -76,14 +76,16 @@ std::string plan_rows(const Plan& plan) {
       number(1e3 * c.position_error_max, 2), number(kDegrees * c.upper_arm_error_mean, 1),
       number(1e3 * c.clearance, 1), number(c.tempo, 2));
   if (!plan.executable()) {
-    const bool said = plan.detail.starts_with(plan.reason + ":");
-    rows += said ? "\n  " + plan.detail : fmt::format("\n  {}: {}", plan.reason, plan.detail);
+    const bool said = plan.detail.starts_with(fmt::format("{}:", name_of(plan.reason)));
+    rows +=
+        said ? "\n  " + plan.detail : fmt::format("\n  {}: {}", name_of(plan.reason), plan.detail);
   }
   if (plan.executable() && !plan.detail.empty()) rows += "\n  note: " + plan.detail;
   for (const Finding& finding : plan.findings) {
-    rows += fmt::format("\n  found: {} {}{} at {:.2f}-{:.2f} s, {:.4f} too far", finding.cause,
-                        finding.first, finding.second.empty() ? "" : " " + finding.second,
-                        finding.begin_s, finding.end_s, finding.depth);
+    rows +=
+        fmt::format("\n  found: {} {}{} at {:.2f}-{:.2f} s, {:.4f} too far", name_of(finding.cause),
+                    finding.first, finding.second.empty() ? "" : " " + finding.second,
+                    finding.begin_s, finding.end_s, finding.depth);
   }
   return rows;
 }

@@ -34,14 +34,15 @@ std::string what_is_wrong(const Trajectory& t) {
   for (std::size_t i = 0; i < t.samples(); ++i) {
     const bool later = i == 0 ? std::isfinite(t.time[0]) : t.time[i] > t.time[i - 1];
     if (!later || !std::isfinite(t.time[i])) return "the trajectory's time does not increase";
-    if (!(t.phase[i] < std::size(kPhaseNames))) return "the trajectory holds unknown phases";
+    if (!(static_cast<std::size_t>(t.phase[i]) < count_of<PhaseKind>()))
+      return "the trajectory holds unknown phases";
   }
   return "";
 }
 
 /// "" if a plan can be exported.
 std::string why_not(const Plan& plan) {
-  if (!plan.executable()) return fmt::format("{}: {}", plan.reason, plan.detail);
+  if (!plan.executable()) return fmt::format("{}: {}", name_of(plan.reason), plan.detail);
   if (const std::string wrong = what_is_wrong(plan.trajectory); !wrong.empty()) return wrong;
   for (const Trajectory* way : {&plan.approach, &plan.retreat}) {
     const std::string wrong = way->samples() > 0 ? what_is_wrong(*way) : "";

@@ -41,7 +41,7 @@ RobomimicDemo robomimic_demo(const RobotTable& robot, const Plan& plan, bool tar
   const auto samples = static_cast<Eigen::Index>(t.samples());
   const auto tips = static_cast<Eigen::Index>(robot.tips.size());
   JointRows tip_positions(samples, 3 * tips), palm_position(samples, 3), palm_turn(samples, 4);
-  JointRows phase = JointRows::Zero(samples, std::size(kPhaseNames));
+  JointRows phase = JointRows::Zero(samples, count_of<PhaseKind>());
   std::vector<Pose> base_from_frame;
   for (Eigen::Index i = 0; i < samples; ++i) {
     robot::forward(robot, t.position.row(i).transpose(), base_from_frame);
@@ -56,7 +56,7 @@ RobomimicDemo robomimic_demo(const RobotTable& robot, const Plan& plan, bool tar
     palm_turn.row(i) = wxyz(Quat(palm.linear()));
     // A quaternion and its opposite are one rotation: no jumps between them.
     if (i > 0 && palm_turn.row(i).dot(palm_turn.row(i - 1)) < 0) palm_turn.row(i) *= -1;
-    phase(i, t.phase[static_cast<std::size_t>(i)]) = 1;
+    phase(i, static_cast<Eigen::Index>(t.phase[static_cast<std::size_t>(i)])) = 1;
   }
   RobomimicDemo demo{fmt::format("{}/{:03}", plan.demonstration, plan.movement.index),
                      plan.subject,

@@ -24,7 +24,7 @@ std::string trajectory_csv(const RobotTable& robot, const Trajectory& t) {
   text += "\n";
   for (std::size_t i = 0; i < t.samples(); ++i) {
     fmt::format_to(std::back_inserter(text), "{:.17g},{:.17g},{}", t.time[i],
-                   t.demonstration_time[i], kPhaseNames[t.phase[i]]);
+                   t.demonstration_time[i], name_of(t.phase[i]));
     for (const JointRows* rows : {&t.position, &t.velocity, &t.acceleration}) {
       for (const double value : rows->row(static_cast<Eigen::Index>(i))) {
         fmt::format_to(std::back_inserter(text), ",{:.17g}", value);

@@ -18,7 +18,7 @@ struct RecordingFiles {
   std::filesystem::path glove, static_glove;   ///< of their own, beside the two; empty = none
   std::filesystem::path glove_calibration;     ///< YAML, for raw counts; empty = none
   std::map<std::string, std::string> renamed;  ///< recorded marker or joint name -> name used here
-  std::string hand = "right";                  ///< which one was recorded
+  Side hand = Side::right;                     ///< which one was recorded
   Conventions conventions;                     ///< what the file itself does not say
 };
 

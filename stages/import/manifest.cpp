@@ -40,9 +40,6 @@ std::vector<Label> read_labels(const config::ConfigNode& node) {
     reader.required("phase", label.phase);
     reader.required("begin_s", label.begin_s);
     reader.required("end_s", label.end_s);
-    if (std::ranges::find(kPhaseNames, label.phase) == std::end(kPhaseNames)) {
-      item["phase"].fail(fmt::format("'{}' is no phase", label.phase));
-    }
     if (!(label.end_s > label.begin_s)) item.fail("must end after it begins");
   }
   return labels;
@@ -64,9 +61,6 @@ std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file) {
     reader("name", entry.name);
     shared_fields(reader, entry);
     if (item.has("labels")) entry.labels = read_labels(item["labels"]);
-    if (entry.hand != "right" && entry.hand != "left") {
-      item.fail("hand must be right or left");
-    }
     for (const auto& length :
          {entry.upper_arm, entry.forearm, entry.hand_length, entry.hand_breadth}) {
       if (length && *length <= 0) item.fail("lengths must be positive (metres)");

@@ -18,7 +18,8 @@ struct ManifestEntry {
   std::string name;    ///< "" = the file's name without its extension
   std::string format;  ///< "" = by content
   std::string names;   ///< YAML map of recorded names to ours; "" = none
-  std::string subject, task, hand = "right", source, licence;
+  std::string subject, task, source, licence;
+  Side hand = Side::right;
   Conventions conventions;
   std::vector<Label> labels;          ///< phases that somebody marked
   std::vector<MarkerObject> objects;  ///< bodies that carry markers

@@ -96,14 +96,14 @@ Eigen::Matrix3d axes_of(const Points& shape) {
 }  // namespace
 
 std::string why_invalid(const MarkerObject& object) {
-  Shape shape = Shape::box;
-  if (!parse_shape(object.shape, shape) || shape == Shape::mesh) {
+  const std::optional<Shape> shape = named<Shape>(object.shape);
+  if (!shape || *shape == Shape::mesh) {
     return fmt::format("shape must be sphere, box, cylinder or capsule, not '{}'", object.shape);
   }
   if (object.size.empty()) {
     return shape == Shape::box ? "" : fmt::format("a {} needs its size", object.shape);
   }
-  const std::size_t wanted = kSizes[static_cast<std::size_t>(shape)];
+  const std::size_t wanted = kSizes[static_cast<std::size_t>(*shape)];
   if (object.size.size() != wanted ||
       std::ranges::any_of(object.size, [](double length) { return !(length > 0); })) {
     return fmt::format("the size of a {} is {} positive lengths", object.shape, wanted);
@@ -142,7 +142,7 @@ void add_marker_object(const std::string& file, const MarkerObject& object,
 
   SceneObject body;
   body.name = object.name;
-  parse_shape(object.shape, body.shape);
+  body.shape = named<Shape>(object.shape).value_or(Shape::box);
   body.size = object.size;
   if (body.size.empty()) {
     const Vec3 sizes = extent.sizes();

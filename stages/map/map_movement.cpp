@@ -133,7 +133,7 @@ MapResult map_movement(const MappingProblem& problem, Goals& goals, const MapOpt
       std::any_of(tracked.goals.begin(), tracked.goals.end(),
                   [](const humanlike::FrameGoal& goal) { return goal.tips_seen() > 0; });
   if (problem.frames() < 5 || !any_goal) {
-    result.reason = "no_goal";
+    result.reason = Reason::no_goal;
     result.detail = any_goal ? "the movement has fewer than 5 frames"
                              : "no fingertip was seen in the whole movement";
     return result;

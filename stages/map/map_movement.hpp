@@ -10,7 +10,7 @@
 namespace morphe::map {
 
 struct MapResult {
-  std::string reason;  ///< "" or why there is no mapping: "no_goal"
+  Reason reason = Reason::none;  ///< or no_goal
   std::string detail;
   Mapped mapped;
   JointPath path;                       ///< the mapped positions, all Origin::mapped

@@ -53,10 +53,6 @@ std::string why_invalid(const BaseOffset& o) {
 }
 
 std::string why_invalid(const MapOptions& o) {
-  if (std::ranges::find(kMapModeNames, o.mode) == std::end(kMapModeNames)) {
-    return "mode must be humanlike, joint_to_joint, inverse_kinematics or fingertip_only, not '" +
-           o.mode + "'";
-  }
   const double weights[] = {o.tip_position,           o.tip_orientation,
                             o.hand_orientation,       o.humanlike_arm,
                             o.humanlike_fingers,      o.humanlike_triangle,
@@ -79,11 +75,6 @@ std::string why_invalid(const MapOptions& o) {
   return "";
 }
 
-MapMode mode_of(const MapOptions& options) {
-  const auto* const named = std::ranges::find(kMapModeNames, options.mode);
-  return static_cast<MapMode>(named - std::begin(kMapModeNames));
-}
-
 humanlike::FrameObjective make_objective(const MapOptions& options, const RobotTable& robot) {
   humanlike::FrameObjective objective;
   objective.tip_position.weight = options.tip_position;
@@ -102,7 +93,7 @@ humanlike::FrameObjective make_objective(const MapOptions& options, const RobotT
     entry.tips = tips_moved_by(robot, entry.joint);
     objective.posture.joints.push_back(std::move(entry));
   }
-  set_mode(mode_of(options), objective);
+  set_mode(options.mode, objective);
   return objective;
 }
 

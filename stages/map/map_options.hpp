@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pipeline/humanlike/frame_objective.hpp"
@@ -21,8 +23,9 @@ namespace morphe::map {
 ///   fingertip_only      the tips' positions alone: no humanlikeness, and no orientation of tips
 ///                       or hand either
 enum class MapMode { humanlike, joint_to_joint, inverse_kinematics, fingertip_only };
-inline constexpr const char* kMapModeNames[] = {"humanlike", "joint_to_joint", "inverse_kinematics",
-                                                "fingertip_only"};
+constexpr std::array<std::string_view, 4> names_of(MapMode) {
+  return {"humanlike", "joint_to_joint", "inverse_kinematics", "fingertip_only"};
+}
 
 /// What a joint does while no goal asks anything of it: q = value, or q = q_follow + value.
 struct NaturalJoint {
@@ -45,7 +48,7 @@ std::string why_invalid(const BaseOffset& options);
 
 /// Config section `map`: weights of Eq. (16), our terms beside it, and the search.
 struct MapOptions {
-  std::string mode = "humanlike";  ///< one of kMapModeNames
+  MapMode mode = MapMode::humanlike;
   /// w_x [1/m²]. Humanlikeness, clearance and smoothness all pull tips off their goals, by as much
   /// as they outweigh this: 1000 leaves up to 1.4 mm on the shipped recordings, 20000 at most
   /// 0.25 mm. The clearance term's weight is a tenth of it: tips give way to collisions as before.
@@ -110,9 +113,6 @@ void fields(Fields& f, MapOptions& o) {
   f("movement", o.movement);
 }
 std::string why_invalid(const MapOptions& options);
-
-/// The mode that the options name; they must pass why_invalid().
-MapMode mode_of(const MapOptions& options);
 
 /// The frame objective that the options and the robot make; InputError if `natural` names an
 /// unknown joint.

@@ -1,5 +1,7 @@
 #include "stages/map/phase_weights.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -7,8 +9,7 @@
 namespace morphe::map {
 namespace {
 
-humanlike::FrameWeights of_phase(const std::vector<PhaseWeights>& weights,
-                                 const std::string& phase) {
+humanlike::FrameWeights of_phase(const std::vector<PhaseWeights>& weights, PhaseKind phase) {
   for (const PhaseWeights& w : weights) {
     if (w.phase == phase) {
       return {w.tip_position, w.tip_orientation, w.humanlike_arm, w.humanlike_fingers};
@@ -22,11 +23,9 @@ humanlike::FrameWeights of_phase(const std::vector<PhaseWeights>& weights,
 std::string why_invalid(const std::vector<PhaseWeights>& weights) {
   for (std::size_t i = 0; i < weights.size(); ++i) {
     const PhaseWeights& w = weights[i];
-    if (std::ranges::find(kPhaseNames, w.phase) == std::end(kPhaseNames)) {
-      return "there is no phase '" + w.phase + "'";
-    }
     for (std::size_t k = 0; k < i; ++k) {
-      if (weights[k].phase == w.phase) return "phase " + w.phase + " is named twice";
+      if (weights[k].phase == w.phase)
+        return fmt::format("phase {} is named twice", name_of(w.phase));
     }
     if (std::min({w.tip_position, w.tip_orientation, w.humanlike_arm, w.humanlike_fingers}) < 0) {
       return "weights must not be negative";
@@ -39,9 +38,7 @@ humanlike::FrameWeights weights_at(const std::vector<PhaseWeights>& weights,
                                    const std::vector<Phase>& phases, double time_s,
                                    double blend_s) {
   if (weights.empty()) return {};
-  const auto at = [&](double t) {
-    return of_phase(weights, kPhaseNames[static_cast<std::size_t>(phase_at(phases, t))]);
-  };
+  const auto at = [&](double t) { return of_phase(weights, phase_at(phases, t)); };
   if (blend_s <= 0) return at(time_s);
   // The window from -1 to 1, cut where a phase begins or ends.
   std::vector<double> cuts{-1, 1};

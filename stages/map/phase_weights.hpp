@@ -11,7 +11,7 @@ namespace morphe::map {
 /// Config list `map.phases`: what a phase multiplies the weights of `map` by. Reaching may favour
 /// humanlikeness, grasping accuracy.
 struct PhaseWeights {
-  std::string phase;  ///< one of kPhaseNames
+  PhaseKind phase = PhaseKind::rest;
   double tip_position = 1, tip_orientation = 1, humanlike_arm = 1, humanlike_fingers = 1;
 };
 template <class Fields>
@@ -22,7 +22,7 @@ void fields(Fields& f, PhaseWeights& o) {
   f("humanlike_arm", o.humanlike_arm);
   f("humanlike_fingers", o.humanlike_fingers);
 }
-/// Empty, or what is wrong: an unknown phase, one named twice, a negative weight.
+/// Empty, or what is wrong: a phase named twice, a negative weight.
 std::string why_invalid(const std::vector<PhaseWeights>& weights);
 
 /// The weights' shares at a time: those of the phases around it in the proportion in which they

@@ -16,7 +16,7 @@ certify::CertifyResult run_along(const Planner& planner, const collision::Collis
                                  const JointPath& path, const ApproachOptions& options,
                                  double time_s, Trajectory& trajectory) {
   retime::RetimeOptions time_law = planner.config.retime;
-  time_law.mode = "fastest";
+  time_law.mode = retime::Tempo::fastest;
   time_law.duration_s.reset();
   time_law.phase_speed.clear();
   time_law.limit_share *= options.limit_share;
@@ -25,16 +25,20 @@ certify::CertifyResult run_along(const Planner& planner, const collision::Collis
     certify::CertifyResult result;
     result.reason = retimed.reason;
     result.detail = retimed.detail;
-    if (!retimed.reason.empty()) return result;
+    if (retimed.reason != Reason::none) return result;
     trajectory = std::move(retimed.trajectory);
     // The demonstration waits meanwhile: touching is judged by that moment.
     std::ranges::fill(trajectory.demonstration_time, time_s);
-    std::ranges::fill(trajectory.phase, std::uint8_t{0});
+    std::ranges::fill(trajectory.phase, PhaseKind::rest);
     result = certify::certify_motion(world, trajectory);
     const bool smoothed = time_law.tip_tolerance + time_law.joint_tolerance > 0;
-    if (result.reason != "smoothing" || !smoothed) return result;
+    if (result.reason != Reason::smoothing || !smoothed) return result;
     time_law.tip_tolerance = time_law.joint_tolerance = 0;
   }
+}
+
+std::string sentence(const certify::CertifyResult& run) {
+  return fmt::format("{}: {}", name_of(run.reason), run.detail);
 }
 
 /// Why there is no way between two postures.
@@ -105,27 +109,27 @@ ApproachResult add_approach(const Planner& planner, const ApproachOptions& optio
   const JointPath there =
       repair::plan_transfer(world, planner.capsule_reach, home, first, begin_s, repair, seed);
   if (there.position.rows() == 0) {
-    return {"no_approach", no_way(world, home, first, begin_s, repair)};
+    return {Reason::no_approach, no_way(world, home, first, begin_s, repair)};
   }
   certify::CertifyResult run = run_along(planner, world, there, options, begin_s, plan.approach);
-  if (!run.reason.empty()) return {"no_approach", run.reason + ": " + run.detail};
+  if (run.reason != Reason::none) return {Reason::no_approach, sentence(run)};
   if (!options.back) return {};
 
   if (collision::place_of_target(world, end_s) == collision::TargetPlace::in_hand) {
-    return {"no_retreat", "the target is in the hand at the end"};
+    return {Reason::no_retreat, "the target is in the hand at the end"};
   }
   const JointPath back =
       repair::plan_transfer(world, planner.capsule_reach, last, home, end_s, repair, seed + 1);
-  run.reason = "no way";
+  run.reason = Reason::no_path;
   if (back.position.rows() > 0) {
     run = run_along(planner, world, back, options, end_s, plan.retreat);
   }
-  if (!run.reason.empty()) {
+  if (run.reason != Reason::none) {
     run = run_along(planner, world, reversed(way, there), options, end_s, plan.retreat);
   }
-  if (run.reason.empty()) return {};
-  return {"no_retreat", back.position.rows() == 0 ? no_way(world, last, home, end_s, repair)
-                                                  : run.reason + ": " + run.detail};
+  if (run.reason == Reason::none) return {};
+  return {Reason::no_retreat,
+          back.position.rows() == 0 ? no_way(world, last, home, end_s, repair) : sentence(run)};
 }
 
 }  // namespace morphe::planning

@@ -18,7 +18,8 @@ JointVector home_posture(const RobotTable& robot, const ApproachOptions& options
 /// may be touched on the way; where no other is found it goes back the way it came. A target in the
 /// hand at the end would have to be carried home: there is no retreat then.
 struct ApproachResult {
-  std::string reason, detail;  ///< "" = done
+  Reason reason = Reason::none;  ///< done
+  std::string detail;
 };
 ApproachResult add_approach(const Planner& planner, const ApproachOptions& options,
                             std::uint64_t seed, Plan& plan);

@@ -68,7 +68,8 @@ map::MappingProblem scaled(const map::MappingProblem& problem, double clearance)
 }
 
 bool tracked(const std::vector<Finding>& findings) {
-  return std::ranges::none_of(findings, [](const Finding& f) { return f.cause == "tracking"; });
+  return std::ranges::none_of(findings,
+                              [](const Finding& f) { return f.cause == Cause::tracking; });
 }
 
 }  // namespace
@@ -84,7 +85,7 @@ std::optional<repair::DeadEnd> find_dead_end(const map::MappingProblem& problem,
   for (const std::size_t frame : frames_of(findings, problem.time)) {
     if (problem.time[frame] >= attached_from(*problem.world)) continue;
     const Moment moment{problem, frame, judge};
-    repair::DeadEnd end{"unreachable", problem.time[frame], 0, {}};
+    repair::DeadEnd end{Reason::unreachable, problem.time[frame], 0, {}};
     double least = std::numeric_limits<double>::infinity();
     bool held = false;
     const auto attempt = [&](const JointVector& start) {
@@ -113,7 +114,7 @@ std::optional<repair::DeadEnd> find_dead_end(const map::MappingProblem& problem,
                            map::quick(options.solver), seed + frame, scratch)) {
       const JointVector q =
           map::solve_frame(scaled(decided, 0), frame, start.x, options.solver, scratch).x;
-      if (tracked(moment.findings(q))) end.reason = "goal_in_collision";
+      if (tracked(moment.findings(q))) end.reason = Reason::goal_in_collision;
     }
     return end;
   }

@@ -27,7 +27,7 @@ void carry(const Planner& planner, const HumanMotion& motion, const Movement& mo
   const RobotTable& robot = planner.robot;
   for (SceneObject& object : scene.objects) {
     if (object.name != movement.target || !(object.attach_s < movement.end_s)) continue;
-    if (planner.config.scene.target.carried == "palm") {
+    if (planner.config.scene.target.carried == scene::Carrier::palm) {
       object.attached_frame = robot.frames[static_cast<std::size_t>(robot.palm_frame)].name;
     } else {
       scene::carry_between_tips(motion, movement, object);
@@ -90,7 +90,7 @@ PlacedMovement::PlacedMovement(const Planner& planner, const HumanMotion& motion
   known = mapping_scene(config, scene, movement);
   world = collision::make_world(robot, known, movement, config.check.tolerances);
   problem = map::make_mapping_problem(robot, goals, world, config.map, movement.phases);
-  if (map::mode_of(config.map) == map::MapMode::joint_to_joint) {
+  if (config.map.mode == map::MapMode::joint_to_joint) {
     problem.goals = map::joint_to_joint_goals(robot, motion.hand_angles, motion.time, goals);
   }
 }

@@ -43,7 +43,7 @@ Plan begin_plan(const Demonstration& demonstration, const Movement& movement,
   return plan;
 }
 
-Plan fail(Plan plan, const std::string& reason, const std::string& detail) {
+Plan fail(Plan plan, Reason reason, const std::string& detail) {
   plan.reason = reason;
   plan.detail = detail;
   plan.trajectory = plan.approach = plan.retreat = {};
@@ -54,8 +54,8 @@ Plan fail(Plan plan, const std::string& reason, const std::string& detail) {
 bool grasp_seen(const Goals& goals, const Movement& movement) {
   bool asked = false;
   for (std::size_t f = 0; f < goals.frames(); ++f) {
-    const std::string phase = kPhaseNames[phase_at(movement.phases, goals.time[f])];
-    if (phase != "grasp" && phase != "hold") continue;
+    const PhaseKind phase = phase_at(movement.phases, goals.time[f]);
+    if (phase != PhaseKind::grasp && phase != PhaseKind::hold) continue;
     asked = true;
     for (std::size_t tip = 0; tip < goals.tip_position.cols; ++tip) {
       if (seen(goals.tip_position(f, tip))) return true;
@@ -97,7 +97,7 @@ std::string warnings(const RobotTable& robot, const Scene& scene, const Goals& g
   if (asked.size() == 1) sentences.push_back("no tip but " + asked.front() + " has goals");
   for (const Phase& phase : movement.phases) {
     if (phase.begin_s > movement.end_s || phase.confidence > kUncertain) continue;
-    sentences.push_back(fmt::format("{} begins or ends uncertainly ({:.0f} %)", phase.name,
+    sentences.push_back(fmt::format("{} begins or ends uncertainly ({:.0f} %)", name_of(phase.kind),
                                     100 * phase.confidence));
   }
   sentences.insert(sentences.end(), motion.problems.begin(), motion.problems.end());
@@ -114,7 +114,7 @@ void finish(const Planner& planner, const collision::CollisionWorld& world, Plan
       return retime::retime(planner.robot, plan.path, plan.movement, options);
     });
     certify::CertifyResult certified;
-    if (retimed.reason.empty()) {
+    if (retimed.reason == Reason::none) {
       plan.trajectory = std::move(retimed.trajectory);
       certified = timed(seconds, "certify", [&] {
         return certify::certify(world, plan.goals, plan.movement, plan.trajectory, plan.mapped);
@@ -127,7 +127,8 @@ void finish(const Planner& planner, const collision::CollisionWorld& world, Plan
     certified.certificate.natural_posture_error = plan.certificate.natural_posture_error;
     plan.certificate = certified.certificate;
     const bool smoothed = options.tip_tolerance + options.joint_tolerance > 0;
-    if (smoothed && (certified.reason == "smoothing" || certified.reason == "tracking")) {
+    if (smoothed &&
+        (certified.reason == Reason::smoothing || certified.reason == Reason::tracking)) {
       options.tip_tolerance = options.joint_tolerance = 0;
       continue;
     }
@@ -149,7 +150,7 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
       math::seed_from(config.seed, fmt::format("{}/{}", demonstration.name, movement.index));
 
   if (!map::hand_alone(robot) && !seen(map::shoulder_at_begin(recorded, movement))) {
-    return fail(plan, "no_shoulder", "the shoulder was never seen");
+    return fail(plan, Reason::no_shoulder, "the shoulder was never seen");
   }
   const scene::MovedTarget there = timed(seconds, "scene", [&] {
     const Scene as_recorded = scene_around(planner, demonstration, recorded, plan.movement);
@@ -166,14 +167,14 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
   plan.scene = placed.scene;
   plan.goals = placed.goals;
   if (!grasp_seen(plan.goals, plan.movement)) {
-    return fail(plan, "no_goal", "no fingertip was seen in the grasp");
+    return fail(plan, Reason::no_goal, "no fingertip was seen in the grasp");
   }
   const collision::CollisionWorld world =
       collision::make_world(robot, plan.scene, plan.movement, plan.tolerances);
   map::MapResult mapped = timed(seconds, "map", [&] {
     return map::map_movement(placed.problem, plan.goals, config.map, seed);
   });
-  if (!mapped.reason.empty()) return fail(plan, mapped.reason, mapped.detail);
+  if (mapped.reason != Reason::none) return fail(plan, mapped.reason, mapped.detail);
   plan.mapped = std::move(mapped.mapped);
   plan.path = mapped.path;
   plan.certificate.natural_posture_error = mapped.posture_error_rad;
@@ -187,14 +188,14 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
     });
     plan.path = repaired.path;
     plan.certificate.repaired = repaired.repaired;
-    if (!repaired.reason.empty()) return fail(plan, repaired.reason, repaired.detail);
+    if (repaired.reason != Reason::none) return fail(plan, repaired.reason, repaired.detail);
   }
   finish(planner, world, plan, seconds);
   if (plan.executable()) {
     if (config.approach) {
       const ApproachResult there_and_back = timed(
           seconds, "approach", [&] { return add_approach(planner, *config.approach, seed, plan); });
-      if (!there_and_back.reason.empty()) {
+      if (there_and_back.reason != Reason::none) {
         return fail(plan, there_and_back.reason, there_and_back.detail);
       }
     }
@@ -234,7 +235,7 @@ run::DemonstrationOutcome plan_demonstration(const Planner& planner,
     const std::string detail =
         motion.problems.empty() ? nothing : nothing + "; " + joined(motion.problems);
     outcome.plans.push_back(
-        fail(begin_plan(demonstration, {}, config.check), "no_movement", detail));
+        fail(begin_plan(demonstration, {}, config.check), Reason::no_movement, detail));
   }
   return outcome;
 }

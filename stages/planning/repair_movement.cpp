@@ -24,9 +24,7 @@ constexpr double kRoom = 2e-4;
 std::pair<double, double> badness(const std::vector<Finding>& findings) {
   std::pair<double, double> sum{0, 0};
   for (const Finding& finding : findings) {
-    const bool contact =
-        finding.cause == "self" || finding.cause == "object" || finding.cause == "table";
-    (contact ? sum.first : sum.second) += finding.depth;
+    (is_collision(finding.cause) ? sum.first : sum.second) += finding.depth;
   }
   return sum;
 }
@@ -157,7 +155,7 @@ repair::RepairResult repair_movement(const Planner& planner, const PlacedMovemen
         .path;
   };
   std::vector<Hold> holds;
-  if (map::mode_of(config.map) != map::MapMode::joint_to_joint) {  // which does not ask for tips
+  if (config.map.mode != map::MapMode::joint_to_joint) {  // which does not ask for tips
     steps.dead_end = [&](const JointPath& path, const std::vector<Finding>& findings) {
       const auto judge_moment = [&](const JointPath& moment) { return judge(world, moment); };
       return find_dead_end(whole, path, findings, judge_moment, config.map, seed, holds);
@@ -166,8 +164,8 @@ repair::RepairResult repair_movement(const Planner& planner, const PlacedMovemen
   steps.new_course = NewCourses(whole, config.map, holds, config.repair.searches, seed);
   repair::RepairResult result = repair::repair_path(world, planner.capsule_reach, plan.path,
                                                     plan.findings, steps, config.repair, seed);
-  if (!result.reason.empty() && judge(world, result.path).empty()) {
-    result.reason.clear();
+  if (result.reason != Reason::none && judge(world, result.path).empty()) {
+    result.reason = Reason::none;
     result.detail.clear();
     result.remaining.clear();
     result.repaired = true;

@@ -69,7 +69,7 @@ void mirror(std::vector<SceneObject>& objects) {
 
 Demonstration mirrored(const Demonstration& demonstration) {
   Demonstration result = demonstration;
-  result.hand = "right";
+  result.hand = Side::right;
   mirror(result.streams);
   mirror(result.calibration);
   if (result.sensor_offsets) {
@@ -82,7 +82,7 @@ Demonstration mirrored(const Demonstration& demonstration) {
 
 std::vector<SceneObject> objects_beside_right_hand(const Demonstration& demonstration) {
   std::vector<SceneObject> objects = demonstration.objects;
-  if (demonstration.hand == "left") mirror(objects);
+  if (demonstration.hand == Side::left) mirror(objects);
   return objects;
 }
 

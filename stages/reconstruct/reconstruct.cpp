@@ -40,7 +40,7 @@ HumanMotion unseen_motion(const Clock& clock) {
 
 HumanMotion reconstruct(const Demonstration& demonstration, const ReconstructOptions& options,
                         const HumanOptions& human) {
-  if (demonstration.hand == "left") {
+  if (demonstration.hand == Side::left) {
     HumanMotion motion = reconstruct(mirrored(demonstration), options, human);
     motion.problems.push_back("a left hand, mirrored at X = 0 into a right one");
     return motion;

@@ -76,7 +76,7 @@ bool plan_interval(const Interval& interval, const JointRows& reach, const Repai
   const JointRows original = path.position.middleRows(interval.first, count);
   const JointVector from = original.row(0), to = original.row(count - 1);
 
-  const bool plain = options.method == "rrt_connect";
+  const bool plain = options.method == Method::rrt_connect;
   ConnectSpace space = space_around(robot, original, plain ? 1 : kBox[std::min(attempt, 2)]);
   std::vector<int> all(robot.joints());
   std::iota(all.begin(), all.end(), 0);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -17,18 +18,15 @@ struct Judged {
   std::vector<Finding> findings;
 };
 
-bool is_collision(const Finding& finding) {
-  return finding.cause == "self" || finding.cause == "object" || finding.cause == "table";
-}
 bool collides(const std::vector<Finding>& findings) {
-  return std::any_of(findings.begin(), findings.end(), is_collision);
+  return std::ranges::any_of(findings, is_collision, &Finding::cause);
 }
 
 bool less(const std::vector<Finding>& a, const std::vector<Finding>& b) {
   const auto rank = [](const std::vector<Finding>& findings) {
     double depth = 0;
     for (const Finding& finding : findings) depth += finding.depth;
-    return std::tuple(std::count_if(findings.begin(), findings.end(), is_collision),
+    return std::tuple(std::ranges::count_if(findings, is_collision, &Finding::cause),
                       findings.size(), depth);
   };
   return rank(a) < rank(b);
@@ -47,9 +45,9 @@ bool alike(const std::vector<Finding>& a, const std::vector<Finding>& b) {
 std::string sentence(const Finding& finding) {
   const std::string pair =
       finding.second.empty() ? finding.first : finding.first + " – " + finding.second;
-  return fmt::format("{}: {} from {:.3f} s to {:.3f} s, {:.4f} {} too much", finding.cause, pair,
-                     finding.begin_s, finding.end_s, finding.depth,
-                     finding.cause == "limit" || finding.cause == "jump" ? "rad" : "m");
+  return fmt::format("{}: {} from {:.3f} s to {:.3f} s, {:.4f} {} too much", name_of(finding.cause),
+                     pair, finding.begin_s, finding.end_s, finding.depth,
+                     finding.cause == Cause::limit || finding.cause == Cause::jump ? "rad" : "m");
 }
 
 /// Intervals around all collisions; those that overlap become one.
@@ -57,7 +55,7 @@ std::vector<Interval> intervals_of(const collision::CollisionWorld& world, const
                                    int attempt, const RepairOptions& options) {
   std::vector<std::pair<double, double>> spans;  // [s]
   for (const Finding& finding : judged.findings)
-    if (is_collision(finding)) spans.emplace_back(finding.begin_s, finding.end_s);
+    if (is_collision(finding.cause)) spans.emplace_back(finding.begin_s, finding.end_s);
   std::sort(spans.begin(), spans.end());
 
   const auto around = [&](const std::pair<double, double>& span) {
@@ -108,8 +106,8 @@ void resolve_and_insist(const RepairSteps& steps, Judged& judged) {
   if (worth_insisting(judged.findings)) take_if_less(steps.insist, steps, judged);
 }
 
-std::string end_in_collision(const collision::CollisionWorld& world, const JointPath& path,
-                             std::string& detail) {
+Reason end_in_collision(const collision::CollisionWorld& world, const JointPath& path,
+                        std::string& detail) {
   const Eigen::Index last = path.position.rows() - 1;
   collision::CollisionScratch scratch;
   for (const Eigen::Index row : {Eigen::Index{0}, last}) {
@@ -120,9 +118,9 @@ std::string end_in_collision(const collision::CollisionWorld& world, const Joint
     detail = fmt::format("{} – {} at the {} ({:.3f} s): {:.4f} m too close",
                          collision::first_name(world, pair), collision::second_name(world, pair),
                          row == 0 ? "start" : "goal", time_s, -pair.slack());
-    return row == 0 ? "start_in_collision" : "goal_in_collision";
+    return row == 0 ? Reason::start_in_collision : Reason::goal_in_collision;
   }
-  return "";
+  return Reason::none;
 }
 
 /// Plans around the collisions that are left, more widely in each attempt. A path that collides at
@@ -134,7 +132,7 @@ void detour(const collision::CollisionWorld& around, const JointRows& reach,
   collision::CollisionWorld world = around;  // what the hand carries moves as this path takes it
   collision::carry_target(best.path.demonstration_time, best.path.position, world);
   result.reason = end_in_collision(world, best.path, result.detail);
-  if (!result.reason.empty()) return;
+  if (result.reason != Reason::none) return;
   const Judged base = best;
   for (int attempt = 0; attempt < options.attempts && !best.findings.empty(); ++attempt) {
     // A detour that is free but worse in other ways is planned again from where it began.
@@ -150,22 +148,29 @@ void detour(const collision::CollisionWorld& around, const JointRows& reach,
   }
 }
 
-/// The reason and detail of what is left.
+/// The reason and detail of what is left: collisions first.
 void conclude(const RepairOptions& options, RepairResult& result) {
-  for (const char* cause : {"collision", "limit", "jump", "tracking"}) {
+  const auto worst_of = [&](const auto& counts) {
     const Finding* worst = nullptr;
     for (const Finding& finding : result.remaining) {
-      const bool same =
-          std::string(cause) == "collision" ? is_collision(finding) : finding.cause == cause;
-      if (same && (!worst || finding.depth > worst->depth)) worst = &finding;
+      if (counts(finding.cause) && (!worst || finding.depth > worst->depth)) worst = &finding;
     }
+    return worst;
+  };
+  if (const Finding* worst = worst_of(is_collision)) {
+    result.reason = Reason::no_path;
+    result.detail = fmt::format("{}; no free path in {} attempts of {} iterations",
+                                sentence(*worst), options.attempts, options.iterations);
+    return;
+  }
+  constexpr std::array<std::pair<Cause, Reason>, 3> kOthers{{{Cause::limit, Reason::limit},
+                                                             {Cause::jump, Reason::jump},
+                                                             {Cause::tracking, Reason::tracking}}};
+  for (const auto& [cause, reason] : kOthers) {
+    const Finding* worst = worst_of([&](Cause one) { return one == cause; });
     if (!worst) continue;
-    const bool collision = is_collision(*worst);
-    result.reason = collision ? "no_path" : cause;
+    result.reason = reason;
     result.detail = sentence(*worst);
-    if (collision)
-      result.detail += fmt::format("; no free path in {} attempts of {} iterations",
-                                   options.attempts, options.iterations);
     return;
   }
 }
@@ -188,8 +193,6 @@ bool worth_insisting(const std::vector<Finding>& findings) {
 }
 
 std::string why_invalid(const RepairOptions& options) {
-  if (options.method != "humanlike" && options.method != "rrt_connect")
-    return "method must be humanlike or rrt_connect";
   if (options.attempts < 0) return "attempts must not be negative";
   if (options.iterations < 1) return "iterations must be at least 1";
   if (options.widen_samples < 1) return "widen_samples must be at least 1";
@@ -205,7 +208,7 @@ RepairResult repair_path(const collision::CollisionWorld& around, const JointRow
                          JointPath path, std::vector<Finding> findings, const RepairSteps& given,
                          const RepairOptions& options, std::uint64_t seed) {
   RepairSteps steps = given;
-  if (options.method == "rrt_connect") {
+  if (options.method == Method::rrt_connect) {
     steps = {};
     steps.recheck = given.recheck;
   }
@@ -241,7 +244,7 @@ RepairResult repair_path(const collision::CollisionWorld& around, const JointRow
     other.findings = steps.recheck(other.path);
     resolve_and_insist(steps, other);
     RepairResult of_other;
-    const bool detour_may_do = std::ranges::all_of(other.findings, is_collision);
+    const bool detour_may_do = std::ranges::all_of(other.findings, is_collision, &Finding::cause);
     if (detour_may_do) detour(around, reach, steps, options, seed, other, of_other);
     nearer = less(other.findings, best.findings);
     const bool same = alike(other.findings, best.findings);
@@ -253,7 +256,7 @@ RepairResult repair_path(const collision::CollisionWorld& around, const JointRow
   }
   result.path = std::move(best.path);
   result.remaining = std::move(best.findings);
-  if (result.reason.empty()) conclude(options, result);
+  if (result.reason == Reason::none) conclude(options, result);
   result.repaired = !clean && result.remaining.empty();
   return result;
 }

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pipeline/collision/certified.hpp"
@@ -11,14 +13,18 @@
 
 namespace morphe::repair {
 
+/// `rrt_connect` is a baseline: all joints at once and shortcuts alone.
+enum class Method { humanlike, rrt_connect };
+constexpr std::array<std::string_view, 2> names_of(Method) { return {"humanlike", "rrt_connect"}; }
+
 struct RepairOptions {
-  std::string method = "humanlike";  ///< or a baseline, rrt_connect: all joints and shortcuts alone
-  int attempts = 3;                  ///< times the planner is tried, each wider than the last
-  int iterations = 3000;             ///< of the planner in one attempt at one interval
-  int widen_samples = 20;            ///< added on each side of a finding, once more each attempt
-  double range = 0.1;                ///< longest step of the planner, in shares of a joint's span
-  int shortcut_attempts = 100;       ///< straight lines tried through a planned interval
-  int draw_attempts = 200;           ///< windows of it drawn back to the original path
+  Method method = Method::humanlike;
+  int attempts = 3;             ///< times the planner is tried, each wider than the last
+  int iterations = 3000;        ///< of the planner in one attempt at one interval
+  int widen_samples = 20;       ///< added on each side of a finding, once more each attempt
+  double range = 0.1;           ///< longest step of the planner, in shares of a joint's span
+  int shortcut_attempts = 100;  ///< straight lines tried through a planned interval
+  int draw_attempts = 200;      ///< windows of it drawn back to the original path
   int searches = 3;  ///< of other courses for the whole movement, where the first leads nowhere
   double extra_clearance = 0.005;  ///< planned with this much more than the margin [m]
 };
@@ -39,18 +45,19 @@ std::string why_invalid(const RepairOptions& options);
 struct RepairResult {
   JointPath path;
   bool repaired = false;  ///< the path has changed, and is free now
-  /// "" = free; start_in_collision, goal_in_collision, unreachable, no_path, limit, jump, tracking
-  std::string reason;
+  /// none: free; or start_in_collision, goal_in_collision, unreachable, no_path, limit, jump,
+  /// tracking
+  Reason reason = Reason::none;
   std::string detail;              ///< a sentence that names the finding
   std::vector<Finding> remaining;  ///< what the last check of `path` still found
 };
 
 /// A time of a movement for which no posture is good enough.
 struct DeadEnd {
-  std::string reason;  ///< goal_in_collision; unreachable: obstacles or not
-  double time_s = 0;   ///< demonstration time
-  int tried = 0;       ///< postures that were looked at
-  Finding nearest;     ///< what is wrong with the best of them
+  Reason reason = Reason::unreachable;  ///< obstacles or not; or goal_in_collision
+  double time_s = 0;                    ///< demonstration time
+  int tried = 0;                        ///< postures that were looked at
+  Finding nearest;                      ///< what is wrong with the best of them
 };
 
 /// Whether a path is so near to free that firmer re-solving may make it so.

@@ -42,7 +42,8 @@ double most_pace(const Course& course, double u, const JointRows& q) {
   const double tempo = course.tempo * (1 + course.catch_up * (1 - z * z * (3 - 2 * z)));
   const double pace = std::min(1 / std::max(least_s, 1 / kMostPace), tempo);
   if (course.phase_scale.empty()) return pace;
-  const int phase = phase_at(course.movement->phases, demonstration_time_at(course.clocked, u));
+  const PhaseKind phase =
+      phase_at(course.movement->phases, demonstration_time_at(course.clocked, u));
   return pace * course.phase_scale[static_cast<std::size_t>(phase)];
 }
 

@@ -20,7 +20,7 @@ struct Course {
   double catch_up = 0;                       ///< tempo is greater by this share at both ends …
   double catch_up_s = 0.3;          ///< … falling smoothly to none this far from them [s]
   double tip_speed = kMostPace;     ///< of any tip [m/s]
-  std::vector<double> phase_scale;  ///< of tempo, joint and tip speed, by index of kPhaseNames
+  std::vector<double> phase_scale;  ///< of tempo, joint and tip speed, by number of PhaseKind
   /// Over equal cells of the clock: the limits are those of a motion this many times slower.
   std::vector<double> slowdown;
 };

@@ -19,12 +19,7 @@ constexpr double kKnotStep_s = 0.01;  ///< of the path's spline at most
 constexpr int kCorrections = 12;      ///< of the law, where the quintics are beyond the limits
 constexpr double kInside = 5e-4;      ///< a correction aims this much below them
 constexpr Eigen::Index kReach = 4;    ///< knots around an excess that are slowed with it
-constexpr std::size_t kPhases = std::size(kPhaseNames);
-
-int phase_index(const std::string& name) {
-  const auto* const found = std::find(std::begin(kPhaseNames), std::end(kPhaseNames), name);
-  return found == std::end(kPhaseNames) ? -1 : static_cast<int>(found - std::begin(kPhaseNames));
-}
+constexpr std::size_t kPhases = count_of<PhaseKind>();
 
 std::string what_is_wrong(const RobotTable& robot, const JointPath& path) {
   const auto samples = path.demonstration_time.size();
@@ -88,7 +83,7 @@ Course make_course(const RobotTable& robot, const JointPath& path, const Movemen
   course.tip_speed = options.tip_speed.value_or(kMostPace);
   if (!options.phase_speed.empty()) course.phase_scale.assign(kPhases, 1);
   for (const PhaseSpeed& phase : options.phase_speed) {
-    course.phase_scale[static_cast<std::size_t>(phase_index(phase.phase))] = phase.scale;
+    course.phase_scale[static_cast<std::size_t>(phase.phase)] = phase.scale;
   }
   course.slowdown.assign(static_cast<std::size_t>(course.spline.intervals), 1);
   return course;
@@ -215,16 +210,12 @@ bool follow_for(Eigen::Index periods, const std::function<Course(bool keep_pause
 }  // namespace
 
 std::string why_invalid(const PhaseSpeed& o) {
-  if (phase_index(o.phase) < 0) return fmt::format("there is no phase '{}'", o.phase);
   if (!(o.scale > 0)) return "scale must be positive";
   return "";
 }
 
 std::string why_invalid(const RetimeOptions& o) {
-  if (o.mode != "human" && o.mode != "fastest" && o.mode != "duration") {
-    return fmt::format("mode must be human, fastest or duration, not '{}'", o.mode);
-  }
-  if ((o.mode == "duration") != o.duration_s.has_value()) {
+  if ((o.mode == Tempo::duration) != o.duration_s.has_value()) {
     return "duration_s belongs to the mode duration, which needs it";
   }
   if (o.duration_s && !(*o.duration_s > 0)) return "duration_s must be positive";
@@ -243,12 +234,12 @@ RetimeResult retime(const RobotTable& robot, const JointPath& path, const Moveme
   RetimeResult result;
   result.detail = what_is_wrong(robot, path);
   if (!result.detail.empty()) {
-    result.reason = "path";
+    result.reason = Reason::path;
     return result;
   }
   result.detail = what_is_beyond_limits(robot, path);
   if (!result.detail.empty()) {
-    result.reason = "limit";
+    result.reason = Reason::limit;
     return result;
   }
   const double rate_hz = options.sample_rate_hz;
@@ -257,12 +248,12 @@ RetimeResult retime(const RobotTable& robot, const JointPath& path, const Moveme
   };
   Attempt attempt;
   bool followed = false;
-  if (options.mode == "duration") {
+  if (options.mode == Tempo::duration) {
     const double periods = std::floor(*options.duration_s * rate_hz + 1e-9);
     followed = follow_for(static_cast<Eigen::Index>(periods), make, rate_hz, attempt);
     result.detail = fmt::format("the path cannot be followed in {} s", *options.duration_s);
   } else {
-    const bool human = options.mode == "human";
+    const bool human = options.mode == Tempo::human;
     Course course = make(human);
     const auto pace = [&](Course& c) {
       return human ? pace_human(c, rate_hz) : pace_fastest(c, rate_hz);
@@ -275,7 +266,7 @@ RetimeResult retime(const RobotTable& robot, const JointPath& path, const Moveme
     result.trajectory = std::move(attempt.sampled.trajectory);
     result.detail = "";
   } else {
-    result.reason = options.mode == "duration" ? "duration" : "limit";
+    result.reason = options.mode == Tempo::duration ? Reason::duration : Reason::limit;
   }
   return result;
 }

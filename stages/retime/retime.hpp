@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pipeline/motion/plan.hpp"
@@ -10,7 +12,7 @@
 namespace morphe::retime {
 
 struct PhaseSpeed {
-  std::string phase;  ///< one of kPhaseNames
+  PhaseKind phase = PhaseKind::rest;
   double scale = 1;
 };
 template <class Fields>
@@ -20,8 +22,14 @@ void fields(Fields& f, PhaseSpeed& o) {
 }
 std::string why_invalid(const PhaseSpeed& options);
 
+/// The human's wherever the limits allow it, as fast as they allow, or taking a given time.
+enum class Tempo { human, fastest, duration };
+constexpr std::array<std::string_view, 3> names_of(Tempo) {
+  return {"human", "fastest", "duration"};
+}
+
 struct RetimeOptions {
-  std::string mode = "human";           ///< human | fastest | duration
+  Tempo mode = Tempo::human;
   std::optional<double> duration_s;     ///< mode duration: what it shall take
   double sample_rate_hz = 500;          ///< of the controller
   double limit_share = 1;               ///< of velocity, acceleration and jerk that may be used
@@ -48,9 +56,9 @@ void fields(Fields& f, RetimeOptions& o) {
 std::string why_invalid(const RetimeOptions& options);
 
 struct RetimeResult {
-  std::string reason;     ///< "" = ok, path (not a path of this robot), limit, duration
-  std::string detail;     ///< a sentence
-  Trajectory trajectory;  ///< clearance is NaN until it is certified
+  Reason reason = Reason::none;  ///< or path (not a path of this robot), limit, duration
+  std::string detail;            ///< a sentence
+  Trajectory trajectory;         ///< clearance is NaN until it is certified
   double tip_deviation = 0, joint_deviation = 0;  ///< largest over the path's samples [m], [rad]
 };
 

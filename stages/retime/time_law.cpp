@@ -126,8 +126,7 @@ SampledLaw sample_law(const Course& course, const PacedLaw& paced, double rate_h
     out.demonstration_time.push_back(
         i == 0 ? demonstrated_s : std::max(demonstrated_s, out.demonstration_time.back()));
     out.origin.push_back(origin_at(course.clocked, u));
-    out.phase.push_back(static_cast<std::uint8_t>(
-        phase_at(course.movement->phases, out.demonstration_time.back())));
+    out.phase.push_back(phase_at(course.movement->phases, out.demonstration_time.back()));
     out.clearance.push_back(kNotSeen);
   }
   return sampled;

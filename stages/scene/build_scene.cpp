@@ -13,7 +13,7 @@ SceneObject body(const ConfiguredObject& configured, double time_s) {
   SceneObject object = configured.mesh;
   object.name = configured.name;
   if (object.vertices.empty()) {
-    parse_shape(configured.shape, object.shape);
+    object.shape = named<Shape>(configured.shape).value_or(Shape::box);
     object.size = configured.size;
   }
   object.time = {time_s};
@@ -64,7 +64,7 @@ Scene build_scene(const SceneOptions& options, const Demonstration& demonstratio
   for (const SceneObject& object : demonstration.objects) {
     if (!object.time.empty()) scene.objects.push_back(object);
   }
-  const Phase* grasp = last_phase(movement, "grasp");
+  const Phase* grasp = last_phase(movement, PhaseKind::grasp);
   if (!grasp) {
     movement.target.clear();
     return scene;

@@ -93,6 +93,10 @@ void fields(Fields& f, TargetMove& o) {
   f("rpy", o.rpy);
 }
 
+/// What carries the target from its grasp to its release: thumb and index, or the palm.
+enum class Carrier { fingers, palm };
+constexpr std::array<std::string_view, 2> names_of(Carrier) { return {"fingers", "palm"}; }
+
 /// The object that is grasped, if it was not recorded: an upright cylinder on the table, its axis
 /// midway between thumb and index tip.
 struct TargetOptions {
@@ -105,7 +109,7 @@ struct TargetOptions {
   double min_radius = 0.015;              ///< [m]
   double max_radius = 0.060;              ///< [m]
   std::optional<double> radius;           ///< overrides what is inferred [m]
-  std::string carried = "fingers";        ///< from the grasp to its release: fingers | palm
+  Carrier carried = Carrier::fingers;     ///< from the grasp to its release
   TargetMove moved;                       ///< recorded or inferred, it stands elsewhere
   std::optional<TargetPlacement> placed;  ///< likewise
 };

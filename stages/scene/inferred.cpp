@@ -76,14 +76,6 @@ SceneObject fixed_body(std::string name, Shape shape, std::vector<double> size, 
 
 }  // namespace
 
-const Phase* last_phase(const Movement& movement, const char* name) {
-  const Phase* found = nullptr;
-  for (const Phase& phase : movement.phases) {
-    if (phase.name == name) found = &phase;
-  }
-  return found;
-}
-
 std::optional<SceneObject> infer_table(const TableOptions& options, const HumanMotion& motion,
                                        const Movement& movement) {
   if (!options.infer && !options.height) return std::nullopt;
@@ -138,14 +130,14 @@ GraspTips tips_at_grasp(const HumanMotion& motion, const Phase& grasp) {
 }
 
 void set_carrying(const Movement& movement, const Phase& grasp, SceneObject& target) {
-  const Phase* transport = last_phase(movement, "transport");
+  const Phase* transport = last_phase(movement, PhaseKind::transport);
   target.attach_s = grasp.end_s;
   target.release_s = transport ? transport->end_s : std::max(movement.end_s, grasp.end_s);
 }
 
 std::optional<SceneObject> infer_target(const TargetOptions& options, const HumanMotion& motion,
                                         const Movement& movement, const SceneObject* table) {
-  const Phase* grasp = last_phase(movement, "grasp");
+  const Phase* grasp = last_phase(movement, PhaseKind::grasp);
   if (!options.infer || !grasp) return std::nullopt;
   const GraspTips tips = tips_at_grasp(motion, *grasp);
   if (!seen(tips.thumb) || !seen(tips.index)) return std::nullopt;

@@ -6,9 +6,6 @@
 
 namespace morphe::scene {
 
-/// The part of `phase` in a movement, nullptr if there is none; the last one of that name.
-const Phase* last_phase(const Movement& movement, const char* name);
-
 /// The box "table": top at `height`, or
 ///   min(percentile of all tip heights, lowest planned tip) − tip_clearance.
 /// Nothing if it is switched off, or no tip is seen and no height is given.

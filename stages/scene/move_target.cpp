@@ -106,7 +106,7 @@ MovedTarget move_target(const SceneOptions& options, const HumanMotion& motion,
   const bool asked = options.target.placed || options.target.moved.position != Vec3::Zero() ||
                      options.target.moved.rpy != Vec3::Zero();
   if (!asked) return out;
-  const Phase* grasp = last_phase(movement, "grasp");
+  const Phase* grasp = last_phase(movement, PhaseKind::grasp);
   const auto target = std::ranges::find(out.scene.objects, movement.target, &SceneObject::name);
   if (!grasp || target == out.scene.objects.end()) {
     out.motion.problems.push_back("nothing is grasped: there is no target to stand elsewhere");

@@ -54,7 +54,7 @@ std::vector<ConfiguredObject> moveit_objects(const std::filesystem::path& file) 
   for (const SceneObject& object : moveit::read_moveit_scene(file).objects) {
     ConfiguredObject& configured = objects.emplace_back();
     configured.name = object.name;
-    configured.shape = shape_name(object.shape);
+    configured.shape = name_of(object.shape);
     configured.size = object.size;
     configured.position = object.position.front();
     configured.rpy = object.orientation.front().toRotationMatrix().eulerAngles(2, 1, 0).reverse();
@@ -77,7 +77,6 @@ std::size_t numbers_of(Shape shape) {
 }  // namespace
 
 std::string why_invalid(const ConfiguredObject& o) {
-  Shape shape = Shape::box;
   if (o.name.empty()) return "name: must not be empty";
   if (o.name == "table") return "name: 'table' is the table of scene.table";
   if (o.shape == "mesh" || o.shape == "convex") {
@@ -85,13 +84,14 @@ std::string why_invalid(const ConfiguredObject& o) {
     if (!o.size.empty()) return fmt::format("size: a {} has that of its file", o.shape);
     return o.scale > 0 ? "" : fmt::format("scale: must be positive, not {}", o.scale);
   }
-  if (!parse_shape(o.shape, shape)) {
+  const std::optional<Shape> shape = named<Shape>(o.shape);
+  if (!shape) {
     return fmt::format("shape: must be sphere, box, cylinder, capsule, convex or mesh, not '{}'",
                        o.shape);
   }
   if (!o.file.empty()) return fmt::format("file: a {} has none", o.shape);
-  if (o.size.size() != numbers_of(shape)) {
-    return fmt::format("size: a {} needs {} numbers, not {}", o.shape, numbers_of(shape),
+  if (o.size.size() != numbers_of(*shape)) {
+    return fmt::format("size: a {} needs {} numbers, not {}", o.shape, numbers_of(*shape),
                        o.size.size());
   }
   for (const double length : o.size) {
@@ -124,9 +124,6 @@ std::string why_invalid(const TargetOptions& o) {
   }
   if (o.pad_depth < 0) return "pad_depth: must not be negative";
   if (o.rim < 0) return "rim: must not be negative";
-  if (o.carried != "fingers" && o.carried != "palm") {
-    return fmt::format("carried: must be fingers or palm, not '{}'", o.carried);
-  }
   if (o.placed && (o.moved.position != Vec3::Zero() || o.moved.rpy != Vec3::Zero())) {
     return "placed: the target is moved already";
   }

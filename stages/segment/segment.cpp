@@ -21,34 +21,26 @@ double share_seen(const HandSignals& signals, double begin_s, double end_s) {
   return static_cast<double>(count) / static_cast<double>(last - first + 1);
 }
 
-void add_phase(const HandSignals& signals, const char* name, double begin_s, double end_s,
+void add_phase(const HandSignals& signals, PhaseKind kind, double begin_s, double end_s,
                double begin_confidence, double end_confidence, Movement& movement) {
   if (end_s - begin_s < 0.5 * signals.step_s) return;
   const double seen = share_seen(signals, begin_s, end_s);
-  movement.phases.push_back({name, begin_s, end_s, 0.5 * (begin_confidence + end_confidence) * seen,
+  movement.phases.push_back({kind, begin_s, end_s, 0.5 * (begin_confidence + end_confidence) * seen,
                              begin_confidence, end_confidence});
-}
-
-const Phase* last_phase(const Movement& movement, const std::string& name) {
-  const Phase* found = nullptr;
-  for (const Phase& phase : movement.phases) {
-    if (phase.name == name) found = &phase;
-  }
-  return found;
 }
 
 void choose_what_is_planned(const SegmentOptions& options, Movement& movement) {
   const Phase& reach = movement.phases.front();
   movement.begin_s = reach.begin_s;
   const Phase* until = last_phase(movement, options.plan_until);
-  if (!until) until = last_phase(movement, "grasp");
+  if (!until) until = last_phase(movement, PhaseKind::grasp);
   if (until) {
     movement.end_s = until->end_s;
     return;
   }
   movement.end_s = reach.end_s;
   for (const Phase& phase : movement.phases) {
-    if (phase.name != "hold" || phase.begin_s > reach.end_s + 1e-9) continue;
+    if (phase.kind != PhaseKind::hold || phase.begin_s > reach.end_s + 1e-9) continue;
     movement.end_s = std::min(phase.end_s, reach.end_s + options.touch_hold);
   }
 }
@@ -77,16 +69,16 @@ void add_later_phases(const HandSignals& signals, const std::vector<Bout>& bouts
   for (std::size_t k = 0; k < bouts.size(); ++k) {
     const Bout& bout = bouts[k];
     if (bout.end_s <= from_s) continue;
-    add_phase(signals, "hold", from_s, bout.begin_s, from_confidence, bout.begin_confidence,
-              movement);
-    const char* out = grasp.found ? "transport" : "reach";
-    add_phase(signals, k >= first_back ? "return" : out, std::max(from_s, bout.begin_s), bout.end_s,
-              bout.begin_confidence, bout.end_confidence, movement);
+    add_phase(signals, PhaseKind::hold, from_s, bout.begin_s, from_confidence,
+              bout.begin_confidence, movement);
+    const PhaseKind out = grasp.found ? PhaseKind::transport : PhaseKind::reach;
+    add_phase(signals, k >= first_back ? PhaseKind::go_back : out, std::max(from_s, bout.begin_s),
+              bout.end_s, bout.begin_confidence, bout.end_confidence, movement);
     from_s = bout.end_s;
     from_confidence = bout.end_confidence;
   }
   if (!comes_home && first_back >= bouts.size()) {
-    add_phase(signals, "hold", from_s, signals.end_s(), from_confidence, 0, movement);
+    add_phase(signals, PhaseKind::hold, from_s, signals.end_s(), from_confidence, 0, movement);
   }
 }
 
@@ -97,14 +89,14 @@ Movement make_movement(const HandSignals& signals, const SegmentOptions& options
   const GraspTimes grasp = find_grasp(signals, options, motions, bouts, weak, comes_home);
   movement.target = grasp.object;
   const Bout reach = bouts.front();
-  add_phase(signals, "reach", reach.begin_s, grasp.begin_s, reach.begin_confidence,
+  add_phase(signals, PhaseKind::reach, reach.begin_s, grasp.begin_s, reach.begin_confidence,
             grasp.begin_confidence, movement);
   if (movement.phases.empty()) return movement;
   if (grasp.found) {
     const double begin_s = std::clamp(grasp.opening.preshape_s, reach.begin_s, grasp.begin_s);
-    add_phase(signals, "preshape", begin_s, grasp.begin_s, grasp.opening.confidence,
+    add_phase(signals, PhaseKind::preshape, begin_s, grasp.begin_s, grasp.opening.confidence,
               grasp.begin_confidence, movement);
-    add_phase(signals, "grasp", grasp.begin_s, grasp.end_s, grasp.begin_confidence,
+    add_phase(signals, PhaseKind::grasp, grasp.begin_s, grasp.end_s, grasp.begin_confidence,
               grasp.end_confidence, movement);
   }
   bouts.erase(bouts.begin(), bouts.begin() + static_cast<std::ptrdiff_t>(grasp.bouts_used));
@@ -152,8 +144,10 @@ std::string why_invalid(const SegmentOptions& o) {
   if (o.onset_share == 0) return "onset_share: must be above 0";
   if (o.dip_share == 0) return "dip_share: must be above 0";
   if (o.least_peak == 0) return "least_peak: must be above 0";
-  if (o.plan_until != "grasp" && o.plan_until != "transport" && o.plan_until != "return") {
-    return fmt::format("plan_until: must be grasp, transport or return, not '{}'", o.plan_until);
+  if (o.plan_until != PhaseKind::grasp && o.plan_until != PhaseKind::transport &&
+      o.plan_until != PhaseKind::go_back) {
+    return fmt::format("plan_until: must be grasp, transport or return, not '{}'",
+                       name_of(o.plan_until));
   }
   return "";
 }

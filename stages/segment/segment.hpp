@@ -29,7 +29,7 @@ struct SegmentOptions {
   double object_motion = 0.005;  ///< a recorded object that went this far is being moved [m]
   double touch_hold = 0.1;  ///< how much of the hold after a reach without a grasp is planned [s]
   bool whole = false;       ///< the recording is one movement without phases, whatever moves in it
-  std::string plan_until = "grasp";  ///< grasp | transport | return: the last phase that is planned
+  PhaseKind plan_until = PhaseKind::grasp;  ///< grasp, transport or return: the last phase planned
 };
 template <class Fields>
 void fields(Fields& f, SegmentOptions& o) {

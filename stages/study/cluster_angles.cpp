@@ -9,7 +9,7 @@ namespace morphe::study {
 
 ClusterAngles cluster_angles(const Demonstration& demonstration,
                              const reconstruct::ReconstructOptions& options) {
-  if (demonstration.hand == "left")
+  if (demonstration.hand == Side::left)
     return cluster_angles(reconstruct::mirrored(demonstration), options);
   if (!demonstration.streams.markers) return {};
   const MarkerStream& markers = *demonstration.streams.markers;

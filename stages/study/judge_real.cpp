@@ -33,7 +33,8 @@ Plot speed_plot(const std::string& name, const HumanMotion& motion,
   plot.lines = {std::move(tip), std::move(wrist)};
   for (const Movement& movement : movements) {
     for (const Phase& phase : movement.phases) {
-      if (phase.name != "preshape") plot.bands.push_back({phase.name, phase.begin_s, phase.end_s});
+      if (phase.kind != PhaseKind::preshape)
+        plot.bands.push_back({std::string(name_of(phase.kind)), phase.begin_s, phase.end_s});
     }
   }
   return plot;
@@ -42,7 +43,8 @@ Plot speed_plot(const std::string& name, const HumanMotion& motion,
 bool overlaps_a_reach(const Label& label, const std::vector<Movement>& movements) {
   return std::ranges::any_of(movements, [&](const Movement& movement) {
     return std::ranges::any_of(movement.phases, [&](const Phase& phase) {
-      return phase.name == "reach" && phase.begin_s < label.end_s && phase.end_s > label.begin_s;
+      return phase.kind == PhaseKind::reach && phase.begin_s < label.end_s &&
+             phase.end_s > label.begin_s;
     });
   });
 }
@@ -84,7 +86,7 @@ void judge_real(const JudgeOptions& options, const RealSet& set, const StudyRun&
       }
       result.rows.push_back(found);
       for (const Label& label : demonstration.labels) {
-        if (label.phase != "reach") continue;
+        if (label.phase != PhaseKind::reach) continue;
         ++labelled;
         overlapped += overlaps_a_reach(label, movements) ? 1 : 0;
       }

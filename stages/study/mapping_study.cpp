@@ -104,7 +104,8 @@ Figures figures_of(const MappingStudyOptions& options, const Variant& variant,
     const Plan& plan = variant.plans[k];
     ++figures.movements;
     figures.executable += plan.executable() ? 1 : 0;
-    for (const Finding& finding : plan.findings) figures.jumps += finding.cause == "jump" ? 1 : 0;
+    for (const Finding& finding : plan.findings)
+      figures.jumps += finding.cause == Cause::jump ? 1 : 0;
     const Mapped& mapped = plan.mapped;
     for (std::size_t f = 0; f < mapped.objective.size(); ++f) {
       ++figures.frames;

@@ -39,7 +39,7 @@ struct Way {
   double grasp() const {
     const auto& times = plan.path.demonstration_time;
     for (const Phase& phase : plan.movement.phases) {
-      if (phase.name != "grasp") continue;
+      if (phase.kind != PhaseKind::grasp) continue;
       const auto found = std::lower_bound(times.begin(), times.end(), phase.begin_s);
       return static_cast<double>(found - times.begin()) / static_cast<double>(times.size());
     }
@@ -125,7 +125,7 @@ scene::ConfiguredObject shelf(Way& way, const SceneObject& target) {
 bool in_the_way(Way& way, const scene::ConfiguredObject& obstacle) {
   SceneObject object;
   object.name = obstacle.name;
-  parse_shape(obstacle.shape, object.shape);
+  object.shape = named<Shape>(obstacle.shape).value_or(Shape::box);
   object.size = obstacle.size;
   object.time = {0};
   const Pose base_from_world = way.world_from_base.inverse();

@@ -181,7 +181,7 @@ ReconstructionScore score_reconstruction(const HumanMotion& motion, const Demons
     score.delay_s.push_back(delay);
   }
   for (const Label& label : truth.labels) {
-    if (label.phase != "reach") continue;
+    if (label.phase != PhaseKind::reach) continue;
     const double ratio = peak_within(time, found, label) / peak_within(time, truly, label);
     if (std::isfinite(ratio)) score.peak_ratio.push_back(ratio);
   }

@@ -100,7 +100,8 @@ void look_for_collisions(const RobotTable& robot, const Plan& plan, const Trajec
 Repaired judge(const Study& study, const RobotTable& robot, const Plan& plan) {
   Repaired repaired;
   repaired.executable = plan.executable();
-  repaired.failure = plan.executable() ? "" : plan.reason + " (" + plan.detail + ")";
+  repaired.failure =
+      plan.executable() ? "" : fmt::format("{} ({})", name_of(plan.reason), plan.detail);
   if (!repaired.executable) return repaired;
   Trajectory untimed;
   untimed.time = untimed.demonstration_time = plan.path.demonstration_time;

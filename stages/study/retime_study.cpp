@@ -19,12 +19,12 @@
 namespace morphe::study {
 namespace {
 
-constexpr const char* kModes[] = {"human", "fastest", "duration"};
 constexpr double kSpare = 1.2;  ///< mode duration: times the fastest
 
 /// What became of one path in the three modes.
 struct PathOutcome {
-  std::array<std::string, 3> reason, detail;
+  std::array<Reason, 3> reason{};
+  std::array<std::string, 3> detail;
   std::array<SeenLimits, 3> seen;
   std::array<double, 3> took_s{};
 };
@@ -35,15 +35,16 @@ PathOutcome judge_path(std::uint64_t seed, std::uint64_t index) {
   double fastest_s = 0;
   for (std::size_t mode = 0; mode < 3; ++mode) {
     retime::RetimeOptions options;
-    options.mode = kModes[mode];
-    if (options.mode == "duration") options.duration_s = std::max(0.05, kSpare * fastest_s);
+    options.mode = static_cast<retime::Tempo>(mode);
+    if (options.mode == retime::Tempo::duration)
+      options.duration_s = std::max(0.05, kSpare * fastest_s);
     retime::RetimeResult result;
     out.took_s[mode] =
         seconds([&] { result = retime::retime(random.robot, random.path, Movement{}, options); });
     out.reason[mode] = result.reason;
     out.detail[mode] = result.detail;
-    if (!result.reason.empty()) continue;
-    if (options.mode == "fastest") fastest_s = result.trajectory.time.back();
+    if (result.reason != Reason::none) continue;
+    if (options.mode == retime::Tempo::fastest) fastest_s = result.trajectory.time.back();
     out.seen[mode] = seen_limits(random.robot, result.trajectory);
   }
   return out;
@@ -56,21 +57,23 @@ void random_paths(const RetimeStudyOptions& options, const StudyRun& study, Stud
       [&](std::uint64_t index) { return judge_path(options.seed, index); },
       [&](const PathOutcome& outcome) {
         for (std::size_t mode = 0; mode < 3; ++mode) {
-          if (outcome.reason[mode].empty()) continue;
-          study.progress(fmt::format("random path {}, mode {}: {}, {}", all.size(), kModes[mode],
-                                     outcome.reason[mode], outcome.detail[mode]));
+          if (outcome.reason[mode] == Reason::none) continue;
+          study.progress(fmt::format("random path {}, mode {}: {}, {}", all.size(),
+                                     name_of(static_cast<retime::Tempo>(mode)),
+                                     name_of(outcome.reason[mode]), outcome.detail[mode]));
         }
         all.push_back(outcome);
         if (all.size() % 200 == 0) study.progress(fmt::format("{} random paths", all.size()));
       });
   for (std::size_t mode = 0; mode < 3; ++mode) {
-    const Case of = {{"paths", "random"}, {"mode", kModes[mode]}};
+    const Case of = {{"paths", "random"},
+                     {"mode", std::string(name_of(static_cast<retime::Tempo>(mode)))}};
     std::size_t solved = 0;
     SeenLimits worst{0, 0, 0, -std::numeric_limits<double>::infinity(), true, true};
     std::vector<double> took_s;
     for (const PathOutcome& path : all) {
       took_s.push_back(path.took_s[mode]);
-      if (!path.reason[mode].empty()) continue;
+      if (path.reason[mode] != Reason::none) continue;
       ++solved;
       const SeenLimits& seen = path.seen[mode];
       worst.velocity = std::max(worst.velocity, seen.velocity);
@@ -112,7 +115,7 @@ void optimum(const RetimeStudyOptions& options, const StudyRun& study, StudyResu
         const retime::Course course = plain_course(path.robot, path.path, movement);
         const double least_s = reference_time(course, kFine);
         retime::RetimeOptions fastest;
-        fastest.mode = "fastest";
+        fastest.mode = retime::Tempo::fastest;
         return Ratios{
             retime::fastest_law(course).duration_s / least_s,
             retime::retime(path.robot, path.path, movement, fastest).trajectory.time.back() /

@@ -11,14 +11,14 @@ namespace {
 struct Interval {
   double begin_s, end_s;
 };
-using Phases = std::map<std::string, std::vector<Interval>>;
+using Phases = std::map<PhaseKind, std::vector<Interval>>;
 
-/// Phases by name, one element a movement.
+/// Phases by kind, one element a movement.
 std::vector<Phases> labelled_movements(const std::vector<Label>& labels) {
   std::vector<Phases> movements;
   for (const Label& label : labels) {
-    if (label.phase == "rest") continue;
-    if (label.phase == "reach") movements.emplace_back();
+    if (label.phase == PhaseKind::rest) continue;
+    if (label.phase == PhaseKind::reach) movements.emplace_back();
     if (!movements.empty()) movements.back()[label.phase].push_back({label.begin_s, label.end_s});
   }
   return movements;
@@ -27,7 +27,7 @@ std::vector<Phases> labelled_movements(const std::vector<Label>& labels) {
 Phases phases_of(const Movement& movement) {
   Phases phases;
   for (const Phase& phase : movement.phases) {
-    phases[phase.name].push_back({phase.begin_s, phase.end_s});
+    phases[phase.kind].push_back({phase.begin_s, phase.end_s});
   }
   return phases;
 }
@@ -39,8 +39,9 @@ double overlap_over_union(const Interval& a, const Interval& b) {
 }
 
 void compare(const Phases& labelled, const Phases& found, SegmentationScore& score) {
-  for (const auto& [name, intervals] : labelled) {
-    const auto match = found.find(name);
+  for (const auto& [kind, intervals] : labelled) {
+    const auto match = found.find(kind);
+    const std::string name(name_of(kind));
     if (match == found.end()) continue;
     const std::size_t both = std::min(intervals.size(), match->second.size());
     for (std::size_t k = 0; k < both; ++k) {
@@ -81,9 +82,9 @@ SegmentationScore score_segmentation(const std::vector<Label>& labels,
   for (const Phases& truth : labelled) {
     for (std::size_t k = 0; k < movements.size(); ++k) {
       const Phases found = phases_of(movements[k]);
-      const auto reach = found.find("reach");
+      const auto reach = found.find(PhaseKind::reach);
       if (taken[k] || reach == found.end() ||
-          overlap_over_union(truth.at("reach").front(), reach->second.front()) <= 0.5) {
+          overlap_over_union(truth.at(PhaseKind::reach).front(), reach->second.front()) <= 0.5) {
         continue;
       }
       taken[k] = true;

@@ -143,7 +143,7 @@ class Writer {
       move_arm(draw_profile(movement.kind, begin_s, duration_s, random_), way, aside);
     }
     now_s_ = begin_s + duration_s;
-    movement.bouts.push_back({"reach", begin_s, now_s_});
+    movement.bouts.push_back({PhaseKind::reach, begin_s, now_s_});
     if (movement.grasps) {
       const double widest_s = begin_s + peak_share * opening_s;
       shape_hand(begin_s, widest_s, std::max(closing_s, widest_s));
@@ -166,10 +166,10 @@ class Writer {
     const ArmState put_down = arm_;
     now_s_ += random_.between(m_.grasp_s);
     movement.attach_s = now_s_;
-    write_bout(movement, "transport", now_s_, random_.between(m_.transport_s),
+    write_bout(movement, PhaseKind::transport, now_s_, random_.between(m_.transport_s),
                places_.lifted(arm_));
     now_s_ += random_.between(m_.hold_s);
-    write_bout(movement, "transport", now_s_, random_.between(m_.transport_s), put_down);
+    write_bout(movement, PhaseKind::transport, now_s_, random_.between(m_.transport_s), put_down);
     now_s_ += random_.between(m_.grasp_s);
     movement.release_s = now_s_;
     const double opened_m = aperture(subject_.hand, hand_) + random_.between(0.015, 0.03);
@@ -184,12 +184,13 @@ class Writer {
   /// The arm sets out at `begin_s`; the hand may have begun to let go at now_s_.
   void write_return(ScriptedMovement& movement, double begin_s) {
     const double release_s = now_s_, duration_s = random_.between(m_.return_s);
-    write_bout(movement, "return", begin_s, duration_s, places_.again(home_, 0.006, 0.04));
+    write_bout(movement, PhaseKind::go_back, begin_s, duration_s,
+               places_.again(home_, 0.006, 0.04));
     movement.bouts.back().begin_s = release_s;
     move_hand(begin_s + 0.3 * duration_s, now_s_, subject_.postures.resting);
   }
 
-  void write_bout(ScriptedMovement& movement, const char* phase, double begin_s, double duration_s,
+  void write_bout(ScriptedMovement& movement, PhaseKind phase, double begin_s, double duration_s,
                   const ArmState& to) {
     move_arm(draw_profile(movement.kind, begin_s, duration_s, random_), to - arm_, detour());
     now_s_ = begin_s + duration_s;

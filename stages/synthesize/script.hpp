@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pipeline/motion/movement.hpp"
 #include "stages/synthesize/body_motion.hpp"
 #include "stages/synthesize/synthesize_options.hpp"
 
@@ -20,7 +21,7 @@ inline constexpr const char* kMovementKindNames[] = {
 
 /// From still to still; when it was meant to be, the labels say when it was.
 struct Bout {
-  const char* phase = "";  ///< reach, transport or return
+  PhaseKind phase = PhaseKind::reach;  ///< or transport or go_back
   double begin_s = 0, end_s = 0;
 };
 struct ScriptedMovement {

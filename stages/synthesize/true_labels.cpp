@@ -88,7 +88,7 @@ double preshape_begin(const MotionSamples& samples, const Span& reach) {
 class Labels {
  public:
   Labels(double begin_s, double end_s) : begin_s_(begin_s), end_s_(end_s) {}
-  void add(const char* phase, double from_s, double to_s) {
+  void add(PhaseKind phase, double from_s, double to_s) {
     const double from = std::max(from_s, begin_s_), to = std::min(to_s, end_s_);
     if (to > from) labels.push_back({from - begin_s_, to - begin_s_, phase});
   }
@@ -109,16 +109,17 @@ std::vector<Label> true_labels(const Script& script, const MotionSamples& sample
   for (const ScriptedMovement& movement : script.movements) {
     const Span& reach = spans[next];
     if (out.recorded(reach.peak_s)) {
-      out.add("reach", reach.begin_s, reach.end_s);
-      if (movement.grasps) out.add("preshape", preshape_begin(samples, reach), reach.end_s);
+      out.add(PhaseKind::reach, reach.begin_s, reach.end_s);
+      if (movement.grasps)
+        out.add(PhaseKind::preshape, preshape_begin(samples, reach), reach.end_s);
     }
-    const char* pause = movement.grasps ? "grasp" : "hold";
+    PhaseKind pause = movement.grasps ? PhaseKind::grasp : PhaseKind::hold;
     for (std::size_t b = 1; b < movement.bouts.size(); ++b) {
       const Span& before = spans[next + b - 1];
       const Span& bout = spans[next + b];
       out.add(pause, before.end_s, bout.begin_s);
       out.add(movement.bouts[b].phase, bout.begin_s, bout.end_s);
-      pause = "hold";
+      pause = PhaseKind::hold;
     }
     next += movement.bouts.size();
   }

@@ -236,7 +236,7 @@ int pairs(int count) {
       worst.under = std::max(worst.under, error.under);
       worst.uncertain = std::max(worst.uncertain, error.uncertain);
     }
-    fmt::print("{:10} {:9} {:12.1e} {:12.1e} {:12.1e}\n", shape_name(shape), count / 5, worst.over,
+    fmt::print("{:10} {:9} {:12.1e} {:12.1e} {:12.1e}\n", name_of(shape), count / 5, worst.over,
                worst.under, worst.uncertain);
   }
   return 0;

@@ -79,7 +79,7 @@ void law(benchmark::State& state, bool jerk, bool build) {
 void whole(benchmark::State& state, bool jerk) {
   const Problem from = problem(jerk);
   retime::RetimeOptions options;
-  options.mode = "fastest";
+  options.mode = retime::Tempo::fastest;
   double duration_s = 0;
   for (auto _ : state) {
     duration_s =

@@ -201,7 +201,7 @@ class Damaged(CommandCase):
 
     def test_an_infeasible_plan_with_a_trajectory(self):
         file, plan = self.edited()
-        plan.attrs["status"], plan.attrs["reason"] = np.bytes_("infeasible"), np.bytes_("no_target")
+        plan.attrs["status"], plan.attrs["reason"] = np.bytes_("infeasible"), np.bytes_("no_goal")
         file.close()
         self.refuses(morphe("verify", self.copy), f"{self.copy}:/plans/{PLAN}/trajectory")
         self.assertEqual(python_verify(self.copy).returncode, 1)

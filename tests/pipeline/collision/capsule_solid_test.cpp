@@ -112,7 +112,7 @@ TEST_P(CapsuleSolid, NormalIsThatOfFiniteDifferences) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, CapsuleSolid, testing::ValuesIn(kSolids),
-                         [](const auto& shape) { return shape_name(shape.param); });
+                         [](const auto& shape) { return std::string(name_of(shape.param)); });
 
 SceneObject plate() {
   SceneObject box;

@@ -107,7 +107,7 @@ TEST(CheckMotion, ContactIsAllowedUntilReleaseOnly) {
   scene.objects[0].name = "cup";
   Movement movement;
   movement.target = "cup";
-  movement.phases = {{"grasp", 1, 2, 1}};
+  movement.phases = {{PhaseKind::grasp, 1, 2, 1}};
   const CollisionWorld world = make_world(robot, scene, movement, {});
   CollisionScratch scratch;
   const JointVector q = Eigen::Vector2d::Zero(), nudged = Eigen::Vector2d(1e-4, 0);
@@ -129,7 +129,7 @@ TEST(CheckMotion, VerdictsHoldUnderDenseSampling) {
   std::vector<PairSeparation> near;
   Movement movement;
   movement.target = "cup";
-  movement.phases = {{"grasp", 0.3, 0.6, 1}};
+  movement.phases = {{PhaseKind::grasp, 0.3, 0.6, 1}};
   int free = 0, colliding = 0, undecided = 0;
   for (int k = 0; k < 300; ++k) {
     const RobotTable robot = random_robot(random);
@@ -259,7 +259,7 @@ struct Carrying {
     cup.release_s = 2;
     scene.objects = {cup};
     movement.target = "cup";
-    movement.phases = {{"grasp", 0.9, 1, 1}, {"transport", 1, 2, 1}};
+    movement.phases = {{PhaseKind::grasp, 0.9, 1, 1}, {PhaseKind::transport, 1, 2, 1}};
     // Still until 1 s, half a turn until 2 s, and a bit back.
     time = {0, 0.5, 1, 1.5, 2, 2.5};
     position = JointRows::Zero(6, 2);
@@ -319,7 +319,7 @@ TEST(CarriedTarget, VerdictsHoldUnderDenseSampling) {
   CollisionScratch scratch;
   Movement movement;
   movement.target = "cup";
-  movement.phases = {{"grasp", 0.2, 0.4, 1}, {"transport", 0.4, 0.7, 1}};
+  movement.phases = {{PhaseKind::grasp, 0.2, 0.4, 1}, {PhaseKind::transport, 0.4, 0.7, 1}};
   int free = 0, moved = 0;
   for (int k = 0; k < 300; ++k) {
     RobotTable robot = random_robot(random);

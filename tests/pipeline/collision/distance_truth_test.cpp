@@ -25,7 +25,7 @@ TEST_P(DistanceTruth, IsNeverOverestimated) {
 INSTANTIATE_TEST_SUITE_P(Shapes, DistanceTruth,
                          testing::Values(Shape::sphere, Shape::box, Shape::cylinder, Shape::capsule,
                                          Shape::mesh),
-                         [](const auto& shape) { return shape_name(shape.param); });
+                         [](const auto& shape) { return std::string(name_of(shape.param)); });
 
 }  // namespace
 }  // namespace morphe::collision

@@ -70,7 +70,7 @@ struct Pair {
     tolerances.contact_depth = depth_m;
     Movement movement;
     movement.target = "cup";
-    movement.phases = {{"grasp", 1, 2, 1}};
+    movement.phases = {{PhaseKind::grasp, 1, 2, 1}};
     world = make_world(robot, scene, movement, tolerances);
     return world;
   }
@@ -96,7 +96,7 @@ TEST_P(FclAgreement, VerdictOnObjectsWithMarginAndWithContact) {
       ASSERT_DOUBLE_EQ(least.required, time_s < 1 ? world.tolerances.margin : -depth_m);
       if (std::abs(least.slack()) < 1e-6) continue;
       EXPECT_EQ(FclEngine(world).free(q, time_s, scratch), least.slack() >= 0)
-          << shape_name(GetParam()) << " " << k << " slack " << least.slack();
+          << name_of(GetParam()) << " " << k << " slack " << least.slack();
       colliding += least.slack() < 0;
       sinking += least.slack() >= 0 && least.separation.distance < 0;
     }
@@ -106,7 +106,7 @@ TEST_P(FclAgreement, VerdictOnObjectsWithMarginAndWithContact) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, FclAgreement, testing::ValuesIn(kSolids),
-                         [](const auto& shape) { return shape_name(shape.param); });
+                         [](const auto& shape) { return std::string(name_of(shape.param)); });
 
 /// Closed and not convex, closed and cut open: FCL's hollow meshes with our word on what is inside.
 TEST(FclAgreementOfMeshes, VerdictWithMarginAndWithContact) {

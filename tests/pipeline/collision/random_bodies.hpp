@@ -39,7 +39,7 @@ class RandomBodies {
   }
   SceneObject solid(Shape shape) {
     SceneObject object;
-    object.name = shape_name(shape);
+    object.name = name_of(shape);
     object.shape = shape;
     object.time = {0};
     object.position = {Vec3::Zero()};

@@ -13,8 +13,9 @@ namespace {
 Movement grasping() {
   Movement movement;
   movement.target = "cup";
-  movement.phases = {{"reach", 0, 0.4, 1},  {"preshape", 0.2, 0.4, 1},  {"grasp", 0.4, 0.5, 1},
-                     {"hold", 0.5, 0.6, 1}, {"transport", 0.6, 0.7, 1}, {"return", 0.7, 1, 1}};
+  movement.phases = {{PhaseKind::reach, 0, 0.4, 1},       {PhaseKind::preshape, 0.2, 0.4, 1},
+                     {PhaseKind::grasp, 0.4, 0.5, 1},     {PhaseKind::hold, 0.5, 0.6, 1},
+                     {PhaseKind::transport, 0.6, 0.7, 1}, {PhaseKind::go_back, 0.7, 1, 1}};
   return movement;
 }
 
@@ -53,7 +54,7 @@ TEST(MakeWorld, TouchingLastsFromPreshapeToRelease) {
   Movement movement = grasping();
   movement.phases.erase(movement.phases.begin() + 1);
   EXPECT_EQ(make_world(robot, scene, movement, {}).touch_begin_s, 0.4);
-  movement.phases = {{"reach", 0, 1, 1}};
+  movement.phases = {{PhaseKind::reach, 0, 1, 1}};
   world = make_world(robot, scene, movement, {});
   EXPECT_FALSE(may_touch(world, 5, 4, 0.5));
   movement = grasping();

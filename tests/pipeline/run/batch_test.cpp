@@ -21,7 +21,7 @@ Batch numbered_batch(int count, std::vector<std::string>& written) {
     if (number % 7 == 6) throw std::runtime_error("broken");
     DemonstrationOutcome outcome;
     Plan plan;
-    plan.reason = number % 2 ? "" : "collision";
+    plan.reason = number % 2 ? Reason::none : Reason::collision;
     outcome.plans.push_back(plan);
     return outcome;
   };

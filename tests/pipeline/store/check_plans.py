@@ -139,4 +139,4 @@ with h5py.File(sys.argv[1]) as file:
 
     shapes(bare, {**frames(0, 0, 0), **rows(0, 0, 0, 0, 0)})
     assert text(bare.attrs["status"]) == "infeasible"
-    assert text(bare.attrs["reason"]) == "no_target"
+    assert text(bare.attrs["reason"]) == "no_goal"

@@ -172,13 +172,13 @@ TEST(DemonstrationFile, ReadsWhatH5pyWrites) {
   EXPECT_THAT(reader.names(), ElementsAre("a", "b"));  // no creation order in the file: by name
   const Demonstration a = reader.read(0);
   EXPECT_EQ(a.subject, "S 1");
-  EXPECT_EQ(a.hand, "right");
+  EXPECT_EQ(a.hand, Side::right);
   ASSERT_TRUE(a.streams.markers);
   EXPECT_THAT(a.streams.markers->names, ElementsAre("one", "two"));
   EXPECT_THAT(a.streams.markers->time, ElementsAre(0, 1, 2));  // integers in the file
   EXPECT_EQ(a.streams.markers->position(1, 1), Vec3(9, 10, 11));
   ASSERT_EQ(a.labels.size(), 1u);
-  EXPECT_EQ(a.labels[0].phase, "reach");
+  EXPECT_EQ(a.labels[0].phase, PhaseKind::reach);
 }
 
 TEST(DemonstrationFile, LooksLikeTheContractToH5py) {

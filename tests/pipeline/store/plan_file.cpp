@@ -115,7 +115,7 @@ void expect_same(const Plan& a, const Plan& b) {
   EXPECT_SAME(movement.target);
   ASSERT_EQ(a.movement.phases.size(), b.movement.phases.size());
   for (std::size_t i = 0; i < a.movement.phases.size(); ++i) {
-    EXPECT_SAME(movement.phases[i].name);
+    EXPECT_SAME(movement.phases[i].kind);
     EXPECT_SAME(movement.phases[i].begin_s);
     EXPECT_SAME(movement.phases[i].end_s);
     EXPECT_SAME(movement.phases[i].confidence);

@@ -114,7 +114,7 @@ Trajectory trajectory(Numbers& number, std::size_t samples) {
   t.demonstration_time = number.many(samples);
   t.clearance = number.many(samples);
   for (std::size_t i = 0; i < samples; ++i) {
-    t.phase.push_back(static_cast<std::uint8_t>((i + 1) % 7));
+    t.phase.push_back(static_cast<PhaseKind>((i + 1) % 7));
     t.origin.push_back(static_cast<Origin>((i + 1) % 3));
   }
   return t;
@@ -128,7 +128,7 @@ Demonstration full_demonstration(const std::string& name) {
   demo.name = name;
   demo.subject = "ADL001";
   demo.task = "drink";
-  demo.hand = "left";
+  demo.hand = Side::left;
   demo.source = "made for this test";
   demo.licence = "none";
   demo.upper_arm = number();
@@ -139,7 +139,7 @@ Demonstration full_demonstration(const std::string& name) {
   demo.streams.sensors->orientation(0, 0) = Quat(0.1, 0.7, -0.7, 0.1);
   demo.calibration = full_streams(number, HandKind::keypoints);
   demo.objects = objects(number);
-  demo.labels = {{0.1, 0.2, "reach"}, {0.2, kNotSeen, "grasp"}};
+  demo.labels = {{0.1, 0.2, PhaseKind::reach}, {0.2, kNotSeen, PhaseKind::grasp}};
   return demo;
 }
 
@@ -186,10 +186,13 @@ Plan full_plan(const std::string& demonstration, int movement) {
   plan.demonstration = demonstration;
   plan.subject = "ADL004";
   plan.task = "drink";
-  plan.hand = "right";
-  plan.movement = {
-      movement, 0.5, 2.75, {{"reach", 0.5, 1, 0.9}, {"hold", 1, kNotSeen, 0.8}}, "cup"};
-  plan.reason = "";
+  plan.hand = Side::right;
+  plan.movement = {movement,
+                   0.5,
+                   2.75,
+                   {{PhaseKind::reach, 0.5, 1, 0.9}, {PhaseKind::hold, 1, kNotSeen, 0.8}},
+                   "cup"};
+  plan.reason = Reason::none;
   plan.detail = "It holds.";
   plan.tolerances = {0.002, 0.004, 0.006, 0.03};
   plan.goals.time = number.many(4);
@@ -212,8 +215,8 @@ Plan full_plan(const std::string& demonstration, int movement) {
   plan.mapped.humanlikeness = number.rows(4, 3);
   plan.mapped.status = {FrameStatus::compromise, FrameStatus::out_of_reach, FrameStatus::no_goal,
                         FrameStatus::met};
-  plan.findings = {{0.6, 0.7, "object", "finger", "table", 0.01},
-                   {0.8, 0.9, "limit", "E1", "", 0.02}};
+  plan.findings = {{0.6, 0.7, Cause::object, "finger", "table", 0.01},
+                   {0.8, 0.9, Cause::limit, "E1", "", 0.02}};
   plan.path.position = number.rows(5, 3);
   plan.path.origin = {Origin::planned, Origin::resolved, Origin::mapped, Origin::mapped,
                       Origin::planned};
@@ -233,8 +236,8 @@ Plan infeasible_plan(const std::string& demonstration, int movement) {
   Plan plan;
   plan.demonstration = demonstration;
   plan.movement.index = movement;
-  plan.hand = "left";
-  plan.reason = "no_target";
+  plan.hand = Side::left;
+  plan.reason = Reason::no_goal;
   plan.detail = "Nothing was grasped.";
   return plan;
 }

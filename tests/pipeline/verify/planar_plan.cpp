@@ -40,7 +40,7 @@ Trajectory trajectory(double step_s) {
     const double t = k == pieces ? 1.0 : k * step_s, rest = t * (1 - t);
     out.time.push_back(t);
     out.demonstration_time.push_back(kBegin_s + kHuman_s * t);
-    out.phase.push_back(1);
+    out.phase.push_back(PhaseKind::reach);
     out.origin.push_back(Origin::mapped);
     out.clearance.push_back(0.005);
     out.position.row(k) = position_at(t);
@@ -174,13 +174,13 @@ Plan plan(double step_s) {
   out.demonstration = "reach";
   out.subject = "nobody";
   out.task = "reach";
-  out.hand = "right";
-  out.reason = "";
+  out.hand = Side::right;
+  out.reason = Reason::none;
   out.movement = {0, kBegin_s, kBegin_s + kHuman_s, {}, "cup"};
-  out.movement.phases = {{"reach", 2.0, 2.6, 1},
-                         {"preshape", 2.3, 2.6, 1},
-                         {"grasp", 2.6, 2.7, 1},
-                         {"hold", 2.7, 2.8, 1}};
+  out.movement.phases = {{PhaseKind::reach, 2.0, 2.6, 1},
+                         {PhaseKind::preshape, 2.3, 2.6, 1},
+                         {PhaseKind::grasp, 2.6, 2.7, 1},
+                         {PhaseKind::hold, 2.7, 2.8, 1}};
   out.trajectory = trajectory(step_s);
   out.goals = goals();
 

@@ -36,7 +36,7 @@ class VerifyFile : public testing::Test {
     store::PlanWriter writer(file, header, planar::robot());
     Plan infeasible = planar::plan();
     infeasible.movement.index = 1;
-    infeasible.reason = "tracking";
+    infeasible.reason = Reason::tracking;
     infeasible.trajectory = {};
     writer.add(plan);
     writer.add(infeasible);

@@ -34,7 +34,7 @@ Plan jerk_between_samples() {
   constexpr double p = 0.01, h = 0.5;
   trajectory.time = {0, h, 4 * h};
   trajectory.demonstration_time = {2.0, 2.4, 2.8};
-  trajectory.phase = {1, 1, 1};
+  trajectory.phase = std::vector<PhaseKind>(3, PhaseKind::reach);
   trajectory.origin = std::vector<Origin>(3, Origin::mapped);
   trajectory.clearance = {0, 0, 0};
   const Eigen::RowVector3d start = planar::position_at(0).transpose();
@@ -139,7 +139,8 @@ Plan carrying(double touch_end_s) {
   cup.attached_frame = "distal";
   cup.attach_s = 2.4;
   cup.release_s = 2.7;
-  plan.movement.phases = {{"reach", 2.0, 2.35, 1}, {"grasp", 2.35, touch_end_s, 1}};
+  plan.movement.phases = {{PhaseKind::reach, 2.0, 2.35, 1},
+                          {PhaseKind::grasp, 2.35, touch_end_s, 1}};
   return plan;
 }
 
@@ -298,11 +299,11 @@ TEST(VerifyPlan, FindsWhatIsNotANumber) {
 
 TEST(VerifyPlan, FindsStatusAndContentApart) {
   Plan plan = planar::plan();
-  plan.reason = "smoothing";
+  plan.reason = Reason::smoothing;
   EXPECT_EQ(verify(plan).at(0).cause, "structure");
   plan.trajectory = {};
   EXPECT_TRUE(verify(plan).empty());
-  plan.reason = "";
+  plan.reason = Reason::none;
   EXPECT_EQ(verify(plan).at(0).cause, "structure");
   plan = planar::plan();
   object(plan, "bottle").shape = Shape::mesh;  // nothing that could be judged

@@ -76,7 +76,7 @@ TEST(Certify, FiguresInClosedForm) {
   c.mapped.humanlikeness = JointRows::Zero(3, 3);
   c.mapped.humanlikeness.col(0) << 0.1, kNotSeen, 0.3;
   const CertifyResult result = c.run();
-  EXPECT_EQ(result.reason, "") << result.detail;
+  EXPECT_EQ(result.reason, Reason::none) << result.detail;
   const Certificate& k = result.certificate;
   // Minimum-jerk rest to rest: 15/8, 10/sqrt(3) and 60 times the way.
   EXPECT_NEAR(k.velocity_ratio, kSweep * 15 / 8, 1e-12);
@@ -103,7 +103,7 @@ TEST(Certify, LimitBetweenSamplesIsFound) {
   Case c;
   c.robot.velocity[0] = 0.9 * kSweep * 15 / 8;  // both samples are at rest
   const CertifyResult result = c.run();
-  EXPECT_EQ(result.reason, "limit");
+  EXPECT_EQ(result.reason, Reason::limit);
   EXPECT_THAT(result.detail, testing::HasSubstr("velocity of joint shoulder is 1.1111 times"));
 }
 
@@ -111,7 +111,7 @@ TEST(Certify, PositionBeyondItsLimit) {
   Case c;
   c.robot.upper[0] = kSweep - 0.01;
   const CertifyResult result = c.run();
-  EXPECT_EQ(result.reason, "limit");
+  EXPECT_EQ(result.reason, Reason::limit);
   EXPECT_NEAR(result.certificate.position_margin, -0.01, 1e-12);
 }
 
@@ -122,10 +122,10 @@ TEST(Certify, ContactBetweenSamplesIsFound) {
   const CertifyResult result = c.run();
   EXPECT_GT(*std::min_element(c.trajectory.clearance.begin(), c.trajectory.clearance.end()), 0.03);
   EXPECT_NEAR(result.certificate.clearance, -0.05, 1e-5);
-  EXPECT_EQ(result.reason, "smoothing");
+  EXPECT_EQ(result.reason, Reason::smoothing);
   EXPECT_THAT(result.detail, testing::HasSubstr("forearm and ball"));
   c.path_was_free = false;
-  EXPECT_EQ(c.run().reason, "collision");
+  EXPECT_EQ(c.run().reason, Reason::collision);
 }
 
 TEST(Certify, AMissByAHairIsProvedFree) {
@@ -133,19 +133,19 @@ TEST(Certify, AMissByAHairIsProvedFree) {
   // At height 0.06 + margin + 0.2 mm above the sweep of the forearm's axis.
   c.scene.objects = {ball(turned(0.25, 0.5, 0) + Vec3(0, 0, 0.0612), 0.03)};
   const CertifyResult result = c.run();
-  EXPECT_EQ(result.reason, "");
+  EXPECT_EQ(result.reason, Reason::none);
   EXPECT_NEAR(result.certificate.clearance, 0.0012, 1e-5);
   c.scene.objects = {ball(turned(0.25, 0.5, 0) + Vec3(0, 0, 0.0608), 0.03)};
-  EXPECT_EQ(c.run().reason, "smoothing");
+  EXPECT_EQ(c.run().reason, Reason::smoothing);
 }
 
 TEST(Certify, TrackingIsTighterInTheGrasp) {
   Case c;
   c.goals = goals_off_by(Vec3(0, 0, 0.006));
-  EXPECT_EQ(c.run().reason, "");
-  c.movement.phases = {{"reach", 0, 0.8, 1}, {"grasp", 0.8, 1, 1}};
+  EXPECT_EQ(c.run().reason, Reason::none);
+  c.movement.phases = {{PhaseKind::reach, 0, 0.8, 1}, {PhaseKind::grasp, 0.8, 1, 1}};
   const CertifyResult result = c.run();
-  EXPECT_EQ(result.reason, "tracking");
+  EXPECT_EQ(result.reason, Reason::tracking);
   EXPECT_THAT(result.detail, testing::HasSubstr("thumb_tip is 6.00 mm"));
   EXPECT_NEAR(result.certificate.position_error_grasp, 0.006, 1e-12);
 }

@@ -33,7 +33,7 @@ struct Scenery {
     cup.orientation = {Quat(Eigen::AngleAxisd(M_PI / 2, Vec3::UnitZ()))};
     scene.objects = {cup};
     movement.target = "cup";
-    movement.phases = {{"reach", 0, 0.8, 1}, {"grasp", 0.8, 1, 1}};
+    movement.phases = {{PhaseKind::reach, 0, 0.8, 1}, {PhaseKind::grasp, 0.8, 1, 1}};
   }
 };
 
@@ -94,7 +94,7 @@ TEST(Grasp, NoneWithoutTargetOrPhase) {
   s.movement.target = "plate";
   EXPECT_EQ(find_grasp(planar_arm(), s.scene, s.movement, opening()).sample, -1);
   s = Scenery();
-  s.movement.phases = {{"reach", 0, 1, 1}};
+  s.movement.phases = {{PhaseKind::reach, 0, 1, 1}};
   EXPECT_EQ(find_grasp(planar_arm(), s.scene, s.movement, opening()).sample, -1);
 }
 

@@ -36,7 +36,7 @@ inline Trajectory sweep(double angle) {
   t.time = t.demonstration_time = {0, 1};
   t.position = t.velocity = t.acceleration = JointRows::Zero(2, 3);
   t.position(1, 0) = angle;
-  t.phase = {1, 1};
+  t.phase = {PhaseKind::reach, PhaseKind::reach};
   t.origin = {Origin::mapped, Origin::mapped};
   t.clearance = {kNotSeen, kNotSeen};
   return t;

@@ -73,7 +73,7 @@ struct CheckPath : testing::Test {
   }
 };
 
-void expect_finding(const Finding& found, const std::string& cause, const std::string& first,
+void expect_finding(const Finding& found, Cause cause, const std::string& first,
                     const std::string& second, int begin, int end, double depth,
                     double tolerance = 1e-12) {
   EXPECT_EQ(found.cause, cause);
@@ -92,7 +92,7 @@ TEST_F(CheckPath, FreePathHasNoFindings) {
   }
   scene.objects = {post("table", {0, -0.5, 0}, 0.1)};
   EXPECT_TRUE(findings(path_of(positions)).empty());
-  options.engine = "fcl";
+  options.engine = Engine::fcl;
   EXPECT_TRUE(findings(path_of(positions)).empty());
   EXPECT_TRUE(findings(path_of({})).empty());
 }
@@ -102,7 +102,7 @@ TEST_F(CheckPath, WhatIsCarriedMeetsTheArm) {
   robot.frames[1].name = "hand";
   robot.capsules[0].radius = 0.05;
   movement.target = "cup";
-  movement.phases = {{"grasp", 0, 0.1, 1}, {"transport", 0.1, 0.5, 1}};
+  movement.phases = {{PhaseKind::grasp, 0, 0.1, 1}, {PhaseKind::transport, 0.1, 0.5, 1}};
   SceneObject cup = post("cup", {1.058, 0, 0}, 0.05);
   cup.attach_s = 0.1;
   std::vector<Eigen::Vector2d> positions;
@@ -113,7 +113,7 @@ TEST_F(CheckPath, WhatIsCarriedMeetsTheArm) {
   const double touching = std::acos((0.101 * 0.101 - 0.25 - 0.558 * 0.558) / 0.558);
   const int first = 10 + static_cast<int>(touching / 0.1),
             last = 40 + static_cast<int>((3 - touching) / 0.05) + 1;
-  for (const char* engine : {"closed", "fcl"}) {
+  for (const Engine engine : {Engine::closed, Engine::fcl}) {
     options.engine = engine;
     cup.attached_frame = "";
     scene.objects = {cup};
@@ -123,7 +123,7 @@ TEST_F(CheckPath, WhatIsCarriedMeetsTheArm) {
     const auto found = findings(path_of(positions));
     ASSERT_EQ(found.size(), 1u);
     const double nearest = std::abs(std::polar(0.558, 3.0) + 0.5);
-    expect_finding(found[0], "object", "column", "cup", first, last, 0.101 - nearest, 1e-9);
+    expect_finding(found[0], Cause::object, "column", "cup", first, last, 0.101 - nearest, 1e-9);
     // Put down before: the hand goes on without it.
     cup.release_s = 0.3;
     scene.objects = {cup};
@@ -136,40 +136,42 @@ TEST_F(CheckPath, JointsBeyondTheirLimitsAreJoined) {
   const auto found = findings(path_of({{0, 0.1}, {3.01, 0.1}, {3.02, 0.1}, {3, 0.1}, {-3.5, 0.1}}));
   std::vector<Finding> limits;
   for (const Finding& f : found) {
-    if (f.cause == "limit") limits.push_back(f);
+    if (f.cause == Cause::limit) limits.push_back(f);
   }
   ASSERT_EQ(limits.size(), 2u);
-  expect_finding(limits[0], "limit", "shoulder", "", 1, 2, 0.02);
-  expect_finding(limits[1], "limit", "shoulder", "", 4, 4, 0.5);
+  expect_finding(limits[0], Cause::limit, "shoulder", "", 1, 2, 0.02);
+  expect_finding(limits[1], Cause::limit, "shoulder", "", 4, 4, 0.5);
   EXPECT_TRUE(findings(path_of({{0, 3 + 1e-10}})).empty());
 }
 
 TEST_F(CheckPath, AnAngleThatIsNoNumberIsNotFree) {
   const auto found = findings(path_of({{0, 0}, {std::nan(""), 0}, {0, 0}}));
   ASSERT_FALSE(found.empty());
-  EXPECT_THAT(found, testing::Contains(testing::Field(&Finding::cause, "limit")));
+  EXPECT_THAT(found, testing::Contains(testing::Field(&Finding::cause, Cause::limit)));
 }
 
 TEST_F(CheckPath, TrackingIsJudgedByPhaseAndSkipsUnseenGoals) {
   // Goals every 20 ms, 10 mm beside the tip: too far in the grasp alone, to which the samples
   // beside it count (some of the motion between is its own).
-  movement.phases = {{"reach", 0, 0.025, 1}, {"grasp", 0.025, 0.045, 1}, {"return", 0.046, 1, 1}};
+  movement.phases = {{PhaseKind::reach, 0, 0.025, 1},
+                     {PhaseKind::grasp, 0.025, 0.045, 1},
+                     {PhaseKind::go_back, 0.046, 1, 1}};
   std::vector<Eigen::Vector2d> positions(11, Eigen::Vector2d(0.2, 0.3));
   for (int k = 0; k <= 5; ++k) goal(2 * kStep_s * k, tip_of(0.2, 0.3) + Vec3(0, 0, 0.01));
   auto found = findings(path_of(positions));
   ASSERT_EQ(found.size(), 1u);
-  expect_finding(found[0], "tracking", "tip", "", 2, 5, 0.005);
+  expect_finding(found[0], Cause::tracking, "tip", "", 2, 5, 0.005);
   // Between a seen goal and one that is not there is none.
   goals.tip_position(2, 0) = unseen_point();
   found = findings(path_of(positions));
   ASSERT_EQ(found.size(), 1u);
-  expect_finding(found[0], "tracking", "tip", "", 2, 2, 0.005);
+  expect_finding(found[0], Cause::tracking, "tip", "", 2, 2, 0.005);
   // Half way between two goals the goal is half way.
   goals.tip_position(3, 0) += Vec3(0, 0, 0.02);
   goals.tip_position(4, 0) += Vec3(0, 0, 0.012);
   found = findings(path_of(positions));
   ASSERT_EQ(found.size(), 2u);
-  expect_finding(found[1], "tracking", "tip", "", 6, 8, 0.010);
+  expect_finding(found[1], Cause::tracking, "tip", "", 6, 8, 0.010);
 }
 
 TEST_F(CheckPath, AJumpIsAnIsolatedStep) {
@@ -177,7 +179,7 @@ TEST_F(CheckPath, AJumpIsAnIsolatedStep) {
   for (int k = 0; k < 10; ++k) positions.push_back({0.005 * k + (k >= 6 ? 0.2 : 0), 0});
   auto found = findings(path_of(positions));
   ASSERT_EQ(found.size(), 1u);
-  expect_finding(found[0], "jump", "shoulder", "", 5, 6, 0.205 - 0.06);
+  expect_finding(found[0], Cause::jump, "shoulder", "", 5, 6, 0.205 - 0.06);
   JointPath path = path_of(positions);
   path.origin[6] = Origin::planned;
   EXPECT_TRUE(findings(path).empty());
@@ -196,12 +198,12 @@ TEST_F(CheckPath, FindsWhatLiesBetweenSamples) {
                    post("table", tip_of(0.15, 0) * 0.8, 0.0005)};
   options.jump_step = 1;
   const JointPath path = path_of({{0, 0}, {0.1, 0}, {0.2, 0}, {0.2, 0.01}});
-  for (const std::string engine : {"closed", "fcl"}) {
+  for (const Engine engine : {Engine::closed, Engine::fcl}) {
     options.engine = engine;
     const auto found = findings(path);
-    ASSERT_EQ(found.size(), 2u) << engine;
-    expect_finding(found[0], "object", "forearm", "pen", 0, 1, 0.006, 0.0056);
-    expect_finding(found[1], "table", "forearm", "table", 1, 2, 0.006, 0.0056);
+    ASSERT_EQ(found.size(), 2u) << name_of(engine);
+    expect_finding(found[0], Cause::object, "forearm", "pen", 0, 1, 0.006, 0.0056);
+    expect_finding(found[1], Cause::table, "forearm", "table", 1, 2, 0.006, 0.0056);
   }
 }
 
@@ -210,52 +212,52 @@ TEST_F(CheckPath, FindsTheRobotItself) {
   robot.upper[1] = 3.2;
   std::vector<Eigen::Vector2d> positions;
   for (int k = 0; k <= 20; ++k) positions.push_back({0, M_PI * std::min(k, 20 - k) / 10});
-  for (const std::string engine : {"closed", "fcl"}) {
+  for (const Engine engine : {Engine::closed, Engine::fcl}) {
     options.engine = engine;
     const auto found = findings(path_of(positions));
-    ASSERT_EQ(found.size(), 1u) << engine;
+    ASSERT_EQ(found.size(), 1u) << name_of(engine);
     // Near the fold the forearm's end lies in the column: free again within one sample (0.16 m).
-    expect_finding(found[0], "self", "column", "forearm", 9, 11, 0.031);
+    expect_finding(found[0], Cause::self, "column", "forearm", 9, 11, 0.031);
   }
 }
 
 TEST_F(CheckPath, ContactIsAllowedFromGraspToRelease) {
   scene.objects = {post("cup", tip_of(0, 0) * 0.8 + Vec3(0, 0.048, 0), 0.04)};
   movement.target = "cup";
-  movement.phases = {{"reach", 0, 0.02, 1}, {"grasp", 0.02, 0.04, 1}, {"return", 0.04, 1, 1}};
+  movement.phases = {{PhaseKind::reach, 0, 0.02, 1},
+                     {PhaseKind::grasp, 0.02, 0.04, 1},
+                     {PhaseKind::go_back, 0.04, 1, 1}};
   const std::vector<Eigen::Vector2d> still(8, Eigen::Vector2d::Zero());  // 2 mm in the cup
-  for (const std::string engine : {"closed", "fcl"}) {
+  for (const Engine engine : {Engine::closed, Engine::fcl}) {
     options.engine = engine;
     const auto found = findings(path_of(still));
-    ASSERT_EQ(found.size(), 2u) << engine;
-    expect_finding(found[0], "object", "forearm", "cup", 0, 2, 0.003);
-    expect_finding(found[1], "object", "forearm", "cup", 4, 7, 0.003);
+    ASSERT_EQ(found.size(), 2u) << name_of(engine);
+    expect_finding(found[0], Cause::object, "forearm", "cup", 0, 2, 0.003);
+    expect_finding(found[1], Cause::object, "forearm", "cup", 4, 7, 0.003);
   }
   options.tolerances.contact_depth = 0.0015;
   const auto deep = findings(path_of(still));
   ASSERT_EQ(deep.size(), 1u);
-  expect_finding(deep[0], "object", "forearm", "cup", 0, 7, 0.003);
+  expect_finding(deep[0], Cause::object, "forearm", "cup", 0, 7, 0.003);
 }
 
 TEST_F(CheckPath, FindingsAreOrderedByBeginThenCause) {
   scene.objects = {post("pen", tip_of(0, 0) * 0.8, 0.002)};
-  movement.phases = {{"hold", 0, 1, 1}};
+  movement.phases = {{PhaseKind::hold, 0, 1, 1}};
   goal(0, tip_of(0, 0) + Vec3(0, 0, 0.1));
   const auto found = findings(path_of({{0, 0}, {0, 0}, {0, -3.2}}));
-  std::vector<std::string> causes;
+  std::vector<Cause> causes;
   for (std::size_t k = 0; k < found.size(); ++k) {
     causes.push_back(found[k].cause);
     EXPECT_LE(found[k == 0 ? 0 : k - 1].begin_s, found[k].begin_s);
   }
-  EXPECT_THAT(causes, testing::ElementsAre("object", "tracking", "jump", "self", "limit"));
+  EXPECT_THAT(causes, testing::ElementsAre(Cause::object, Cause::tracking, Cause::jump, Cause::self,
+                                           Cause::limit));
 }
 
 TEST(CheckOptions, SaysWhatIsWrong) {
   CheckOptions options;
   EXPECT_EQ(why_invalid(options), "");
-  options.engine = "other";
-  EXPECT_EQ(why_invalid(options), "engine must be closed or fcl");
-  options = {};
   options.tolerances.margin = -1;
   EXPECT_EQ(why_invalid(options), "margin must not be negative");
 }

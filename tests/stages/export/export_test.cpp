@@ -26,7 +26,7 @@ Trajectory three_samples() {
   t.demonstration_time = {2, 2.5, 3};
   t.position = t.velocity = t.acceleration = JointRows::Zero(3, 1);
   t.position.col(0) << 1e-5, 1.0 / 3, -2;
-  t.phase = {0, 1, 3};
+  t.phase = {PhaseKind::rest, PhaseKind::reach, PhaseKind::grasp};
   return t;
 }
 

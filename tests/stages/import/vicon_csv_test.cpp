@@ -28,7 +28,7 @@ TEST_F(ViconCsv, ReadsUnitsRateGapsAndByteOrderMark) {
   const MarkerStream& markers = *d.streams.markers;
   EXPECT_EQ(d.name, "trial");
   EXPECT_EQ(d.subject, "A");
-  EXPECT_EQ(d.hand, "right");
+  EXPECT_EQ(d.hand, Side::right);
   EXPECT_EQ(markers.names, (std::vector<std::string>{"RFTP", "RTHUM"}));
   ASSERT_EQ(markers.time.size(), 2u);
   EXPECT_DOUBLE_EQ(markers.time[0], 0.2);
@@ -306,7 +306,7 @@ TEST_F(ViconCsv, ManifestErrors) {
   EXPECT_EQ(manifest_error("recordings:\n  - {file: trial.csv, colour: red}\n"),
             "recordings.yaml:2: recordings[0].colour: unknown key");
   EXPECT_THAT(manifest_error("hand: both\nrecordings:\n  - {file: trial.csv}\n"),
-              HasSubstr("hand must be right or left"));
+              HasSubstr("hand: must be right or left, not 'both'"));
   EXPECT_THAT(manifest_error("recordings:\n  - {file: trial.csv}\n  - {file: trial.csv}\n"),
               HasSubstr("'trial' stands twice"));
 }

@@ -129,7 +129,7 @@ class ArmToArm : public testing::Test {
       goals.tip_position(f, 1) = chain[2];  // somewhere: to be tracked, and missed
     }
     world = collision::make_world(robot, scene, Movement{}, Tolerances{});
-    options.mode = "joint_to_joint";
+    options.mode = MapMode::joint_to_joint;
     options.starts = 24;
     options.reachable_starts = 4;
   }
@@ -145,7 +145,7 @@ TEST_F(ArmToArm, LinksAndHandPointAsTheHumans) {
   MappingProblem problem = make_mapping_problem(robot, goals, world, options);
   problem.goals = joint_to_joint_goals(robot, {}, {}, goals);
   const MapResult result = map_movement(problem, goals, options, 3);
-  ASSERT_EQ(result.reason, "");
+  ASSERT_EQ(result.reason, Reason::none);
   std::vector<Pose> poses;
   for (const std::size_t f : {0u, 10u, 19u}) {
     robot::forward(robot, result.mapped.position.row(static_cast<Index>(f)).transpose(), poses);

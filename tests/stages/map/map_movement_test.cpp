@@ -67,7 +67,7 @@ class MapMovement : public testing::Test {
 
 TEST_F(MapMovement, MeetsReachableGoalsInsideTheLimitsWithoutAJump) {
   const MapResult result = solve();
-  ASSERT_EQ(result.reason, "");
+  ASSERT_EQ(result.reason, Reason::none);
   for (Index f = 0; f < result.mapped.position.rows(); ++f) {
     for (const Index tip : {0, 1}) EXPECT_LT(result.mapped.position_error(f, tip), 1e-3);
     EXPECT_TRUE(std::isnan(result.mapped.position_error(f, 2)));
@@ -114,14 +114,14 @@ TEST_F(MapMovement, GoalsOutOfReachAreSaidToBe) {
   }
   options.reachable_starts = 4;
   const MapResult result = solve();
-  ASSERT_EQ(result.reason, "");
+  ASSERT_EQ(result.reason, Reason::none);
   EXPECT_FALSE(goals.reachable(10, 0));
   EXPECT_EQ(result.mapped.status[10], FrameStatus::out_of_reach);
 }
 
 TEST_F(MapMovement, WithoutAnyTipThereIsAReason) {
   for (Vec3& tip : goals.tip_position.values) tip = unseen_point();
-  EXPECT_EQ(solve().reason, "no_goal");
+  EXPECT_EQ(solve().reason, Reason::no_goal);
 }
 
 TEST_F(MapMovement, TheSameSeedGivesTheSameBits) {

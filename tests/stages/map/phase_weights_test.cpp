@@ -5,8 +5,9 @@
 namespace morphe::map {
 namespace {
 
-const std::vector<Phase> kReachAndGrasp{{"reach", 0, 1}, {"grasp", 1, 1.5}};
-const std::vector<PhaseWeights> kHumanlikeReach{{"reach", 0.5, 1, 4, 1}, {"grasp", 2, 1, 1, 1}};
+const std::vector<Phase> kReachAndGrasp{{PhaseKind::reach, 0, 1}, {PhaseKind::grasp, 1, 1.5}};
+const std::vector<PhaseWeights> kHumanlikeReach{{PhaseKind::reach, 0.5, 1, 4, 1},
+                                                {PhaseKind::grasp, 2, 1, 1, 1}};
 
 TEST(PhaseWeights, InsideAPhaseTheyAreItsOwn) {
   const humanlike::FrameWeights reach = weights_at(kHumanlikeReach, kReachAndGrasp, 0.5, 0.2);
@@ -33,10 +34,9 @@ TEST(PhaseWeights, NothingJumpsAtABoundary) {
   EXPECT_NEAR(last, 2, 1e-12);
 }
 
-TEST(PhaseWeights, RefusesWhatIsNoPhase) {
-  EXPECT_NE(why_invalid({{"reech", 1, 1, 1, 1}}).find("reech"), std::string::npos);
-  EXPECT_NE(why_invalid({{"reach", 1, 1, 1, 1}, {"reach", 1, 1, 1, 1}}), "");
-  EXPECT_NE(why_invalid({{"reach", -1, 1, 1, 1}}), "");
+TEST(PhaseWeights, RefusesAPhaseNamedTwiceAndNegativeWeights) {
+  EXPECT_NE(why_invalid({{PhaseKind::reach, 1, 1, 1, 1}, {PhaseKind::reach, 1, 1, 1, 1}}), "");
+  EXPECT_NE(why_invalid({{PhaseKind::reach, -1, 1, 1, 1}}), "");
   EXPECT_EQ(why_invalid(kHumanlikeReach), "");
 }
 

@@ -48,7 +48,8 @@ class FindDeadEnd : public testing::Test {
     };
     return find_dead_end(map::make_mapping_problem(robot, goals, world, options),
                          {beside, std::vector<Origin>(kFrames), goals.time},
-                         {{0.1, 0.3, "tracking", "thumb_tip", "", 0.01}}, judge, options, 3, holds);
+                         {{0.1, 0.3, Cause::tracking, "thumb_tip", "", 0.01}}, judge, options, 3,
+                         holds);
   }
 
   static constexpr std::size_t kFrames = 11;
@@ -85,7 +86,7 @@ TEST_F(FindDeadEnd, IsAGoalInCollisionInsideABody) {
   scene.objects.push_back(ball);
   const std::optional<repair::DeadEnd> end = find();
   ASSERT_TRUE(end);
-  EXPECT_EQ(end->reason, "goal_in_collision");
+  EXPECT_EQ(end->reason, Reason::goal_in_collision);
   EXPECT_GT(end->tried, 1);
   EXPECT_GT(end->nearest.depth, 0);
   EXPECT_TRUE(holds.empty());
@@ -95,7 +96,7 @@ TEST_F(FindDeadEnd, IsUnreachableWhereTheArmDoesNotGo) {
   for (std::size_t f = 0; f < kFrames; ++f) goals.tip_position(f, 1) += Vec3(2.5, 0, 0);
   const std::optional<repair::DeadEnd> end = find();
   ASSERT_TRUE(end);
-  EXPECT_EQ(end->reason, "unreachable");
+  EXPECT_EQ(end->reason, Reason::unreachable);
   EXPECT_NEAR(end->time_s, 0.2, 1e-9);
 }
 

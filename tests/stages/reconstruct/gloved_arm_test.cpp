@@ -152,7 +152,7 @@ TEST(GlovedArm, AGlovesClockIsCorrectedByTheWrist) {
 TEST(GlovedArm, ALeftArmIsTheMirroredRightOne) {
   const Demonstration right = GlovedArm{}.record();
   Demonstration left = mirrored(right);
-  left.hand = "left";
+  left.hand = Side::left;
   const HumanMotion a = reconstruct(right, {}, {}), b = reconstruct(left, {}, {});
   ASSERT_EQ(a.time.size(), b.time.size());
   for (std::size_t i = 50; i < a.time.size(); i += 50) {

@@ -130,7 +130,7 @@ TEST(MotionFromMarkers, LeftHandIsTheMirroredRightOne) {
   const SyntheticArm arm = synthetic_arm();
   const HumanMotion right = reconstruct(arm.demonstration, {}, {});
   Demonstration left = mirrored(arm.demonstration);
-  left.hand = "left";
+  left.hand = Side::left;
   EXPECT_THAT(left.streams.markers->names, Contains("LHAN1"));
   const HumanMotion motion = reconstruct(left, {}, {});
   ASSERT_EQ(motion.time.size(), right.time.size());

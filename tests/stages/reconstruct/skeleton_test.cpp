@@ -163,7 +163,7 @@ TEST(Skeleton, SaysWhatItLacks) {
 TEST(Skeleton, ALeftArmIsTheRightOneInTheMirror) {
   const Swing truth = swing(60);
   Demonstration left = mirrored(truth.demonstration);
-  left.hand = "left";
+  left.hand = Side::left;
   EXPECT_EQ(left.streams.skeleton->names[6], "left_index_tip");
   EXPECT_EQ(left.streams.skeleton->parents[6], "left_index_dip");
   const HumanMotion a = reconstruct(truth.demonstration, {}, {}), b = reconstruct(left, {}, {});
@@ -202,7 +202,7 @@ TEST(Skeleton, TheShippedOnes) {
 
 // A hand that hangs beside the body while its subject stands: the palm faces the thigh.
 TEST(Skeleton, TheHangingHandsPalmFacesTheBody) {
-  for (const char* hand : {"right", "left"}) {
+  for (const Side hand : {Side::right, Side::left}) {
     imports::ImportRequest request;
     request.paths = {std::filesystem::path(MORPHE_SOURCE_DIR) / "datasets/pybvh/recordings.yaml"};
     imports::import_recordings(request, [&](Demonstration&& d) {
@@ -211,9 +211,9 @@ TEST(Skeleton, TheHangingHandsPalmFacesTheBody) {
       const Vec3 out_of_palm = motion.wrist_orientation[20] * Vec3::UnitX();
       const Vec3 to_fingers = motion.wrist_orientation[20] * Vec3::UnitZ();
       const Vec3 to_thumb = motion.wrist_orientation[20] * Vec3::UnitY();
-      EXPECT_LT(out_of_palm.x(), -0.6) << hand;
-      EXPECT_LT(to_fingers.z(), -0.8) << hand;
-      EXPECT_GT(to_thumb.y(), 0.5) << hand;
+      EXPECT_LT(out_of_palm.x(), -0.6) << name_of(hand);
+      EXPECT_LT(to_fingers.z(), -0.8) << name_of(hand);
+      EXPECT_GT(to_thumb.y(), 0.5) << name_of(hand);
     });
   }
 }

@@ -81,7 +81,7 @@ std::vector<Finding> Bench::collisions(const JointPath& path) const {
         scratch);
     const bool bad = edge.verdict != collision::MotionVerdict::free;
     if (bad && !open)
-      findings.push_back({begin_s, end_s, edge.pair.object ? "object" : "self",
+      findings.push_back({begin_s, end_s, edge.pair.object ? Cause::object : Cause::self,
                           collision::first_name(world, edge.pair),
                           collision::second_name(world, edge.pair), 0});
     if (bad) {

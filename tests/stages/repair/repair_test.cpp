@@ -39,7 +39,7 @@ TEST(Repair, LeavesAFreePathAlone) {
   const Bench bench({});
   const JointPath path = sweep(kFrom, kTo);
   const RepairResult result = repair(bench, path);
-  EXPECT_EQ(result.reason, "");
+  EXPECT_EQ(result.reason, Reason::none);
   EXPECT_FALSE(result.repaired);
   EXPECT_EQ(result.path.position, path.position);
 }
@@ -51,7 +51,7 @@ TEST(Repair, GoesAroundAPost) {
   ASSERT_LT(bench.densely_sampled_slack(path), 0);
 
   const RepairResult result = repair(bench, path);
-  EXPECT_EQ(result.reason, "") << result.detail;
+  EXPECT_EQ(result.reason, Reason::none) << result.detail;
   EXPECT_TRUE(result.repaired);
   EXPECT_TRUE(result.remaining.empty());
   EXPECT_GE(bench.densely_sampled_slack(result.path), 0);
@@ -95,7 +95,7 @@ TEST(Repair, FingersFollowTheArmAndTheRestIsTheSame) {
   Bench bench({post("post", 0.9, 0)});
   bench.robot.palm_frame = 1;  // the third joint is the hand's
   const RepairResult result = repair(bench, sweep(kFrom, kTo));
-  EXPECT_EQ(result.reason, "") << result.detail;
+  EXPECT_EQ(result.reason, Reason::none) << result.detail;
   EXPECT_GE(bench.densely_sampled_slack(result.path), 0);
 }
 
@@ -106,7 +106,7 @@ TEST(Repair, SaysWhenThereIsNoPath) {
   RepairOptions options;
   options.iterations = 300;
   const RepairResult result = repair(bench, path, nullptr, options);
-  EXPECT_EQ(result.reason, "no_path");
+  EXPECT_EQ(result.reason, Reason::no_path);
   EXPECT_THAT(result.detail, HasSubstr("post"));
   EXPECT_THAT(result.detail, HasSubstr("300 iterations"));
   EXPECT_FALSE(result.repaired);
@@ -119,12 +119,12 @@ TEST(Repair, SaysWhenAnEndIsInCollision) {
                          0.4 * (std::sin(0.9) + std::sin(1.2) + std::sin(1.5)), 0);
   const Bench goal({post("cupboard", tip_at_goal.x(), tip_at_goal.y())});
   const RepairResult at_goal = repair(goal, path);
-  EXPECT_EQ(at_goal.reason, "goal_in_collision");
+  EXPECT_EQ(at_goal.reason, Reason::goal_in_collision);
   EXPECT_THAT(at_goal.detail, HasSubstr("link3"));
   EXPECT_THAT(at_goal.detail, HasSubstr("cupboard"));
 
   const Bench start({post("shelf", 0.4 * std::cos(0.9), -0.4 * std::sin(0.9))});
-  EXPECT_EQ(repair(start, path).reason, "start_in_collision");
+  EXPECT_EQ(repair(start, path).reason, Reason::start_in_collision);
 }
 
 TEST(Repair, TakesWhatTheMappingCanSolveItself) {
@@ -163,14 +163,14 @@ TEST(Repair, GoesAroundFromTheMappedPathWhereResolvingLosesTheGoals) {
   steps.recheck = [&](const JointPath& p) {
     std::vector<Finding> findings = bench.collisions(p);
     if ((p.position.row(100).transpose() - kTo).norm() > 1e-9) {
-      findings.push_back({1, 1, "tracking", "tip", "", 0.1});
+      findings.push_back({1, 1, Cause::tracking, "tip", "", 0.1});
     }
     return findings;
   };
   steps.resolve = [&](const JointPath&, const std::vector<Finding>&) { return aside; };
   const RepairResult result =
       repair_path(bench.world, bench.reach, path, steps.recheck(path), steps, {}, 42);
-  EXPECT_EQ(result.reason, "") << result.detail;
+  EXPECT_EQ(result.reason, Reason::none) << result.detail;
   EXPECT_TRUE(result.repaired);
   EXPECT_TRUE(steps.recheck(result.path).empty());
 }
@@ -186,14 +186,14 @@ TEST(Repair, AnotherCourseWhereTheGoalIsInCollision) {
   steps.recheck = [&](const JointPath& p) { return bench.collisions(p); };
   const RepairResult stuck =
       repair_path(bench.world, bench.reach, path, bench.collisions(path), steps, {}, 42);
-  ASSERT_EQ(stuck.reason, "goal_in_collision");
+  ASSERT_EQ(stuck.reason, Reason::goal_in_collision);
   int asked = 0;
   steps.new_course = [&](bool) -> std::optional<JointPath> {
     return asked++ == 0 ? std::optional(other) : std::nullopt;
   };
   const RepairResult freed =
       repair_path(bench.world, bench.reach, path, bench.collisions(path), steps, {}, 42);
-  EXPECT_EQ(freed.reason, "") << freed.detail;
+  EXPECT_EQ(freed.reason, Reason::none) << freed.detail;
   EXPECT_TRUE(freed.repaired);
   EXPECT_TRUE(bench.collisions(freed.path).empty());
   EXPECT_EQ(freed.path.position.row(100), other.position.row(100));
@@ -211,7 +211,7 @@ TEST(Repair, InsistsOnWhatResolvingLeavesAfterDeadEndsAndOnlyIfItIsNear) {
   steps.recheck = [&](const JointPath& p) -> std::vector<Finding> {
     if (p.position == free.position) return {};
     const double depth = p.position == path.position ? 0.003 : 0.03;
-    return {{0.5, 0.5, "tracking", "tip", "", depth}};
+    return {{0.5, 0.5, Cause::tracking, "tip", "", depth}};
   };
   steps.resolve = [&](const JointPath& p, const std::vector<Finding>&) {
     called += "r";
@@ -231,10 +231,10 @@ TEST(Repair, InsistsOnWhatResolvingLeavesAfterDeadEndsAndOnlyIfItIsNear) {
     called.clear();
     return repair_path(bench.world, bench.reach, path, steps.recheck(path), steps, {}, 1);
   };
-  EXPECT_EQ(result().reason, "");
+  EXPECT_EQ(result().reason, Reason::none);
   EXPECT_EQ(called, "rdi");
   frees = false;
-  EXPECT_EQ(result().reason, "tracking");
+  EXPECT_EQ(result().reason, Reason::tracking);
   EXPECT_EQ(called, "rdirrr") << "a course that is 30 mm off is not worth it";
 }
 
@@ -242,11 +242,14 @@ TEST(Repair, StopsWhereCoursesEndWithTheSameFindings) {
   const Bench bench({});
   const JointPath path = sweep(kFrom, kTo);
   // Of the path and of the courses one after the other: the second is at other moments.
-  const std::vector<Finding> findings{
-      {0.50, 0.52, "tracking", "tip", "", 0.0045}, {0.50, 0.52, "tracking", "tip", "", 0.0041},
-      {0.70, 0.75, "tracking", "tip", "", 0.0044}, {0.51, 0.52, "tracking", "tip", "", 0.0042},
-      {0.50, 0.51, "tracking", "tip", "", 0.0060}, {0.50, 0.52, "tracking", "tip", "", 0.0040},
-      {0.50, 0.52, "tracking", "tip", "", 0.0043}, {0.50, 0.52, "tracking", "tip", "", 0.0041}};
+  const std::vector<Finding> findings{{0.50, 0.52, Cause::tracking, "tip", "", 0.0045},
+                                      {0.50, 0.52, Cause::tracking, "tip", "", 0.0041},
+                                      {0.70, 0.75, Cause::tracking, "tip", "", 0.0044},
+                                      {0.51, 0.52, Cause::tracking, "tip", "", 0.0042},
+                                      {0.50, 0.51, Cause::tracking, "tip", "", 0.0060},
+                                      {0.50, 0.52, Cause::tracking, "tip", "", 0.0040},
+                                      {0.50, 0.52, Cause::tracking, "tip", "", 0.0043},
+                                      {0.50, 0.52, Cause::tracking, "tip", "", 0.0041}};
   RepairSteps steps;
   std::size_t course = 0;
   steps.recheck = [&](const JointPath&) { return std::vector<Finding>{findings.at(course)}; };
@@ -257,7 +260,7 @@ TEST(Repair, StopsWhereCoursesEndWithTheSameFindings) {
   const RepairResult result =
       repair_path(bench.world, bench.reach, path, {findings[0]}, steps, {}, 1);
   EXPECT_EQ(course, 6u) << "neither the second nor the fourth are like the path";
-  EXPECT_EQ(result.reason, "tracking");
+  EXPECT_EQ(result.reason, Reason::tracking);
   ASSERT_EQ(result.remaining.size(), 1u);
   EXPECT_EQ(result.remaining[0].depth, 0.0040);
 }
@@ -272,11 +275,12 @@ TEST(Repair, StopsWhereNoPostureIsGoodEnough) {
     return std::nullopt;
   };
   steps.dead_end = [](const JointPath&, const std::vector<Finding>&) -> std::optional<DeadEnd> {
-    return DeadEnd{"unreachable", 0.5, 49, {0.5, 0.5, "tracking", "thumb_tip", "", 0.012}};
+    return DeadEnd{
+        Reason::unreachable, 0.5, 49, {0.5, 0.5, Cause::tracking, "thumb_tip", "", 0.012}};
   };
   const RepairResult result =
       repair_path(bench.world, bench.reach, path, bench.collisions(path), steps, {}, 1);
-  EXPECT_EQ(result.reason, "unreachable");
+  EXPECT_EQ(result.reason, Reason::unreachable);
   EXPECT_THAT(result.detail, HasSubstr("0.500 s"));
   EXPECT_THAT(result.detail, HasSubstr("thumb_tip"));
   EXPECT_FALSE(result.repaired);
@@ -289,13 +293,13 @@ TEST(Repair, NamesTheWorstOfWhatPlanningCannotCure) {
   const JointPath path = sweep(kFrom, kTo);
   const auto recheck = [&](const JointPath& p) {
     std::vector<Finding> findings = bench.collisions(p);
-    findings.push_back({0.2, 0.3, "tracking", "index_tip", "", 0.004});
-    findings.push_back({0.4, 0.6, "tracking", "thumb_tip", "", 0.020});
+    findings.push_back({0.2, 0.3, Cause::tracking, "index_tip", "", 0.004});
+    findings.push_back({0.4, 0.6, Cause::tracking, "thumb_tip", "", 0.020});
     return findings;
   };
   const RepairResult result = repair_path(bench.world, bench.reach, path, recheck(path),
                                           steps_of(nullptr, recheck), RepairOptions{}, 1);
-  EXPECT_EQ(result.reason, "tracking");
+  EXPECT_EQ(result.reason, Reason::tracking);
   EXPECT_THAT(result.detail, HasSubstr("thumb_tip"));
   EXPECT_EQ(result.remaining.size(), 2u);
   EXPECT_TRUE(bench.collisions(result.path).empty());
@@ -307,18 +311,19 @@ TEST(Repair, TheMappingWinsBackWhatADetourCost) {
   const auto tracks = [](const JointPath& p) { return p.origin[1] == Origin::resolved; };
   const auto recheck = [&](const JointPath& p) {
     std::vector<Finding> findings = bench.collisions(p);
-    if (findings.empty() && !tracks(p)) findings.push_back({0, 0.1, "tracking", "tip", "", 0.01});
+    if (findings.empty() && !tracks(p))
+      findings.push_back({0, 0.1, Cause::tracking, "tip", "", 0.01});
     return findings;
   };
   const auto resolve = [&](JointPath p, const std::vector<Finding>& findings) {
-    if (findings.front().cause == "tracking") p.origin[1] = Origin::resolved;
+    if (findings.front().cause == Cause::tracking) p.origin[1] = Origin::resolved;
     return p;
   };
   RepairOptions options;
   options.widen_samples = 5;
   const RepairResult result = repair_path(bench.world, bench.reach, path, recheck(path),
                                           steps_of(resolve, recheck), options, 1);
-  EXPECT_EQ(result.reason, "") << result.detail;
+  EXPECT_EQ(result.reason, Reason::none) << result.detail;
   EXPECT_EQ(result.path.origin[1], Origin::resolved);
   EXPECT_EQ(result.path.origin[50], Origin::planned);
 }
@@ -343,7 +348,7 @@ TEST(Repair, TheReferenceRobotTakesItsForearmAroundABall) {
   const Bench bench({ball}, robot);
   ASSERT_FALSE(bench.collisions(path).empty());
   const RepairResult result = repair(bench, path);
-  EXPECT_EQ(result.reason, "") << result.detail;
+  EXPECT_EQ(result.reason, Reason::none) << result.detail;
   EXPECT_GE(bench.densely_sampled_slack(result.path), 0);
   EXPECT_TRUE((result.path.position.row(100) - path.position.row(100)).isZero(0));
 }

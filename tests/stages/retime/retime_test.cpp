@@ -41,7 +41,7 @@ double minimum_jerk(double z) { return z * z * z * (10 - 15 * z + 6 * z * z); }
 
 /// Everything that holds for each result; the limits are judged by dense sampling of the quintics.
 void expect_valid(const RobotTable& robot, const JointPath& path, const RetimeResult& result) {
-  ASSERT_EQ(result.reason, "") << result.detail;
+  ASSERT_EQ(result.reason, Reason::none) << result.detail;
   const Trajectory& t = result.trajectory;
   ASSERT_GE(t.samples(), 2u);
   const Eigen::Index last = t.position.rows() - 1;
@@ -225,12 +225,12 @@ TEST(Retime, AStretchWhereDemonstrationTimeStandsStill) {
 TEST(Retime, PhasesFollowTheDemonstration) {
   const RobotTable robot = robot_with(1, 1, 3, 30);
   Movement movement;
-  movement.phases = {{"reach", 0, 0.6, 1}, {"grasp", 0.6, 1.2, 1}};
+  movement.phases = {{PhaseKind::reach, 0, 0.6, 1}, {PhaseKind::grasp, 0.6, 1.2, 1}};
   const JointPath path =
       path_of(121, 1, 1.2, [](double t, Eigen::Index) { return 0.5 * minimum_jerk(t / 1.2); });
   const Trajectory t = retime(robot, path, movement, {}).trajectory;
-  EXPECT_EQ(t.phase.front(), 1);
-  EXPECT_EQ(t.phase.back(), 3);
+  EXPECT_EQ(t.phase.front(), PhaseKind::reach);
+  EXPECT_EQ(t.phase.back(), PhaseKind::grasp);
   EXPECT_TRUE(std::isnan(t.clearance[3]));
   EXPECT_DOUBLE_EQ(t.demonstration_time.back(), 1.2);
 }
@@ -238,21 +238,21 @@ TEST(Retime, PhasesFollowTheDemonstration) {
 TEST(Retime, RefusesWhatIsNoPath) {
   const RobotTable robot = robot_with(2, 1, 3, 30);
   const auto line = [](double t, Eigen::Index) { return t; };
-  EXPECT_EQ(retime(robot, JointPath{}, {}, {}).reason, "path");
+  EXPECT_EQ(retime(robot, JointPath{}, {}, {}).reason, Reason::path);
   JointPath path = path_of(11, 2, 1, line);
   path.position(3, 1) = kNotSeen;
-  EXPECT_EQ(retime(robot, path, {}, {}).reason, "path");
+  EXPECT_EQ(retime(robot, path, {}, {}).reason, Reason::path);
   path = path_of(11, 2, 1, line);
   path.demonstration_time[5] = 0;
-  EXPECT_EQ(retime(robot, path, {}, {}).reason, "path");
+  EXPECT_EQ(retime(robot, path, {}, {}).reason, Reason::path);
   path = path_of(11, 2, 1, line);
   path.position(4, 0) = 3.01;
-  EXPECT_EQ(retime(robot, path, {}, {}).reason, "limit");
+  EXPECT_EQ(retime(robot, path, {}, {}).reason, Reason::limit);
 }
 
 TEST(Retime, FastestComesCloseToTheClosedFormAfterSampling) {
   RetimeOptions options;
-  options.mode = "fastest";
+  options.mode = Tempo::fastest;
   RobotTable robot = robot_with(1, 0.99, 3.1, std::numeric_limits<double>::infinity());
   const JointPath line = path_of(101, 1, 30, [](double t, Eigen::Index) { return t / 25; });
   const double trapezoid = 1.2 / 0.99 + 0.99 / 3.1;
@@ -271,15 +271,15 @@ TEST(Retime, ADurationIsMetOrRefused) {
     return (k == 0 ? 0.6 : -0.4) * minimum_jerk(t / 1.2);
   });
   RetimeOptions options;
-  options.mode = "fastest";
+  options.mode = Tempo::fastest;
   const double least = retime_valid(robot, path, options).trajectory.time.back();
-  options.mode = "duration";
+  options.mode = Tempo::duration;
   for (const double duration_s : {1.03 * least, 2 * least, 10.0}) {
     options.duration_s = duration_s;
     EXPECT_NEAR(retime_valid(robot, path, options).trajectory.time.back(), duration_s, 0.002);
   }
   options.duration_s = 0.9 * least;
-  EXPECT_EQ(retime(robot, path, Movement{}, options).reason, "duration");
+  EXPECT_EQ(retime(robot, path, Movement{}, options).reason, Reason::duration);
 }
 
 TEST(Retime, AnyDurationFromTheFastestOnIsMet) {
@@ -290,9 +290,9 @@ TEST(Retime, AnyDurationFromTheFastestOnIsMet) {
     return waypoint[static_cast<std::size_t>(std::lround(t / 2.36 * 7))];
   });
   RetimeOptions options;
-  options.mode = "fastest";
+  options.mode = Tempo::fastest;
   const double least = retime_valid(robot, path, options).trajectory.time.back();
-  options.mode = "duration";
+  options.mode = Tempo::duration;
   for (const double times : {1.0, 1.003, 1.03, 1.2, 4.0}) {
     SCOPED_TRACE(times);
     options.duration_s = times * least;
@@ -303,15 +303,15 @@ TEST(Retime, AnyDurationFromTheFastestOnIsMet) {
 TEST(Retime, APhaseIsSlowerByItsScale) {
   const RobotTable robot = robot_with(1, 1, 3, 30);
   Movement movement;
-  movement.phases = {{"reach", 0, 1.5}, {"grasp", 1.5, 3}};
+  movement.phases = {{PhaseKind::reach, 0, 1.5}, {PhaseKind::grasp, 1.5, 3}};
   const JointPath path = path_of(301, 1, 3, [](double t, Eigen::Index) { return 0.2 * t; });
   RetimeOptions options;
-  options.phase_speed = {{"grasp", 0.5}};
+  options.phase_speed = {{PhaseKind::grasp, 0.5}};
   const Trajectory t = retime(robot, path, movement, options).trajectory;
   ASSERT_GT(t.samples(), 2u);
   double fastest[2] = {0, 0};
   for (std::size_t i = 0; i < t.samples(); ++i) {
-    double& here = fastest[t.phase[i] == 3];
+    double& here = fastest[t.phase[i] == PhaseKind::grasp];
     if (std::abs(t.demonstration_time[i] - 1.5) < 0.02) continue;
     here = std::max(here, t.velocity(static_cast<Eigen::Index>(i), 0));
   }
@@ -343,7 +343,7 @@ TEST(Retime, PausesAreKeptUnlessItShallBeFast) {
   const JointPath path = path_of(301, 1, 3, pausing);
   RetimeOptions options;
   EXPECT_NEAR(retime_valid(robot, path, options).trajectory.time.back(), 3, 0.1);
-  options.mode = "fastest";
+  options.mode = Tempo::fastest;
   EXPECT_LT(retime_valid(robot, path, options).trajectory.time.back(), 2);
 }
 
@@ -356,12 +356,12 @@ TEST(Retime, LimitsThatAreNoneAreNone) {
   for (const double bad : {0.0, -1.0, kNotSeen}) {
     RobotTable robot = robot_with(1, 1, 3, 30);
     robot.acceleration[0] = bad;
-    EXPECT_EQ(retime(robot, path, {}, {}).reason, "limit");
+    EXPECT_EQ(retime(robot, path, {}, {}).reason, Reason::limit);
     robot = robot_with(1, 1, bad, 30);
-    EXPECT_EQ(retime(robot, path, {}, {}).reason, "limit");
+    EXPECT_EQ(retime(robot, path, {}, {}).reason, Reason::limit);
     robot = robot_with(1, 1, 3, 30);
     robot.upper[0] = kNotSeen;
-    EXPECT_EQ(retime(robot, path, {}, {}).reason, "limit");
+    EXPECT_EQ(retime(robot, path, {}, {}).reason, Reason::limit);
   }
 }
 
@@ -375,7 +375,7 @@ TEST(Retime, OptionsAreReadAndChecked) {
   EXPECT_EQ(options.sample_rate_hz, 250);
   EXPECT_EQ(options.limit_share, 0.8);
   EXPECT_EQ(options.tip_speed, 0.5);
-  EXPECT_EQ(options.phase_speed.front().phase, "grasp");
+  EXPECT_EQ(options.phase_speed.front().phase, PhaseKind::grasp);
   for (const char* wrong :
        {"{limit_share: 1.5}", "{mode: quick}", "{mode: duration}", "{duration_s: 2}",
         "{phase_speed: [{phase: lunch, scale: 1}]}", "{tip_speed: 0}"}) {

@@ -43,7 +43,7 @@ struct Reach {
     motion.arm_angles = JointRows::Zero(static_cast<Eigen::Index>(frames), 7);
     movement.begin_s = 0.2;
     movement.end_s = 1.7;
-    movement.phases = {{"reach", 0.2, 1.2, 1}, {"grasp", 1.2, 1.7, 1}};
+    movement.phases = {{PhaseKind::reach, 0.2, 1.2, 1}, {PhaseKind::grasp, 1.2, 1.7, 1}};
     scene = build_scene({}, {}, motion, movement);
   }
 
@@ -175,7 +175,7 @@ TEST(MoveTarget, NothingToMoveChangesNothing) {
   EXPECT_TRUE(m.motion.problems.empty());
 
   Reach without;
-  without.movement.phases = {{"reach", 0.2, 1.2, 1}};
+  without.movement.phases = {{PhaseKind::reach, 0.2, 1.2, 1}};
   const MovedTarget none = without.moved(by(Vec3(0.1, 0, 0), Vec3::Zero()));
   EXPECT_EQ(none.motion.wrist[150], without.motion.wrist[150]);
   EXPECT_THAT(none.motion.problems, testing::ElementsAre(testing::HasSubstr("no target")));

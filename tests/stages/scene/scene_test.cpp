@@ -29,7 +29,9 @@ struct Grasping {
     }
     movement.begin_s = 5;
     movement.end_s = 6.5;
-    movement.phases = {{"reach", 5, 6, 1}, {"preshape", 5.3, 6, 1}, {"grasp", 6, 6.5, 1}};
+    movement.phases = {{PhaseKind::reach, 5, 6, 1},
+                       {PhaseKind::preshape, 5.3, 6, 1},
+                       {PhaseKind::grasp, 6, 6.5, 1}};
   }
 };
 
@@ -114,8 +116,8 @@ TEST(BuildScene, WithoutTableTheCupIsCentredAtTheTips) {
 
 TEST(BuildScene, ACupIsCarriedUntilTheLastTransportEnds) {
   Grasping g;
-  g.movement.phases.push_back({"transport", 6.5, 6.7, 1});
-  g.movement.phases.push_back({"transport", 6.8, 6.9, 1});
+  g.movement.phases.push_back({PhaseKind::transport, 6.5, 6.7, 1});
+  g.movement.phases.push_back({PhaseKind::transport, 6.8, 6.9, 1});
   EXPECT_EQ(object(build_scene({}, {}, g.motion, g.movement), "cup").release_s, 6.9);
 }
 

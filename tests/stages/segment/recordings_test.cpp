@@ -26,7 +26,8 @@ std::vector<Movement> movements_of(const std::string& folder, const std::string&
 std::vector<Phase> moving_phases(const Movement& movement) {
   std::vector<Phase> moving;
   for (const Phase& phase : movement.phases) {
-    if (phase.name == "reach" || phase.name == "transport" || phase.name == "return") {
+    if (phase.kind == PhaseKind::reach || phase.kind == PhaseKind::transport ||
+        phase.kind == PhaseKind::go_back) {
       moving.push_back(phase);
     }
   }
@@ -34,7 +35,7 @@ std::vector<Phase> moving_phases(const Movement& movement) {
 }
 
 struct Expected {
-  const char* phase;
+  PhaseKind phase;
   double begin, end;  ///< 1-based frames at 100 Hz
 };
 struct Trial {
@@ -46,22 +47,22 @@ struct Trial {
 /// the bout's own).
 const std::vector<Trial>& ue_adl() {
   static const std::vector<Trial> trials = {{"ADL001DR2",
-                                             {{"reach", 67, 173},
-                                              {"transport", 206, 399},
-                                              {"transport", 413, 603},
-                                              {"return", 628, 725}}},
+                                             {{PhaseKind::reach, 67, 173},
+                                              {PhaseKind::transport, 206, 399},
+                                              {PhaseKind::transport, 413, 603},
+                                              {PhaseKind::go_back, 628, 725}}},
                                             {"ADL004DR2",
-                                             {{"reach", 40, 130},
-                                              {"transport", 148, 243},
-                                              {"transport", 290, 390},
-                                              {"return", 408, 471}}},
+                                             {{PhaseKind::reach, 40, 130},
+                                              {PhaseKind::transport, 148, 243},
+                                              {PhaseKind::transport, 290, 390},
+                                              {PhaseKind::go_back, 408, 471}}},
                                             {"ADL006DR2",
-                                             {{"reach", 40, 123},
-                                              {"transport", 124, 272},
-                                              {"transport", 279, 384},
-                                              {"return", 402, 476}}},
-                                            {"ADL001FR1", {{"reach", 64, 172}}},
-                                            {"ADL001AR1", {{"reach", 87, 185}}}};
+                                             {{PhaseKind::reach, 40, 123},
+                                              {PhaseKind::transport, 124, 272},
+                                              {PhaseKind::transport, 279, 384},
+                                              {PhaseKind::go_back, 402, 476}}},
+                                            {"ADL001FR1", {{PhaseKind::reach, 64, 172}}},
+                                            {"ADL001AR1", {{PhaseKind::reach, 87, 185}}}};
   return trials;
 }
 
@@ -73,13 +74,13 @@ TEST(Recordings, EveryReachOfUeAdlIsFoundAndNoneInvented) {
     const std::vector<Phase> moving = moving_phases(movements[0]);
     ASSERT_EQ(moving.size(), trial.phases.size()) << trial.name;
     for (std::size_t k = 0; k < moving.size(); ++k) {
-      EXPECT_EQ(moving[k].name, trial.phases[k].phase) << trial.name;
+      EXPECT_EQ(moving[k].kind, trial.phases[k].phase) << trial.name;
       auto& errors = k == 0 ? reach_errors_s : other_errors_s;
       errors.push_back(std::abs(moving[k].begin_s - 0.01 * (trial.phases[k].begin - 1)));
       errors.push_back(std::abs(moving[k].end_s - 0.01 * (trial.phases[k].end - 1)));
     }
     const auto grasp = std::count_if(movements[0].phases.begin(), movements[0].phases.end(),
-                                     [](const Phase& p) { return p.name == "grasp"; });
+                                     [](const Phase& p) { return p.kind == PhaseKind::grasp; });
     EXPECT_EQ(grasp, moving.size() > 1 ? 1 : 0) << trial.name;
   }
   for (std::vector<double>* errors : {&reach_errors_s, &other_errors_s}) {
@@ -107,8 +108,8 @@ TEST(Recordings, OneReachInEachAdroitDemonstrationAndAReturnAfterTheRelease) {
     const std::vector<Phase> moving = moving_phases(movements[0]);
     EXPECT_LT(moving.front().begin_s, 0.01 * expected.begin) << expected.name;
     EXPECT_GT(moving.front().end_s, 0.01 * expected.end) << expected.name;
-    EXPECT_EQ(moving[1].name, "transport") << expected.name;
-    EXPECT_EQ(moving.back().name, "return") << expected.name;
+    EXPECT_EQ(moving[1].kind, PhaseKind::transport) << expected.name;
+    EXPECT_EQ(moving.back().kind, PhaseKind::go_back) << expected.name;
   }
 }
 
@@ -120,12 +121,12 @@ TEST(Recordings, ABoxIsTakenCarriedAndLeft) {
   ASSERT_GE(moving.size(), 3u);
   // By the hand's and the box's speed against 50 mm/s: 35-161, 161-394, 394-573. The hand is slow
   // before the box moves, and after frame 550.
-  EXPECT_EQ(moving.front().name, "reach");
+  EXPECT_EQ(moving.front().kind, PhaseKind::reach);
   EXPECT_NEAR(moving.front().begin_s, 0.34, 0.1);
   EXPECT_NEAR(moving.front().end_s, 1.60, 0.2);
-  EXPECT_EQ(moving[1].name, "transport");
+  EXPECT_EQ(moving[1].kind, PhaseKind::transport);
   EXPECT_NEAR(moving[1].begin_s, 1.60, 0.1);
-  EXPECT_EQ(moving.back().name, "return");
+  EXPECT_EQ(moving.back().kind, PhaseKind::go_back);
   EXPECT_NEAR(moving.back().begin_s, 3.93, 0.15);
   EXPECT_NEAR(moving.back().end_s, 5.72, 0.3);
 }

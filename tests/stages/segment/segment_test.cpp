@@ -1,5 +1,6 @@
 #include "stages/segment/segment.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <stdexcept>
@@ -12,32 +13,32 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-std::vector<std::string> names(const Movement& movement) {
-  std::vector<std::string> result;
-  for (const Phase& phase : movement.phases) result.push_back(phase.name);
+std::vector<PhaseKind> kinds(const Movement& movement) {
+  std::vector<PhaseKind> result;
+  for (const Phase& phase : movement.phases) result.push_back(phase.kind);
   return result;
 }
 
-const Phase& phase(const Movement& movement, const std::string& name) {
+const Phase& phase(const Movement& movement, PhaseKind kind) {
   for (const Phase& p : movement.phases) {
-    if (p.name == name) return p;
+    if (p.kind == kind) return p;
   }
-  throw std::runtime_error("no phase " + name);
+  throw std::runtime_error(fmt::format("no phase {}", name_of(kind)));
 }
 
 /// Phases follow each other without overlap, except preshape, which lies inside reach.
 void expect_in_order(const Movement& movement) {
   double from_s = -1;
   for (const Phase& p : movement.phases) {
-    EXPECT_LT(p.begin_s, p.end_s) << p.name;
-    EXPECT_GE(p.confidence, 0) << p.name;
-    EXPECT_LE(p.confidence, 1) << p.name;
-    if (p.name == "preshape") {
-      EXPECT_GE(p.begin_s, phase(movement, "reach").begin_s);
-      EXPECT_LE(p.end_s, phase(movement, "reach").end_s);
+    EXPECT_LT(p.begin_s, p.end_s) << name_of(p.kind);
+    EXPECT_GE(p.confidence, 0) << name_of(p.kind);
+    EXPECT_LE(p.confidence, 1) << name_of(p.kind);
+    if (p.kind == PhaseKind::preshape) {
+      EXPECT_GE(p.begin_s, phase(movement, PhaseKind::reach).begin_s);
+      EXPECT_LE(p.end_s, phase(movement, PhaseKind::reach).end_s);
       continue;
     }
-    EXPECT_GE(p.begin_s, from_s) << p.name;
+    EXPECT_GE(p.begin_s, from_s) << name_of(p.kind);
     from_s = p.end_s;
   }
   EXPECT_LT(movement.begin_s, movement.end_s);
@@ -51,12 +52,13 @@ double rise_s(double share, double length_s) {
 TEST(Segment, FindsThePhasesOfADrinkingCycle) {
   const auto movements = segment(drinking_hand().motion(), {});
   ASSERT_EQ(movements.size(), 1u);
-  EXPECT_THAT(names(movements[0]),
-              ElementsAre("reach", "preshape", "grasp", "transport", "hold", "return"));
+  EXPECT_THAT(kinds(movements[0]),
+              ElementsAre(PhaseKind::reach, PhaseKind::preshape, PhaseKind::grasp,
+                          PhaseKind::transport, PhaseKind::hold, PhaseKind::go_back));
   for (const Phase& p : movements[0].phases) {
-    EXPECT_LT(p.begin_s, p.end_s) << p.name;
-    EXPECT_GT(p.confidence, 0.8) << p.name;
-    EXPECT_LE(p.confidence, 1.0) << p.name;
+    EXPECT_LT(p.begin_s, p.end_s) << name_of(p.kind);
+    EXPECT_GT(p.confidence, 0.8) << name_of(p.kind);
+    EXPECT_LE(p.confidence, 1.0) << name_of(p.kind);
   }
   EXPECT_EQ(movements[0].target, "");
 }
@@ -67,13 +69,14 @@ TEST(Segment, BoundariesAreWhereSpeedPassesFivePercentOfTheBoutsOwnPeak) {
     hand.noise_m = noise_m;
     const auto movements = segment(hand.motion(), {});
     ASSERT_EQ(movements.size(), 1u);
-    const char* phases[] = {"reach", "transport", "return"};
+    const PhaseKind phases[] = {PhaseKind::reach, PhaseKind::transport, PhaseKind::go_back};
     for (int k = 0; k < 3; ++k) {
       const auto& stroke = hand.strokes[static_cast<std::size_t>(k)];
       const double rise = rise_s(0.05, stroke.length_s);
       const Phase& p = phase(movements[0], phases[k]);
-      EXPECT_NEAR(p.begin_s, stroke.begin_s + rise, 0.02) << phases[k] << noise_m;
-      EXPECT_NEAR(p.end_s, stroke.begin_s + stroke.length_s - rise, 0.02) << phases[k] << noise_m;
+      EXPECT_NEAR(p.begin_s, stroke.begin_s + rise, 0.02) << name_of(phases[k]) << noise_m;
+      EXPECT_NEAR(p.end_s, stroke.begin_s + stroke.length_s - rise, 0.02)
+          << name_of(phases[k]) << noise_m;
     }
   }
 }
@@ -81,8 +84,10 @@ TEST(Segment, BoundariesAreWhereSpeedPassesFivePercentOfTheBoutsOwnPeak) {
 TEST(Segment, PreshapeLiesInsideTheReachAndGraspFollowsIt) {
   const auto movements = segment(drinking_hand().motion(), {});
   ASSERT_EQ(movements.size(), 1u);
-  const Phase &reach = phase(movements[0], "reach"), &preshape = phase(movements[0], "preshape");
-  const Phase &grasp = phase(movements[0], "grasp"), &lift = phase(movements[0], "transport");
+  const Phase &reach = phase(movements[0], PhaseKind::reach),
+              &preshape = phase(movements[0], PhaseKind::preshape);
+  const Phase &grasp = phase(movements[0], PhaseKind::grasp),
+              &lift = phase(movements[0], PhaseKind::transport);
   // 10 % of the opening's rise: 10 τ³ − 15 τ⁴ + 6 τ⁵ = 0.1 at τ = 0.2466.
   EXPECT_NEAR(preshape.begin_s, 0.85 + 0.2466 * 0.45, 0.03);
   EXPECT_EQ(preshape.end_s, reach.end_s);
@@ -93,11 +98,11 @@ TEST(Segment, PreshapeLiesInsideTheReachAndGraspFollowsIt) {
 TEST(Segment, PlansAsFarAsAsked) {
   SegmentOptions options;
   const HumanMotion motion = drinking_hand().motion();
-  for (const char* until : {"grasp", "transport", "return"}) {
+  for (const PhaseKind until : {PhaseKind::grasp, PhaseKind::transport, PhaseKind::go_back}) {
     options.plan_until = until;
     const auto movements = segment(motion, options);
     ASSERT_EQ(movements.size(), 1u);
-    EXPECT_EQ(movements[0].begin_s, phase(movements[0], "reach").begin_s);
+    EXPECT_EQ(movements[0].begin_s, phase(movements[0], PhaseKind::reach).begin_s);
     EXPECT_EQ(movements[0].end_s, phase(movements[0], until).end_s);
   }
 }
@@ -115,8 +120,8 @@ TEST(Segment, AHandThatClosesAfterTheArmHasArrivedIsStillReaching) {
     ASSERT_EQ(movements.size(), 1u) << closing_m;
     const double level = 0.05 * hand.strokes[0].by.norm() / hand.strokes[0].length_s;
     const double rise = rise_s(level / (closing_m / 0.5), 0.5);
-    EXPECT_NEAR(phase(movements[0], "reach").end_s, 1.85 - rise, 0.03) << closing_m;
-    EXPECT_NEAR(phase(movements[0], "grasp").begin_s, 1.85 - rise, 0.03) << closing_m;
+    EXPECT_NEAR(phase(movements[0], PhaseKind::reach).end_s, 1.85 - rise, 0.03) << closing_m;
+    EXPECT_NEAR(phase(movements[0], PhaseKind::grasp).begin_s, 1.85 - rise, 0.03) << closing_m;
   }
 }
 
@@ -130,7 +135,7 @@ TEST(Segment, AHandThatLetsGoBeforeTheArmSetsOutIsReturning) {
   const auto movements = segment(hand.motion(), {});
   ASSERT_EQ(movements.size(), 1u);
   const double share = 0.05 * (home.norm() / hand.strokes[2].length_s) / (0.02 / 0.35);
-  EXPECT_NEAR(phase(movements[0], "return").begin_s, 2.95 + rise_s(share, 0.35), 0.03);
+  EXPECT_NEAR(phase(movements[0], PhaseKind::go_back).begin_s, 2.95 + rise_s(share, 0.35), 0.03);
 }
 
 TEST(Segment, TwoPeaksWithAShallowDipAreOneReach) {
@@ -142,9 +147,10 @@ TEST(Segment, TwoPeaksWithAShallowDipAreOneReach) {
                   {3.2, 0.8, Vec3(0.03, -0.06, -0.46)}};
   const auto movements = segment(hand.motion(), {});
   ASSERT_EQ(movements.size(), 1u);
-  EXPECT_THAT(names(movements[0]),
-              ElementsAre("reach", "preshape", "grasp", "transport", "hold", "return"));
-  EXPECT_NEAR(phase(movements[0], "reach").end_s, 1.7, 0.06);
+  EXPECT_THAT(kinds(movements[0]),
+              ElementsAre(PhaseKind::reach, PhaseKind::preshape, PhaseKind::grasp,
+                          PhaseKind::transport, PhaseKind::hold, PhaseKind::go_back));
+  EXPECT_NEAR(phase(movements[0], PhaseKind::reach).end_s, 1.7, 0.06);
 }
 
 TEST(Segment, AReachWithoutAPauseEndsAtTheSlowestPoint) {
@@ -153,7 +159,8 @@ TEST(Segment, AReachWithoutAPauseEndsAtTheSlowestPoint) {
   hand.strokes[1].begin_s = 1.5;
   const auto movements = segment(hand.motion(), {});
   ASSERT_EQ(movements.size(), 1u);
-  const Phase &grasp = phase(movements[0], "grasp"), &reach = phase(movements[0], "reach");
+  const Phase &grasp = phase(movements[0], PhaseKind::grasp),
+              &reach = phase(movements[0], PhaseKind::reach);
   EXPECT_GT(grasp.begin_s, 1.45);
   EXPECT_LT(grasp.end_s, 1.65);
   EXPECT_NEAR(grasp.end_s - grasp.begin_s, SegmentOptions{}.least_grasp, 1e-9);
@@ -176,8 +183,9 @@ TEST(Segment, TwoCyclesAreTwoMovements) {
   const auto movements = segment(hand.motion(), {});
   ASSERT_EQ(movements.size(), 2u);
   for (const Movement& movement : movements) {
-    EXPECT_THAT(names(movement),
-                ElementsAre("reach", "preshape", "grasp", "transport", "hold", "return"));
+    EXPECT_THAT(kinds(movement),
+                ElementsAre(PhaseKind::reach, PhaseKind::preshape, PhaseKind::grasp,
+                            PhaseKind::transport, PhaseKind::hold, PhaseKind::go_back));
   }
   EXPECT_EQ(movements[0].index, 0);
   EXPECT_EQ(movements[1].index, 1);
@@ -189,8 +197,9 @@ TEST(Segment, AReachThatTouchesATargetHasNoGrasp) {
   hand.strokes = {{0.8, 0.9, Vec3(0, 0.25, 0)}, {2.5, 0.9, Vec3(0, -0.25, 0)}};
   const auto movements = segment(hand.motion(), {});
   ASSERT_EQ(movements.size(), 1u);
-  EXPECT_THAT(names(movements[0]), ElementsAre("reach", "hold", "return"));
-  const Phase& reach = phase(movements[0], "reach");
+  EXPECT_THAT(kinds(movements[0]),
+              ElementsAre(PhaseKind::reach, PhaseKind::hold, PhaseKind::go_back));
+  const Phase& reach = phase(movements[0], PhaseKind::reach);
   EXPECT_EQ(movements[0].begin_s, reach.begin_s);
   EXPECT_NEAR(movements[0].end_s, reach.end_s + SegmentOptions{}.touch_hold, 1e-9);
 }
@@ -211,9 +220,10 @@ TEST(Segment, ARecordedObjectThatMovesMarksTheTransport) {
   const auto movements = segment(hand.motion(), {}, {box});
   ASSERT_EQ(movements.size(), 1u);
   EXPECT_EQ(movements[0].target, "box");
-  EXPECT_THAT(names(movements[0]),
-              ElementsAre("reach", "preshape", "grasp", "transport", "hold", "return"));
-  EXPECT_NEAR(phase(movements[0], "grasp").end_s, 1.9 + rise_s(0.05, 0.9), 0.01);
+  EXPECT_THAT(kinds(movements[0]),
+              ElementsAre(PhaseKind::reach, PhaseKind::preshape, PhaseKind::grasp,
+                          PhaseKind::transport, PhaseKind::hold, PhaseKind::go_back));
+  EXPECT_NEAR(phase(movements[0], PhaseKind::grasp).end_s, 1.9 + rise_s(0.05, 0.9), 0.01);
 }
 
 TEST(Segment, PhasesKeepTheirOrderWhereverTheObjectMoves) {
@@ -243,14 +253,14 @@ TEST(Segment, ARecordingThatStartsOrEndsInAMovementIsLessSure) {
     }
     return part;
   };
-  const double sure = phase(segment(whole, {})[0], "reach").confidence;
+  const double sure = phase(segment(whole, {})[0], PhaseKind::reach).confidence;
   const auto late = segment(cut(100, 501), {});  // 0.2 s into the reach
   ASSERT_EQ(late.size(), 1u);
   EXPECT_NEAR(late[0].begin_s, 1.0, 1e-9);
-  EXPECT_LT(phase(late[0], "reach").confidence, sure - 0.3);
+  EXPECT_LT(phase(late[0], PhaseKind::reach).confidence, sure - 0.3);
   const auto early = segment(cut(0, 235), {});  // ends in the lift
   ASSERT_EQ(early.size(), 1u);
-  EXPECT_EQ(names(early[0]).back(), "transport");
+  EXPECT_EQ(kinds(early[0]).back(), PhaseKind::transport);
   EXPECT_LT(early[0].phases.back().confidence, 0.6);
   for (std::size_t last = 1; last < 501; last += 7) {
     for (const HumanMotion& part : {cut(0, last), cut(501 - last, 501)}) {
@@ -296,10 +306,11 @@ TEST(Segment, UnseenTipsAreBridgedByTheWrist) {
   }
   const auto movements = segment(motion, {});
   ASSERT_EQ(movements.size(), 1u);
-  EXPECT_THAT(names(movements[0]),
-              ElementsAre("reach", "preshape", "grasp", "transport", "hold", "return"));
-  EXPECT_LT(phase(movements[0], "reach").confidence,
-            phase(segment(drinking_hand().motion(), {})[0], "reach").confidence);
+  EXPECT_THAT(kinds(movements[0]),
+              ElementsAre(PhaseKind::reach, PhaseKind::preshape, PhaseKind::grasp,
+                          PhaseKind::transport, PhaseKind::hold, PhaseKind::go_back));
+  EXPECT_LT(phase(movements[0], PhaseKind::reach).confidence,
+            phase(segment(drinking_hand().motion(), {})[0], PhaseKind::reach).confidence);
 }
 
 TEST(Segment, NothingSeenShortOrStillGivesNoMovement) {
@@ -345,7 +356,7 @@ TEST(Segment, AWholeRecordingIsOneMovementWhateverMoves) {
 TEST(SegmentOptions, CheckNamesTheKey) {
   SegmentOptions options;
   EXPECT_EQ(why_invalid(options), "");
-  options.plan_until = "lunch";
+  options.plan_until = PhaseKind::preshape;
   EXPECT_THAT(why_invalid(options), testing::StartsWith("plan_until: "));
   options = {};
   options.dip_share = 1.5;

@@ -15,12 +15,13 @@ TEST(RetimeStudy, RandomPathsHoldTheirLimits) {
   for (std::uint64_t index = 0; index < 10; ++index) {
     const RandomPath random = random_path(7, index);
     if (random.path.position.size() > 4000) continue;  // the study has them all
-    for (const char* mode : {"human", "fastest"}) {
+    for (const retime::Tempo mode : {retime::Tempo::human, retime::Tempo::fastest}) {
       retime::RetimeOptions options;
       options.mode = mode;
       const retime::RetimeResult result =
           retime::retime(random.robot, random.path, Movement{}, options);
-      ASSERT_EQ(result.reason, "") << index << " " << mode << ": " << result.detail;
+      ASSERT_EQ(result.reason, Reason::none)
+          << index << " " << name_of(mode) << ": " << result.detail;
       const SeenLimits seen = seen_limits(random.robot, result.trajectory);
       EXPECT_LE(seen.velocity, 1.001) << index;
       EXPECT_LE(seen.acceleration, 1.001) << index;

@@ -59,7 +59,8 @@ double greatest(const std::vector<double>& time, const std::vector<double>& valu
 }
 
 bool is_bout(const Label& label) {
-  return label.phase == "reach" || label.phase == "transport" || label.phase == "return";
+  return label.phase == PhaseKind::reach || label.phase == PhaseKind::transport ||
+         label.phase == PhaseKind::go_back;
 }
 
 TEST(Synthesize, IsTheSameWhateverWasMadeBefore) {
@@ -163,22 +164,22 @@ TEST(Synthesize, PhasesFollowEachOther) {
       EXPECT_LT(label.begin_s, label.end_s);
       EXPECT_LE(label.end_s, end_s);
       if (k == 0) {
-        EXPECT_EQ(label.phase, "reach");
+        EXPECT_EQ(label.phase, PhaseKind::reach);
         continue;
       }
       const Label& before = truth.labels[k - 1];
-      if (label.phase == "reach") {
-        EXPECT_EQ(before.phase, "return");
+      if (label.phase == PhaseKind::reach) {
+        EXPECT_EQ(before.phase, PhaseKind::go_back);
         EXPECT_GT(label.begin_s, before.end_s);
-      } else if (label.phase == "preshape") {
-        EXPECT_EQ(before.phase, "reach");
+      } else if (label.phase == PhaseKind::preshape) {
+        EXPECT_EQ(before.phase, PhaseKind::reach);
         EXPECT_GT(label.begin_s, before.begin_s);
         EXPECT_EQ(label.end_s, before.end_s);
       } else {
         EXPECT_EQ(label.begin_s, before.end_s);
       }
     }
-    EXPECT_EQ(truth.labels.back().phase, "return");
+    EXPECT_EQ(truth.labels.back().phase, PhaseKind::go_back);
   }
 }
 
@@ -190,7 +191,7 @@ TEST(Synthesize, TheHandIsWidestAtTwoThirdsOfTheReachAndKeepsItsGrasp) {
     for (std::size_t i = 0; i < tips.time.size(); ++i) widths.push_back(opening(tips, i));
     for (std::size_t k = 0; k + 1 < truth.labels.size(); ++k) {
       const Label& reach = truth.labels[k];
-      if (truth.labels[k + 1].phase != "preshape") continue;
+      if (truth.labels[k + 1].phase != PhaseKind::preshape) continue;
       const double widest = greatest(tips.time, widths, reach.begin_s, reach.end_s);
       const double resting = at(tips.time, widths, reach.begin_s);
       const double held = at(tips.time, widths, truth.labels[k + 2].end_s);
@@ -198,7 +199,8 @@ TEST(Synthesize, TheHandIsWidestAtTwoThirdsOfTheReachAndKeepsItsGrasp) {
       EXPECT_GT(widest, held + 0.015);
       EXPECT_NEAR(at(tips.time, widths, truth.labels[k + 1].begin_s),
                   resting + 0.1 * (widest - resting), 0.0005);
-      for (std::size_t p = k + 3; p < truth.labels.size() && truth.labels[p].phase != "return"; ++p)
+      for (std::size_t p = k + 3;
+           p < truth.labels.size() && truth.labels[p].phase != PhaseKind::go_back; ++p)
         EXPECT_NEAR(at(tips.time, widths, truth.labels[p].begin_s), held, 1e-6);
       const auto widest_at = std::ranges::find(widths, widest) - widths.begin();
       shares.push_back((tips.time[static_cast<std::size_t>(widest_at)] - reach.begin_s) /
@@ -249,15 +251,15 @@ TEST(Synthesize, AnObjectIsCarriedFromLiftToRelease) {
     for (const Label& label : made.truth.labels) {
       const auto first = static_cast<std::size_t>(std::ceil(label.begin_s * 240)) + 8;
       const auto last = static_cast<std::size_t>(label.end_s * 240) - 8;
-      if (label.phase == "transport") {
+      if (label.phase == PhaseKind::transport) {
         EXPECT_LT((held_at(first) - held_at(last)).norm(), 1e-9);
         EXPECT_GT((object.position[first] - object.position[last]).norm(), 0.05);
-      } else if (label.phase == "reach") {
+      } else if (label.phase == PhaseKind::reach) {
         EXPECT_EQ((object.position[first] - object.position[last]).norm(), 0);
       }
     }
     const Label& grasp = made.truth.labels[2];
-    ASSERT_EQ(grasp.phase, "grasp");
+    ASSERT_EQ(grasp.phase, PhaseKind::grasp);
     const auto k = static_cast<std::size_t>(grasp.end_s * 240);
     const double axis_to_surface_m = 0.5 * opening(tips, k) - object.size[0];
     EXPECT_NEAR(axis_to_surface_m, options.hand.pad, 0.001);
@@ -273,10 +275,10 @@ TEST(Synthesize, RecordingsMayBeginAndEndInsideAMovement) {
     const double end_s = truth.streams.sensors->time.back();
     EXPECT_GE(truth.labels.front().begin_s, 0);
     EXPECT_LE(truth.labels.back().end_s, end_s + 1e-12);
-    headless += truth.labels.front().phase != "reach";
+    headless += truth.labels.front().phase != PhaseKind::reach;
     const std::vector<double> speed = index_speed(*truth.streams.hand);
     for (const Label& label : truth.labels) {
-      if (label.phase != "reach") continue;  // its peak was recorded
+      if (label.phase != PhaseKind::reach) continue;  // its peak was recorded
       const std::vector<double>& time = truth.streams.hand->time;
       const double before = at(time, speed, std::max(label.begin_s, time[2]));
       const double after = at(time, speed, std::min(label.end_s, time[time.size() - 3]));
@@ -291,7 +293,8 @@ TEST(Synthesize, KindsWithoutWeightNeverCome) {
   options.movements.kinds = {0, 0, 0, 0, 0, 0, 1};
   for (const Demonstration& truth : truths(options, 5)) {
     for (const Label& label : truth.labels) {
-      EXPECT_THAT(label.phase, testing::AnyOf("reach", "hold", "return"));
+      EXPECT_THAT(label.phase,
+                  testing::AnyOf(PhaseKind::reach, PhaseKind::hold, PhaseKind::go_back));
     }
   }
 }
