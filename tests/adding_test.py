@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Follows docs/adding.md: makes its files and edits in a copy of the tree, compiles what is new or
 changed there, runs the examples' own tests, and holds the copy against the tests of includes, names
-and documents.
+and documents. What the tables say of a file must be in it.
 
   adding_test.py MORPHE [CXX]    MORPHE checks the robot; CXX, the compiler (g++)
 """
@@ -77,6 +77,15 @@ def follow(page, copy):
     return touched
 
 
+def wrong_names(page):
+    """A row that begins with a link to a file: every name in it must stand in that file."""
+    for link, row in re.findall(r"^\| \[[^\]]+\]\(([^)#]+)[^|]*\|(.*)\|$", page, re.M):
+        text = (ROOT / "docs" / link).read_text(encoding="utf-8")
+        for name in re.findall(r"`(\w+)`", row):
+            if not re.search(rf"\b{name}\b", text):
+                yield f"docs/adding.md: {link} has no {name}"
+
+
 def run(command, folder):
     return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
 
@@ -136,13 +145,14 @@ def main(arguments):
         for top in COPIED:
             shutil.copytree(ROOT / top, copy / top)
         shutil.copytree(ROOT / "configs", copy / "configs")
-        for file in [*ROOT.glob("*.md"), ROOT / "LICENSE"]:
+        for file in [*ROOT.glob("*.md"), ROOT / "LICENSE", ROOT / "CITATION.cff"]:
             shutil.copy(file, copy)
         for top in LINKED:
             (copy / top).symlink_to(ROOT / top)
         page = (ROOT / "docs/adding.md").read_text(encoding="utf-8")
         touched = follow(page, copy)
         found = list(wrong_documents(morphe, copy, touched)) + wrong_code(compiler, copy, touched)
+        found += wrong_names(page)
         said = len(re.findall(r"^(?:New file|In) `", page, re.M))
         if said != len(list(ORDER.finditer(page))):
             found.append("docs/adding.md: says something to do that this test does not understand")
