@@ -14,8 +14,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-COPIED = ("pipeline", "stages", "cmake", "docs", "tests", "scripts")
-LINKED = ("datasets", "outputs", ".clang-format")
+COPIED = ("pipeline", "stages", "cmake", "configs", "docs", "tests", "scripts")
 FLAGS = ["-std=c++20", "-O0", "-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-DFMT_SHARED", "-I/usr/include/eigen3",
          "-DMORPHE_VERSION=\"0\""]
 
@@ -122,17 +121,16 @@ def wrong_code(compiler, copy, touched):
     return wrong
 
 
-def wrong_documents(morphe, copy, touched):
-    """Without the commands: dwell.md shows none, and the copy has no program of its own."""
+def wrong_documents(morphe, copy, page):
+    """The copy has no program of its own: the commands of the steps' pages stay out."""
     for test in (["tests/includes_test.py"], ["tests/names_test.py"], ["tests/docs_test.py", morphe, "--still"]):
         done = run(["/usr/bin/python3", *test], copy)
         if done.returncode:
             yield f"{test[0]}: {done.stdout}{done.stderr}"
-    for name in touched:
-        if name.startswith("configs/robots/"):
-            done = run([morphe, "robot", name, "--svg", "robot.svg"], copy)
-            if done.returncode:
-                yield f"{name}: {done.stderr}"
+    for block in re.findall(r"^```sh\n(.*?)^```$", page, re.M | re.S):
+        done = run(["bash", "-e", "-c", block], copy)
+        if done.returncode:
+            yield f"docs/adding.md: {block}{done.stderr}"
 
 
 def main(arguments):
@@ -144,14 +142,20 @@ def main(arguments):
         copy = pathlib.Path(name)
         for top in COPIED:
             shutil.copytree(ROOT / top, copy / top)
-        shutil.copytree(ROOT / "configs", copy / "configs")
         for file in [*ROOT.glob("*.md"), ROOT / "LICENSE", ROOT / "CITATION.cff"]:
             shutil.copy(file, copy)
-        for top in LINKED:
-            (copy / top).symlink_to(ROOT / top)
+        (copy / "datasets").symlink_to(ROOT / "datasets")
+        for folder in ("outputs", "build/release"):
+            (copy / folder).mkdir(parents=True)
+        shutil.copy(ROOT / "outputs/README.md", copy / "outputs")
+        (copy / "build/release/morphe").symlink_to(morphe)
         page = (ROOT / "docs/adding.md").read_text(encoding="utf-8")
-        touched = follow(page, copy)
-        found = list(wrong_documents(morphe, copy, touched)) + wrong_code(compiler, copy, touched)
+        try:
+            touched = follow(page, copy)
+        except (OSError, ValueError) as error:
+            print(f"docs/adding.md cannot be followed: {error}")
+            return 1
+        found = list(wrong_documents(morphe, copy, page)) + wrong_code(compiler, copy, touched)
         found += wrong_names(page)
         said = len(re.findall(r"^(?:New file|In) `", page, re.M))
         if said != len(list(ORDER.finditer(page))):
