@@ -2,9 +2,13 @@
 """Holds the documents against the program and the sources.
 
   docs_test.py MORPHE            links, tables of keys, the list of commands; then runs what the
-                                 READMEs show, in a copy, and compares what it prints
-  docs_test.py MORPHE --still    without running the READMEs' commands
-  docs_test.py MORPHE --update   rewrites what the README shows as printed
+                                 READMEs and the pages of the steps show, in a copy, and compares
+                                 what the READMEs say it prints
+  docs_test.py MORPHE --still    without running these commands
+  docs_test.py MORPHE --update   first rewrites keys and defaults of the tables from the sources (the
+                                 meaning of a key stays with it; that of a new one has to be written),
+                                 then what the README shows as printed
+  docs_test.py --self-test       plants faults: each must be found, and a table be mended
 """
 import pathlib
 import re
@@ -14,10 +18,12 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 READMES = ("README.md", "outputs/README.md")
+STEPS = sorted(path.relative_to(ROOT).as_posix() for path in (ROOT / "docs/steps").glob("*.md"))
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.M | re.S)
-# Printed figures may differ by this much: on another processor the search may settle in another of
-# several postures that serve the goals alike, with millimetres and tempo of its own.
-SHARE, LEAST = 0.3, 0.5
+# Printed figures may differ by this share, or by two of the last digit that is shown: on another
+# processor the search may settle in another of several postures that serve the goals alike, with
+# millimetres and tempo of its own. Small whole numbers are counts, and exact.
+SHARE, LAST_DIGITS, COUNT = 0.3, 2, 20
 NUMBER = re.compile(r"-?\d+(\.\d+)?(e-?\d+)?")
 
 
@@ -35,12 +41,12 @@ def anchors(markdown):
 
 
 def wrong_links():
-    documents = [ROOT / "README.md", ROOT / "CHANGELOG.md", ROOT / "outputs/README.md"]
+    documents = [*ROOT.glob("*.md"), ROOT / "outputs/README.md"]
     documents += [path for top in ("docs", "datasets") for path in (ROOT / top).rglob("*.md")]
     for document in documents:
         where = document.relative_to(ROOT)
         for link in re.findall(r"\]\(([^)\s]+)\)", FENCE.sub("", document.read_text(encoding="utf-8"))):
-            if re.match(r"\w+:", link):
+            if re.match(r"\w+:", link):  # elsewhere
                 continue
             name, _, anchor = link.partition("#")
             target = document.parent / name if name else document
@@ -92,37 +98,82 @@ def default_of(sources, struct, path):
     return "–" if kind in ("std::string", "FileOption") or kind.startswith("std::optional") else "section"
 
 
-def expected_rows(sources, struct):
+def as_written(default):
+    """A default as the tables show it."""
+    if isinstance(default, list):
+        return "[" + ", ".join(map(as_written, default)) + "]"
+    if isinstance(default, float):
+        text = f"{default:.12g}"
+        return re.sub(r"e([+-])0*", lambda e: "e-" if e[1] == "-" else "e", text)
+    return default
+
+
+def rows_of_code(files, struct):
+    """[(key, default)] of a struct's fields(), in their order."""
+    sources = "\n".join(text_of(name) for name in files)
     bodies = [body for name, body in FIELDS.findall(sources) if name == struct]
     calls = [call for body in bodies for call in CALL.findall(body)]
     if struct == "ManifestEntry":  # the keys that only a recording has stand outside
         calls = CALL.findall(sources)
-    return [(key, "required" if required else default_of(sources, struct, path)) for required, key, path in calls]
+    return [
+        (f"`{key}`", "required" if required else as_written(default_of(sources, struct, path)))
+        for required, key, path in calls
+    ]
+
+
+def cells_of(table):
+    return [[c.strip() for c in row.split("|", 3)[1:3]] + [row.split("|", 3)[3].rstrip(" |")] for row in table]
+
+
+def generated(comment, table):
+    """A table as the sources have it: their keys and defaults, the meanings that it gave them."""
+    *files, struct = comment.split()
+    head, rows = table.splitlines()[:2], cells_of(table.splitlines()[2:])
+    meanings = {key: meaning.strip() for key, _, meaning in rows}
+    lines = [f"| {key} | {default} | {meanings.get(key, '')} |" for key, default in rows_of_code(files, struct)]
+    return "".join(line + "\n" for line in [*head, *lines])
+
+
+def with_keys(text):
+    """A document with its tables as the sources have them."""
+    return TABLE.sub(lambda m: f"<!-- keys: {m[1]} -->\n{generated(m[1], m[2])}", text)
+
+
+def wrong_tables(name, text):
+    for comment, table in TABLE.findall(text):
+        struct, mended = comment.split()[-1], generated(comment, table)
+        if mended.count("\n") == 2:
+            yield f"{name}: {struct}: has no fields() in {comment}"
+        for line in table.splitlines():
+            if line not in mended.splitlines():
+                yield f"{name}: {struct}: is not so: {line}"
+        for line in mended.splitlines():
+            if line not in table.splitlines():
+                yield f"{name}: {struct}: should be there: {line} (--update)"
+        if sorted(mended.splitlines()) == sorted(table.splitlines()) and mended != table:
+            yield f"{name}: {struct}: is not in the order of the code (--update)"
+        for key, _, meaning in cells_of(table.splitlines()[2:]):
+            if meaning.strip() in ("", "–"):
+                yield f"{name}: {struct}: {key}: has no meaning"
+
+
+def with_tables():
+    """The documents that have tables of keys."""
+    return ["docs/formats.md", *STEPS]
 
 
 def wrong_keys():
-    formats, documented = text_of("docs/formats.md"), set()
-    for comment, table in TABLE.findall(formats):
-        *files, struct = comment.split()
-        documented.add(struct)
-        cells = [[c.strip() for c in row.split("|")[1:-1]] for row in table.splitlines()[2:]]
-        stated = [(row[0].strip("`"), plain(row[1])) for row in cells]
-        expected = expected_rows("\n".join(text_of(name) for name in files), struct)
-        if not expected:
-            yield f"docs/formats.md: {struct}: has no fields() in {files}"
-        for row in expected:
-            if row not in stated:
-                yield f"docs/formats.md: {struct}: {row[0]}: should have the default {row[1]}"
-        for key in [s[0] for s in stated]:
-            if key not in [e[0] for e in expected]:
-                yield f"docs/formats.md: {struct}: {key}: there is no such key"
+    documented = set()
+    for name in with_tables():
+        yield from wrong_tables(name, text_of(name))
+        documented |= {comment.split()[-1] for comment, _ in TABLE.findall(text_of(name))}
     for top in ("pipeline", "stages"):
         for path in sorted((ROOT / top).rglob("*.[hc]pp")):
             if path == ROOT / "pipeline/config/fields.hpp":
                 continue
             for struct, _ in FIELDS.findall(path.read_text(encoding="utf-8")):
                 if struct not in documented:
-                    yield f"docs/formats.md: {struct} ({path.relative_to(ROOT)}) has no table"
+                    yield f"docs: {struct} ({path.relative_to(ROOT)}) has no table"
 
 
 # --- commands ------------------------------------------------------------------------------------
@@ -160,7 +211,16 @@ def wrong_commands(morphe):
             yield f"docs/formats.md: morphe {name} {option}: is there, not planned"
 
 
-# --- what the READMEs show -----------------------------------------------------------------------
+# --- what READMEs and steps show -----------------------------------------------------------------------
+
+
+def tolerance(a, b):
+    """How far two printed figures may be from each other."""
+    decimals = len(a.partition(".")[2])
+    larger = max(abs(float(a)), abs(float(b)))
+    if decimals == 0:
+        return 0 if larger < COUNT else SHARE * larger
+    return max(SHARE * larger, LAST_DIGITS * 10.0**-decimals) + 1e-9
 
 
 def same_line(shown, printed):
@@ -169,8 +229,7 @@ def same_line(shown, printed):
         return False
     for a, b in zip(words, others):
         if NUMBER.fullmatch(a) and NUMBER.fullmatch(b):
-            x, y = float(a), float(b)
-            if abs(x - y) > SHARE * max(abs(x), abs(y)) + LEAST:
+            if abs(float(a) - float(b)) > tolerance(a, b):
                 return False
         elif a != b:
             return False
@@ -186,8 +245,14 @@ def wrong_output(where, shown, printed):
             yield f"{where}: shown:   {x}\n{' ' * len(where)}  printed: {y}"
 
 
-def result_of(command, folder):
-    """What a command of a README prints, and what is wrong with it ("" if nothing)."""
+def result_of(command, folder, done_before):
+    """What a command prints, and what is wrong with it ("" if nothing). None is run twice."""
+    if command not in done_before:
+        done_before[command] = fresh_result_of(command, folder)
+    return done_before[command]
+
+
+def fresh_result_of(command, folder):
     first = command.split()[0]
     if first in ("scripts/run", "scripts/test"):
         done = run([ROOT / first, "--help"], ROOT)
@@ -206,13 +271,16 @@ def wrong_examples(morphe, update):
         (folder / "outputs").mkdir()
         (folder / "build/release").mkdir(parents=True)
         (folder / "build/release/morphe").symlink_to(morphe)
-        for readme in READMES:
+        present, done_before = sorted(path.name for path in folder.iterdir()), {}
+        for readme in (*READMES, *STEPS):
             printed, document = "", text_of(readme)
+            if readme in STEPS and [kind for kind, _ in FENCE.findall(document)].count("sh") != 1:
+                yield f"{readme}: should have one block of commands"
             for kind, block in FENCE.findall(document):
                 if kind == "sh":
                     printed = ""
                     for command in filter(None, block.splitlines()):
-                        output, wrong = result_of(command, folder)
+                        output, wrong = result_of(command, folder, done_before)
                         printed += output
                         if wrong:
                             yield f"{readme}: {command}: {wrong}"
@@ -227,18 +295,74 @@ def wrong_examples(morphe, update):
                     (ROOT / readme).write_text(document.replace(block, lines), encoding="utf-8")
                 elif kind == "text":
                     yield from wrong_output(readme, block, printed)
-                else:
+                elif kind:  # without a kind it is a drawing
                     yield f"{readme}: a block of kind '{kind}' that nobody tries"
+        for name in sorted(path.name for path in folder.iterdir()):
+            if name not in present:
+                yield f"{name}: was written beside outputs/"
+
+
+# --- the proof that faults are seen ---------------------------------------------------------------
+
+# A line of the README as it is shown, as it is printed, and whether that is the same.
+LINES = [
+    ("ADL001DR2/000 executable 0.05 0.031 8.9 1.26", "ADL001DR2/000 executable 0.07 0.030 9.0 1.25", True),
+    ("ADL001DR2/000 executable 0.05", "ADL001DR2/000 executable 0.5", False),
+    ("ADL001DR2/000 executable 0.05", "ADL001DR2/000 executable 0.50", False),
+    ("ADL001DR2/000 executable 0.29", "ADL001DR2/000 executable 0.44", False),
+    ("clearance 3.3", "clearance 1.1", False),
+    ("tempo 1.26", "tempo 2.00", False),
+    ("ADL001DR2/000 executable 0.05", "ADL001DR2/000 infeasible 0.05", False),
+    ("5 movements: 5 executable", "5 movements: 4 executable", False),
+    ("0 of 1138 fingertip goals", "1 of 1138 fingertip goals", False),
+    ("1060 samples, 2.12 s", "1100 samples, 2.20 s", True),
+    ("1060 samples, 2.12 s", "1060 samples", False),
+]
+# What is planted in a page of a step, and whether --update mends it.
+PLANTED = [
+    ("| `cutoff_hz` | 8 |", "| `cutoff_hz` | 9 |", True),
+    ("| `cutoff_hz` | 8 |", "| `cut_off_hz` | 8 |", False),
+    ("| `shoulder_from_first_wrist` | [0, -0.21, 0.24] |", "| `shoulder_from_first_wrist` | [0, -0.21, 0.25] |", True),
+    ("| `rate_hz` | 100 | of the clock that every stream is brought to |\n", "", False),
+    ("of the clock that every stream is brought to |", "|", False),
+    ("of the clock that every stream is brought to |", "– |", False),
+    ("reconstruct.hpp HumanOptions", "reconstruct.hpp HumanOption", False),
+]
+
+
+def self_test():
+    for shown, printed, same in LINES:
+        if same_line(shown, printed) != same:
+            yield f"'{shown}' and '{printed}' should {'be' if same else 'not be'} the same"
+    page = text_of("docs/steps/reconstruct.md")
+    yield from wrong_tables("as it is", page)
+    if with_keys(page) != page:
+        yield "what is right is changed"
+    for right, wrong, mended in PLANTED:
+        planted = page.replace(right, wrong)
+        if planted == page:
+            yield f"'{right}' is not there to be changed"
+        if not list(wrong_tables("", planted)):
+            yield f"'{wrong}' in place of '{right}' is not found"
+        if (with_keys(planted) == page) != mended:
+            yield f"'{wrong}' in place of '{right}' is {'not ' if mended else ''}mended"
 
 
 def main(arguments):
+    if arguments == ["--self-test"]:
+        found = list(self_test())
+        print("\n".join(found) or f"{len(LINES)} lines and {len(PLANTED)} planted faults judged as they should be")
+        return 1 if found else 0
     if not arguments or set(arguments[1:]) - {"--still", "--update"}:
         print(__doc__, file=sys.stderr)
         return 2
-    morphe = pathlib.Path(arguments[0]).resolve()
+    morphe, update = pathlib.Path(arguments[0]).resolve(), "--update" in arguments
+    if update:
+        for name in with_tables():
+            (ROOT / name).write_text(with_keys(text_of(name)), encoding="utf-8")
     found = [*wrong_links(), *wrong_keys(), *wrong_commands(morphe)]
     if "--still" not in arguments:
-        found += wrong_examples(morphe, "--update" in arguments)
+        found += wrong_examples(morphe, update)
     print("\n".join(found) or "the documents hold")
     return 1 if found else 0
 

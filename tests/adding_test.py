@@ -1,0 +1,168 @@
+#!/usr/bin/python3
+"""Follows docs/adding.md: makes its files and edits in a copy of the tree, compiles what is new or
+changed there, runs the examples' own tests, and holds the copy against the tests of includes, names
+and documents. What the tables say of a file must be in it.
+
+  adding_test.py MORPHE [CXX]    MORPHE checks the robot; CXX, the compiler (g++)
+"""
+import concurrent.futures
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+COPIED = ("pipeline", "stages", "cmake", "configs", "docs", "tests", "scripts")
+FLAGS = ["-std=c++20", "-O0", "-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-DFMT_SHARED", "-I/usr/include/eigen3",
+         "-DMORPHE_VERSION=\"0\""]
+
+# What the page may say of a file. A place is a whole line, or how one line begins; the marks around
+# a line that holds a grave accent are two.
+BLOCK = r":\n```\w+\n(?P<{0}>.*?)^```$"
+ORDER = re.compile(
+    r"^New file `(?P<new>[^`]+)`" + BLOCK.format("text") +
+    r"|^In `(?P<file>[^`]+)`, (?P<how>after|in place of) the line (?P<begins>that begins )?"
+    r"(?:`` ?(?P<line2>.+?) ?``|`(?P<line>[^`]+)`)" + BLOCK.format("put") +
+    r"|^In `(?P<file3>[^`]+)`, on the line that begins `(?P<line3>[^`]+)`, replace `(?P<old>[^`]+)` by `(?P<by>[^`]+)`\.$",
+    re.M | re.S)
+
+# An example's test is a program of its own: these files of the tree are all that it stands on.
+PROGRAMS = {
+    "tests/stages/import/markers_csv_test.cpp": [
+        "stages/import/markers_csv.cpp", "stages/import/marker_columns.cpp", "stages/import/marker_recording.cpp",
+        "stages/import/conventions.cpp", "stages/import/rename.cpp", "pipeline/files/csv.cpp",
+        "pipeline/files/text_encoding.cpp", "pipeline/motion/stream_report.cpp"],
+    "tests/stages/export/trajectory_jsonl_test.cpp": ["stages/export/trajectory_jsonl.cpp"],
+    "tests/stages/dwell/dwell_test.cpp": ["stages/dwell/dwell.cpp"],
+}
+
+
+def edited(lines, place, begins, how, put):
+    """The lines after an edit; its place must be there once."""
+    at = [k for k, line in enumerate(lines) if (line.startswith(place) if begins else line == place)]
+    if len(at) != 1:
+        raise ValueError(f"'{place}' is there {len(at)} times")
+    return [*lines[: at[0] + (how == "after")], *put, *lines[at[0] + 1 :]]
+
+
+def follow(page, copy):
+    """Does what the page says; returns the files that are new or changed."""
+    touched = []
+    for order in ORDER.finditer(page):
+        name = order["new"] or order["file"] or order["file3"]
+        path = copy / name
+        touched += [name] if name not in touched else []
+        if order["new"]:
+            if path.exists():
+                raise ValueError(f"{name}: is there already")
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(order["text"], encoding="utf-8")
+            continue
+        lines = path.read_text(encoding="utf-8").splitlines()
+        try:
+            if order["file3"]:
+                at = [k for k, line in enumerate(lines) if line.startswith(order["line3"])]
+                if len(at) != 1 or order["old"] not in lines[at[0]]:
+                    raise ValueError(f"'{order['line3']}' with '{order['old']}' is not there once")
+                lines[at[0]] = lines[at[0]].replace(order["old"], order["by"])
+            else:
+                place = order["line2"] or order["line"]
+                lines = edited(lines, place, bool(order["begins"]), order["how"], order["put"].splitlines())
+        except ValueError as error:
+            raise ValueError(f"{name}: {error}") from error
+        path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    return touched
+
+
+def wrong_names(page):
+    """A row that begins with a link to a file: every name in it must stand in that file."""
+    for link, row in re.findall(r"^\| \[[^\]]+\]\(([^)#]+)[^|]*\|(.*)\|$", page, re.M):
+        text = (ROOT / "docs" / link).read_text(encoding="utf-8")
+        for name in re.findall(r"`(\w+)`", row):
+            if not re.search(rf"\b{name}\b", text):
+                yield f"docs/adding.md: {link} has no {name}"
+
+
+def run(command, folder):
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+
+
+def compiled(compiler, copy, name, to=None):
+    """What the compiler says against a source."""
+    what = ["-c", "-o", to] if to else ["-fsyntax-only"]
+    done = run([compiler, *FLAGS, "-I", copy, *what, copy / name], copy)
+    return f"{name}: does not compile:\n{done.stderr}" if done.returncode else ""
+
+
+def object_of(copy, name):
+    return copy / "objects" / name.replace("/", "_").replace(".cpp", ".o")
+
+
+def wrong_code(compiler, copy, touched):
+    (copy / "objects").mkdir()
+    linked = sorted({name for test, needs in PROGRAMS.items() for name in [test, *needs]})
+    checked = [name for name in touched if name.endswith(".cpp") and name not in linked]
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        jobs = [pool.submit(compiled, compiler, copy, name) for name in checked]
+        jobs += [pool.submit(compiled, compiler, copy, name, object_of(copy, name)) for name in linked]
+        wrong = [job.result() for job in jobs if job.result()]
+    if wrong:
+        return wrong
+    for test, needs in PROGRAMS.items():
+        program = copy / "objects/program"
+        objects = [object_of(copy, name) for name in [test, *needs]]
+        done = run([compiler, *objects, "-o", program, "-lgtest", "-lgtest_main", "-lfmt", "-lpthread"], copy)
+        if done.returncode == 0:
+            done = run([program], copy)
+        if done.returncode:
+            wrong.append(f"{test}: {done.stdout}{done.stderr}")
+    return wrong
+
+
+def wrong_documents(morphe, copy, page):
+    """The copy has no program of its own: the commands of the steps' pages stay out."""
+    for test in (["tests/includes_test.py"], ["tests/names_test.py"], ["tests/docs_test.py", morphe, "--still"]):
+        done = run(["/usr/bin/python3", *test], copy)
+        if done.returncode:
+            yield f"{test[0]}: {done.stdout}{done.stderr}"
+    for block in re.findall(r"^```sh\n(.*?)^```$", page, re.M | re.S):
+        done = run(["bash", "-e", "-c", block], copy)
+        if done.returncode:
+            yield f"docs/adding.md: {block}{done.stderr}"
+
+
+def main(arguments):
+    if not 1 <= len(arguments) <= 2:
+        print(__doc__, file=sys.stderr)
+        return 2
+    morphe, compiler = pathlib.Path(arguments[0]).resolve(), arguments[1] if arguments[1:] else "g++"
+    with tempfile.TemporaryDirectory() as name:
+        copy = pathlib.Path(name)
+        for top in COPIED:
+            shutil.copytree(ROOT / top, copy / top)
+        for file in [*ROOT.glob("*.md"), ROOT / "LICENSE", ROOT / "CITATION.cff"]:
+            shutil.copy(file, copy)
+        (copy / "datasets").symlink_to(ROOT / "datasets")
+        for folder in ("outputs", "build/release"):
+            (copy / folder).mkdir(parents=True)
+        shutil.copy(ROOT / "outputs/README.md", copy / "outputs")
+        (copy / "build/release/morphe").symlink_to(morphe)
+        page = (ROOT / "docs/adding.md").read_text(encoding="utf-8")
+        try:
+            touched = follow(page, copy)
+        except (OSError, ValueError) as error:
+            print(f"docs/adding.md cannot be followed: {error}")
+            return 1
+        found = list(wrong_documents(morphe, copy, page)) + wrong_code(compiler, copy, touched)
+        found += wrong_names(page)
+        said = len(re.findall(r"^(?:New file|In) `", page, re.M))
+        if said != len(list(ORDER.finditer(page))):
+            found.append("docs/adding.md: says something to do that this test does not understand")
+    print("\n".join(found) or f"{len(touched)} files made or changed, all as the page says")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
