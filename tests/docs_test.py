@@ -80,6 +80,7 @@ def plain(value):
     value = value.strip()
     if value == "Vec3::Zero()":
         return [0.0] * 3
+    value = re.sub(r"^\w+::", "", value)  # of an enumeration: its name
     if re.match(r"(\{|\[|Vec3\()", value):
         return [float(x) for x in NUMBER_LIST.findall(re.sub("^Vec3", "", value))]
     return float(value) if NUMBER.fullmatch(value) else value.strip('"')
