@@ -34,6 +34,7 @@ PROGRAMS = {
         "stages/import/markers_csv.cpp", "stages/import/marker_columns.cpp", "stages/import/marker_recording.cpp",
         "stages/import/conventions.cpp", "stages/import/rename.cpp", "pipeline/files/csv.cpp",
         "pipeline/files/text_encoding.cpp", "pipeline/motion/stream_report.cpp"],
+    "tests/pipeline/humanlike/range_middle_term_test.cpp": [],
     "tests/stages/export/trajectory_jsonl_test.cpp": ["stages/export/trajectory_jsonl.cpp"],
     "tests/stages/dwell/dwell_test.cpp": ["stages/dwell/dwell.cpp"],
 }
@@ -74,6 +75,18 @@ def follow(page, copy):
             raise ValueError(f"{name}: {error}") from error
         path.write_text("\n".join(lines) + "\n", encoding="utf-8")
     return touched
+
+
+def wrong_table(page):
+    """The table says which files each section makes and which it changes."""
+    for heading, section in re.findall(r"^## (A.*?)\n(.*?)(?=^## |\Z)", page, re.M | re.S):
+        orders = list(ORDER.finditer(section))
+        made = sorted({order["new"].rpartition("/")[2] for order in orders if order["new"]})
+        changed = sorted({(order["file"] or order["file3"]).rpartition("/")[2] for order in orders if not order["new"]})
+        row = re.search(rf"^\| \[{heading.lower()}\]\([^)]*\) \|([^|]*)\|([^|]*)\|$", page, re.M | re.I)
+        for what, names, cell in (("makes", made, row and row[1]), ("changes", changed, row and row[2])):
+            if cell is None or sorted(re.findall(r"`([^`]+)`", cell)) != names:
+                yield f"docs/adding.md: '{heading}' {what} " + (" ".join(f"`{name}`" for name in names) or "–")
 
 
 def wrong_names(page):
@@ -156,7 +169,7 @@ def main(arguments):
             print(f"docs/adding.md cannot be followed: {error}")
             return 1
         found = list(wrong_documents(morphe, copy, page)) + wrong_code(compiler, copy, touched)
-        found += wrong_names(page)
+        found += [*wrong_names(page), *wrong_table(page)]
         said = len(re.findall(r"^(?:New file|In) `", page, re.M))
         if said != len(list(ORDER.finditer(page))):
             found.append("docs/adding.md: says something to do that this test does not understand")

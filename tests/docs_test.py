@@ -109,17 +109,50 @@ def as_written(default):
     return default
 
 
+def sources_of(struct):
+    """The file that holds a struct and its fields()."""
+    for top in ("pipeline", "stages"):
+        for path in sorted((ROOT / top).rglob("*.hpp")):
+            text = path.read_text(encoding="utf-8")
+            if f"struct {struct} {{" in text and struct in [name for name, _ in FIELDS.findall(text)]:
+                return text
+    return ""
+
+
+TERMS = re.compile(r"using Terms = std::tuple<(.*?)>;", re.S)
+PART = re.compile(r"\bfields\(\w+, \w+\.(\w+)\)")
+parts = set()  # structs whose keys stand in the table of the struct that holds them
+
+
+def rows_of_terms(sources):
+    """Those of the objective's terms: off, but for the weights that usual_objective() sets."""
+    for term in re.findall(r"\w+(?=,|$)", re.sub(r"\s|//", "", TERMS.search(text_of("pipeline/humanlike/terms.hpp"))[1])):
+        for key, default in rows_of(sources_of(term), term):
+            usual = re.search(rf"get<humanlike::{term}>\(\)\.weight = (\S+);", sources)
+            yield key, as_written(plain(usual[1])) if usual else default
+
+
+def rows_of(sources, struct):
+    parts.add(struct)
+    for body in [body for name, body in FIELDS.findall(sources) if name == struct]:
+        for statement in body.split(";"):
+            if call := CALL.search(statement):
+                required, key, path = call.groups()
+                yield f"`{key}`", "required" if required else as_written(default_of(sources, struct, path))
+            elif part := PART.search(statement):
+                kind = declaration(sources, struct, part[1])[0].split("::")[-1]
+                yield from rows_of_terms(sources) if kind == "FrameObjective" else rows_of(sources_of(kind), kind)
+
+
 def rows_of_code(files, struct):
     """[(key, default)] of a struct's fields(), in their order."""
     sources = "\n".join(text_of(name) for name in files)
-    bodies = [body for name, body in FIELDS.findall(sources) if name == struct]
-    calls = [call for body in bodies for call in CALL.findall(body)]
     if struct == "ManifestEntry":  # the keys that only a recording has stand outside
-        calls = CALL.findall(sources)
-    return [
-        (f"`{key}`", "required" if required else as_written(default_of(sources, struct, path)))
-        for required, key, path in calls
-    ]
+        return [
+            (f"`{key}`", "required" if required else as_written(default_of(sources, struct, path)))
+            for required, key, path in CALL.findall(sources)
+        ]
+    return list(rows_of(sources, struct))
 
 
 def cells_of(table):
@@ -173,7 +206,7 @@ def wrong_keys():
             if path == ROOT / "pipeline/config/fields.hpp":
                 continue
             for struct, _ in FIELDS.findall(path.read_text(encoding="utf-8")):
-                if struct not in documented:
+                if struct not in documented | parts | {"FrameObjective"}:
                     yield f"docs: {struct} ({path.relative_to(ROOT)}) has no table"
 
 

@@ -8,10 +8,45 @@
 
 namespace morphe::humanlike {
 
+/// What terms have in common: which of a phase's shares weighs them, and which modes leave them
+/// out.
+enum class Group {
+  tip_position,
+  tip_orientation,  ///< and the hand's
+  humanlike_arm,
+  humanlike_fingers,
+  posture,         ///< in every mode, the same in every phase
+  joint_to_joint,  ///< in that mode alone, likewise
+};
+
 /// Shares of the objective's weights in one frame, 1 unless its phase says otherwise.
 struct FrameWeights {
   double tip_position = 1, tip_orientation = 1, humanlike_arm = 1, humanlike_fingers = 1;
+
+  double of(Group group) const {
+    switch (group) {
+      case Group::tip_position:
+        return tip_position;
+      case Group::tip_orientation:
+        return tip_orientation;
+      case Group::humanlike_arm:
+        return humanlike_arm;
+      case Group::humanlike_fingers:
+        return humanlike_fingers;
+      case Group::posture:
+      case Group::joint_to_joint:
+        break;
+    }
+    return 1;
+  }
 };
+template <class Fields>
+void fields(Fields& f, FrameWeights& o) {
+  f("tip_position", o.tip_position);
+  f("tip_orientation", o.tip_orientation);
+  f("humanlike_arm", o.humanlike_arm);
+  f("humanlike_fingers", o.humanlike_fingers);
+}
 
 /// The goals of one frame, in the robot's base frame. NaN = no goal.
 struct FrameGoal {
@@ -37,6 +72,7 @@ struct FrameGoal {
     for (const Vec3& tip : tip_position) count += seen(tip) ? 1 : 0;
     return count;
   }
+  bool arm_seen() const { return seen(shoulder) && seen(elbow) && seen(wrist); }
 };
 
 FrameGoal frame_goal(const Goals& goals, std::size_t frame);

@@ -14,22 +14,22 @@ void add_objective(const FrameObjective& objective, const RobotTable& robot, con
     }
     scratch.last = q;
   }
-  robot::forward(robot, q.head(static_cast<Eigen::Index>(robot.joints())), scratch.base_from_frame);
-  RobotState state{robot, q, scratch.base_from_frame};
-  if (objective.offset.free) state.offset = q.tail<3>();
+  robot::forward(robot, q, scratch.base_from_frame);
+  const RobotState state{robot, q, scratch.base_from_frame};
   scratch.loads.reset(robot.frames.size(), curvature);
-  objective.tip_position.add(state, goal, scratch.loads);
-  objective.tip_orientation.add(state, goal, scratch.loads);
-  objective.hand_orientation.add(state, goal, scratch.loads);
-  objective.joint_distance.add(state, goal, scratch.loads);
-  objective.finger_joint_distance.add(state, goal, scratch.loads);
-  objective.triangle_area.add(state, goal, scratch.loads);
-  objective.hull_volume.add(state, goal, scratch.loads);
-  objective.chain_position.add(state, goal, scratch.loads);
+  objective.each([&]<class T>(const T& term) {
+    const double share = term.weight * goal.weights.of(T::kGroup);
+    if constexpr (FrameTerm<T>) {
+      if (share != 0) term.add(state, goal, share, scratch.loads);
+    }
+  });
   add_derivatives(robot, scratch.base_from_frame, scratch.loads, scratch.sweep, model);
-  objective.posture.add(state, goal, model);
-  objective.joint_angle.add(state, goal, model);
-  objective.offset.add(state, model);
+  objective.each([&]<class T>(const T& term) {
+    const double share = term.weight * goal.weights.of(T::kGroup);
+    if constexpr (JointTerm<T>) {
+      if (share != 0) term.add(state, goal, share, model);
+    }
+  });
 }
 
 }  // namespace morphe::humanlike

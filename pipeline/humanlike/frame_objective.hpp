@@ -6,25 +6,33 @@ namespace morphe::humanlike {
 
 /// The paper's arm-hand objective of one frame, Eq. (16), with metric A (and B, C where weighted):
 ///   w_x sum ‖x_i - goal_i‖² + w_o sum d_o + w_A A + w_a sum A_i  (+ hand orientation, posture,
-/// and what joint-to-joint has in their place).
+/// and what joint-to-joint has in their place): the sum of its terms, each times its weight and
+/// the frame's share of it. Off as long as no weight is set.
 struct FrameObjective {
-  TipPosition tip_position;
-  TipOrientation tip_orientation;
-  HandOrientation hand_orientation;
-  JointDistance joint_distance;
-  FingerJointDistance finger_joint_distance;
-  TriangleArea triangle_area;
-  HullVolume hull_volume;
-  NaturalPosture posture;
-  ChainPosition chain_position;
-  JointAngle joint_angle;
-  FreeOffset offset;
+  Terms terms;
 
-  /// Variables of a frame: the robot's joints, and three more with a free offset.
-  Eigen::Index variables(const RobotTable& robot) const {
-    return static_cast<Eigen::Index>(robot.joints()) + (offset.free ? 3 : 0);
+  template <Term T>
+  T& get() {
+    return std::get<T>(terms);
+  }
+  template <Term T>
+  const T& get() const {
+    return std::get<T>(terms);
+  }
+  /// One after the other, in the order of the list.
+  template <class F>
+  void each(const F& visit) {
+    std::apply([&](Term auto&... term) { (visit(term), ...); }, terms);
+  }
+  template <class F>
+  void each(const F& visit) const {
+    std::apply([&](const auto&... term) { (visit(term), ...); }, terms);
   }
 };
+template <class Fields>
+void fields(Fields& f, FrameObjective& o) {
+  o.each([&](auto& term) { fields(f, term); });
+}
 
 /// What evaluations of one descent share; a new descent begins with new_descent().
 struct ObjectiveScratch {
@@ -36,8 +44,8 @@ struct ObjectiveScratch {
   void new_descent() { loads.forget(); }
 };
 
-/// Adds every term at q [variables] to the model; with Curvature::none the Hessian stays as it is
-/// (posture and offset, which are quadratic, add theirs in any case).
+/// Adds every term at q [n] to the model; with Curvature::none the Hessian stays as it is (terms of
+/// the joints themselves, which are quadratic, add theirs in any case).
 void add_objective(const FrameObjective& objective, const RobotTable& robot, const JointVector& q,
                    const FrameGoal& goal, ObjectiveScratch& scratch, solve::Quadratic& model,
                    Curvature curvature = Curvature::gauss_newton);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "pipeline/humanlike/arm_chain.hpp"
 #include "pipeline/humanlike/posed_like.hpp"
-#include "pipeline/humanlike/terms.hpp"
 #include "pipeline/robot/forward.hpp"
 #include "stages/map/finger_angles.hpp"
 

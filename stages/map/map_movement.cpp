@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "pipeline/humanlike/arm_chain.hpp"
 #include "pipeline/humanlike/metrics.hpp"
 #include "pipeline/robot/forward.hpp"
 #include "stages/map/finger_curve.hpp"
@@ -82,7 +83,7 @@ double posture_error(const MappingProblem& problem, const Goals& goals, const Jo
   double sum = 0;
   int count = 0;
   for (std::size_t f = 0; f < problem.frames(); ++f) {
-    const double error = problem.objective.posture.distance(
+    const double error = problem.objective.get<humanlike::NaturalPosture>().distance(
         q.row(static_cast<Index>(f)).transpose(), humanlike::frame_goal(goals, f));
     if (std::isnan(error)) continue;
     sum += error * error;

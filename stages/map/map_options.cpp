@@ -1,7 +1,6 @@
 #include "stages/map/map_options.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 #include "pipeline/motion/input_error.hpp"
 
@@ -31,17 +30,21 @@ std::vector<int> tips_moved_by(const RobotTable& robot, int joint) {
 
 /// What a mode leaves out, or has in its place.
 void set_mode(MapMode mode, humanlike::FrameObjective& objective) {
+  using humanlike::Group;
   if (mode == MapMode::humanlike) return;
-  objective.joint_distance.weight = objective.finger_joint_distance.weight = 0;
-  objective.triangle_area.weight = objective.hull_volume.weight = 0;
-  if (mode == MapMode::fingertip_only) {
-    objective.tip_orientation.weight = objective.hand_orientation.weight = 0;
-  }
+  objective.each([&]<class T>(T& term) {
+    const bool humanlike =
+        T::kGroup == Group::humanlike_arm || T::kGroup == Group::humanlike_fingers;
+    const bool turns = T::kGroup == Group::tip_orientation;
+    if (humanlike || (turns && mode == MapMode::fingertip_only)) term.weight = 0;
+  });
   if (mode == MapMode::joint_to_joint) {
     constexpr double kLever = 0.1;  // a finger's length [m]: what an angle moves
-    objective.chain_position.weight = objective.tip_position.weight;
-    objective.joint_angle.weight = kLever * kLever * objective.tip_position.weight;
-    objective.hand_orientation.weight = 1;  // met exactly if it can be: the angle is not squared
+    const double weight = objective.get<humanlike::TipPosition>().weight;
+    objective.get<humanlike::ChainPosition>().weight = weight;
+    objective.get<humanlike::JointAngle>().weight = kLever * kLever * weight;
+    objective.get<humanlike::HandOrientation>().weight = 1;  // met exactly if it can be: the angle
+                                                             // is not squared
   }
 }
 
@@ -53,15 +56,10 @@ std::string why_invalid(const BaseOffset& o) {
 }
 
 std::string why_invalid(const MapOptions& o) {
-  const double weights[] = {o.tip_position,           o.tip_orientation,
-                            o.hand_orientation,       o.humanlike_arm,
-                            o.humanlike_fingers,      o.humanlike_triangle,
-                            o.humanlike_hull,         o.posture,
-                            o.movement_cost.velocity, o.movement_cost.acceleration,
-                            o.movement_cost.jerk};
-  if (*std::min_element(std::begin(weights), std::end(weights)) < 0) {
-    return "weights must not be negative";
-  }
+  double least =
+      std::min({o.movement_cost.velocity, o.movement_cost.acceleration, o.movement_cost.jerk});
+  o.objective.each([&](const auto& term) { least = std::min(least, term.weight); });
+  if (least < 0) return "weights must not be negative";
   if (const std::string wrong = why_invalid(o.phases); !wrong.empty()) return "phases: " + wrong;
   if (o.phase_blend_s < 0) return "phase_blend_s must not be negative";
   if (o.orientation_smoothing <= 0) return "orientation_smoothing must be positive";
@@ -76,22 +74,16 @@ std::string why_invalid(const MapOptions& o) {
 }
 
 humanlike::FrameObjective make_objective(const MapOptions& options, const RobotTable& robot) {
-  humanlike::FrameObjective objective;
-  objective.tip_position.weight = options.tip_position;
-  objective.tip_orientation = {options.tip_orientation, options.orientation_smoothing};
-  objective.hand_orientation = {options.hand_orientation, options.orientation_smoothing};
-  objective.joint_distance.weight = options.humanlike_arm;
-  objective.finger_joint_distance.weight = options.humanlike_fingers;
-  objective.triangle_area.weight = options.humanlike_triangle;
-  objective.hull_volume.weight = options.humanlike_hull;
-  objective.posture.weight = options.posture;
+  humanlike::FrameObjective objective = options.objective;
+  objective.get<humanlike::TipOrientation>().smoothing_rad = options.orientation_smoothing;
+  objective.get<humanlike::HandOrientation>().smoothing_rad = options.orientation_smoothing;
   for (const NaturalJoint& natural : options.natural) {
     humanlike::NaturalPosture::Joint entry;
     entry.joint = joint_index(robot, natural.joint);
     entry.follow = natural.follow.empty() ? -1 : joint_index(robot, natural.follow);
     entry.value = natural.value;
     entry.tips = tips_moved_by(robot, entry.joint);
-    objective.posture.joints.push_back(std::move(entry));
+    objective.get<humanlike::NaturalPosture>().joints.push_back(std::move(entry));
   }
   set_mode(options.mode, objective);
   return objective;

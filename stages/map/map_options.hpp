@@ -46,20 +46,25 @@ void fields(Fields& f, BaseOffset& o) {
 }
 std::string why_invalid(const BaseOffset& options);
 
+/// Humanlikeness, clearance and smoothness all pull tips off their goals, by as much as they
+/// outweigh w_x: 1000 leaves up to 1.4 mm on the shipped recordings, 20000 at most 0.25 mm. The
+/// clearance term's weight is a tenth of it: tips give way to collisions as before. The hand's
+/// orientation is a weak goal.
+inline humanlike::FrameObjective usual_objective() {
+  humanlike::FrameObjective o;
+  o.get<humanlike::TipPosition>().weight = 20000;
+  o.get<humanlike::TipOrientation>().weight = 0.01;
+  o.get<humanlike::HandOrientation>().weight = 0.01;
+  o.get<humanlike::JointDistance>().weight = 1;
+  o.get<humanlike::FingerJointDistance>().weight = 0.1;
+  o.get<humanlike::NaturalPosture>().weight = 1e-3;
+  return o;
+}
+
 /// Config section `map`: weights of Eq. (16), our terms beside it, and the search.
 struct MapOptions {
   MapMode mode = MapMode::humanlike;
-  /// w_x [1/m²]. Humanlikeness, clearance and smoothness all pull tips off their goals, by as much
-  /// as they outweigh this: 1000 leaves up to 1.4 mm on the shipped recordings, 20000 at most
-  /// 0.25 mm. The clearance term's weight is a tenth of it: tips give way to collisions as before.
-  double tip_position = 20000;
-  double tip_orientation = 0.01;        ///< w_o [1/rad]
-  double hand_orientation = 0.01;       ///< weak goal where fewer than three tips are seen [1/rad]
-  double humanlike_arm = 1;             ///< w_A, on the mean over the joint centres [1/m²]
-  double humanlike_fingers = 0.1;       ///< w_a [1/m²]
-  double humanlike_triangle = 0;        ///< w_B, on metric B of the arm [1/m²]
-  double humanlike_hull = 0;            ///< w_C, on metric C of the arm [1/m³]
-  double posture = 1e-3;                ///< natural posture of unseen fingers [1/rad²]
+  humanlike::FrameObjective objective = usual_objective();  ///< its weights
   std::vector<PhaseWeights> phases;     ///< what phases multiply these weights by
   double phase_blend_s = 0.2;           ///< from one phase's weights to the next's
   double orientation_smoothing = 1e-3;  ///< rounds the kink of the unsquared angle [rad]
@@ -87,14 +92,7 @@ void fields(Fields& f, NaturalJoint& o) {
 template <class Fields>
 void fields(Fields& f, MapOptions& o) {
   f("mode", o.mode);
-  f("tip_position", o.tip_position);
-  f("tip_orientation", o.tip_orientation);
-  f("hand_orientation", o.hand_orientation);
-  f("humanlike_arm", o.humanlike_arm);
-  f("humanlike_fingers", o.humanlike_fingers);
-  f("humanlike_triangle", o.humanlike_triangle);
-  f("humanlike_hull", o.humanlike_hull);
-  f("posture", o.posture);
+  fields(f, o.objective);
   f("phases", o.phases);
   f("phase_blend_s", o.phase_blend_s);
   f("orientation_smoothing", o.orientation_smoothing);

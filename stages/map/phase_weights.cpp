@@ -11,9 +11,7 @@ namespace {
 
 humanlike::FrameWeights of_phase(const std::vector<PhaseWeights>& weights, PhaseKind phase) {
   for (const PhaseWeights& w : weights) {
-    if (w.phase == phase) {
-      return {w.tip_position, w.tip_orientation, w.humanlike_arm, w.humanlike_fingers};
-    }
+    if (w.phase == phase) return w.shares;
   }
   return {};
 }
@@ -27,7 +25,8 @@ std::string why_invalid(const std::vector<PhaseWeights>& weights) {
       if (weights[k].phase == w.phase)
         return fmt::format("phase {} is named twice", name_of(w.phase));
     }
-    if (std::min({w.tip_position, w.tip_orientation, w.humanlike_arm, w.humanlike_fingers}) < 0) {
+    const humanlike::FrameWeights& s = w.shares;
+    if (std::min({s.tip_position, s.tip_orientation, s.humanlike_arm, s.humanlike_fingers}) < 0) {
       return "weights must not be negative";
     }
   }

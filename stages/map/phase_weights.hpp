@@ -12,15 +12,12 @@ namespace morphe::map {
 /// humanlikeness, grasping accuracy.
 struct PhaseWeights {
   PhaseKind phase = PhaseKind::rest;
-  double tip_position = 1, tip_orientation = 1, humanlike_arm = 1, humanlike_fingers = 1;
+  humanlike::FrameWeights shares;
 };
 template <class Fields>
 void fields(Fields& f, PhaseWeights& o) {
   f.required("phase", o.phase);
-  f("tip_position", o.tip_position);
-  f("tip_orientation", o.tip_orientation);
-  f("humanlike_arm", o.humanlike_arm);
-  f("humanlike_fingers", o.humanlike_fingers);
+  fields(f, o.shares);
 }
 /// Empty, or what is wrong: a phase named twice, a negative weight.
 std::string why_invalid(const std::vector<PhaseWeights>& weights);

@@ -25,11 +25,7 @@ MappingProblem tips_alone(const MappingProblem& problem, std::size_t frame) {
   plain.goals.front().weights = {};
   plain.clearance.weight = 0;
   plain.objective = {};
-  plain.objective.tip_position = problem.objective.tip_position;
-  plain.objective.tip_orientation.weight = 0;
-  plain.objective.hand_orientation.weight = 0;
-  plain.objective.joint_distance.weight = 0;
-  plain.objective.finger_joint_distance.weight = 0;
+  plain.objective.get<humanlike::TipPosition>() = problem.objective.get<humanlike::TipPosition>();
   return plain;
 }
 
@@ -105,7 +101,8 @@ class Judge {
       if (minimum.value < (1 + kSameValue) * best.value) ++ended_there;
       if (minimum.value < best.value) best = std::move(minimum);
     }
-    const double error_m = std::sqrt(best.value / plain.objective.tip_position.weight);
+    const double error_m =
+        std::sqrt(best.value / plain.objective.get<humanlike::TipPosition>().weight);
     out_of_reach_.push_back({frame, error_m, best.x});
     return false;
   }

@@ -57,7 +57,7 @@ map::MappingProblem stiff(const map::MappingProblem& problem) {
   map::MappingProblem result = problem;
   result.clearance.weight *= 30000;
   result.clearance.band_m *= 0.2;
-  result.objective.tip_position.weight *= 30;
+  result.objective.get<humanlike::TipPosition>().weight *= 30;
   return result;
 }
 

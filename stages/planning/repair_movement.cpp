@@ -58,7 +58,7 @@ Judged climb(std::span<const Firmness> ladder, const map::MappingProblem& whole,
     as_exact.movement.relative_value *= step.relative_value;
     map::MappingProblem firm = whole;
     firm.clearance.band_m *= step.band_share;
-    firm.objective.tip_position.weight *= step.tips;
+    firm.objective.get<humanlike::TipPosition>().weight *= step.tips;
     Judged changed{map::resolve_path(firm, best.path, best.findings, as_exact, step.clearance), {}};
     changed.findings = recheck(changed.path);
     if (badness(changed.findings) < badness(best.findings)) best = std::move(changed);

@@ -16,13 +16,9 @@ namespace {
 
 humanlike::FrameObjective objective_of(const StudyWeights& weights) {
   humanlike::FrameObjective objective;
-  objective.tip_position.weight = weights.tip_position;
-  objective.tip_orientation.weight = weights.tip_orientation;
-  objective.tip_orientation.smoothing_rad = 1e-5;
-  objective.hand_orientation.weight = 0;
-  objective.joint_distance.weight = weights.humanlike;
-  objective.finger_joint_distance.weight = 0;
-  objective.posture.weight = 0;
+  objective.get<humanlike::TipPosition>().weight = weights.tip_position;
+  objective.get<humanlike::TipOrientation>() = {weights.tip_orientation, 1e-5};
+  objective.get<humanlike::JointDistance>().weight = weights.humanlike;
   return objective;
 }
 

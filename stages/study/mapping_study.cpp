@@ -54,7 +54,7 @@ Variant plan_all(const MappingSet& set, const StudyVariant& variant,
                                   collision::capsule_reach(config.robot)};
   Variant result;
   result.name = variant.name;
-  result.tip_position = config.options.map.tip_position;
+  result.tip_position = config.options.map.objective.get<humanlike::TipPosition>().weight;
   run::Batch batch;
   batch.next = [&, next = std::size_t{0}]() mutable {
     return next == recordings.size() ? nullptr

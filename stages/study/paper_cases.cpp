@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "pipeline/humanlike/arm_chain.hpp"
 #include "pipeline/robot/forward.hpp"
 
 namespace morphe::study {

@@ -78,9 +78,12 @@ BenchProblem make_bench_problem(const std::string& name, const RobotTable& robot
   BenchProblem problem;
   problem.name = name;
   problem.robot = robot;
-  problem.objective.tip_position.weight = 10000;
-  problem.objective.tip_orientation.weight = robot.tips.size() == 1 ? 1 : 0.1;
-  problem.objective.finger_joint_distance.weight = 0.1;
+  problem.objective.get<humanlike::TipPosition>().weight = 10000;
+  problem.objective.get<humanlike::TipOrientation>().weight = robot.tips.size() == 1 ? 1 : 0.1;
+  problem.objective.get<humanlike::HandOrientation>().weight = 0.01;
+  problem.objective.get<humanlike::JointDistance>().weight = 1;
+  problem.objective.get<humanlike::NaturalPosture>().weight = 1e-3;
+  problem.objective.get<humanlike::FingerJointDistance>().weight = 0.1;
   std::mt19937_64 random(1);
   const auto uniform = [&](double low, double high) {
     return std::uniform_real_distribution<>(low, high)(random);

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "pipeline/humanlike/arm_chain.hpp"
 #include "pipeline/humanlike/frame_objective.hpp"
 #include "pipeline/robot/files/generate.hpp"
 #include "pipeline/robot/forward.hpp"
@@ -46,7 +47,6 @@ TEST(PosedLike, AHumanNotSeenGivesNothing) {
 class JointToJointTerms : public testing::Test {
  protected:
   JointToJointTerms() : robot(robot::generate_arm_hand({9, 0.6}, {4, 0.2, 0.09})) {
-    objective.tip_position.weight = objective.joint_distance.weight = 0;
     goal.tip_position.assign(robot.tips.size(), unseen_point());
     goal.tip_orientation.assign(robot.tips.size(), unseen_rotation());
     goal.finger_joint.fill(unseen_point());
@@ -76,7 +76,7 @@ class JointToJointTerms : public testing::Test {
 };
 
 TEST_F(JointToJointTerms, ChainPositionHasItsGradient) {
-  objective.chain_position.weight = 2;
+  objective.get<ChainPosition>().weight = 2;
   const JointVector zero = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
   EXPECT_EQ(at(zero).value, 0);  // no goals
   std::vector<Pose> poses;
@@ -91,7 +91,7 @@ TEST_F(JointToJointTerms, ChainPositionHasItsGradient) {
 }
 
 TEST_F(JointToJointTerms, JointAngleHasItsGradientAndSkipsWhatHasNoGoal) {
-  objective.joint_angle.weight = 3;
+  objective.get<JointAngle>().weight = 3;
   goal.angles = JointVector::Constant(static_cast<Eigen::Index>(robot.joints()), kNotSeen);
   goal.angles[10] = 0.5;
   goal.angles[11] = -0.2;
@@ -104,7 +104,7 @@ TEST_F(JointToJointTerms, JointAngleHasItsGradientAndSkipsWhatHasNoGoal) {
 
 /// Four fingers: the thumb's centre has the human thumb's joint, the others the curve's points.
 TEST_F(JointToJointTerms, FingersBetweenTheHumansFollowTheCurve) {
-  objective.finger_joint_distance.weight = 0.5;
+  objective.get<FingerJointDistance>().weight = 0.5;
   const JointVector q = JointVector::Constant(static_cast<Eigen::Index>(robot.joints()), 0.1);
   EXPECT_EQ(at(q).value, 0);
   std::vector<Pose> poses;
@@ -128,7 +128,7 @@ TEST_F(JointToJointTerms, FingersBetweenTheHumansFollowTheCurve) {
 TEST_F(JointToJointTerms, NamesOfFingersDoNotMatter) {
   robot = robot::generate_hand({5, 0.2, 0.09});
   for (auto& centre : robot.centres) centre.chain = "f" + centre.chain;
-  objective.finger_joint_distance.weight = 1;
+  objective.get<FingerJointDistance>().weight = 1;
   goal.tip_position.assign(robot.tips.size(), unseen_point());
   goal.tip_orientation.assign(robot.tips.size(), unseen_rotation());
   const JointVector q = JointVector::Constant(static_cast<Eigen::Index>(robot.joints()), 0.1);
@@ -146,9 +146,9 @@ TEST_F(JointToJointTerms, PhasesWeighAllMetricsOfTheArm) {
   goal.elbow = Vec3(0.1, 0.1, 0.3);
   goal.wrist = Vec3(0.2, -0.1, 0.5);
   const auto value = [&](double a, double b, double c, double share) {
-    objective.joint_distance.weight = a;
-    objective.triangle_area.weight = b;
-    objective.hull_volume.weight = c;
+    objective.get<JointDistance>().weight = a;
+    objective.get<TriangleArea>().weight = b;
+    objective.get<HullVolume>().weight = c;
     goal.weights.humanlike_arm = share;
     return at(q).value;
   };

@@ -38,7 +38,9 @@ class SolversAgree : public testing::TestWithParam<std::string> {
 TEST_P(SolversAgree, OnTheMinimumNextToAStart) {
   const RobotTable robot = robot_called(GetParam());
   FrameObjective objective;
-  objective.tip_orientation.weight = 1;
+  objective.get<TipPosition>().weight = 1000;
+  objective.get<JointDistance>().weight = 1;
+  objective.get<TipOrientation>().weight = 1;
   std::mt19937_64 random(8);
   int same = 0;
   for (int k = 0; k < 20; ++k) {

@@ -33,32 +33,32 @@ class Terms : public testing::Test {
     for (Vec3& joint : goal.finger_joint) joint = Vec3(0.3, 0.1, 0.4);
   }
 
-  template <class Term>
-  double value(const Term& term, const JointVector& q) const {
+  template <Term T>
+  double value(const T& term, const JointVector& q) const {
     return model(term, q).value;
   }
 
-  template <class Term>
-  solve::Quadratic model(const Term& term, const JointVector& q) const {
+  template <Term T>
+  solve::Quadratic model(const T& term, const JointVector& q) const {
     std::vector<Pose> poses;
     robot::forward(robot, q, poses);
     solve::Quadratic result;
     result.reset(q.size());
     const RobotState state{robot, q, poses};
-    if constexpr (std::is_same_v<Term, NaturalPosture>) {
-      term.add(state, goal, result);
+    if constexpr (JointTerm<T>) {
+      term.add(state, goal, term.weight, result);
     } else {
       Loads loads;
       LoadSweep sweep;
       loads.reset(robot.frames.size(), curvature);
-      term.add(state, goal, loads);
+      term.add(state, goal, term.weight, loads);
       add_derivatives(robot, poses, loads, sweep, result);
     }
     return result;
   }
 
-  template <class Term>
-  void expect_gradient(const Term& term) const {
+  template <Term T>
+  void expect_gradient(const T& term) const {
     std::mt19937_64 random(7);
     for (int i = 0; i < 20; ++i) {
       const JointVector q = random_position(robot, random);
@@ -82,26 +82,27 @@ TEST_F(Terms, ExactHessian) {
   set_every_goal();
   goal.tip_position[4] = unseen_point();
   FrameObjective objective;
-  objective.tip_orientation = {0.5, 1e-3};
-  objective.posture.joints = {{19, 16, 0.1, {4}}};
-  objective.offset.free = true;
+  objective.get<TipPosition>().weight = 1000;
+  objective.get<TipOrientation>() = {0.5, 1e-3};
+  objective.get<JointDistance>().weight = objective.get<FingerJointDistance>().weight = 1;
+  objective.get<NaturalPosture>().weight = 1e-3;
+  objective.get<NaturalPosture>().joints = {{19, 16, 0.1, {4}}};
   std::mt19937_64 random(11);
   const auto n = static_cast<Eigen::Index>(robot.joints());
   for (int i = 0; i < 20; ++i) {
-    JointVector q(n + 3);
-    q << random_position(robot, random), 0.01, -0.02, 0.03;
+    const JointVector q = random_position(robot, random);
     ObjectiveScratch scratch;
     solve::Quadratic exact;
     const auto evaluate = [&](const JointVector& at) {
-      exact.reset(n + 3);
+      exact.reset(n);
       add_objective(objective, robot, at, goal, scratch, exact, Curvature::exact);
       return exact;
     };
     evaluate(q);
     evaluate(q);  // only now slopes and forces are known
     const Eigen::MatrixXd hessian = exact.hessian;
-    Eigen::MatrixXd numeric(n + 3, n + 3);
-    for (Eigen::Index j = 0; j < n + 3; ++j) {
+    Eigen::MatrixXd numeric(n, n);
+    for (Eigen::Index j = 0; j < n; ++j) {
       JointVector up = q, down = q;
       up[j] += 1e-6;
       down[j] -= 1e-6;
@@ -114,26 +115,26 @@ TEST_F(Terms, ExactHessian) {
 
 TEST_F(Terms, TipPosition) {
   set_every_goal();
-  expect_gradient(TipPosition{});
+  expect_gradient(TipPosition{1000});
 }
 TEST_F(Terms, TipOrientation) {
   set_every_goal();
-  expect_gradient(TipOrientation{});
+  expect_gradient(TipOrientation{0.01});
 }
 TEST_F(Terms, JointDistance) {
   set_every_goal();
-  expect_gradient(JointDistance{});
+  expect_gradient(JointDistance{1});
 }
 TEST_F(Terms, FingerJointDistance) {
   set_every_goal();
-  expect_gradient(FingerJointDistance{});
+  expect_gradient(FingerJointDistance{1});
 }
 TEST_F(Terms, HandOrientation) {
   goal.hand = Quat(0.3, -0.5, 0.2, 0.8).normalized();
-  expect_gradient(HandOrientation{});
+  expect_gradient(HandOrientation{0.01});
 }
 TEST_F(Terms, NaturalPosture) {
-  NaturalPosture posture;
+  NaturalPosture posture{1e-3, {}};
   posture.joints = {{12, 9, 0.1, {2}}, {13, -1, 0.2, {2}}};
   expect_gradient(posture);
 }
@@ -154,18 +155,19 @@ TEST_F(Terms, OrientationCountsHalfTheAngle) {
 TEST_F(Terms, JointDistanceIsTheMeanOverElbowAndWrist) {
   const JointVector q = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
   goal.elbow = Vec3(0.1, 0, 0.317 + 0.45);  // the stretched arm's elbow is at z = 0.767
-  EXPECT_NEAR(value(JointDistance{}, q), 0.5 * (0.01 + 0.01 + 0.48 * 0.48), 1e-12);
+  EXPECT_NEAR(value(JointDistance{1}, q), 0.5 * (0.01 + 0.01 + 0.48 * 0.48), 1e-12);
 }
 
 TEST_F(Terms, WithThreeTipsSeenTheHandIsFree) {
   set_every_goal();
   const JointVector q = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
-  EXPECT_EQ(value(HandOrientation{}, q), 0);
+  EXPECT_EQ(value(HandOrientation{1}, q), 0);
 }
 
 TEST_F(Terms, UnseenGoalsAddNothing) {
   const JointVector q = JointVector::Constant(static_cast<Eigen::Index>(robot.joints()), 0.1);
   FrameObjective objective;
+  objective.each([](auto& term) { term.weight = 1; });
   ObjectiveScratch scratch;
   solve::Quadratic result;
   result.reset(q.size());

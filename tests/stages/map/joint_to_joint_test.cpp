@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "pipeline/humanlike/arm_chain.hpp"
 #include "pipeline/human/hand.hpp"
 #include "pipeline/robot/files/description.hpp"
 #include "pipeline/robot/files/generate.hpp"

@@ -17,8 +17,8 @@ using testing::HasSubstr;
 MapOptions with_mode(MapMode mode) {
   MapOptions options;
   options.mode = mode;
-  options.humanlike_triangle = 0.5;
-  options.humanlike_hull = 2;
+  options.objective.get<humanlike::TriangleArea>().weight = 0.5;
+  options.objective.get<humanlike::HullVolume>().weight = 2;
   options.natural = {{"arm_1", "", 0.1}};
   return options;
 }
@@ -26,42 +26,49 @@ MapOptions with_mode(MapMode mode) {
 TEST(MapMode, LeavesOutWhatItSays) {
   const RobotTable robot = robot::generate_arm({6, 0.6});
   const auto made = [&](MapMode mode) { return make_objective(with_mode(mode), robot); };
-  const MapOptions defaults;
+  const humanlike::FrameObjective usual = usual_objective();
 
   const humanlike::FrameObjective all = made(MapMode::humanlike);
-  EXPECT_EQ(all.joint_distance.weight, defaults.humanlike_arm);
-  EXPECT_EQ(all.finger_joint_distance.weight, defaults.humanlike_fingers);
-  EXPECT_EQ(all.triangle_area.weight, 0.5);
-  EXPECT_EQ(all.hull_volume.weight, 2);
-  EXPECT_EQ(all.chain_position.weight, 0);
-  EXPECT_EQ(all.joint_angle.weight, 0);
+  EXPECT_EQ(all.get<humanlike::JointDistance>().weight,
+            usual.get<humanlike::JointDistance>().weight);
+  EXPECT_EQ(all.get<humanlike::FingerJointDistance>().weight,
+            usual.get<humanlike::FingerJointDistance>().weight);
+  EXPECT_EQ(all.get<humanlike::TriangleArea>().weight, 0.5);
+  EXPECT_EQ(all.get<humanlike::HullVolume>().weight, 2);
+  EXPECT_EQ(all.get<humanlike::ChainPosition>().weight, 0);
+  EXPECT_EQ(all.get<humanlike::JointAngle>().weight, 0);
 
   for (const MapMode mode :
        {MapMode::inverse_kinematics, MapMode::fingertip_only, MapMode::joint_to_joint}) {
     const humanlike::FrameObjective some = made(mode);
-    EXPECT_EQ(some.joint_distance.weight, 0) << name_of(mode);
-    EXPECT_EQ(some.finger_joint_distance.weight, 0) << name_of(mode);
-    EXPECT_EQ(some.triangle_area.weight, 0) << name_of(mode);
-    EXPECT_EQ(some.hull_volume.weight, 0) << name_of(mode);
-    EXPECT_EQ(some.tip_position.weight, defaults.tip_position) << name_of(mode);
-    EXPECT_EQ(some.posture.weight, defaults.posture) << name_of(mode);
-    EXPECT_EQ(some.posture.joints.size(), 1u) << name_of(mode);
+    EXPECT_EQ(some.get<humanlike::JointDistance>().weight, 0) << name_of(mode);
+    EXPECT_EQ(some.get<humanlike::FingerJointDistance>().weight, 0) << name_of(mode);
+    EXPECT_EQ(some.get<humanlike::TriangleArea>().weight, 0) << name_of(mode);
+    EXPECT_EQ(some.get<humanlike::HullVolume>().weight, 0) << name_of(mode);
+    EXPECT_EQ(some.get<humanlike::TipPosition>().weight, usual.get<humanlike::TipPosition>().weight)
+        << name_of(mode);
+    EXPECT_EQ(some.get<humanlike::NaturalPosture>().weight,
+              usual.get<humanlike::NaturalPosture>().weight)
+        << name_of(mode);
+    EXPECT_EQ(some.get<humanlike::NaturalPosture>().joints.size(), 1u) << name_of(mode);
   }
-  EXPECT_EQ(made(MapMode::inverse_kinematics).tip_orientation.weight, defaults.tip_orientation);
-  EXPECT_EQ(made(MapMode::inverse_kinematics).hand_orientation.weight, defaults.hand_orientation);
-  EXPECT_EQ(made(MapMode::fingertip_only).tip_orientation.weight, 0);
-  EXPECT_EQ(made(MapMode::fingertip_only).hand_orientation.weight, 0);
-  EXPECT_GT(made(MapMode::joint_to_joint).chain_position.weight, 0);
-  EXPECT_GT(made(MapMode::joint_to_joint).joint_angle.weight, 0);
+  EXPECT_EQ(made(MapMode::inverse_kinematics).get<humanlike::TipOrientation>().weight,
+            usual.get<humanlike::TipOrientation>().weight);
+  EXPECT_EQ(made(MapMode::inverse_kinematics).get<humanlike::HandOrientation>().weight,
+            usual.get<humanlike::HandOrientation>().weight);
+  EXPECT_EQ(made(MapMode::fingertip_only).get<humanlike::TipOrientation>().weight, 0);
+  EXPECT_EQ(made(MapMode::fingertip_only).get<humanlike::HandOrientation>().weight, 0);
+  EXPECT_GT(made(MapMode::joint_to_joint).get<humanlike::ChainPosition>().weight, 0);
+  EXPECT_GT(made(MapMode::joint_to_joint).get<humanlike::JointAngle>().weight, 0);
 }
 
 TEST(MapOptions, RefusesWhatMakesNoSense) {
   EXPECT_EQ(why_invalid(MapOptions{}), "");
   MapOptions options;
-  options.humanlike_hull = -1;
+  options.objective.get<humanlike::HullVolume>().weight = -1;
   EXPECT_THAT(why_invalid(options), HasSubstr("negative"));
   options = {};
-  options.humanlike_triangle = -1;
+  options.objective.get<humanlike::TriangleArea>().weight = -1;
   EXPECT_THAT(why_invalid(options), HasSubstr("negative"));
   EXPECT_THAT(why_invalid(BaseOffset{-0.1, 1}), HasSubstr("negative"));
   EXPECT_THAT(why_invalid(BaseOffset{0.1, kNotSeen}), HasSubstr("negative"));
@@ -88,9 +95,9 @@ TEST(MapOptions, TrianglesAndHullsAreLessWhereTheyCount) {
   const collision::CollisionWorld world = collision::make_world(robot, scene, {}, {});
   const auto metrics = [&](double a, double b, double c) {
     MapOptions options;
-    options.humanlike_arm = a;
-    options.humanlike_triangle = b;
-    options.humanlike_hull = c;
+    options.objective.get<humanlike::JointDistance>().weight = a;
+    options.objective.get<humanlike::TriangleArea>().weight = b;
+    options.objective.get<humanlike::HullVolume>().weight = c;
     options.starts = 24;
     options.reachable_starts = 1;
     const MapResult result =

@@ -1,9 +1,11 @@
 #include "stages/map/reachable.hpp"
 
+
 #include <gtest/gtest.h>
 
 #include "pipeline/robot/files/description.hpp"
 #include "pipeline/robot/forward.hpp"
+#include "stages/map/map_options.hpp"
 #include "tests/support/random_positions.hpp"
 
 namespace morphe::map {
@@ -16,6 +18,7 @@ class ReachableFrames : public testing::Test {
       : robot(robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table) {
     world = collision::make_world(robot, scene, {}, {});
     problem.robot = &robot;
+    problem.objective = usual_objective();
     problem.world = &world;
     problem.time = {0};
     problem.goals.resize(1);

@@ -1,10 +1,12 @@
 #include "stages/map/twins.hpp"
 
+
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "pipeline/robot/forward.hpp"
+#include "stages/map/map_options.hpp"
 #include "tests/pipeline/robot/shipped_robots.hpp"
 
 namespace morphe::map {
@@ -22,6 +24,7 @@ struct Bench {
       posture[j] += 0.1 * static_cast<double>(1 + j % 3) * (robot.upper[j] - posture[j]);
     }
     problem.robot = &robot;
+    problem.objective = usual_objective();
     problem.world = &world;
     problem.clearance.weight = 0;
     std::vector<Pose> base_from_frame;
@@ -107,8 +110,9 @@ TEST(Twins, TheFarthestFromTheLimitsFirst) {
 TEST(Twins, NoneWhereJointAnglesThemselvesCount) {
   Bench bench("pa10_dlr_hit2");
   for (Eigen::Index j = 0; j < 7; ++j) {
-    bench.problem.objective.posture.weight = 1;
-    bench.problem.objective.posture.joints.push_back({static_cast<int>(j), -1, 0.1, {}});
+    bench.problem.objective.get<humanlike::NaturalPosture>().weight = 1;
+    bench.problem.objective.get<humanlike::NaturalPosture>().joints.push_back(
+        {static_cast<int>(j), -1, 0.1, {}});
   }
   EXPECT_TRUE(find_twins(bench.problem).flips.empty());
 }
