@@ -130,7 +130,7 @@ def check(root):
 
 
 PLANTED = [
-    ("pipeline/motion/plan.hpp", '#include "stages/repair/repair.hpp"'),
+    ("pipeline/motion/plan.hpp", '#include "stages/repair/ladder.hpp"'),
     ("pipeline/motion/plan.hpp", '#include "pipeline/config/node.hpp"'),
     ("pipeline/config/node.hpp", "#  include <pipeline/robot/forward.hpp>"),
     ("pipeline/robot/forward.hpp", '#include "pipeline/collision/world.hpp"'),
@@ -164,7 +164,7 @@ PLANTED_ROWS = [
     "folder pipeline/planted : check",
 ]
 ALLOWED = [
-    ("stages/planning/planted.cpp", '#include "stages/repair/repair.hpp"\n#include "stages/map/map_movement.hpp"'),
+    ("stages/planning/planted.cpp", '#include "stages/repair/ladder.hpp"\n#include "stages/map/map_movement.hpp"'),
     ("stages/repair/planted.cpp", "#include <ompl/base/State.h>\n#include <sys/stat.h>\n#include <Eigen/Core>"),
     ("pipeline/humanlike/planted.cpp", '#include "pipeline/robot/forward.hpp"'),
 ]

@@ -64,9 +64,7 @@ JointRows solve_window(const MappingProblem& problem, const std::vector<std::siz
 
 JointPath resolve_path(const MappingProblem& problem, const JointPath& path,
                        const std::vector<Finding>& findings, const MapOptions& options,
-                       double firmness, double reach_s) {
-  MappingProblem clear = problem;
-  clear.clearance.weight *= firmness;
+                       double reach_s) {
   JointPath resolved = path;
   for (const Window& window : windows_around(findings, problem.time, reach_s)) {
     const std::size_t begin = window.first - std::min(window.first, kHeldFrames);
@@ -78,7 +76,7 @@ JointPath resolve_path(const MappingProblem& problem, const JointPath& path,
     for (std::size_t& frame : some) frame += begin;
     const auto solve = [&](const std::vector<std::size_t>& frames, const JointRows& change,
                            const solve::MovementOptions& exactness) {
-      return solve_window(clear, frames, window, path.position, change, options.movement_cost,
+      return solve_window(problem, frames, window, path.position, change, options.movement_cost,
                           exactness);
     };
     const JointRows change = solve(some, {}, options.movement) - rows_at(path.position, some);

@@ -7,11 +7,11 @@
 
 namespace morphe::map {
 
-/// Re-solves a path near findings against `problem.world`, its clearance term `firmness` times as
-/// strong: frames within `reach_s` of a finding may move, the others are drawn to where they are.
-/// Frames that moved by more than 1e-4 rad become Origin::resolved.
+/// Re-solves a path near findings against `problem.world`: frames within `reach_s` of a finding may
+/// move, the others are drawn to where they are. Frames that moved by more than 1e-4 rad become
+/// Origin::resolved.
 JointPath resolve_path(const MappingProblem& problem, const JointPath& path,
                        const std::vector<Finding>& findings, const MapOptions& options,
-                       double firmness, double reach_s = 0.3);
+                       double reach_s = 0.3);
 
 }  // namespace morphe::map

@@ -1,13 +1,14 @@
 #include "stages/planning/dead_end.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "stages/map/frame_search.hpp"
+#include "stages/planning/firmness.hpp"
 
 namespace morphe::planning {
 namespace {
-
-using Judge = std::function<std::vector<Finding>(const JointPath&)>;
 
 constexpr std::size_t kFrames = 6;  ///< looked at for one path
 constexpr double kNearly = 5e-4;    ///< nearer to good enough: another search may do [m]
@@ -45,27 +46,12 @@ double sum_of_depths(const std::vector<Finding>& findings) {
 struct Moment {
   const map::MappingProblem& problem;
   std::size_t frame;
-  const Judge& judge;
+  const repair::Judge& judge;
 
   std::vector<Finding> findings(const JointVector& q) const {
     return judge({q.transpose(), {Origin::resolved}, {problem.time[frame]}});
   }
 };
-
-/// Tips and freedom alone decide; a little more than what is asked for is kept clear.
-map::MappingProblem stiff(const map::MappingProblem& problem) {
-  map::MappingProblem result = problem;
-  result.clearance.weight *= 30000;
-  result.clearance.band_m *= 0.2;
-  result.objective.get<humanlike::TipPosition>().weight *= 30;
-  return result;
-}
-
-map::MappingProblem scaled(const map::MappingProblem& problem, double clearance) {
-  map::MappingProblem result = problem;
-  result.clearance.weight *= clearance;
-  return result;
-}
 
 bool tracked(const std::vector<Finding>& findings) {
   return std::ranges::none_of(findings,
@@ -74,18 +60,17 @@ bool tracked(const std::vector<Finding>& findings) {
 
 }  // namespace
 
-std::optional<repair::DeadEnd> find_dead_end(const map::MappingProblem& problem,
-                                             const JointPath& path,
-                                             const std::vector<Finding>& findings,
-                                             const Judge& judge, const map::MapOptions& options,
-                                             std::uint64_t seed, std::vector<Hold>& holds) {
-  const map::MappingProblem firm = scaled(problem, 100), alone = scaled(problem, 0),
-                            decided = stiff(problem);
+std::optional<DeadEnd> find_dead_end(const map::MappingProblem& problem,
+                                     const repair::Judged& judged, const repair::Judge& judge,
+                                     const map::MapOptions& options, std::uint64_t seed,
+                                     std::vector<Hold>& holds) {
+  const map::MappingProblem firm = as_firm(problem, {100}), decided = as_firm(problem, kFirmest),
+                            alone = as_firm(problem, {0}), decided_alone = as_firm(decided, {0});
   map::MappingScratch scratch;
-  for (const std::size_t frame : frames_of(findings, problem.time)) {
+  for (const std::size_t frame : frames_of(judged.findings, problem.time)) {
     if (problem.time[frame] >= attached_from(*problem.world)) continue;
     const Moment moment{problem, frame, judge};
-    repair::DeadEnd end{Reason::unreachable, problem.time[frame], 0, {}};
+    DeadEnd end{Reason::unreachable, problem.time[frame], 0, {}};
     double least = std::numeric_limits<double>::infinity();
     bool held = false;
     const auto attempt = [&](const JointVector& start) {
@@ -100,7 +85,7 @@ std::optional<repair::DeadEnd> find_dead_end(const map::MappingProblem& problem,
         end.nearest = *std::ranges::max_element(left, {}, &Finding::depth);
       }
     };
-    attempt(path.position.row(static_cast<Eigen::Index>(frame)).transpose());
+    attempt(judged.path.position.row(static_cast<Eigen::Index>(frame)).transpose());
     if (held) continue;
     for (const solve::Minimum& start :
          map::search_frame(firm, frame, 2 * options.starts, 2 * options.starts,
@@ -113,12 +98,22 @@ std::optional<repair::DeadEnd> find_dead_end(const map::MappingProblem& problem,
          map::search_frame(alone, frame, options.starts, options.candidates,
                            map::quick(options.solver), seed + frame, scratch)) {
       const JointVector q =
-          map::solve_frame(scaled(decided, 0), frame, start.x, options.solver, scratch).x;
+          map::solve_frame(decided_alone, frame, start.x, options.solver, scratch).x;
       if (tracked(moment.findings(q))) end.reason = Reason::goal_in_collision;
     }
     return end;
   }
   return std::nullopt;
+}
+
+repair::Made stop_at_dead_end(const map::MappingProblem& problem, const repair::Judged& best,
+                              const repair::Judge& judge, const map::MapOptions& options,
+                              std::uint64_t seed, std::vector<Hold>& holds) {
+  const std::optional<DeadEnd> end = find_dead_end(problem, best, judge, options, seed, holds);
+  if (!end) return {best};
+  const std::string detail = fmt::format("the best of {} postures for {:.3f} s has {}", end->tried,
+                                         end->time_s, repair::sentence(end->nearest));
+  return {best, end->reason, detail, true};
 }
 
 }  // namespace morphe::planning

@@ -1,13 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
 #include "stages/map/map_options.hpp"
 #include "stages/map/mapping_problem.hpp"
-#include "stages/repair/repair.hpp"
+#include "stages/repair/ladder.hpp"
 
 namespace morphe::planning {
 
@@ -17,15 +16,28 @@ struct Hold {
   JointVector q;
 };
 
+/// A time of a movement for which no posture is good enough.
+struct DeadEnd {
+  Reason reason = Reason::unreachable;  ///< obstacles or not; or goal_in_collision
+  double time_s = 0;                    ///< demonstration time
+  int tried = 0;                        ///< postures that were looked at
+  Finding nearest;                      ///< what is wrong with the best of them
+};
+
 /// Looks at the beginning, middle and end of each finding, the worst first and not more than six
 /// frames, for a posture without findings of its own: solved with tips and clearance far above
 /// everything else, from the path and then from `options.starts` random positions. Found ones are
 /// appended to `holds`. A frame without any is a dead end: no path can pass it (as far as these
 /// starts tell). Frames at which something is carried are not looked at: where it hangs depends on
 /// the whole path. `judge` gives the findings of a path.
-std::optional<repair::DeadEnd> find_dead_end(
-    const map::MappingProblem& problem, const JointPath& path, const std::vector<Finding>& findings,
-    const std::function<std::vector<Finding>(const JointPath&)>& judge,
-    const map::MapOptions& options, std::uint64_t seed, std::vector<Hold>& holds);
+std::optional<DeadEnd> find_dead_end(const map::MappingProblem& problem,
+                                     const repair::Judged& judged, const repair::Judge& judge,
+                                     const map::MapOptions& options, std::uint64_t seed,
+                                     std::vector<Hold>& holds);
+
+/// The rung that gives up where a dead end is found, with its reason.
+repair::Made stop_at_dead_end(const map::MappingProblem& problem, const repair::Judged& best,
+                              const repair::Judge& judge, const map::MapOptions& options,
+                              std::uint64_t seed, std::vector<Hold>& holds);
 
 }  // namespace morphe::planning

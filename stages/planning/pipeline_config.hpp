@@ -11,7 +11,7 @@
 #include "stages/map/placement.hpp"
 #include "stages/planning/approach_options.hpp"
 #include "stages/reconstruct/reconstruct.hpp"
-#include "stages/repair/repair.hpp"
+#include "stages/repair/repair_options.hpp"
 #include "stages/retime/retime.hpp"
 #include "stages/scene/build_scene.hpp"
 #include "stages/segment/segment.hpp"

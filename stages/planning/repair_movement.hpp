@@ -4,13 +4,15 @@
 
 #include "stages/map/map_movement.hpp"
 #include "stages/planning/place_movement.hpp"
-#include "stages/repair/repair.hpp"
+#include "stages/repair/ladder.hpp"
 
 namespace morphe::planning {
 
-/// Joins mapping, check and repair: repair_path() for a movement's plan with findings, whose
-/// mapping is re-solved against `world`, the whole scene, and searched again there where the plan's
-/// own course leads nowhere.
+/// Joins mapping, check and repair: the smallest change that makes a movement's plan free, the
+/// least first. Its mapping is re-solved against `world`, the whole scene, gently; nothing more if
+/// that leaves a dead end; then firmly; then likewise the mapping's other candidates; then a
+/// detour, also from the mapped path; at last all of that from other courses, searched in the whole
+/// scene. Samples far from findings keep their bits but in other courses.
 repair::RepairResult repair_movement(const Planner& planner, const PlacedMovement& placed,
                                      const collision::CollisionWorld& world, const Plan& plan,
                                      const map::MapResult& mapped, std::uint64_t seed);

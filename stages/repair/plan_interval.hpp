@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "stages/repair/interval_world.hpp"
-#include "stages/repair/repair.hpp"
+#include "stages/repair/repair_options.hpp"
 
 namespace morphe::repair {
 

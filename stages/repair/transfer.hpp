@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "pipeline/collision/world.hpp"
-#include "stages/repair/repair.hpp"
+#include "stages/repair/repair_options.hpp"
 
 namespace morphe::repair {
 

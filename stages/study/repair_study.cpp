@@ -10,6 +10,7 @@
 #include "pipeline/parallel/for_each.hpp"
 #include "stages/certify/goal_errors.hpp"
 #include "stages/planning/plan_movement.hpp"
+#include "stages/repair/detour.hpp"
 #include "stages/study/judge.hpp"
 #include "stages/study/obstacles.hpp"
 #include "stages/study/repair_options.hpp"
@@ -128,13 +129,17 @@ Plan repair_plainly(const planning::LoadedConfig& loaded, const Plan& undisturbe
   plan.trajectory = {};
   const collision::CollisionWorld world =
       collision::make_world(loaded.robot, plan.scene, plan.movement, plan.tolerances);
-  repair::RepairSteps steps;
-  steps.recheck = [&](const JointPath& path) {
+  const JointRows reach = collision::capsule_reach(loaded.robot);
+  const repair::Judge judge = [&](const JointPath& path) {
     return check::check_path(world, plan.goals, plan.movement, path, loaded.options.check);
   };
+  const repair::Surroundings around{world, reach, loaded.options.repair, seed, judge, {}};
+  const repair::Judged start{plan.path, judge(plan.path)};
+  const repair::Rung a_detour = [&](const repair::Judged& best) {
+    return repair::detour(around, best);
+  };
   const repair::RepairResult repaired =
-      repair::repair_path(world, collision::capsule_reach(loaded.robot), plan.path,
-                          steps.recheck(plan.path), steps, loaded.options.repair, seed);
+      repair::repair_path({a_detour}, start, loaded.options.repair);
   plan.path = repaired.path;
   plan.reason = repaired.reason;
   plan.detail = repaired.detail;

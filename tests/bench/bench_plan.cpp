@@ -18,7 +18,7 @@
 #include "pipeline/robot/files/description.hpp"
 #include "stages/repair/connect.hpp"
 #include "stages/repair/draw_in.hpp"
-#include "stages/repair/repair.hpp"
+#include "stages/repair/repair_options.hpp"
 
 namespace morphe {
 namespace {

@@ -135,8 +135,9 @@ TEST_F(MapMovement, ResolvingMovesOnlyWhatIsNearAFinding) {
   finding.begin_s = 0.30;
   finding.end_s = 0.35;
   MappingProblem problem = make_mapping_problem(robot, goals, world, options);
+  problem.clearance.weight *= 10;
   problem.goals[32].elbow += Vec3(0.3, 0, 0);  // something that pulls inside the interval
-  const JointPath path = resolve_path(problem, free.path, {finding}, options, 10, 0.02);
+  const JointPath path = resolve_path(problem, free.path, {finding}, options, 0.02);
   for (Index f = 0; f < 20; ++f) {
     EXPECT_EQ(path.origin[static_cast<std::size_t>(f)], Origin::mapped);
     EXPECT_EQ(path.position.row(f), free.path.position.row(f));

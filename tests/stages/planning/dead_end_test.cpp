@@ -38,7 +38,7 @@ class FindDeadEnd : public testing::Test {
   }
 
   /// From a path that stands a little beside the posture.
-  std::optional<repair::DeadEnd> find() {
+  std::optional<DeadEnd> find() {
     const collision::CollisionWorld world =
         collision::make_world(robot, scene, Movement{}, Tolerances{});
     const JointRows beside =
@@ -47,9 +47,9 @@ class FindDeadEnd : public testing::Test {
       return check::check_path(world, goals, Movement{}, path, check::CheckOptions{});
     };
     return find_dead_end(map::make_mapping_problem(robot, goals, world, options),
-                         {beside, std::vector<Origin>(kFrames), goals.time},
-                         {{0.1, 0.3, Cause::tracking, "thumb_tip", "", 0.01}}, judge, options, 3,
-                         holds);
+                         {{beside, std::vector<Origin>(kFrames), goals.time},
+                          {{0.1, 0.3, Cause::tracking, "thumb_tip", "", 0.01}}},
+                         judge, options, 3, holds);
   }
 
   static constexpr std::size_t kFrames = 11;
@@ -84,7 +84,7 @@ TEST_F(FindDeadEnd, IsAGoalInCollisionInsideABody) {
   ball.position = {goals.tip_position(0, 1)};
   ball.orientation = {Quat::Identity()};
   scene.objects.push_back(ball);
-  const std::optional<repair::DeadEnd> end = find();
+  const std::optional<DeadEnd> end = find();
   ASSERT_TRUE(end);
   EXPECT_EQ(end->reason, Reason::goal_in_collision);
   EXPECT_GT(end->tried, 1);
@@ -94,7 +94,7 @@ TEST_F(FindDeadEnd, IsAGoalInCollisionInsideABody) {
 
 TEST_F(FindDeadEnd, IsUnreachableWhereTheArmDoesNotGo) {
   for (std::size_t f = 0; f < kFrames; ++f) goals.tip_position(f, 1) += Vec3(2.5, 0, 0);
-  const std::optional<repair::DeadEnd> end = find();
+  const std::optional<DeadEnd> end = find();
   ASSERT_TRUE(end);
   EXPECT_EQ(end->reason, Reason::unreachable);
   EXPECT_NEAR(end->time_s, 0.2, 1e-9);

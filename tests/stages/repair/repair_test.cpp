@@ -1,4 +1,4 @@
-#include "stages/repair/repair.hpp"
+#include "stages/repair/ladder.hpp"
 
 #include <gmock/gmock.h>
 
@@ -6,6 +6,7 @@
 
 #include "pipeline/robot/files/description.hpp"
 #include "pipeline/robot/forward.hpp"
+#include "stages/repair/other_courses.hpp"
 #include "tests/stages/repair/planar_arm.hpp"
 
 namespace morphe::repair {
@@ -18,21 +19,41 @@ using ::testing::HasSubstr;
 
 const JointVector kFrom = Vec3(-0.9, 0.3, 0.3), kTo = Vec3(0.9, 0.3, 0.3);
 
-using Resolve = decltype(RepairSteps::resolve);
+using Change = std::function<JointPath(const JointPath&, const std::vector<Finding>&)>;
 
-RepairSteps steps_of(const Resolve& resolve, const decltype(RepairSteps::recheck)& recheck) {
-  RepairSteps steps;
-  steps.resolve = resolve;
-  steps.recheck = recheck;
-  return steps;
+Rung rung(const Judge& judge, const Change& change) {
+  return [=](const Judged& best) {
+    const JointPath path = change(best.path, best.findings);
+    return Made{{path, judge(path)}};
+  };
 }
 
-RepairResult repair(const Bench& bench, const JointPath& path, const Resolve& resolve = nullptr,
-                    RepairOptions options = {}) {
-  RepairSteps steps;
-  steps.resolve = resolve;
-  steps.recheck = [&](const JointPath& p) { return bench.collisions(p); };
-  return repair_path(bench.world, bench.reach, path, bench.collisions(path), steps, options, 42);
+/// A ladder without a mapping: what `resolve` gives, detours, and other courses.
+struct Repair {
+  const Bench& bench;
+  Judge judge = [this](const JointPath& path) { return bench.collisions(path); };
+  Change resolve = nullptr;
+  RepairOptions options = {};
+  NextCourse next = nullptr;
+
+  RepairResult operator()(const JointPath& path) const {
+    Surroundings around{bench.world, bench.reach, options, 42, judge, {}};
+    if (resolve) around.win_back = {rung(judge, resolve)};
+    const Judged start{path, judge(path)};
+    std::vector<Rung> ladder = around.win_back;
+    ladder.push_back([&](const Judged& best) { return detour(around, best); });
+    ladder.push_back([&](const Judged& best) { return detour_from(start, around, best); });
+    if (next) ladder.push_back([&](const Judged& b) { return other_courses(around, next, b); });
+    return repair_path(ladder, start, options);
+  }
+};
+
+RepairResult repair(const Bench& bench, const JointPath& path, const Change& resolve = nullptr,
+                    const RepairOptions& options = {}) {
+  Repair repair{bench};
+  repair.resolve = resolve;
+  repair.options = options;
+  return repair(path);
 }
 
 TEST(Repair, LeavesAFreePathAlone) {
@@ -159,20 +180,19 @@ TEST(Repair, GoesAroundFromTheMappedPathWhereResolvingLosesTheGoals) {
   JointPath aside = path;  // free, but nowhere near what is asked for
   for (Eigen::Index k = 0; k < aside.position.rows(); ++k)
     aside.position.row(k) = kFrom.transpose();
-  RepairSteps steps;
-  steps.recheck = [&](const JointPath& p) {
+  Repair repair{bench};
+  repair.judge = [&](const JointPath& p) {
     std::vector<Finding> findings = bench.collisions(p);
     if ((p.position.row(100).transpose() - kTo).norm() > 1e-9) {
       findings.push_back({1, 1, Cause::tracking, "tip", "", 0.1});
     }
     return findings;
   };
-  steps.resolve = [&](const JointPath&, const std::vector<Finding>&) { return aside; };
-  const RepairResult result =
-      repair_path(bench.world, bench.reach, path, steps.recheck(path), steps, {}, 42);
+  repair.resolve = [&](const JointPath&, const std::vector<Finding>&) { return aside; };
+  const RepairResult result = repair(path);
   EXPECT_EQ(result.reason, Reason::none) << result.detail;
   EXPECT_TRUE(result.repaired);
-  EXPECT_TRUE(steps.recheck(result.path).empty());
+  EXPECT_TRUE(repair.judge(result.path).empty());
 }
 
 TEST(Repair, AnotherCourseWhereTheGoalIsInCollision) {
@@ -182,17 +202,13 @@ TEST(Repair, AnotherCourseWhereTheGoalIsInCollision) {
   const JointPath path = sweep(kFrom, kTo), other = sweep(kFrom, aside);
   Bench bench({post("goal", 0.32, 0.5), post("way", 0.9, 0)});
   ASSERT_FALSE(bench.collisions(path).empty());
-  RepairSteps steps;
-  steps.recheck = [&](const JointPath& p) { return bench.collisions(p); };
-  const RepairResult stuck =
-      repair_path(bench.world, bench.reach, path, bench.collisions(path), steps, {}, 42);
-  ASSERT_EQ(stuck.reason, Reason::goal_in_collision);
+  Repair repair{bench};
+  ASSERT_EQ(repair(path).reason, Reason::goal_in_collision);
   int asked = 0;
-  steps.new_course = [&](bool) -> std::optional<JointPath> {
+  repair.next = [&](bool) -> std::optional<JointPath> {
     return asked++ == 0 ? std::optional(other) : std::nullopt;
   };
-  const RepairResult freed =
-      repair_path(bench.world, bench.reach, path, bench.collisions(path), steps, {}, 42);
+  const RepairResult freed = repair(path);
   EXPECT_EQ(freed.reason, Reason::none) << freed.detail;
   EXPECT_TRUE(freed.repaired);
   EXPECT_TRUE(bench.collisions(freed.path).empty());
@@ -200,42 +216,51 @@ TEST(Repair, AnotherCourseWhereTheGoalIsInCollision) {
   EXPECT_EQ(asked, 1);
 }
 
-TEST(Repair, InsistsOnWhatResolvingLeavesAfterDeadEndsAndOnlyIfItIsNear) {
-  // Tracking errors alone, so that no way around is tried: 3 mm on the path, 30 mm on the course.
-  const Bench bench({});
+TEST(Ladder, ClimbsInOrderAndStopsWhereNothingIsWrong) {
+  // Tracking errors alone: 3 mm on the path, 30 mm on the course, none on what is free.
   const JointPath path = sweep(kFrom, kTo), free = sweep(kTo, kFrom);
-  JointPath course = path;
-  course.position.row(50) *= 0.5;
-  std::string called;
-  RepairSteps steps;
-  steps.recheck = [&](const JointPath& p) -> std::vector<Finding> {
+  const Judge judge = [&](const JointPath& p) -> std::vector<Finding> {
     if (p.position == free.position) return {};
-    const double depth = p.position == path.position ? 0.003 : 0.03;
-    return {{0.5, 0.5, Cause::tracking, "tip", "", depth}};
+    return {{0.5, 0.5, Cause::tracking, "tip", "", p.position == path.position ? 0.003 : 0.03}};
   };
-  steps.resolve = [&](const JointPath& p, const std::vector<Finding>&) {
-    called += "r";
-    return p;
+  std::string called;
+  const auto logged = [&](char name, const JointPath& to) {
+    return rung(judge, [&called, name, to](const JointPath&, const auto&) {
+      called += name;
+      return to;
+    });
   };
-  steps.dead_end = [&](const JointPath&, const std::vector<Finding>&) -> std::optional<DeadEnd> {
-    called += "d";
-    return std::nullopt;
+  JointPath worse = path;
+  worse.position.row(50) *= 0.5;
+  const Judged start{path, judge(path)};
+  Made made = climb({logged('a', worse), logged('b', free), logged('c', path)}, start);
+  EXPECT_EQ(called, "ab");
+  EXPECT_EQ(made.judged.path.position, free.position);
+  called.clear();
+  made = climb({logged('a', worse), if_nearly_free(logged('b', worse))}, start);
+  EXPECT_EQ(called, "ab");
+  EXPECT_EQ(made.judged.path.position, path.position) << "what is worse is not kept";
+  called.clear();
+  climb({if_nearly_free(logged('b', free))}, {worse, judge(worse)});
+  EXPECT_EQ(called, "") << "30 mm off";
+}
+
+TEST(Ladder, ARungMayEndIt) {
+  const JointPath path = sweep(kFrom, kTo);
+  const std::vector<Finding> findings{{0.5, 0.5, Cause::tracking, "thumb_tip", "", 0.012}};
+  const Rung dead_end = [](const Judged& best) {
+    return Made{best, Reason::unreachable, "no posture", true};
   };
-  bool frees = true;
-  steps.insist = [&](const JointPath& p, const std::vector<Finding>&) {
-    called += "i";
-    return frees ? free : p;
+  const Rung never = [](const Judged& best) {
+    ADD_FAILURE() << "no rung can help";
+    return Made{best};
   };
-  steps.new_course = [&](bool) { return called.size() < 6 ? std::optional(course) : std::nullopt; };
-  const auto result = [&] {
-    called.clear();
-    return repair_path(bench.world, bench.reach, path, steps.recheck(path), steps, {}, 1);
-  };
-  EXPECT_EQ(result().reason, Reason::none);
-  EXPECT_EQ(called, "rdi");
-  frees = false;
-  EXPECT_EQ(result().reason, Reason::tracking);
-  EXPECT_EQ(called, "rdirrr") << "a course that is 30 mm off is not worth it";
+  const RepairResult result = repair_path({dead_end, never}, {path, findings}, {});
+  EXPECT_EQ(result.reason, Reason::unreachable);
+  EXPECT_EQ(result.detail, "no posture");
+  EXPECT_FALSE(result.repaired);
+  EXPECT_EQ(result.path.position, path.position);
+  EXPECT_EQ(result.remaining.size(), 1u);
 }
 
 TEST(Repair, StopsWhereCoursesEndWithTheSameFindings) {
@@ -250,55 +275,31 @@ TEST(Repair, StopsWhereCoursesEndWithTheSameFindings) {
                                       {0.50, 0.52, Cause::tracking, "tip", "", 0.0040},
                                       {0.50, 0.52, Cause::tracking, "tip", "", 0.0043},
                                       {0.50, 0.52, Cause::tracking, "tip", "", 0.0041}};
-  RepairSteps steps;
+  Repair repair{bench};
   std::size_t course = 0;
-  steps.recheck = [&](const JointPath&) { return std::vector<Finding>{findings.at(course)}; };
-  steps.new_course = [&](bool) {
+  repair.judge = [&](const JointPath&) { return std::vector<Finding>{findings.at(course)}; };
+  repair.next = [&](bool) {
     ++course;
     return std::optional(path);
   };
-  const RepairResult result =
-      repair_path(bench.world, bench.reach, path, {findings[0]}, steps, {}, 1);
+  const RepairResult result = repair(path);
   EXPECT_EQ(course, 6u) << "neither the second nor the fourth are like the path";
   EXPECT_EQ(result.reason, Reason::tracking);
   ASSERT_EQ(result.remaining.size(), 1u);
   EXPECT_EQ(result.remaining[0].depth, 0.0040);
 }
 
-TEST(Repair, StopsWhereNoPostureIsGoodEnough) {
-  const Bench bench({post("post", 0.9, 0)});
-  const JointPath path = sweep(kFrom, kTo);
-  RepairSteps steps;
-  steps.recheck = [&](const JointPath& p) { return bench.collisions(p); };
-  steps.new_course = [](bool) -> std::optional<JointPath> {
-    ADD_FAILURE() << "no search can help";
-    return std::nullopt;
-  };
-  steps.dead_end = [](const JointPath&, const std::vector<Finding>&) -> std::optional<DeadEnd> {
-    return DeadEnd{
-        Reason::unreachable, 0.5, 49, {0.5, 0.5, Cause::tracking, "thumb_tip", "", 0.012}};
-  };
-  const RepairResult result =
-      repair_path(bench.world, bench.reach, path, bench.collisions(path), steps, {}, 1);
-  EXPECT_EQ(result.reason, Reason::unreachable);
-  EXPECT_THAT(result.detail, HasSubstr("0.500 s"));
-  EXPECT_THAT(result.detail, HasSubstr("thumb_tip"));
-  EXPECT_FALSE(result.repaired);
-  EXPECT_EQ(result.path.position, path.position);
-  EXPECT_FALSE(result.remaining.empty());
-}
-
 TEST(Repair, NamesTheWorstOfWhatPlanningCannotCure) {
   const Bench bench({post("post", 0.9, 0)});
   const JointPath path = sweep(kFrom, kTo);
-  const auto recheck = [&](const JointPath& p) {
+  Repair repair{bench};
+  repair.judge = [&](const JointPath& p) {
     std::vector<Finding> findings = bench.collisions(p);
     findings.push_back({0.2, 0.3, Cause::tracking, "index_tip", "", 0.004});
     findings.push_back({0.4, 0.6, Cause::tracking, "thumb_tip", "", 0.020});
     return findings;
   };
-  const RepairResult result = repair_path(bench.world, bench.reach, path, recheck(path),
-                                          steps_of(nullptr, recheck), RepairOptions{}, 1);
+  const RepairResult result = repair(path);
   EXPECT_EQ(result.reason, Reason::tracking);
   EXPECT_THAT(result.detail, HasSubstr("thumb_tip"));
   EXPECT_EQ(result.remaining.size(), 2u);
@@ -309,20 +310,19 @@ TEST(Repair, TheMappingWinsBackWhatADetourCost) {
   const Bench bench({post("post", 0.9, 0)});
   const JointPath path = sweep(kFrom, kTo);
   const auto tracks = [](const JointPath& p) { return p.origin[1] == Origin::resolved; };
-  const auto recheck = [&](const JointPath& p) {
+  Repair repair{bench};
+  repair.judge = [&](const JointPath& p) {
     std::vector<Finding> findings = bench.collisions(p);
     if (findings.empty() && !tracks(p))
       findings.push_back({0, 0.1, Cause::tracking, "tip", "", 0.01});
     return findings;
   };
-  const auto resolve = [&](JointPath p, const std::vector<Finding>& findings) {
+  repair.resolve = [&](JointPath p, const std::vector<Finding>& findings) {
     if (findings.front().cause == Cause::tracking) p.origin[1] = Origin::resolved;
     return p;
   };
-  RepairOptions options;
-  options.widen_samples = 5;
-  const RepairResult result = repair_path(bench.world, bench.reach, path, recheck(path),
-                                          steps_of(resolve, recheck), options, 1);
+  repair.options.widen_samples = 5;
+  const RepairResult result = repair(path);
   EXPECT_EQ(result.reason, Reason::none) << result.detail;
   EXPECT_EQ(result.path.origin[1], Origin::resolved);
   EXPECT_EQ(result.path.origin[50], Origin::planned);

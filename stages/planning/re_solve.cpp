@@ -1,0 +1,69 @@
+#include "stages/planning/re_solve.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "stages/map/resolve_path.hpp"
+#include "stages/planning/firmness.hpp"
+
+namespace morphe::planning {
+namespace {
+
+using repair::Judged;
+using repair::Made;
+using repair::Rung;
+
+constexpr double kSoonSeen = 100;  ///< whether a path gets free is: values this much less exactly
+
+/// `exactly`: twice the iterations, to the values that the options ask for.
+Rung re_solved(const ReSolving& solving, const Firmness& firmness, bool exactly = false) {
+  return [solving, firmness, exactly](const Judged& best) {
+    Made made{best};
+    const bool tips_alone = std::ranges::none_of(best.findings, is_collision, &Finding::cause);
+    if (tips_alone && firmness.band_share == 1) return made;
+    map::MapOptions options = solving.options;
+    if (exactly) options.movement.iterations *= 2;
+    if (!exactly) options.movement.relative_value *= kSoonSeen;
+    made.judged.path =
+        map::resolve_path(as_firm(solving.whole, firmness), best.path, best.findings, options);
+    made.judged.findings = solving.judge(made.judged.path);
+    return made;
+  };
+}
+
+/// Several rungs as one.
+Rung one_of(std::vector<Rung> rungs) {
+  return
+      [rungs = std::move(rungs)](const Judged& best) { return repair::climb(rungs, best, true); };
+}
+
+}  // namespace
+
+Rung gently(const ReSolving& solving) {
+  return one_of({re_solved(solving, {10}), re_solved(solving, {100})});
+}
+
+Rung firmly(const ReSolving& solving) {
+  return one_of({re_solved(solving, {1000}), re_solved(solving, {10000, 0.2}),
+                 re_solved(solving, kFirmest, true)});
+}
+
+Rung candidates(const ReSolving& solving, const std::vector<JointRows>& courses,
+                std::vector<Rung> rungs) {
+  return [solving, &courses, rungs = std::move(rungs)](const Judged& from) {
+    Made best{from};
+    for (const JointRows& course : courses) {
+      if (best.judged.findings.empty()) break;
+      Judged other{from.path, {}};
+      other.path.position = course;
+      std::ranges::fill(other.path.origin, Origin::resolved);
+      other.findings = solving.judge(other.path);
+      Made made = repair::climb(rungs, std::move(other));
+      if (repair::less_bad(made.judged.findings, best.judged.findings, true))
+        best = std::move(made);
+    }
+    return best;
+  };
+}
+
+}  // namespace morphe::planning

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "stages/map/map_options.hpp"
+#include "stages/map/mapping_problem.hpp"
+#include "stages/repair/ladder.hpp"
+
+namespace morphe::planning {
+
+/// What re-solving needs to know; all but `judge` must outlive the rungs.
+struct ReSolving {
+  const map::MappingProblem& whole;  ///< the movement against the whole scene
+  const map::MapOptions& options;
+  repair::Judge judge;
+};
+
+/// The least change of the mapping: the path re-solved near its findings against the whole scene,
+/// its clearance term firmer and firmer until tips give way to it.
+repair::Rung gently(const ReSolving& solving);
+
+/// The same, as firmly as it takes: for tips that gave way to clearance nobody asked for, just
+/// free; at last tips and freedom alone decide.
+repair::Rung firmly(const ReSolving& solving);
+
+/// The mapping's other courses, each of them changed by `rungs`: the first without findings, or the
+/// least bad of them all and the path.
+repair::Rung candidates(const ReSolving& solving, const std::vector<JointRows>& courses,
+                        std::vector<repair::Rung> rungs);
+
+}  // namespace morphe::planning

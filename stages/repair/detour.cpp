@@ -1,0 +1,109 @@
+#include "stages/repair/detour.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "stages/repair/plan_interval.hpp"
+
+namespace morphe::repair {
+namespace {
+
+bool collides(const std::vector<Finding>& findings) {
+  return std::ranges::any_of(findings, is_collision, &Finding::cause);
+}
+
+/// Intervals around all collisions; those that overlap become one.
+std::vector<Interval> intervals_of(const collision::CollisionWorld& world, const Judged& judged,
+                                   int attempt, const RepairOptions& options) {
+  std::vector<std::pair<double, double>> spans;  // [s]
+  for (const Finding& finding : judged.findings)
+    if (is_collision(finding.cause)) spans.emplace_back(finding.begin_s, finding.end_s);
+  std::sort(spans.begin(), spans.end());
+
+  const auto around = [&](const std::pair<double, double>& span) {
+    return interval_around(world, judged.path, span.first, span.second,
+                           options.widen_samples * (attempt + 1), options.extra_clearance);
+  };
+  std::vector<std::pair<double, double>> covered;
+  std::vector<Interval> intervals;
+  for (std::pair<double, double> span : spans) {
+    std::optional<Interval> interval = around(span);
+    while (interval && !intervals.empty() && intervals.back().last > interval->first) {
+      span = {covered.back().first, std::max(covered.back().second, span.second)};
+      interval = around(span);
+      if (!interval) break;  // what was found before stays as it is
+      covered.pop_back();
+      intervals.pop_back();
+    }
+    if (!interval) continue;
+    covered.push_back(span);
+    intervals.push_back(std::move(*interval));
+  }
+  return intervals;
+}
+
+/// Plans around all collisions; false if nothing could be planned.
+bool plan_around(const Surroundings& around, const collision::CollisionWorld& world, int attempt,
+                 Judged& judged) {
+  bool planned = false;
+  std::uint64_t number = 0;
+  for (const Interval& interval : intervals_of(world, judged, attempt, around.options)) {
+    const std::uint64_t own =
+        around.seed + 1000 * static_cast<std::uint64_t>(attempt) + 100 * number++;
+    planned |= plan_interval(interval, around.reach, around.options, attempt, own, judged.path);
+  }
+  return planned;
+}
+
+Reason end_in_collision(const collision::CollisionWorld& world, const JointPath& path,
+                        std::string& detail) {
+  const Eigen::Index last = path.position.rows() - 1;
+  collision::CollisionScratch scratch;
+  for (const Eigen::Index row : {Eigen::Index{0}, last}) {
+    const JointVector q = path.position.row(row);
+    const double time_s = path.demonstration_time[static_cast<std::size_t>(row)];
+    const collision::PairSeparation pair = collision::least_slack(world, q, time_s, scratch);
+    if (pair.slack() >= 0) continue;
+    detail = fmt::format("{} – {} at the {} ({:.3f} s): {:.4f} m too close",
+                         collision::first_name(world, pair), collision::second_name(world, pair),
+                         row == 0 ? "start" : "goal", time_s, -pair.slack());
+    return row == 0 ? Reason::start_in_collision : Reason::goal_in_collision;
+  }
+  return Reason::none;
+}
+
+}  // namespace
+
+Made detour(const Surroundings& around, const Judged& from) {
+  Made made{from};
+  if (!collides(from.findings)) return made;
+  collision::CollisionWorld world =
+      around.world;  // what the hand carries moves as this path takes it
+  collision::carry_target(from.path.demonstration_time, from.path.position, world);
+  made.why = end_in_collision(world, from.path, made.detail);
+  if (made.why != Reason::none) return made;
+  Judged& best = made.judged;
+  for (int attempt = 0; attempt < around.options.attempts && !best.findings.empty(); ++attempt) {
+    // A detour that is free but worse in other ways is planned again from where it began.
+    Judged candidate = collides(best.findings) ? best : from;
+    if (!plan_around(around, world, attempt, candidate)) continue;
+    candidate.findings = around.judge(candidate.path);
+    // A detour costs tracking; the mapping may win it back from where the detour leads.
+    const std::vector<Origin> origin = candidate.path.origin;
+    candidate = climb(around.win_back, std::move(candidate)).judged;
+    for (std::size_t k = 0; k < origin.size(); ++k)
+      if (origin[k] == Origin::planned) candidate.path.origin[k] = Origin::planned;
+    if (less_bad(candidate.findings, best.findings)) best = std::move(candidate);
+  }
+  return made;
+}
+
+Made detour_from(const Judged& mapped, const Surroundings& around, const Judged& best) {
+  if (collides(best.findings)) return {best};
+  return {detour(around, mapped).judged};
+}
+
+}  // namespace morphe::repair

@@ -1,0 +1,110 @@
+#include "stages/repair/ladder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+#include <utility>
+
+namespace morphe::repair {
+namespace {
+
+/// Sums of depths [m or rad]: of collisions, of everything else.
+std::pair<double, double> badness(const std::vector<Finding>& findings) {
+  std::pair<double, double> sum{0, 0};
+  for (const Finding& finding : findings) {
+    (is_collision(finding.cause) ? sum.first : sum.second) += finding.depth;
+  }
+  return sum;
+}
+
+/// The reason and detail of what is left: collisions first.
+void conclude(const RepairOptions& options, RepairResult& result) {
+  const auto worst_of = [&](const auto& counts) {
+    const Finding* worst = nullptr;
+    for (const Finding& finding : result.remaining) {
+      if (counts(finding.cause) && (!worst || finding.depth > worst->depth)) worst = &finding;
+    }
+    return worst;
+  };
+  if (const Finding* worst = worst_of(is_collision)) {
+    result.reason = Reason::no_path;
+    result.detail = fmt::format("{}; no free path in {} attempts of {} iterations",
+                                sentence(*worst), options.attempts, options.iterations);
+    return;
+  }
+  constexpr std::array<std::pair<Cause, Reason>, 3> kOthers{{{Cause::limit, Reason::limit},
+                                                             {Cause::jump, Reason::jump},
+                                                             {Cause::tracking, Reason::tracking}}};
+  for (const auto& [cause, reason] : kOthers) {
+    const Finding* worst = worst_of([&](Cause one) { return one == cause; });
+    if (!worst) continue;
+    result.reason = reason;
+    result.detail = sentence(*worst);
+    return;
+  }
+}
+
+}  // namespace
+
+bool less_bad(const std::vector<Finding>& a, const std::vector<Finding>& b, bool by_depth) {
+  if (by_depth) return badness(a) < badness(b);
+  const auto rank = [](const std::vector<Finding>& findings) {
+    double depth = 0;
+    for (const Finding& finding : findings) depth += finding.depth;
+    return std::tuple(std::ranges::count_if(findings, is_collision, &Finding::cause),
+                      findings.size(), depth);
+  };
+  return rank(a) < rank(b);
+}
+
+bool nearly_free(const std::vector<Finding>& findings) {
+  constexpr double kMost = 0.01;
+  return std::ranges::all_of(findings, [](const Finding& f) { return f.depth <= kMost; });
+}
+
+Made climb(const std::vector<Rung>& ladder, Judged start, bool by_depth) {
+  Made best{std::move(start)};
+  for (const Rung& rung : ladder) {
+    if (best.judged.findings.empty() || best.last) break;
+    Made made = rung(best.judged);
+    if (less_bad(made.judged.findings, best.judged.findings, by_depth)) {
+      best = std::move(made);
+    } else if (made.why != Reason::none) {
+      made.judged = std::move(best.judged);
+      best = std::move(made);
+    }
+  }
+  return best;
+}
+
+Rung if_nearly_free(Rung rung) {
+  return [rung = std::move(rung)](const Judged& best) {
+    return nearly_free(best.findings) ? rung(best) : Made{best};
+  };
+}
+
+RepairResult repair_path(const std::vector<Rung>& ladder, Judged start,
+                         const RepairOptions& options) {
+  RepairResult result;
+  const bool clean = start.findings.empty() || start.path.position.rows() == 0;
+  Made made = clean ? Made{std::move(start)} : climb(ladder, std::move(start));
+  result.path = std::move(made.judged.path);
+  result.remaining = std::move(made.judged.findings);
+  result.reason = made.why;
+  result.detail = std::move(made.detail);
+  if (result.reason == Reason::none) conclude(options, result);
+  result.repaired = !clean && result.remaining.empty();
+  return result;
+}
+
+std::string sentence(const Finding& finding) {
+  const std::string pair =
+      finding.second.empty() ? finding.first : finding.first + " – " + finding.second;
+  return fmt::format("{}: {} from {:.3f} s to {:.3f} s, {:.4f} {} too much", name_of(finding.cause),
+                     pair, finding.begin_s, finding.end_s, finding.depth,
+                     finding.cause == Cause::limit || finding.cause == Cause::jump ? "rad" : "m");
+}
+
+}  // namespace morphe::repair

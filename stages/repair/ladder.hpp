@@ -1,0 +1,63 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/motion/plan.hpp"
+#include "stages/repair/repair_options.hpp"
+
+namespace morphe::repair {
+
+/// A path and everything that is wrong with it.
+struct Judged {
+  JointPath path;
+  std::vector<Finding> findings;
+};
+using Judge = std::function<std::vector<Finding>(const JointPath&)>;
+
+/// The order by which repair decides: the depths of all collisions together; where these are equal,
+/// those of everything else.
+bool less_bad(const std::vector<Finding>& a, const std::vector<Finding>& b, bool by_depth = false);
+
+/// So near to free that firmer re-solving may make it so: nothing by more than a centimetre (limits
+/// and jumps: 0.01 rad).
+bool nearly_free(const std::vector<Finding>& findings);
+
+/// What a rung made of the best path so far: another one, or the same.
+struct Made {
+  Judged judged;
+  Reason why = Reason::none;  ///< what stopped the rung, with its detail
+  std::string detail = "";
+  bool last = false;  ///< no other rung can help
+};
+
+/// One way to change a path. It depends on the path alone.
+using Rung = std::function<Made(const Judged& best)>;
+
+/// The rungs one after the other, as long as something is wrong: what a rung made is kept if it is
+/// less bad.
+Made climb(const std::vector<Rung>& ladder, Judged start, bool by_depth = false);
+
+/// The rung for paths that are nearly free, for no others.
+Rung if_nearly_free(Rung rung);
+
+struct RepairResult {
+  JointPath path;
+  bool repaired = false;  ///< the path has changed, and is free now
+  /// none: free; or start_in_collision, goal_in_collision, unreachable, no_path, limit, jump,
+  /// tracking
+  Reason reason = Reason::none;
+  std::string detail;              ///< a sentence that names the finding
+  std::vector<Finding> remaining;  ///< what is still wrong with `path`
+};
+
+/// Climbs, and says what is left: what stopped a rung, or the worst finding, collisions first.
+RepairResult repair_path(const std::vector<Rung>& ladder, Judged start,
+                         const RepairOptions& options);
+
+/// "object: palm – cup from 1.200 s to 1.300 s, 0.0040 m too much".
+std::string sentence(const Finding& finding);
+
+}  // namespace morphe::repair

@@ -1,0 +1,46 @@
+#include "stages/repair/other_courses.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace morphe::repair {
+namespace {
+
+/// The same things wrong at the same times, and about as much.
+bool alike(const std::vector<Finding>& a, const std::vector<Finding>& b) {
+  constexpr double kAsMuch = 0.2;
+  return std::ranges::equal(a, b, [](const Finding& x, const Finding& y) {
+    return x.cause == y.cause && x.first == y.first && x.second == y.second &&
+           x.begin_s <= y.end_s && y.begin_s <= x.end_s &&
+           std::abs(x.depth - y.depth) <= kAsMuch * std::max(x.depth, y.depth);
+  });
+}
+
+}  // namespace
+
+Made other_courses(const Surroundings& around, const NextCourse& next, const Judged& from) {
+  constexpr int kOftenEnough = 4;  // courses that end with the same findings: no other will do
+  int ended_there = 0;
+  bool nearer = true;
+  Made best{from};
+  while (!best.judged.findings.empty() && ended_there < kOftenEnough) {
+    std::optional<JointPath> course = next(nearer);
+    if (!course) break;
+    Judged judged{std::move(*course), {}};
+    judged.findings = around.judge(judged.path);
+    Made made = climb(around.win_back, std::move(judged));
+    const bool detour_may_do =
+        std::ranges::all_of(made.judged.findings, is_collision, &Finding::cause);
+    if (detour_may_do) made = detour(around, made.judged);
+    nearer = less_bad(made.judged.findings, best.judged.findings);
+    const bool same = alike(made.judged.findings, best.judged.findings);
+    if (same) ++ended_there;
+    if (!nearer) continue;
+    if (!same) ended_there = 0;
+    best = std::move(made);
+  }
+  return best;
+}
+
+}  // namespace morphe::repair
