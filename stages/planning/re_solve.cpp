@@ -33,8 +33,7 @@ Rung re_solved(const ReSolving& solving, const Firmness& firmness, bool exactly 
 
 /// Several rungs as one.
 Rung one_of(std::vector<Rung> rungs) {
-  return
-      [rungs = std::move(rungs)](const Judged& best) { return repair::climb(rungs, best, true); };
+  return [rungs = std::move(rungs)](const Judged& best) { return repair::climb(rungs, best); };
 }
 
 }  // namespace
@@ -59,8 +58,7 @@ Rung candidates(const ReSolving& solving, const std::vector<JointRows>& courses,
       std::ranges::fill(other.path.origin, Origin::resolved);
       other.findings = solving.judge(other.path);
       Made made = repair::climb(rungs, std::move(other));
-      if (repair::less_bad(made.judged.findings, best.judged.findings, true))
-        best = std::move(made);
+      if (repair::less_bad(made.judged.findings, best.judged.findings)) best = std::move(made);
     }
     return best;
   };

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <tuple>
 #include <utility>
 
 namespace morphe::repair {
@@ -48,15 +47,8 @@ void conclude(const RepairOptions& options, RepairResult& result) {
 
 }  // namespace
 
-bool less_bad(const std::vector<Finding>& a, const std::vector<Finding>& b, bool by_depth) {
-  if (by_depth) return badness(a) < badness(b);
-  const auto rank = [](const std::vector<Finding>& findings) {
-    double depth = 0;
-    for (const Finding& finding : findings) depth += finding.depth;
-    return std::tuple(std::ranges::count_if(findings, is_collision, &Finding::cause),
-                      findings.size(), depth);
-  };
-  return rank(a) < rank(b);
+bool less_bad(const std::vector<Finding>& a, const std::vector<Finding>& b) {
+  return badness(a) < badness(b);
 }
 
 bool nearly_free(const std::vector<Finding>& findings) {
@@ -64,12 +56,12 @@ bool nearly_free(const std::vector<Finding>& findings) {
   return std::ranges::all_of(findings, [](const Finding& f) { return f.depth <= kMost; });
 }
 
-Made climb(const std::vector<Rung>& ladder, Judged start, bool by_depth) {
+Made climb(const std::vector<Rung>& ladder, Judged start) {
   Made best{std::move(start)};
   for (const Rung& rung : ladder) {
     if (best.judged.findings.empty() || best.last) break;
     Made made = rung(best.judged);
-    if (less_bad(made.judged.findings, best.judged.findings, by_depth)) {
+    if (less_bad(made.judged.findings, best.judged.findings)) {
       best = std::move(made);
     } else if (made.why != Reason::none) {
       made.judged = std::move(best.judged);

@@ -19,7 +19,7 @@ using Judge = std::function<std::vector<Finding>(const JointPath&)>;
 
 /// The order by which repair decides: the depths of all collisions together; where these are equal,
 /// those of everything else.
-bool less_bad(const std::vector<Finding>& a, const std::vector<Finding>& b, bool by_depth = false);
+bool less_bad(const std::vector<Finding>& a, const std::vector<Finding>& b);
 
 /// So near to free that firmer re-solving may make it so: nothing by more than a centimetre (limits
 /// and jumps: 0.01 rad).
@@ -38,7 +38,7 @@ using Rung = std::function<Made(const Judged& best)>;
 
 /// The rungs one after the other, as long as something is wrong: what a rung made is kept if it is
 /// less bad.
-Made climb(const std::vector<Rung>& ladder, Judged start, bool by_depth = false);
+Made climb(const std::vector<Rung>& ladder, Judged start);
 
 /// The rung for paths that are nearly free, for no others.
 Rung if_nearly_free(Rung rung);

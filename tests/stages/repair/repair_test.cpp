@@ -263,6 +263,19 @@ TEST(Ladder, ARungMayEndIt) {
   EXPECT_EQ(result.remaining.size(), 1u);
 }
 
+TEST(Ladder, DepthOfCollisionsComesFirst) {
+  const auto finding = [](Cause cause, double depth) {
+    return Finding{0, 1, cause, "", "", depth};
+  };
+  const Finding touch = finding(Cause::self, 0.001), crash = finding(Cause::table, 0.05),
+                off = finding(Cause::tracking, 0.3);
+  EXPECT_TRUE(less_bad({}, {off}));
+  EXPECT_TRUE(less_bad({off}, {touch}));
+  EXPECT_TRUE(less_bad({touch, touch, touch}, {crash})) << "three millimetres against fifty";
+  EXPECT_TRUE(less_bad({touch}, {touch, off}));
+  EXPECT_FALSE(less_bad({touch, off}, {touch, off}));
+}
+
 TEST(Repair, StopsWhereCoursesEndWithTheSameFindings) {
   const Bench bench({});
   const JointPath path = sweep(kFrom, kTo);
