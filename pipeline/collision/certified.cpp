@@ -88,18 +88,18 @@ void join(std::vector<MotionCheck>& found) {
 
 }  // namespace
 
-void failing_pairs(const CollisionWorld& world, const JointRows& reach, const JointMotion& motion,
+void failing_pairs(const CollisionWorld& world, const JointMotion& motion,
                    CollisionScratch& scratch, std::vector<MotionCheck>& out, double band_m) {
   out.clear();
-  Bisection bisection{{world, reach, motion, scratch}, band_m, false, out, {}};
+  Bisection bisection{{world, motion, scratch}, band_m, false, out, {}};
   bisection.judge_all();
   join(out);
 }
 
-MotionCheck check_motion(const CollisionWorld& world, const JointRows& reach,
-                         const JointMotion& motion, CollisionScratch& scratch, double band_m) {
+MotionCheck check_motion(const CollisionWorld& world, const JointMotion& motion,
+                         CollisionScratch& scratch, double band_m) {
   std::vector<MotionCheck> failed;
-  Bisection bisection{{world, reach, motion, scratch}, band_m, true, failed, {}};
+  Bisection bisection{{world, motion, scratch}, band_m, true, failed, {}};
   bisection.judge_all();
   return failed.empty() ? bisection.least : failed.front();
 }

@@ -6,15 +6,6 @@
 
 namespace morphe::collision {
 
-/// How far any point of a capsule can travel per radian of each joint: |dx| <= sum_j reach(c, j)
-/// |dq_j|, whatever the robot's position. From the joint's axis to the capsule's far end along the
-/// fixed links between, times the coupling's ratio, summed over the frames that a joint turns.
-/// reach [capsules, joints] [m], computed once per robot.
-JointRows capsule_reach(const RobotTable& robot);
-
-/// The same of a ball that moves with a frame, its centre given there. [joints]
-JointVector ball_reach(const RobotTable& robot, int frame, const Vec3& centre, double radius);
-
 /// A motion over a parameter s: where the joints are at s, and for each joint a bound on how far it
 /// gets from its position at (s0 + s1) / 2 anywhere within [s0, s1]. Both set the
 /// size of the vector they fill.
@@ -41,14 +32,13 @@ struct MotionCheck {
   PairSeparation pair;        ///< the pair there
   double begin = 0, end = 0;  ///< of failing_pairs(): where the pair is not proved free
 };
-MotionCheck check_motion(const CollisionWorld& world, const JointRows& reach,
-                         const JointMotion& motion, CollisionScratch& scratch,
-                         double band_m = 1e-4);
+MotionCheck check_motion(const CollisionWorld& world, const JointMotion& motion,
+                         CollisionScratch& scratch, double band_m = 1e-4);
 
 /// The same for each pair by itself: one entry for every pair and every interval in which it is not
 /// proved free (to within the band), in the order of pairs, then of time; `at` is where the least
 /// slack was seen, the verdict undecided if that was above 0. Empty = free.
-void failing_pairs(const CollisionWorld& world, const JointRows& reach, const JointMotion& motion,
+void failing_pairs(const CollisionWorld& world, const JointMotion& motion,
                    CollisionScratch& scratch, std::vector<MotionCheck>& out, double band_m = 1e-4);
 
 /// Least distance over the whole motion of pairs that may not touch, where and which: seen at `at`,
@@ -57,9 +47,8 @@ struct MotionClearance {
   double at_least = 0, distance = 0, at = 0;  ///< [m], [m], parameter
   PairSeparation pair;
 };
-MotionClearance motion_clearance(const CollisionWorld& world, const JointRows& reach,
-                                 const JointMotion& motion, CollisionScratch& scratch,
-                                 double resolution_m = 1e-4);
+MotionClearance motion_clearance(const CollisionWorld& world, const JointMotion& motion,
+                                 CollisionScratch& scratch, double resolution_m = 1e-4);
 
 /// How far any point of an object gets from where it is at `middle_s` within [begin_s, end_s]
 /// (demonstration time): the length of its way plus its radius times the angle turned on it [m].

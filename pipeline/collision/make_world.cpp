@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "pipeline/collision/mesh_solid.hpp"
 #include "pipeline/collision/world.hpp"
@@ -7,15 +8,13 @@
 namespace morphe::collision {
 namespace {
 
-/// The nearest frame at or above `frame` that a joint turns, -1 if none does.
-int turning_frame(const RobotTable& robot, int frame) {
-  while (frame >= 0 && robot.frames[static_cast<std::size_t>(frame)].joint < 0) {
-    frame = robot.frames[static_cast<std::size_t>(frame)].parent;
-  }
-  return frame;
+/// That moves a capsule, -1: none.
+int turning_frame(const robot::Robot& robot, int capsule) {
+  const int frame = robot.capsules[static_cast<std::size_t>(capsule)].frame;
+  return frame < 0 ? -1 : robot.turning_frame[static_cast<std::size_t>(frame)];
 }
 
-std::vector<std::array<int, 2>> pairs_to_check(const RobotTable& robot) {
+std::vector<std::array<int, 2>> pairs_to_check(const robot::Robot& robot) {
   const auto allowed = [&robot](int i, int j) {
     return std::any_of(robot.allowed_pairs.begin(), robot.allowed_pairs.end(),
                        [&](const auto& pair) {
@@ -26,9 +25,7 @@ std::vector<std::array<int, 2>> pairs_to_check(const RobotTable& robot) {
   const int capsules = static_cast<int>(robot.capsules.size());
   for (int i = 0; i < capsules; ++i) {
     for (int j = i + 1; j < capsules; ++j) {
-      const int frame_i = robot.capsules[static_cast<std::size_t>(i)].frame;
-      const int frame_j = robot.capsules[static_cast<std::size_t>(j)].frame;
-      const bool rigid = turning_frame(robot, frame_i) == turning_frame(robot, frame_j);
+      const bool rigid = turning_frame(robot, i) == turning_frame(robot, j);
       if (!rigid && !allowed(i, j)) pairs.push_back({i, j});
     }
   }
@@ -55,8 +52,11 @@ void set_touching(const Movement& movement, CollisionWorld& world) {
 
 }  // namespace
 
-CollisionWorld make_world(const RobotTable& robot, const Scene& scene, const Movement& movement,
+CollisionWorld make_world(const robot::Robot& robot, const Scene& scene, const Movement& movement,
                           const Tolerances& tolerances) {
+  if (static_cast<std::size_t>(robot.capsule_reach.rows()) != robot.capsules.size()) {
+    throw std::logic_error("the robot's capsules changed after what follows from them was derived");
+  }
   CollisionWorld world;
   world.robot = &robot;
   world.scene = &scene;

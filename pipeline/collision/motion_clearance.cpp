@@ -47,10 +47,9 @@ struct Approach {
 
 }  // namespace
 
-MotionClearance motion_clearance(const CollisionWorld& world, const JointRows& reach,
-                                 const JointMotion& motion, CollisionScratch& scratch,
-                                 double resolution_m) {
-  Approach nearest{{world, reach, motion, scratch}, resolution_m, {}};
+MotionClearance motion_clearance(const CollisionWorld& world, const JointMotion& motion,
+                                 CollisionScratch& scratch, double resolution_m) {
+  Approach nearest{{world, motion, scratch}, resolution_m, {}};
   nearest.least.pair.separation.distance = std::numeric_limits<double>::infinity();
   nearest.least.pair.capsule = -1;
   nearest.least.at = motion.begin;

@@ -28,7 +28,8 @@ void MotionPairs::place(double s0, double middle, double s1) {
   const double middle_s = motion.demonstration_time(middle);
   place_bodies(world, scratch.position, middle_s, scratch);
   for (std::size_t c = 0; c < scratch.bodies.size(); ++c) {
-    scratch.body_travel[c] = reach.row(static_cast<Eigen::Index>(c)).dot(scratch.travel);
+    scratch.body_travel[c] =
+        world.robot->capsule_reach.row(static_cast<Eigen::Index>(c)).dot(scratch.travel);
   }
   for (std::size_t k = 0; k < objects(); ++k) {
     const SceneObject& object = world.scene->objects[k];
@@ -64,10 +65,10 @@ double MotionPairs::travel_of(const PairSeparation& pair) const {
   const auto first = static_cast<std::size_t>(pair.capsule);
   const auto other = static_cast<std::size_t>(pair.other);
   const int frame = world.robot->capsules[first].frame;
-  const double* own = reach.row(pair.capsule).data();
+  const double* own = world.robot->capsule_reach.row(pair.capsule).data();
   if (!pair.object) {
     return travel_between(frame, own, world.robot->capsules[other].frame,
-                          reach.row(pair.other).data());
+                          world.robot->capsule_reach.row(pair.other).data());
   }
   if (pair.other == world.target && target_place == TargetPlace::in_hand) {
     return travel_between(frame, own, world.carried.frame, world.carried.reach.data());

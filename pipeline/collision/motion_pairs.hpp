@@ -13,7 +13,6 @@ inline constexpr std::size_t kDeepestBisection = 40;
 /// world.pairs first, then capsule by capsule its objects.
 struct MotionPairs {
   const CollisionWorld& world;
-  const JointRows& reach;
   const JointMotion& motion;
   CollisionScratch& scratch;
 

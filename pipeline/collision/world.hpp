@@ -7,7 +7,7 @@
 
 #include "pipeline/collision/distance.hpp"
 #include "pipeline/motion/plan.hpp"
-#include "pipeline/motion/robot_table.hpp"
+#include "pipeline/robot/robot.hpp"
 
 namespace morphe::collision {
 
@@ -18,7 +18,7 @@ struct CarriedTarget {
   double begin_s = kNotSeen, end_s = kNotSeen;  ///< demonstration time, end NaN: never released
   Pose frame_from_object = Pose::Identity();
   Pose base_from_released = Pose::Identity();
-  JointVector reach;  ///< [joints] as a row of capsule_reach()
+  JointVector reach;  ///< [joints] as a row of Robot::capsule_reach
 };
 
 /// What must stay apart in one movement, everything in the robot's base frame. Robot and scene must
@@ -27,7 +27,7 @@ struct CarriedTarget {
 /// (preshape to release, borders included). Objects are where they were recorded, the target in the
 /// hand too unless carry_target() told where the hand took hold of it.
 struct CollisionWorld {
-  const RobotTable* robot = nullptr;
+  const robot::Robot* robot = nullptr;
   const Scene* scene = nullptr;
   std::shared_ptr<const Scene> prepared;  ///< what `scene` is if make_world had to prepare meshes
   int target = -1;                        ///< index into scene->objects, -1 if none
@@ -40,7 +40,7 @@ struct CollisionWorld {
 /// Touching is allowed from the first preshape (or grasp, if there is none) to the end of the last
 /// of grasp, hold and transport; never without a target or one of these three. Capsules that no
 /// joint moves relative to each other are no pair.
-CollisionWorld make_world(const RobotTable& robot, const Scene& scene, const Movement& movement,
+CollisionWorld make_world(const robot::Robot& robot, const Scene& scene, const Movement& movement,
                           const Tolerances& tolerances);
 
 /// Lets the target move with its `attached_frame` from the first sample at or after its attach_s to

@@ -2,7 +2,7 @@
 
 namespace morphe::humanlike {
 
-ArmChain arm_chain(const RobotTable& robot, const std::vector<Pose>& base_from_frame) {
+ArmChain arm_chain(const robot::Robot& robot, const std::vector<Pose>& base_from_frame) {
   ArmChain arm;
   const auto add = [&](int frame, const Vec3& in_frame) {
     arm.joints.push_back(
@@ -10,9 +10,7 @@ ArmChain arm_chain(const RobotTable& robot, const std::vector<Pose>& base_from_f
     arm.frames.push_back(frame);
   };
   add(robot.shoulder_frame, Vec3::Zero());
-  for (const auto& centre : robot.centres) {
-    if (centre.chain == "arm") add(centre.frame, Vec3::Zero());
-  }
+  for (const int centre : robot.arm_centres) add(centre, Vec3::Zero());
   for (const auto& tip : robot.tips) {
     if (tip.finger < 0) add(tip.frame, tip.transform.translation());
   }

@@ -2,6 +2,7 @@
 
 #include "pipeline/humanlike/chain_slopes.hpp"
 #include "pipeline/humanlike/loads.hpp"
+#include "pipeline/robot/robot.hpp"
 
 namespace morphe::humanlike {
 
@@ -11,7 +12,7 @@ struct ArmChain {
   Chain joints;
   std::vector<int> frames;
 };
-ArmChain arm_chain(const RobotTable& robot, const std::vector<Pose>& base_from_frame);
+ArmChain arm_chain(const robot::Robot& robot, const std::vector<Pose>& base_from_frame);
 
 /// Adds `weight` times a metric of that chain with its slopes.
 void add_chain(const ChainSlopes& slopes, const ArmChain& arm, double weight, Loads& loads);

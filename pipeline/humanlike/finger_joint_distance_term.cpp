@@ -2,38 +2,24 @@
 
 #include <cmath>
 
-#include "pipeline/humanlike/centre_load.hpp"
-
 namespace morphe::humanlike {
-namespace {
-
-/// The tip at the end of the finger that a centre belongs to; -1: the arm's, or no finger's.
-int tip_beyond(const RobotTable& robot, const RobotTable::Centre& centre) {
-  if (centre.chain == "arm") return -1;
-  for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
-    if (robot.tips[tip].finger < 0) continue;
-    int frame = robot.tips[tip].frame;  // parents come first
-    while (frame > centre.frame) frame = robot.frames[static_cast<std::size_t>(frame)].parent;
-    if (frame == centre.frame) return static_cast<int>(tip);
-  }
-  return -1;
-}
-
-}  // namespace
 
 void FingerJointDistance::add(const RobotState& state, const FrameGoal& goal, double share,
                               Loads& loads) const {
-  for (const RobotTable::Centre& centre : state.robot.centres) {
-    const int beyond = tip_beyond(state.robot, centre);
-    if (beyond < 0) continue;
-    const auto i = static_cast<std::size_t>(beyond);
-    const RobotTable::Tip& tip = state.robot.tips[i];
-    if (!std::isfinite(tip.along)) {
-      add_centre(state, centre, goal.finger_joint[static_cast<std::size_t>(tip.finger)], share,
-                 loads);
-    } else if (i < goal.curve_joint.size()) {
-      add_centre(state, centre, goal.curve_joint[i], share, loads);
-    }
+  const robot::Robot& robot = state.robot;
+  for (std::size_t j = 0; j < robot.centres.size(); ++j) {
+    if (robot.tip_of_centre[j] < 0) continue;
+    const auto i = static_cast<std::size_t>(robot.tip_of_centre[j]);
+    const RobotTable::Tip& tip = robot.tips[i];
+    Vec3 joint = unseen_point();
+    if (!std::isfinite(tip.along))
+      joint = goal.finger_joint[static_cast<std::size_t>(tip.finger)];
+    else if (i < goal.curve_joint.size())
+      joint = goal.curve_joint[i];
+    if (!seen(joint)) continue;
+    const int frame = robot.centres[j].frame;
+    loads.add_point(frame, state.pose_of(frame).translation(), joint,
+                    share / robot.centres_of_chain[j], false);
   }
 }
 

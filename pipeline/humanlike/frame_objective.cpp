@@ -4,7 +4,7 @@
 
 namespace morphe::humanlike {
 
-void add_objective(const FrameObjective& objective, const RobotTable& robot, const JointVector& q,
+void add_objective(const FrameObjective& objective, const robot::Robot& robot, const JointVector& q,
                    const FrameGoal& goal, ObjectiveScratch& scratch, solve::Quadratic& model,
                    Curvature curvature) {
   if (curvature == Curvature::exact) {

@@ -46,7 +46,7 @@ struct ObjectiveScratch {
 
 /// Adds every term at q [n] to the model; with Curvature::none the Hessian stays as it is (terms of
 /// the joints themselves, which are quadratic, add theirs in any case).
-void add_objective(const FrameObjective& objective, const RobotTable& robot, const JointVector& q,
+void add_objective(const FrameObjective& objective, const robot::Robot& robot, const JointVector& q,
                    const FrameGoal& goal, ObjectiveScratch& scratch, solve::Quadratic& model,
                    Curvature curvature = Curvature::gauss_newton);
 

@@ -1,16 +1,13 @@
 #include "pipeline/humanlike/joint_distance_term.hpp"
 
-#include <cmath>
-
-#include "pipeline/humanlike/centre_load.hpp"
-
 namespace morphe::humanlike {
 
 void JointDistance::add(const RobotState& state, const FrameGoal& goal, double share,
                         Loads& loads) const {
   if (!seen(goal.elbow)) return;
-  for (const RobotTable::Centre& centre : state.robot.centres) {
-    if (centre.chain == "arm") add_centre(state, centre, goal.elbow, share, loads);
+  const double each = share / static_cast<double>(state.robot.arm_centres.size());
+  for (const int frame : state.robot.arm_centres) {
+    loads.add_point(frame, state.pose_of(frame).translation(), goal.elbow, each, false);
   }
 }
 

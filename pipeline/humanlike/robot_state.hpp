@@ -2,13 +2,13 @@
 
 #include <vector>
 
-#include "pipeline/motion/robot_table.hpp"
+#include "pipeline/robot/robot.hpp"
 
 namespace morphe::humanlike {
 
 /// Where the robot is: what every term of a frame's objective reads.
 struct RobotState {
-  const RobotTable& robot;
+  const robot::Robot& robot;
   const JointVector& q;  ///< [n]
   const std::vector<Pose>& base_from_frame;
 

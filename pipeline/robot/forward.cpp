@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "pipeline/math/sine_cosine.hpp"
+#include "pipeline/robot/tree.hpp"
 
 namespace morphe::robot {
 namespace {
@@ -80,14 +81,12 @@ void point_jacobian(const RobotTable& robot, const std::vector<Pose>& base_from_
                     const Vec3& point_in_base, Eigen::Ref<Eigen::Matrix3Xd> jacobian) {
   assert(jacobian.cols() == static_cast<Eigen::Index>(robot.joints()));
   jacobian.setZero();
-  while (frame >= 0) {
-    const RobotTable::Frame& f = robot.frames[static_cast<std::size_t>(frame)];
-    if (f.joint >= 0) {
-      const Pose& pose = base_from_frame[static_cast<std::size_t>(frame)];
-      const Vec3 arm = point_in_base - pose.translation();
-      jacobian.col(f.joint) += turning_axis(f, pose).cross(arm);
-    }
-    frame = f.parent;
+  for (const int above : upwards(robot, frame)) {
+    const RobotTable::Frame& f = robot.frames[static_cast<std::size_t>(above)];
+    if (f.joint < 0) continue;
+    const Pose& pose = base_from_frame[static_cast<std::size_t>(above)];
+    const Vec3 arm = point_in_base - pose.translation();
+    jacobian.col(f.joint) += turning_axis(f, pose).cross(arm);
   }
 }
 
@@ -101,27 +100,6 @@ void add_point_slope(const RobotTable& robot, const std::vector<Pose>& base_from
       const Pose& pose = base_from_frame[static_cast<std::size_t>(frame)];
       const Vec3 arm = point_in_base - pose.translation();
       slope[f.joint] += turning_axis(f, pose).dot(arm.cross(direction));
-    }
-    frame = f.parent;
-  }
-}
-
-int common_ancestor(const RobotTable& robot, int frame, int other) {
-  while (frame != other) {  // parents come first
-    int& lower = frame > other ? frame : other;
-    lower = robot.frames[static_cast<std::size_t>(lower)].parent;
-  }
-  return frame;
-}
-
-void rotation_jacobian(const RobotTable& robot, const std::vector<Pose>& base_from_frame, int frame,
-                       Eigen::Ref<Eigen::Matrix3Xd> jacobian) {
-  assert(jacobian.cols() == static_cast<Eigen::Index>(robot.joints()));
-  jacobian.setZero();
-  while (frame >= 0) {
-    const RobotTable::Frame& f = robot.frames[static_cast<std::size_t>(frame)];
-    if (f.joint >= 0) {
-      jacobian.col(f.joint) += turning_axis(f, base_from_frame[static_cast<std::size_t>(frame)]);
     }
     frame = f.parent;
   }

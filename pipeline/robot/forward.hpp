@@ -27,13 +27,6 @@ void add_point_slope(const RobotTable& robot, const std::vector<Pose>& base_from
                      int ancestor, const Vec3& point_in_base, const Vec3& direction,
                      Eigen::Ref<JointVector> slope);
 
-/// The last frame that both move with, directly or not; -1 = the base.
-int common_ancestor(const RobotTable& robot, int frame, int other);
-
-/// Angular velocity of a frame per joint rate, in the base frame [rad/rad]; overwritten, [3, n].
-void rotation_jacobian(const RobotTable& robot, const std::vector<Pose>& base_from_frame, int frame,
-                       Eigen::Ref<Eigen::Matrix3Xd> jacobian);
-
 /// Both Jacobians of all tips at once: rows 6 i … 6 i + 2 of `jacobian` [6 m, n] are tip i's point
 /// Jacobian, the next three its rotation Jacobian. Overwritten.
 void tip_jacobians(const RobotTable& robot, const std::vector<Pose>& base_from_frame,

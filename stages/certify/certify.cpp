@@ -64,10 +64,9 @@ void fill_clearance(const collision::CollisionWorld& world, Trajectory& trajecto
 }
 
 /// A sentence for a contact that is not allowed, or not excluded; "" if there is none.
-std::string contacts(const collision::CollisionWorld& world, const JointRows& reach,
-                     const collision::JointMotion& motion, const Trajectory& trajectory,
-                     collision::CollisionScratch& scratch) {
-  const collision::MotionCheck found = collision::check_motion(world, reach, motion, scratch);
+std::string contacts(const collision::CollisionWorld& world, const collision::JointMotion& motion,
+                     const Trajectory& trajectory, collision::CollisionScratch& scratch) {
+  const collision::MotionCheck found = collision::check_motion(world, motion, scratch);
   if (found.verdict == collision::MotionVerdict::free) return "";
   return fmt::format(
       "{} and {} are {:.2f} mm apart at {:.3f} s (sample {}), {} than the {:.2f} mm "
@@ -112,12 +111,11 @@ CertifyResult certify_motion(const collision::CollisionWorld& world, Trajectory&
 
   collision::CollisionScratch scratch;
   fill_clearance(world, trajectory, scratch);
-  const JointRows reach = collision::capsule_reach(*world.robot);
   const collision::JointMotion motion = trajectory_motion(trajectory);
   c.clearance =
-      collision::motion_clearance(world, reach, motion, scratch, kClearanceResolution_m).at_least;
+      collision::motion_clearance(world, motion, scratch, kClearanceResolution_m).at_least;
   fail(path_was_free ? Reason::smoothing : Reason::collision,
-       contacts(world, reach, motion, trajectory, scratch));
+       contacts(world, motion, trajectory, scratch));
   return result;
 }
 

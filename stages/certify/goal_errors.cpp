@@ -45,16 +45,6 @@ struct Mean {
   double value() const { return count > 0 ? sum / count : kNotSeen; }
 };
 
-/// Joint centres of metric A that belong to the arm.
-std::vector<Vec3> arm_centres(const RobotTable& robot, const std::vector<Pose>& base_from_frame) {
-  std::vector<Vec3> centres;
-  for (const RobotTable::Centre& centre : robot.centres) {
-    if (centre.chain != "arm") continue;
-    centres.push_back(base_from_frame[static_cast<std::size_t>(centre.frame)].translation());
-  }
-  return centres;
-}
-
 double angle_of(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
 }  // namespace
@@ -74,7 +64,7 @@ Quat tip_orientation_goal_at(const Goals& goals, std::size_t tip, double time_s)
   return before.slerp(at.share, after);
 }
 
-GoalErrors goal_errors(const RobotTable& robot, const Goals& goals, const Movement& movement,
+GoalErrors goal_errors(const robot::Robot& robot, const Goals& goals, const Movement& movement,
                        const Tolerances& tolerances, const Trajectory& trajectory) {
   GoalErrors out;
   if (goals.frames() == 0) return out;
@@ -108,7 +98,7 @@ GoalErrors goal_errors(const RobotTable& robot, const Goals& goals, const Moveme
       out.worst_tip = static_cast<int>(tip);
     }
     const Between at = frames_at(goals, time_s);
-    const std::vector<Vec3> centres = arm_centres(robot, base_from_frame);
+    const std::vector<Vec3> centres = robot::arm_centre_positions(robot, base_from_frame);
     const Vec3 elbow = point_at(goals.elbow_position, at);
     if (centres.empty() || !seen(elbow)) continue;
     humanlikeness.add(humanlike::joint_distance_sum(elbow, centres));

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "pipeline/motion/plan.hpp"
-#include "pipeline/motion/robot_table.hpp"
+#include "pipeline/robot/robot.hpp"
 
 namespace morphe::certify {
 
@@ -22,7 +22,7 @@ struct GoalErrors {
   double worst_excess = kNotSeen, worst_error = kNotSeen, worst_tolerance = kNotSeen;
   int worst_sample = -1, worst_tip = -1;
 };
-GoalErrors goal_errors(const RobotTable& robot, const Goals& goals, const Movement& movement,
+GoalErrors goal_errors(const robot::Robot& robot, const Goals& goals, const Movement& movement,
                        const Tolerances& tolerances, const Trajectory& trajectory);
 
 }  // namespace morphe::certify

@@ -35,7 +35,6 @@ void add_at_sample(const collision::CollisionWorld& world,
 struct Walk {
   const collision::CollisionWorld& world;
   const JointPath& path;
-  JointRows reach;
   collision::CollisionScratch scratch;
   std::vector<collision::PairSeparation> pairs;
   std::vector<collision::MotionCheck> failing;
@@ -53,7 +52,7 @@ struct Walk {
       if (k + 1 == samples()) return;
       const collision::JointMotion motion =
           collision::straight_motion(position(k), position(k + 1), time_s(k), time_s(k + 1));
-      collision::failing_pairs(world, reach, motion, scratch, failing, kBand_m);
+      collision::failing_pairs(world, motion, scratch, failing, kBand_m);
       for (const collision::MotionCheck& found : failing) {
         const double slack_m = found.pair.slack();
         const double depth_m = slack_m < 0 ? -slack_m : std::max(kBand_m - slack_m, 1e-9);
@@ -66,6 +65,7 @@ struct Walk {
   /// to move evenly from sample to sample.
   int fcl_steps(std::size_t k) const {
     const JointVector travel = (position(k + 1) - position(k)).cwiseAbs();
+    const JointRows& reach = world.robot->capsule_reach;
     double farthest_m = reach.rows() ? (reach * travel).maxCoeff() : 0;
     double object_m = 0;
     for (const SceneObject& object : world.scene->objects) {
@@ -106,7 +106,7 @@ struct Walk {
 
 void check_collisions(const collision::CollisionWorld& world, const JointPath& path, Engine engine,
                       FindingRows& rows) {
-  Walk walk{world, path, collision::capsule_reach(*world.robot), {}, {}, {}};
+  Walk walk{world, path, {}, {}, {}};
   if (engine == Engine::fcl) {
     walk.by_fcl(rows);
   } else {

@@ -108,8 +108,8 @@ int execute(const RunArguments& arguments) {
   const run::Shard shard = run::parse_shard(arguments.shard);
   run::RunFolder folder(arguments.out, software, shard, arguments.fresh);
   Dataset dataset(named, folder.path());
-  const RobotTable& robot = config.loaded.robot;
-  const planning::Planner planner{config.loaded.options, robot, collision::capsule_reach(robot)};
+  const robot::Robot& robot = config.loaded.robot;
+  const planning::Planner planner{config.loaded.options, robot};
   run::Progress progress(arguments.json);
 
   run::RunRequest request;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "pipeline/robot/tree.hpp"
+
 #include "stages/describe/report.hpp"
 
 namespace morphe::describe {
@@ -11,25 +13,15 @@ const RobotTable::Frame& frame_at(const RobotTable& robot, int frame) {
   return robot.frames[static_cast<std::size_t>(frame)];
 }
 
-bool below(const RobotTable& robot, int frame, int ancestor) {
-  while (frame >= 0 && frame != ancestor) frame = frame_at(robot, frame).parent;
-  return frame == ancestor;
-}
-
 bool moves_a_tip(const RobotTable& robot, int joint) {
-  for (std::size_t i = 0; i < robot.frames.size(); ++i) {
-    if (robot.frames[i].joint != joint) continue;
-    const auto moved = [&](const RobotTable::Tip& tip) {
-      return below(robot, tip.frame, static_cast<int>(i));
-    };
-    if (std::ranges::any_of(robot.tips, moved)) return true;
-  }
-  return false;
+  return std::ranges::any_of(robot.tips, [&](const RobotTable::Tip& tip) {
+    return robot::moves(robot, joint, tip.frame);
+  });
 }
 
 bool has_centre(const RobotTable& robot, const RobotTable::Tip& tip) {
   return std::ranges::any_of(robot.centres, [&](const RobotTable::Centre& centre) {
-    return centre.chain != "arm" && below(robot, tip.frame, centre.frame);
+    return centre.chain != "arm" && robot::hangs_on(robot, tip.frame, centre.frame);
   });
 }
 
@@ -37,9 +29,9 @@ bool has_centre(const RobotTable& robot, const RobotTable::Tip& tip) {
 
 double stretched_reach(const RobotTable& robot, const RobotTable::Tip& tip) {
   double reach = tip.transform.translation().norm();
-  for (int frame = tip.frame; frame >= 0 && frame != robot.shoulder_frame;) {
+  for (const int frame : robot::upwards(robot, tip.frame)) {
+    if (frame == robot.shoulder_frame) break;
     reach += frame_at(robot, frame).transform.translation().norm();
-    frame = frame_at(robot, frame).parent;
   }
   return reach;
 }
@@ -52,13 +44,13 @@ std::vector<std::string> remarks(const robot::RobotDescription& description) {
       found.push_back(fmt::format("joint {} moves no tip", robot.joint_names[k]));
     }
   }
-  if (!below(robot, robot.palm_frame, robot.shoulder_frame)) {
+  if (!robot::hangs_on(robot, robot.palm_frame, robot.shoulder_frame)) {
     found.push_back(fmt::format("palm {} does not hang on shoulder {}",
                                 frame_at(robot, robot.palm_frame).name,
                                 frame_at(robot, robot.shoulder_frame).name));
   }
   for (const RobotTable::Tip& tip : robot.tips) {
-    if (tip.finger >= 0 && !below(robot, tip.frame, robot.palm_frame)) {
+    if (tip.finger >= 0 && !robot::hangs_on(robot, tip.frame, robot.palm_frame)) {
       found.push_back(fmt::format("tip {} does not hang on palm {}", tip.name,
                                   frame_at(robot, robot.palm_frame).name));
     }

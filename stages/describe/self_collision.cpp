@@ -30,7 +30,8 @@ double share(const SelfCollision& found, const SelfCollisionPair& pair) {
 
 }  // namespace
 
-SelfCollision sample_self_collision(const RobotTable& robot, int samples) {
+SelfCollision sample_self_collision(const RobotTable& table, int samples) {
+  const robot::Robot robot(table);
   const Scene nothing;
   const collision::CollisionWorld world = collision::make_world(robot, nothing, {}, {});
   std::vector<SelfCollisionPair> pairs;

@@ -1,6 +1,7 @@
 #include "stages/map/clearance_term.hpp"
 
 #include "pipeline/robot/forward.hpp"
+#include "pipeline/robot/tree.hpp"
 
 namespace morphe::map {
 namespace {

@@ -6,6 +6,7 @@
 #include "pipeline/humanlike/loads.hpp"
 #include "pipeline/humanlike/posed_like.hpp"
 #include "pipeline/robot/forward.hpp"
+#include "pipeline/robot/tree.hpp"
 #include "pipeline/solve/minimise.hpp"
 #include "stages/map/finger_curve.hpp"
 
@@ -17,18 +18,14 @@ constexpr std::size_t kBones = 3;    ///< of a human finger beyond the palm
 constexpr double kSamePlace = 1e-6;  ///< of two hinges [m]
 constexpr double kStature = 1.7;     ///< [m]
 
-bool moves_with(const RobotTable& robot, int frame, int ancestor) {
-  while (frame > ancestor) frame = robot.frames[static_cast<std::size_t>(frame)].parent;
-  return frame == ancestor;
-}
-
 /// The robot with no joints but those beyond its palm, in the order of `joints`.
 RobotTable beyond_palm(const RobotTable& robot, std::vector<int>& joints) {
   RobotTable hand = robot;
   for (std::size_t i = 0; i < hand.frames.size(); ++i) {
     int& joint = hand.frames[i].joint;
     const auto frame = static_cast<int>(i);
-    if (joint < 0 || frame == robot.palm_frame || !moves_with(robot, frame, robot.palm_frame)) {
+    if (joint < 0 || frame == robot.palm_frame ||
+        !robot::hangs_on(robot, frame, robot.palm_frame)) {
       joint = -1;
       continue;
     }
@@ -61,9 +58,9 @@ std::vector<int> hinges_of(const RobotTable& robot, const std::vector<Pose>& pos
                            std::size_t tip) {
   std::vector<int> hinges;
   Vec3 beyond = robot::tip_pose(robot, poses, tip).translation();
-  for (int frame = robot.tips[tip].frame; frame >= 0 && frame != robot.palm_frame;
-       frame = robot.frames[static_cast<std::size_t>(frame)].parent) {
-    if (robot.frames[static_cast<std::size_t>(frame)].joint < 0) continue;
+  for (const int frame : robot::upwards(robot, robot.tips[tip].frame)) {
+    if (frame == robot.palm_frame) break;
+    if (robot::joint_of(robot, frame) < 0) continue;
     if ((origin(poses, frame) - beyond).norm() < kSamePlace) continue;
     if (hinges.size() == kBones) break;
     beyond = origin(poses, frame);
@@ -98,9 +95,8 @@ FingerAngles::FingerAngles(const RobotTable& robot)
     finger.frames = hinges_of(hand, poses, tip);
     finger.tip = tip;
     finger.at_zero = chain_at(hand, poses, finger.frames, tip);
-    for (int frame = hand.tips[tip].frame; frame >= 0;
-         frame = hand.frames[static_cast<std::size_t>(frame)].parent) {
-      const int joint = hand.frames[static_cast<std::size_t>(frame)].joint;
+    for (const int frame : robot::upwards(hand, hand.tips[tip].frame)) {
+      const int joint = robot::joint_of(hand, frame);
       if (joint >= 0) finger.joints.push_back(joint);
     }
     if (!finger.frames.empty()) fingers.push_back(std::move(finger));

@@ -5,6 +5,7 @@
 #include "pipeline/humanlike/arm_chain.hpp"
 #include "pipeline/humanlike/posed_like.hpp"
 #include "pipeline/robot/forward.hpp"
+#include "pipeline/robot/tree.hpp"
 #include "stages/map/finger_angles.hpp"
 
 namespace morphe::map {
@@ -13,14 +14,14 @@ namespace {
 using Eigen::Index;
 
 /// Joints of fingers that never get an angle: at zero, or the limit next to it.
-void rest_unrecorded(const RobotTable& robot, std::vector<humanlike::FrameGoal>& frames,
+void rest_unrecorded(const robot::Robot& robot, std::vector<humanlike::FrameGoal>& frames,
                      Goals& goals) {
   bool any = false;
   for (const RobotTable::Tip& tip : robot.tips) {
     if (tip.finger < 0) continue;
-    for (int frame = tip.frame; frame >= 0 && frame != robot.palm_frame;
-         frame = robot.frames[static_cast<std::size_t>(frame)].parent) {
-      const int joint = robot.frames[static_cast<std::size_t>(frame)].joint;
+    for (const int frame : robot::upwards(robot, tip.frame)) {
+      if (frame == robot.palm_frame) break;
+      const int joint = robot::joint_of(robot, frame);
       const bool recorded =
           joint < 0 || std::ranges::any_of(frames, [&](const humanlike::FrameGoal& goal) {
             return std::isfinite(goal.angles[joint]);
@@ -37,7 +38,7 @@ void rest_unrecorded(const RobotTable& robot, std::vector<humanlike::FrameGoal>&
 
 }  // namespace
 
-std::vector<humanlike::FrameGoal> joint_to_joint_goals(const RobotTable& robot,
+std::vector<humanlike::FrameGoal> joint_to_joint_goals(const robot::Robot& robot,
                                                        const JointRows& angles,
                                                        const std::vector<double>& angle_time,
                                                        Goals& goals) {

@@ -4,7 +4,7 @@
 
 #include "pipeline/humanlike/frame_goal.hpp"
 #include "pipeline/motion/plan.hpp"
-#include "pipeline/motion/robot_table.hpp"
+#include "pipeline/robot/robot.hpp"
 
 namespace morphe::map {
 
@@ -21,7 +21,7 @@ namespace morphe::map {
 /// it), and goals.estimated says "finger angles".
 ///
 /// `angles` [N, 20] are the human's kHandAngleNames at `angle_time`, or have no rows.
-std::vector<humanlike::FrameGoal> joint_to_joint_goals(const RobotTable& robot,
+std::vector<humanlike::FrameGoal> joint_to_joint_goals(const robot::Robot& robot,
                                                        const JointRows& angles,
                                                        const std::vector<double>& angle_time,
                                                        Goals& goals);

@@ -23,12 +23,7 @@ void measure_humanlikeness(const MappingProblem& problem, const Goals& goals, st
                                goals.wrist_position[frame]};
   if (!seen(human[0]) || !seen(human[1]) || !seen(human[2])) return;
   const humanlike::Chain robot = humanlike::arm_chain(*problem.robot, base_from_frame).joints;
-  std::vector<Vec3> inner;
-  for (const auto& centre : problem.robot->centres) {
-    if (centre.chain == "arm") {
-      inner.push_back(base_from_frame[static_cast<std::size_t>(centre.frame)].translation());
-    }
-  }
+  const std::vector<Vec3> inner = robot::arm_centre_positions(*problem.robot, base_from_frame);
   mapped.humanlikeness(row, 0) = humanlike::joint_distance_sum(human[1], inner);
   mapped.humanlikeness(row, 1) = humanlike::triangle_area_sum(human, robot);
   mapped.humanlikeness(row, 2) = humanlike::hull_volume_sum(human, robot);
@@ -93,7 +88,7 @@ double posture_error(const MappingProblem& problem, const Goals& goals, const Jo
 }
 
 /// Where the middle joints of fingers between the human's would be: the rule of their tips.
-std::vector<Vec3> curve_joints(const RobotTable& robot, const Goals& goals, std::size_t frame) {
+std::vector<Vec3> curve_joints(const robot::Robot& robot, const Goals& goals, std::size_t frame) {
   const auto joint = [&](std::size_t finger) { return goals.finger_joint_position(frame, finger); };
   std::vector<Vec3> points(robot.tips.size(), unseen_point());
   for (std::size_t tip = 0; tip < points.size(); ++tip) {
@@ -106,7 +101,7 @@ std::vector<Vec3> curve_joints(const RobotTable& robot, const Goals& goals, std:
 
 }  // namespace
 
-MappingProblem make_mapping_problem(const RobotTable& robot, const Goals& goals,
+MappingProblem make_mapping_problem(const robot::Robot& robot, const Goals& goals,
                                     const collision::CollisionWorld& world,
                                     const MapOptions& options, const std::vector<Phase>& phases) {
   MappingProblem problem;

@@ -26,7 +26,7 @@ MapResult map_movement(const MappingProblem& problem, Goals& goals, const MapOpt
 
 /// The problem of a movement: goals frame by frame, with the weights of their phases, and the world
 /// to stay clear of.
-MappingProblem make_mapping_problem(const RobotTable& robot, const Goals& goals,
+MappingProblem make_mapping_problem(const robot::Robot& robot, const Goals& goals,
                                     const collision::CollisionWorld& world,
                                     const MapOptions& options,
                                     const std::vector<Phase>& phases = {});

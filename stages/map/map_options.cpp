@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pipeline/motion/input_error.hpp"
+#include "pipeline/robot/tree.hpp"
 
 namespace morphe::map {
 namespace {
@@ -15,15 +16,10 @@ int joint_index(const RobotTable& robot, const std::string& name) {
   return static_cast<int>(found - robot.joint_names.begin());
 }
 
-/// Tips below any frame that the joint turns, directly or through a coupling.
 std::vector<int> tips_moved_by(const RobotTable& robot, int joint) {
   std::vector<int> tips;
   for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
-    int frame = robot.tips[tip].frame;
-    while (frame >= 0 && robot.frames[static_cast<std::size_t>(frame)].joint != joint) {
-      frame = robot.frames[static_cast<std::size_t>(frame)].parent;
-    }
-    if (frame >= 0) tips.push_back(static_cast<int>(tip));
+    if (robot::moves(robot, joint, robot.tips[tip].frame)) tips.push_back(static_cast<int>(tip));
   }
   return tips;
 }

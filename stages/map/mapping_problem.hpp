@@ -12,7 +12,7 @@ namespace morphe::map {
 /// One movement to be mapped: the objective of its frames in one place. Robot and world must
 /// outlive it.
 struct MappingProblem {
-  const RobotTable* robot = nullptr;
+  const robot::Robot* robot = nullptr;
   humanlike::FrameObjective objective;
   ClearanceTerm clearance;
   const collision::CollisionWorld* world = nullptr;  ///< what the mapping stays clear of

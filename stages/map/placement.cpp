@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "pipeline/robot/forward.hpp"
+#include "pipeline/robot/tree.hpp"
 #include "stages/map/finger_curve.hpp"
 
 namespace morphe::map {
@@ -59,10 +60,8 @@ bool hand_alone(const RobotTable& robot) {
     if (centre.chain == "arm") return false;
   }
   int joints = 0;
-  for (int frame = robot.palm_frame; frame >= 0;) {
-    const RobotTable::Frame& here = robot.frames[static_cast<std::size_t>(frame)];
-    joints += here.joint >= 0 ? 1 : 0;
-    frame = here.parent;
+  for (const int frame : robot::upwards(robot, robot.palm_frame)) {
+    joints += robot::joint_of(robot, frame) >= 0 ? 1 : 0;
   }
   return joints <= 2;
 }

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "pipeline/robot/forward.hpp"
+#include "pipeline/robot/tree.hpp"
 
 namespace morphe::map {
 namespace {
@@ -36,9 +37,9 @@ std::vector<JointVector> all_flipped(const Twins& twins, const JointVector& q) {
 
 /// The nearest frame before `frame` with a joint of its own; -1: none.
 int hinge_before(const RobotTable& robot, int frame) {
-  for (int f = robot.frames[static_cast<std::size_t>(frame)].parent; f >= 0;
-       f = robot.frames[static_cast<std::size_t>(f)].parent) {
-    if (robot.frames[static_cast<std::size_t>(f)].joint >= 0) return f;
+  const int before = robot.frames[static_cast<std::size_t>(frame)].parent;
+  for (const int f : robot::upwards(robot, before)) {
+    if (robot::joint_of(robot, f) >= 0) return f;
   }
   return -1;
 }

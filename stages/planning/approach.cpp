@@ -106,8 +106,7 @@ ApproachResult add_approach(const Planner& planner, const ApproachOptions& optio
   const JointVector first = way.position.row(0).transpose();
   const JointVector last = way.position.row(way.position.rows() - 1).transpose();
 
-  const JointPath there =
-      repair::plan_transfer(world, planner.capsule_reach, home, first, begin_s, repair, seed);
+  const JointPath there = repair::plan_transfer(world, home, first, begin_s, repair, seed);
   if (there.position.rows() == 0) {
     return {Reason::no_approach, no_way(world, home, first, begin_s, repair)};
   }
@@ -118,8 +117,7 @@ ApproachResult add_approach(const Planner& planner, const ApproachOptions& optio
   if (collision::place_of_target(world, end_s) == collision::TargetPlace::in_hand) {
     return {Reason::no_retreat, "the target is in the hand at the end"};
   }
-  const JointPath back =
-      repair::plan_transfer(world, planner.capsule_reach, last, home, end_s, repair, seed + 1);
+  const JointPath back = repair::plan_transfer(world, last, home, end_s, repair, seed + 1);
   run.reason = Reason::no_path;
   if (back.position.rows() > 0) {
     run = run_along(planner, world, back, options, end_s, plan.retreat);

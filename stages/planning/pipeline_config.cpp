@@ -121,7 +121,7 @@ LoadedConfig load_config(const std::filesystem::path& file,
 
   const robot::RobotDescription robot =
       robot::load_robot(node["robot"]["file"].folder() / loaded.options.robot.file);
-  loaded.robot = robot.table;
+  loaded.robot = robot::Robot(robot.table);
   Paths& with_robot = group_of(loaded.options.robot.file);
   with_robot.insert(with_robot.end(), robot.files.begin(), robot.files.end());
   if (node.has("scene")) scene::load_scene_files(loaded.options.scene, node["scene"]);

@@ -6,6 +6,7 @@
 
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/robot/files/description.hpp"
+#include "pipeline/robot/robot.hpp"
 #include "stages/check/check_path.hpp"
 #include "stages/map/map_options.hpp"
 #include "stages/map/placement.hpp"
@@ -63,7 +64,7 @@ void fields(Fields& f, PipelineConfig& o) {
 /// A config with everything that it names.
 struct LoadedConfig {
   PipelineConfig options;
-  RobotTable robot;
+  robot::Robot robot;
   std::filesystem::path dataset;  ///< resolved against the config's folder; empty if not named
   std::string effective;          ///< YAML with every key, defaults included
   std::vector<PlanFileHeader::Input> inputs;

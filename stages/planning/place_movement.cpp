@@ -16,7 +16,7 @@ Pose base_from_motion(const Planner& planner, const HumanMotion& motion, const M
                       const Vec3& offset) {
   map::PlacementOptions placement = planner.config.placement;
   placement.shoulder_offset += offset;
-  const RobotTable& robot = planner.robot;
+  const robot::Robot& robot = planner.robot;
   if (map::hand_alone(robot)) return map::place_hand(robot, placement).inverse();
   return map::place_robot(robot, map::shoulder_at_begin(motion, movement), placement).inverse();
 }
@@ -24,7 +24,7 @@ Pose base_from_motion(const Planner& planner, const HumanMotion& motion, const M
 /// What is grasped goes where the hand takes it.
 void carry(const Planner& planner, const HumanMotion& motion, const Movement& movement,
            Scene& scene) {
-  const RobotTable& robot = planner.robot;
+  const robot::Robot& robot = planner.robot;
   for (SceneObject& object : scene.objects) {
     if (object.name != movement.target || !(object.attach_s < movement.end_s)) continue;
     if (planner.config.scene.target.carried == scene::Carrier::palm) {
@@ -82,7 +82,7 @@ Scene scene_around(const Planner& planner, const Demonstration& demonstration,
 PlacedMovement::PlacedMovement(const Planner& planner, const HumanMotion& motion,
                                const Movement& movement, const Scene& around, const Vec3& offset) {
   const PipelineConfig& config = planner.config;
-  const RobotTable& robot = planner.robot;
+  const robot::Robot& robot = planner.robot;
   const Pose base_from_world = base_from_motion(planner, motion, movement, offset);
   scene = scene::move_scene(around, base_from_world);
   goals = map::make_goals(robot, motion, movement, base_from_world);

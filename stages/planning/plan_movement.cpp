@@ -71,7 +71,7 @@ std::string joined(const std::vector<std::string>& sentences) {
 /// What a user must know of an executable plan: tips whose goals are missing in some frames, a hand
 /// of which one tip alone was seen, meshes with holes, phases that may begin or end elsewhere (a
 /// recording that is cut off in them), and what reconstruction had to complain of.
-std::string warnings(const RobotTable& robot, const Scene& scene, const Goals& goals,
+std::string warnings(const robot::Robot& robot, const Scene& scene, const Goals& goals,
                      const Movement& movement, const HumanMotion& motion) {
   constexpr double kUncertain = 0.5;
   std::vector<std::string> sentences, asked;
@@ -144,7 +144,7 @@ void finish(const Planner& planner, const collision::CollisionWorld& world, Plan
 Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
                    const HumanMotion& recorded, const Movement& movement, StageSeconds& seconds) {
   const PipelineConfig& config = planner.config;
-  const RobotTable& robot = planner.robot;
+  const robot::Robot& robot = planner.robot;
   Plan plan = begin_plan(demonstration, movement, config.check);
   const std::uint64_t seed =
       math::seed_from(config.seed, fmt::format("{}/{}", demonstration.name, movement.index));

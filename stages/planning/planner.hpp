@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pipeline/motion/robot_table.hpp"
+#include "pipeline/robot/robot.hpp"
 #include "stages/planning/pipeline_config.hpp"
 
 namespace morphe::planning {
@@ -8,8 +8,7 @@ namespace morphe::planning {
 /// What is the same for every movement of a run.
 struct Planner {
   const PipelineConfig& config;
-  const RobotTable& robot;
-  JointRows capsule_reach;  ///< of the robot, see pipeline/collision/certified.hpp
+  const robot::Robot& robot;
 };
 
 }  // namespace morphe::planning

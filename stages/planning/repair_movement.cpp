@@ -38,7 +38,7 @@ repair::RepairResult repair_movement(const Planner& planner, const PlacedMovemen
   const ReSolving solving{whole, config.map, with_room};
   std::vector<Hold> holds;  // postures that hold goals at which the path failed
   NewCourses courses(whole, config.map, holds, config.repair.searches, seed);
-  repair::Surroundings around{world, planner.capsule_reach, config.repair, seed, with_room, {}};
+  repair::Surroundings around{world, config.repair, seed, with_room, {}};
 
   const Rung a_detour = [&](const Judged& best) { return repair::detour(around, best); };
   std::vector<Rung> ladder{a_detour};

@@ -95,7 +95,7 @@ RunConfig stored_config(const fs::path& plans) {
   config::ConfigNode node = config::ConfigNode::parse(header.config, plans.string() + ":/@config");
   config::read_options(node, loaded.options);
   node.expect_all_read();
-  loaded.robot = reader.robot();
+  loaded.robot = robot::Robot(reader.robot());
   loaded.inputs = header.inputs;
   loaded.effective = header.config;
   if (config::write_options(loaded.options) != header.config)

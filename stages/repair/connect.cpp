@@ -64,7 +64,6 @@ struct Coordinates {
 /// What one call to connect() works with; never shared between threads.
 struct Query {
   const IntervalWorld& interval;
-  const JointRows& reach;
   const Coordinates& coordinates;
   collision::CollisionScratch scratch;
   JointVector first, second;
@@ -76,7 +75,7 @@ struct Query {
   bool line(const ob::State* a, const ob::State* b) {
     coordinates.read(a, first);
     coordinates.read(b, second);
-    return line_free(interval, reach, first, second, scratch);
+    return line_free(interval, first, second, scratch);
   }
 };
 
@@ -120,26 +119,13 @@ class SeededConnect : public og::RRTConnect {
 
 }  // namespace
 
-std::vector<int> arm_joints(const RobotTable& robot) {
-  std::vector<int> joints;
-  for (int frame = robot.palm_frame; frame >= 0;
-       frame = robot.frames[static_cast<std::size_t>(frame)].parent) {
-    const int joint = robot.frames[static_cast<std::size_t>(frame)].joint;
-    if (joint >= 0) joints.push_back(joint);
-  }
-  std::sort(joints.begin(), joints.end());
-  joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
-  return joints;
-}
-
-std::vector<JointVector> connect(const IntervalWorld& interval, const JointRows& reach,
-                                 const ConnectSpace& space, const JointVector& from,
-                                 const JointVector& to, int iterations, double range,
-                                 std::uint64_t seed) {
+std::vector<JointVector> connect(const IntervalWorld& interval, const ConnectSpace& space,
+                                 const JointVector& from, const JointVector& to, int iterations,
+                                 double range, std::uint64_t seed) {
   assert(!space.joints.empty());
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
   const Coordinates coordinates(*interval.world.around.robot, space, from, to);
-  Query query{interval, reach, coordinates, {}, {}, {}};
+  Query query{interval, coordinates, {}, {}, {}};
 
   auto vectors = std::make_shared<ob::RealVectorStateSpace>(
       static_cast<unsigned int>(coordinates.dimension()));

@@ -20,9 +20,8 @@ std::vector<int> arm_joints(const RobotTable& robot);
 /// A polyline of certified edges from `from` to `to`, both included; empty if `iterations` of
 /// RRT-Connect found none. Distances are in shares of each joint's span, `range` is the longest
 /// edge. The same arguments give the same path on any thread.
-std::vector<JointVector> connect(const IntervalWorld& interval, const JointRows& reach,
-                                 const ConnectSpace& space, const JointVector& from,
-                                 const JointVector& to, int iterations, double range,
-                                 std::uint64_t seed);
+std::vector<JointVector> connect(const IntervalWorld& interval, const ConnectSpace& space,
+                                 const JointVector& from, const JointVector& to, int iterations,
+                                 double range, std::uint64_t seed);
 
 }  // namespace morphe::repair

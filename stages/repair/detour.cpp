@@ -53,7 +53,7 @@ bool plan_around(const Surroundings& around, const collision::CollisionWorld& wo
   for (const Interval& interval : intervals_of(world, judged, attempt, around.options)) {
     const std::uint64_t own =
         around.seed + 1000 * static_cast<std::uint64_t>(attempt) + 100 * number++;
-    planned |= plan_interval(interval, around.reach, around.options, attempt, own, judged.path);
+    planned |= plan_interval(interval, around.options, attempt, own, judged.path);
   }
   return planned;
 }

@@ -8,10 +8,9 @@
 
 namespace morphe::repair {
 
-/// What a way around collisions is planned in, and judged by. World and reach must outlive it.
+/// What a way around collisions is planned in, and judged by. The world must outlive it.
 struct Surroundings {
   const collision::CollisionWorld& world;
-  const JointRows& reach;  ///< capsule_reach()
   RepairOptions options;
   std::uint64_t seed = 0;
   Judge judge;

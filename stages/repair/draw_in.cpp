@@ -49,8 +49,8 @@ Eigen::MatrixXd best_correction(const Eigen::MatrixXd& d, int first, int last, d
   return normal.ldlt().solve(right);
 }
 
-bool rows_free(const ClearWorld& world, const JointRows& reach, const std::vector<double>& times,
-               const JointRows& rows, int first, int last, collision::CollisionScratch& scratch) {
+bool rows_free(const ClearWorld& world, const std::vector<double>& times, const JointRows& rows,
+               int first, int last, collision::CollisionScratch& scratch) {
   const RobotTable& robot = *world.around.robot;
   JointVector from = rows.row(first), to;
   for (int k = first + 1; k <= last; ++k, from = to) {
@@ -58,16 +58,15 @@ bool rows_free(const ClearWorld& world, const JointRows& reach, const std::vecto
     if ((to.array() < robot.lower.array()).any() || (to.array() > robot.upper.array()).any())
       return false;
     const auto sample = static_cast<std::size_t>(k);
-    if (!line_free(world, reach, from, to, times[sample - 1], times[sample], scratch)) return false;
+    if (!line_free(world, from, to, times[sample - 1], times[sample], scratch)) return false;
   }
   return true;
 }
 
 }  // namespace
 
-std::vector<JointVector> shortcut(const IntervalWorld& interval, const JointRows& reach,
-                                  std::vector<JointVector> vertices, int attempts,
-                                  std::mt19937_64& random) {
+std::vector<JointVector> shortcut(const IntervalWorld& interval, std::vector<JointVector> vertices,
+                                  int attempts, std::mt19937_64& random) {
   collision::CollisionScratch scratch;
   for (int attempt = 0; attempt < attempts && vertices.size() > 2; ++attempt) {
     const std::vector<double> lengths = edge_lengths(*interval.world.around.robot, vertices);
@@ -90,7 +89,7 @@ std::vector<JointVector> shortcut(const IntervalWorld& interval, const JointRows
     // What is left of the two edges is certified by itself: a part of a line may lie within the
     // band that the whole line's bisection never had to look at.
     const auto free = [&](const JointVector& p, const JointVector& q) {
-      return line_free(interval, reach, p, q, scratch);
+      return line_free(interval, p, q, scratch);
     };
     if (first_edge == last_edge || !free(from, to) || !free(vertices[first_edge], from) ||
         !free(to, vertices[last_edge + 1])) {
@@ -128,8 +127,8 @@ JointRows spread(const RobotTable& robot, const std::vector<JointVector>& vertic
   return rows;
 }
 
-void draw_in(const ClearWorld& world, const JointRows& reach, const std::vector<double>& times,
-             const JointRows& original, int attempts, std::mt19937_64& random, JointRows& planned) {
+void draw_in(const ClearWorld& world, const std::vector<double>& times, const JointRows& original,
+             int attempts, std::mt19937_64& random, JointRows& planned) {
   constexpr std::array<double, 4> kSteps = {1, 0.5, 0.25, 0.1};
   const int rows = static_cast<int>(planned.rows()), joints = static_cast<int>(planned.cols());
   if (rows < 3) return;
@@ -153,7 +152,7 @@ void draw_in(const ClearWorld& world, const JointRows& reach, const std::vector<
     for (const double step : kSteps) {
       JointRows candidate = planned;
       candidate.middleRows(first + 1, last - first - 1) += step * towards * chosen.asDiagonal();
-      if (!rows_free(world, reach, times, candidate, first, last, scratch)) continue;
+      if (!rows_free(world, times, candidate, first, last, scratch)) continue;
       planned = std::move(candidate);
       break;
     }

@@ -9,9 +9,8 @@ namespace morphe::repair {
 
 /// Replaces parts of a certified polyline by straight lines while they are certified too. Shorter
 /// in shares of the joints' spans; `attempts` pairs of points are tried.
-std::vector<JointVector> shortcut(const IntervalWorld& interval, const JointRows& reach,
-                                  std::vector<JointVector> vertices, int attempts,
-                                  std::mt19937_64& random);
+std::vector<JointVector> shortcut(const IntervalWorld& interval, std::vector<JointVector> vertices,
+                                  int attempts, std::mt19937_64& random);
 
 /// `count` samples along the polyline, on every vertex and uniform between two of them, each edge
 /// with a number that follows its length. Empty if there are more vertices than samples.
@@ -22,7 +21,7 @@ JointRows spread(const RobotTable& robot, const std::vector<JointVector>& vertic
 /// Each attempt moves a random window, of all joints or some, towards the minimum of the cost
 /// with the rest held: the farthest of a few steps that is certified free in `world` at the
 /// samples' own times, and inside the joint limits. planned and original [times, joints].
-void draw_in(const ClearWorld& world, const JointRows& reach, const std::vector<double>& times,
-             const JointRows& original, int attempts, std::mt19937_64& random, JointRows& planned);
+void draw_in(const ClearWorld& world, const std::vector<double>& times, const JointRows& original,
+             int attempts, std::mt19937_64& random, JointRows& planned);
 
 }  // namespace morphe::repair

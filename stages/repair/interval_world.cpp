@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "pipeline/robot/tree.hpp"
+
 namespace morphe::repair {
 namespace {
 
@@ -26,16 +28,13 @@ void apply(TouchRule rule, double begin_s, double end_s, collision::CollisionWor
 
 /// Whether a capsule hangs on the palm or on a frame beyond it.
 bool in_hand(const RobotTable& robot, int capsule) {
-  int frame = robot.capsules[static_cast<std::size_t>(capsule)].frame;
-  while (frame >= 0 && frame != robot.palm_frame)
-    frame = robot.frames[static_cast<std::size_t>(frame)].parent;
-  return frame >= 0;
+  const int frame = robot.capsules[static_cast<std::size_t>(capsule)].frame;
+  return robot::hangs_on(robot, frame, robot.palm_frame);
 }
 
-bool line_free(const collision::CollisionWorld& world, const JointRows& reach,
-               const collision::JointMotion& line, collision::CollisionScratch& scratch) {
-  return collision::check_motion(world, reach, line, scratch).verdict ==
-         collision::MotionVerdict::free;
+bool line_free(const collision::CollisionWorld& world, const collision::JointMotion& line,
+               collision::CollisionScratch& scratch) {
+  return collision::check_motion(world, line, scratch).verdict == collision::MotionVerdict::free;
 }
 
 }  // namespace
@@ -56,12 +55,11 @@ ClearWorld clear_world(const collision::CollisionWorld& world, double extra_m) {
   return clear;
 }
 
-bool line_free(const ClearWorld& world, const JointRows& reach, const JointVector& from,
-               const JointVector& to, double from_s, double to_s,
-               collision::CollisionScratch& scratch) {
+bool line_free(const ClearWorld& world, const JointVector& from, const JointVector& to,
+               double from_s, double to_s, collision::CollisionScratch& scratch) {
   const collision::JointMotion line = collision::straight_motion(from, to, from_s, to_s);
-  return line_free(world.around, reach, line, scratch) &&
-         (world.hand.pairs.empty() || line_free(world.hand, reach, line, scratch));
+  return line_free(world.around, line, scratch) &&
+         (world.hand.pairs.empty() || line_free(world.hand, line, scratch));
 }
 
 IntervalWorld interval_world(const collision::CollisionWorld& world, double begin_s, double end_s,
@@ -98,15 +96,15 @@ bool state_free(const IntervalWorld& interval, const JointVector& q,
   });
 }
 
-bool line_free(const IntervalWorld& interval, const JointRows& reach, const JointVector& from,
-               const JointVector& to, collision::CollisionScratch& scratch) {
+bool line_free(const IntervalWorld& interval, const JointVector& from, const JointVector& to,
+               collision::CollisionScratch& scratch) {
   const collision::CollisionWorld& hand = interval.world.hand;
   const collision::JointMotion line =
       collision::straight_motion(from, to, interval.times.front(), interval.times.front());
-  if (!hand.pairs.empty() && !line_free(hand, reach, line, scratch)) return false;
+  if (!hand.pairs.empty() && !line_free(hand, line, scratch)) return false;
   return std::all_of(interval.times.begin(), interval.times.end(), [&](double time_s) {
-    return line_free(interval.world.around, reach,
-                     collision::straight_motion(from, to, time_s, time_s), scratch);
+    return line_free(interval.world.around, collision::straight_motion(from, to, time_s, time_s),
+                     scratch);
   });
 }
 

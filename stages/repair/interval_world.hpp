@@ -20,9 +20,8 @@ struct ClearWorld {
 ClearWorld clear_world(const collision::CollisionWorld& world, double extra_m);
 
 /// Certified: free all along the straight line, while time goes from from_s to to_s.
-bool line_free(const ClearWorld& world, const JointRows& reach, const JointVector& from,
-               const JointVector& to, double from_s, double to_s,
-               collision::CollisionScratch& scratch);
+bool line_free(const ClearWorld& world, const JointVector& from, const JointVector& to,
+               double from_s, double to_s, collision::CollisionScratch& scratch);
 
 /// What the states of a planned interval must keep clear of. They have no time of their own: each
 /// must be free at all of `times`. A target that moves within the interval is left out, since no
@@ -43,7 +42,7 @@ bool state_free(const IntervalWorld& interval, const JointVector& q,
                 collision::CollisionScratch& scratch);
 
 /// Certified: free all along the straight line.
-bool line_free(const IntervalWorld& interval, const JointRows& reach, const JointVector& from,
-               const JointVector& to, collision::CollisionScratch& scratch);
+bool line_free(const IntervalWorld& interval, const JointVector& from, const JointVector& to,
+               collision::CollisionScratch& scratch);
 
 }  // namespace morphe::repair

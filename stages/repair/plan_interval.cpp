@@ -30,7 +30,7 @@ bool reach_free_ends(const collision::CollisionWorld& world, const JointPath& pa
 }
 
 /// Around the original samples of the interval, `share` of each joint's span more to both sides.
-ConnectSpace space_around(const RobotTable& robot, const JointRows& original, double share) {
+ConnectSpace space_around(const robot::Robot& robot, const JointRows& original, double share) {
   ConnectSpace space;
   const JointVector more = share * (robot.upper - robot.lower);
   const JointVector least = original.colwise().minCoeff(), most = original.colwise().maxCoeff();
@@ -67,10 +67,10 @@ std::optional<Interval> interval_around(const collision::CollisionWorld& world,
   return shortest;
 }
 
-bool plan_interval(const Interval& interval, const JointRows& reach, const RepairOptions& options,
-                   int attempt, std::uint64_t seed, JointPath& path) {
+bool plan_interval(const Interval& interval, const RepairOptions& options, int attempt,
+                   std::uint64_t seed, JointPath& path) {
   constexpr double kBox[] = {0.1, 0.3, 1};
-  const RobotTable& robot = *interval.timed.around.robot;
+  const robot::Robot& robot = *interval.timed.around.robot;
   const int count = interval.last - interval.first + 1;
   if (count < 3) return false;
   const JointRows original = path.position.middleRows(interval.first, count);
@@ -81,25 +81,23 @@ bool plan_interval(const Interval& interval, const JointRows& reach, const Repai
   std::vector<int> all(robot.joints());
   std::iota(all.begin(), all.end(), 0);
   std::vector<JointVector> vertices;
-  space.joints = arm_joints(robot);
+  space.joints = robot.arm_joints;
   if (!plain && !space.joints.empty() && space.joints.size() < all.size())
-    vertices =
-        connect(interval.within, reach, space, from, to, options.iterations, options.range, seed);
+    vertices = connect(interval.within, space, from, to, options.iterations, options.range, seed);
   if (vertices.empty()) {
     space.joints = all;
-    vertices = connect(interval.within, reach, space, from, to, options.iterations, options.range,
-                       seed + 10);
+    vertices =
+        connect(interval.within, space, from, to, options.iterations, options.range, seed + 10);
   }
   if (vertices.empty()) return false;
 
   std::mt19937_64 random(seed + 20);
-  vertices =
-      shortcut(interval.within, reach, std::move(vertices), options.shortcut_attempts, random);
+  vertices = shortcut(interval.within, std::move(vertices), options.shortcut_attempts, random);
   JointRows planned = spread(robot, vertices, count);
   if (planned.rows() == 0) return false;
   const auto begin = path.demonstration_time.begin() + interval.first;
   if (!plain) {
-    draw_in(interval.timed, reach, {begin, begin + count}, original, options.draw_attempts, random,
+    draw_in(interval.timed, {begin, begin + count}, original, options.draw_attempts, random,
             planned);
   }
   for (int k = 1; k + 1 < count; ++k) {

@@ -24,7 +24,7 @@ std::optional<Interval> interval_around(const collision::CollisionWorld& world,
 
 /// Plans the samples inside an interval (Origin::planned); `attempt` (0, 1, …) widens the space
 /// that is searched. False, and nothing changed, if no path was found.
-bool plan_interval(const Interval& interval, const JointRows& reach, const RepairOptions& options,
-                   int attempt, std::uint64_t seed, JointPath& path);
+bool plan_interval(const Interval& interval, const RepairOptions& options, int attempt,
+                   std::uint64_t seed, JointPath& path);
 
 }  // namespace morphe::repair

@@ -25,20 +25,20 @@ bool free_at_both(const collision::CollisionWorld& world, const JointVector& fro
   return false;
 }
 
-std::vector<JointVector> find_way(const IntervalWorld& interval, const JointRows& reach,
-                                  const JointVector& from, const JointVector& to,
-                                  const RepairOptions& options, std::uint64_t seed) {
-  const RobotTable& robot = *interval.world.around.robot;
+std::vector<JointVector> find_way(const IntervalWorld& interval, const JointVector& from,
+                                  const JointVector& to, const RepairOptions& options,
+                                  std::uint64_t seed) {
+  const robot::Robot& robot = *interval.world.around.robot;
   std::vector<int> all(robot.joints());
   std::iota(all.begin(), all.end(), 0);
-  ConnectSpace space{arm_joints(robot), robot.lower, robot.upper};
+  ConnectSpace space{robot.arm_joints, robot.lower, robot.upper};
   std::vector<JointVector> vertices;
   for (int attempt = 0; attempt < options.attempts && vertices.empty(); ++attempt) {
     const std::uint64_t own = seed + 100 * static_cast<std::uint64_t>(attempt);
-    for (const std::vector<int>& joints : {arm_joints(robot), all}) {
+    for (const std::vector<int>& joints : {robot.arm_joints, all}) {
       space.joints = joints;
       if (joints.empty() || !vertices.empty()) continue;
-      vertices = connect(interval, reach, space, from, to, options.iterations, options.range, own);
+      vertices = connect(interval, space, from, to, options.iterations, options.range, own);
     }
   }
   return vertices;
@@ -56,17 +56,17 @@ JointPath labelled(const JointRows& rows, double time_s) {
 
 }  // namespace
 
-JointPath plan_transfer(const collision::CollisionWorld& world, const JointRows& reach,
-                        const JointVector& from, const JointVector& to, double time_s,
-                        const RepairOptions& options, std::uint64_t seed) {
-  const RobotTable& robot = *world.robot;
+JointPath plan_transfer(const collision::CollisionWorld& world, const JointVector& from,
+                        const JointVector& to, double time_s, const RepairOptions& options,
+                        std::uint64_t seed) {
+  const robot::Robot& robot = *world.robot;
   const JointVector inside = to.cwiseMax(robot.lower).cwiseMin(robot.upper);
   IntervalWorld interval;
   if (!free_at_both(world, from, inside, time_s, options.extra_clearance, interval)) return {};
-  std::vector<JointVector> vertices = find_way(interval, reach, from, inside, options, seed);
+  std::vector<JointVector> vertices = find_way(interval, from, inside, options, seed);
   if (vertices.empty()) return {};
   std::mt19937_64 random(seed + 20);
-  vertices = shortcut(interval, reach, std::move(vertices), options.shortcut_attempts, random);
+  vertices = shortcut(interval, std::move(vertices), options.shortcut_attempts, random);
 
   double length_rad = 0;
   for (std::size_t k = 0; k + 1 < vertices.size(); ++k) {
@@ -80,7 +80,7 @@ JointPath plan_transfer(const collision::CollisionWorld& world, const JointRows&
     straight.row(k) = (from + (inside - from) * k / (count - 1.0)).transpose();
   }
   const std::vector<double> times(static_cast<std::size_t>(count), time_s);
-  draw_in(interval.world, reach, times, straight, options.draw_attempts, random, rows);
+  draw_in(interval.world, times, straight, options.draw_attempts, random, rows);
   return labelled(rows, time_s);
 }
 

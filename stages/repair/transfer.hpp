@@ -13,8 +13,8 @@ namespace morphe::repair {
 /// 0.02 rad apart, all Origin::planned; demonstration_time is 0.01 s a sample from `time_s`, a
 /// label alone. With extra clearance where both ends have it. No samples if none was found in
 /// options.attempts of options.iterations. Depends on its arguments alone.
-JointPath plan_transfer(const collision::CollisionWorld& world, const JointRows& reach,
-                        const JointVector& from, const JointVector& to, double time_s,
-                        const RepairOptions& options, std::uint64_t seed);
+JointPath plan_transfer(const collision::CollisionWorld& world, const JointVector& from,
+                        const JointVector& to, double time_s, const RepairOptions& options,
+                        std::uint64_t seed);
 
 }  // namespace morphe::repair

@@ -6,6 +6,7 @@
 
 #include "pipeline/math/banded.hpp"
 #include "pipeline/robot/forward.hpp"
+#include "pipeline/robot/tree.hpp"
 #include "stages/retime/inside_limits.hpp"
 
 namespace morphe::retime {
@@ -36,8 +37,8 @@ Leverage leverage_of(const RobotTable& robot, const JointRows& samples) {
   out.bare = Eigen::ArrayXd::Ones(n);
   if (tips == 0) return out;
   for (const RobotTable::Tip& tip : robot.tips) {
-    for (int f = tip.frame; f >= 0; f = robot.frames[static_cast<std::size_t>(f)].parent) {
-      const int joint = robot.frames[static_cast<std::size_t>(f)].joint;
+    for (const int frame : robot::upwards(robot, tip.frame)) {
+      const int joint = robot::joint_of(robot, frame);
       if (joint >= 0) out.bare[joint] = 0;
     }
   }

@@ -28,7 +28,7 @@ void move_to_back(std::vector<T>& to, std::vector<T>&& from) {
 }
 
 /// Errors and A at q.
-void measure(const RobotTable& robot, const humanlike::FrameGoal& goal, const JointVector& q,
+void measure(const robot::Robot& robot, const humanlike::FrameGoal& goal, const JointVector& q,
              MappedPoses& mapped) {
   std::vector<Pose> frames;
   robot::forward(robot, q, frames);
@@ -47,12 +47,7 @@ void measure(const RobotTable& robot, const humanlike::FrameGoal& goal, const Jo
   }
   mapped.position_m.push_back(positions == 0 ? kNotSeen : position / positions);
   mapped.orientation_rad.push_back(orientations == 0 ? kNotSeen : orientation / orientations);
-  std::vector<Vec3> inner;
-  for (const auto& centre : robot.centres) {
-    if (centre.chain == "arm") {
-      inner.push_back(frames[static_cast<std::size_t>(centre.frame)].translation());
-    }
-  }
+  const std::vector<Vec3> inner = robot::arm_centre_positions(robot, frames);
   mapped.humanlike_m2.push_back(inner.empty() || !seen(goal.elbow)
                                     ? kNotSeen
                                     : humanlike::joint_distance_sum(goal.elbow, inner) /
@@ -71,7 +66,7 @@ void MappedPoses::append(MappedPoses&& other) {
   solves += other.solves;
 }
 
-std::vector<humanlike::FrameGoal> goals_of(const RobotTable& robot, const HumanPoses& poses,
+std::vector<humanlike::FrameGoal> goals_of(const robot::Robot& robot, const HumanPoses& poses,
                                            const Pose& base_from_shoulder) {
   std::vector<humanlike::FrameGoal> goals;
   const Quat turn(base_from_shoulder.linear());
@@ -96,7 +91,7 @@ std::vector<humanlike::FrameGoal> goals_of(const RobotTable& robot, const HumanP
   return goals;
 }
 
-MappedPoses map_poses(const RobotTable& robot, const std::vector<humanlike::FrameGoal>& goals,
+MappedPoses map_poses(const robot::Robot& robot, const std::vector<humanlike::FrameGoal>& goals,
                       const StudyWeights& weights, const solve::MinimiseOptions& options,
                       int starts, std::uint64_t seed) {
   constexpr int kKeys = 3, kKept = 4;
@@ -143,7 +138,7 @@ MappedPoses map_poses(const RobotTable& robot, const std::vector<humanlike::Fram
   return best;
 }
 
-MappedPoses measure_poses(const RobotTable& robot, const std::vector<humanlike::FrameGoal>& goals,
+MappedPoses measure_poses(const robot::Robot& robot, const std::vector<humanlike::FrameGoal>& goals,
                           const std::vector<JointVector>& q) {
   MappedPoses mapped;
   mapped.q = q;

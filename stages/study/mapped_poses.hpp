@@ -19,7 +19,7 @@ struct StudyWeights {
 /// `base_from_shoulder` carries human poses there; elbows are shifted on, so that the human's
 /// shoulder is the robot's (the common base frame). Robots with a wrist as end-effector get its
 /// pose, those with fingers the fingertips' positions (by the rule for m fingers).
-std::vector<humanlike::FrameGoal> goals_of(const RobotTable& robot, const HumanPoses& poses,
+std::vector<humanlike::FrameGoal> goals_of(const robot::Robot& robot, const HumanPoses& poses,
                                            const Pose& base_from_shoulder);
 
 /// Frames solved one by one. [F] each; errors are means over the frame's tips.
@@ -35,12 +35,12 @@ struct MappedPoses {
 
 /// The least of F in every frame over minima found from `starts` random positions in each of three
 /// key frames and followed through the series both ways.
-MappedPoses map_poses(const RobotTable& robot, const std::vector<humanlike::FrameGoal>& goals,
+MappedPoses map_poses(const robot::Robot& robot, const std::vector<humanlike::FrameGoal>& goals,
                       const StudyWeights& weights, const solve::MinimiseOptions& options,
                       int starts, std::uint64_t seed);
 
 /// Errors and A of postures that were found otherwise.
-MappedPoses measure_poses(const RobotTable& robot, const std::vector<humanlike::FrameGoal>& goals,
+MappedPoses measure_poses(const robot::Robot& robot, const std::vector<humanlike::FrameGoal>& goals,
                           const std::vector<JointVector>& q);
 
 }  // namespace morphe::study

@@ -50,8 +50,7 @@ Variant plan_all(const MappingSet& set, const StudyVariant& variant,
                  const std::vector<Demonstration>& recordings, const StudyRun& run) {
   const planning::LoadedConfig config =
       planning::load_config(run.config.parent_path() / set.pipeline, variant.set);
-  const planning::Planner planner{config.options, config.robot,
-                                  collision::capsule_reach(config.robot)};
+  const planning::Planner planner{config.options, config.robot};
   Variant result;
   result.name = variant.name;
   result.tip_position = config.options.map.objective.get<humanlike::TipPosition>().weight;

@@ -7,6 +7,7 @@
 
 #include "pipeline/collision/world.hpp"
 #include "pipeline/robot/forward.hpp"
+#include "pipeline/robot/tree.hpp"
 
 namespace morphe::study {
 namespace {
@@ -15,7 +16,7 @@ constexpr int kDraws = 40;
 
 /// What an obstacle is placed by, in the world (z up).
 struct Way {
-  const RobotTable& robot;
+  const robot::Robot& robot;
   const Plan& plan;
   const Pose& world_from_base;
   std::mt19937_64 random;
@@ -103,10 +104,7 @@ scene::ConfiguredObject shelf(Way& way, const SceneObject& target) {
   const std::vector<Pose> frames = way.frames_at(std::min(way.grasp(), 1.0));
   double top = -std::numeric_limits<double>::infinity();
   for (const RobotTable::Capsule& capsule : way.robot.capsules) {
-    int frame = capsule.frame;
-    while (frame >= 0 && frame != way.robot.palm_frame)
-      frame = way.robot.frames[static_cast<std::size_t>(frame)].parent;
-    if (frame < 0) continue;
+    if (!robot::hangs_on(way.robot, capsule.frame, way.robot.palm_frame)) continue;
     const Pose& pose = frames[static_cast<std::size_t>(capsule.frame)];
     for (const Vec3& end : {capsule.from, capsule.to})
       top = std::max(top, (pose * end).z() + capsule.radius);
@@ -155,7 +153,7 @@ bool in_the_way(Way& way, const scene::ConfiguredObject& obstacle) {
 
 }  // namespace
 
-std::optional<scene::ConfiguredObject> obstacle_in_the_way(const RobotTable& robot,
+std::optional<scene::ConfiguredObject> obstacle_in_the_way(const robot::Robot& robot,
                                                            const Plan& plan,
                                                            const Pose& world_from_base,
                                                            const std::string& kind,

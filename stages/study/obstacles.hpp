@@ -5,7 +5,7 @@
 #include <string>
 
 #include "pipeline/motion/plan.hpp"
-#include "pipeline/motion/robot_table.hpp"
+#include "pipeline/robot/robot.hpp"
 #include "stages/scene/build_scene.hpp"
 
 namespace morphe::study {
@@ -21,7 +21,7 @@ inline constexpr const char* kObstacleKinds[] = {"elbow", "reach", "object", "sh
 
 /// An obstacle that the path of a free plan runs into, away from its first sample. None if no draw
 /// of many does. `world_from_base` is the placement of that plan.
-std::optional<scene::ConfiguredObject> obstacle_in_the_way(const RobotTable& robot,
+std::optional<scene::ConfiguredObject> obstacle_in_the_way(const robot::Robot& robot,
                                                            const Plan& plan,
                                                            const Pose& world_from_base,
                                                            const std::string& kind,

@@ -12,7 +12,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 
 struct Mapping {
-  RobotTable robot;
+  robot::Robot robot;
   MappedPoses ours;
   std::vector<char> met;
 };
@@ -21,7 +21,7 @@ Mapping map_and_judge(const PaperContext& context, RobotTable robot,
                       const std::vector<HumanPoses>& series) {
   StudyWeights plain = context.weights;
   plain.humanlike = 0;
-  Mapping result{std::move(robot), {}, {}};
+  Mapping result{robot::Robot(std::move(robot)), {}, {}};
   result.met = reachable(map_all(context, result.robot, series, plain));
   result.ours = map_all(context, result.robot, series, context.weights);
   return result;
@@ -120,7 +120,7 @@ void terms(const PaperContext& context, StudyResult& result) {
     const char* name;
     double position, orientation, humanlike;
   };
-  const RobotTable robot = robot::generate_arm({.joints = 21, .length = context.arm_length()});
+  const robot::Robot robot(robot::generate_arm({.joints = 21, .length = context.arm_length()}));
   std::vector<std::pair<std::string, std::vector<Vec3>>> chains;
   for (const Entry& entry :
        {Entry{"all terms", 1, 1, 1}, Entry{"position and orientation", 1, 1, 0},

@@ -9,7 +9,7 @@
 
 namespace morphe::study {
 
-MappedPoses map_all(const PaperContext& context, const RobotTable& robot,
+MappedPoses map_all(const PaperContext& context, const robot::Robot& robot,
                     const std::vector<HumanPoses>& series, const StudyWeights& weights,
                     const Pose& base_from_shoulder) {
   MappedPoses all;
@@ -44,7 +44,7 @@ double share_of(const std::vector<char>& which) {
   return which.empty() ? kNotSeen : static_cast<double>(met) / static_cast<double>(which.size());
 }
 
-std::vector<Vec3> arm_chain_of(const RobotTable& robot, const JointVector& q) {
+std::vector<Vec3> arm_chain_of(const robot::Robot& robot, const JointVector& q) {
   std::vector<Pose> frames;
   robot::forward(robot, q, frames);
   return humanlike::arm_chain(robot, frames).joints;

@@ -22,7 +22,7 @@ struct PaperContext {
 };
 
 /// All series mapped, one after the other.
-MappedPoses map_all(const PaperContext& context, const RobotTable& robot,
+MappedPoses map_all(const PaperContext& context, const robot::Robot& robot,
                     const std::vector<HumanPoses>& series, const StudyWeights& weights,
                     const Pose& base_from_shoulder = Pose::Identity());
 
@@ -37,7 +37,7 @@ double share_of(const std::vector<char>& which);
 Plot pose_plot(const std::string& title, const HumanPose& human,
                const std::vector<std::pair<std::string, std::vector<Vec3>>>& robots);
 /// Joint centres of the arm from the shoulder to the wrist, in the base frame.
-std::vector<Vec3> arm_chain_of(const RobotTable& robot, const JointVector& q);
+std::vector<Vec3> arm_chain_of(const robot::Robot& robot, const JointVector& q);
 
 /// Table 1: end-effector errors of arms of 6 to 27 joints, 0.9 to 1.3 times the human's length.
 void table_1(const PaperContext& context, StudyResult& result);

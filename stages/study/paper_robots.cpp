@@ -15,7 +15,7 @@ constexpr double kDegree = std::numbers::pi / 180;
 /// The base's axis to the human's right and 15 degrees down: an arm whose second joint stops short
 /// of straight down can hang as a human's does. The robot's shoulder stands `offset` from the
 /// human's [m].
-Pose base_from_shoulder(const RobotTable& robot, const Vec3& offset) {
+Pose base_from_shoulder(const robot::Robot& robot, const Vec3& offset) {
   Pose shoulder_from_base = Pose::Identity();
   shoulder_from_base.rotate(Eigen::AngleAxisd(105 * kDegree, Vec3::UnitY()));
   shoulder_from_base.rotate(Eigen::AngleAxisd(90 * kDegree, Vec3::UnitZ()));
@@ -27,7 +27,8 @@ Pose base_from_shoulder(const RobotTable& robot, const Vec3& offset) {
 
 /// Joint-to-joint: upper arm, forearm and hand point as the human's do. The same goals for an arm
 /// of the robot's lengths, which it can meet.
-std::vector<HumanPoses> as_long_as(const RobotTable& robot, const std::vector<HumanPoses>& series) {
+std::vector<HumanPoses> as_long_as(const robot::Robot& robot,
+                                   const std::vector<HumanPoses>& series) {
   const JointVector zero = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
   const std::vector<Vec3> chain = arm_chain_of(robot, zero);
   std::vector<HumanPoses> result = series;
@@ -46,7 +47,7 @@ struct Metrics {
   std::vector<double> b, c;
 };
 
-Metrics metrics_of(const RobotTable& robot, const std::vector<HumanPoses>& series,
+Metrics metrics_of(const robot::Robot& robot, const std::vector<HumanPoses>& series,
                    const Pose& base_from_shoulder, const std::vector<JointVector>& q) {
   Metrics metrics;
   std::size_t f = 0;
@@ -63,7 +64,7 @@ Metrics metrics_of(const RobotTable& robot, const std::vector<HumanPoses>& serie
   return metrics;
 }
 
-std::vector<humanlike::FrameGoal> all_goals(const RobotTable& robot,
+std::vector<humanlike::FrameGoal> all_goals(const robot::Robot& robot,
                                             const std::vector<HumanPoses>& series,
                                             const Pose& base_from_shoulder) {
   std::vector<humanlike::FrameGoal> goals;
@@ -86,7 +87,7 @@ std::vector<double> kept(const std::vector<double>& values, const std::vector<ch
 }  // namespace
 
 void mappings(const PaperContext& context, StudyResult& result) {
-  const RobotTable robot = robot::load_robot(context.robots / "wam.yaml").table;
+  const robot::Robot robot(robot::load_robot(context.robots / "wam.yaml").table);
   const Pose base = base_from_shoulder(robot, Vec3::Zero());
   const std::vector<humanlike::FrameGoal> goals = all_goals(robot, context.arms, base);
   StudyWeights plain = context.weights, joints = context.weights;
@@ -140,7 +141,7 @@ void reference(const PaperContext& context, StudyResult& result) {
   for (const Entry& entry :
        {Entry{"PA10", "pa10.yaml", 0.05e-3, 1e-3, 1, 0.05 * kDegree, 1 * kDegree},
         Entry{"PA10 + DLR/HIT II", "pa10_dlr_hit2.yaml", 0.2e-3, 1e-3, 0.99, kNotSeen, kNotSeen}}) {
-    const RobotTable robot = robot::load_robot(context.robots / entry.file).table;
+    const robot::Robot robot(robot::load_robot(context.robots / entry.file).table);
     const Pose base = base_from_shoulder(robot, Vec3(0.10, -0.30, 0.30));
     StudyWeights plain = context.weights;
     plain.humanlike = 0;

@@ -35,7 +35,7 @@ struct Pair {
 
 /// Mean errors of solves without humanlikeness, from nearly all weight on the position to nearly
 /// all on the orientation.
-std::vector<Pair> front(const PaperContext& context, const RobotTable& robot) {
+std::vector<Pair> front(const PaperContext& context, const robot::Robot& robot) {
   std::vector<Pair> pairs;
   for (double orientation = 1e-2; orientation < 2e3; orientation *= 10) {
     const MappedPoses plain =
@@ -60,8 +60,8 @@ double nearest(const std::vector<Pair>& front, const Pair& wanted) {
 
 void table_1(const PaperContext& context, StudyResult& result) {
   for (const Published& cell : kPublished) {
-    const RobotTable robot =
-        robot::generate_arm({.joints = cell.joints, .length = cell.scale * context.arm_length()});
+    const robot::Robot robot(
+        robot::generate_arm({.joints = cell.joints, .length = cell.scale * context.arm_length()}));
     const MappedPoses ours = map_all(context, robot, context.arms, context.weights);
     StudyWeights plain = context.weights, exact = context.weights;
     plain.humanlike = 0;

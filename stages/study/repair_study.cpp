@@ -67,26 +67,25 @@ Plan plan_with(const planning::LoadedConfig& loaded,
                const std::optional<scene::ConfiguredObject>& obstacle, const Recorded& recorded) {
   planning::PipelineConfig config = loaded.options;
   if (obstacle) config.scene.objects.push_back(*obstacle);
-  const planning::Planner planner{config, loaded.robot, collision::capsule_reach(loaded.robot)};
+  const planning::Planner planner{config, loaded.robot};
   planning::StageSeconds seconds;
   return planning::plan_movement(planner, recorded.demonstration, recorded.motion,
                                  recorded.movement, seconds);
 }
 
 /// FCL alone, no margin, at states between which no body moves farther than `step_m`.
-void look_for_collisions(const RobotTable& robot, const Plan& plan, const Trajectory& trajectory,
+void look_for_collisions(const robot::Robot& robot, const Plan& plan, const Trajectory& trajectory,
                          double step_m, Repaired& repaired) {
   Tolerances touching = plan.tolerances;
   touching.margin = 0;
   const collision::CollisionWorld world =
       collision::make_world(robot, plan.scene, plan.movement, touching);
-  const JointRows reach = collision::capsule_reach(robot);
   collision::FclEngine engine(world);
   collision::CollisionScratch scratch;
   for (std::size_t i = 1; i < trajectory.samples(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     const JointVector from = trajectory.position.row(row - 1), to = trajectory.position.row(row);
-    const double travel_m = (reach * (to - from).cwiseAbs()).maxCoeff();
+    const double travel_m = (robot.capsule_reach * (to - from).cwiseAbs()).maxCoeff();
     const int steps = std::max(1, static_cast<int>(std::ceil(travel_m / step_m)));
     for (int k = 0; k < steps; ++k) {
       const double share = static_cast<double>(k) / steps;
@@ -98,7 +97,7 @@ void look_for_collisions(const RobotTable& robot, const Plan& plan, const Trajec
   }
 }
 
-Repaired judge(const Study& study, const RobotTable& robot, const Plan& plan) {
+Repaired judge(const Study& study, const robot::Robot& robot, const Plan& plan) {
   Repaired repaired;
   repaired.executable = plan.executable();
   repaired.failure =
@@ -129,11 +128,10 @@ Plan repair_plainly(const planning::LoadedConfig& loaded, const Plan& undisturbe
   plan.trajectory = {};
   const collision::CollisionWorld world =
       collision::make_world(loaded.robot, plan.scene, plan.movement, plan.tolerances);
-  const JointRows reach = collision::capsule_reach(loaded.robot);
   const repair::Judge judge = [&](const JointPath& path) {
     return check::check_path(world, plan.goals, plan.movement, path, loaded.options.check);
   };
-  const repair::Surroundings around{world, reach, loaded.options.repair, seed, judge, {}};
+  const repair::Surroundings around{world, loaded.options.repair, seed, judge, {}};
   const repair::Judged start{plan.path, judge(plan.path)};
   const repair::Rung a_detour = [&](const repair::Judged& best) {
     return repair::detour(around, best);

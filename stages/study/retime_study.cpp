@@ -143,9 +143,8 @@ void optimum(const RetimeStudyOptions& options, const StudyRun& study, StudyResu
 void trials(const RetimeStudyOptions& options, const StudyRun& study, StudyResult& result) {
   const std::filesystem::path folder = study.config.parent_path();
   const planning::LoadedConfig config = planning::load_config(folder / options.pipeline);
-  const planning::Planner planner{config.options, config.robot,
-                                  collision::capsule_reach(config.robot)};
-  RobotTable stronger = config.robot;
+  const planning::Planner planner{config.options, config.robot};
+  robot::Robot stronger = config.robot;
   stronger.velocity *= options.stronger;
   stronger.acceleration *= options.stronger;
   stronger.jerk *= options.stronger;

@@ -52,12 +52,11 @@ Scene table_and_five() {
 }
 
 struct Bench {
-  RobotTable robot = robot::load_robot(std::filesystem::path(MORPHE_SOURCE_DIR) /
+  robot::Robot robot{robot::load_robot(std::filesystem::path(MORPHE_SOURCE_DIR) /
                                        "configs/robots/pa10_dlr_hit2.yaml")
-                         .table;
+                         .table};
   Scene scene = table_and_five();
   collision::CollisionWorld world = collision::make_world(robot, scene, {}, {});
-  JointRows reach = collision::capsule_reach(robot);
   collision::CollisionScratch scratch;
 };
 
@@ -184,14 +183,12 @@ int run(bool quick, const std::string& file) {
   std::vector<double> checks;
   int free_edges = 0;
   Times certified = timed(edges, [&](const Edge& edge) {
-    return collision::check_motion(bench.world, bench.reach,
-                                   collision::straight_motion(edge.from, edge.to, 0, 0.01),
-                                   bench.scratch);
+    return collision::check_motion(
+        bench.world, collision::straight_motion(edge.from, edge.to, 0, 0.01), bench.scratch);
   });
   for (const Edge& edge : edges) {
     const collision::MotionCheck check = collision::check_motion(
-        bench.world, bench.reach, collision::straight_motion(edge.from, edge.to, 0, 0.01),
-        bench.scratch);
+        bench.world, collision::straight_motion(edge.from, edge.to, 0, 0.01), bench.scratch);
     free_edges += check.verdict == collision::MotionVerdict::free;
   }
   const auto sampled = [&](int steps) {

@@ -243,16 +243,16 @@ void run(const BenchProblem& bench) {
 int main(int argc, char** argv) {
   using namespace morphe;
   const std::string robots = MORPHE_SOURCE_DIR "/configs/robots/";
-  const RobotTable arm = robot::load_robot(robots + "pa10.yaml").table;
-  const RobotTable arm_hand = robot::load_robot(robots + "pa10_dlr_hit2.yaml").table;
-  std::vector<std::pair<std::string, const RobotTable*>> cases = {
+  const robot::Robot arm(robot::load_robot(robots + "pa10.yaml").table);
+  const robot::Robot arm_hand(robot::load_robot(robots + "pa10_dlr_hit2.yaml").table);
+  std::vector<std::pair<std::string, const robot::Robot*>> cases = {
       {"arm 7, wrist pose", &arm},
       {"arm-hand 22, fingertip positions", &arm_hand},
       {"arm-hand 22, fingertip positions and orientations", &arm_hand}};
-  std::vector<RobotTable> hyper;
+  std::vector<robot::Robot> hyper;
   for (const int n : {9, 21, 27, 44})
-    hyper.push_back(robot::generate_arm({n, 0.5775, std::numbers::pi / 2}));
-  for (const RobotTable& robot : hyper) {
+    hyper.emplace_back(robot::generate_arm({n, 0.5775, std::numbers::pi / 2}));
+  for (const robot::Robot& robot : hyper) {
     cases.emplace_back(fmt::format("arm {}, wrist pose", robot.joints()), &robot);
   }
   for (const auto& [name, robot] : cases) {

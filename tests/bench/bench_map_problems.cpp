@@ -73,7 +73,7 @@ humanlike::FrameGoal goal_at(const RobotTable& robot, JointVector q, bool orient
 
 }  // namespace
 
-BenchProblem make_bench_problem(const std::string& name, const RobotTable& robot,
+BenchProblem make_bench_problem(const std::string& name, const robot::Robot& robot,
                                 const BenchGoals& goals) {
   BenchProblem problem;
   problem.name = name;

@@ -10,7 +10,7 @@ namespace morphe {
 /// What bench_map solves: 90 Hz goals of reach-to-grasps, one movement after the other.
 struct BenchProblem {
   std::string name;
-  RobotTable robot;
+  robot::Robot robot;
   humanlike::FrameObjective objective;
   std::vector<std::vector<humanlike::FrameGoal>> movements;
   std::vector<JointVector> begin;  ///< the position that made each movement's first goals
@@ -26,7 +26,7 @@ struct BenchGoals {
 /// The goals are what the robot's own tips do when its joints move by minimum jerk for one second
 /// between two random positions, so that without noise each can be met. The human's elbow lies in
 /// the direction of the robot's first centre, 0.323 m off the shoulder.
-BenchProblem make_bench_problem(const std::string& name, const RobotTable& robot,
+BenchProblem make_bench_problem(const std::string& name, const robot::Robot& robot,
                                 const BenchGoals& goals);
 
 }  // namespace morphe

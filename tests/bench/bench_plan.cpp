@@ -80,13 +80,11 @@ Answer solve(const Problem& problem, const robot::RobotDescription& robot, const
       moveit::read_moveit_problem(problem.scene, problem.request, robot);
   Tolerances tolerances;
   tolerances.margin = options.margin_m;
-  const collision::CollisionWorld world =
-      collision::make_world(asked.robot, asked.scene, {}, tolerances);
-  const JointRows reach = collision::capsule_reach(asked.robot);
+  const robot::Robot of(asked.robot);
+  const collision::CollisionWorld world = collision::make_world(of, asked.scene, {}, tolerances);
   const repair::IntervalWorld interval =
       repair::interval_world(world, 0, 0, 0, repair::TouchRule::strict);
-  const repair::ConnectSpace space{repair::arm_joints(asked.robot), asked.robot.lower,
-                                   asked.robot.upper};
+  const repair::ConnectSpace space{of.arm_joints, of.lower, of.upper};
   Answer answer;
   collision::CollisionScratch scratch;
   if (!collision::is_free(world, asked.start, 0, scratch)) answer.why = "start in collision";
@@ -102,8 +100,8 @@ Answer solve(const Problem& problem, const robot::RobotDescription& robot, const
     return answer;
   }
   double begin = processor_ms();
-  answer.path = repair::connect(interval, reach, space, asked.start, goal, options.iterations,
-                                options.range, 1);
+  answer.path =
+      repair::connect(interval, space, asked.start, goal, options.iterations, options.range, 1);
   answer.plan_ms = processor_ms() - begin;
   answer.solved = !answer.path.empty();
   if (!answer.solved) {
@@ -113,16 +111,15 @@ Answer solve(const Problem& problem, const robot::RobotDescription& robot, const
   answer.length = length_of(answer.path);
   begin = processor_ms();
   std::mt19937_64 random(1);
-  answer.path =
-      repair::shortcut(interval, reach, std::move(answer.path), options.shortcuts, random);
+  answer.path = repair::shortcut(interval, std::move(answer.path), options.shortcuts, random);
   answer.shorten_ms = processor_ms() - begin;
   answer.shortened = length_of(answer.path);
   answer.certified = true;
   for (std::size_t i = 1; i < answer.path.size(); ++i) {
     const collision::JointMotion edge =
         collision::straight_motion(answer.path[i - 1], answer.path[i], 0, 0);
-    answer.certified &= collision::check_motion(world, reach, edge, scratch).verdict ==
-                        collision::MotionVerdict::free;
+    answer.certified &=
+        collision::check_motion(world, edge, scratch).verdict == collision::MotionVerdict::free;
   }
   return answer;
 }

@@ -16,10 +16,9 @@ TEST(CapsuleReach, IsNeverExceeded) {
   RandomBodies random(41);
   double tightest = 0;
   for (int k = 0; k < 200; ++k) {
-    const RobotTable robot = random_robot(random);
+    const robot::Robot robot(random_robot(random));
     const Scene empty;
     const CollisionWorld world = make_world(robot, empty, {}, {});
-    const JointRows reach = capsule_reach(robot);
     CollisionScratch here, there;
     for (int motion = 0; motion < 20; ++motion) {
       const JointVector q = random_position(random, 8, 3);
@@ -28,7 +27,8 @@ TEST(CapsuleReach, IsNeverExceeded) {
       place_bodies(world, q, 0, here);
       place_bodies(world, q + step, 0, there);
       for (std::size_t c = 0; c < robot.capsules.size(); ++c) {
-        const double bound = reach.row(static_cast<Eigen::Index>(c)).dot(step.cwiseAbs());
+        const double bound =
+            robot.capsule_reach.row(static_cast<Eigen::Index>(c)).dot(step.cwiseAbs());
         const double from = (there.bodies[c].from - here.bodies[c].from).norm();
         const double to = (there.bodies[c].to - here.bodies[c].to).norm();
         EXPECT_LE(std::max(from, to), bound * (1 + 1e-9) + 1e-12);
@@ -41,13 +41,13 @@ TEST(CapsuleReach, IsNeverExceeded) {
 
 /// Two links of 0.5 m that turn about z, a capsule along the second one.
 RobotTable two_links() {
-  RobotTable robot = two_link_arm();
+  robot::Robot robot{two_link_arm()};
   robot.capsules.push_back({"forearm", 1, Vec3::Zero(), Vec3(0.5, 0, 0), 0.01, true});
   return robot;
 }
 
 TEST(CapsuleReach, OfTwoLinksByHand) {
-  const JointRows reach = capsule_reach(two_links());
+  const JointRows reach = robot::Robot(two_links()).capsule_reach;
   EXPECT_DOUBLE_EQ(reach(0, 0), 1.01);
   EXPECT_DOUBLE_EQ(reach(0, 1), 0.51);
 }
@@ -64,8 +64,7 @@ SceneObject thin_post(double x, double y) {
 }
 
 TEST(CheckMotion, FindsAThinPostBetweenTwoFreeSamples) {
-  const RobotTable robot = two_links();
-  const JointRows reach = capsule_reach(robot);
+  const robot::Robot robot(two_links());
   Scene scene;
   scene.objects = {thin_post(0.8, 0)};
   const CollisionWorld world = make_world(robot, scene, {}, {});
@@ -73,35 +72,35 @@ TEST(CheckMotion, FindsAThinPostBetweenTwoFreeSamples) {
   const JointVector from = Eigen::Vector2d(-0.1, 0), to = Eigen::Vector2d(0.08, 0);
   EXPECT_GT(least_slack(world, from, 0, scratch).slack(), 0.03);
   EXPECT_GT(least_slack(world, to, 0, scratch).slack(), 0.03);
-  const MotionCheck check = check_motion(world, reach, straight_motion(from, to, 0, 0), scratch);
+  const MotionCheck check = check_motion(world, straight_motion(from, to, 0, 0), scratch);
   EXPECT_EQ(check.verdict, MotionVerdict::colliding);
   EXPECT_NEAR(check.at, 0.1 / 0.18, 0.0125 / 0.18 / 0.8);
   EXPECT_LT(check.pair.slack(), 0);
   EXPECT_EQ(second_name(world, check.pair), "post");
   // Past its far end there is room.
   scene.objects = {thin_post(1.02, 0)};
-  const MotionCheck past = check_motion(world, reach, straight_motion(from, to, 0, 0), scratch);
+  const MotionCheck past = check_motion(world, straight_motion(from, to, 0, 0), scratch);
   EXPECT_EQ(past.verdict, MotionVerdict::free);
   EXPECT_NEAR(past.pair.slack(), 1.02 - 1.01 - 0.0005 - 0.001, 2e-4);
   // Room for the margin but for half the band: cannot be told.
   scene.objects = {thin_post(1.01 + 0.0005 + 0.001 + 1e-9, 0)};
-  EXPECT_EQ(check_motion(world, reach, straight_motion(from, to, 0, 0), scratch).verdict,
+  EXPECT_EQ(check_motion(world, straight_motion(from, to, 0, 0), scratch).verdict,
             MotionVerdict::undecided);
 }
 
 TEST(CheckMotion, StandingStillIsJudgedByTheSlackAlone) {
-  const RobotTable robot = two_links();
+  const robot::Robot robot(two_links());
   Scene scene;
   scene.objects = {thin_post(0.8, 0.01 + 0.0005 + 0.001 + 1e-9)};
   const CollisionWorld world = make_world(robot, scene, {}, {});
   CollisionScratch scratch;
   const JointVector q = Eigen::Vector2d::Zero();
   const JointMotion still = straight_motion(q, q, 0, 1);
-  EXPECT_EQ(check_motion(world, capsule_reach(robot), still, scratch).verdict, MotionVerdict::free);
+  EXPECT_EQ(check_motion(world, still, scratch).verdict, MotionVerdict::free);
 }
 
 TEST(CheckMotion, ContactIsAllowedUntilReleaseOnly) {
-  const RobotTable robot = two_links();
+  const robot::Robot robot(two_links());
   Scene scene;
   scene.objects = {thin_post(0.8, 0.009)};
   scene.objects[0].name = "cup";
@@ -111,9 +110,8 @@ TEST(CheckMotion, ContactIsAllowedUntilReleaseOnly) {
   const CollisionWorld world = make_world(robot, scene, movement, {});
   CollisionScratch scratch;
   const JointVector q = Eigen::Vector2d::Zero(), nudged = Eigen::Vector2d(1e-4, 0);
-  const JointRows reach = capsule_reach(robot);
   const auto verdict = [&](double from_s, double to_s) {
-    return check_motion(world, reach, straight_motion(q, nudged, from_s, to_s), scratch).verdict;
+    return check_motion(world, straight_motion(q, nudged, from_s, to_s), scratch).verdict;
   };
   EXPECT_EQ(verdict(1, 2), MotionVerdict::free);
   EXPECT_EQ(verdict(1.5, 1.5), MotionVerdict::free);
@@ -132,10 +130,9 @@ TEST(CheckMotion, VerdictsHoldUnderDenseSampling) {
   movement.phases = {{PhaseKind::grasp, 0.3, 0.6, 1}};
   int free = 0, colliding = 0, undecided = 0;
   for (int k = 0; k < 300; ++k) {
-    const RobotTable robot = random_robot(random);
+    const robot::Robot robot(random_robot(random));
     const Scene scene = random_scene(random);
     const CollisionWorld world = make_world(robot, scene, movement, {});
-    const JointRows reach = capsule_reach(robot);
     JointVector from = random_position(random, 8, 2);
     for (int again = 0; again < 20 && least_slack(world, from, 0, scratch).slack() < 0; ++again) {
       from = random_position(random, 8, 2);
@@ -143,8 +140,8 @@ TEST(CheckMotion, VerdictsHoldUnderDenseSampling) {
     const JointVector to = from + random_position(random, 8, random.between(0.01, 0.3));
     const JointMotion motion =
         straight_motion(from, to, random.between(0, 0.5), random.between(0.5, 1));
-    const MotionCheck check = check_motion(world, reach, motion, scratch);
-    failing_pairs(world, reach, motion, scratch, failing);
+    const MotionCheck check = check_motion(world, motion, scratch);
+    failing_pairs(world, motion, scratch, failing);
     EXPECT_EQ(check.verdict == MotionVerdict::free, failing.empty());
     std::set<std::tuple<bool, int, int>> failed;
     for (const MotionCheck& one : failing) {
@@ -153,7 +150,7 @@ TEST(CheckMotion, VerdictsHoldUnderDenseSampling) {
       EXPECT_GE(one.at, one.begin);
       EXPECT_LE(one.at, one.end);
     }
-    const MotionClearance clear = motion_clearance(world, reach, motion, scratch);
+    const MotionClearance clear = motion_clearance(world, motion, scratch);
     EXPECT_LE(clear.at_least, clear.distance);
     EXPECT_GE(clear.at_least, clear.distance - 1e-4 - 1e-12);
     free += check.verdict == MotionVerdict::free;
@@ -186,7 +183,7 @@ TEST(CheckMotion, VerdictsHoldUnderDenseSampling) {
 
 TEST(FailingPairs, EveryIntervalIsTold) {
   // The forearm sweeps past two posts; both stand between free ends.
-  const RobotTable robot = two_links();
+  const robot::Robot robot(two_links());
   Scene scene;
   scene.objects = {thin_post(0.8, 0), thin_post(0.8 * std::cos(0.3), 0.8 * std::sin(0.3))};
   scene.objects[1].name = "second";
@@ -194,7 +191,7 @@ TEST(FailingPairs, EveryIntervalIsTold) {
   CollisionScratch scratch;
   const JointVector from = Eigen::Vector2d(-0.1, 0), to = Eigen::Vector2d(0.5, 0);
   std::vector<MotionCheck> failing;
-  failing_pairs(world, capsule_reach(robot), straight_motion(from, to, 0, 0), scratch, failing);
+  failing_pairs(world, straight_motion(from, to, 0, 0), scratch, failing);
   ASSERT_EQ(failing.size(), 2u);
   for (std::size_t k = 0; k < 2; ++k) {
     // The capsule's side is 10 mm from its axis, the post 0.5 mm thick, the margin 1 mm.
@@ -215,7 +212,7 @@ TEST(FailingPairs, EveryIntervalIsTold) {
   back.travel = [&](double s0, double s1, JointVector& travel) {
     travel = 0.5 * (s1 - s0) * (to - from).cwiseAbs();
   };
-  failing_pairs(world, capsule_reach(robot), back, scratch, failing);
+  failing_pairs(world, back, scratch, failing);
   ASSERT_EQ(failing.size(), 2u);
   EXPECT_EQ(failing[0].pair.other, failing[1].pair.other);
   EXPECT_LT(failing[0].end, 0.5);
@@ -223,14 +220,14 @@ TEST(FailingPairs, EveryIntervalIsTold) {
 }
 
 TEST(MotionClearance, IsThatOfTheNearestPlace) {
-  const RobotTable robot = two_links();
+  const robot::Robot robot(two_links());
   Scene scene;
   scene.objects = {thin_post(1.02, 0), thin_post(0.3, 0.4)};
   const CollisionWorld world = make_world(robot, scene, {}, {});
   CollisionScratch scratch;
   const JointVector from = Eigen::Vector2d(-0.2, 0), to = Eigen::Vector2d(0.1, 0);
   const MotionClearance clear =
-      motion_clearance(world, capsule_reach(robot), straight_motion(from, to, 0, 0), scratch, 1e-5);
+      motion_clearance(world, straight_motion(from, to, 0, 0), scratch, 1e-5);
   EXPECT_NEAR(clear.distance, 1.02 - 1.01 - 0.0005, 1e-5);
   EXPECT_GE(clear.at_least, clear.distance - 1e-5);
   EXPECT_NEAR(-0.2 + 0.3 * clear.at, 0, 0.01);
@@ -240,7 +237,7 @@ TEST(MotionClearance, IsThatOfTheNearestPlace) {
 /// A cup on the palm of an arm of two links; a part of the base hangs over its way, higher than the
 /// forearm, lower than the cup.
 struct Carrying {
-  RobotTable robot = two_links();
+  robot::Robot robot;
   Scene scene;
   Movement movement;
   std::vector<double> time;
@@ -248,9 +245,11 @@ struct Carrying {
   CollisionWorld world;
 
   Carrying() {
-    robot.frames[1].name = "palm";
-    robot.capsules[0].may_touch_target = false;
-    robot.capsules.push_back({"base", -1, Vec3(0, 0.8, 0.08), Vec3(0, 0.8, 0.2), 0.05, false});
+    RobotTable table = two_links();
+    table.frames[1].name = "palm";
+    table.capsules[0].may_touch_target = false;
+    table.capsules.push_back({"base", -1, Vec3(0, 0.8, 0.08), Vec3(0, 0.8, 0.2), 0.05, false});
+    robot = robot::Robot(table);
     SceneObject cup = thin_post(0.8, 0.1);
     cup.name = "cup";
     cup.size = {0.03, 0.1};
@@ -286,21 +285,18 @@ TEST(CarriedTarget, MovesWithTheHandFromGraspToRelease) {
     EXPECT_TRUE(cup(sample).isApprox(there, 1e-12));
   }
   // On the way nothing but the base is in danger of being hit.
-  const MotionCheck check = check_motion(c.world, capsule_reach(c.robot),
-                                         straight_motion(c.at(2), c.at(3), 1, 1.5), scratch);
+  const MotionCheck check =
+      check_motion(c.world, straight_motion(c.at(2), c.at(3), 1, 1.5), scratch);
   EXPECT_EQ(check.verdict, MotionVerdict::free);
-  const MotionCheck hit = check_motion(c.world, capsule_reach(c.robot),
-                                       straight_motion(c.at(3), c.at(4), 1.5, 2), scratch);
+  const MotionCheck hit = check_motion(c.world, straight_motion(c.at(3), c.at(4), 1.5, 2), scratch);
   EXPECT_EQ(hit.verdict, MotionVerdict::colliding);
   EXPECT_EQ(first_name(c.world, hit.pair), "base");
   EXPECT_EQ(second_name(c.world, hit.pair), "cup");
   // Without being carried it would have stayed behind.
   CollisionWorld left = c.world;
   left.carried = {};
-  EXPECT_EQ(
-      check_motion(left, capsule_reach(c.robot), straight_motion(c.at(3), c.at(4), 1.5, 2), scratch)
-          .verdict,
-      MotionVerdict::free);
+  EXPECT_EQ(check_motion(left, straight_motion(c.at(3), c.at(4), 1.5, 2), scratch).verdict,
+            MotionVerdict::free);
 }
 
 TEST(CarriedTarget, WhatEndsAtTheGraspCarriesNothing) {
@@ -322,7 +318,7 @@ TEST(CarriedTarget, VerdictsHoldUnderDenseSampling) {
   movement.phases = {{PhaseKind::grasp, 0.2, 0.4, 1}, {PhaseKind::transport, 0.4, 0.7, 1}};
   int free = 0, moved = 0;
   for (int k = 0; k < 300; ++k) {
-    RobotTable robot = random_robot(random);
+    robot::Robot robot(random_robot(random));
     for (std::size_t f = 0; f < robot.frames.size(); ++f) {
       robot.frames[f].name = "f" + std::to_string(f);
     }
@@ -344,7 +340,7 @@ TEST(CarriedTarget, VerdictsHoldUnderDenseSampling) {
     carry_target(time, position, world);
     moved += world.carried.frame == 4;
     const JointMotion motion = straight_motion(from, to, 0, 1);
-    const MotionCheck check = check_motion(world, capsule_reach(robot), motion, scratch);
+    const MotionCheck check = check_motion(world, motion, scratch);
     free += check.verdict == MotionVerdict::free;
     JointVector q;
     double least_m = 1e9;

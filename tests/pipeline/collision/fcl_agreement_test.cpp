@@ -57,12 +57,13 @@ TEST_P(FclAgreement, DistanceOfBodiesApart) {
 
 /// A capsule of the base and one object, or two capsules.
 struct Pair {
-  RobotTable robot;
+  RobotTable table;
+  robot::Robot robot;
   Scene scene;
   CollisionWorld world;
 
   void add(const CapsuleBody& body, bool may_touch_target) {
-    robot.capsules.push_back({"part", -1, body.from, body.to, body.radius, may_touch_target});
+    table.capsules.push_back({"part", -1, body.from, body.to, body.radius, may_touch_target});
   }
   CollisionWorld& make(double margin_m, double depth_m) {
     Tolerances tolerances;
@@ -71,6 +72,7 @@ struct Pair {
     Movement movement;
     movement.target = "cup";
     movement.phases = {{PhaseKind::grasp, 1, 2, 1}};
+    robot = robot::Robot(table);
     world = make_world(robot, scene, movement, tolerances);
     return world;
   }

@@ -178,8 +178,9 @@ TEST(Mesh, BrokenOnesAreNamedAndCollide) {
 }
 
 TEST(Mesh, WorldPreparesItAndCertifiesPastIt) {
-  RobotTable robot = two_link_arm();
-  robot.capsules.push_back({"forearm", 1, Vec3::Zero(), Vec3(0.5, 0, 0), 0.01, false});
+  RobotTable table = two_link_arm();
+  table.capsules.push_back({"forearm", 1, Vec3::Zero(), Vec3(0.5, 0, 0), 0.01, false});
+  const robot::Robot robot(table);
   Scene scene;
   SceneObject wall = box_mesh(Vec3(0.001, 0.001, 0.5));
   wall.solid.reset();
@@ -192,11 +193,10 @@ TEST(Mesh, WorldPreparesItAndCertifiesPastIt) {
   const JointVector from = Eigen::Vector2d(-0.1, 0), to = Eigen::Vector2d(0.08, 0);
   EXPECT_GT(least_slack(world, from, 0, scratch).slack(), 0.03);
   EXPECT_GT(least_slack(world, to, 0, scratch).slack(), 0.03);
-  const JointRows reach = capsule_reach(robot);
-  EXPECT_EQ(check_motion(world, reach, straight_motion(from, to, 0, 0), scratch).verdict,
+  EXPECT_EQ(check_motion(world, straight_motion(from, to, 0, 0), scratch).verdict,
             MotionVerdict::colliding);
   const JointVector before = Eigen::Vector2d(-0.03, 0);
-  EXPECT_EQ(check_motion(world, reach, straight_motion(from, before, 0, 0), scratch).verdict,
+  EXPECT_EQ(check_motion(world, straight_motion(from, before, 0, 0), scratch).verdict,
             MotionVerdict::free);
 }
 

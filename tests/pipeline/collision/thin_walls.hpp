@@ -6,17 +6,21 @@
 namespace morphe::collision {
 
 /// A slim random robot (links 8 mm thin, fingers 2 mm), walls 1 mm thin about it, and a straight
+inline RobotTable thin_robot(RandomBodies& random) {
+  RobotTable robot = random_robot(random);
+  for (RobotTable::Capsule& capsule : robot.capsules) capsule.radius *= 0.2;
+  return robot;
+}
+
 /// motion from a place that is free.
 struct ThinWalls {
-  RobotTable robot;
+  robot::Robot robot;
   Scene scene;
   CollisionWorld world;
-  JointRows reach;
   JointVector from, to;
 
   ThinWalls(const ThinWalls&) = delete;
-  explicit ThinWalls(RandomBodies& random) : robot(random_robot(random)) {
-    for (RobotTable::Capsule& capsule : robot.capsules) capsule.radius *= 0.2;
+  explicit ThinWalls(RandomBodies& random) : robot(thin_robot(random)) {
     for (int k = 0; k < 10; ++k) {
       SceneObject wall = random.solid(Shape::box);
       wall.name = "wall" + std::to_string(k);
@@ -26,7 +30,6 @@ struct ThinWalls {
       scene.objects.push_back(wall);
     }
     world = make_world(robot, scene, {}, {});
-    reach = capsule_reach(robot);
     CollisionScratch scratch;
     do {
       from = random_position(random, 8, 2);
@@ -57,13 +60,14 @@ inline void count_thin_walls(RandomBodies& random, ThinWallCount& count,
                              CollisionScratch& scratch) {
   const ThinWalls walls(random);
   if (!is_free(walls.world, walls.from, 0, scratch)) return;
-  const double travel_m = (walls.reach * (walls.to - walls.from).cwiseAbs()).maxCoeff();
+  const double travel_m =
+      (walls.robot.capsule_reach * (walls.to - walls.from).cwiseAbs()).maxCoeff();
   const int steps = std::max(1, static_cast<int>(std::ceil(travel_m / 1e-4)));
   const double fine = sampled_slack(walls, steps, scratch);
   const double coarse = sampled_slack(walls, 10, scratch);
   const bool free =
-      check_motion(walls.world, walls.reach, straight_motion(walls.from, walls.to, 0, 0), scratch)
-          .verdict == MotionVerdict::free;
+      check_motion(walls.world, straight_motion(walls.from, walls.to, 0, 0), scratch).verdict ==
+      MotionVerdict::free;
   ++count.motions;
   count.free += free;
   count.colliding += fine < 0;

@@ -21,23 +21,23 @@ Movement grasping() {
 
 TEST(MakeWorld, LeavesOutAllowedAndRigidPairs) {
   RandomBodies random(31);
-  const RobotTable robot = random_robot(random);
+  const robot::Robot robot(random_robot(random));
   const CollisionWorld world = make_world(robot, {}, {}, {});
   // 12 capsules: 66 pairs, 11 of neighbours allowed. The palm (5) moves with the last link (4),
   // which is one of those already.
   EXPECT_EQ(world.pairs.size(), 55u);
   RobotTable stiff = robot;
   stiff.allowed_pairs.clear();
-  EXPECT_EQ(make_world(stiff, {}, {}, {}).pairs.size(), 65u);
+  EXPECT_EQ(make_world(robot::Robot(stiff), {}, {}, {}).pairs.size(), 65u);
   stiff.allowed_pairs = {{7, 2}};
-  EXPECT_EQ(make_world(stiff, {}, {}, {}).pairs.size(), 64u);
+  EXPECT_EQ(make_world(robot::Robot(stiff), {}, {}, {}).pairs.size(), 64u);
   stiff.capsules[1].frame = -1;
-  EXPECT_EQ(make_world(stiff, {}, {}, {}).pairs.size(), 63u);
+  EXPECT_EQ(make_world(robot::Robot(stiff), {}, {}, {}).pairs.size(), 63u);
 }
 
 TEST(MakeWorld, TouchingLastsFromPreshapeToRelease) {
   RandomBodies random(32);
-  const RobotTable robot = random_robot(random);
+  const robot::Robot robot(random_robot(random));
   const Scene scene = random_scene(random);
   CollisionWorld world = make_world(robot, scene, grasping(), {});
   EXPECT_EQ(world.target, 4);
@@ -89,7 +89,7 @@ TEST(World, QueriesEqualThoseOverAllPairs) {
   CollisionScratch scratch;
   std::vector<PairSeparation> near;
   for (int k = 0; k < 300; ++k) {
-    const RobotTable robot = random_robot(random);
+    const robot::Robot robot(random_robot(random));
     const Scene scene = random_scene(random);
     const CollisionWorld world = make_world(robot, scene, grasping(), {});
     const JointVector q = random_position(random, 8, 2);
@@ -120,8 +120,9 @@ TEST(World, QueriesEqualThoseOverAllPairs) {
 }
 
 TEST(World, NothingToHitLeavesInfiniteSlack) {
-  RobotTable robot;
-  robot.capsules.push_back({"base", -1, Vec3::Zero(), Vec3::UnitZ(), 0.1, false});
+  RobotTable table;
+  table.capsules.push_back({"base", -1, Vec3::Zero(), Vec3::UnitZ(), 0.1, false});
+  const robot::Robot robot(table);
   const Scene empty;
   CollisionScratch scratch;
   const CollisionWorld world = make_world(robot, empty, {}, {});
@@ -136,7 +137,7 @@ TEST(World, FclAgreesOnWholeRobots) {
   std::vector<PairSeparation> ours, fcls;
   int free = 0;
   for (int k = 0; k < 500; ++k) {
-    const RobotTable robot = random_robot(random);
+    const robot::Robot robot(random_robot(random));
     const Scene scene = random_scene(random);
     const CollisionWorld world = make_world(robot, scene, grasping(), {});
     const JointVector q = random_position(random, 8, 2);

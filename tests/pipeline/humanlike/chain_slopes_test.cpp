@@ -141,7 +141,8 @@ TEST(FrameObjective, GradientOnRandomRobots) {
   objective.get<HullVolume>().weight = 30;
   objective.get<NaturalPosture>().joints = {{1, 0, 0.1, {}}};
   std::mt19937_64 random(9);
-  for (const RobotTable& robot : kinds) {
+  for (const RobotTable& kind : kinds) {
+    const robot::Robot robot(kind);
     for (int k = 0; k < 10; ++k) {
       FrameGoal goal;
       for (std::size_t i = 0; i < robot.tips.size(); ++i) {

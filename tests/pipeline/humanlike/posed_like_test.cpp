@@ -69,7 +69,7 @@ class JointToJointTerms : public testing::Test {
                 1e-6 * std::max(1.0, numeric.cwiseAbs().maxCoeff()));
     }
   }
-  RobotTable robot;
+  robot::Robot robot;
   FrameObjective objective;
   FrameGoal goal;
   ObjectiveScratch scratch;
@@ -126,8 +126,9 @@ TEST_F(JointToJointTerms, FingersBetweenTheHumansFollowTheCurve) {
 
 /// The finger is that of the tip which a centre moves, whatever its chain is called.
 TEST_F(JointToJointTerms, NamesOfFingersDoNotMatter) {
-  robot = robot::generate_hand({5, 0.2, 0.09});
-  for (auto& centre : robot.centres) centre.chain = "f" + centre.chain;
+  RobotTable hand = robot::generate_hand({5, 0.2, 0.09});
+  for (auto& centre : hand.centres) centre.chain = "f" + centre.chain;
+  robot = robot::Robot(hand);
   objective.get<FingerJointDistance>().weight = 1;
   goal.tip_position.assign(robot.tips.size(), unseen_point());
   goal.tip_orientation.assign(robot.tips.size(), unseen_rotation());

@@ -36,7 +36,7 @@ class SolversAgree : public testing::TestWithParam<std::string> {
 };
 
 TEST_P(SolversAgree, OnTheMinimumNextToAStart) {
-  const RobotTable robot = robot_called(GetParam());
+  const robot::Robot robot(robot_called(GetParam()));
   FrameObjective objective;
   objective.get<TipPosition>().weight = 1000;
   objective.get<JointDistance>().weight = 1;

@@ -72,7 +72,7 @@ class Terms : public testing::Test {
     }
   }
 
-  RobotTable robot;
+  robot::Robot robot;
   FrameGoal goal;
   Curvature curvature = Curvature::gauss_newton;
 };

@@ -50,7 +50,7 @@ SceneObject ball(const Vec3& at, double radius) {
 }
 
 struct Case {
-  RobotTable robot = planar_arm();
+  robot::Robot robot{planar_arm()};
   Scene scene;
   Movement movement;
   Goals goals = goals_off_by(Vec3::Zero());

@@ -15,7 +15,7 @@ constexpr double kStep_s = 0.01;
 
 /// Two links of 0.5 m that turn about z, a forearm, a post at the base, a tip at the end.
 RobotTable two_links() {
-  RobotTable robot = two_link_arm();
+  robot::Robot robot{two_link_arm()};
   RobotTable::Tip tip;
   tip.name = "tip";
   tip.frame = 1;
@@ -61,8 +61,9 @@ struct CheckPath : testing::Test {
   CheckOptions options;
 
   std::vector<Finding> findings(const JointPath& path) {
+    const robot::Robot made(robot);
     const collision::CollisionWorld world =
-        collision::make_world(robot, scene, movement, options.tolerances);
+        collision::make_world(made, scene, movement, options.tolerances);
     return check_path(world, goals, movement, path, options);
   }
   void goal(double time_s, const Vec3& position) {

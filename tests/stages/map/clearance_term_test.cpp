@@ -21,7 +21,7 @@ struct Bench {
     scene.objects.push_back(table);
     world = collision::make_world(robot, scene, Movement{}, Tolerances{});
   }
-  RobotTable robot;
+  robot::Robot robot;
   Scene scene;
   collision::CollisionWorld world;
 };

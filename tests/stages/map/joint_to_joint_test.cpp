@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "pipeline/humanlike/arm_chain.hpp"
 #include "pipeline/human/hand.hpp"
+#include "pipeline/humanlike/arm_chain.hpp"
 #include "pipeline/robot/files/description.hpp"
 #include "pipeline/robot/files/generate.hpp"
 #include "pipeline/robot/forward.hpp"
@@ -38,7 +38,7 @@ JointVector some_angles() {
 /// A generated hand of five fingers has the human's bones and joints, larger: the angles are the
 /// human's own.
 TEST(FingerAngles, OfAHandLikeTheHumansAreItsAngles) {
-  const RobotTable robot = robot::generate_hand({5, 0.25, 0.1});
+  const robot::Robot robot(robot::generate_hand({5, 0.25, 0.1}));
   FingerAngles fit(robot);
   const JointVector human = some_angles();
   const JointVector q = fit(human);
@@ -50,7 +50,7 @@ TEST(FingerAngles, OfAHandLikeTheHumansAreItsAngles) {
 }
 
 TEST(FingerAngles, AreThoseOfTheRobotsJointsOnAnArmToo) {
-  const RobotTable robot = robot::generate_arm_hand({9, 0.6}, {5, 0.25, 0.1});
+  const robot::Robot robot(robot::generate_arm_hand({9, 0.6}, {5, 0.25, 0.1}));
   FingerAngles fit(robot);
   const JointVector human = some_angles(), q = fit(human);
   ASSERT_EQ(q.size(), 29);
@@ -61,7 +61,7 @@ TEST(FingerAngles, AreThoseOfTheRobotsJointsOnAnArmToo) {
 /// The DLR/HIT II's middle finger stands as the human's does, but for 3 degrees of splay: without
 /// abduction its flexions are the human's, the coupled last joint following the middle one.
 TEST(FingerAngles, OfAnotherHandFlexAsTheHumans) {
-  const RobotTable robot = shipped("dlr_hit2.yaml");
+  const robot::Robot robot(shipped("dlr_hit2.yaml"));
   FingerAngles fit(robot);
   JointVector human = JointVector::Zero(static_cast<Index>(kHandAngles));
   human[8] = 3 * kDegree;  // middle_abduction
@@ -77,7 +77,7 @@ TEST(FingerAngles, OfAnotherHandFlexAsTheHumans) {
 /// Of four fingers the outer ones are index and little; fingers bent alike leave the one between
 /// them bent like that too.
 TEST(FingerAngles, BetweenTheHumansFingers) {
-  const RobotTable robot = robot::generate_hand({4, 0.2, 0.09});
+  const robot::Robot robot(robot::generate_hand({4, 0.2, 0.09}));
   FingerAngles fit(robot);
   JointVector human = JointVector::Zero(static_cast<Index>(kHandAngles));
   for (Index finger = 1; finger < 5; ++finger) {
@@ -134,7 +134,7 @@ class ArmToArm : public testing::Test {
     options.starts = 24;
     options.reachable_starts = 4;
   }
-  RobotTable robot;
+  robot::Robot robot;
   JointVector truth;
   Goals goals;
   Scene scene;

@@ -58,7 +58,7 @@ class MapMovement : public testing::Test {
     return map_movement(make_mapping_problem(robot, goals, world, options), goals, options, seed);
   }
 
-  RobotTable robot;
+  robot::Robot robot;
   Scene scene;
   collision::CollisionWorld world;
   Goals goals;

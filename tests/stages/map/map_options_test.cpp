@@ -24,7 +24,7 @@ MapOptions with_mode(MapMode mode) {
 }
 
 TEST(MapMode, LeavesOutWhatItSays) {
-  const RobotTable robot = robot::generate_arm({6, 0.6});
+  const robot::Robot robot(robot::generate_arm({6, 0.6}));
   const auto made = [&](MapMode mode) { return make_objective(with_mode(mode), robot); };
   const humanlike::FrameObjective usual = usual_objective();
 
@@ -77,7 +77,7 @@ TEST(MapOptions, RefusesWhatMakesNoSense) {
 /// The weights do what they say: an arm with joints to spare and the same wrist goal, with B or C
 /// weighted, has less of it than without any humanlikeness.
 TEST(MapOptions, TrianglesAndHullsAreLessWhereTheyCount) {
-  const RobotTable robot = robot::generate_arm({12, 0.6});
+  const robot::Robot robot(robot::generate_arm({12, 0.6}));
   Goals goals;
   constexpr std::size_t kFrames = 8;
   goals.tip_position = {kFrames, 1, Vec3(0.25, 0.2, 0.2)};

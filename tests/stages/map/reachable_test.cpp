@@ -1,6 +1,5 @@
 #include "stages/map/reachable.hpp"
 
-
 #include <gtest/gtest.h>
 
 #include "pipeline/robot/files/description.hpp"
@@ -37,7 +36,7 @@ class ReachableFrames : public testing::Test {
     return reachable_frames(problem, near.transpose(), {starts, 1e-4, {}}, 1).front();
   }
 
-  RobotTable robot;
+  robot::Robot robot;
   Scene scene;
   collision::CollisionWorld world;
   MappingProblem problem;
@@ -72,7 +71,7 @@ TEST_F(ReachableFrames, NotBeyondALimit) {
   const JointVector middle = 0.5 * (robot.lower + robot.upper);
   set_goals(middle, 1);
   for (const double beyond : {-0.05, 0.05}) {
-    RobotTable stiff = robot;
+    robot::Robot stiff = robot;
     stiff.lower = stiff.upper = middle;  // only the last joint of the thumb turns
     stiff.upper[9] += 0.1;
     problem.robot = &stiff;

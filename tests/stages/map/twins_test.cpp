@@ -1,6 +1,5 @@
 #include "stages/map/twins.hpp"
 
-
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -44,7 +43,7 @@ struct Bench {
     }
   }
 
-  RobotTable robot;
+  robot::Robot robot;
   Scene scene;
   collision::CollisionWorld world;
   MappingProblem problem;

@@ -53,7 +53,7 @@ class FindDeadEnd : public testing::Test {
   }
 
   static constexpr std::size_t kFrames = 11;
-  RobotTable robot;
+  robot::Robot robot;
   JointVector posture;
   std::vector<Pose> poses;
   Scene scene;

@@ -52,26 +52,20 @@ TEST(Connect, FollowersKeepOneProportion) {
   const IntervalWorld interval = interval_world(bench.world, 0, 1, 0, TouchRule::strict);
   const JointVector from = Vec3(-0.9, 0.3, 0.2), to = Vec3(0.9, 0.3, 0.8);
   const ConnectSpace space{{0, 1}, bench.robot.lower, bench.robot.upper};
-  const auto vertices = connect(interval, bench.reach, space, from, to, 3000, 0.1, 7);
+  const auto vertices = connect(interval, space, from, to, 3000, 0.1, 7);
   ASSERT_GT(vertices.size(), 2u);
   EXPECT_EQ(vertices.front(), from);
   EXPECT_EQ(vertices.back(), to);
   collision::CollisionScratch scratch;
   for (std::size_t k = 0; k + 1 < vertices.size(); ++k) {
-    EXPECT_TRUE(line_free(interval, bench.reach, vertices[k], vertices[k + 1], scratch));
+    EXPECT_TRUE(line_free(interval, vertices[k], vertices[k + 1], scratch));
     EXPECT_GE(vertices[k][2], 0.2 - 1e-12);
     EXPECT_LE(vertices[k][2], 0.8 + 1e-12);
   }
 }
 
-TEST(Connect, ArmJointsLeadToThePalm) {
-  RobotTable robot = test::planar_arm();
-  robot.palm_frame = 1;
-  EXPECT_EQ(arm_joints(robot), (std::vector<int>{0, 1}));
-}
-
 TEST(Spread, PutsASampleOnEveryVertex) {
-  const RobotTable robot = test::planar_arm();
+  const robot::Robot robot(test::planar_arm());
   const std::vector<JointVector> vertices = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 0.5, 0)};
   const JointRows rows = spread(robot, vertices, 7);
   ASSERT_EQ(rows.rows(), 7);
@@ -85,9 +79,8 @@ TEST(Shortcut, FindsTheStraightLineWhereNothingIsInTheWay) {
   const Bench bench({});
   const IntervalWorld interval = interval_world(bench.world, 0, 1, 0, TouchRule::strict);
   std::mt19937_64 random(1);
-  const auto vertices =
-      shortcut(interval, bench.reach,
-               {Vec3(0, 0, 0), Vec3(1, 1, 0), Vec3(0.5, -1, 0), Vec3(1, 0, 0)}, 10, random);
+  const auto vertices = shortcut(
+      interval, {Vec3(0, 0, 0), Vec3(1, 1, 0), Vec3(0.5, -1, 0), Vec3(1, 0, 0)}, 10, random);
   EXPECT_EQ(vertices.size(), 2u);
 }
 
@@ -98,8 +91,8 @@ TEST(DrawIn, ReturnsToTheOriginalWhereNothingIsInTheWay) {
       spread(bench.robot, {path.position.row(0), Vec3(0, 1.5, 0.3), path.position.row(100)}, 101);
   JointRows planned = rows;
   std::mt19937_64 random(1);
-  draw_in(clear_world(bench.world, 0), bench.reach, path.demonstration_time, path.position, 300,
-          random, planned);
+  draw_in(clear_world(bench.world, 0), path.demonstration_time, path.position, 300, random,
+          planned);
   EXPECT_EQ(planned.row(0), path.position.row(0));
   EXPECT_EQ(planned.row(100), path.position.row(100));
   const double before = (rows - path.position).cwiseAbs().maxCoeff();

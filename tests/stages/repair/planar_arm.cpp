@@ -7,7 +7,7 @@
 namespace morphe::test {
 
 RobotTable planar_arm() {
-  RobotTable robot;
+  robot::Robot robot;
   robot.name = "planar";
   for (int i = 0; i < 3; ++i) {
     const std::string number = std::to_string(i + 1);
@@ -64,7 +64,6 @@ JointPath sweep(const JointVector& from, const JointVector& to) {
 Bench::Bench(std::vector<SceneObject> objects, RobotTable of) : robot(std::move(of)) {
   scene.objects = std::move(objects);
   world = collision::make_world(robot, scene, Movement{}, Tolerances{});
-  reach = collision::capsule_reach(robot);
 }
 
 std::vector<Finding> Bench::collisions(const JointPath& path) const {
@@ -76,7 +75,7 @@ std::vector<Finding> Bench::collisions(const JointPath& path) const {
     const double begin_s = path.demonstration_time[sample];
     const double end_s = path.demonstration_time[sample + 1];
     const collision::MotionCheck edge = collision::check_motion(
-        world, reach,
+        world,
         collision::straight_motion(path.position.row(k), path.position.row(k + 1), begin_s, end_s),
         scratch);
     const bool bad = edge.verdict != collision::MotionVerdict::free;

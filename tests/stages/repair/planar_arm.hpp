@@ -18,7 +18,7 @@ JointPath sweep(const JointVector& from, const JointVector& to);
 
 /// Robot, scene and world that belong together; not to be copied, as the world points into it.
 struct Bench {
-  RobotTable robot;
+  robot::Robot robot;
   Scene scene;
   collision::CollisionWorld world;
   JointRows reach;

@@ -25,16 +25,16 @@ class PlanningProblems : public ::testing::TestWithParam<const char*> {
 
 TEST_P(PlanningProblems, SolvedWithoutTouchingAnything) {
   const moveit::PlanningProblem problem = read(GetParam());
+  const robot::Robot robot(problem.robot);
   const collision::CollisionWorld world =
-      collision::make_world(problem.robot, problem.scene, {}, Tolerances{});
-  const JointRows reach = collision::capsule_reach(problem.robot);
+      collision::make_world(robot, problem.scene, {}, Tolerances{});
   const IntervalWorld interval = interval_world(world, 0, 0, 0, TouchRule::strict);
-  const ConnectSpace space{arm_joints(problem.robot), problem.robot.lower, problem.robot.upper};
+  const ConnectSpace space{robot.arm_joints, robot.lower, robot.upper};
   const JointVector& goal = problem.goals.front().lower;
   const auto plan = [&] {
-    auto path = connect(interval, reach, space, problem.start, goal, 20000, 0.1, 1);
+    auto path = connect(interval, space, problem.start, goal, 20000, 0.1, 1);
     std::mt19937_64 random(1);
-    return shortcut(interval, reach, std::move(path), 30, random);
+    return shortcut(interval, std::move(path), 30, random);
   };
   const std::vector<JointVector> path = plan();
   ASSERT_GE(path.size(), 2u);

@@ -37,7 +37,7 @@ struct Repair {
   NextCourse next = nullptr;
 
   RepairResult operator()(const JointPath& path) const {
-    Surroundings around{bench.world, bench.reach, options, 42, judge, {}};
+    Surroundings around{bench.world, options, 42, judge, {}};
     if (resolve) around.win_back = {rung(judge, resolve)};
     const Judged start{path, judge(path)};
     std::vector<Rung> ladder = around.win_back;
@@ -115,6 +115,7 @@ TEST(Repair, TheDetourIsSmallAndHasNoCorners) {
 TEST(Repair, FingersFollowTheArmAndTheRestIsTheSame) {
   Bench bench({post("post", 0.9, 0)});
   bench.robot.palm_frame = 1;  // the third joint is the hand's
+  bench.robot = robot::Robot(RobotTable(bench.robot));
   const RepairResult result = repair(bench, sweep(kFrom, kTo));
   EXPECT_EQ(result.reason, Reason::none) << result.detail;
   EXPECT_GE(bench.densely_sampled_slack(result.path), 0);
@@ -342,8 +343,8 @@ TEST(Repair, TheMappingWinsBackWhatADetourCost) {
 }
 
 TEST(Repair, TheReferenceRobotTakesItsForearmAroundABall) {
-  const RobotTable robot =
-      robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table;
+  const robot::Robot robot(
+      robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table);
   JointVector from = JointVector::Constant(22, 0.2), to = JointVector::Constant(22, 0.3);
   for (int finger = 0; finger < 5; ++finger) from[7 + 3 * finger] = to[7 + 3 * finger] = 0;
   from.head<7>() << 0, 0.6, 0, 1.2, 0, 0.5, 0;

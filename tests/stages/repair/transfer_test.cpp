@@ -13,7 +13,7 @@ using test::post;
 const JointVector kHome = Vec3(-0.9, 0.3, 0.3), kStart = Vec3(0.9, 0.3, 0.3);
 
 JointPath transfer(const Bench& bench, std::uint64_t seed = 1) {
-  return plan_transfer(bench.world, bench.reach, kHome, kStart, 0.5, RepairOptions{}, seed);
+  return plan_transfer(bench.world, kHome, kStart, 0.5, RepairOptions{}, seed);
 }
 
 TEST(Transfer, GoesStraightWhereNothingStands) {

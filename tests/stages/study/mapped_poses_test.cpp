@@ -34,7 +34,7 @@ TEST(HumanPoses, HaveTheLengthsAskedForAndTheDirectionsRecorded) {
 
 /// Goals that an arm takes itself are met, with an elbow on its only centre at no cost.
 TEST(MappedPoses, FindsThePosturesThatMadeTheGoals) {
-  const RobotTable robot = robot::generate_arm({.joints = 6, .length = 0.6});
+  const robot::Robot robot(robot::generate_arm({.joints = 6, .length = 0.6}));
   HumanPoses poses;
   std::vector<Pose> frames;
   for (int f = 0; f < 12; ++f) {

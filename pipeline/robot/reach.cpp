@@ -1,8 +1,8 @@
+#include "pipeline/robot/reach.hpp"
+
 #include <algorithm>
 
-#include "pipeline/collision/certified.hpp"
-
-namespace morphe::collision {
+namespace morphe::robot {
 namespace {
 
 double from_axis(const Vec3& point, const Vec3& axis) {
@@ -32,7 +32,7 @@ void add_reach(const RobotTable& robot, int frame_index, const Vec3& from, const
 
 }  // namespace
 
-JointRows capsule_reach(const RobotTable& robot) {
+JointRows reach_of_capsules(const RobotTable& robot) {
   JointRows reach = JointRows::Zero(static_cast<Eigen::Index>(robot.capsules.size()),
                                     static_cast<Eigen::Index>(robot.joints()));
   for (std::size_t c = 0; c < robot.capsules.size(); ++c) {
@@ -43,10 +43,10 @@ JointRows capsule_reach(const RobotTable& robot) {
   return reach;
 }
 
-JointVector ball_reach(const RobotTable& robot, int frame, const Vec3& centre, double radius) {
+JointVector reach_of_ball(const RobotTable& robot, int frame, const Vec3& centre, double radius) {
   JointVector reach = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
   add_reach(robot, frame, centre, centre, radius, Eigen::Ref<JointVector>(reach));
   return reach;
 }
 
-}  // namespace morphe::collision
+}  // namespace morphe::robot
