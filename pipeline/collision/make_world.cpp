@@ -70,9 +70,9 @@ CollisionWorld make_world(const robot::Robot& robot, const Scene& scene, const M
     world.scene = prepared.get();
   }
   world.tolerances = tolerances;
-  for (std::size_t k = 0; k < scene.objects.size(); ++k) {
-    const bool named = !movement.target.empty() && scene.objects[k].name == movement.target;
-    if (named && world.target < 0) world.target = static_cast<int>(k);
+  if (!movement.target.empty()) {
+    const SceneObject* target = object_named(scene.objects, movement.target);
+    if (target) world.target = static_cast<int>(target - scene.objects.data());
   }
   if (world.target >= 0) set_touching(movement, world);
   world.pairs = pairs_to_check(robot);

@@ -3,6 +3,17 @@
 #include <algorithm>
 
 namespace morphe {
+
+const SceneObject* object_named(const std::vector<SceneObject>& objects, const std::string& name) {
+  const auto found = std::ranges::find(objects, name, &SceneObject::name);
+  return found == objects.end() ? nullptr : &*found;
+}
+
+SceneObject* object_named(std::vector<SceneObject>& objects, const std::string& name) {
+  const auto found = std::ranges::find(objects, name, &SceneObject::name);
+  return found == objects.end() ? nullptr : &*found;
+}
+
 Pose recorded_pose(const SceneObject& object, double time_s) {
   const auto upper = std::upper_bound(object.time.begin(), object.time.end(), time_s);
   const auto after = static_cast<std::size_t>(upper - object.time.begin());

@@ -43,6 +43,10 @@ struct Scene {
   std::vector<SceneObject> objects;
 };
 
+/// The first object of that name, null if there is none.
+const SceneObject* object_named(const std::vector<SceneObject>& objects, const std::string& name);
+SceneObject* object_named(std::vector<SceneObject>& objects, const std::string& name);
+
 /// Pose of an object at a demonstration time, as recorded: linear in position, slerp in
 /// orientation, held before the first and after the last sample. Attachment is not considered.
 Pose recorded_pose(const SceneObject& object, double time_s);

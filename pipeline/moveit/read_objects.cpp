@@ -36,7 +36,7 @@ Scene read_objects(const config::ConfigNode& scene, const Frames& frames) {
     refuse(world["octomap"]["octomap"], "data", "an octomap is not understood");
   }
   const auto taken = [&](const std::string& name) {
-    return std::ranges::find(read.objects, name, &SceneObject::name) != read.objects.end();
+    return object_named(read.objects, name) != nullptr;
   };
   for (const config::ConfigNode& item : items_of(world, "collision_objects")) {
     const std::string id = item["id"].text();

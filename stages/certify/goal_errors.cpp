@@ -4,29 +4,11 @@
 #include <cmath>
 
 #include "pipeline/humanlike/metrics.hpp"
+#include "pipeline/motion/goals_at.hpp"
 #include "pipeline/robot/forward.hpp"
 
 namespace morphe::certify {
 namespace {
-
-struct Between {
-  std::size_t before = 0, after = 0;
-  double share = 0;
-};
-
-Between frames_at(const Goals& goals, double time_s) {
-  const auto next = std::lower_bound(goals.time.begin(), goals.time.end(), time_s);
-  const auto after = static_cast<std::size_t>(next - goals.time.begin());
-  if (after == goals.frames()) return {after - 1, after - 1, 0};
-  if (after == 0 || *next == time_s) return {after, after, 0};
-  const double before_s = goals.time[after - 1];
-  return {after - 1, after, (time_s - before_s) / (goals.time[after] - before_s)};
-}
-
-Vec3 point_at(const std::vector<Vec3>& points, const Between& at) {
-  if (points.empty()) return unseen_point();
-  return (1 - at.share) * points[at.before] + at.share * points[at.after];
-}
 
 bool grasping(const Movement& movement, double time_s) {
   return std::any_of(movement.phases.begin(), movement.phases.end(), [&](const Phase& phase) {
@@ -48,21 +30,6 @@ struct Mean {
 double angle_of(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
 }  // namespace
-
-Vec3 tip_goal_at(const Goals& goals, std::size_t tip, double time_s) {
-  const Between at = frames_at(goals, time_s);
-  return (1 - at.share) * goals.tip_position(at.before, tip) +
-         at.share * goals.tip_position(at.after, tip);
-}
-
-Quat tip_orientation_goal_at(const Goals& goals, std::size_t tip, double time_s) {
-  if (goals.tip_orientation.rows == 0) return unseen_rotation();
-  const Between at = frames_at(goals, time_s);
-  const Quat& before = goals.tip_orientation(at.before, tip);
-  const Quat& after = goals.tip_orientation(at.after, tip);
-  if (!seen(before) || !seen(after)) return unseen_rotation();
-  return before.slerp(at.share, after);
-}
 
 GoalErrors goal_errors(const robot::Robot& robot, const Goals& goals, const Movement& movement,
                        const Tolerances& tolerances, const Trajectory& trajectory) {
@@ -97,7 +64,7 @@ GoalErrors goal_errors(const robot::Robot& robot, const Goals& goals, const Move
       out.worst_sample = static_cast<int>(sample);
       out.worst_tip = static_cast<int>(tip);
     }
-    const Between at = frames_at(goals, time_s);
+    const GoalTime at = goal_time(goals, time_s);
     const std::vector<Vec3> centres = robot::arm_centre_positions(robot, base_from_frame);
     const Vec3 elbow = point_at(goals.elbow_position, at);
     if (centres.empty() || !seen(elbow)) continue;

@@ -5,11 +5,6 @@
 
 namespace morphe::certify {
 
-/// Goals at a demonstration time: linear (slerp) between frames, held at the ends, NaN where one of
-/// the two frames has none. goals must have a frame.
-Vec3 tip_goal_at(const Goals& goals, std::size_t tip, double time_s);
-Quat tip_orientation_goal_at(const Goals& goals, std::size_t tip, double time_s);
-
 /// Where a trajectory's tips and upper arm are, against the goals at each sample's demonstration
 /// time. NaN = nothing to compare.
 struct GoalErrors {

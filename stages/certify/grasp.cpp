@@ -7,14 +7,6 @@
 namespace morphe::certify {
 namespace {
 
-const SceneObject* target_of(const Scene& scene, const Movement& movement) {
-  if (movement.target.empty()) return nullptr;
-  for (const SceneObject& object : scene.objects) {
-    if (object.name == movement.target) return &object;
-  }
-  return nullptr;
-}
-
 int tip_of_finger(const RobotTable& robot, int finger) {
   for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
     if (robot.tips[tip].finger == finger) return static_cast<int>(tip);
@@ -50,7 +42,7 @@ JointVector widest_open(const RobotTable& robot, const Trajectory& trajectory,
 Grasp find_grasp(const RobotTable& robot, const Scene& scene, const Movement& movement,
                  const Trajectory& trajectory) {
   Grasp grasp;
-  const SceneObject* target = target_of(scene, movement);
+  const SceneObject* target = object_named(scene.objects, movement.target);
   const auto phase = std::find_if(movement.phases.begin(), movement.phases.end(),
                                   [](const Phase& p) { return p.kind == PhaseKind::grasp; });
   if (!target || phase == movement.phases.end() || trajectory.samples() == 0) return grasp;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "pipeline/motion/goals_at.hpp"
 #include "pipeline/robot/forward.hpp"
 #include "stages/check/check_collisions.hpp"
 #include "stages/check/finding_rows.hpp"
@@ -27,18 +28,6 @@ void check_limits(const RobotTable& robot, const JointPath& path, FindingRows& r
       if (beyond > kLimitTolerance) rows.add(Cause::limit, robot.joint_names[j], "", k, k, beyond);
     }
   }
-}
-
-/// A tip's goal at a demonstration time, linear between frames, held at the ends. Not seen where
-/// one of the two frames has none.
-Vec3 goal_at(const Goals& goals, std::size_t tip, double time_s) {
-  const auto next = std::lower_bound(goals.time.begin(), goals.time.end(), time_s);
-  const auto after = static_cast<std::size_t>(next - goals.time.begin());
-  if (after == goals.frames()) return goals.tip_position(after - 1, tip);
-  if (after == 0 || *next == time_s) return goals.tip_position(after, tip);
-  const double before_s = goals.time[after - 1];
-  const double share = (time_s - before_s) / (goals.time[after] - before_s);
-  return (1 - share) * goals.tip_position(after - 1, tip) + share * goals.tip_position(after, tip);
 }
 
 bool grasps(const Movement& movement, double time_s) {
@@ -65,7 +54,7 @@ void check_tracking(const RobotTable& robot, const Goals& goals, const Movement&
     const JointVector q = path.position.row(static_cast<Eigen::Index>(k));
     robot::forward(robot, q, base_from_frame);
     for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
-      const Vec3 goal = goal_at(goals, tip, time_s);
+      const Vec3 goal = tip_goal_at(goals, tip, time_s);
       if (!seen(goal)) continue;
       const Vec3 reached = robot::tip_pose(robot, base_from_frame, tip).translation();
       const double beyond_m = (reached - goal).norm() - allowed_m;

@@ -24,12 +24,6 @@ SceneObject body(const ConfiguredObject& configured, double time_s) {
   return object;
 }
 
-const SceneObject* find_object(const std::vector<SceneObject>& objects, const std::string& name) {
-  const auto found = std::find_if(objects.begin(), objects.end(),
-                                  [&](const SceneObject& object) { return object.name == name; });
-  return found == objects.end() ? nullptr : &*found;
-}
-
 /// Name of the recorded object whose centre is nearest to the seen tips at the end of the grasp.
 std::string nearest_object(const std::vector<SceneObject>& objects, const HumanMotion& motion,
                            const Phase& grasp) {
@@ -69,7 +63,7 @@ Scene build_scene(const SceneOptions& options, const Demonstration& demonstratio
     movement.target.clear();
     return scene;
   }
-  if (!find_object(demonstration.objects, movement.target)) {
+  if (!object_named(demonstration.objects, movement.target)) {
     movement.target = nearest_object(demonstration.objects, motion, *grasp);
   }
   for (SceneObject& object : scene.objects) {
@@ -97,10 +91,10 @@ Scene move_scene(const Scene& scene, const Pose& base_from_world) {
 
 std::vector<std::string> mapping_objects(const SceneOptions& options, const Scene& scene) {
   std::vector<std::string> names;
-  if (find_object(scene.objects, "table")) names.push_back("table");
+  if (object_named(scene.objects, "table")) names.push_back("table");
   for (const auto* list : {&options.objects, &options.file_objects}) {
     for (const ConfiguredObject& object : *list) {
-      if (object.in_mapping && find_object(scene.objects, object.name)) {
+      if (object.in_mapping && object_named(scene.objects, object.name)) {
         names.push_back(object.name);
       }
     }

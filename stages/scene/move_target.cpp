@@ -107,8 +107,8 @@ MovedTarget move_target(const SceneOptions& options, const HumanMotion& motion,
                      options.target.moved.rpy != Vec3::Zero();
   if (!asked) return out;
   const Phase* grasp = last_phase(movement, PhaseKind::grasp);
-  const auto target = std::ranges::find(out.scene.objects, movement.target, &SceneObject::name);
-  if (!grasp || target == out.scene.objects.end()) {
+  SceneObject* target = object_named(out.scene.objects, movement.target);
+  if (!grasp || !target) {
     out.motion.problems.push_back("nothing is grasped: there is no target to stand elsewhere");
     return out;
   }
@@ -137,8 +137,7 @@ MovedTarget move_target(const SceneOptions& options, const HumanMotion& motion,
           : ""));
 
   if (const auto table = infer_table(options.table, out.motion, movement)) {
-    const auto old = std::ranges::find(out.scene.objects, table->name, &SceneObject::name);
-    if (old != out.scene.objects.end()) *old = *table;
+    if (SceneObject* old = object_named(out.scene.objects, table->name)) *old = *table;
   }
   return out;
 }

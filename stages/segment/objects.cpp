@@ -54,8 +54,7 @@ std::vector<ObjectMotion> object_motions(const std::vector<SceneObject>& objects
     }
   }
   for (ObjectMotion& motion : motions) {
-    const auto object = std::find_if(objects.begin(), objects.end(),
-                                     [&](const SceneObject& o) { return o.name == motion.object; });
+    const SceneObject* object = object_named(objects, motion.object);
     motion.way = (recorded_pose(*object, motion.end_s).translation() -
                   recorded_pose(*object, motion.begin_s - kWithin_s).translation())
                      .norm();

@@ -47,10 +47,7 @@ struct Way {
     return 1;
   }
   const SceneObject* object(const std::string& name) const {
-    for (const SceneObject& object : plan.scene.objects) {
-      if (object.name == name) return &object;
-    }
-    return nullptr;
+    return object_named(plan.scene.objects, name);
   }
   Vec3 place_of(const SceneObject& object) const {
     return world_from_base * object.position.front();

@@ -156,18 +156,6 @@ TEST(Certify, MarksWhatWasRepaired) {
   EXPECT_TRUE(c.run().certificate.repaired);
 }
 
-TEST(Certify, GoalsBetweenFrames) {
-  Goals goals = goals_off_by(Vec3::Zero());
-  const Vec3 middle = 0.5 * (goals.tip_position(0, 0) + goals.tip_position(1, 0));
-  EXPECT_LT((tip_goal_at(goals, 0, 0.4) - middle).norm(), 1e-15);
-  EXPECT_EQ(tip_goal_at(goals, 0, 7), goals.tip_position(1, 0));
-  EXPECT_EQ(tip_goal_at(goals, 0, -1), goals.tip_position(0, 0));
-  EXPECT_FALSE(seen(tip_goal_at(goals, 1, 0.4)));
-  goals.tip_position(1, 0) = unseen_point();
-  EXPECT_TRUE(seen(tip_goal_at(goals, 0, 0)));
-  EXPECT_FALSE(seen(tip_goal_at(goals, 0, 0.1)));
-}
-
 TEST(TrajectoryMotion, TravelBoundsTheMotion) {
   Trajectory t = sweep(kSweep);
   t.velocity(0, 1) = 0.4;  // the elbow swings out and back
