@@ -1,5 +1,7 @@
 #include "pipeline/motion/movement.hpp"
 
+#include <algorithm>
+
 namespace morphe {
 
 PhaseKind phase_at(const std::vector<Phase>& phases, double time_s) {
@@ -10,6 +12,13 @@ PhaseKind phase_at(const std::vector<Phase>& phases, double time_s) {
     if (!best || shorter) best = &phase;
   }
   return best ? best->kind : PhaseKind::rest;
+}
+
+bool grasping_at(const Movement& movement, double time_s) {
+  return std::ranges::any_of(movement.phases, [&](const Phase& phase) {
+    const bool grasps = phase.kind == PhaseKind::grasp || phase.kind == PhaseKind::hold;
+    return grasps && time_s >= phase.begin_s && time_s <= phase.end_s;
+  });
 }
 
 const Phase* last_phase(const Movement& movement, PhaseKind kind) {

@@ -10,13 +10,6 @@
 namespace morphe::certify {
 namespace {
 
-bool grasping(const Movement& movement, double time_s) {
-  return std::any_of(movement.phases.begin(), movement.phases.end(), [&](const Phase& phase) {
-    return (phase.kind == PhaseKind::grasp || phase.kind == PhaseKind::hold) &&
-           time_s >= phase.begin_s && time_s <= phase.end_s;
-  });
-}
-
 struct Mean {
   double sum = 0;
   int count = 0;
@@ -40,7 +33,7 @@ GoalErrors goal_errors(const robot::Robot& robot, const Goals& goals, const Move
   const auto shoulder = static_cast<std::size_t>(robot.shoulder_frame);
   for (std::size_t sample = 0; sample < trajectory.samples(); ++sample) {
     const double time_s = trajectory.demonstration_time[sample];
-    const bool grasp = grasping(movement, time_s);
+    const bool grasp = grasping_at(movement, time_s);
     const double tolerance = grasp ? tolerances.tracking_grasp : tolerances.tracking;
     robot::forward(robot, trajectory.position.row(static_cast<Eigen::Index>(sample)).transpose(),
                    base_from_frame);

@@ -30,15 +30,10 @@ void check_limits(const RobotTable& robot, const JointPath& path, FindingRows& r
   }
 }
 
-bool grasps(const Movement& movement, double time_s) {
-  const PhaseKind phase = phase_at(movement.phases, time_s);
-  return phase == PhaseKind::grasp || phase == PhaseKind::hold;
-}
-
 /// Samples beside the grasp count to it: some of the motion between does.
 bool grasps_around(const Movement& movement, const std::vector<double>& time, std::size_t k) {
-  return grasps(movement, time[k]) || (k > 0 && grasps(movement, time[k - 1])) ||
-         (k + 1 < time.size() && grasps(movement, time[k + 1]));
+  return grasping_at(movement, time[k]) || (k > 0 && grasping_at(movement, time[k - 1])) ||
+         (k + 1 < time.size() && grasping_at(movement, time[k + 1]));
 }
 
 void check_tracking(const RobotTable& robot, const Goals& goals, const Movement& movement,

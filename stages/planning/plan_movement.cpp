@@ -54,8 +54,7 @@ Plan fail(Plan plan, Reason reason, const std::string& detail) {
 bool grasp_seen(const Goals& goals, const Movement& movement) {
   bool asked = false;
   for (std::size_t f = 0; f < goals.frames(); ++f) {
-    const PhaseKind phase = phase_at(movement.phases, goals.time[f]);
-    if (phase != PhaseKind::grasp && phase != PhaseKind::hold) continue;
+    if (!grasping_at(movement, goals.time[f])) continue;
     asked = true;
     for (std::size_t tip = 0; tip < goals.tip_position.cols; ++tip) {
       if (seen(goals.tip_position(f, tip))) return true;
