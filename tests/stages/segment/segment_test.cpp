@@ -1,8 +1,10 @@
 #include "stages/segment/segment.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <stdexcept>
+#include <string_view>
 
 #include "tests/stages/segment/synthetic_hand.hpp"
 
@@ -18,11 +20,11 @@ std::vector<std::string> names(const Movement& movement) {
   return result;
 }
 
-const Phase& phase(const Movement& movement, const std::string& name) {
+const Phase& phase(const Movement& movement, std::string_view name) {
   for (const Phase& p : movement.phases) {
     if (p.name == name) return p;
   }
-  throw std::runtime_error("no phase " + name);
+  throw std::runtime_error(fmt::format("no phase {}", name));
 }
 
 /// Phases follow each other without overlap, except preshape, which lies inside reach.
