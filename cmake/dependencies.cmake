@@ -1,22 +1,40 @@
-# Every package of the build, all of them from Debian 12.
+# Every package of the build; versions are the least that will do, where a package lets ask for one.
 find_package(Eigen3 3.4 CONFIG REQUIRED)
-find_package(NLopt CONFIG REQUIRED PATHS /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/nlopt_cxx NO_DEFAULT_PATH)
-find_package(fcl CONFIG REQUIRED)
-find_package(HDF5 REQUIRED COMPONENTS C)
-find_package(CLI11 CONFIG REQUIRED)
-find_package(yaml-cpp CONFIG REQUIRED)
-find_package(fmt CONFIG REQUIRED)
-find_package(nlohmann_json CONFIG REQUIRED)
-find_package(TBB CONFIG REQUIRED)
-find_package(Qhull CONFIG REQUIRED)
-find_package(assimp CONFIG REQUIRED)
+find_package(fcl 0.7 CONFIG REQUIRED)
+find_package(HDF5 1.10 REQUIRED COMPONENTS C)
+find_package(CLI11 2.1 CONFIG REQUIRED)
+find_package(yaml-cpp 0.7 CONFIG REQUIRED)
+find_package(fmt 9 CONFIG REQUIRED)
+find_package(nlohmann_json 3.11 CONFIG REQUIRED)
+find_package(TBB 2021 CONFIG REQUIRED)
+find_package(Qhull 8 CONFIG REQUIRED)
+find_package(assimp 5.2 CONFIG REQUIRED)
 find_package(urdfdom CONFIG REQUIRED)
-find_package(OpenSSL REQUIRED COMPONENTS Crypto)
-find_package(SQLite3 REQUIRED)
+find_package(console_bridge 1 CONFIG REQUIRED)
+find_package(tinyxml2 CONFIG REQUIRED)
+find_package(OpenSSL 3 REQUIRED COMPONENTS Crypto)
+find_package(SQLite3 3.40 REQUIRED)
 
-# OMPL's own variables name Boost libraries that it does not need.
+# Debian keeps NLopt with its C++ algorithms beside the plain one, under a name of its own.
+find_package(NLopt 2.7 CONFIG QUIET PATHS /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/nlopt_cxx NO_DEFAULT_PATH)
+if(NOT NLopt_FOUND)
+  find_package(NLopt 2.7 CONFIG REQUIRED)
+endif()
+if(NOT TARGET NLopt::nlopt_cxx)
+  add_library(NLopt::nlopt_cxx ALIAS NLopt::nlopt)
+endif()
+# It defines _FILE_OFFSET_BITS for whoever links it, which says nothing on 64 bits, but no precompiled
+# header fits then.
+set_target_properties(tinyxml2::tinyxml2 PROPERTIES INTERFACE_COMPILE_DEFINITIONS "")
+# Before version 0.8 the target has no namespace.
+if(NOT TARGET yaml-cpp::yaml-cpp)
+  add_library(yaml-cpp::yaml-cpp ALIAS yaml-cpp)
+endif()
+
+# OMPL's own variables name Boost libraries that it does not need; its folder is named by version.
 find_library(OMPL_LIBRARY ompl REQUIRED)
-find_path(OMPL_INCLUDE_DIR ompl/base/SpaceInformation.h PATH_SUFFIXES ompl-1.5 REQUIRED)
+file(GLOB ompl_folders /usr/local/include/ompl-* /usr/include/ompl-*)
+find_path(OMPL_INCLUDE_DIR ompl/base/SpaceInformation.h PATHS ${ompl_folders} REQUIRED)
 add_library(ompl_system INTERFACE)
 target_include_directories(ompl_system SYSTEM INTERFACE ${OMPL_INCLUDE_DIR})
 target_link_libraries(ompl_system INTERFACE ${OMPL_LIBRARY} Eigen3::Eigen)

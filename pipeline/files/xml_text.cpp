@@ -10,6 +10,26 @@
 #include "pipeline/motion/input_error.hpp"
 
 namespace morphe::files {
+namespace {
+
+std::string in_words(const tinyxml2::XMLDocument& document) {
+  switch (document.ErrorID()) {
+    case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
+      return "it is empty";
+    case tinyxml2::XML_ERROR_PARSING:
+      return "an element has no end";
+    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
+      return "an element has the end of another";
+    case tinyxml2::XML_ERROR_PARSING_ELEMENT:
+      return "an element cannot be read";
+    case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
+      return "an attribute cannot be read";
+    default:
+      return document.ErrorName();
+  }
+}
+
+}  // namespace
 
 XmlText::XmlText(const std::filesystem::path& path, const char* root) : file(path) {
   std::ifstream stream(path, std::ios::binary);
@@ -21,29 +41,29 @@ XmlText::XmlText(const std::filesystem::path& path, const char* root) : file(pat
   document.Parse(text.str().c_str());
   if (document.Error()) {
     throw InputError(fmt::format("{}:{}: not valid XML: {}", path.string(),
-                                 std::max(1, document.ErrorRow()), document.ErrorDesc()));
+                                 std::max(1, document.ErrorLineNum()), in_words(document)));
   }
-  const TiXmlElement* top = document.RootElement();
+  const XmlElement* top = document.RootElement();
   if (!top || std::strcmp(top->Value(), root) != 0) {
-    throw InputError(
-        fmt::format("{}:{}: must begin with <{}>", path.string(), top ? top->Row() : 1, root));
+    throw InputError(fmt::format("{}:{}: must begin with <{}>", path.string(),
+                                 top ? top->GetLineNum() : 1, root));
   }
 }
 
-void XmlText::fail(const TiXmlElement& element, const std::string& key,
+void XmlText::fail(const XmlElement& element, const std::string& key,
                    const std::string& message) const {
-  throw InputError(fmt::format("{}:{}: {}: {}", file.string(), element.Row(), key, message));
+  throw InputError(fmt::format("{}:{}: {}: {}", file.string(), element.GetLineNum(), key, message));
 }
 
-std::string XmlText::attribute(const TiXmlElement& element, const char* name) const {
+std::string XmlText::attribute(const XmlElement& element, const char* name) const {
   const char* value = element.Attribute(name);
   if (!value || !*value) fail(element, fmt::format("{}.{}", element.Value(), name), "is missing");
   return value;
 }
 
-std::vector<const TiXmlElement*> children(const TiXmlElement& parent, const char* tag) {
-  std::vector<const TiXmlElement*> found;
-  for (const TiXmlElement* child = parent.FirstChildElement(tag); child;
+std::vector<const XmlElement*> children(const XmlElement& parent, const char* tag) {
+  std::vector<const XmlElement*> found;
+  for (const XmlElement* child = parent.FirstChildElement(tag); child;
        child = child->NextSiblingElement(tag)) {
     found.push_back(child);
   }

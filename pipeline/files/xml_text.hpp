@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tinyxml.h>
+#include <tinyxml2.h>
 
 #include <filesystem>
 #include <string>
@@ -8,21 +8,23 @@
 
 namespace morphe::files {
 
+using XmlElement = tinyxml2::XMLElement;
+
 /// A URDF or SRDF as text, for what is wrong with it and where: "FILE:LINE: KEY: message".
 struct XmlText {
   std::filesystem::path file;
-  TiXmlDocument document;
+  tinyxml2::XMLDocument document;
 
   /// Throws InputError if the file cannot be read, is no XML, or has another root element.
   XmlText(const std::filesystem::path& path, const char* root);
 
-  const TiXmlElement& root() const { return *document.RootElement(); }
-  [[noreturn]] void fail(const TiXmlElement& element, const std::string& key,
+  const XmlElement& root() const { return *document.RootElement(); }
+  [[noreturn]] void fail(const XmlElement& element, const std::string& key,
                          const std::string& message) const;
   /// The element's attribute; fails with the element's line if it is missing or empty.
-  std::string attribute(const TiXmlElement& element, const char* name) const;
+  std::string attribute(const XmlElement& element, const char* name) const;
 };
 
-std::vector<const TiXmlElement*> children(const TiXmlElement& parent, const char* tag);
+std::vector<const XmlElement*> children(const XmlElement& parent, const char* tag);
 
 }  // namespace morphe::files

@@ -4,6 +4,11 @@
 #include <hdf5.h>
 #include <unistd.h>
 
+// Drivers moved out of hdf5.h, and got a version and a number, in HDF5 1.14.
+#if H5_VERSION_GE(1, 13, 0)
+#include <H5FDdevelop.h>
+#endif
+
 #include <algorithm>
 #include <cerrno>
 #include <cstddef>
@@ -117,6 +122,10 @@ herr_t truncate_file(H5FD_t* file, hid_t, hbool_t) {
 const H5FD_class_t& driver_class() {
   static const H5FD_class_t driver = [] {
     H5FD_class_t d{};
+#ifdef H5FD_CLASS_VERSION
+    d.version = H5FD_CLASS_VERSION;
+    d.value = H5_VFD_RESERVED;
+#endif
     d.name = kName;
     d.maxaddr = kMostBytes;
     d.fc_degree = H5F_CLOSE_WEAK;

@@ -47,15 +47,14 @@ std::string head_of(const std::filesystem::path& file) {
   return head.starts_with("\xEF\xBB\xBF") ? head.substr(3) : head;
 }
 
-const RecordingFormat& format_of(const std::filesystem::path& file, const std::string& wanted) {
+const RecordingFormat& format_of(const std::string& file, const std::string& wanted) {
   const std::string known = fmt::format("{}", fmt::join(import_format_names(), ", "));
   for (const RecordingFormat& format : recording_formats()) {
     if (wanted.empty() ? format.recognises(head_of(file)) : format.name == wanted) return format;
   }
-  throw InputError(
-      wanted.empty()
-          ? fmt::format("{}:1: format: not recognised; known: {}", file.string(), known)
-          : fmt::format("{}: format: unknown '{}'; known: {}", file.string(), wanted, known));
+  throw InputError(wanted.empty()
+                       ? fmt::format("{}:1: format: not recognised; known: {}", file, known)
+                       : fmt::format("{}: format: unknown '{}'; known: {}", file, wanted, known));
 }
 
 std::map<std::string, std::string> read_names(const std::filesystem::path& file) {

@@ -33,7 +33,8 @@ std::vector<std::size_t> columns_of(const std::string& file, const MarkerObject&
     if (columns.size() == before) fail(file, object, fmt::format("no marker '{}'", wanted));
   }
   std::ranges::sort(columns);
-  columns.erase(std::ranges::unique(columns).begin(), columns.end());
+  // clang 14 cannot read the ranges::unique of g++ 12's library.
+  columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
   return columns;
 }
 

@@ -28,10 +28,10 @@ class QuietConsole : console_bridge::OutputHandler {
 };
 
 urdf::ModelInterfaceSharedPtr parsed(const files::XmlText& text) {
-  TiXmlPrinter printer;
-  text.document.Accept(&printer);
+  tinyxml2::XMLPrinter printer;
+  text.document.Print(&printer);
   QuietConsole console;
-  urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(printer.Str());
+  urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(printer.CStr());
   if (!model) text.fail(text.root(), "robot", console.first);
   return model;
 }

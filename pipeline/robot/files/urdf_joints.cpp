@@ -33,7 +33,7 @@ std::vector<double> numbers(const std::string& text) {
 }
 
 /// urdfdom would say what is no number, but not where.
-void check_numbers(const files::XmlText& urdf, const TiXmlElement& element,
+void check_numbers(const files::XmlText& urdf, const files::XmlElement& element,
                    const std::string& owner) {
   static constexpr std::array<const char*, 3> kVectors = {"xyz", "rpy", "size"};
   static constexpr std::array<const char*, 8> kScalars = {
@@ -48,20 +48,20 @@ void check_numbers(const files::XmlText& urdf, const TiXmlElement& element,
   };
   for (const char* name : kVectors) check(name, 3);
   for (const char* name : kScalars) check(name, 1);
-  for (const TiXmlElement* child = element.FirstChildElement(); child;
+  for (const files::XmlElement* child = element.FirstChildElement(); child;
        child = child->NextSiblingElement()) {
     check_numbers(urdf, *child, owner);
   }
 }
 
 void check_turning(const files::XmlText& urdf, const UrdfJoint& joint, bool bounded) {
-  if (const TiXmlElement* axis = joint.element->FirstChildElement("axis")) {
+  if (const files::XmlElement* axis = joint.element->FirstChildElement("axis")) {
     const std::vector<double> xyz = numbers(urdf.attribute(*axis, "xyz"));
     if (std::ranges::all_of(xyz, [](double x) { return x == 0; })) {
       urdf.fail(*axis, key_of(joint, ".axis"), "must not be zero");
     }
   }
-  const TiXmlElement* limit = joint.element->FirstChildElement("limit");
+  const files::XmlElement* limit = joint.element->FirstChildElement("limit");
   if (!limit && bounded) urdf.fail(*joint.element, key_of(joint, ".limit"), "is missing");
   if (!limit) return;
   for (const char* name : {"velocity", "effort"}) {
@@ -90,9 +90,9 @@ void check_type(const files::XmlText& urdf, const UrdfJoint& joint) {
   }
 }
 
-std::map<std::string, const TiXmlElement*> named(const files::XmlText& urdf, const char* tag) {
-  std::map<std::string, const TiXmlElement*> found;
-  for (const TiXmlElement* element : files::children(urdf.root(), tag)) {
+std::map<std::string, const files::XmlElement*> named(const files::XmlText& urdf, const char* tag) {
+  std::map<std::string, const files::XmlElement*> found;
+  for (const files::XmlElement* element : files::children(urdf.root(), tag)) {
     const std::string name = urdf.attribute(*element, "name");
     if (!found.emplace(name, element).second) {
       urdf.fail(*element, fmt::format("{} {}", tag, name), "stands twice");
@@ -123,14 +123,14 @@ std::vector<UrdfJoint> sorted(const files::XmlText& urdf, std::vector<UrdfJoint>
 }  // namespace
 
 std::vector<UrdfJoint> urdf_joints(const files::XmlText& urdf) {
-  const std::map<std::string, const TiXmlElement*> links = named(urdf, "link");
+  const std::map<std::string, const files::XmlElement*> links = named(urdf, "link");
   (void)named(urdf, "joint");
   std::vector<UrdfJoint> joints;
   std::map<std::string, std::string> joint_above;  // of a link
-  for (const TiXmlElement* element : files::children(urdf.root(), "joint")) {
+  for (const files::XmlElement* element : files::children(urdf.root(), "joint")) {
     UrdfJoint joint{urdf.attribute(*element, "name"), "", "", element};
     const auto link = [&](const char* end) {
-      const TiXmlElement* node = element->FirstChildElement(end);
+      const files::XmlElement* node = element->FirstChildElement(end);
       if (!node) urdf.fail(*element, key_of(joint, "") + "." + end, "is missing");
       std::string name = urdf.attribute(*node, "link");
       if (!links.contains(name)) {
@@ -149,7 +149,7 @@ std::vector<UrdfJoint> urdf_joints(const files::XmlText& urdf) {
   }
   if (joints.empty()) urdf.fail(urdf.root(), "robot", "has no joints");
   std::vector<std::string> roots;
-  for (const TiXmlElement* link : files::children(urdf.root(), "link")) {
+  for (const files::XmlElement* link : files::children(urdf.root(), "link")) {
     const std::string name = link->Attribute("name");
     if (joint_above.contains(name)) continue;
     if (!roots.empty()) {

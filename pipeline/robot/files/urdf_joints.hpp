@@ -10,7 +10,7 @@ namespace morphe::robot {
 /// A joint of a URDF and where it stands.
 struct UrdfJoint {
   std::string name, parent, child;
-  const TiXmlElement* element = nullptr;
+  const files::XmlElement* element = nullptr;
 };
 
 /// The joints in the file's order, moved behind their parents where they stand before them. Throws

@@ -80,8 +80,8 @@ struct Shapes {
   }
 };
 
-const TiXmlElement& link_element(const files::XmlText& text, const std::string& name) {
-  for (const TiXmlElement* link : files::children(text.root(), "link")) {
+const files::XmlElement& link_element(const files::XmlText& text, const std::string& name) {
+  for (const files::XmlElement* link : files::children(text.root(), "link")) {
     if (name == link->Attribute("name")) return *link;
   }
   return text.root();
@@ -100,12 +100,12 @@ std::string free_name(const RobotTable& table, const std::string& wanted) {
 
 void add_link_shapes(Assembly& assembly, const files::XmlText& text, const urdf::Link& link,
                      const Place& place, bool ignore_meshes) {
-  const TiXmlElement& element = link_element(text, link.name);
-  const std::vector<const TiXmlElement*> elements = files::children(element, "collision");
+  const files::XmlElement& element = link_element(text, link.name);
+  const std::vector<const files::XmlElement*> elements = files::children(element, "collision");
   Shapes shapes{link, {}};
   for (std::size_t k = 0; k < link.collision_array.size(); ++k) {
     const urdf::Collision& collision = *link.collision_array[k];
-    const TiXmlElement& at = k < elements.size() ? *elements[k] : element;
+    const files::XmlElement& at = k < elements.size() ? *elements[k] : element;
     const std::string key = fmt::format("link {}.collision", link.name);
     const Pose pose = pose_of(collision.origin);
     const std::size_t before = shapes.capsules.size();
@@ -117,7 +117,7 @@ void add_link_shapes(Assembly& assembly, const files::XmlText& text, const urdf:
       shapes.add_box(pose, {box->dim.x, box->dim.y, box->dim.z});
     } else if (ignore_meshes) {
       assembly.notes.push_back(fmt::format("{}:{}: {}: a mesh, left out: no contact of it is seen",
-                                           text.file.string(), at.Row(), key));
+                                           text.file.string(), at.GetLineNum(), key));
     } else {
       text.fail(at, key, "is a mesh; give a sphere, cylinder or box, or say `meshes: ignore`");
     }
@@ -139,7 +139,7 @@ void add_link_shapes(Assembly& assembly, const files::XmlText& text, const urdf:
 void read_srdf(Assembly& assembly, const FileScope& scope, const std::filesystem::path& file) {
   const files::XmlText text(file, "robot");
   assembly.files.push_back(file);
-  for (const TiXmlElement* pair : files::children(text.root(), "disable_collisions")) {
+  for (const files::XmlElement* pair : files::children(text.root(), "disable_collisions")) {
     const auto frame = [&](const char* attribute) {
       const std::string link = text.attribute(*pair, attribute);
       const auto found = scope.links.find(link);

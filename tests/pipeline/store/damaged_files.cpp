@@ -8,7 +8,9 @@
 #include "sample_data.hpp"
 
 /// Asked for by the leak sanitizer: HDF5 itself forgets an object header whose checksum failed.
-extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5_serial"; }
+extern "C" [[gnu::visibility("default")]] const char* __lsan_default_suppressions() {
+  return "leak:libhdf5_serial";
+}
 
 namespace morphe::store {
 namespace {

@@ -1,6 +1,8 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <fstream>
+#include <string_view>
 
 #include "pipeline/collision/mesh_solid.hpp"
 #include "pipeline/config/fields.hpp"
@@ -35,11 +37,11 @@ struct Grasping {
   }
 };
 
-const SceneObject& object(const Scene& scene, const std::string& name) {
+const SceneObject& object(const Scene& scene, std::string_view name) {
   for (const SceneObject& o : scene.objects) {
     if (o.name == name) return o;
   }
-  throw std::runtime_error("no object " + name);
+  throw std::runtime_error(fmt::format("no object {}", name));
 }
 
 std::vector<std::string> names(const Scene& scene) {

@@ -66,7 +66,11 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"joint_twice", "joint name=\"b\"", "joint name=\"a\"",
               "two.urdf:21: joint a: stands twice"},
         Fault{"no_xml", "</robot>\n", "<robot>\n",
-              "two.srdf:4: not valid XML: Error reading end tag."},
+              "two.srdf:3: not valid XML: an element has no end"},
+        Fault{"wrong_end", "</robot>\n", "</robots>\n",
+              "two.srdf:1: not valid XML: an element has the end of another"},
+        Fault{"wrong_attribute", "link1=\"stand\"", "link1=stand",
+              "two.srdf:2: not valid XML: an attribute cannot be read"},
         Fault{"unknown_srdf_link", "link1=\"stand\"", "link1=\"stool\"",
               "two.srdf:2: disable_collisions.link1: there is no link 'stool'"},
         Fault{
