@@ -164,10 +164,6 @@ bool surely_within(const QuinticPiece& piece, double velocity, double accelerati
          largest(std::array{6 * c[3], 24 * c[4], 60 * c[5]}) <= jerk * t * t * t;
 }
 
-Range position_range(const QuinticPiece& piece, double begin, double end) {
-  return ranges(piece.coefficient, begin / piece.duration, end / piece.duration)[0];
-}
-
 LimitReport judge_limits(const RobotTable& robot, const Trajectory& trajectory) {
   LimitReport report;
   for (std::size_t sample = 0; sample + 1 < trajectory.samples(); ++sample) {

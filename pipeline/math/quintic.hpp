@@ -38,8 +38,6 @@ QuinticExtremes extremes(const QuinticPiece& piece);
 /// Whether the Bézier points of velocity, acceleration and jerk, which enclose each curve, lie
 /// within the limits: a quick yes; a no says nothing.
 bool surely_within(const QuinticPiece& piece, double velocity, double acceleration, double jerk);
-/// Exact range of the position over t in [begin, end], a part of the piece.
-Range position_range(const QuinticPiece& piece, double begin, double end);
 
 /// Largest |value| / limit over all joints and the whole trajectory, on the quintics; the sample is
 /// the one before the place, -1 for an empty trajectory.

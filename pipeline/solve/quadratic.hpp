@@ -24,13 +24,6 @@ struct Quadratic {
     gradient *= factor;
     hessian *= factor;
   }
-  /// Adds weight * ‖residual‖² with its Jacobian [rows, n].
-  template <class Residual, class Jacobian>
-  void add_squares(double weight, const Residual& residual, const Jacobian& jacobian) {
-    value += weight * residual.squaredNorm();
-    gradient.noalias() += (2 * weight) * (jacobian.transpose() * residual);
-    hessian.noalias() += (2 * weight) * (jacobian.transpose() * jacobian);
-  }
 };
 
 }  // namespace morphe::solve

@@ -90,9 +90,9 @@ IntervalWorld interval_world(const collision::CollisionWorld& world, double begi
 bool state_free(const IntervalWorld& interval, const JointVector& q,
                 collision::CollisionScratch& scratch) {
   const collision::CollisionWorld& hand = interval.world.hand;
-  if (collision::least_slack(hand, q, interval.times.front(), scratch).slack() < 0) return false;
+  if (!collision::is_free(hand, q, interval.times.front(), scratch)) return false;
   return std::all_of(interval.times.begin(), interval.times.end(), [&](double time_s) {
-    return collision::least_slack(interval.world.around, q, time_s, scratch).slack() >= 0;
+    return collision::is_free(interval.world.around, q, time_s, scratch);
   });
 }
 

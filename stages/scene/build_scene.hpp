@@ -146,10 +146,9 @@ void fields(Fields& f, SceneOptions& o) {
 }
 std::string why_invalid(const SceneOptions& options);
 
-/// The section `scene` of a config, its files included. InputError for a wrong value (with file,
-/// line and key), a name used twice, a file that cannot be read, a mesh that is none.
-SceneOptions read_scene(const config::ConfigNode& node);
-/// For options that were read from `node`: loads the meshes and `file` (if any).
+/// For options that were read from `node`: loads the meshes and `file` (if any). InputError for a
+/// wrong value (with file, line and key), a name used twice, a file that cannot be read, a mesh
+/// that is none.
 void load_scene_files(SceneOptions& options, const config::ConfigNode& node);
 
 /// The bodies around one movement, in the world frame: configured objects, then "table", then

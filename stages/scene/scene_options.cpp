@@ -165,11 +165,4 @@ void load_scene_files(SceneOptions& options, const config::ConfigNode& node) {
   if (const std::string wrong = why_invalid(options); !wrong.empty()) root.fail(wrong);
 }
 
-SceneOptions read_scene(const config::ConfigNode& node) {
-  SceneOptions options;
-  config::read_options(node, options);
-  load_scene_files(options, node);
-  return options;
-}
-
 }  // namespace morphe::scene

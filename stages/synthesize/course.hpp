@@ -34,11 +34,6 @@ struct Course {
     }
     return value;
   }
-  Value destination() const {
-    Value value = start;
-    for (const Step& step : steps) value += step.delta;
-    return value;
-  }
 };
 
 }  // namespace morphe::synthesize

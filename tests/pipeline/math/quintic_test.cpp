@@ -61,24 +61,6 @@ TEST(Quintic, ExtremesEqualDenseSampling) {
   }
 }
 
-TEST(Quintic, RangeOfAPart) {
-  std::mt19937 random(11);
-  for (int trial = 0; trial < 50; ++trial) {
-    const QuinticPiece piece = random_piece(random, 0.5);
-    const Range range = position_range(piece, 0.1, 0.35);
-    double least = 1e9, greatest = -1e9;
-    for (int i = 0; i <= 2000; ++i) {
-      const double value = value_at(piece, 0.1 + 0.25 * i / 2000);
-      least = std::min(least, value);
-      greatest = std::max(greatest, value);
-    }
-    EXPECT_NEAR(range.least, least, 1e-5);
-    EXPECT_NEAR(range.greatest, greatest, 1e-5);
-    EXPECT_LE(range.least, least + 1e-12);
-    EXPECT_GE(range.greatest, greatest - 1e-12);
-  }
-}
-
 TEST(Quintic, JudgesATrajectoryBetweenItsSamples) {
   RobotTable robot;
   robot.joint_names = {"a"};

@@ -8,6 +8,14 @@
 namespace morphe::solve {
 namespace {
 
+/// Adds ‖residual‖² with its Jacobian [rows, n].
+void add_squares(const Eigen::VectorXd& residual, const Eigen::MatrixXd& jacobian,
+                 Quadratic& model) {
+  model.value += residual.squaredNorm();
+  model.gradient += 2 * jacobian.transpose() * residual;
+  model.hessian += 2 * jacobian.transpose() * jacobian;
+}
+
 using Eigen::Index;
 
 /// F_f = sum_j (q_j - target(f, j))²: with the penalty a linear least-squares problem.
@@ -20,7 +28,7 @@ MovementProblem quadratic_problem(const JointRows& target, double weight) {
                                JointVector::Constant(target.cols(), weight)};
   problem.frame_model = [target](std::size_t f, const JointVector& q, Quadratic& model) {
     const JointVector away = q - target.row(static_cast<Index>(f)).transpose();
-    model.add_squares(1, away, Eigen::MatrixXd::Identity(q.size(), q.size()));
+    add_squares(away, Eigen::MatrixXd::Identity(q.size(), q.size()), model);
   };
   return problem;
 }
@@ -113,8 +121,7 @@ TEST(MinimiseMovement, ConvergesOnACurvedProblem) {
   problem.difference_weight.fill(JointVector::Zero(2));
   problem.difference_weight[2].setConstant(1e-3);
   problem.frame_model = [](std::size_t, const JointVector& q, Quadratic& model) {
-    model.add_squares(1, Eigen::Matrix<double, 1, 1>(q.squaredNorm() - 1),
-                      Eigen::RowVectorXd(2 * q.transpose()));
+    add_squares(Eigen::VectorXd::Constant(1, q.squaredNorm() - 1), 2 * q.transpose(), model);
   };
   JointRows start(20, 2);
   for (Index f = 0; f < 20; ++f) start.row(f) << 2.0, 0.05 * static_cast<double>(f);

@@ -192,7 +192,9 @@ TEST(MoveScene, MovesEveryPose) {
 
 SceneOptions read(const std::string& yaml) {
   const config::ConfigNode node = config::ConfigNode::parse(yaml, "c.yaml");
-  SceneOptions options = read_scene(node);
+  SceneOptions options;
+  config::read_options(node, options);
+  load_scene_files(options, node);
   node.expect_all_read();
   return options;
 }

@@ -1,0 +1,87 @@
+#!/usr/bin/env python3
+"""No word of an enumeration is compared as text: phases, causes, reasons, statuses, hands, modes and
+the like are values, and their names stand in one table each (names_of).
+
+  words_test.py [ROOT]        the check: no == or != between such a word and anything
+  words_test.py --self-test   plants a comparison of each kind; every one must be found
+"""
+import pathlib
+import re
+import shutil
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+TABLE = re.compile(r"names_of\((\w+)\)\s*\{\s*return\s*\{(.*?)\}", re.S)
+# Words that are also the names of other things: of an object, of a chain of joints, of a kind of
+# obstacle that a study puts there. Where they are meant stands beside them.
+OTHERS = {
+    ("pipeline/collision", "table"): "the object that scene.table makes",
+    ("stages/scene/scene_options.cpp", "table"): "the object that scene.table makes",
+    ("stages/check/check_collisions.cpp", "table"): "the object that scene.table makes",
+    ("stages/scene/scene_options.cpp", "mesh"): "a key of the config, which has convex beside it",
+    ("stages/study/obstacles.cpp", "object"): "a kind of obstacle",
+    ("stages/study/obstacles.cpp", "reach"): "a kind of obstacle",
+}
+
+
+def words(root):
+    """{word: the enumerations that have it}"""
+    found = {}
+    for path in sorted((root / "pipeline").rglob("*.hpp")) + sorted((root / "stages").rglob("*.hpp")):
+        for enumeration, body in TABLE.findall(path.read_text(encoding="utf-8")):
+            for word in filter(None, re.findall(r'"([^"]*)"', body)):
+                found.setdefault(word, []).append(enumeration)
+    return found
+
+
+def check(root):
+    known, found = words(root), []
+    either = re.compile(r'[=!]=\s*"([^"]*)"|"([^"]*)"\s*[=!]=')
+    for top in ("pipeline", "stages"):
+        for path in sorted((root / top).rglob("*.[ch]pp")):
+            name = path.relative_to(root).as_posix()
+            for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+                for match in either.finditer(line.split("//")[0]):
+                    word = match[1] if match[1] is not None else match[2]
+                    meant = any(name.startswith(place) and word == other for place, other in OTHERS)
+                    if word in known and word and not meant:
+                        found.append(f'{name}:{number}: compares "{word}", a word of {" and ".join(known[word])}')
+    return found
+
+
+PLANTED = [
+    'bool a(const std::string& phase) { return phase == "grasp"; }',
+    'bool b(const std::string& cause) { return cause != "tracking"; }',
+    'bool c(const std::string& reason) { return "no_path" == reason; }',
+    'bool d(const std::string& hand) { return hand == "left"; }',
+    'bool e(const std::string& mode) { return mode == "fastest"; }',
+]
+
+
+def self_test():
+    missed = 0
+    for line in PLANTED:
+        with tempfile.TemporaryDirectory() as folder:
+            copy = pathlib.Path(folder)
+            for top in ("pipeline", "stages"):
+                shutil.copytree(ROOT / top, copy / top)
+            (copy / "stages/map/planted.cpp").write_text(f"{line}\n", encoding="utf-8")
+            if not any("planted.cpp:1:" in fault for fault in check(copy)):
+                print(f"not found: {line}")
+                missed += 1
+    print(f"{len(PLANTED) - missed} of {len(PLANTED)} planted comparisons found")
+    return 1 if missed else 0
+
+
+def main(arguments):
+    if arguments == ["--self-test"]:
+        return self_test()
+    root = pathlib.Path(arguments[0]) if arguments else ROOT
+    faults = check(root)
+    print("\n".join(faults) or f"{len(words(root))} words, none compared as text")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
