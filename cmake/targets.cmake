@@ -18,6 +18,19 @@ if(MORPHE_ARCH)
     target_compile_options(morphe_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized>)
   endif()
 endif()
+# Packages instantiate the same Eigen templates for other processors: what a program or library shows
+# of its own, the loader would hand to them. So everything is hidden, and what namespace std brings
+# out again (a std::vector of Eigen's) is kept in when linking; tests/symbols_test.py looks.
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+
+# morphe_exports(TARGET MAP): a program or shared library shows what cmake/MAP.map names, nothing else.
+function(morphe_exports target map)
+  set(script ${PROJECT_SOURCE_DIR}/cmake/${map}.map)
+  target_link_options(${target} PRIVATE -Wl,--version-script=${script})
+  set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${script})
+endfunction()
+
 if(MORPHE_WARNINGS_AS_ERRORS)
   target_compile_options(morphe_flags INTERFACE -Werror)
 endif()
