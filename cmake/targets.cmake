@@ -8,10 +8,13 @@ target_compile_options(morphe_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-rest
 target_compile_options(morphe_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overread;-Wno-stringop-overflow>)
 # a * b - c * d is zero where both products are equal: predicates count on it.
 target_compile_options(morphe_flags INTERFACE -ffp-contract=off)
-# Small dense matrices are most of the work; packages were compiled for 16-byte alignment.
+# How Eigen's types lie in memory, and how the heap is asked for theirs, must not depend on the
+# processor that a file is compiled for: packages, the library and its users share them.
+set(morphe_eigen EIGEN_MAX_ALIGN_BYTES=16 EIGEN_MALLOC_ALREADY_ALIGNED=0)
+target_compile_definitions(morphe_flags INTERFACE ${morphe_eigen})
+# Small dense matrices are most of the work.
 if(MORPHE_ARCH)
   target_compile_options(morphe_flags INTERFACE -march=${MORPHE_ARCH})
-  target_compile_definitions(morphe_flags INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
   # g++ 12 warns of its own vector intrinsics (GCC bug 105593), of AVX-512's even more.
   target_compile_options(morphe_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-array-bounds>)
   if(NOT MORPHE_ARCH STREQUAL default_arch)
