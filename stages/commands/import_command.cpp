@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "pipeline/store/demonstration_file.hpp"
 #include "stages/commands/commands.hpp"
 #include "stages/commands/import_options.hpp"
 
@@ -21,10 +20,7 @@ Command import_command(CLI::App& app) {
   app.add_option("--out", arguments->out, "The demonstrations.h5 to write")->required();
   add_import_options(app, arguments->request);
   return [arguments] {
-    store::DemonstrationWriter writer(arguments->out);
-    const std::size_t count = imports::import_recordings(
-        arguments->request, [&](Demonstration&& demonstration) { writer.add(demonstration); });
-    writer.finish();
+    const std::size_t count = imports::write_demonstrations(arguments->request, arguments->out);
     fmt::print("{}: {} demonstrations\n", arguments->out, count);
     return 0;
   };
