@@ -5,6 +5,7 @@
 
 #include "stages/commands/commands.hpp"
 #include "stages/commands/import_options.hpp"
+#include "stages/commands/input_file.hpp"
 
 namespace morphe::commands {
 
@@ -16,7 +17,8 @@ Command import_command(CLI::App& app) {
   const auto arguments = std::make_shared<Arguments>();
   app.add_option("PATH", arguments->request.paths,
                  "Recordings, or manifests (.yaml) that list them")
-      ->required();
+      ->required()
+      ->transform(input_file());
   app.add_option("--out", arguments->out, "The demonstrations.h5 to write")->required();
   add_import_options(app, arguments->request);
   return [arguments] {

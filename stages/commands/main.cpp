@@ -57,7 +57,10 @@ int main(int argc, char** argv) {
     return kBadInput;
   }
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is an error to be told, like a full disk
-  CLI::App app("Morphe: recorded human reaches -> executable robot trajectories", "morphe");
+  CLI::App app(
+      "Morphe: recorded human reaches -> executable robot trajectories\n"
+      "A file to read that is not there may be a shipped one: configs/..., datasets/...",
+      "morphe");
   app.set_version_flag("--version", morphe::software());
   app.require_subcommand(1);
   std::array<morphe::commands::Command, kCommands.size()> commands;

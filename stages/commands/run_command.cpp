@@ -12,6 +12,7 @@
 #include "pipeline/run/run_dataset.hpp"
 #include "pipeline/run/run_folder.hpp"
 #include "stages/commands/commands.hpp"
+#include "stages/commands/input_file.hpp"
 #include "stages/commands/plan_report.hpp"
 #include "stages/import/import.hpp"
 #include "stages/planning/plan_movement.hpp"
@@ -146,14 +147,14 @@ int execute(const RunArguments& arguments) {
 
 Command run_command(CLI::App& app) {
   const auto arguments = std::make_shared<RunArguments>();
-  app.add_option("CONFIG", arguments->config, "Pipeline config (YAML)");
+  app.add_option("CONFIG", arguments->config, "Pipeline config (YAML)")->transform(input_file());
   app.add_option("--from", arguments->from,
                  "plans.h5: run again with the config, robot and scene that it holds");
   app.add_option("--out", arguments->out, "Folder for plans.h5; an unfinished run in it goes on")
       ->required();
   app.add_option("--dataset", arguments->dataset,
                  "demonstrations.h5 or a recordings manifest, instead of the config's")
-      ;
+      ->transform(input_file());
   app.add_option("--jobs", arguments->jobs, "Threads (default: one per core)")
       ->check(CLI::PositiveNumber);
   app.add_option("--set", arguments->settings, "a.b=value: replaces a value of the config")
