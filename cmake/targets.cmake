@@ -12,6 +12,8 @@ target_compile_options(morphe_flags INTERFACE -ffp-contract=off)
 # processor that a file is compiled for: packages, the library and its users share them.
 set(morphe_eigen EIGEN_MAX_ALIGN_BYTES=16 EIGEN_MALLOC_ALREADY_ALIGNED=0)
 target_compile_definitions(morphe_flags INTERFACE ${morphe_eigen})
+# The library is made of the same objects as the programs; hidden as they are, this costs nothing.
+target_compile_options(morphe_flags INTERFACE -fPIC)
 # Small dense matrices are most of the work.
 if(MORPHE_ARCH)
   target_compile_options(morphe_flags INTERFACE -march=${MORPHE_ARCH})

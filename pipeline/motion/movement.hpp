@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "pipeline/motion/export.hpp"
 #include "pipeline/motion/named.hpp"
 
 namespace morphe {
@@ -34,9 +35,9 @@ struct Movement {
 };
 
 /// The phase at a time: the shortest one that contains it (borders do), rest if none.
-PhaseKind phase_at(const std::vector<Phase>& phases, double time_s);
+MORPHE_EXPORT PhaseKind phase_at(const std::vector<Phase>& phases, double time_s);
 
 /// The last phase of a kind, null if there is none.
-const Phase* last_phase(const Movement& movement, PhaseKind kind);
+MORPHE_EXPORT const Phase* last_phase(const Movement& movement, PhaseKind kind);
 
 }  // namespace morphe

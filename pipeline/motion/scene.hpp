@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "pipeline/motion/export.hpp"
 #include "pipeline/motion/geometry.hpp"
 #include "pipeline/motion/named.hpp"
 
@@ -45,6 +46,6 @@ struct Scene {
 
 /// Pose of an object at a demonstration time, as recorded: linear in position, slerp in
 /// orientation, held before the first and after the last sample. Attachment is not considered.
-Pose recorded_pose(const SceneObject& object, double time_s);
+MORPHE_EXPORT Pose recorded_pose(const SceneObject& object, double time_s);
 
 }  // namespace morphe
