@@ -8,10 +8,15 @@ target_compile_options(morphe_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-rest
 target_compile_options(morphe_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overread;-Wno-stringop-overflow>)
 # a * b - c * d is zero where both products are equal: predicates count on it.
 target_compile_options(morphe_flags INTERFACE -ffp-contract=off)
-# Small dense matrices are most of the work; packages were compiled for 16-byte alignment.
+# How Eigen's types lie in memory, and how the heap is asked for theirs, must not depend on the
+# processor that a file is compiled for: packages, the library and its users share them.
+set(morphe_eigen EIGEN_MAX_ALIGN_BYTES=16 EIGEN_MALLOC_ALREADY_ALIGNED=0)
+target_compile_definitions(morphe_flags INTERFACE ${morphe_eigen})
+# The library is made of the same objects as the programs; hidden as they are, this costs nothing.
+target_compile_options(morphe_flags INTERFACE -fPIC)
+# Small dense matrices are most of the work.
 if(MORPHE_ARCH)
   target_compile_options(morphe_flags INTERFACE -march=${MORPHE_ARCH})
-  target_compile_definitions(morphe_flags INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
   # g++ 12 warns of its own vector intrinsics (GCC bug 105593), of AVX-512's even more.
   target_compile_options(morphe_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-array-bounds>)
   if(NOT MORPHE_ARCH STREQUAL default_arch)
@@ -81,7 +86,6 @@ function(morphe_folder path folders packages)
     add_library(${target} STATIC ${sources})
     target_precompile_headers(${target} REUSE_FROM morphe_precompiled)
     target_link_libraries(${target} PUBLIC morphe_flags ${links} ${packages})
-    target_compile_definitions(${target} PRIVATE MORPHE_VERSION="${PROJECT_VERSION}")
   else()
     add_library(${target} INTERFACE)
     target_link_libraries(${target} INTERFACE morphe_flags ${links} ${packages})

@@ -16,7 +16,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 COPIED = ("pipeline", "stages", "cmake", "configs", "docs", "tests", "scripts")
 FLAGS = ["-std=c++20", "-O0", "-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-DFMT_SHARED", "-I/usr/include/eigen3",
-         "-DMORPHE_VERSION=\"0\""]
+         "-DEIGEN_MAX_ALIGN_BYTES=16", "-DEIGEN_MALLOC_ALREADY_ALIGNED=0"]
 
 # What the page may say of a file. A place is a whole line, or how one line begins; the marks around
 # a line that holds a grave accent are two.

@@ -22,13 +22,14 @@ PACKAGED = re.compile(r"(.*/.*|\w+\.hpp|hdf5\.h|H5\w+\.h|sqlite3\.h|tinyxml2\.h|
 SYSTEM = re.compile(r"(sys|linux|sanitizer)/")
 
 # Made of steps; only they may include planning, and only from here do arrows lead to run and verify.
-MADE_OF_STEPS = ("stages/planning", "stages/study", "stages/commands")
+MADE_OF_STEPS = ("stages/planning", "stages/study", "stages/library", "stages/commands")
 INCLUDED_BY = {
-    "stages/planning": {"stages/study", "stages/commands"},
+    "stages/planning": {"stages/study", "stages/library", "stages/commands"},
     "stages/study": {"stages/commands"},
+    "stages/library": set(),
     "stages/commands": set(),
     "pipeline/run": {"stages/planning", "stages/commands"},
-    "pipeline/verify": {"stages/commands"},
+    "pipeline/verify": {"stages/library", "stages/commands"},
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')

@@ -6,7 +6,7 @@ no namespace defines a type twice, and no folder's type is called like a noun of
   names_test.py --self-test   plants one fault of each kind in a copy; each must be found
 
 A folder's namespace is morphe:: and its name (robot/files: robot); the nouns of pipeline/motion/
-are in morphe itself; import and export, which C++ keeps for itself, are imports and exports. What
+and what stages/library/ adds to them are in morphe itself; import and export, which C++ keeps for itself, are imports and exports. What
 is unnamed in a .cpp file has internal linkage, but its types may not be called like one that the
 file could see.
 """
@@ -25,7 +25,7 @@ NOISE = re.compile(r"//[^\n]*|/\*.*?\*/|R\"\(.*?\)\"|\"(?:\\.|[^\"\\\n])*\"|'(?:
 TEMPLATE = re.compile(r"\btemplate\s*<[^<>\n]*(?:<[^<>\n]*>[^<>\n]*)*>")
 TOKEN = re.compile(
     r"(?P<namespace>\bnamespace\s+(?P<opened>[\w:]*)\s*\{)"
-    r"|(?P<type>\b(?:struct|class|union|enum(?:\s+class|\s+struct)?)\s+(?P<name>\w+)\b(?!\s*(?:::|<))(?=[^;{}()=]*\{))"
+    r"|(?P<type>\b(?:struct|class|union|enum(?:\s+class|\s+struct)?)\s+(?:MORPHE_EXPORT\s+)?(?P<name>\w+)\b(?!\s*(?:::|<))(?=[^;{}()=]*\{))"
     r"|\busing\s+(?P<alias>\w+)\s*="
     r"|(?P<open>\{)|(?P<close>\})"
 )
@@ -33,7 +33,7 @@ TOKEN = re.compile(
 
 def namespace_of(path):
     folder = path.split("/")[1]
-    return NOUNS if folder == "motion" else f"{NOUNS}::{KEPT_BY_CPP.get(folder, folder)}"
+    return NOUNS if folder in ("motion", "library") else f"{NOUNS}::{KEPT_BY_CPP.get(folder, folder)}"
 
 
 def types_of(text):
@@ -85,6 +85,7 @@ PLANTED = [
     ("pipeline/collision/planted.cpp", "namespace morphe::collision {\nusing CollisionWorld = int;\n}\n"),
     ("pipeline/collision/planted.cpp", "namespace morphe::collision {\nstruct Plan final : Base {};\n}\n"),
     ("pipeline/collision/planted.cpp", "namespace morphe::collision {\nnamespace {\nstruct CollisionWorld {};\n}\n}\n"),
+    ("pipeline/collision/planted.hpp", "namespace morphe::collision {\nclass MORPHE_EXPORT CollisionWorld {\n};\n}\n"),
     ("pipeline/collision/planted.cpp", "namespace morphe::solve {\n}\n"),
     ("stages/map/planted.cpp", "namespace morphe {\nstruct Loose {};\n}\n"),
 ]

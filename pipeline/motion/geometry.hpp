@@ -15,6 +15,13 @@ using JointVector = Eigen::VectorXd;
 /// Joint values along a movement, [samples, joints], a row per sample.
 using JointRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+// The library and its users hand these to each other, each compiled for a processor of its own: how
+// they lie in memory and how the heap is asked for them must not depend on it.
+static_assert(EIGEN_MAX_ALIGN_BYTES == 16 && EIGEN_MALLOC_ALREADY_ALIGNED == 0 &&
+                  alignof(Quat) == 16 && !Eigen::Matrix3d::IsRowMajor,
+              "compile with -DEIGEN_MAX_ALIGN_BYTES=16 -DEIGEN_MALLOC_ALREADY_ALIGNED=0, as Morphe "
+              "was, and Eigen's other defaults; CMake's target Morphe::morphe does");
+
 /// What was not seen is NaN, in memory as in the files.
 inline constexpr double kNotSeen = std::numeric_limits<double>::quiet_NaN();
 inline Vec3 unseen_point() { return Vec3::Constant(kNotSeen); }

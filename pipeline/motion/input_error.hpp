@@ -3,11 +3,13 @@
 #include <stdexcept>
 #include <string>
 
+#include "pipeline/motion/export.hpp"
+
 namespace morphe {
 
 /// A bad file, config or argument. what() is one line, "FILE:LINE: KEY: message" or
 /// "FILE:/h5/path: message". Caught once, in main: exit code 2.
-struct InputError : std::runtime_error {
+struct MORPHE_EXPORT InputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 

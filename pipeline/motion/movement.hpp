@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "pipeline/motion/export.hpp"
 #include "pipeline/motion/named.hpp"
 
 namespace morphe {
@@ -34,13 +35,13 @@ struct Movement {
 };
 
 /// The phase at a time: the shortest one that contains it (borders do), rest if none.
-PhaseKind phase_at(const std::vector<Phase>& phases, double time_s);
+MORPHE_EXPORT PhaseKind phase_at(const std::vector<Phase>& phases, double time_s);
 
 /// Whether the hand grasps or holds at a time, borders included: goals count there by the tighter
 /// tolerance. The judge of plan files (pipeline/verify) has the same rule of its own.
 bool grasping_at(const Movement& movement, double time_s);
 
 /// The last phase of a kind, null if there is none.
-const Phase* last_phase(const Movement& movement, PhaseKind kind);
+MORPHE_EXPORT const Phase* last_phase(const Movement& movement, PhaseKind kind);
 
 }  // namespace morphe

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "pipeline/motion/export.hpp"
 #include "pipeline/motion/geometry.hpp"
 #include "pipeline/motion/named.hpp"
 
@@ -49,6 +50,6 @@ SceneObject* object_named(std::vector<SceneObject>& objects, const std::string& 
 
 /// Pose of an object at a demonstration time, as recorded: linear in position, slerp in
 /// orientation, held before the first and after the last sample. Attachment is not considered.
-Pose recorded_pose(const SceneObject& object, double time_s);
+MORPHE_EXPORT Pose recorded_pose(const SceneObject& object, double time_s);
 
 }  // namespace morphe

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pipeline/motion/demonstration.hpp"
+#include "pipeline/motion/export.hpp"
 
 namespace morphe {
 
@@ -20,9 +21,9 @@ struct StreamReport {
   std::vector<std::string> unseen;  ///< columns that were never seen
 };
 /// All streams of a demonstration, or of its calibration.
-std::vector<StreamReport> report_streams(const Streams& streams);
+MORPHE_EXPORT std::vector<StreamReport> report_streams(const Streams& streams);
 
 /// The longest of its streams [s].
-double longest_s(const std::vector<StreamReport>& streams);
+MORPHE_EXPORT double longest_s(const std::vector<StreamReport>& streams);
 
 }  // namespace morphe

@@ -8,13 +8,14 @@
 #include <vector>
 
 #include "pipeline/motion/demonstration.hpp"
+#include "pipeline/motion/export.hpp"
 
 namespace morphe::store {
 
 /// Writes demonstrations.h5 (docs/formats.md). The file appears, whole and synced, with finish();
 /// without it nothing is left behind. InputError: a name that is empty, taken or holds '/'; arrays
 /// of one stream that differ in length; a disk that does not take it.
-class DemonstrationWriter {
+class MORPHE_EXPORT DemonstrationWriter {
  public:
   explicit DemonstrationWriter(const std::filesystem::path& path);
   ~DemonstrationWriter();
@@ -30,7 +31,7 @@ class DemonstrationWriter {
 /// (by name where the file does not say). Streams that are absent are nullopt. InputError
 /// "FILE:/h5/path: message" for whatever is missing, damaged or does not fit together, and for a
 /// file that changed since it was opened.
-class DemonstrationReader {
+class MORPHE_EXPORT DemonstrationReader {
  public:
   explicit DemonstrationReader(const std::filesystem::path& path);
   ~DemonstrationReader();

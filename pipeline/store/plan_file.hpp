@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/motion/export.hpp"
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
@@ -15,7 +16,7 @@ namespace morphe::store {
 /// whole and synced, with finish(); without it nothing is left behind. InputError: a plan or input
 /// that is there already, a demonstration's name that is empty or holds '/', an absolute input
 /// path, arrays that do not fit the robot or each other, a disk that does not take it.
-class PlanWriter {
+class MORPHE_EXPORT PlanWriter {
  public:
   PlanWriter(const std::filesystem::path& path, const PlanFileHeader& header,
              const RobotTable& robot);
@@ -31,7 +32,7 @@ class PlanWriter {
 /// Reads plans.h5, one plan at a time, in the order in which they were written. What read() returns
 /// fits together and fits robot(): lengths agree, indices are in range; InputError
 /// "FILE:/h5/path: message" otherwise. Values are not judged: that is for `verify`.
-class PlanReader {
+class MORPHE_EXPORT PlanReader {
  public:
   explicit PlanReader(const std::filesystem::path& path);
   ~PlanReader();

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/motion/export.hpp"
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
@@ -42,17 +43,17 @@ struct VerifyReport {
 /// sample; the certificate must agree with what is recomputed (clearance to 1e-4 m, the rest to
 /// 1e-9, see pipeline/verify/certificate.hpp). In the order of samples, then of causes and
 /// subjects.
-std::vector<Violation> verify_plan(const RobotTable& robot, const std::string& plan_path,
-                                   const Plan& plan);
+MORPHE_EXPORT std::vector<Violation> verify_plan(const RobotTable& robot,
+                                                 const std::string& plan_path, const Plan& plan);
 
 /// Every plan of a plans.h5. Throws InputError if the file cannot be read.
-VerifyReport verify_file(const std::filesystem::path& file);
+MORPHE_EXPORT VerifyReport verify_file(const std::filesystem::path& file);
 
 /// {executable, infeasible, violations: [{plan, sample, time_s, cause, subject, value, limit}]};
 /// a number that is not finite is null.
-std::string verify_json(const VerifyReport& report);
+MORPHE_EXPORT std::string verify_json(const VerifyReport& report);
 
 /// A line per violation, then the sum.
-std::string verify_text(const VerifyReport& report);
+MORPHE_EXPORT std::string verify_text(const VerifyReport& report);
 
 }  // namespace morphe::verify

@@ -6,6 +6,7 @@
 #include "pipeline/store/demonstration_file.hpp"
 #include "stages/commands/commands.hpp"
 #include "stages/commands/import_options.hpp"
+#include "stages/commands/input_file.hpp"
 #include "stages/commands/inspect_report.hpp"
 #include "stages/planning/pipeline_config.hpp"
 
@@ -40,9 +41,11 @@ Command inspect_command(CLI::App& app) {
   };
   const auto arguments = std::make_shared<Arguments>();
   app.add_option("FILE", arguments->file, "demonstrations.h5, a recording or a manifest")
-      ->required();
+      ->required()
+      ->transform(input_file());
   app.add_option("--config", arguments->config,
-                 "Pipeline config to rebuild and segment by (default: every default)");
+                 "Pipeline config to rebuild and segment by (default: every default)")
+      ->transform(input_file());
   add_import_options(app, arguments->request);
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] {

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "pipeline/motion/input_error.hpp"
+#include "pipeline/motion/version.hpp"
 #include "stages/commands/commands.hpp"
 
 namespace {
@@ -56,8 +57,11 @@ int main(int argc, char** argv) {
     return kBadInput;
   }
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is an error to be told, like a full disk
-  CLI::App app("Morphe: recorded human reaches -> executable robot trajectories", "morphe");
-  app.set_version_flag("--version", "morphe " MORPHE_VERSION);
+  CLI::App app(
+      "Morphe: recorded human reaches -> executable robot trajectories\n"
+      "A file to read that is not there may be a shipped one: configs/..., datasets/...",
+      "morphe");
+  app.set_version_flag("--version", morphe::software());
   app.require_subcommand(1);
   std::array<morphe::commands::Command, kCommands.size()> commands;
   for (std::size_t i = 0; i < kCommands.size(); ++i) {

@@ -7,6 +7,7 @@
 #include "pipeline/motion/input_error.hpp"
 #include "pipeline/robot/files/write_urdf.hpp"
 #include "stages/commands/commands.hpp"
+#include "stages/commands/input_file.hpp"
 #include "stages/describe/draw.hpp"
 #include "stages/describe/report.hpp"
 #include "stages/describe/self_collision.hpp"
@@ -29,7 +30,7 @@ Command robot_command(CLI::App& app) {
     int samples = 0;
   };
   const auto arguments = std::make_shared<Arguments>();
-  app.add_option("FILE", arguments->file, "Robot description")->required();
+  app.add_option("FILE", arguments->file, "Robot description")->required()->transform(input_file());
   app.add_option("--svg", arguments->svg, "Draw it, from the front and from the side");
   app.add_option("--urdf", arguments->urdf, "Write it as URDF");
   app.add_option("--self-collision", arguments->samples,

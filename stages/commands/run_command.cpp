@@ -8,10 +8,11 @@
 
 #include "pipeline/collision/certified.hpp"
 #include "pipeline/files/sha256.hpp"
+#include "pipeline/motion/version.hpp"
 #include "pipeline/run/run_dataset.hpp"
 #include "pipeline/run/run_folder.hpp"
-#include "pipeline/store/demonstration_file.hpp"
 #include "stages/commands/commands.hpp"
+#include "stages/commands/input_file.hpp"
 #include "stages/commands/plan_report.hpp"
 #include "stages/import/import.hpp"
 #include "stages/planning/plan_movement.hpp"
@@ -48,12 +49,9 @@ class Dataset {
     if (named.extension() != ".yaml") return;
     published_ = folder / "demonstrations.h5";
     file_ = folder / "demonstrations.h5.new";
-    store::DemonstrationWriter writer(file_);
     imports::ImportRequest request;
     request.paths = {named};
-    imports::import_recordings(request,
-                               [&](Demonstration&& demonstration) { writer.add(demonstration); });
-    writer.finish();
+    imports::write_demonstrations(request, file_);
   }
   ~Dataset() {
     std::error_code ignored;
@@ -104,7 +102,7 @@ int execute(const RunArguments& arguments) {
   const fs::path named = dataset_of(arguments, config.loaded);
   if (!fs::exists(named)) throw InputError(fmt::format("{}: cannot be read", named.string()));
 
-  const std::string software = "morphe " MORPHE_VERSION;
+  const std::string software = morphe::software();
   const run::Shard shard = run::parse_shard(arguments.shard);
   run::RunFolder folder(arguments.out, software, shard, arguments.fresh);
   Dataset dataset(named, folder.path());
@@ -119,8 +117,7 @@ int execute(const RunArguments& arguments) {
   request.identity.program = files::sha256_of_file("/proc/self/exe");
   request.identity.scene = config.scene_sha256;
   request.identity.shard = shard;
-  request.identity.header = {config.effective, files::sha256(config.effective), "", software,
-                             config.loaded.inputs};
+  request.identity.header = planning::header_of(config.loaded, "");
   request.identity.robot = robot;
   request.config = config.without_paths;
   request.expected_dataset = config.dataset_sha256;
@@ -150,13 +147,14 @@ int execute(const RunArguments& arguments) {
 
 Command run_command(CLI::App& app) {
   const auto arguments = std::make_shared<RunArguments>();
-  app.add_option("CONFIG", arguments->config, "Pipeline config (YAML)");
+  app.add_option("CONFIG", arguments->config, "Pipeline config (YAML)")->transform(input_file());
   app.add_option("--from", arguments->from,
                  "plans.h5: run again with the config, robot and scene that it holds");
   app.add_option("--out", arguments->out, "Folder for plans.h5; an unfinished run in it goes on")
       ->required();
   app.add_option("--dataset", arguments->dataset,
-                 "demonstrations.h5 or a recordings manifest, instead of the config's");
+                 "demonstrations.h5 or a recordings manifest, instead of the config's")
+      ->transform(input_file());
   app.add_option("--jobs", arguments->jobs, "Threads (default: one per core)")
       ->check(CLI::PositiveNumber);
   app.add_option("--set", arguments->settings, "a.b=value: replaces a value of the config")

@@ -7,6 +7,7 @@
 
 #include "pipeline/run/output_folder.hpp"
 #include "stages/commands/commands.hpp"
+#include "stages/commands/input_file.hpp"
 #include "stages/study/results.hpp"
 
 namespace morphe::commands {
@@ -18,7 +19,9 @@ Command study_command(CLI::App& app) {
     int jobs = 0;
   };
   const auto arguments = std::make_shared<Arguments>();
-  app.add_option("CONFIG", arguments->config, "Study (YAML, configs/studies)")->required();
+  app.add_option("CONFIG", arguments->config, "Study (YAML, configs/studies)")
+      ->required()
+      ->transform(input_file());
   app.add_option("--out", arguments->out, "Folder for the results")->required();
   app.add_flag("--quick", arguments->quick, "The small version");
   app.add_option("--jobs", arguments->jobs, "Threads (default: one per core)")

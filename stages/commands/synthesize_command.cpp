@@ -10,6 +10,7 @@
 #include "pipeline/parallel/ordered_map.hpp"
 #include "pipeline/store/demonstration_file.hpp"
 #include "stages/commands/commands.hpp"
+#include "stages/commands/input_file.hpp"
 #include "stages/synthesize/synthesize.hpp"
 
 namespace morphe::commands {
@@ -69,7 +70,8 @@ int execute(const SynthesizeArguments& arguments) {
 Command synthesize_command(CLI::App& app) {
   const auto arguments = std::make_shared<SynthesizeArguments>();
   app.add_option("CONFIG", arguments->config, "What to synthesize (YAML, configs/synthetic)")
-      ->required();
+      ->required()
+      ->transform(input_file());
   app.add_option("--out", arguments->out, "The demonstrations.h5 to write; F.truth.h5 beside it")
       ->required();
   app.add_option("--count", arguments->count, "Demonstrations (default: 100)")

@@ -8,6 +8,8 @@
 #include <set>
 
 #include "pipeline/config/fields.hpp"
+#include "pipeline/files/sha256.hpp"
+#include "pipeline/motion/version.hpp"
 
 namespace morphe::planning {
 namespace {
@@ -136,6 +138,11 @@ LoadedConfig load_config(const std::filesystem::path& file,
   loaded.effective = config::write_options(loaded.options);
   loaded.inputs = collect(groups);
   return loaded;
+}
+
+PlanFileHeader header_of(const LoadedConfig& config, const std::string& dataset_sha256) {
+  return {config.effective, files::sha256(config.effective), dataset_sha256, software(),
+          config.inputs};
 }
 
 }  // namespace morphe::planning

@@ -75,4 +75,7 @@ struct LoadedConfig {
 LoadedConfig load_config(const std::filesystem::path& file,
                          const std::vector<std::string>& settings = {});
 
+/// What a plans.h5 says of itself that is made with the config from that dataset.
+PlanFileHeader header_of(const LoadedConfig& config, const std::string& dataset_sha256);
+
 }  // namespace morphe::planning

@@ -1,0 +1,52 @@
+# libmorphe: what the headers in stages/library, pipeline/motion, store and verify show, with
+# everything that it takes inside. Its packages are its own business; who links it sees Eigen alone.
+set(shown)
+foreach(folder motion store verify library)
+  list(APPEND shown $<TARGET_OBJECTS:morphe_${folder}>)
+endforeach()
+add_library(libmorphe SHARED ${shown})
+target_link_libraries(libmorphe PRIVATE morphe_library PUBLIC Eigen3::Eigen)
+morphe_exports(libmorphe exports_library)
+target_compile_features(libmorphe INTERFACE cxx_std_20)
+# pipeline/motion/geometry.hpp refuses anything else.
+target_compile_definitions(libmorphe INTERFACE ${morphe_eigen})
+# Otherwise the linker looks into our packages, finds that they call functions of Eigen that the
+# program has, too, and shows them its own.
+target_link_options(libmorphe INTERFACE LINKER:--allow-shlib-undefined)
+target_include_directories(libmorphe INTERFACE $<INSTALL_INTERFACE:include> $<INSTALL_INTERFACE:include/morphe>)
+# Until 1.0 each minor version may change what is shown.
+set_target_properties(libmorphe PROPERTIES
+  OUTPUT_NAME morphe EXPORT_NAME morphe LINKER_LANGUAGE CXX
+  VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Morphe)
+install(TARGETS morphe DESTINATION bin)
+install(TARGETS libmorphe EXPORT Morphe LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(EXPORT Morphe NAMESPACE Morphe:: FILE MorpheTargets.cmake DESTINATION ${config_folder})
+configure_package_config_file(cmake/MorpheConfig.cmake.in ${CMAKE_BINARY_DIR}/MorpheConfig.cmake
+  INSTALL_DESTINATION ${config_folder} NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/MorpheConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/MorpheConfig.cmake ${CMAKE_BINARY_DIR}/MorpheConfigVersion.cmake
+  DESTINATION ${config_folder})
+install(FILES stages/library/morphe.hpp DESTINATION include/morphe)
+install(DIRECTORY pipeline/motion DESTINATION include/morphe/pipeline FILES_MATCHING PATTERN *.hpp)
+install(FILES pipeline/store/demonstration_file.hpp pipeline/store/plan_file.hpp DESTINATION include/morphe/pipeline/store)
+install(FILES pipeline/verify/verify.hpp DESTINATION include/morphe/pipeline/verify)
+# Where pipeline/files/shipped.hpp looks, from bin and from lib.
+install(DIRECTORY configs datasets DESTINATION share/morphe)
+install(FILES LICENSE DESTINATION share/doc/morphe RENAME copyright)
+
+# cpack: one package for Debian with all of this. What it needs is read off the files themselves.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME morphe)
+set(CPACK_PACKAGE_CONTACT "The Morphe authors")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libeigen3-dev (>= 3.4)")
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+include(CPack)

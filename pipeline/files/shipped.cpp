@@ -1,0 +1,48 @@
+#include "pipeline/files/shipped.hpp"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <link.h>
+
+#include "pipeline/motion/input_error.hpp"
+
+namespace morphe::files {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The program, or the shared library, that holds this function.
+fs::path this_module() {
+  Dl_info info{};
+  link_map* map = nullptr;
+  if (dladdr1(reinterpret_cast<const void*>(&this_module), &info, reinterpret_cast<void**>(&map),
+              RTLD_DL_LINKMAP) == 0) {
+    return {};
+  }
+  // The program itself has no name in the list of what was loaded.
+  std::error_code ignored;
+  return fs::canonical(*map->l_name ? map->l_name : "/proc/self/exe", ignored);
+}
+
+/// PREFIX/bin/morphe and PREFIX/lib/libmorphe.so, or lib/x86_64-linux-gnu, -> PREFIX/share/morphe.
+fs::path shipped_folder() {
+  const fs::path beside = this_module().parent_path();
+  for (const fs::path& prefix : {beside.parent_path(), beside.parent_path().parent_path()}) {
+    fs::path folder = prefix / "share/morphe";
+    if (fs::is_directory(folder)) return folder;
+  }
+  return {};
+}
+
+}  // namespace
+
+fs::path here_or_shipped(const fs::path& named, const fs::path& shipped) {
+  if (shipped.empty() || named.empty() || named.is_absolute() || fs::exists(named)) return named;
+  if (fs::exists(shipped / named)) return shipped / named;
+  throw InputError(fmt::format("{}: cannot be read: it is neither here nor in {}", named.string(),
+                               shipped.string()));
+}
+
+fs::path here_or_shipped(const fs::path& named) { return here_or_shipped(named, shipped_folder()); }
+
+}  // namespace morphe::files

@@ -1,0 +1,14 @@
+#include "pipeline/store/demonstration_file.hpp"
+#include "stages/import/import.hpp"
+
+namespace morphe::imports {
+
+std::size_t write_demonstrations(const ImportRequest& request, const std::filesystem::path& out) {
+  store::DemonstrationWriter writer(out);
+  const std::size_t count =
+      import_recordings(request, [&](Demonstration&& demonstration) { writer.add(demonstration); });
+  writer.finish();
+  return count;
+}
+
+}  // namespace morphe::imports

@@ -1,0 +1,34 @@
+#include "pipeline/collision/certified.hpp"
+#include "pipeline/files/sha256.hpp"
+#include "pipeline/files/shipped.hpp"
+#include "stages/library/morphe.hpp"
+#include "stages/planning/plan_movement.hpp"
+
+namespace morphe {
+
+struct Pipeline::State {
+  State(const std::filesystem::path& file, const std::vector<std::string>& settings)
+      : config(planning::load_config(files::here_or_shipped(file), settings)) {}
+
+  planning::LoadedConfig config;
+  planning::Planner planner{config.options, config.robot, collision::capsule_reach(config.robot)};
+};
+
+Pipeline::Pipeline(const std::filesystem::path& config, const std::vector<std::string>& settings)
+    : state_(std::make_shared<State>(config, settings)) {}
+
+std::vector<Plan> Pipeline::plan(const Demonstration& demonstration) const {
+  // Sums may depend on how rows lie in memory: a copy lies as this library's own do.
+  const Demonstration own = demonstration;
+  return planning::plan_demonstration(state_->planner, own).plans;
+}
+
+PlanFileHeader Pipeline::header(const std::filesystem::path& demonstrations) const {
+  return planning::header_of(state_->config, files::sha256_of_file(demonstrations));
+}
+
+const RobotTable& Pipeline::robot() const { return state_->config.robot; }
+
+const std::filesystem::path& Pipeline::dataset() const { return state_->config.dataset; }
+
+}  // namespace morphe

@@ -1,0 +1,19 @@
+#include "pipeline/files/shipped.hpp"
+#include "pipeline/robot/files/description.hpp"
+#include "stages/import/import.hpp"
+#include "stages/library/morphe.hpp"
+
+namespace morphe {
+
+std::size_t import_recordings(const std::filesystem::path& recordings,
+                              const std::filesystem::path& demonstrations) {
+  imports::ImportRequest request;
+  request.paths = {files::here_or_shipped(recordings)};
+  return imports::write_demonstrations(request, demonstrations);
+}
+
+RobotTable load_robot(const std::filesystem::path& description) {
+  return robot::load_robot(files::here_or_shipped(description)).table;
+}
+
+}  // namespace morphe
