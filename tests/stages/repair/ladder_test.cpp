@@ -1,0 +1,73 @@
+#include "stages/repair/ladder.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/stages/repair/planar_arm.hpp"
+
+namespace morphe::repair {
+namespace {
+
+const JointVector kFrom = Vec3(-0.9, 0.3, 0.3), kTo = Vec3(0.9, 0.3, 0.3);
+
+TEST(Ladder, ClimbsInOrderAndStopsWhereNothingIsWrong) {
+  // Tracking errors alone: 3 mm on the path, 30 mm on the course, none on what is free.
+  const JointPath path = test::sweep(kFrom, kTo), free = test::sweep(kTo, kFrom);
+  const Judge judge = [&](const JointPath& p) -> std::vector<Finding> {
+    if (p.position == free.position) return {};
+    return {{0.5, 0.5, Cause::tracking, "tip", "", p.position == path.position ? 0.003 : 0.03}};
+  };
+  std::string called;
+  const auto logged = [&](char name, const JointPath& to) -> Rung {
+    return [&called, &judge, name, to](const Judged&) {
+      called += name;
+      return Made{{to, judge(to)}};
+    };
+  };
+  JointPath worse = path;
+  worse.position.row(50) *= 0.5;
+  const Judged start{path, judge(path)};
+  Made made = climb({logged('a', worse), logged('b', free), logged('c', path)}, start);
+  EXPECT_EQ(called, "ab");
+  EXPECT_EQ(made.judged.path.position, free.position);
+  called.clear();
+  made = climb({logged('a', worse), if_nearly_free(logged('b', worse))}, start);
+  EXPECT_EQ(called, "ab");
+  EXPECT_EQ(made.judged.path.position, path.position) << "what is worse is not kept";
+  called.clear();
+  climb({if_nearly_free(logged('b', free))}, {worse, judge(worse)});
+  EXPECT_EQ(called, "") << "30 mm off";
+}
+
+TEST(Ladder, ARungMayEndIt) {
+  const JointPath path = test::sweep(kFrom, kTo);
+  const std::vector<Finding> findings{{0.5, 0.5, Cause::tracking, "thumb_tip", "", 0.012}};
+  const Rung dead_end = [](const Judged& best) {
+    return Made{best, Reason::unreachable, "no posture", true};
+  };
+  const Rung never = [](const Judged& best) {
+    ADD_FAILURE() << "no rung can help";
+    return Made{best};
+  };
+  const RepairResult result = repair_path({dead_end, never}, {path, findings}, {});
+  EXPECT_EQ(result.reason, Reason::unreachable);
+  EXPECT_EQ(result.detail, "no posture");
+  EXPECT_FALSE(result.repaired);
+  EXPECT_EQ(result.path.position, path.position);
+  EXPECT_EQ(result.remaining.size(), 1u);
+}
+
+TEST(Ladder, DepthOfCollisionsComesFirst) {
+  const auto finding = [](Cause cause, double depth) {
+    return Finding{0, 1, cause, "", "", depth};
+  };
+  const Finding touch = finding(Cause::self, 0.001), crash = finding(Cause::table, 0.05),
+                off = finding(Cause::tracking, 0.3);
+  EXPECT_TRUE(less_bad({}, {off}));
+  EXPECT_TRUE(less_bad({off}, {touch}));
+  EXPECT_TRUE(less_bad({touch, touch, touch}, {crash})) << "three millimetres against fifty";
+  EXPECT_TRUE(less_bad({touch}, {touch, off}));
+  EXPECT_FALSE(less_bad({touch, off}, {touch, off}));
+}
+
+}  // namespace
+}  // namespace morphe::repair
