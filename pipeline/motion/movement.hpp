@@ -39,7 +39,7 @@ MORPHE_EXPORT PhaseKind phase_at(const std::vector<Phase>& phases, double time_s
 
 /// Whether the hand grasps or holds at a time, borders included: goals count there by the tighter
 /// tolerance. The judge of plan files (pipeline/verify) has the same rule of its own.
-bool grasping_at(const Movement& movement, double time_s);
+MORPHE_EXPORT bool grasping_at(const Movement& movement, double time_s);
 
 /// The last phase of a kind, null if there is none.
 MORPHE_EXPORT const Phase* last_phase(const Movement& movement, PhaseKind kind);

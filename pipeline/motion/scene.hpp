@@ -45,8 +45,9 @@ struct Scene {
 };
 
 /// The first object of that name, null if there is none.
-const SceneObject* object_named(const std::vector<SceneObject>& objects, const std::string& name);
-SceneObject* object_named(std::vector<SceneObject>& objects, const std::string& name);
+MORPHE_EXPORT const SceneObject* object_named(const std::vector<SceneObject>& objects,
+                                              const std::string& name);
+MORPHE_EXPORT SceneObject* object_named(std::vector<SceneObject>& objects, const std::string& name);
 
 /// Pose of an object at a demonstration time, as recorded: linear in position, slerp in
 /// orientation, held before the first and after the last sample. Attachment is not considered.
