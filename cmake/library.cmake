@@ -31,7 +31,8 @@ write_basic_package_version_file(${CMAKE_BINARY_DIR}/MorpheConfigVersion.cmake C
 install(FILES ${CMAKE_BINARY_DIR}/MorpheConfig.cmake ${CMAKE_BINARY_DIR}/MorpheConfigVersion.cmake
   DESTINATION ${config_folder})
 install(FILES stages/library/morphe.hpp DESTINATION include/morphe)
-install(DIRECTORY pipeline/motion DESTINATION include/morphe/pipeline FILES_MATCHING PATTERN *.hpp)
+install(DIRECTORY pipeline/motion DESTINATION include/morphe/pipeline FILES_MATCHING PATTERN *.hpp
+  PATTERN goals_at.hpp EXCLUDE)  # functions of Eigen's types, which would have to be shown
 install(FILES pipeline/store/demonstration_file.hpp pipeline/store/plan_file.hpp DESTINATION include/morphe/pipeline/store)
 install(FILES pipeline/verify/verify.hpp DESTINATION include/morphe/pipeline/verify)
 # Where pipeline/files/shipped.hpp looks, from bin and from lib.

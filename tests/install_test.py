@@ -123,6 +123,13 @@ class Tree(Installed):
         self.assertNotIn("INTERFACE_COMPILE_OPTIONS", targets)
         self.assertNotIn(str(ROOT), targets)
 
+    def test_what_headers_declare_is_in_the_library(self):
+        declared = re.compile(r"^(?!MORPHE_EXPORT|inline|constexpr|template|static_assert|using)\w[^;{]*\([^;{]*;", re.M)
+        self.assertTrue(declared.search("int hidden(int a,\n           int b);"))
+        for header in (self.prefix / "include/morphe").rglob("*.hpp"):
+            with self.subTest(header.name):
+                self.assertEqual(declared.findall(re.sub("//.*", "", header.read_text())), [])
+
     def test_one_version(self):
         self.assertIn(f'set(PACKAGE_VERSION "{VERSION}")',
                       next(self.prefix.rglob("MorpheConfigVersion.cmake")).read_text())

@@ -1,4 +1,3 @@
-#include "pipeline/collision/certified.hpp"
 #include "pipeline/files/sha256.hpp"
 #include "pipeline/files/shipped.hpp"
 #include "stages/library/morphe.hpp"
@@ -11,7 +10,7 @@ struct Pipeline::State {
       : config(planning::load_config(files::here_or_shipped(file), settings)) {}
 
   planning::LoadedConfig config;
-  planning::Planner planner{config.options, config.robot, collision::capsule_reach(config.robot)};
+  planning::Planner planner{config.options, config.robot};
 };
 
 Pipeline::Pipeline(const std::filesystem::path& config, const std::vector<std::string>& settings)
