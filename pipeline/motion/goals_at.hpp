@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "pipeline/motion/export.hpp"
 #include "pipeline/motion/plan.hpp"
 
 namespace morphe {
@@ -15,11 +14,11 @@ struct GoalTime {
   std::size_t before = 0, after = 0;
   double share = 0;
 };
-MORPHE_EXPORT GoalTime goal_time(const Goals& goals, double time_s);
+GoalTime goal_time(const Goals& goals, double time_s);
 
-MORPHE_EXPORT Vec3 tip_goal_at(const Goals& goals, std::size_t tip, double time_s);
-MORPHE_EXPORT Quat tip_orientation_goal_at(const Goals& goals, std::size_t tip, double time_s);
+Vec3 tip_goal_at(const Goals& goals, std::size_t tip, double time_s);
+Quat tip_orientation_goal_at(const Goals& goals, std::size_t tip, double time_s);
 /// Of a column of the goals, as elbow_position; not seen if it is empty.
-MORPHE_EXPORT Vec3 point_at(const std::vector<Vec3>& points, const GoalTime& at);
+Vec3 point_at(const std::vector<Vec3>& points, const GoalTime& at);
 
 }  // namespace morphe
