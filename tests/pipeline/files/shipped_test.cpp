@@ -1,6 +1,7 @@
 #include "pipeline/files/shipped.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <fstream>
 
@@ -13,7 +14,7 @@ namespace fs = std::filesystem;
 
 struct Shipped : testing::Test {
   void SetUp() override {
-    folder = fs::path(testing::TempDir()) / "morphe_shipped";
+    folder = fs::path(testing::TempDir()) / ("morphe_shipped_" + std::to_string(getpid()));
     fs::remove_all(folder);
     fs::create_directories(folder / "share/configs");
     fs::create_directories(folder / "here/configs");

@@ -23,7 +23,7 @@ struct TwoSides {
   JointVector weight;  ///< on squared differences of neighbouring frames
 
   TwoSides(const TwoSides&) = delete;
-  explicit TwoSides(std::mt19937_64& random) {
+  TwoSides(std::mt19937_64& random, double humanlike) {
     RobotTable table = two_link_arm();
     RobotTable::Tip tip;
     tip.frame = 1;
@@ -40,7 +40,7 @@ struct TwoSides {
     problem.world = &world;
     problem.clearance.weight = 0;
     problem.objective.get<humanlike::TipPosition>().weight = 100;
-    problem.objective.get<humanlike::JointDistance>().weight = 1;
+    problem.objective.get<humanlike::JointDistance>().weight = humanlike;
     std::uniform_real_distribution<double> anywhere(0, 1);
     const double turned = 2 * anywhere(random), side = anywhere(random), at = anywhere(random);
     constexpr std::size_t kFrames = 12;
@@ -117,7 +117,7 @@ TEST(MovementSearch, IsNotWorseThanTheBestOfAllCoursesOnAGrid) {
   std::mt19937_64 random(3);
   int changes = 0, stays = 0;
   for (int k = 0; k < 12; ++k) {
-    const TwoSides of(random);
+    const TwoSides of(random, 3.0 * k);
     const std::vector<Course> courses = search_movement(of.problem, of.options, 1);
     ASSERT_FALSE(courses.empty());
     const JointRows& q = courses.front().q;
@@ -134,7 +134,7 @@ TEST(MovementSearch, IsNotWorseThanTheBestOfAllCoursesOnAGrid) {
 
 TEST(MovementSearch, ACourseThroughAPosturePassesNearIt) {
   std::mt19937_64 random(4);
-  const TwoSides of(random);
+  const TwoSides of(random, 1);
   const JointRows best = search_movement(of.problem, of.options, 1).front().q;
   JointVector mirrored = best.row(6).transpose();  // the other elbow for the same tip
   const double beyond = std::atan2(0.5 * std::sin(mirrored[1]), 0.5 + 0.5 * std::cos(mirrored[1]));
