@@ -30,7 +30,6 @@ struct PlanningGoal {
   JointVector lower, upper;  ///< [n] [rad]
   std::vector<PositionGoal> positions;
   std::vector<OrientationGoal> orientations;
-  bool is_position() const { return lower == upper; }
 };
 
 struct PlanningProblem {

@@ -50,12 +50,6 @@ Pose adroit_world_from_palm(const AdroitAngles& q, double slide_m) {
          turn(q[WRJ1], y) * shift(0.032 * z) * turn(q[WRJ0], x);
 }
 
-double adroit_slide(const AdroitAngles& angles, const Vec3& palm_in_world) {
-  const Vec3 axis = adroit_world_from_palm(angles, 1).translation() -
-                    adroit_world_from_palm(angles, 0).translation();
-  return axis.dot(palm_in_world - adroit_world_from_palm(angles, 0) * adroit_palm_point());
-}
-
 std::array<Vec3, 5> adroit_fingertips(const AdroitAngles& q) {
   const Vec3 arch_axis = Vec3(0.571, 0, 0.821).normalized();
   return {thumb_tip(q), shift({0.033, 0, 0.095}) * finger_tip(q, FFJ3),

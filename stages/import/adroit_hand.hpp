@@ -25,9 +25,6 @@ Pose adroit_world_from_palm(const AdroitAngles& angles, double slide_m);
 /// The point recorded as "palm xyz", in the palm frame [m].
 inline Vec3 adroit_palm_point() { return {0.007, -0.051, 0.073}; }
 
-/// Slide that brings the palm point closest to a recorded one (least squares, closed form) [m].
-double adroit_slide(const AdroitAngles& angles, const Vec3& palm_in_world);
-
 /// Centres of the five fingertips in the palm frame, thumb … little [m]: the Shadow hand's chains,
 /// each to the end of its distal phalanx's axis.
 std::array<Vec3, 5> adroit_fingertips(const AdroitAngles& angles);

@@ -22,14 +22,14 @@ std::vector<std::size_t> coarse_frames(const std::vector<double>& time, double s
 }
 
 MappingProblem on_frames(const MappingProblem& problem, const std::vector<std::size_t>& frames) {
-  MappingProblem coarse = problem;
-  coarse.time.clear();
-  coarse.goals.clear();
+  MappingProblem part{problem.robot, problem.objective, problem.clearance, problem.world, {}, {}};
+  part.time.reserve(frames.size());
+  part.goals.reserve(frames.size());
   for (const std::size_t f : frames) {
-    coarse.time.push_back(problem.time[f]);
-    coarse.goals.push_back(problem.goals[f]);
+    part.time.push_back(problem.time[f]);
+    part.goals.push_back(problem.goals[f]);
   }
-  return coarse;
+  return part;
 }
 
 JointRows interpolate(const JointRows& coarse, const std::vector<std::size_t>& frames) {

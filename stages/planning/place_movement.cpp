@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "stages/map/coarse_grid.hpp"
 #include "stages/map/compass_search.hpp"
 #include "stages/map/frame_search.hpp"
 #include "stages/map/joint_to_joint.hpp"
@@ -46,20 +47,13 @@ Scene mapping_scene(const PipelineConfig& config, const Scene& scene, const Move
   return part;
 }
 
-/// At most 16 of a problem's frames, evenly spread, the first and the last among them.
-map::MappingProblem thinned(const map::MappingProblem& problem, std::vector<std::size_t>& frames) {
+/// At most 16 of a movement's frames, evenly spread, the first and the last among them.
+std::vector<std::size_t> few_frames(std::size_t frames) {
   constexpr std::size_t kMost = 16;
-  map::MappingProblem thin = problem;
-  thin.time.clear();
-  thin.goals.clear();
-  const std::size_t count = std::min(kMost, problem.frames());
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t frame = k * (problem.frames() - 1) / (count - 1);
-    frames.push_back(frame);
-    thin.time.push_back(problem.time[frame]);
-    thin.goals.push_back(problem.goals[frame]);
-  }
-  return thin;
+  const std::size_t count = std::min(kMost, frames);
+  std::vector<std::size_t> few;
+  for (std::size_t k = 0; k < count; ++k) few.push_back(k * (frames - 1) / (count - 1));
+  return few;
 }
 
 }  // namespace
@@ -102,9 +96,9 @@ Vec3 choose_offset(const Planner& planner, const HumanMotion& motion, const Move
   const bool any_goal = std::ranges::any_of(
       unmoved.problem.goals, [](const humanlike::FrameGoal& goal) { return goal.tips_seen() > 0; });
   if (unmoved.problem.frames() < 5 || !any_goal) return Vec3::Zero();
-  std::vector<std::size_t> frames;
-  const map::MappingProblem thin = thinned(unmoved.problem, frames);
-  const JointRows start = map::search_movement(thin, options, seed).front().q;
+  const std::vector<std::size_t> frames = few_frames(unmoved.problem.frames());
+  const JointRows start =
+      map::search_movement(map::on_frames(unmoved.problem, frames), options, seed).front().q;
   map::MappingScratch scratch;
   const auto cost = [&](const Vec3& offset) {
     const PlacedMovement moved(planner, motion, movement, around, offset);

@@ -88,7 +88,7 @@ Answer solve(const Problem& problem, const robot::RobotDescription& robot, const
   Answer answer;
   collision::CollisionScratch scratch;
   if (!collision::is_free(world, asked.start, 0, scratch)) answer.why = "start in collision";
-  if (!asked.goals.front().is_position()) answer.why = "no joint goal";
+  if (asked.goals.front().lower != asked.goals.front().upper) answer.why = "no joint goal";
   const JointVector& goal = asked.goals.front().lower;
   if (answer.why.empty() && !collision::is_free(world, goal, 0, scratch))
     answer.why = "goal in collision";

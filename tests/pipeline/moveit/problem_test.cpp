@@ -32,7 +32,7 @@ TEST(MoveItProblem, AllShippedProblemsAreRead) {
       ++problems;
       objects += problem.scene.objects.size();
       ASSERT_EQ(problem.goals.size(), 1u);
-      EXPECT_TRUE(problem.goals[0].is_position());
+      EXPECT_EQ(problem.goals[0].lower, problem.goals[0].upper);
       EXPECT_TRUE(problem.start.allFinite());
       // The scenes' matrices say what the SRDF says.
       EXPECT_EQ(problem.robot.allowed_pairs, robot.table.allowed_pairs);
@@ -106,7 +106,6 @@ class MoveItText : public testing::Test {
 TEST_F(MoveItText, JointGoalWithTolerance) {
   const PlanningProblem problem = read_object(kBox);
   const PlanningGoal& goal = problem.goals.at(0);
-  EXPECT_FALSE(goal.is_position());
   EXPECT_DOUBLE_EQ(goal.lower[1], 0.3);
   EXPECT_DOUBLE_EQ(goal.upper[1], 0.6);
   EXPECT_EQ(goal.lower[0], robot_.table.lower[0]);

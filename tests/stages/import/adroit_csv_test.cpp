@@ -40,6 +40,13 @@ std::vector<Demonstration> read_all() {
   return all;
 }
 
+/// Where the slide must stand for a palm point that was seen: nearest along its axis.
+double slide_under(const AdroitAngles& angles, const Vec3& palm_in_world) {
+  const Vec3 axis = adroit_world_from_palm(angles, 1).translation() -
+                    adroit_world_from_palm(angles, 0).translation();
+  return axis.dot(palm_in_world - adroit_world_from_palm(angles, 0) * adroit_palm_point());
+}
+
 TEST(AdroitHand, ForearmChainFitsTheRecordedPalm) {
   double sum = 0, worst = 0;
   std::size_t rows = 0;
@@ -48,7 +55,7 @@ TEST(AdroitHand, ForearmChainFitsTheRecordedPalm) {
       const AdroitAngles q = angles_at(d, i);
       const Vec3 recorded = palm_point(d, i);
       const Vec3 modelled =
-          adroit_world_from_palm(q, adroit_slide(q, recorded)) * adroit_palm_point();
+          adroit_world_from_palm(q, slide_under(q, recorded)) * adroit_palm_point();
       sum += (modelled - recorded).squaredNorm();
       worst = std::max(worst, (modelled - recorded).norm());
       ++rows;
@@ -133,7 +140,7 @@ TEST(AdroitCsv, ReadsBackASyntheticPose) {
   const double slide = 0.123;
   const Pose world_from_palm = adroit_world_from_palm(q, slide);
   const Vec3 palm = world_from_palm * adroit_palm_point();
-  EXPECT_NEAR(adroit_slide(q, palm), slide, 1e-12);
+  EXPECT_NEAR(slide_under(q, palm), slide, 1e-12);
 
   std::string header = "t_s", row = "0.5";
   for (std::size_t j = 0; j < kAdroitJointCount; ++j) {
