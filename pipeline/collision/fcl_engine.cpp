@@ -77,16 +77,15 @@ bool touch(const fcl::CollisionGeometry<double>& a, const Pose& base_from_a,
   return fcl::collide(&a, base_from_a, &b, base_from_b, request, result) > 0;
 }
 
-struct Found {
-  int capsule, other;
-  bool object;
-  double required;
-};
-
 }  // namespace
 
 struct FclEngine::Trees {
   using Object = fcl::CollisionObject<double>;
+  struct Found {
+    int capsule, other;
+    bool object;
+    double required;
+  };
 
   const CollisionWorld& world;
   std::vector<Geometry> plain, grown;  ///< [capsules] as they are, and by the margin
@@ -224,9 +223,9 @@ void FclEngine::pairs(const Eigen::Ref<const JointVector>& q, double time_s,
                       CollisionScratch& scratch, std::vector<PairSeparation>& out) {
   trees_->query(q, time_s, false, scratch);
   std::ranges::sort(trees_->found, {},
-                    [](const Found& f) { return std::tuple(f.object, f.capsule, f.other); });
+                    [](const Trees::Found& f) { return std::tuple(f.object, f.capsule, f.other); });
   out.clear();
-  for (const Found& found : trees_->found) {
+  for (const Trees::Found& found : trees_->found) {
     const CapsuleBody& first = scratch.bodies[static_cast<std::size_t>(found.capsule)];
     const auto other = static_cast<std::size_t>(found.other);
     const Separation separation =

@@ -9,7 +9,6 @@
 namespace morphe::collision {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kTouching_m = 1e-12;
 
 struct Nearest {

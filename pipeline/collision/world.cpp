@@ -8,8 +8,6 @@
 namespace morphe::collision {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// Whether two balls are at least so far apart: then the bodies in them are, too.
 bool apart(const CollisionScratch::Ball& a, const CollisionScratch::Ball& b, double distance_m) {
   const double least_m = a.radius + b.radius + distance_m;

@@ -188,7 +188,7 @@ double ConfigNode::number() const {
   std::string word = text();
   double factor = 1;
   if (word.ends_with("deg")) {
-    factor = std::numbers::pi / 180;
+    factor = kDegree;
     word.resize(word.size() - 3);
     while (word.ends_with(' ')) word.pop_back();
   }

@@ -8,7 +8,7 @@ namespace morphe::human {
 namespace {
 
 using Eigen::Matrix3d;
-constexpr double kPi = std::numbers::pi, kDegree = kPi / 180;
+constexpr double kPi = std::numbers::pi;
 constexpr double kUndetermined = 1e-9;  ///< sine of an angle below which a direction has no heading
 
 Matrix3d about_x(double angle) {

@@ -12,7 +12,6 @@
 namespace morphe::human {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr int kPalmArch = static_cast<int>(kHandAngles);  ///< the joint after kHandAngleNames
 
 /// Of palm_arch, by finger: how much of it lowers that metacarpal.

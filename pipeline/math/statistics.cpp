@@ -14,6 +14,12 @@ double quantile(std::vector<double> values, double share) {
   return values[std::min(values.size(), std::max<std::size_t>(rank, 1)) - 1];
 }
 
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 double mean(const std::vector<double>& values) {
   double sum = 0;
   std::size_t count = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 namespace morphe {
@@ -21,6 +22,9 @@ static_assert(EIGEN_MAX_ALIGN_BYTES == 16 && EIGEN_MALLOC_ALREADY_ALIGNED == 0 &
                   alignof(Quat) == 16 && !Eigen::Matrix3d::IsRowMajor,
               "compile with -DEIGEN_MAX_ALIGN_BYTES=16 -DEIGEN_MALLOC_ALREADY_ALIGNED=0, as Morphe "
               "was, and Eigen's other defaults; CMake's target Morphe::morphe does");
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+inline constexpr double kDegree = std::numbers::pi / 180;  ///< [rad]
 
 /// What was not seen is NaN, in memory as in the files.
 inline constexpr double kNotSeen = std::numeric_limits<double>::quiet_NaN();

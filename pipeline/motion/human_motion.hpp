@@ -9,6 +9,7 @@
 namespace morphe {
 
 inline constexpr std::size_t kFingers = 5;  ///< thumb, index, middle, ring, little
+inline constexpr std::size_t kThumb = 0, kIndex = 1, kMiddle = 2, kRing = 3, kLittle = 4;
 inline constexpr const char* kFingerNames[kFingers] = {"thumb", "index", "middle", "ring",
                                                        "little"};
 

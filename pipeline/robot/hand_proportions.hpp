@@ -23,7 +23,7 @@ struct ThumbProportions {
   std::array<double, 4> lower, upper;  ///< rotation, abduction, MCP, IP [rad]
 };
 
-constexpr double radians(double degrees) { return degrees * (std::numbers::pi / 180); }
+constexpr double radians(double degrees) { return degrees * kDegree; }
 constexpr std::array<double, 4> radians(std::array<double, 4> degrees) {
   for (double& angle : degrees) angle = radians(angle);
   return degrees;

@@ -13,8 +13,8 @@
 namespace morphe::store {
 namespace {
 
-constexpr const char* kFormat = "morphe-demonstrations";
-constexpr int kVersion = 1;
+constexpr const char* kDemonstrationFormat = "morphe-demonstrations";
+constexpr int kDemonstrationVersion = 1;
 
 }  // namespace
 
@@ -30,7 +30,7 @@ DemonstrationWriter::DemonstrationWriter(const std::filesystem::path& path)
   state_->file = Hdf5File::create(state_->part.part());
   state_->file.call_it(path);
   const Hdf5Group root = state_->file.root();
-  write_format(root, kFormat, kVersion);
+  write_format(root, kDemonstrationFormat, kDemonstrationVersion);
   state_->demonstrations = root.create("demonstrations");
 }
 
@@ -60,7 +60,7 @@ struct DemonstrationReader::State {
 DemonstrationReader::DemonstrationReader(const std::filesystem::path& path) : state_(new State) {
   state_->file = Hdf5File::open(path);
   const Hdf5Group root = state_->file.root();
-  check_format(root, kFormat, kVersion);
+  check_format(root, kDemonstrationFormat, kDemonstrationVersion);
   state_->demonstrations = root.open("demonstrations");
 }
 

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "pipeline/store/hdf5_file.hpp"
+#include "pipeline/store/hdf5_types.hpp"
 
 namespace morphe::store {
 namespace {
@@ -14,9 +15,6 @@ namespace {
 // than this multiple of what it holds.
 constexpr double kMostInflation = 1100;
 
-hid_t memory_type(double) { return H5T_NATIVE_DOUBLE; }
-hid_t memory_type(std::int32_t) { return H5T_NATIVE_INT32; }
-hid_t memory_type(std::uint8_t) { return H5T_NATIVE_UINT8; }
 bool fits(double, H5T_class_t kind) { return kind == H5T_FLOAT || kind == H5T_INTEGER; }
 bool fits(std::int32_t, H5T_class_t kind) { return kind == H5T_INTEGER; }
 bool fits(std::uint8_t, H5T_class_t kind) { return kind == H5T_INTEGER; }

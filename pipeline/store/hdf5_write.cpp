@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "pipeline/store/hdf5_file.hpp"
+#include "pipeline/store/hdf5_types.hpp"
 
 namespace morphe::store {
 namespace {
@@ -13,9 +14,6 @@ constexpr std::size_t kMostChunkBytes = std::size_t{16} << 20;
 hid_t file_type(double) { return H5T_IEEE_F64LE; }
 hid_t file_type(std::int32_t) { return H5T_STD_I32LE; }
 hid_t file_type(std::uint8_t) { return H5T_STD_U8LE; }
-hid_t memory_type(double) { return H5T_NATIVE_DOUBLE; }
-hid_t memory_type(std::int32_t) { return H5T_NATIVE_INT32; }
-hid_t memory_type(std::uint8_t) { return H5T_NATIVE_UINT8; }
 
 /// Strings as HDF5 takes them: UTF-8 of one length, padded with zeros. Of variable length they
 /// would lie in a heap without checksums, where a flipped bit crashes the library at reading.

@@ -14,8 +14,8 @@
 namespace morphe::store {
 namespace {
 
-constexpr const char* kFormat = "morphe-plans";
-constexpr int kVersion = 1;
+constexpr const char* kPlanFormat = "morphe-plans";
+constexpr int kPlanVersion = 1;
 
 /// "000" -> 0.
 int movement_index(const Hdf5Group& demonstration, const std::string& name) {
@@ -42,7 +42,7 @@ PlanWriter::PlanWriter(const std::filesystem::path& path, const PlanFileHeader& 
   state_->file = Hdf5File::create(state_->part.part());
   state_->file.call_it(path);
   const Hdf5Group root = state_->file.root();
-  write_format(root, kFormat, kVersion);
+  write_format(root, kPlanFormat, kPlanVersion);
   write_plan_header(root, header, robot.name);
   LayoutWriter io(root.create("robot"));
   io.here().refuse(inconsistency(robot));
@@ -80,7 +80,7 @@ struct PlanReader::State {
 PlanReader::PlanReader(const std::filesystem::path& path) : state_(new State) {
   state_->file = Hdf5File::open(path);
   const Hdf5Group root = state_->file.root();
-  check_format(root, kFormat, kVersion);
+  check_format(root, kPlanFormat, kPlanVersion);
   header_ = read_plan_header(root);
   LayoutReader io(root.open("robot"));
   lay_out_robot(io, robot_);

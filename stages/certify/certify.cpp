@@ -89,19 +89,17 @@ std::string off_goals(const RobotTable& robot, const Trajectory& trajectory,
 
 }  // namespace
 
-CertifyResult certify_motion(const collision::CollisionWorld& world, Trajectory& trajectory,
-                             bool path_was_free) {
-  CertifyResult result;
+Outcome<Certificate> certify_motion(const collision::CollisionWorld& world, Trajectory& trajectory,
+                                    bool path_was_free) {
+  Outcome<Certificate> result;
   const auto fail = [&](Reason reason, const std::string& sentence) {
-    if (result.reason != Reason::none || sentence.empty()) return;
-    result.reason = reason;
-    result.detail = sentence;
+    if (!result.refusal && !sentence.empty()) result.refusal = {reason, sentence};
   };
   if (trajectory.samples() < 2) {
     fail(Reason::limit, "the trajectory has fewer than two samples");
     return result;
   }
-  Certificate& c = result.certificate;
+  Certificate& c = result.value;
   const math::LimitReport limits = math::judge_limits(*world.robot, trajectory);
   c.position_margin = limits.position_margin;
   c.velocity_ratio = limits.velocity.ratio;
@@ -119,14 +117,14 @@ CertifyResult certify_motion(const collision::CollisionWorld& world, Trajectory&
   return result;
 }
 
-CertifyResult certify(const collision::CollisionWorld& around, const Goals& goals,
-                      const Movement& movement, Trajectory& trajectory, const Mapped& mapped,
-                      bool path_was_free) {
+Outcome<Certificate> certify(const collision::CollisionWorld& around, const Goals& goals,
+                             const Movement& movement, Trajectory& trajectory, const Mapped& mapped,
+                             bool path_was_free) {
   collision::CollisionWorld world = around;
   collision::carry_target(trajectory.demonstration_time, trajectory.position, world);
-  CertifyResult result = certify_motion(world, trajectory, path_was_free);
+  Outcome<Certificate> result = certify_motion(world, trajectory, path_was_free);
   if (trajectory.samples() < 2) return result;
-  Certificate& c = result.certificate;
+  Certificate& c = result.value;
   const GoalErrors errors =
       goal_errors(*world.robot, goals, movement, world.tolerances, trajectory);
   c.position_error_max = errors.position_max;
@@ -136,10 +134,7 @@ CertifyResult certify(const collision::CollisionWorld& around, const Goals& goal
   c.upper_arm_error_max = errors.upper_arm_max;
   c.upper_arm_error_mean = errors.upper_arm_mean;
   const std::string off = off_goals(*world.robot, trajectory, errors);
-  if (result.reason == Reason::none && !off.empty()) {
-    result.reason = Reason::tracking;
-    result.detail = off;
-  }
+  if (!result.refusal && !off.empty()) result.refusal = {Reason::tracking, off};
 
   const double human_s =
       trajectory.demonstration_time.back() - trajectory.demonstration_time.front();

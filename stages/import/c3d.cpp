@@ -27,7 +27,8 @@ std::string word_of(const Vec3& axis) {
   return fmt::format("{}{}", axis[index] < 0 ? "-" : "", "xyz"[index]);
 }
 
-MarkerRecording read_one(const std::filesystem::path& file, const Conventions& conventions) {
+MarkerRecording read_c3d_recording(const std::filesystem::path& file,
+                                   const Conventions& conventions) {
   C3dPoints points = read_c3d_points(file);
   MarkerRecording recording;
   recording.reports = std::move(points.reports);
@@ -61,7 +62,7 @@ bool recognises_c3d(std::string_view head) {
 }
 
 Demonstration read_c3d(const RecordingFiles& files) {
-  return read_marker_recording(files, &read_one);
+  return read_marker_recording(files, &read_c3d_recording);
 }
 
 }  // namespace morphe::imports

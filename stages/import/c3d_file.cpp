@@ -19,7 +19,7 @@ constexpr std::uint8_t kMagic = 0x50;
 constexpr double kLargestWord = 65535;
 
 /// The header's numbers, in words of two bytes.
-struct Header {
+struct C3dHeader {
   std::size_t points, analog, first, last, data_block, analog_per_frame;
   double scale, rate_hz;
 };
@@ -50,13 +50,13 @@ std::size_t find_parameters(C3dBytes& bytes) {
   return start;
 }
 
-Header read_header(const C3dBytes& bytes) {
+C3dHeader read_c3d_header(const C3dBytes& bytes) {
   return {bytes.word(2),  bytes.word(4),  bytes.word(6),  bytes.word(8),
           bytes.word(16), bytes.word(18), bytes.real(12), bytes.real(20)};
 }
 
 /// The number of frames, by the most capable of the places that say it.
-double frame_count(const Header& header, const C3dParameters& parameters, C3dPoints& points) {
+double frame_count(const C3dHeader& header, const C3dParameters& parameters, C3dPoints& points) {
   const double in_header = static_cast<double>(header.last) - static_cast<double>(header.first) + 1;
   const double in_point = parameters.number("POINT:FRAMES", in_header);
   double count = parameters.number("POINT:LONG_FRAMES", in_point);
@@ -82,7 +82,7 @@ double frame_count(const Header& header, const C3dParameters& parameters, C3dPoi
 
 /// Analog samples stand behind the points of each frame: their number decides where the next
 /// begins.
-std::size_t analog_count(const Header& header, const C3dParameters& parameters) {
+std::size_t analog_count(const C3dHeader& header, const C3dParameters& parameters) {
   const double used = parameters.number("ANALOG:USED", kNotSeen);
   const double expected = used * static_cast<double>(header.analog_per_frame);
   if (expected == expected && expected != static_cast<double>(header.analog)) {
@@ -93,7 +93,7 @@ std::size_t analog_count(const Header& header, const C3dParameters& parameters) 
   return header.analog;
 }
 
-double scale_of(const Header& header, const C3dParameters& parameters) {
+double scale_of(const C3dHeader& header, const C3dParameters& parameters) {
   const double scale = parameters.number("POINT:SCALE", header.scale);
   if (!std::isfinite(scale) || scale == 0 || (scale < 0) != (header.scale < 0)) {
     parameters.fail("POINT:SCALE", fmt::format("{} here and {} in the header do not say whether "
@@ -103,7 +103,7 @@ double scale_of(const Header& header, const C3dParameters& parameters) {
   return scale;
 }
 
-std::size_t data_start(const Header& header, const C3dParameters& parameters,
+std::size_t data_start(const C3dHeader& header, const C3dParameters& parameters,
                        std::vector<std::string>& reports) {
   const auto in_header = static_cast<double>(header.data_block);
   const double block = parameters.number("POINT:DATA_START", in_header);
@@ -167,7 +167,7 @@ void read_points(const C3dBytes& bytes, std::size_t start, std::size_t frame_byt
 C3dPoints read_c3d_points(const std::filesystem::path& file) {
   C3dBytes bytes = read_bytes(file);
   const C3dParameters parameters(bytes, find_parameters(bytes));
-  const Header header = read_header(bytes);
+  const C3dHeader header = read_c3d_header(bytes);
   const double used = parameters.number("POINT:USED", static_cast<double>(header.points));
   if (header.points == 0 || used != static_cast<double>(header.points)) {
     parameters.fail("POINT:USED",

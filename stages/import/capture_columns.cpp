@@ -14,7 +14,6 @@ namespace morphe::imports {
 namespace {
 
 using Columns = CaptureColumns;
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr std::string_view kJoint = "_joint";
 
 /// "wrist_x_mm" is part x of wrist, in mm; "wrist_azimuth_deg" its part azimuth, in deg.

@@ -16,7 +16,6 @@ namespace morphe::imports {
 namespace {
 
 using Columns = CaptureColumns;
-constexpr double kPi = std::numbers::pi;
 
 /// What a file's bodies and points have in common.
 struct Place {
@@ -75,7 +74,7 @@ Quat rotation_of(const Place& place, const Columns::Body& body, std::size_t row,
       return unseen_rotation();
     }
     for (std::size_t k = 0; k < 3; ++k) {
-      if (std::abs(at(k) * body.radians) > 2 * kPi + 0.01) {
+      if (std::abs(at(k) * body.radians) > 2 * std::numbers::pi + 0.01) {
         place.csv.fail(row + 2, body.name, "an angle is more than a turn: is its unit right?");
       }
     }

@@ -12,7 +12,6 @@ namespace morphe::imports {
 namespace {
 
 using Columns = CaptureColumns;
-constexpr double kPi = std::numbers::pi;
 
 }  // namespace
 
@@ -43,9 +42,9 @@ HandStream read_glove_columns(const files::CsvText& csv, const Columns& columns,
       if (!std::isfinite(value)) continue;
       once = true;
       const double angle = unit == Unit::raw       ? raw->second.angle(value)
-                           : unit == Unit::degrees ? value * kPi / 180
+                           : unit == Unit::degrees ? value * std::numbers::pi / 180
                                                    : value;
-      if (std::abs(angle) > kPi) {
+      if (std::abs(angle) > std::numbers::pi) {
         csv.fail(static_cast<std::size_t>(i) + 2, columns.names[column],
                  "is more than half a turn: is its unit right?");
       }

@@ -1,7 +1,7 @@
-// 21 points of a hand as text: column names, then a row a frame. Columns, in any order: `frame`
-// (whole numbers that grow) or `time_s`, and kp00_x … kp20_z: the wrist, then four a finger from
-// its base to its tip, thumb first. An empty cell or "nan" was not seen. Neither unit nor rate is
-// said.
+// 21 points of a hand as text: column names, then a row a frame. KeypointColumns, in any order:
+// `frame` (whole numbers that grow) or `time_s`, and kp00_x … kp20_z: the wrist, then four a finger
+// from its base to its tip, thumb first. An empty cell or "nan" was not seen. Neither unit nor rate
+// is said.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kPoints = 21;
 
-struct Columns {
+struct KeypointColumns {
   std::size_t count = 0;
   std::optional<std::size_t> frame, time_s;
   std::size_t of_point[kPoints][3] = {};
@@ -27,9 +27,9 @@ std::string column_name(std::size_t point, std::size_t axis) {
   return fmt::format("kp{:02}_{}", point, "xyz"[axis]);
 }
 
-Columns read_columns(const files::CsvText& csv) {
+KeypointColumns read_columns(const files::CsvText& csv) {
   std::map<std::string, std::size_t, std::less<>> at;
-  Columns columns;
+  KeypointColumns columns;
   for (const std::string_view cell : csv.cells(1)) {
     if (!at.emplace(cell, columns.count++).second) csv.fail(1, cell, "the column stands twice");
   }
@@ -55,7 +55,7 @@ Columns read_columns(const files::CsvText& csv) {
 }
 
 Vec3 read_point(const files::CsvText& csv, std::size_t line,
-                const std::vector<std::string_view>& cells, const Columns& columns,
+                const std::vector<std::string_view>& cells, const KeypointColumns& columns,
                 std::size_t point) {
   Vec3 result = unseen_point();
   int filled = 0;
@@ -72,7 +72,7 @@ Vec3 read_point(const files::CsvText& csv, std::size_t line,
 }
 
 double read_time(const files::CsvText& csv, std::size_t line,
-                 const std::vector<std::string_view>& cells, const Columns& columns,
+                 const std::vector<std::string_view>& cells, const KeypointColumns& columns,
                  double rate_hz) {
   if (columns.time_s) return csv.number(line, "time_s", cells[*columns.time_s]);
   const double frame = csv.number(line, "frame", cells[*columns.frame]);
@@ -128,7 +128,7 @@ Demonstration read_keypoints_csv(const RecordingFiles& files) {
     csv.fail(1, "axes", "of the points do not matter: only the hand's shape is taken from them");
   }
   if (csv.lines.empty()) csv.fail(1, "", "the file is empty");
-  const Columns columns = read_columns(csv);
+  const KeypointColumns columns = read_columns(csv);
   Demonstration demonstration;
   std::vector<std::string>& reports = demonstration.reports;
   reports = csv.reports;

@@ -43,14 +43,14 @@ std::vector<std::string_view> cells_of(const files::CsvText& text, std::size_t l
   return cells;
 }
 
-struct Header {
+struct MotHeader {
   std::size_t end = 0;                       ///< line of "endheader"
   std::map<std::string, std::string> value;  ///< by key in lower case
 };
 
 /// Lines "key=value" up to "endheader"; others are the author's words.
-Header read_header(const files::CsvText& text) {
-  Header header;
+MotHeader read_mot_header(const files::CsvText& text) {
+  MotHeader header;
   for (std::size_t line = 1; line <= text.lines.size(); ++line) {
     std::string here = lower(text.lines[line - 1]);
     here.erase(std::find(here.begin(), here.end(), ','), here.end());
@@ -73,14 +73,14 @@ bool is_translation(const std::string& column) {
 }
 
 /// Radians in the file's unit of angle.
-double radians_of(const files::CsvText& text, const Header& header,
+double radians_of(const files::CsvText& text, const MotHeader& header,
                   const Conventions& conventions) {
   if (const auto said = header.value.find("indegrees"); said != header.value.end()) {
-    if (said->second == "yes" || said->second == "true") return M_PI / 180;
+    if (said->second == "yes" || said->second == "true") return kDegree;
     if (said->second == "no" || said->second == "false") return 1;
     text.fail(header.end, "inDegrees", fmt::format("must be yes or no, not '{}'", said->second));
   }
-  if (conventions.unit == "deg") return M_PI / 180;
+  if (conventions.unit == "deg") return kDegree;
   if (conventions.unit == "rad") return 1;
   text.fail(header.end, "inDegrees",
             "the header does not say whether angles are in degrees; give --unit or `unit:` deg or "
@@ -88,7 +88,7 @@ double radians_of(const files::CsvText& text, const Header& header,
 }
 
 /// Says so where the header is wrong about how much there is.
-void compare_count(const files::CsvText& text, const Header& header, const std::string& key,
+void compare_count(const files::CsvText& text, const MotHeader& header, const std::string& key,
                    std::size_t found, const char* what, std::vector<std::string>& reports) {
   const auto said = header.value.find(lower(key));
   if (said == header.value.end()) return;
@@ -132,7 +132,7 @@ Demonstration read_mot(const RecordingFiles& files) {
   Demonstration demonstration;
   std::vector<std::string>& reports = demonstration.reports;
   reports = text.reports;
-  const Header header = read_header(text);
+  const MotHeader header = read_mot_header(text);
   std::size_t line = header.end + 1;
   while (line <= text.lines.size() && text.blank(line)) ++line;
   if (line > text.lines.size()) text.fail(header.end, "", "the file ends after its header");

@@ -16,10 +16,10 @@ namespace {
 
 constexpr std::size_t kKeyLine = 2, kValueLine = 3, kNameLine = 4, kAxisLine = 5, kFirstRow = 6;
 
-using Header = std::map<std::string, std::string, std::less<>>;
+using TrcHeader = std::map<std::string, std::string, std::less<>>;
 
-Header read_header(const files::CsvText& csv) {
-  Header header;
+TrcHeader read_trc_header(const files::CsvText& csv) {
+  TrcHeader header;
   const auto keys = csv.cells(kKeyLine), values = csv.cells(kValueLine);
   for (std::size_t c = 0; c < keys.size(); ++c) {
     if (keys[c].empty()) continue;
@@ -30,17 +30,17 @@ Header read_header(const files::CsvText& csv) {
 }
 
 /// A value of the header, "" if it is not there.
-std::string value_of(const Header& header, std::string_view key) {
+std::string value_of(const TrcHeader& header, std::string_view key) {
   const auto found = header.find(key);
   return found == header.end() ? "" : found->second;
 }
 
-double number_of(const files::CsvText& csv, const Header& header, std::string_view key) {
+double number_of(const files::CsvText& csv, const TrcHeader& header, std::string_view key) {
   const std::string value = value_of(header, key);
   return value.empty() ? 0 : csv.number(kValueLine, key, value);
 }
 
-void compare_count(const files::CsvText& csv, const Header& header, std::string_view key,
+void compare_count(const files::CsvText& csv, const TrcHeader& header, std::string_view key,
                    std::string_view what, std::size_t count, std::vector<std::string>& reports) {
   const std::string value = value_of(header, key);
   if (value.empty() || csv.number(kValueLine, key, value) == static_cast<double>(count)) return;
@@ -84,7 +84,7 @@ void read_rows(const files::CsvText& csv, const MarkerColumns& columns, double m
   }
 }
 
-MarkerRecording read_one(const std::filesystem::path& file, const Conventions& conventions) {
+MarkerRecording read_trc_file(const std::filesystem::path& file, const Conventions& conventions) {
   files::CsvText csv = files::read_csv(file);
   if (csv.lines.size() < kFirstRow) csv.fail(csv.lines.size(), "", "ends before the first frame");
   csv.separator = csv.lines[0].find('\t') != std::string::npos ? '\t' : ',';
@@ -95,7 +95,7 @@ MarkerRecording read_one(const std::filesystem::path& file, const Conventions& c
   if (leading.size() < 3 || leading[0] != "Frame#" || leading[1] != "Time") {
     csv.fail(kNameLine, "", "must begin with 'Frame#' and 'Time'");
   }
-  const Header header = read_header(csv);
+  const TrcHeader header = read_trc_header(csv);
   const MarkerColumns columns{{"Frame#", "Time"}, read_marker_names(csv, kNameLine)};
   check_axes(csv, columns);
   const double metres = metres_of(value_of(header, "Units"), conventions,
@@ -114,7 +114,7 @@ MarkerRecording read_one(const std::filesystem::path& file, const Conventions& c
 bool recognises_trc(std::string_view head) { return head.starts_with("PathFileType"); }
 
 Demonstration read_trc(const RecordingFiles& files) {
-  return read_marker_recording(files, &read_one);
+  return read_marker_recording(files, &read_trc_file);
 }
 
 }  // namespace morphe::imports

@@ -128,7 +128,7 @@ void read_frames(const files::CsvText& csv, std::size_t line, std::size_t last,
   }
 }
 
-MarkerRecording read_one(const std::filesystem::path& file, const Conventions& conventions) {
+MarkerRecording read_vicon_file(const std::filesystem::path& file, const Conventions& conventions) {
   const files::CsvText csv = files::read_csv(file);
   MarkerRecording recording;
   recording.reports = csv.reports;
@@ -155,7 +155,7 @@ bool recognises_vicon_csv(std::string_view head) {
 }
 
 Demonstration read_vicon_csv(const RecordingFiles& files) {
-  return read_marker_recording(files, &read_one, "x y z");
+  return read_marker_recording(files, &read_vicon_file, "x y z");
 }
 
 }  // namespace morphe::imports

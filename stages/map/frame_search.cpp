@@ -26,8 +26,6 @@ solve::BoundedProblem bounded(const MappingProblem& problem, std::size_t frame,
   return result;
 }
 
-constexpr double kSame = 0.1;  ///< nearer in every joint: the same minimum [rad]
-
 void add_if_new(const Twins& twins, std::vector<solve::Minimum>& minima, solve::Minimum found) {
   const auto known = std::ranges::find_if(
       minima, [&](const solve::Minimum& m) { return alike(twins, found.x, m.x, kSame); });

@@ -119,9 +119,8 @@ MappingProblem make_mapping_problem(const robot::Robot& robot, const Goals& goal
   return problem;
 }
 
-MapResult map_movement(const MappingProblem& problem, Goals& goals, const MapOptions& options,
-                       std::uint64_t seed) {
-  MapResult result;
+Outcome<MapResult> map_movement(const MappingProblem& problem, Goals& goals,
+                                const MapOptions& options, std::uint64_t seed) {
   MappingProblem tracked = problem;  // what is reached is judged by the tips in every mode
   for (std::size_t f = 0; f < goals.frames(); ++f)
     tracked.goals[f] = humanlike::frame_goal(goals, f);
@@ -129,10 +128,9 @@ MapResult map_movement(const MappingProblem& problem, Goals& goals, const MapOpt
       std::any_of(tracked.goals.begin(), tracked.goals.end(),
                   [](const humanlike::FrameGoal& goal) { return goal.tips_seen() > 0; });
   if (problem.frames() < 5 || !any_goal) {
-    result.reason = Reason::no_goal;
-    result.detail = any_goal ? "the movement has fewer than 5 frames"
-                             : "no fingertip was seen in the whole movement";
-    return result;
+    return {{},
+            {Reason::no_goal, any_goal ? "the movement has fewer than 5 frames"
+                                       : "no fingertip was seen in the whole movement"}};
   }
   const std::vector<Course> courses = search_movement(problem, options, seed);
   const JointRows& q = courses.front().q;
@@ -141,11 +139,12 @@ MapResult map_movement(const MappingProblem& problem, Goals& goals, const MapOpt
   for (std::size_t f = 0; f < problem.frames(); ++f) {
     for (std::size_t i = 0; i < goals.reachable.cols; ++i) goals.reachable(f, i) = reachable[f];
   }
+  MapResult result;
   result.mapped = measure(problem, goals, q);
   result.posture_error_rad = posture_error(problem, goals, q);
   result.path = {q, std::vector<Origin>(problem.frames(), Origin::mapped), problem.time};
   for (std::size_t i = 1; i < courses.size(); ++i) result.candidates.push_back(courses[i].q);
-  return result;
+  return {std::move(result), {}};
 }
 
 }  // namespace morphe::map

@@ -1,17 +1,15 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
+#include "pipeline/motion/outcome.hpp"
 #include "stages/map/map_options.hpp"
 #include "stages/map/mapping_problem.hpp"
 
 namespace morphe::map {
 
 struct MapResult {
-  Reason reason = Reason::none;  ///< or no_goal
-  std::string detail;
   Mapped mapped;
   JointPath path;                       ///< the mapped positions, all Origin::mapped
   std::vector<JointRows> candidates;    ///< other continuous courses, the best first, for repair
@@ -21,8 +19,9 @@ struct MapResult {
 /// Frames to joint angles, the movement as one problem (search_movement). Fills goals.reachable.
 /// Frames without any goal take part through smoothness and posture alone. Whatever the problem's
 /// own goals are (joint-to-joint has others), errors, statuses and reach are those of `goals`.
-MapResult map_movement(const MappingProblem& problem, Goals& goals, const MapOptions& options,
-                       std::uint64_t seed);
+/// Refused: no_goal.
+Outcome<MapResult> map_movement(const MappingProblem& problem, Goals& goals,
+                                const MapOptions& options, std::uint64_t seed);
 
 /// The problem of a movement: goals frame by frame, with the weights of their phases, and the world
 /// to stay clear of.

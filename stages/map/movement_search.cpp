@@ -40,8 +40,6 @@ Way follow(const MappingProblem& problem, std::size_t key, const JointVector& q,
   return way;
 }
 
-constexpr double kSame = 0.1;  ///< nearer in every joint: the same [rad]
-
 /// The same postures all along, or twins of them.
 bool same_course(const Twins& twins, const JointRows& a, const JointRows& b) {
   for (Index f = 0; f < a.rows(); ++f) {

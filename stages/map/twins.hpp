@@ -29,6 +29,9 @@ Twins find_twins(const MappingProblem& problem);
 /// The joints in which twins differ.
 std::vector<Eigen::Index> joints_of(const Twins& twins);
 
+/// Nearer than this in every joint, two postures are minima of one basin [rad].
+inline constexpr double kSame = 0.1;
+
 /// Whether a is b or one of b's twins, nearer than `tolerance` in every joint [rad].
 bool alike(const Twins& twins, const JointVector& a, const JointVector& b, double tolerance);
 

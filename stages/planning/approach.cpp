@@ -12,33 +12,31 @@ namespace morphe::planning {
 namespace {
 
 /// Timed and certified; smoothing that makes it collide is taken back.
-certify::CertifyResult run_along(const Planner& planner, const collision::CollisionWorld& world,
-                                 const JointPath& path, const ApproachOptions& options,
-                                 double time_s, Trajectory& trajectory) {
+Refusal run_along(const Planner& planner, const collision::CollisionWorld& world,
+                  const JointPath& path, const ApproachOptions& options, double time_s,
+                  Trajectory& trajectory) {
   retime::RetimeOptions time_law = planner.config.retime;
   time_law.mode = retime::Tempo::fastest;
   time_law.duration_s.reset();
   time_law.phase_speed.clear();
   time_law.limit_share *= options.limit_share;
   while (true) {
-    retime::RetimeResult retimed = retime::retime(planner.robot, path, Movement{}, time_law);
-    certify::CertifyResult result;
-    result.reason = retimed.reason;
-    result.detail = retimed.detail;
-    if (retimed.reason != Reason::none) return result;
-    trajectory = std::move(retimed.trajectory);
+    Outcome<retime::RetimeResult> retimed =
+        retime::retime(planner.robot, path, Movement{}, time_law);
+    if (retimed.refusal) return retimed.refusal;
+    trajectory = std::move(retimed.value.trajectory);
     // The demonstration waits meanwhile: touching is judged by that moment.
     std::ranges::fill(trajectory.demonstration_time, time_s);
     std::ranges::fill(trajectory.phase, PhaseKind::rest);
-    result = certify::certify_motion(world, trajectory);
+    Refusal refusal = certify::certify_motion(world, trajectory).refusal;
     const bool smoothed = time_law.tip_tolerance + time_law.joint_tolerance > 0;
-    if (result.reason != Reason::smoothing || !smoothed) return result;
+    if (refusal.reason != Reason::smoothing || !smoothed) return refusal;
     time_law.tip_tolerance = time_law.joint_tolerance = 0;
   }
 }
 
-std::string sentence(const certify::CertifyResult& run) {
-  return fmt::format("{}: {}", name_of(run.reason), run.detail);
+std::string sentence(const Refusal& refusal) {
+  return fmt::format("{}: {}", name_of(refusal.reason), refusal.detail);
 }
 
 /// Why there is no way between two postures.
@@ -94,8 +92,8 @@ JointVector home_posture(const RobotTable& robot, const ApproachOptions& options
   return home.cwiseMax(robot.lower).cwiseMin(robot.upper);
 }
 
-ApproachResult add_approach(const Planner& planner, const ApproachOptions& options,
-                            std::uint64_t seed, Plan& plan) {
+Refusal add_approach(const Planner& planner, const ApproachOptions& options, std::uint64_t seed,
+                     Plan& plan) {
   const repair::RepairOptions& repair = planner.config.repair;
   const JointVector home = home_posture(planner.robot, options);
   collision::CollisionWorld world =
@@ -110,24 +108,23 @@ ApproachResult add_approach(const Planner& planner, const ApproachOptions& optio
   if (there.position.rows() == 0) {
     return {Reason::no_approach, no_way(world, home, first, begin_s, repair)};
   }
-  certify::CertifyResult run = run_along(planner, world, there, options, begin_s, plan.approach);
-  if (run.reason != Reason::none) return {Reason::no_approach, sentence(run)};
+  if (const Refusal refused = run_along(planner, world, there, options, begin_s, plan.approach)) {
+    return {Reason::no_approach, sentence(refused)};
+  }
   if (!options.back) return {};
 
   if (collision::place_of_target(world, end_s) == collision::TargetPlace::in_hand) {
     return {Reason::no_retreat, "the target is in the hand at the end"};
   }
   const JointPath back = repair::plan_transfer(world, last, home, end_s, repair, seed + 1);
-  run.reason = Reason::no_path;
-  if (back.position.rows() > 0) {
-    run = run_along(planner, world, back, options, end_s, plan.retreat);
+  const bool found = back.position.rows() > 0;
+  Refusal refused;
+  if (found) refused = run_along(planner, world, back, options, end_s, plan.retreat);
+  if (!found || refused) {
+    refused = run_along(planner, world, reversed(way, there), options, end_s, plan.retreat);
   }
-  if (run.reason != Reason::none) {
-    run = run_along(planner, world, reversed(way, there), options, end_s, plan.retreat);
-  }
-  if (run.reason == Reason::none) return {};
-  return {Reason::no_retreat,
-          back.position.rows() == 0 ? no_way(world, last, home, end_s, repair) : sentence(run)};
+  if (!refused) return {};
+  return {Reason::no_retreat, found ? sentence(refused) : no_way(world, last, home, end_s, repair)};
 }
 
 }  // namespace morphe::planning

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 
+#include "pipeline/motion/outcome.hpp"
 #include "pipeline/motion/plan.hpp"
 #include "stages/planning/approach_options.hpp"
 #include "stages/planning/planner.hpp"
@@ -13,15 +13,11 @@ namespace morphe::planning {
 JointVector home_posture(const RobotTable& robot, const ApproachOptions& options);
 
 /// Plans, times and certifies the approach of an executable plan from home to its first sample, and
-/// the retreat from its last one, in the plan's scene as it stands at these times. The reason is
-/// `no_approach` or `no_retreat` if there is no such way. A retreat lets go: what the hand touches
+/// the retreat from its last one, in the plan's scene as it stands at these times. Refused:
+/// no_approach, no_retreat, where there is no such way. A retreat lets go: what the hand touches
 /// may be touched on the way; where no other is found it goes back the way it came. A target in the
 /// hand at the end would have to be carried home: there is no retreat then.
-struct ApproachResult {
-  Reason reason = Reason::none;  ///< done
-  std::string detail;
-};
-ApproachResult add_approach(const Planner& planner, const ApproachOptions& options,
-                            std::uint64_t seed, Plan& plan);
+Refusal add_approach(const Planner& planner, const ApproachOptions& options, std::uint64_t seed,
+                     Plan& plan);
 
 }  // namespace morphe::planning

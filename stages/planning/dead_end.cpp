@@ -113,7 +113,7 @@ repair::Made stop_at_dead_end(const map::MappingProblem& problem, const repair::
   if (!end) return {best};
   const std::string detail = fmt::format("the best of {} postures for {:.3f} s has {}", end->tried,
                                          end->time_s, repair::sentence(end->nearest));
-  return {best, end->reason, detail, true};
+  return {best, {end->reason, detail}, true};
 }
 
 }  // namespace morphe::planning

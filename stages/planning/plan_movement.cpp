@@ -43,9 +43,9 @@ Plan begin_plan(const Demonstration& demonstration, const Movement& movement,
   return plan;
 }
 
-Plan fail(Plan plan, Reason reason, const std::string& detail) {
-  plan.reason = reason;
-  plan.detail = detail;
+Plan fail(Plan plan, Refusal refusal) {
+  plan.reason = refusal.reason;
+  plan.detail = std::move(refusal.detail);
   plan.trajectory = plan.approach = plan.retreat = {};
   return plan;
 }
@@ -109,30 +109,27 @@ void finish(const Planner& planner, const collision::CollisionWorld& world, Plan
             StageSeconds& seconds) {
   retime::RetimeOptions options = planner.config.retime;
   while (true) {
-    retime::RetimeResult retimed = timed(seconds, "retime", [&] {
+    Outcome<retime::RetimeResult> retimed = timed(seconds, "retime", [&] {
       return retime::retime(planner.robot, plan.path, plan.movement, options);
     });
-    certify::CertifyResult certified;
-    if (retimed.reason == Reason::none) {
-      plan.trajectory = std::move(retimed.trajectory);
+    Outcome<Certificate> certified{{}, retimed.refusal};
+    if (!retimed.refusal) {
+      plan.trajectory = std::move(retimed.value.trajectory);
       certified = timed(seconds, "certify", [&] {
         return certify::certify(world, plan.goals, plan.movement, plan.trajectory, plan.mapped);
       });
-    } else {
-      certified.reason = retimed.reason;
-      certified.detail = retimed.detail;
     }
-    certified.certificate.repaired = plan.certificate.repaired;
-    certified.certificate.natural_posture_error = plan.certificate.natural_posture_error;
-    plan.certificate = certified.certificate;
+    certified.value.repaired = plan.certificate.repaired;
+    certified.value.natural_posture_error = plan.certificate.natural_posture_error;
+    plan.certificate = certified.value;
+    const Reason reason = certified.refusal.reason;
     const bool smoothed = options.tip_tolerance + options.joint_tolerance > 0;
-    if (smoothed &&
-        (certified.reason == Reason::smoothing || certified.reason == Reason::tracking)) {
+    if (smoothed && (reason == Reason::smoothing || reason == Reason::tracking)) {
       options.tip_tolerance = options.joint_tolerance = 0;
       continue;
     }
-    plan.reason = certified.reason;
-    plan.detail = certified.detail;
+    plan.reason = reason;
+    plan.detail = certified.refusal.detail;
     if (!plan.executable()) plan.trajectory = {};
     return;
   }
@@ -149,7 +146,7 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
       math::seed_from(config.seed, fmt::format("{}/{}", demonstration.name, movement.index));
 
   if (!map::hand_alone(robot) && !seen(map::shoulder_at_begin(recorded, movement))) {
-    return fail(plan, Reason::no_shoulder, "the shoulder was never seen");
+    return fail(plan, {Reason::no_shoulder, "the shoulder was never seen"});
   }
   const scene::MovedTarget there = timed(seconds, "scene", [&] {
     const Scene as_recorded = scene_around(planner, demonstration, recorded, plan.movement);
@@ -166,14 +163,15 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
   plan.scene = placed.scene;
   plan.goals = placed.goals;
   if (!grasp_seen(plan.goals, plan.movement)) {
-    return fail(plan, Reason::no_goal, "no fingertip was seen in the grasp");
+    return fail(plan, {Reason::no_goal, "no fingertip was seen in the grasp"});
   }
   const collision::CollisionWorld world =
       collision::make_world(robot, plan.scene, plan.movement, plan.tolerances);
-  map::MapResult mapped = timed(seconds, "map", [&] {
+  Outcome<map::MapResult> mapping = timed(seconds, "map", [&] {
     return map::map_movement(placed.problem, plan.goals, config.map, seed);
   });
-  if (mapped.reason != Reason::none) return fail(plan, mapped.reason, mapped.detail);
+  if (mapping.refusal) return fail(plan, mapping.refusal);
+  map::MapResult& mapped = mapping.value;
   plan.mapped = std::move(mapped.mapped);
   plan.path = mapped.path;
   plan.certificate.natural_posture_error = mapped.posture_error_rad;
@@ -182,21 +180,19 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
     return check::check_path(world, plan.goals, plan.movement, plan.path, config.check);
   });
   if (!plan.findings.empty()) {
-    const repair::RepairResult repaired = timed(seconds, "repair", [&] {
+    const Outcome<repair::RepairResult> repaired = timed(seconds, "repair", [&] {
       return repair_movement(planner, placed, world, plan, mapped, seed);
     });
-    plan.path = repaired.path;
-    plan.certificate.repaired = repaired.repaired;
-    if (repaired.reason != Reason::none) return fail(plan, repaired.reason, repaired.detail);
+    plan.path = repaired.value.path;
+    plan.certificate.repaired = repaired.value.repaired;
+    if (repaired.refusal) return fail(plan, repaired.refusal);
   }
   finish(planner, world, plan, seconds);
   if (plan.executable()) {
     if (config.approach) {
-      const ApproachResult there_and_back = timed(
+      const Refusal refused = timed(
           seconds, "approach", [&] { return add_approach(planner, *config.approach, seed, plan); });
-      if (there_and_back.reason != Reason::none) {
-        return fail(plan, there_and_back.reason, there_and_back.detail);
-      }
+      if (refused) return fail(plan, refused);
     }
     plan.grasp = certify::find_grasp(robot, plan.scene, plan.movement, plan.trajectory);
     plan.detail = warnings(robot, plan.scene, plan.goals, plan.movement, motion);
@@ -234,7 +230,7 @@ run::DemonstrationOutcome plan_demonstration(const Planner& planner,
     const std::string detail =
         motion.problems.empty() ? nothing : nothing + "; " + joined(motion.problems);
     outcome.plans.push_back(
-        fail(begin_plan(demonstration, {}, config.check), Reason::no_movement, detail));
+        fail(begin_plan(demonstration, {}, config.check), {Reason::no_movement, detail}));
   }
   return outcome;
 }

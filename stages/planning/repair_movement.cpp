@@ -20,9 +20,10 @@ constexpr double kRoom = 2e-4;
 
 }  // namespace
 
-repair::RepairResult repair_movement(const Planner& planner, const PlacedMovement& placed,
-                                     const collision::CollisionWorld& world, const Plan& plan,
-                                     const map::MapResult& mapped, std::uint64_t seed) {
+Outcome<repair::RepairResult> repair_movement(const Planner& planner, const PlacedMovement& placed,
+                                              const collision::CollisionWorld& world,
+                                              const Plan& plan, const map::MapResult& mapped,
+                                              std::uint64_t seed) {
   const PipelineConfig& config = planner.config;
   map::MappingProblem whole = placed.problem;
   whole.world = &world;
@@ -62,14 +63,11 @@ repair::RepairResult repair_movement(const Planner& planner, const PlacedMovemen
         other_courses,
     };
   }
-  repair::RepairResult result = repair::repair_path(ladder, start, config.repair);
-  if (result.reason != Reason::none && judge(result.path).empty()) {
-    result.reason = Reason::none;
-    result.detail.clear();
-    result.remaining.clear();
-    result.repaired = true;
+  Outcome<repair::RepairResult> repaired = repair::repair_path(ladder, start, config.repair);
+  if (repaired.refusal && judge(repaired.value.path).empty()) {
+    return {{std::move(repaired.value.path), true, {}}, {}};
   }
-  return result;
+  return repaired;
 }
 
 }  // namespace morphe::planning

@@ -13,8 +13,9 @@ namespace morphe::planning {
 /// that leaves a dead end; then firmly; then likewise the mapping's other candidates; then a
 /// detour, also from the mapped path; at last all of that from other courses, searched in the whole
 /// scene. Samples far from findings keep their bits but in other courses.
-repair::RepairResult repair_movement(const Planner& planner, const PlacedMovement& placed,
-                                     const collision::CollisionWorld& world, const Plan& plan,
-                                     const map::MapResult& mapped, std::uint64_t seed);
+Outcome<repair::RepairResult> repair_movement(const Planner& planner, const PlacedMovement& placed,
+                                              const collision::CollisionWorld& world,
+                                              const Plan& plan, const map::MapResult& mapped,
+                                              std::uint64_t seed);
 
 }  // namespace morphe::planning

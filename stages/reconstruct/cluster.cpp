@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "pipeline/math/statistics.hpp"
 #include "stages/reconstruct/gaps.hpp"
 
 namespace morphe::reconstruct {
@@ -18,12 +19,6 @@ Pose pose_at(const std::vector<Vec3>& shape, const std::vector<std::vector<Vec3>
   return math::fit_rigid(shape, now);
 }
 
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 }  // namespace
 
 Vec3 median_in_body(const std::vector<Pose>& world_from_body, const std::vector<Vec3>& track) {
@@ -34,7 +29,7 @@ Vec3 median_in_body(const std::vector<Pose>& world_from_body, const std::vector<
     for (int c = 0; c < 3; ++c) places[c].push_back(place[c]);
   }
   if (places[0].empty()) return unseen_point();
-  return {median(places[0]), median(places[1]), median(places[2])};
+  return {math::median(places[0]), math::median(places[1]), math::median(places[2])};
 }
 
 std::vector<Pose> poses_of(const std::vector<Vec3>& shape,

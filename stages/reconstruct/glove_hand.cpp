@@ -26,7 +26,7 @@ double mean_seen(const HandStream& glove, Eigen::Index sensor) {
   return sum / count;
 }
 
-bool never_seen(const std::vector<double>& column) {
+bool all_unseen(const std::vector<double>& column) {
   return std::none_of(column.begin(), column.end(), [](double a) { return std::isfinite(a); });
 }
 
@@ -37,13 +37,13 @@ GloveColumns completed(const GloveColumns& glove, std::vector<std::string>& esti
     estimated.push_back(std::string("glove sensor ") + human::kGloveSensors[sensor]);
   };
   for (const std::size_t last : kLastJoints) {
-    if (!never_seen(whole[last]) || never_seen(whole[last - 1])) continue;
+    if (!all_unseen(whole[last]) || all_unseen(whole[last - 1])) continue;
     for (std::size_t i = 0; i < whole[last].size(); ++i) {
       whole[last][i] = kLastToMiddle * whole[last - 1][i];
     }
     note(last);
   }
-  if (never_seen(whole[kPalmArch]) && !std::all_of(whole.begin(), whole.end(), never_seen)) {
+  if (all_unseen(whole[kPalmArch]) && !std::all_of(whole.begin(), whole.end(), all_unseen)) {
     std::fill(whole[kPalmArch].begin(), whole[kPalmArch].end(), 0.0);
     note(kPalmArch);
   }

@@ -5,17 +5,10 @@
 #include <cmath>
 
 #include "pipeline/human/hand.hpp"
+#include "pipeline/math/statistics.hpp"
 
 namespace morphe::reconstruct {
 namespace {
-
-constexpr std::size_t kIndex = 1, kMiddle = 2, kLittle = 4;
-
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Median of a number that each frame gives, NaN where it does not; NaN if none does.
 template <class Number>
@@ -25,7 +18,7 @@ double median_over(const std::vector<HandKeypoints>& frames, const Number& numbe
     const double value = number(i);
     if (std::isfinite(value)) values.push_back(value);
   }
-  return values.empty() ? kNotSeen : median(values);
+  return values.empty() ? kNotSeen : math::median(values);
 }
 
 }  // namespace

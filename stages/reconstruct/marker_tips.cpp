@@ -5,8 +5,6 @@
 namespace morphe::reconstruct {
 namespace {
 
-constexpr std::size_t kThumb = 0, kIndex = 1;
-
 /// From thumb to index marker in every frame. Where one of them is hidden the line turns with the
 /// hand, from what it was in the hand's frame before the gap to what it is after; NaN where the
 /// hand is not seen either.

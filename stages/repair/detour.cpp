@@ -58,8 +58,7 @@ bool plan_around(const Surroundings& around, const collision::CollisionWorld& wo
   return planned;
 }
 
-Reason end_in_collision(const collision::CollisionWorld& world, const JointPath& path,
-                        std::string& detail) {
+Refusal end_in_collision(const collision::CollisionWorld& world, const JointPath& path) {
   const Eigen::Index last = path.position.rows() - 1;
   collision::CollisionScratch scratch;
   for (const Eigen::Index row : {Eigen::Index{0}, last}) {
@@ -67,12 +66,12 @@ Reason end_in_collision(const collision::CollisionWorld& world, const JointPath&
     const double time_s = path.demonstration_time[static_cast<std::size_t>(row)];
     const collision::PairSeparation pair = collision::least_slack(world, q, time_s, scratch);
     if (pair.slack() >= 0) continue;
-    detail = fmt::format("{} – {} at the {} ({:.3f} s): {:.4f} m too close",
-                         collision::first_name(world, pair), collision::second_name(world, pair),
-                         row == 0 ? "start" : "goal", time_s, -pair.slack());
-    return row == 0 ? Reason::start_in_collision : Reason::goal_in_collision;
+    return {row == 0 ? Reason::start_in_collision : Reason::goal_in_collision,
+            fmt::format("{} – {} at the {} ({:.3f} s): {:.4f} m too close",
+                        collision::first_name(world, pair), collision::second_name(world, pair),
+                        row == 0 ? "start" : "goal", time_s, -pair.slack())};
   }
-  return Reason::none;
+  return {};
 }
 
 }  // namespace
@@ -83,8 +82,8 @@ Made detour(const Surroundings& around, const Judged& from) {
   collision::CollisionWorld world =
       around.world;  // what the hand carries moves as this path takes it
   collision::carry_target(from.path.demonstration_time, from.path.position, world);
-  made.why = end_in_collision(world, from.path, made.detail);
-  if (made.why != Reason::none) return made;
+  made.refusal = end_in_collision(world, from.path);
+  if (made.refusal) return made;
   Judged& best = made.judged;
   for (int attempt = 0; attempt < around.options.attempts && !best.findings.empty(); ++attempt) {
     // A detour that is free but worse in other ways is planned again from where it began.

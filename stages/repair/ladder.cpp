@@ -18,31 +18,28 @@ std::pair<double, double> badness(const std::vector<Finding>& findings) {
   return sum;
 }
 
-/// The reason and detail of what is left: collisions first.
-void conclude(const RepairOptions& options, RepairResult& result) {
+/// The worst of what is left: collisions first.
+Refusal refusal_of(const std::vector<Finding>& remaining, const RepairOptions& options) {
   const auto worst_of = [&](const auto& counts) {
     const Finding* worst = nullptr;
-    for (const Finding& finding : result.remaining) {
+    for (const Finding& finding : remaining) {
       if (counts(finding.cause) && (!worst || finding.depth > worst->depth)) worst = &finding;
     }
     return worst;
   };
   if (const Finding* worst = worst_of(is_collision)) {
-    result.reason = Reason::no_path;
-    result.detail = fmt::format("{}; no free path in {} attempts of {} iterations",
-                                sentence(*worst), options.attempts, options.iterations);
-    return;
+    return {Reason::no_path, fmt::format("{}; no free path in {} attempts of {} iterations",
+                                         sentence(*worst), options.attempts, options.iterations)};
   }
   constexpr std::array<std::pair<Cause, Reason>, 3> kOthers{{{Cause::limit, Reason::limit},
                                                              {Cause::jump, Reason::jump},
                                                              {Cause::tracking, Reason::tracking}}};
   for (const auto& [cause, reason] : kOthers) {
-    const Finding* worst = worst_of([&](Cause one) { return one == cause; });
-    if (!worst) continue;
-    result.reason = reason;
-    result.detail = sentence(*worst);
-    return;
+    if (const Finding* worst = worst_of([&](Cause one) { return one == cause; })) {
+      return {reason, sentence(*worst)};
+    }
   }
+  return {};
 }
 
 }  // namespace
@@ -63,7 +60,7 @@ Made climb(const std::vector<Rung>& ladder, Judged start) {
     Made made = rung(best.judged);
     if (less_bad(made.judged.findings, best.judged.findings)) {
       best = std::move(made);
-    } else if (made.why != Reason::none) {
+    } else if (made.refusal) {
       made.judged = std::move(best.judged);
       best = std::move(made);
     }
@@ -77,18 +74,15 @@ Rung if_nearly_free(Rung rung) {
   };
 }
 
-RepairResult repair_path(const std::vector<Rung>& ladder, Judged start,
-                         const RepairOptions& options) {
-  RepairResult result;
+Outcome<RepairResult> repair_path(const std::vector<Rung>& ladder, Judged start,
+                                  const RepairOptions& options) {
   const bool clean = start.findings.empty() || start.path.position.rows() == 0;
   Made made = clean ? Made{std::move(start)} : climb(ladder, std::move(start));
-  result.path = std::move(made.judged.path);
-  result.remaining = std::move(made.judged.findings);
-  result.reason = made.why;
-  result.detail = std::move(made.detail);
-  if (result.reason == Reason::none) conclude(options, result);
-  result.repaired = !clean && result.remaining.empty();
-  return result;
+  const std::vector<Finding>& remaining = made.judged.findings;
+  if (!made.refusal) made.refusal = refusal_of(remaining, options);
+  const bool repaired = !clean && remaining.empty();
+  return {{std::move(made.judged.path), repaired, std::move(made.judged.findings)},
+          std::move(made.refusal)};
 }
 
 std::string sentence(const Finding& finding) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/motion/outcome.hpp"
 #include "pipeline/motion/plan.hpp"
 #include "stages/repair/repair_options.hpp"
 
@@ -28,9 +29,8 @@ bool nearly_free(const std::vector<Finding>& findings);
 /// What a rung made of the best path so far: another one, or the same.
 struct Made {
   Judged judged;
-  Reason why = Reason::none;  ///< what stopped the rung, with its detail
-  std::string detail = "";
-  bool last = false;  ///< no other rung can help
+  Refusal refusal = {};  ///< what stopped the rung
+  bool last = false;     ///< no other rung can help
 };
 
 /// One way to change a path. It depends on the path alone.
@@ -45,17 +45,14 @@ Rung if_nearly_free(Rung rung);
 
 struct RepairResult {
   JointPath path;
-  bool repaired = false;  ///< the path has changed, and is free now
-  /// none: free; or start_in_collision, goal_in_collision, unreachable, no_path, limit, jump,
-  /// tracking
-  Reason reason = Reason::none;
-  std::string detail;              ///< a sentence that names the finding
+  bool repaired = false;           ///< the path has changed, and is free now
   std::vector<Finding> remaining;  ///< what is still wrong with `path`
 };
 
 /// Climbs, and says what is left: what stopped a rung, or the worst finding, collisions first.
-RepairResult repair_path(const std::vector<Rung>& ladder, Judged start,
-                         const RepairOptions& options);
+/// Refused: start_in_collision, goal_in_collision, unreachable, no_path, limit, jump, tracking.
+Outcome<RepairResult> repair_path(const std::vector<Rung>& ladder, Judged start,
+                                  const RepairOptions& options);
 
 /// "object: palm – cup from 1.200 s to 1.300 s, 0.0040 m too much".
 std::string sentence(const Finding& finding);

@@ -11,13 +11,12 @@ namespace {
 
 /// Of the barrier, as a share of what a point adds to the duration: bounds the duration's excess.
 constexpr double kFirstBarrier = 3e-1, kLastBarrier = 3e-5, kLowerBarrier = 0.1;
-constexpr int kNewtonSteps = 60;  ///< at most, for each barrier
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kBarrierSteps = 60;  ///< at most, for each barrier
 
 using Local = Eigen::Vector3d;  ///< (x, x_w, x_ww) at a point
 using FromCoefficients = Eigen::Matrix<double, 3, 4>;
 using Lanes = Eigen::Array<double, 4, 1>;
-using Rows = Eigen::Map<const Lanes, Eigen::Aligned16>;
+using LaneRows = Eigen::Map<const Lanes, Eigen::Aligned16>;
 
 /// A point where constraints hold: the knots, and the middles of the first and last intervals,
 /// where q_w and q_ww vanish and leave x_ww free at the very ends.
@@ -116,8 +115,8 @@ double merit(const Constraints& c, const Eigen::VectorXd& coefficient, double ba
     const double pace = std::sqrt(x[0]);
     Lanes product = Lanes::Ones(), least = product;
     for (Eigen::Index k = 0; k < c.a0.rows(); k += 4) {
-      const Rows a0(&c.a0(k, i)), a1(&c.a1(k, i));
-      const Rows j0(&c.j0(k, i)), j1(&c.j1(k, i)), j2(&c.j2(k, i));
+      const LaneRows a0(&c.a0(k, i)), a1(&c.a1(k, i));
+      const LaneRows j0(&c.j0(k, i)), j1(&c.j1(k, i)), j2(&c.j2(k, i));
       const Lanes a = 1 - (a0 * x[0] + a1 * x[1]).square();
       const Lanes j = 1 - ((j0 * x[0] + j1 * x[1] + j2 * x[2]) * pace).square();
       least = least.min(a).min(j);
@@ -149,7 +148,7 @@ void local_model(const Constraints& c, Eigen::Index i, double weight, const Loca
   Sums s;
   const double pace = std::sqrt(x[0]), bend = 0.5 / x[0];
   for (Eigen::Index k = 0; k < c.a0.rows(); k += 4) {
-    const Rows a0(&c.a0(k, i)), a1(&c.a1(k, i));
+    const LaneRows a0(&c.a0(k, i)), a1(&c.a1(k, i));
     const Lanes v = a0 * x[0] + a1 * x[1], inverse = (1 - v.square()).inverse();
     const Lanes pull = 2 * v * inverse, stiff = 2 * (1 + v.square()) * inverse.square();
     s.g0 += pull * a0;
@@ -159,7 +158,7 @@ void local_model(const Constraints& c, Eigen::Index i, double weight, const Loca
     s.h11 += stiff * a1 * a1;
   }
   for (Eigen::Index k = 0; k < c.a0.rows(); k += 4) {
-    const Rows j0(&c.j0(k, i)), j1(&c.j1(k, i)), j2(&c.j2(k, i));
+    const LaneRows j0(&c.j0(k, i)), j1(&c.j1(k, i)), j2(&c.j2(k, i));
     const Lanes v = (j0 * x[0] + j1 * x[1] + j2 * x[2]) * pace;
     const Lanes inverse = (1 - v.square()).inverse();
     const Lanes pull = 2 * v * inverse, stiff = 2 * (1 + v.square()) * inverse.square();
@@ -256,7 +255,7 @@ void minimise(const Constraints& c, double scale_s, Eigen::VectorXd& coefficient
   for (double share = kFirstBarrier; share > 0.99 * kLastBarrier; share *= kLowerBarrier) {
     const double barrier = share * each;
     double now = merit(c, coefficient, barrier);
-    for (int k = 0; k < kNewtonSteps; ++k) {
+    for (int k = 0; k < kBarrierSteps; ++k) {
       double decrement = 0;
       if (!newton_step(c, coefficient, barrier, newton, decrement)) break;
       double length = 1, then = kInfinity;

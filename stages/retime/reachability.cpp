@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "pipeline/motion/geometry.hpp"
 
 namespace morphe::retime {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLeastSlope = 1e-12;  ///< of acceleration over its limit by x_u
-constexpr int kNewtonSteps = 60;
+constexpr int kRootSteps = 60;
 
 /// A bound of a = x_u / 2 and how it changes with x.
 struct Bound {
@@ -60,7 +60,7 @@ class Step {
 /// in x and not negative at 0: Newton's method from above never passes the root.
 double largest(const Step& step, double ceiling, double next) {
   double x = ceiling;
-  for (int k = 0; k < kNewtonSteps; ++k) {
+  for (int k = 0; k < kRootSteps; ++k) {
     const Bounds at = step.at(x, next);
     const double room = at.most.value - at.least.value, slope = at.most.slope - at.least.slope;
     if (room >= 0 || !(slope < 0)) break;

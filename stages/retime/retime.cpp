@@ -229,46 +229,41 @@ std::string why_invalid(const RetimeOptions& o) {
   return "";
 }
 
-RetimeResult retime(const RobotTable& robot, const JointPath& path, const Movement& movement,
-                    const RetimeOptions& options) {
+Outcome<RetimeResult> retime(const RobotTable& robot, const JointPath& path,
+                             const Movement& movement, const RetimeOptions& options) {
+  if (std::string wrong = what_is_wrong(robot, path); !wrong.empty()) {
+    return {{}, {Reason::path, std::move(wrong)}};
+  }
+  if (std::string beyond = what_is_beyond_limits(robot, path); !beyond.empty()) {
+    return {{}, {Reason::limit, std::move(beyond)}};
+  }
   RetimeResult result;
-  result.detail = what_is_wrong(robot, path);
-  if (!result.detail.empty()) {
-    result.reason = Reason::path;
-    return result;
-  }
-  result.detail = what_is_beyond_limits(robot, path);
-  if (!result.detail.empty()) {
-    result.reason = Reason::limit;
-    return result;
-  }
   const double rate_hz = options.sample_rate_hz;
   const auto make = [&](bool keep_pauses) {
     return make_course(robot, path, movement, options, keep_pauses, result);
   };
   Attempt attempt;
-  bool followed = false;
   if (options.mode == Tempo::duration) {
     const double periods = std::floor(*options.duration_s * rate_hz + 1e-9);
-    followed = follow_for(static_cast<Eigen::Index>(periods), make, rate_hz, attempt);
-    result.detail = fmt::format("the path cannot be followed in {} s", *options.duration_s);
+    if (!follow_for(static_cast<Eigen::Index>(periods), make, rate_hz, attempt)) {
+      return {std::move(result),
+              {Reason::duration,
+               fmt::format("the path cannot be followed in {} s", *options.duration_s)}};
+    }
   } else {
     const bool human = options.mode == Tempo::human;
     Course course = make(human);
     const auto pace = [&](Course& c) {
       return human ? pace_human(c, rate_hz) : pace_fastest(c, rate_hz);
     };
-    followed = follow_freely(course, pace, rate_hz, attempt);
-    result.detail =
-        "no slowdown brings the path within the joints' velocity, acceleration and jerk";
+    if (!follow_freely(course, pace, rate_hz, attempt)) {
+      return {std::move(result),
+              {Reason::limit,
+               "no slowdown brings the path within the joints' velocity, acceleration and jerk"}};
+    }
   }
-  if (followed) {
-    result.trajectory = std::move(attempt.sampled.trajectory);
-    result.detail = "";
-  } else {
-    result.reason = options.mode == Tempo::duration ? Reason::duration : Reason::limit;
-  }
-  return result;
+  result.trajectory = std::move(attempt.sampled.trajectory);
+  return {std::move(result), {}};
 }
 
 }  // namespace morphe::retime

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "pipeline/motion/outcome.hpp"
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
@@ -56,9 +57,7 @@ void fields(Fields& f, RetimeOptions& o) {
 std::string why_invalid(const RetimeOptions& options);
 
 struct RetimeResult {
-  Reason reason = Reason::none;  ///< or path (not a path of this robot), limit, duration
-  std::string detail;            ///< a sentence
-  Trajectory trajectory;         ///< clearance is NaN until it is certified
+  Trajectory trajectory;                          ///< clearance is NaN until it is certified
   double tip_deviation = 0, joint_deviation = 0;  ///< largest over the path's samples [m], [rad]
 };
 
@@ -70,7 +69,8 @@ struct RetimeResult {
 ///             that is not less than the fastest is met.
 /// Starts and ends with velocity and acceleration exactly zero. The limits hold for the quintics
 /// between the samples, not only at them: where they do not, the law is slowed down until they do.
-RetimeResult retime(const RobotTable& robot, const JointPath& path, const Movement& movement,
-                    const RetimeOptions& options);
+/// Refused: path (not a path of this robot), limit, duration.
+Outcome<RetimeResult> retime(const RobotTable& robot, const JointPath& path,
+                             const Movement& movement, const RetimeOptions& options);
 
 }  // namespace morphe::retime

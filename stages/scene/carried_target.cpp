@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <optional>
 
+#include "stages/scene/inferred.hpp"
+
 namespace morphe::scene {
 namespace {
-
-constexpr std::size_t kThumb = 0, kIndex = 1;
-constexpr double kTimeSlack = 1e-9;
 
 struct Grip {
   Vec3 middle, line;  ///< half-way between the tips; unit, from thumb to index

@@ -8,9 +8,6 @@
 namespace morphe::scene {
 namespace {
 
-constexpr std::size_t kThumb = 0, kIndex = 1;
-constexpr double kTimeSlack = 1e-9;
-
 struct Extent {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
   Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());

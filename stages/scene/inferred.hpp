@@ -6,6 +6,9 @@
 
 namespace morphe::scene {
 
+/// Frames this near to a border are on it [s].
+inline constexpr double kTimeSlack = 1e-9;
+
 /// The box "table": top at `height`, or
 ///   min(percentile of all tip heights, lowest planned tip) − tip_clearance.
 /// Nothing if it is switched off, or no tip is seen and no height is given.

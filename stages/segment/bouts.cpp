@@ -15,7 +15,6 @@ constexpr double kDeepest = 0.15;  ///< a dip to this share always separates
 constexpr double kLeastBout_s = 0.08;
 constexpr double kSplitWithin_s = 0.15;
 constexpr double kSpread_s = 0.04;  ///< an edge that is as uncertain as this is half as sure
-constexpr double kFollows_s = 0.1;
 constexpr double kRebound_s = 0.3;
 constexpr std::size_t kNeighbours = 2;
 

@@ -6,11 +6,10 @@
 namespace morphe::segment {
 namespace {
 
-constexpr double kAboveNoise = 2;     ///< rms of noise that a level must exceed to be read off
-constexpr double kFlank = 0.35;       ///< share of the peak over which the flank is fitted
-constexpr double kFarthest_s = 0.15;  ///< extrapolated at most
-constexpr double kFollows_s = 0.1;
-constexpr double kFallen = 0.8;  ///< a flank's own peak is followed by a fall to this share
+constexpr double kSpeedAboveNoise = 2;  ///< rms of noise that a level must exceed to be read off
+constexpr double kFlank = 0.35;         ///< share of the peak over which the flank is fitted
+constexpr double kFarthest_s = 0.15;    ///< extrapolated at most
+constexpr double kFallen = 0.8;         ///< a flank's own peak is followed by a fall to this share
 
 double share_of_time(double share_of_peak) {
   return (1 - std::sqrt(1 - std::sqrt(std::clamp(share_of_peak, 0.0, 1.0)))) / 2;
@@ -59,7 +58,7 @@ Edge find_edge(const HandSignals& signals, std::size_t rest, std::size_t peak, d
   const Walk inward{signals.speed, rest, rest < peak ? 1 : -1};
   const std::size_t count = rest < peak ? peak - rest : rest - peak;
   const double top = inward[count];
-  const double low = std::max(level, std::min(kAboveNoise * signals.speed_noise, 0.5 * top));
+  const double low = std::max(level, std::min(kSpeedAboveNoise * signals.speed_noise, 0.5 * top));
   const auto gap = static_cast<std::size_t>(kFollows_s / signals.step_s);
   std::size_t k = count;  // the outermost frame that belongs to the motion
   for (std::size_t i = count, run = 0; i-- > 0;) {

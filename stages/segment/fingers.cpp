@@ -6,10 +6,9 @@
 namespace morphe::segment {
 namespace {
 
-constexpr double kWithWrist = 0.25, kWithFingers = 0.5;  ///< shares of the tip's way
+constexpr double kWithFingers = 0.5;  ///< share of the tip's way
 constexpr double kWithin_s = 0.1;   ///< without a pause: it changes from half before to half behind
 constexpr double kOnTheMove = 0.2;  ///< … by this share of what is asked of the whole
-constexpr double kAboveNoise = 3;
 
 std::size_t slowest(const HandSignals& signals, std::size_t first, std::size_t last) {
   const auto begin = signals.speed.begin();
@@ -26,7 +25,7 @@ struct Changes {
 
   Changes(const HandSignals& signals, const SegmentOptions& options) : opening(signals.opening) {
     const auto [least, most] = std::minmax_element(opening.begin(), opening.end());
-    const double noise = kAboveNoise * signals.opening_noise;
+    const double noise = kOpeningAboveNoise * signals.opening_noise;
     asked = std::max(noise, options.closing_share * (*most - *least));
     on_the_move = std::max(noise, kOnTheMove * asked);
     half = std::max<std::size_t>(1, static_cast<std::size_t>(kWithin_s / signals.step_s) / 2);

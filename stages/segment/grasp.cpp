@@ -7,8 +7,7 @@ namespace morphe::segment {
 namespace {
 
 constexpr double kLonelyGrasp_s = 0.3;
-constexpr double kWithWrist = 0.25;  ///< share of the tip's way that the wrist must go
-constexpr double kClosing_s = 0.1;   ///< the hand may close this much after it has arrived
+constexpr double kClosing_s = 0.1;  ///< the hand may close this much after it has arrived
 
 const ObjectMotion* first_motion(const std::vector<ObjectMotion>& motions,
                                  const HandSignals& signals, const std::vector<Bout>& bouts) {

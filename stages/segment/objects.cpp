@@ -5,7 +5,7 @@
 namespace morphe::segment {
 namespace {
 
-constexpr double kWithin_s = 0.2;
+constexpr double kLookAhead_s = 0.2;
 
 struct Track {
   std::vector<double> time;
@@ -22,10 +22,10 @@ Track seen_part(const SceneObject& object) {
   return track;
 }
 
-/// The first sample after i that is far from sample i within kWithin_s; i if none is.
+/// The first sample after i that is far from sample i within kLookAhead_s; i if none is.
 std::size_t leaves(const Track& track, std::size_t i, double least_m) {
-  for (std::size_t k = i + 1; k < track.time.size() && track.time[k] <= track.time[i] + kWithin_s;
-       ++k) {
+  for (std::size_t k = i + 1;
+       k < track.time.size() && track.time[k] <= track.time[i] + kLookAhead_s; ++k) {
     if ((track.position[k] - track.position[i]).norm() > least_m) return k;
   }
   return i;
@@ -56,11 +56,11 @@ std::vector<ObjectMotion> object_motions(const std::vector<SceneObject>& objects
   for (ObjectMotion& motion : motions) {
     const SceneObject* object = object_named(objects, motion.object);
     motion.way = (recorded_pose(*object, motion.end_s).translation() -
-                  recorded_pose(*object, motion.begin_s - kWithin_s).translation())
+                  recorded_pose(*object, motion.begin_s - kLookAhead_s).translation())
                      .norm();
   }
   std::erase_if(motions, [&](const ObjectMotion& motion) {
-    return motion.way < least_m && motion.end_s - motion.begin_s < kWithin_s;
+    return motion.way < least_m && motion.end_s - motion.begin_s < kLookAhead_s;
   });
   std::sort(motions.begin(), motions.end(),
             [](const ObjectMotion& a, const ObjectMotion& b) { return a.begin_s < b.begin_s; });

@@ -3,12 +3,6 @@
 #include <algorithm>
 
 namespace morphe::segment {
-namespace {
-
-constexpr double kAboveNoise = 3;
-
-}  // namespace
-
 Opening judge_opening(const HandSignals& signals, const SegmentOptions& options,
                       double reach_begin_s, double reach_end_s, double closed_by_s) {
   Opening result;
@@ -21,7 +15,7 @@ Opening judge_opening(const HandSignals& signals, const SegmentOptions& options,
   const std::size_t closed = std::max(end, signals.frame(closed_by_s));
   const auto widest = std::max_element(at(first), at(end) + 1);
   const double before = opening[first], rise = *widest - before;
-  const double noise = kAboveNoise * signals.opening_noise;
+  const double noise = kOpeningAboveNoise * signals.opening_noise;
   const double fall = *widest - *std::min_element(widest, at(closed) + 1);
   const double asked = std::max(options.widening_share * before, noise);
   result.widest_s = signals.time(static_cast<double>(widest - opening.begin()));

@@ -6,6 +6,13 @@
 
 namespace morphe::segment {
 
+/// Two peaks this near to each other may be one movement [s].
+inline constexpr double kFollows_s = 0.1;
+/// Rms of its noise by which the opening must change to be believed.
+inline constexpr double kOpeningAboveNoise = 3;
+/// Share of a tip's way that the wrist must go for the way to be a reach.
+inline constexpr double kWithWrist = 0.25;
+
 /// What segmentation looks at, on the clock of the recording.
 struct HandSignals {
   double begin_s = 0, step_s = 0;

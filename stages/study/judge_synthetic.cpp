@@ -16,15 +16,15 @@ namespace morphe::study {
 namespace {
 
 /// What one synthetic recording showed.
-struct Outcome {
+struct Judgement {
   SegmentationScore segmentation;
   ReconstructionScore reconstruction;
   double recorded_s = 0, synthesize_s = 0, rebuild_s = 0;
 };
 
-Outcome outcome_of(const JudgeOptions& options, const synthesize::SynthesizeOptions& synthetic,
-                   const SyntheticSet& set, std::size_t index) {
-  Outcome outcome;
+Judgement outcome_of(const JudgeOptions& options, const synthesize::SynthesizeOptions& synthetic,
+                     const SyntheticSet& set, std::size_t index) {
+  Judgement outcome;
   synthesize::SyntheticRecording recording;
   outcome.synthesize_s =
       seconds([&] { recording = synthesize::synthesize(synthetic, set.seed, index); });
@@ -41,7 +41,7 @@ Outcome outcome_of(const JudgeOptions& options, const synthesize::SynthesizeOpti
   return outcome;
 }
 
-Outcome sum_of(const JudgeOptions& options, const SyntheticSet& set, const StudyRun& run) {
+Judgement sum_of(const JudgeOptions& options, const SyntheticSet& set, const StudyRun& run) {
   config::ConfigNode node = config::ConfigNode::load(options.folder / set.config);
   for (const std::string& setting : set.set) {
     const std::size_t equals = setting.find('=');
@@ -53,15 +53,15 @@ Outcome sum_of(const JudgeOptions& options, const SyntheticSet& set, const Study
   node.expect_all_read();
 
   const auto count = static_cast<std::size_t>(run.quick ? set.quick_count : set.count);
-  Outcome sum;
-  parallel::OrderedMap<std::size_t, Outcome> map;
+  Judgement sum;
+  parallel::OrderedMap<std::size_t, Judgement> map;
   map.next = [&, next = std::size_t{0}]() mutable {
     return next == count ? nullptr : std::make_unique<std::size_t>(next++);
   };
   map.work = [&](const std::size_t& index) {
-    return std::make_unique<Outcome>(outcome_of(options, synthetic, set, index));
+    return std::make_unique<Judgement>(outcome_of(options, synthetic, set, index));
   };
-  map.write = [&](const Outcome& one) {
+  map.write = [&](const Judgement& one) {
     sum.segmentation.add(one.segmentation);
     sum.reconstruction.add(one.reconstruction);
     sum.recorded_s += one.recorded_s;
@@ -128,7 +128,7 @@ void add_boundaries(const Case& of, const SyntheticSet& set, const SegmentationS
 
 void judge_synthetic(const JudgeOptions& options, const SyntheticSet& set, const StudyRun& run,
                      StudyResult& result, Plot& errors) {
-  const Outcome sum = sum_of(options, set, run);
+  const Judgement sum = sum_of(options, set, run);
   const SegmentationScore& score = sum.segmentation;
   const Case of = {{"set", set.name}};
   StudyRow precision = row_of(of, "movements, precision", "1", score.precision(), score.found);

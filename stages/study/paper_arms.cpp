@@ -9,8 +9,6 @@
 namespace morphe::study {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
-
 struct Mapping {
   robot::Robot robot;
   MappedPoses ours;

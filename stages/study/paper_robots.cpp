@@ -10,8 +10,6 @@
 namespace morphe::study {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
-
 /// The base's axis to the human's right and 15 degrees down: an arm whose second joint stops short
 /// of straight down can hang as a human's does. The robot's shoulder stands `offset` from the
 /// human's [m].

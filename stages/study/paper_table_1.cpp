@@ -12,7 +12,7 @@
 namespace morphe::study {
 namespace {
 
-constexpr double kMillimetre = 1e-3, kDegree = std::numbers::pi / 180;
+constexpr double kMillimetre = 1e-3;
 
 /// Table 1 of the paper: position [mm] and orientation [degrees].
 struct Published {

@@ -136,11 +136,11 @@ Plan repair_plainly(const planning::LoadedConfig& loaded, const Plan& undisturbe
   const repair::Rung a_detour = [&](const repair::Judged& best) {
     return repair::detour(around, best);
   };
-  const repair::RepairResult repaired =
+  const Outcome<repair::RepairResult> repaired =
       repair::repair_path({a_detour}, start, loaded.options.repair);
-  plan.path = repaired.path;
-  plan.reason = repaired.reason;
-  plan.detail = repaired.detail;
+  plan.path = repaired.value.path;
+  plan.reason = repaired.refusal.reason;
+  plan.detail = repaired.refusal.detail;
   return plan;
 }
 

@@ -23,8 +23,7 @@ constexpr double kSpare = 1.2;  ///< mode duration: times the fastest
 
 /// What became of one path in the three modes.
 struct PathOutcome {
-  std::array<Reason, 3> reason{};
-  std::array<std::string, 3> detail;
+  std::array<Refusal, 3> refusal;
   std::array<SeenLimits, 3> seen;
   std::array<double, 3> took_s{};
 };
@@ -38,14 +37,13 @@ PathOutcome judge_path(std::uint64_t seed, std::uint64_t index) {
     options.mode = static_cast<retime::Tempo>(mode);
     if (options.mode == retime::Tempo::duration)
       options.duration_s = std::max(0.05, kSpare * fastest_s);
-    retime::RetimeResult result;
+    Outcome<retime::RetimeResult> result;
     out.took_s[mode] =
         seconds([&] { result = retime::retime(random.robot, random.path, Movement{}, options); });
-    out.reason[mode] = result.reason;
-    out.detail[mode] = result.detail;
-    if (result.reason != Reason::none) continue;
-    if (options.mode == retime::Tempo::fastest) fastest_s = result.trajectory.time.back();
-    out.seen[mode] = seen_limits(random.robot, result.trajectory);
+    out.refusal[mode] = result.refusal;
+    if (result.refusal) continue;
+    if (options.mode == retime::Tempo::fastest) fastest_s = result.value.trajectory.time.back();
+    out.seen[mode] = seen_limits(random.robot, result.value.trajectory);
   }
   return out;
 }
@@ -57,10 +55,11 @@ void random_paths(const RetimeStudyOptions& options, const StudyRun& study, Stud
       [&](std::uint64_t index) { return judge_path(options.seed, index); },
       [&](const PathOutcome& outcome) {
         for (std::size_t mode = 0; mode < 3; ++mode) {
-          if (outcome.reason[mode] == Reason::none) continue;
+          if (!outcome.refusal[mode]) continue;
           study.progress(fmt::format("random path {}, mode {}: {}, {}", all.size(),
                                      name_of(static_cast<retime::Tempo>(mode)),
-                                     name_of(outcome.reason[mode]), outcome.detail[mode]));
+                                     name_of(outcome.refusal[mode].reason),
+                                     outcome.refusal[mode].detail));
         }
         all.push_back(outcome);
         if (all.size() % 200 == 0) study.progress(fmt::format("{} random paths", all.size()));
@@ -73,7 +72,7 @@ void random_paths(const RetimeStudyOptions& options, const StudyRun& study, Stud
     std::vector<double> took_s;
     for (const PathOutcome& path : all) {
       took_s.push_back(path.took_s[mode]);
-      if (path.reason[mode] != Reason::none) continue;
+      if (path.refusal[mode]) continue;
       ++solved;
       const SeenLimits& seen = path.seen[mode];
       worst.velocity = std::max(worst.velocity, seen.velocity);
@@ -118,7 +117,7 @@ void optimum(const RetimeStudyOptions& options, const StudyRun& study, StudyResu
         fastest.mode = retime::Tempo::fastest;
         return Ratios{
             retime::fastest_law(course).duration_s / least_s,
-            retime::retime(path.robot, path.path, movement, fastest).trajectory.time.back() /
+            retime::retime(path.robot, path.path, movement, fastest).value.trajectory.time.back() /
                 least_s};
       },
       [&](const Ratios& ratios) {
@@ -163,9 +162,9 @@ void trials(const RetimeStudyOptions& options, const StudyRun& study, StudyResul
       const HumanTempo real = human_tempo(config.robot, plan.goals, plan.trajectory);
       row("the robot's", "tempo", real.tempo);
       row("the robot's", "share of time at the human's tempo", real.share);
-      const retime::RetimeResult free =
+      const Outcome<retime::RetimeResult> free =
           retime::retime(stronger, plan.path, plan.movement, config.options.retime);
-      const HumanTempo kept = human_tempo(config.robot, plan.goals, free.trajectory);
+      const HumanTempo kept = human_tempo(config.robot, plan.goals, free.value.trajectory);
       StudyRow& tempo = row("stronger", "tempo", kept.tempo);
       tempo.at_least = 0.9995;
       tempo.at_most = 1.0005;

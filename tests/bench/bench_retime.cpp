@@ -83,7 +83,7 @@ void whole(benchmark::State& state, bool jerk) {
   double duration_s = 0;
   for (auto _ : state) {
     duration_s =
-        retime::retime(from.robot, from.path, from.movement, options).trajectory.time.back();
+        retime::retime(from.robot, from.path, from.movement, options).value.trajectory.time.back();
     benchmark::DoNotOptimize(duration_s);
   }
   state.counters["duration_s"] = duration_s;

@@ -39,6 +39,9 @@ struct Assembly {
   std::map<std::string, int> links;
 };
 
+/// Hinges nearer than this stand in one place [m].
+inline constexpr double kSamePlace_m = 1e-6;
+
 /// One file's view: its own base, and where its frames and capsules begin (those of its parts
 /// included).
 struct FileScope {

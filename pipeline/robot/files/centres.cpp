@@ -6,8 +6,6 @@
 namespace morphe::robot {
 namespace {
 
-constexpr double kSamePlace_m = 1e-6;
-
 /// The chain's hinges, each place once, without those at `skip`.
 std::vector<int> distinct_hinges(const Chain& chain, const std::vector<Pose>& base_from_frame,
                                  int skip) {

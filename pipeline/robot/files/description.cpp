@@ -3,21 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "pipeline/motion/human_motion.hpp"
 #include "pipeline/robot/files/assembly.hpp"
 
 namespace morphe::robot {
 namespace {
 
-constexpr std::array<const char*, 5> kFingers = {"thumb", "index", "middle", "ring", "little"};
-
 int read_finger(const config::ConfigNode& node) {
   const std::string word = node.text();
   if (word == "wrist") return -1;
-  const auto found = std::ranges::find(kFingers, word);
-  if (found != kFingers.end()) return static_cast<int>(found - kFingers.begin());
+  for (std::size_t finger = 0; finger < kFingers; ++finger) {
+    if (word == kFingerNames[finger]) return static_cast<int>(finger);
+  }
   const std::int64_t number = node.integer();
   if (number < 0 || number > 4) node.fail("must be a finger's name, wrist, or 0 (thumb) … 4");
   return static_cast<int>(number);

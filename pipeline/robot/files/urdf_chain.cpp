@@ -8,7 +8,7 @@
 namespace morphe::robot {
 namespace {
 
-constexpr double kSamePlace_m = 1e-6, kAlong = 1e-6;
+constexpr double kAlong = 1e-6;
 
 /// Those that turn across the way to the next place along the chain.
 std::vector<int> hinges_of(const RobotTable& table, const std::vector<int>& frames) {

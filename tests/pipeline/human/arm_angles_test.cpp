@@ -6,20 +6,20 @@
 #include <numbers>
 #include <random>
 
+#include "tests/support/expect_near.hpp"
+
 namespace morphe::human {
 namespace {
 
-constexpr double kPi = std::numbers::pi, kDegree = kPi / 180;
-const ArmLengths kArm{0.30, 0.25};
-const Vec3 kShoulder(0.2, -0.1, 0.4);
+constexpr double kPi = std::numbers::pi;
+const ArmLengths kLengths{0.30, 0.25};
+const Vec3 kShoulderAt(0.2, -0.1, 0.4);
 
 ArmPose pose_of(const ArmAngles& degrees) {
   ArmAngles angles;
   for (std::size_t k = 0; k < kArmAngles; ++k) angles[k] = degrees[k] * kDegree;
-  return arm_pose(kShoulder, kArm, angles);
+  return arm_pose(kShoulderAt, kLengths, angles);
 }
-
-void expect_near(const Vec3& a, const Vec3& b) { EXPECT_LT((a - b).norm(), 1e-12); }
 
 ArmAngles random_angles(std::mt19937& random, double inside) {
   ArmAngles angles;
@@ -40,8 +40,8 @@ void expect_within_limits(const ArmAngles& angles) {
 
 TEST(ArmPose, HangsAtZeroWithTheThumbToTheFront) {
   const ArmPose pose = pose_of({});
-  expect_near(pose.elbow, kShoulder - Vec3(0, 0, 0.30));
-  expect_near(pose.wrist, kShoulder - Vec3(0, 0, 0.55));
+  expect_near(pose.elbow, kShoulderAt - Vec3(0, 0, 0.30));
+  expect_near(pose.wrist, kShoulderAt - Vec3(0, 0, 0.55));
   expect_near(pose.world_from_hand * Vec3::UnitZ(), -Vec3::UnitZ());  // fingers
   expect_near(pose.world_from_hand * Vec3::UnitY(), Vec3::UnitY());   // thumb
   expect_near(pose.world_from_hand * Vec3::UnitX(), -Vec3::UnitX());  // palm to the thigh
@@ -50,10 +50,10 @@ TEST(ArmPose, HangsAtZeroWithTheThumbToTheFront) {
 TEST(ArmPose, EachAngleTurnsAsItsNameSays) {
   const auto fingers = [](const ArmPose& p) -> Vec3 { return p.world_from_hand * Vec3::UnitZ(); };
   const auto palm = [](const ArmPose& p) -> Vec3 { return p.world_from_hand * Vec3::UnitX(); };
-  expect_near(pose_of({90}).wrist, kShoulder + Vec3(0, 0.55, 0));
-  expect_near(pose_of({0, 90}).wrist, kShoulder + Vec3(0.55, 0, 0));
-  expect_near(pose_of({0, 0, 90, 90}).wrist, kShoulder + Vec3(-0.25, 0, -0.30));
-  expect_near(pose_of({0, 0, 0, 90}).wrist, kShoulder + Vec3(0, 0.25, -0.30));
+  expect_near(pose_of({90}).wrist, kShoulderAt + Vec3(0, 0.55, 0));
+  expect_near(pose_of({0, 90}).wrist, kShoulderAt + Vec3(0.55, 0, 0));
+  expect_near(pose_of({0, 0, 90, 90}).wrist, kShoulderAt + Vec3(-0.25, 0, -0.30));
+  expect_near(pose_of({0, 0, 0, 90}).wrist, kShoulderAt + Vec3(0, 0.25, -0.30));
   expect_near(palm(pose_of({0, 0, 0, 90, 0})), -Vec3::UnitX());
   expect_near(palm(pose_of({0, 0, 0, 90, 70})),  // nearly palm down
               Vec3(-std::cos(70 * kDegree), 0, -std::sin(70 * kDegree)));
@@ -69,12 +69,12 @@ TEST(ArmPose, IsTheProductOfItsJoints) {
     const auto about = [](const Vec3& axis, double angle) {
       return Pose(Eigen::AngleAxisd(angle, axis));
     };
-    Pose pose = Pose(Eigen::Translation3d(kShoulder)) * about(Vec3::UnitX(), q[0]) *
+    Pose pose = Pose(Eigen::Translation3d(kShoulderAt)) * about(Vec3::UnitX(), q[0]) *
                 about(Vec3::UnitY(), -q[1]) * about(Vec3::UnitZ(), q[2]) *
-                Eigen::Translation3d(0, 0, -kArm.upper_arm);
-    const ArmPose arm = arm_pose(kShoulder, kArm, q);
+                Eigen::Translation3d(0, 0, -kLengths.upper_arm);
+    const ArmPose arm = arm_pose(kShoulderAt, kLengths, q);
     expect_near(arm.elbow, pose.translation());
-    pose = pose * about(Vec3::UnitX(), q[3]) * Eigen::Translation3d(0, 0, -kArm.forearm) *
+    pose = pose * about(Vec3::UnitX(), q[3]) * Eigen::Translation3d(0, 0, -kLengths.forearm) *
            about(Vec3::UnitZ(), q[4]) * about(Vec3::UnitY(), q[5]) * about(Vec3::UnitX(), q[6]);
     expect_near(arm.wrist, pose.translation());
     pose = pose * about(Vec3::UnitY(), kPi);
@@ -86,7 +86,7 @@ TEST(FitArmAngles, FindsTheAnglesOfEveryPose) {
   std::mt19937 random(11);
   for (int trial = 0; trial < 5000; ++trial) {
     const ArmAngles q = random_angles(random, 1e-3);
-    const ArmFit fit = fit_arm_angles(arm_pose(kShoulder, kArm, q));
+    const ArmFit fit = fit_arm_angles(arm_pose(kShoulderAt, kLengths, q));
     EXPECT_LT(fit.position_m, 1e-9);
     EXPECT_LT(fit.rotation_rad, 1e-7);
     for (std::size_t k = 0; k < kArmAngles; ++k) EXPECT_NEAR(fit.angles[k], q[k], 1e-6) << k;
@@ -102,7 +102,7 @@ TEST(FitArmAngles, StraightElbowsAndArmsToTheSideKeepTheirPose) {
     } else {
       q[1] = kPi / 2;
     }
-    const ArmFit fit = fit_arm_angles(arm_pose(kShoulder, kArm, q));
+    const ArmFit fit = fit_arm_angles(arm_pose(kShoulderAt, kLengths, q));
     expect_within_limits(fit.angles);
     EXPECT_LT(fit.position_m, 1e-7);
     EXPECT_LT(fit.rotation_rad, 1e-6) << trial;
@@ -127,12 +127,12 @@ TEST(FitArmAngles, StaysWithinLimitsAndSaysWhatItMissesBy) {
   std::normal_distribution<double> normal;
   const auto any = [&] { return Vec3(normal(random), normal(random), normal(random)); };
   for (int trial = 0; trial < 1000; ++trial) {
-    ArmPose pose{kShoulder, kShoulder + 0.3 * any().normalized(), Vec3::Zero(),
+    ArmPose pose{kShoulderAt, kShoulderAt + 0.3 * any().normalized(), Vec3::Zero(),
                  Quat(normal(random), normal(random), normal(random), normal(random)).normalized()};
     pose.wrist = pose.elbow + 0.25 * any().normalized();
     const ArmFit fit = fit_arm_angles(pose);
     expect_within_limits(fit.angles);
-    const ArmPose reached = arm_pose(kShoulder, {0.3, 0.25}, fit.angles);
+    const ArmPose reached = arm_pose(kShoulderAt, {0.3, 0.25}, fit.angles);
     EXPECT_NEAR(fit.position_m,
                 std::max((reached.elbow - pose.elbow).norm(), (reached.wrist - pose.wrist).norm()),
                 1e-9);

@@ -6,11 +6,11 @@
 #include <numbers>
 
 #include "pipeline/human/anthropometry.hpp"
+#include "tests/support/expect_near.hpp"
 
 namespace morphe::human {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 const HandSize kSize{0.200, 0.100};
 
 /// Thumb rotation … little DIP [degrees]; the rest is zero.
@@ -20,10 +20,6 @@ HandPoints points_at(const std::vector<double>& degrees, double palm_arch = 0) {
   angles.palm_arch = palm_arch * kDegree;
   std::vector<Pose> frames;
   return hand_points(human_hand(kSize), angles, frames);
-}
-
-void expect_near(const Vec3& a, const Vec3& b) {
-  EXPECT_LT((a - b).norm(), 1e-12) << a.transpose() << " against " << b.transpose();
 }
 
 TEST(HumanHand, FlatFingersLieAsBuchholzMeasured) {

@@ -65,7 +65,8 @@ void expect_same(const Demonstration& a, const Demonstration& b) {
   }
 }
 
-void write_all(const std::filesystem::path& file, const std::vector<Demonstration>& all) {
+void write_demonstrations(const std::filesystem::path& file,
+                          const std::vector<Demonstration>& all) {
   DemonstrationWriter writer(file);
   for (const Demonstration& demonstration : all) writer.add(demonstration);
   writer.finish();
@@ -74,7 +75,7 @@ void write_all(const std::filesystem::path& file, const std::vector<Demonstratio
 TEST(DemonstrationFile, ReturnsEveryFieldBitForBit) {
   const auto file = fresh_file("d.h5");
   const Demonstration full = full_demonstration("DR2");
-  write_all(file, {full});
+  write_demonstrations(file, {full});
   expect_same(full, DemonstrationReader(file).read(0));
 }
 
@@ -85,7 +86,7 @@ TEST(DemonstrationFile, ReturnsEveryKindOfHand) {
   all[0].streams.hand = {HandKind::joint_angles, {"a", "b"}, {0.5}, JointRows::Ones(1, 2), {}};
   all[1].name = "tips";
   all[1].streams.hand = {HandKind::fingertips, {}, {0.5}, {}, Table<Vec3>(1, 5, Vec3::Ones())};
-  write_all(file, all);
+  write_demonstrations(file, all);
   const DemonstrationReader reader(file);
   for (std::size_t i = 0; i < 2; ++i) {
     const HandStream a = *all[i].streams.hand, b = reader.read(i).streams.hand.value();
@@ -101,7 +102,7 @@ TEST(DemonstrationFile, AbsentStaysAbsentAndEmptyStaysEmpty) {
   Demonstration bare;
   bare.name = "bare";
   bare.streams.markers = {{}, {}, {}};
-  write_all(file, {bare});
+  write_demonstrations(file, {bare});
   const Demonstration back = DemonstrationReader(file).read(0);
   EXPECT_FALSE(back.upper_arm || back.forearm || back.hand_length || back.hand_breadth);
   EXPECT_TRUE(back.streams.markers && back.streams.markers->names.empty());
@@ -113,7 +114,7 @@ TEST(DemonstrationFile, AbsentStaysAbsentAndEmptyStaysEmpty) {
 TEST(DemonstrationFile, SameCallsSameBytes) {
   const auto first = fresh_file("first.h5"), second = fresh_file("second.h5");
   for (const auto& file : {first, second})
-    write_all(file, {full_demonstration("b"), full_demonstration("a")});
+    write_demonstrations(file, {full_demonstration("b"), full_demonstration("a")});
   EXPECT_EQ(bytes_of(first), bytes_of(second));
 }
 
@@ -125,7 +126,7 @@ TEST(DemonstrationFile, KeepsTheOrderAlsoOfMany) {
     all[i].name = fmt::format("take {}", (i * 37) % 100);
     names.push_back(all[i].name);
   }
-  write_all(file, all);
+  write_demonstrations(file, all);
   EXPECT_EQ(DemonstrationReader(file).names(), names);
 }
 
@@ -155,7 +156,7 @@ TEST(DemonstrationFile, LeavesNothingWithoutFinish) {
   }
   EXPECT_FALSE(std::filesystem::exists(part));
   EXPECT_FALSE(std::filesystem::exists(file));
-  write_all(file, {});
+  write_demonstrations(file, {});
   EXPECT_FALSE(std::filesystem::exists(part));
   EXPECT_EQ(DemonstrationReader(file).size(), 0u);
 }
@@ -183,7 +184,7 @@ TEST(DemonstrationFile, ReadsWhatH5pyWrites) {
 
 TEST(DemonstrationFile, LooksLikeTheContractToH5py) {
   const auto file = fresh_file("d.h5");
-  write_all(file, {full_demonstration("zz"), full_demonstration("aa")});
+  write_demonstrations(file, {full_demonstration("zz"), full_demonstration("aa")});
   EXPECT_EQ(run_python("check_demonstrations.py", file.string()), 0);
 }
 

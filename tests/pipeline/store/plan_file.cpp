@@ -158,7 +158,7 @@ void expect_same(const Plan& a, const Plan& b) {
   expect_same(a.certificate, b.certificate);
 }
 
-void write_all(const std::filesystem::path& file, const std::vector<Plan>& plans) {
+void write_plans(const std::filesystem::path& file, const std::vector<Plan>& plans) {
   PlanWriter writer(file, plan_header(), small_robot());
   for (const Plan& plan : plans) writer.add(plan);
   writer.finish();
@@ -167,7 +167,7 @@ void write_all(const std::filesystem::path& file, const std::vector<Plan>& plans
 TEST(PlanFile, ReturnsEveryFieldBitForBit) {
   const auto file = fresh_file("plans.h5");
   const std::vector<Plan> plans{full_plan("zz", 0), infeasible_plan("zz", 1), full_plan("aa", 0)};
-  write_all(file, plans);
+  write_plans(file, plans);
   const PlanReader reader(file);
   EXPECT_THAT(reader.plan_paths(), ElementsAre("zz/000", "zz/001", "aa/000"));
   expect_same(small_robot(), reader.robot());
@@ -176,7 +176,7 @@ TEST(PlanFile, ReturnsEveryFieldBitForBit) {
 
 TEST(PlanFile, ReturnsTheHeader) {
   const auto file = fresh_file("plans.h5");
-  write_all(file, {});
+  write_plans(file, {});
   const PlanReader reader(file);
   const PlanFileHeader &a = plan_header(), &b = reader.header();
   EXPECT_EQ(reader.size(), 0u);
@@ -194,13 +194,13 @@ TEST(PlanFile, ReturnsTheHeader) {
 TEST(PlanFile, SameCallsSameBytes) {
   const auto first = fresh_file("first.h5"), second = fresh_file("second.h5");
   for (const auto& file : {first, second})
-    write_all(file, {full_plan("b", 0), infeasible_plan("b", 1), full_plan("a", 0)});
+    write_plans(file, {full_plan("b", 0), infeasible_plan("b", 1), full_plan("a", 0)});
   EXPECT_EQ(bytes_of(first), bytes_of(second));
 }
 
 TEST(PlanFile, LooksLikeTheContractToH5py) {
   const auto file = fresh_file("plans.h5");
-  write_all(file, {full_plan("zz", 0), infeasible_plan("zz", 1)});
+  write_plans(file, {full_plan("zz", 0), infeasible_plan("zz", 1)});
   EXPECT_EQ(run_python("check_plans.py", file.string()), 0);
 }
 

@@ -3,28 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 
 #include "pipeline/verify/frame_poses.hpp"
 #include "pipeline/verify/quintic.hpp"
 #include "pipeline/verify/separation.hpp"
 #include "planar_plan.hpp"
+#include "random_points.hpp"
 
 namespace morphe::verify {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-class Random {
- public:
-  double in(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(engine_);
-  }
-  Vec3 point(double reach) { return {in(-reach, reach), in(-reach, reach), in(-reach, reach)}; }
-
- private:
-  std::mt19937 engine_{7};
-};
 
 SceneObject solid(Shape shape, std::vector<double> size) {
   SceneObject object;
@@ -58,7 +45,7 @@ std::vector<Vec3> surface(const SceneObject& object) {
 }
 
 TEST(Separation, OfPointsAgreesWithTheNearestSurfacePoint) {
-  Random random;
+  Random random(7);
   for (const SceneObject& object :
        {solid(Shape::box, {0.2, 0.3, 0.4}), solid(Shape::cylinder, {0.15, 0.4})}) {
     const std::vector<Vec3> points = surface(object);
@@ -79,7 +66,7 @@ TEST(Separation, OfPointsAgreesWithTheNearestSurfacePoint) {
 }
 
 TEST(Separation, OfSegmentsAgreesWithBruteForce) {
-  Random random;
+  Random random(7);
   for (int i = 0; i < 300; ++i) {
     Segment a{random.point(0.3), random.point(0.3)}, b{random.point(0.3), random.point(0.3)};
     if (i % 10 == 0) b = {a.from + Vec3(0.1, 0, 0), a.to + Vec3(0.1, 0, 0)};  // parallel
@@ -99,7 +86,7 @@ TEST(Separation, OfSegmentsAgreesWithBruteForce) {
 }
 
 TEST(Separation, OfSegmentAndSolidAgreesWithBruteForce) {
-  Random random;
+  Random random(7);
   for (const SceneObject& object :
        {solid(Shape::sphere, {0.1}), solid(Shape::box, {0.2, 0.3, 0.4}),
         solid(Shape::cylinder, {0.15, 0.4}), solid(Shape::capsule, {0.1, 0.3})}) {
@@ -121,7 +108,7 @@ TEST(Separation, OfSegmentAndSolidAgreesWithBruteForce) {
 }
 
 TEST(Quintic, MeetsBothEndsAndIsBoundedExactly) {
-  Random random;
+  Random random(7);
   for (int i = 0; i < 200; ++i) {
     const double h = random.in(0.002, 1);
     const JointState from{random.in(-1, 1), random.in(-1, 1), random.in(-5, 5)};
@@ -151,7 +138,7 @@ TEST(Quintic, MeetsBothEndsAndIsBoundedExactly) {
 }
 
 TEST(FramePoses, AgreeWithPlaneTrigonometryAndItsLeverBoundsEveryMotion) {
-  Random random;
+  Random random(7);
   const RobotTable robot = planar::robot();
   std::vector<Pose> before, after;
   for (int i = 0; i < 200; ++i) {

@@ -62,7 +62,7 @@ struct Case {
     movement.end_s = 0.8;
     trajectory.demonstration_time = {0, 0.8};
   }
-  CertifyResult run() {
+  Outcome<Certificate> run() {
     const collision::CollisionWorld world =
         collision::make_world(robot, scene, movement, Tolerances{});
     return certify(world, goals, movement, trajectory, mapped, path_was_free);
@@ -75,9 +75,9 @@ TEST(Certify, FiguresInClosedForm) {
   c.scene.objects = {ball(Vec3(0.4, 0, 0.2), 0.05)};
   c.mapped.humanlikeness = JointRows::Zero(3, 3);
   c.mapped.humanlikeness.col(0) << 0.1, kNotSeen, 0.3;
-  const CertifyResult result = c.run();
-  EXPECT_EQ(result.reason, Reason::none) << result.detail;
-  const Certificate& k = result.certificate;
+  const Outcome<Certificate> result = c.run();
+  EXPECT_EQ(result.refusal.reason, Reason::none) << result.refusal.detail;
+  const Certificate& k = result.value;
   // Minimum-jerk rest to rest: 15/8, 10/sqrt(3) and 60 times the way.
   EXPECT_NEAR(k.velocity_ratio, kSweep * 15 / 8, 1e-12);
   EXPECT_NEAR(k.acceleration_ratio, kSweep * 10 / std::sqrt(3.0) / 5, 1e-12);
@@ -102,58 +102,59 @@ TEST(Certify, FiguresInClosedForm) {
 TEST(Certify, LimitBetweenSamplesIsFound) {
   Case c;
   c.robot.velocity[0] = 0.9 * kSweep * 15 / 8;  // both samples are at rest
-  const CertifyResult result = c.run();
-  EXPECT_EQ(result.reason, Reason::limit);
-  EXPECT_THAT(result.detail, testing::HasSubstr("velocity of joint shoulder is 1.1111 times"));
+  const Outcome<Certificate> result = c.run();
+  EXPECT_EQ(result.refusal.reason, Reason::limit);
+  EXPECT_THAT(result.refusal.detail,
+              testing::HasSubstr("velocity of joint shoulder is 1.1111 times"));
 }
 
 TEST(Certify, PositionBeyondItsLimit) {
   Case c;
   c.robot.upper[0] = kSweep - 0.01;
-  const CertifyResult result = c.run();
-  EXPECT_EQ(result.reason, Reason::limit);
-  EXPECT_NEAR(result.certificate.position_margin, -0.01, 1e-12);
+  const Outcome<Certificate> result = c.run();
+  EXPECT_EQ(result.refusal.reason, Reason::limit);
+  EXPECT_NEAR(result.value.position_margin, -0.01, 1e-12);
 }
 
 TEST(Certify, ContactBetweenSamplesIsFound) {
   Case c;
   // The forearm sweeps through a ball that is clear of it at both samples.
   c.scene.objects = {ball(turned(0.25, 0.5, 0), 0.02)};
-  const CertifyResult result = c.run();
+  const Outcome<Certificate> result = c.run();
   EXPECT_GT(*std::min_element(c.trajectory.clearance.begin(), c.trajectory.clearance.end()), 0.03);
-  EXPECT_NEAR(result.certificate.clearance, -0.05, 1e-5);
-  EXPECT_EQ(result.reason, Reason::smoothing);
-  EXPECT_THAT(result.detail, testing::HasSubstr("forearm and ball"));
+  EXPECT_NEAR(result.value.clearance, -0.05, 1e-5);
+  EXPECT_EQ(result.refusal.reason, Reason::smoothing);
+  EXPECT_THAT(result.refusal.detail, testing::HasSubstr("forearm and ball"));
   c.path_was_free = false;
-  EXPECT_EQ(c.run().reason, Reason::collision);
+  EXPECT_EQ(c.run().refusal.reason, Reason::collision);
 }
 
 TEST(Certify, AMissByAHairIsProvedFree) {
   Case c;
   // At height 0.06 + margin + 0.2 mm above the sweep of the forearm's axis.
   c.scene.objects = {ball(turned(0.25, 0.5, 0) + Vec3(0, 0, 0.0612), 0.03)};
-  const CertifyResult result = c.run();
-  EXPECT_EQ(result.reason, Reason::none);
-  EXPECT_NEAR(result.certificate.clearance, 0.0012, 1e-5);
+  const Outcome<Certificate> result = c.run();
+  EXPECT_EQ(result.refusal.reason, Reason::none);
+  EXPECT_NEAR(result.value.clearance, 0.0012, 1e-5);
   c.scene.objects = {ball(turned(0.25, 0.5, 0) + Vec3(0, 0, 0.0608), 0.03)};
-  EXPECT_EQ(c.run().reason, Reason::smoothing);
+  EXPECT_EQ(c.run().refusal.reason, Reason::smoothing);
 }
 
 TEST(Certify, TrackingIsTighterInTheGrasp) {
   Case c;
   c.goals = goals_off_by(Vec3(0, 0, 0.006));
-  EXPECT_EQ(c.run().reason, Reason::none);
+  EXPECT_EQ(c.run().refusal.reason, Reason::none);
   c.movement.phases = {{PhaseKind::reach, 0, 0.8, 1}, {PhaseKind::grasp, 0.8, 1, 1}};
-  const CertifyResult result = c.run();
-  EXPECT_EQ(result.reason, Reason::tracking);
-  EXPECT_THAT(result.detail, testing::HasSubstr("thumb_tip is 6.00 mm"));
-  EXPECT_NEAR(result.certificate.position_error_grasp, 0.006, 1e-12);
+  const Outcome<Certificate> result = c.run();
+  EXPECT_EQ(result.refusal.reason, Reason::tracking);
+  EXPECT_THAT(result.refusal.detail, testing::HasSubstr("thumb_tip is 6.00 mm"));
+  EXPECT_NEAR(result.value.position_error_grasp, 0.006, 1e-12);
 }
 
 TEST(Certify, MarksWhatWasRepaired) {
   Case c;
   c.trajectory.origin[1] = Origin::planned;
-  EXPECT_TRUE(c.run().certificate.repaired);
+  EXPECT_TRUE(c.run().value.repaired);
 }
 
 TEST(TrajectoryMotion, TravelBoundsTheMotion) {

@@ -51,7 +51,7 @@ std::string body(const std::string& order, const std::vector<std::string>& rows,
 }
 /// Root position and rotation, left shoulder, right shoulder, elbow, wrist.
 const std::string kRest = "0 0 0  0 0 0  0 0 0  0 0 0  0 0 0  0 0 0";
-const Conventions kGiven{"x y z", "0.1", std::nullopt};
+const Conventions kSkeleton{"x y z", "0.1", std::nullopt};
 
 using Bvh = RecordingFolder;
 
@@ -65,7 +65,7 @@ TEST_P(BvhOrder, TurnsInTheOrderOfTheChannels) {
     return fmt::format(" {}", fmt::join(angles[joint], " "));
   };
   const std::string row = "1 2 3" + text(0) + " 0 0 0" + text(1) + text(2) + text(3);
-  const Demonstration d = read(write(body(order, {row}), "order.bvh"), kGiven);
+  const Demonstration d = read(write(body(order, {row}), "order.bvh"), kSkeleton);
   const auto turn = [&](std::size_t joint) {
     Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
     for (std::size_t k = 0; k < 3; ++k) {
@@ -164,18 +164,18 @@ TEST_F(Bvh, AsksForWhatItCannotTell) {
 TEST_F(Bvh, RowsCountNotWhatTheHeaderSays) {
   std::string text = body("XYZ", {kRest, kRest, kRest});
   text.replace(text.find("Frames: 3"), 9, "Frames: 7");
-  const Demonstration fewer = read(write(text, "rows.bvh"), kGiven);
+  const Demonstration fewer = read(write(text, "rows.bvh"), kSkeleton);
   EXPECT_EQ(fewer.streams.skeleton->time.size(), 3u);
   EXPECT_THAT(fewer.reports, ElementsAre("'Frames:' says 7, the file holds 3: those were taken"));
   text.replace(text.find("Frames: 7"), 9, "Frames: 1");
-  EXPECT_EQ(read(write(text, "rows.bvh"), kGiven).streams.skeleton->time.size(), 3u);
+  EXPECT_EQ(read(write(text, "rows.bvh"), kSkeleton).streams.skeleton->time.size(), 3u);
 }
 
 TEST_F(Bvh, AFirstFrameThatIsOnlyAPoseIsLeftOut) {
   const std::string arm_up = "0 0 0  0 0 0  0 0 0  0 0 90  0 0 0  0 0 0";
   const std::string slow = "0 0 0  0 0 0  0 0 0  0 0 2  0 0 0  0 0 0";
   const auto frames = [&](const std::vector<std::string>& rows) {
-    return read(write(body("XYZ", rows), "pose.bvh"), kGiven);
+    return read(write(body("XYZ", rows), "pose.bvh"), kSkeleton);
   };
   const Demonstration d = frames({arm_up, kRest, slow, kRest});
   EXPECT_THAT(d.streams.skeleton->time, ElementsAre(0.01, 0.02, 0.03));
@@ -188,7 +188,7 @@ TEST_F(Bvh, AFirstFrameThatIsOnlyAPoseIsLeftOut) {
 }
 
 TEST_F(Bvh, ARateMayBeGiven) {
-  Conventions given = kGiven;
+  Conventions given = kSkeleton;
   given.rate_hz = 50;
   const Demonstration d = read(write(body("XYZ", {kRest, kRest}), "rate.bvh"), given);
   EXPECT_DOUBLE_EQ(d.streams.skeleton->time[1], 0.02);
@@ -199,19 +199,20 @@ TEST_F(Bvh, ARateMayBeGiven) {
 
 TEST_F(Bvh, BrokenFilesAreNamedWithTheirLine) {
   const std::string good = body("XYZ", {kRest, kRest});
-  EXPECT_EQ(error_of(write(good, "x.bvh"), kGiven), "no error");
+  EXPECT_EQ(error_of(write(good, "x.bvh"), kSkeleton), "no error");
   const auto with = [&](const std::string& old, const std::string& now) {
     std::string text = good;
     const std::size_t at = text.find(old);
     EXPECT_NE(at, std::string::npos) << old;
     text.replace(at, old.size(), now);
-    return error_of(write(text, "x.bvh"), kGiven);
+    return error_of(write(text, "x.bvh"), kSkeleton);
   };
   const auto at = [&](std::size_t line, const std::string& rest) {
     return fmt::format("x.bvh:{}: {}", line, rest);
   };
-  EXPECT_THAT(error_of(write("", "x.bvh"), kGiven), HasSubstr("x.bvh:1: format: not recognised"));
-  EXPECT_EQ(error_of(write("HIERARCHY", "x.bvh"), kGiven), at(1, "ROOT: expected, not ''"));
+  EXPECT_THAT(error_of(write("", "x.bvh"), kSkeleton),
+              HasSubstr("x.bvh:1: format: not recognised"));
+  EXPECT_EQ(error_of(write("HIERARCHY", "x.bvh"), kSkeleton), at(1, "ROOT: expected, not ''"));
   EXPECT_EQ(with("ROOT hips", "JOINT hips"), at(2, "ROOT: expected, not 'JOINT'"));
   EXPECT_EQ(with("ROOT hips", "ROOT "), at(2, "a joint has no name"));
   EXPECT_EQ(with("{", "OFFSET"), at(3, "{: expected, not 'OFFSET'"));
@@ -246,26 +247,27 @@ TEST_F(Bvh, BrokenFilesAreNamedWithTheirLine) {
   EXPECT_EQ(with("0  0 0 0\n", "0  0 0 NaN\n"), at(38, "MOTION: must be a number, not 'NaN'"));
   EXPECT_EQ(with("0  0 0 0\n", "0  0 0 1e999\n"), at(38, "MOTION: must be a number, not '1e999'"));
   const std::string no_rows = good.substr(0, good.find(kRest));
-  EXPECT_EQ(error_of(write(no_rows, "x.bvh"), kGiven), at(37, "MOTION: the file holds no frame"));
-  EXPECT_EQ(
-      error_of(write(no_rows + kRest + "\n" + kRest.substr(0, 30), "x.bvh"), kGiven).substr(0, 16),
-      "x.bvh:39: MOTION");
+  EXPECT_EQ(error_of(write(no_rows, "x.bvh"), kSkeleton),
+            at(37, "MOTION: the file holds no frame"));
+  EXPECT_EQ(error_of(write(no_rows + kRest + "\n" + kRest.substr(0, 30), "x.bvh"), kSkeleton)
+                .substr(0, 16),
+            "x.bvh:39: MOTION");
   std::string deep = "HIERARCHY\nROOT r\n{\nOFFSET 0 0 0\n";
   for (int k = 0; k < 5000; ++k) deep += fmt::format("JOINT j{}\n{{\nOFFSET 0 1 0\n", k);
-  EXPECT_EQ(error_of(write(deep, "x.bvh"), kGiven),
+  EXPECT_EQ(error_of(write(deep, "x.bvh"), kSkeleton),
             at(6002, "j1999: the skeleton has more than 2000 joints"));
 }
 
 TEST_F(Bvh, ReadsOrRefusesWhateverIsCutOffOrChanged) {
   const std::string good = body("ZXY", {kRest, kRest});
   for (std::size_t length = 0; length < good.size(); length += 23) {
-    error_of(write(good.substr(0, length), "x.bvh"), kGiven);
+    error_of(write(good.substr(0, length), "x.bvh"), kSkeleton);
   }
   for (std::size_t at = 0; at < good.size(); at += 13) {
     for (const char byte : {'\0', '{', '}', '-', '\xff', '\n', '9'}) {
       std::string changed = good;
       changed[at] = byte;
-      error_of(write(changed, "x.bvh"), kGiven);
+      error_of(write(changed, "x.bvh"), kSkeleton);
     }
   }
 }

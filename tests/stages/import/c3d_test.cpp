@@ -9,7 +9,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const Conventions kAxes{"x y z", "", {}};
+const Conventions kC3d{"x y z", "", {}};
 
 class C3d : public RecordingFolder {
  protected:
@@ -40,7 +40,7 @@ TEST_P(C3dWriting, GivesTheSamePoints) {
   c3d.scale = GetParam().scale;
   c3d.analog = GetParam().analog;
   c3d.analog_per_frame = c3d.analog / 3;
-  const Demonstration d = read(write(c3d), kAxes);
+  const Demonstration d = read(write(c3d), kC3d);
   const MarkerStream& markers = *d.streams.markers;
   EXPECT_THAT(markers.names, ElementsAre("A", "B"));
   EXPECT_THAT(markers.time, ElementsAre(0, 0.01, 0.02));
@@ -102,7 +102,7 @@ TEST_F(C3d, MoreFramesThanAWordHolds) {
   C3dText c3d = three_frames();
   c3d.frames.assign(70000, c3d.frames[0]);
   c3d.trial_fields = true;
-  const Demonstration d = read(write(c3d), kAxes);
+  const Demonstration d = read(write(c3d), kC3d);
   EXPECT_EQ(d.streams.markers->time.size(), 70000u);
   EXPECT_EQ(d.streams.markers->time.back(), 699.99);
 }
@@ -110,7 +110,7 @@ TEST_F(C3d, MoreFramesThanAWordHolds) {
 TEST_F(C3d, LaterFirstFrameIsLater) {
   C3dText c3d = three_frames();
   c3d.first = 51;
-  EXPECT_EQ(read(write(c3d), kAxes).streams.markers->time.front(), 0.5);
+  EXPECT_EQ(read(write(c3d), kC3d).streams.markers->time.front(), 0.5);
 }
 
 TEST_F(C3d, AxesFromTheScreenAreReportedAndGivenWay) {
@@ -125,22 +125,22 @@ TEST_F(C3d, AxesFromTheScreenAreReportedAndGivenWay) {
   c3d.y_screen = "Y";  // forward = up x right = Y x -Z = -X
   d = read(write(c3d));
   EXPECT_EQ(d.streams.markers->position(2, 0), Vec3(-0.005, -0.110, -0.0305));
-  d = read(write(c3d), kAxes);
+  d = read(write(c3d), kC3d);
   EXPECT_EQ(d.streams.markers->position(2, 0), Vec3(0.110, -0.0305, 0.005));
 }
 
 TEST_F(C3d, UnitIsTheFilesOrAskedFor) {
   C3dText c3d = three_frames();
   c3d.units = "";
-  EXPECT_THAT(error_of(write(c3d), kAxes), HasSubstr("trial.c3d: unit: the file does not say it"));
+  EXPECT_THAT(error_of(write(c3d), kC3d), HasSubstr("trial.c3d: unit: the file does not say it"));
   EXPECT_EQ(read(write(c3d), {"x y z", "cm", {}}).streams.markers->position(2, 1),
             Vec3(0.04, 0.05, 0.06));
   c3d.units = "m";
-  EXPECT_THAT(error_of(write(c3d), kAxes), HasSubstr("trial.c3d: unit: the markers spread over"));
+  EXPECT_THAT(error_of(write(c3d), kC3d), HasSubstr("trial.c3d: unit: the markers spread over"));
   const Demonstration d = read(write(c3d), {"x y z", "mm", {}});
   EXPECT_THAT(d.reports, ElementsAre("the file says the unit m; mm was given and used"));
   c3d.units = "ell";
-  EXPECT_THAT(error_of(write(c3d), kAxes), HasSubstr("trial.c3d: unit: must be m, cm, mm, in"));
+  EXPECT_THAT(error_of(write(c3d), kC3d), HasSubstr("trial.c3d: unit: must be m, cm, mm, in"));
 }
 
 TEST_F(C3d, LiesAreErrorsOrReported) {
@@ -153,35 +153,35 @@ TEST_F(C3d, LiesAreErrorsOrReported) {
   const auto value_of = [&](const std::string& name, std::size_t behind) {
     return text.find(name) + name.size() + behind;
   };
-  EXPECT_EQ(error_of(with(2, 3), kAxes), "trial.c3d: POINT:USED: 2 points here, 3 in the header");
-  EXPECT_THAT(error_of(with(4, 5), kAxes), HasSubstr("trial.c3d: ANALOG:USED: 0 channels"));
-  EXPECT_THAT(error_of(with(0, 0x507f), kAxes), HasSubstr("byte 64512: the section of parameters"));
-  EXPECT_THAT(error_of(with(514, 80 * 256), kAxes), HasSubstr("byte 515: processor 80 is none"));
+  EXPECT_EQ(error_of(with(2, 3), kC3d), "trial.c3d: POINT:USED: 2 points here, 3 in the header");
+  EXPECT_THAT(error_of(with(4, 5), kC3d), HasSubstr("trial.c3d: ANALOG:USED: 0 channels"));
+  EXPECT_THAT(error_of(with(0, 0x507f), kC3d), HasSubstr("byte 64512: the section of parameters"));
+  EXPECT_THAT(error_of(with(514, 80 * 256), kC3d), HasSubstr("byte 515: processor 80 is none"));
   const std::size_t frames = value_of("FRAMES", 4);
-  EXPECT_EQ(error_of(with(frames, 4), kAxes),
+  EXPECT_EQ(error_of(with(frames, 4), kC3d),
             "trial.c3d: POINT:FRAMES: 4 frames from byte 1536 on are promised, 3 are there");
-  EXPECT_THAT(error_of(with(frames, 0), kAxes), HasSubstr("POINT:FRAMES: 0 frames"));
-  EXPECT_THAT(read(with(frames, 2), kAxes).reports,
+  EXPECT_THAT(error_of(with(frames, 0), kC3d), HasSubstr("POINT:FRAMES: 0 frames"));
+  EXPECT_THAT(read(with(frames, 2), kC3d).reports,
               ElementsAre("the header says 3 frames; 2 were read"));
-  EXPECT_THAT(error_of(with(value_of("DATA_START", 4), 999), kAxes), HasSubstr("0 are there"));
-  EXPECT_THAT(error_of(with(value_of("LABELS", 5), 200), kAxes),
+  EXPECT_THAT(error_of(with(value_of("DATA_START", 4), 999), kC3d), HasSubstr("0 are there"));
+  EXPECT_THAT(error_of(with(value_of("LABELS", 5), 200), kC3d),
               HasSubstr("parameter LABELS reaches into the next one"));
 }
 
 TEST_F(C3d, LabelsThatLackOrRepeat) {
   C3dText c3d = three_frames();
   c3d.labels = {"A"};
-  const Demonstration d = read(write(c3d), kAxes);
+  const Demonstration d = read(write(c3d), kC3d);
   EXPECT_THAT(d.streams.markers->names, ElementsAre("A", "*2"));
   EXPECT_THAT(d.reports, ElementsAre("points without a name: 1"));
   c3d.labels = {"A", "A"};
-  EXPECT_EQ(error_of(write(c3d), kAxes), "trial.c3d: POINT:LABELS: 'A' stands twice");
+  EXPECT_EQ(error_of(write(c3d), kC3d), "trial.c3d: POINT:LABELS: 'A' stands twice");
 }
 
 TEST_F(C3d, PointsThatAreNoPointsWereNotSeen) {
   C3dText c3d = three_frames();
   c3d.frames.assign(3, {Vec3::Zero(), unseen_point()});
-  const Demonstration d = read(write(c3d), kAxes);
+  const Demonstration d = read(write(c3d), kC3d);
   EXPECT_THAT(d.reports, ElementsAre("3 points stand exactly at the origin: taken as not seen",
                                      "no marker was seen in any frame"));
 }
@@ -191,7 +191,7 @@ TEST_F(C3d, PointsThatAreNoPointsWereNotSeen) {
 TEST_F(C3d, DamageIsNeverACrash) {
   const std::string text = three_frames().text();
   for (std::size_t length = 0; length < text.size(); length += 61) {
-    EXPECT_NE(error_of(RecordingFolder::write(text.substr(0, length), "trial.c3d"), kAxes),
+    EXPECT_NE(error_of(RecordingFolder::write(text.substr(0, length), "trial.c3d"), kC3d),
               "no error")
         << length;
   }
@@ -199,7 +199,7 @@ TEST_F(C3d, DamageIsNeverACrash) {
     if (text[at] == 0) continue;
     std::string damaged = text;
     damaged[at] = at % 2 == 0 ? '\x7f' : '\xff';
-    error_of(RecordingFolder::write(damaged, "trial.c3d"), kAxes);
+    error_of(RecordingFolder::write(damaged, "trial.c3d"), kC3d);
   }
 }
 

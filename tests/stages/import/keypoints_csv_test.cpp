@@ -24,11 +24,11 @@ std::string row(const std::string& first, const std::string& kp20 = "20,40,100")
   for (int k = 0; k < 20; ++k) text += fmt::format(",{},{},{}", k, 2 * k, 5 * k);
   return text + "," + kp20 + "\n";
 }
-const Conventions kGiven{"", "mm", 20.0};
+const Conventions kKeypoints{"", "mm", 20.0};
 
 TEST_F(KeypointsCsv, ReadsFramesWithARateOrTimes) {
   const Demonstration d =
-      read(write(header("frame") + row("3") + row("5", "nan,NaN,") + row("6", ",,")), kGiven);
+      read(write(header("frame") + row("3") + row("5", "nan,NaN,") + row("6", ",,")), kKeypoints);
   const HandStream& hand = *d.streams.hand;
   EXPECT_EQ(hand.kind, HandKind::keypoints);
   EXPECT_THAT(hand.time, ElementsAre(3 / 20.0, 5 / 20.0, 6 / 20.0));
@@ -46,7 +46,7 @@ TEST_F(KeypointsCsv, ReadsFramesWithARateOrTimes) {
 
 TEST_F(KeypointsCsv, BrokenFilesAreNamedWithTheirLine) {
   const std::string head = header("frame");
-  const auto error = [&](const std::string& text, const Conventions& given = kGiven) {
+  const auto error = [&](const std::string& text, const Conventions& given = kKeypoints) {
     return error_of(write(text, "k.csv"), given);
   };
   EXPECT_EQ(error(head + row("0") + row("1")), "no error");
@@ -71,7 +71,7 @@ TEST_F(KeypointsCsv, BrokenFilesAreNamedWithTheirLine) {
   EXPECT_EQ(error(header("frame,extra") + row("0,1")), "k.csv:1: extra: the column is not known");
   std::string unseen = "0";
   for (int k = 0; k < 63; ++k) unseen += ",";
-  EXPECT_THAT(read(write(head + unseen + "\n", "k.csv"), kGiven).reports,
+  EXPECT_THAT(read(write(head + unseen + "\n", "k.csv"), kKeypoints).reports,
               testing::Contains("no point was seen in any frame"));
 }
 

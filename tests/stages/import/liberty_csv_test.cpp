@@ -59,7 +59,7 @@ class LibertyCsv : public testing::Test {
   std::filesystem::path folder_;
 };
 
-const std::string kHeader =
+const std::string kLibertyHeader =
     "time_s,wrist_x_m,wrist_y_m,wrist_z_m,wrist_qw,wrist_qx,wrist_qy,wrist_qz\n";
 
 TEST_F(LibertyCsv, ReadsPosesInAnyOrderAndUnit) {
@@ -103,7 +103,7 @@ TEST_F(LibertyCsv, TurnsPositionsAndAnglesIntoTheWorld) {
 }
 
 TEST_F(LibertyCsv, ReadsGloveAndCalibrationPoseByAManifest) {
-  write("arm.csv", kHeader + "0,1,2,3,1,0,0,0\n0.1,1,2,3,1,0,0,0\n");
+  write("arm.csv", kLibertyHeader + "0,1,2,3,1,0,0,0\n0.1,1,2,3,1,0,0,0\n");
   write("glove.csv",
         "IndexMPJ_deg,time_s,ThumbRotate_raw,PinkieDIJ_rad\n"
         "90,0,0.21,0.5\n45,0.01,0,\n");
@@ -145,7 +145,7 @@ TEST_F(LibertyCsv, ReadsGloveAndCalibrationPoseByAManifest) {
 /// A sensor turned by 90 degrees about Z; the hand points forward, thumb up.
 TEST_F(LibertyCsv, FindsTheSensorOffsetsOfTheCalibrationPose) {
   ImportRequest request;
-  request.paths = {write("arm.csv", kHeader + "0,1,2,3,1,0,0,0\n")};
+  request.paths = {write("arm.csv", kLibertyHeader + "0,1,2,3,1,0,0,0\n")};
   request.static_trial = write(
       "pose.csv",
       "time_s,wrist_x_mm,wrist_y_mm,wrist_z_mm,wrist_joint_x_mm,wrist_joint_y_mm,wrist_joint_z_mm,"
@@ -167,7 +167,7 @@ TEST_F(LibertyCsv, FindsTheSensorOffsetsOfTheCalibrationPose) {
 
 TEST_F(LibertyCsv, RepairsWhatItSays) {
   const Demonstration d =
-      read("\xEF\xBB\xBF" + kHeader +
+      read("\xEF\xBB\xBF" + kLibertyHeader +
            "0,1,2,3,1.001,0,0,0\r\n0.1,NaN,,nan,0,0,0,0\n0.2,1,2,3,,,,\n\n,,,\n");
   EXPECT_EQ(d.streams.sensors->time.size(), 3u);
   EXPECT_NEAR(d.streams.sensors->orientation(0, 0).norm(), 1, 1e-15);
@@ -176,32 +176,37 @@ TEST_F(LibertyCsv, RepairsWhatItSays) {
   EXPECT_THAT(d.reports, Contains(HasSubstr("1 quaternions were off unit norm by up to 0.001")));
   EXPECT_THAT(d.reports, Contains(HasSubstr("1 quaternions are zero")));
   EXPECT_THAT(d.reports, Contains(HasSubstr("lines end in different ways")));
-  const Demonstration unseen = read(kHeader + "0,,,,,,,\n0.1,NaN,NaN,NaN,,,,\n");
+  const Demonstration unseen = read(kLibertyHeader + "0,,,,,,,\n0.1,NaN,NaN,NaN,,,,\n");
   EXPECT_THAT(unseen.reports, Contains(HasSubstr("wrist was never seen")));
 }
 
 TEST_F(LibertyCsv, RefusesWhatItDoesNotUnderstand) {
   const std::string row = "0,1,2,3,1,0,0,0\n";
   const auto header_with = [](const std::string& from, const std::string& to) {
-    std::string header = kHeader;
+    std::string header = kLibertyHeader;
     return header.replace(header.find(from), from.size(), to);
   };
-  EXPECT_EQ(error_of(kHeader), ":1: ends before the first row");
-  EXPECT_EQ(error_of(kHeader + row + "0.1,1,2,3,1,0,0\n"), ":3: the row has 7 cells, the header 8");
-  EXPECT_EQ(error_of(kHeader + row + "0.1,1,2,3\n"), ":3: the row has 4 cells, the header 8");
-  EXPECT_EQ(error_of(kHeader + row + row), ":3: time_s: does not follow the row before");
-  EXPECT_EQ(error_of(kHeader + row + "-1,1,2,3,1,0,0,0\n"),
+  EXPECT_EQ(error_of(kLibertyHeader), ":1: ends before the first row");
+  EXPECT_EQ(error_of(kLibertyHeader + row + "0.1,1,2,3,1,0,0\n"),
+            ":3: the row has 7 cells, the header 8");
+  EXPECT_EQ(error_of(kLibertyHeader + row + "0.1,1,2,3\n"),
+            ":3: the row has 4 cells, the header 8");
+  EXPECT_EQ(error_of(kLibertyHeader + row + row), ":3: time_s: does not follow the row before");
+  EXPECT_EQ(error_of(kLibertyHeader + row + "-1,1,2,3,1,0,0,0\n"),
             ":3: time_s: does not follow the row before");
-  EXPECT_EQ(error_of(kHeader + row + "9e9,1,2,3,1,0,0,0\n"),
+  EXPECT_EQ(error_of(kLibertyHeader + row + "9e9,1,2,3,1,0,0,0\n"),
             ":3: time_s: jumps by more than an hour");
-  EXPECT_EQ(error_of(kHeader + ",1,2,3,1,0,0,0\n"), ":2: time_s: is empty");
-  EXPECT_EQ(error_of(kHeader + "0,1,x,3,1,0,0,0\n"), ":2: wrist_y_m: must be a number, not 'x'");
-  EXPECT_EQ(error_of(kHeader + "0,1,,3,1,0,0,0\n"), ":2: wrist: has some of x, y, z but not all");
-  EXPECT_EQ(error_of(kHeader + "0,1,2,3,1,0,,0\n"),
+  EXPECT_EQ(error_of(kLibertyHeader + ",1,2,3,1,0,0,0\n"), ":2: time_s: is empty");
+  EXPECT_EQ(error_of(kLibertyHeader + "0,1,x,3,1,0,0,0\n"),
+            ":2: wrist_y_m: must be a number, not 'x'");
+  EXPECT_EQ(error_of(kLibertyHeader + "0,1,,3,1,0,0,0\n"),
+            ":2: wrist: has some of x, y, z but not all");
+  EXPECT_EQ(error_of(kLibertyHeader + "0,1,2,3,1,0,,0\n"),
             ":2: wrist: has some of qw, qx, qy, qz but not all");
-  EXPECT_EQ(error_of(kHeader + "0,1,2,3,1,1,0,0\n"),
+  EXPECT_EQ(error_of(kLibertyHeader + "0,1,2,3,1,1,0,0\n"),
             ":2: wrist: its quaternion has the norm 1.414");
-  EXPECT_THAT(error_of(kHeader + "0,1000,2,3,1,0,0,0\n"), HasSubstr(": unit: a sensor is 1e+03 m"));
+  EXPECT_THAT(error_of(kLibertyHeader + "0,1000,2,3,1,0,0,0\n"),
+              HasSubstr(": unit: a sensor is 1e+03 m"));
   EXPECT_EQ(error_of(header_with("wrist_y_m", "wrist_x_m") + row),
             ":1: wrist_x_m: the column stands twice");
   EXPECT_EQ(error_of(header_with("wrist_y_m", "wrist_x_mm") + row),
@@ -214,7 +219,7 @@ TEST_F(LibertyCsv, RefusesWhatItDoesNotUnderstand) {
             ":1: wrist_y_cm: is in another unit");
   EXPECT_EQ(error_of(header_with("wrist_qz", "wrist_roll_deg") + row),
             ":1: wrist_roll_deg: the body has a quaternion and Euler angles: one is enough");
-  EXPECT_THAT(error_of(kHeader + row, {}), HasSubstr(": axes: the file does not say"));
+  EXPECT_THAT(error_of(kLibertyHeader + row, {}), HasSubstr(": axes: the file does not say"));
   const std::string bare = "time_s,w_x,w_y,w_z,w_qw,w_qx,w_qy,w_qz\n" + row;
   EXPECT_THAT(error_of(bare), HasSubstr(": unit: the file does not say it"));
   const std::string frames = header_with("time_s", "frame") + row;
@@ -231,7 +236,7 @@ TEST_F(LibertyCsv, RefusesWhatItDoesNotUnderstand) {
 }
 
 TEST_F(LibertyCsv, RefusesAGloveWhereNoneBelongs) {
-  write("arm.csv", kHeader + "0,1,2,3,1,0,0,0\n");
+  write("arm.csv", kLibertyHeader + "0,1,2,3,1,0,0,0\n");
   write("both.csv", "time_s,IndexMPJ_deg,ThumbRotate_deg\n0,1,2\n");
   const auto error_with = [&](const std::string& entry) -> std::string {
     ImportRequest request;

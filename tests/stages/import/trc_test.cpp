@@ -9,7 +9,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const Conventions kAxes{"x y z", "", {}};
+const Conventions kTrc{"x y z", "", {}};
 
 /// Two markers in two frames; `from` becomes `to` in it, commas the separator.
 std::string trc(const std::string& from = "", const std::string& to = "", char separator = '\t') {
@@ -34,16 +34,16 @@ class Trc : public RecordingFolder {
     return RecordingFolder::write(text, "trial.trc");
   }
   std::string error_of(const std::string& from, const std::string& to) {
-    return RecordingFolder::error_of(write(trc(from, to)), kAxes);
+    return RecordingFolder::error_of(write(trc(from, to)), kTrc);
   }
   std::vector<std::string> reports_of(const std::string& from, const std::string& to) {
-    return read(write(trc(from, to)), kAxes).reports;
+    return read(write(trc(from, to)), kTrc).reports;
   }
 };
 
 TEST_F(Trc, TabsAndCommasReadTheSame) {
   for (const char separator : {'\t', ','}) {
-    const Demonstration d = read(write(trc("", "", separator)), kAxes);
+    const Demonstration d = read(write(trc("", "", separator)), kTrc);
     const MarkerStream& markers = *d.streams.markers;
     EXPECT_THAT(markers.names, ElementsAre("A", "B"));
     EXPECT_THAT(markers.time, ElementsAre(0, 0.01));
@@ -53,7 +53,7 @@ TEST_F(Trc, TabsAndCommasReadTheSame) {
 }
 
 TEST_F(Trc, ThePathInTheFileIsNotKept) {
-  const Demonstration d = read(write(trc()), kAxes);
+  const Demonstration d = read(write(trc()), kTrc);
   EXPECT_EQ(d.source, "");
   EXPECT_EQ(d.subject, "");
   EXPECT_EQ(d.task, "");
@@ -79,11 +79,11 @@ TEST_F(Trc, WhatTheHeaderPromisesIsCompared) {
 
 TEST_F(Trc, EmptyNanAndOriginWereNotSeen) {
   for (const char* cells : {",,", "NaN,nan,NAN"}) {
-    const Demonstration d = read(write(trc("10,20,30", cells)), kAxes);
+    const Demonstration d = read(write(trc("10,20,30", cells)), kTrc);
     EXPECT_FALSE(seen(d.streams.markers->position(0, 0)));
     EXPECT_TRUE(seen(d.streams.markers->position(1, 0)));
   }
-  const Demonstration d = read(write(trc("10,20,30", "0,0.000,0")), kAxes);
+  const Demonstration d = read(write(trc("10,20,30", "0,0.000,0")), kTrc);
   EXPECT_FALSE(seen(d.streams.markers->position(0, 0)));
   EXPECT_THAT(d.reports, ElementsAre("1 points stand exactly at the origin: taken as not seen"));
 }
@@ -105,7 +105,7 @@ TEST_F(Trc, ErrorsSayWhere) {
   EXPECT_EQ(error_of("Frame#", "Row"), "trial.trc:4: must begin with 'Frame#' and 'Time'");
   EXPECT_EQ(error_of("NumFrames", "Units"), "trial.trc:2: Units: stands twice");
   const std::string text = trc();
-  EXPECT_EQ(RecordingFolder::error_of(write(text.substr(0, text.find("\n1\t"))), kAxes),
+  EXPECT_EQ(RecordingFolder::error_of(write(text.substr(0, text.find("\n1\t"))), kTrc),
             "trial.trc:5: ends before the first frame");
 }
 

@@ -18,12 +18,12 @@ class ViconCsv : public RecordingFolder {
   std::string error_of(const std::string& text) { return RecordingFolder::error_of(write(text)); }
 };
 
-const std::string kHeader =
+const std::string kViconHeader =
     "Trajectories\n50\n,,A:RFTP,,,A:RTHUM\nFrame,Sub Frame,X,Y,Z,X,Y,Z\n"
     ",,mm,mm,mm,mm,mm,mm\n";
 
 TEST_F(ViconCsv, ReadsUnitsRateGapsAndByteOrderMark) {
-  const Demonstration d = read(write(std::string("\xEF\xBB\xBF") + kHeader +
+  const Demonstration d = read(write(std::string("\xEF\xBB\xBF") + kViconHeader +
                                      "11,0,1,2,3,-4.5,5e1,6\r\n12,0,,,,7,8,9\r\n\r\n"));
   const MarkerStream& markers = *d.streams.markers;
   EXPECT_EQ(d.name, "trial");
@@ -41,8 +41,8 @@ TEST_F(ViconCsv, ReadsUnitsRateGapsAndByteOrderMark) {
 
 TEST_F(ViconCsv, TakesMetres) {
   std::string text;
-  for (std::size_t i = 0; i < kHeader.size(); ++i) {
-    if (kHeader.compare(i, 2, "mm") != 0) text += kHeader[i];
+  for (std::size_t i = 0; i < kViconHeader.size(); ++i) {
+    if (kViconHeader.compare(i, 2, "mm") != 0) text += kViconHeader[i];
   }
   EXPECT_DOUBLE_EQ(read(write(text + "1,0,1,2,3,4,5,6\n")).streams.markers->position(0, 0).z(), 3);
 }
@@ -63,18 +63,19 @@ TEST_F(ViconCsv, ErrorsNameLineAndColumn) {
               HasSubstr("trial.csv:5: unit: must be m, cm, mm, in"));
   EXPECT_EQ(error_of("Trajectories\n100\n,,A:RFTP\nFrame,Sub Frame,X,Y,Z\n,,mm,m,mm\n" + row),
             "trial.csv:5: RFTP.Y: unit differs from the first column's");
-  EXPECT_EQ(error_of(kHeader + row + "2,0,1,2,3,4,5\n"),
+  EXPECT_EQ(error_of(kViconHeader + row + "2,0,1,2,3,4,5\n"),
             "trial.csv:7: RTHUM.Z: the row has 7 cells, the header 8");
-  EXPECT_EQ(error_of(kHeader + "1,0,1,2,3,4,5,6,7\n"),
+  EXPECT_EQ(error_of(kViconHeader + "1,0,1,2,3,4,5,6,7\n"),
             "trial.csv:6: column 9: the row has 9 cells, the header 8");
-  EXPECT_EQ(error_of(kHeader + "1,0,1,2,3,4,5x,6\n"),
+  EXPECT_EQ(error_of(kViconHeader + "1,0,1,2,3,4,5x,6\n"),
             "trial.csv:6: RTHUM.Y: must be a number, not '5x'");
-  EXPECT_EQ(error_of(kHeader + "1,0,1,2,3,4,nan,6\n"),
+  EXPECT_EQ(error_of(kViconHeader + "1,0,1,2,3,4,nan,6\n"),
             "trial.csv:6: RTHUM: has some of X, Y, Z but not all");
-  EXPECT_EQ(error_of(kHeader + "1,0,1,,3,4,5,6\n"),
+  EXPECT_EQ(error_of(kViconHeader + "1,0,1,,3,4,5,6\n"),
             "trial.csv:6: RFTP: has some of X, Y, Z but not all");
-  EXPECT_EQ(error_of(kHeader + row + row), "trial.csv:7: Frame: does not follow the frame before");
-  EXPECT_EQ(error_of(kHeader), "trial.csv:5: ends before the first frame");
+  EXPECT_EQ(error_of(kViconHeader + row + row),
+            "trial.csv:7: Frame: does not follow the frame before");
+  EXPECT_EQ(error_of(kViconHeader), "trial.csv:5: ends before the first frame");
   EXPECT_EQ(error_of("Trajectories\nfast\n,,A:RFTP\nFrame,Sub Frame,X,Y,Z\n,,mm,mm,mm\n" + row),
             "trial.csv:2: rate: must be a number, not 'fast'");
   EXPECT_EQ(error_of("Trajectories\n100\n,,A:RFTP,,,A:RFTP\nFrame,Sub Frame,X,Y,Z,X,Y,Z\n"
@@ -153,7 +154,7 @@ TEST_F(ViconCsv, SeveralSubjectsKeepTheirNames) {
 }
 
 TEST_F(ViconCsv, AxesAreTheUsualOnesOrAsGiven) {
-  const auto file = write(kHeader + "1,0,1,2,3,40,50,60\n");
+  const auto file = write(kViconHeader + "1,0,1,2,3,40,50,60\n");
   EXPECT_THAT(read(file).reports,
               ElementsAre("the file does not say its axes: 'x y z' point right, forward and up, as "
                           "is usual"));
@@ -165,7 +166,7 @@ TEST_F(ViconCsv, AxesAreTheUsualOnesOrAsGiven) {
 
 TEST_F(ViconCsv, OtherSectionsAreLeftOut) {
   const Demonstration d = read(
-      write("Devices\n1000\n,,Force\nFrame,Sub Frame,Fx\n,,N\n1,0,5\n1,1,6\n\n" + kHeader +
+      write("Devices\n1000\n,,Force\nFrame,Sub Frame,Fx\n,,N\n1,0,5\n1,1,6\n\n" + kViconHeader +
             "1,0,1,2,3,40,50,60\n2,0,1,2,3,40,50,60\n,,,\n" + "Model Outputs\n100\n,,Angle\n"));
   EXPECT_EQ(d.streams.markers->time.size(), 2u);
   EXPECT_THAT(d.reports, testing::Contains("sections left out: Devices, Model Outputs"));
@@ -175,7 +176,7 @@ TEST_F(ViconCsv, OtherSectionsAreLeftOut) {
 
 struct Damage {
   const char* name;
-  const char* text;    ///< behind kHeader
+  const char* text;    ///< behind kViconHeader
   const char* error;   ///< "" = it is read
   const char* report;  ///< "" = none
 };
@@ -184,9 +185,9 @@ class DamagedViconCsv : public ViconCsv, public testing::WithParamInterface<Dama
 TEST_P(DamagedViconCsv, IsRefusedOrReported) {
   const Damage& damage = GetParam();
   if (*damage.error != 0) {
-    EXPECT_EQ(error_of(kHeader + damage.text), std::string("trial.csv:") + damage.error);
+    EXPECT_EQ(error_of(kViconHeader + damage.text), std::string("trial.csv:") + damage.error);
   } else {
-    const Demonstration d = read(write(kHeader + damage.text));
+    const Demonstration d = read(write(kViconHeader + damage.text));
     EXPECT_THAT(d.reports, testing::Contains(HasSubstr(damage.report)));
   }
 }
@@ -228,13 +229,13 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& parameter) { return std::string(parameter.param.name); });
 
 TEST_F(ViconCsv, CarriageReturnsAloneEndLines) {
-  std::string text = kHeader + "1,0,1,2,3,40,50,60\n";
+  std::string text = kViconHeader + "1,0,1,2,3,40,50,60\n";
   std::ranges::replace(text, '\n', '\r');
   EXPECT_EQ(read(write(text)).streams.markers->time.size(), 1u);
 }
 
 TEST_F(ViconCsv, WrongUnitIsNoticedAndCanBeOverruled) {
-  std::string text = kHeader;
+  std::string text = kViconHeader;
   for (std::size_t at = 0; (at = text.find("mm")) != std::string::npos;) text.replace(at, 2, "m");
   const auto file = write(text + "1,0,100,200,300,400,500,600\n");
   EXPECT_EQ(RecordingFolder::error_of(file),
@@ -290,7 +291,7 @@ TEST_F(ViconCsv, UnknownContentAndFormatListWhatIsKnown) {
 }
 
 TEST_F(ViconCsv, ManifestErrors) {
-  write(kHeader + "1,0,1,2,3,4,5,6\n");
+  write(kViconHeader + "1,0,1,2,3,4,5,6\n");
   const auto manifest_error = [&](const std::string& text) -> std::string {
     ImportRequest request{{write(text, "recordings.yaml")}, {}, "", {}, {}};
     try {

@@ -10,8 +10,9 @@ namespace morphe::map {
 namespace {
 
 /// The reference robot beside a table top through its workspace.
-struct Bench {
-  Bench() : robot(robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table) {
+struct ClearanceBench {
+  ClearanceBench()
+      : robot(robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table) {
     SceneObject table;
     table.name = "table";
     table.size = {0.8, 0.8, 0.04};
@@ -27,7 +28,7 @@ struct Bench {
 };
 
 TEST(ClearanceTerm, GradientIsThatOfTheValue) {
-  const Bench bench;
+  const ClearanceBench bench;
   ClearanceTerm term;
   term.band_m = 0.02;
   ClearanceScratch scratch;
@@ -60,7 +61,7 @@ TEST(ClearanceTerm, GradientIsThatOfTheValue) {
 }
 
 TEST(ClearanceTerm, NothingBeyondTheBandOrSwitchedOff) {
-  const Bench bench;
+  const ClearanceBench bench;
   ClearanceScratch scratch;
   const JointVector q = JointVector::Zero(static_cast<Eigen::Index>(bench.robot.joints()));
   ClearanceTerm term;

@@ -145,8 +145,9 @@ class ArmToArm : public testing::Test {
 TEST_F(ArmToArm, LinksAndHandPointAsTheHumans) {
   MappingProblem problem = make_mapping_problem(robot, goals, world, options);
   problem.goals = joint_to_joint_goals(robot, {}, {}, goals);
-  const MapResult result = map_movement(problem, goals, options, 3);
-  ASSERT_EQ(result.reason, Reason::none);
+  const Outcome<MapResult> mapping = map_movement(problem, goals, options, 3);
+  ASSERT_FALSE(mapping.refusal);
+  const MapResult& result = mapping.value;
   std::vector<Pose> poses;
   for (const std::size_t f : {0u, 10u, 19u}) {
     robot::forward(robot, result.mapped.position.row(static_cast<Index>(f)).transpose(), poses);

@@ -54,7 +54,7 @@ class MapMovement : public testing::Test {
     options.candidates = 3;
   }
 
-  MapResult solve(std::uint64_t seed = 5) {
+  Outcome<MapResult> solve(std::uint64_t seed = 5) {
     return map_movement(make_mapping_problem(robot, goals, world, options), goals, options, seed);
   }
 
@@ -66,8 +66,8 @@ class MapMovement : public testing::Test {
 };
 
 TEST_F(MapMovement, MeetsReachableGoalsInsideTheLimitsWithoutAJump) {
-  const MapResult result = solve();
-  ASSERT_EQ(result.reason, Reason::none);
+  const auto [result, refusal] = solve();
+  ASSERT_FALSE(refusal) << refusal.detail;
   for (Index f = 0; f < result.mapped.position.rows(); ++f) {
     for (const Index tip : {0, 1}) EXPECT_LT(result.mapped.position_error(f, tip), 1e-3);
     EXPECT_TRUE(std::isnan(result.mapped.position_error(f, 2)));
@@ -84,7 +84,7 @@ TEST_F(MapMovement, MeetsReachableGoalsInsideTheLimitsWithoutAJump) {
 }
 
 TEST_F(MapMovement, StaysOffAnObstacleThatItKnows) {
-  const MapResult free = solve();
+  const MapResult free = solve().value;
   // A ball where the elbow's capsules are, half way: the arm has to swing aside.
   std::vector<Pose> poses;
   robot::forward(robot, free.mapped.position.row(20).transpose(), poses);
@@ -104,7 +104,7 @@ TEST_F(MapMovement, StaysOffAnObstacleThatItKnows) {
     return collision::least_slack(world, q, 0, scratch).slack();
   };
   ASSERT_LT(slack(free, 20), -0.01);
-  const MapResult clear = solve();
+  const MapResult clear = solve().value;
   for (Index f = 0; f < 40; ++f) EXPECT_GT(slack(clear, f), -1e-4) << "frame " << f;
 }
 
@@ -113,24 +113,24 @@ TEST_F(MapMovement, GoalsOutOfReachAreSaidToBe) {
     for (const std::size_t tip : {0U, 1U}) goals.tip_position(f, tip) += Vec3(0, 0, 3);
   }
   options.reachable_starts = 4;
-  const MapResult result = solve();
-  ASSERT_EQ(result.reason, Reason::none);
+  const auto [result, refusal] = solve();
+  ASSERT_FALSE(refusal) << refusal.detail;
   EXPECT_FALSE(goals.reachable(10, 0));
   EXPECT_EQ(result.mapped.status[10], FrameStatus::out_of_reach);
 }
 
 TEST_F(MapMovement, WithoutAnyTipThereIsAReason) {
   for (Vec3& tip : goals.tip_position.values) tip = unseen_point();
-  EXPECT_EQ(solve().reason, Reason::no_goal);
+  EXPECT_EQ(solve().refusal.reason, Reason::no_goal);
 }
 
 TEST_F(MapMovement, TheSameSeedGivesTheSameBits) {
-  const MapResult first = solve(9), second = solve(9);
+  const MapResult first = solve(9).value, second = solve(9).value;
   EXPECT_EQ(first.mapped.position, second.mapped.position);
 }
 
 TEST_F(MapMovement, ResolvingMovesOnlyWhatIsNearAFinding) {
-  const MapResult free = solve();
+  const MapResult free = solve().value;
   Finding finding;
   finding.begin_s = 0.30;
   finding.end_s = 0.35;

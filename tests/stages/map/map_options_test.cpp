@@ -101,7 +101,7 @@ TEST(MapOptions, TrianglesAndHullsAreLessWhereTheyCount) {
     options.starts = 24;
     options.reachable_starts = 1;
     const MapResult result =
-        map_movement(make_mapping_problem(robot, goals, world, options), goals, options, 1);
+        map_movement(make_mapping_problem(robot, goals, world, options), goals, options, 1).value;
     EXPECT_LT(result.mapped.position_error.maxCoeff(), 1e-3);
     return Vec3(result.mapped.humanlikeness.row(4).transpose());
   };

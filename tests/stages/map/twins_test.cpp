@@ -14,8 +14,8 @@ namespace {
 using std::numbers::pi;
 
 /// Five frames whose goals are a posture's own tips.
-struct Bench {
-  explicit Bench(const std::string& name)
+struct TwinBench {
+  explicit TwinBench(const std::string& name)
       : robot(robot::shipped_robot(name)),
         world(collision::make_world(robot, scene, Movement{}, Tolerances{})) {
     posture = 0.5 * (robot.lower + robot.upper);
@@ -51,7 +51,7 @@ struct Bench {
 };
 
 TEST(Twins, ThePA10HasThreeFlips) {
-  const Bench bench("pa10_dlr_hit2");
+  const TwinBench bench("pa10_dlr_hit2");
   const Twins twins = find_twins(bench.problem);
   ASSERT_EQ(twins.flips.size(), 3u);  // shoulder, elbow, wrist
   for (std::size_t k = 0; k < 3; ++k) {
@@ -64,7 +64,7 @@ TEST(Twins, ThePA10HasThreeFlips) {
 }
 
 TEST(Twins, PlaceEveryTipAndCentreAlike) {
-  const Bench bench("pa10_dlr_hit2");
+  const TwinBench bench("pa10_dlr_hit2");
   const RobotTable& robot = bench.robot;
   const std::vector<JointVector> all = twins_of(find_twins(bench.problem), bench.posture);
   ASSERT_GE(all.size(), 8u);
@@ -86,7 +86,7 @@ TEST(Twins, PlaceEveryTipAndCentreAlike) {
 }
 
 TEST(Twins, AreAlikeAndOthersAreNot) {
-  const Bench bench("pa10_dlr_hit2");
+  const TwinBench bench("pa10_dlr_hit2");
   const Twins twins = find_twins(bench.problem);
   for (const JointVector& q : twins_of(twins, bench.posture)) {
     EXPECT_TRUE(alike(twins, q, bench.posture, 1e-6));
@@ -97,7 +97,7 @@ TEST(Twins, AreAlikeAndOthersAreNot) {
 }
 
 TEST(Twins, TheFarthestFromTheLimitsFirst) {
-  const Bench bench("pa10_dlr_hit2");
+  const TwinBench bench("pa10_dlr_hit2");
   const Twins twins = find_twins(bench.problem);
   JointVector q = bench.posture;
   q[2] = bench.robot.upper[2] - 1e-3;
@@ -107,7 +107,7 @@ TEST(Twins, TheFarthestFromTheLimitsFirst) {
 }
 
 TEST(Twins, NoneWhereJointAnglesThemselvesCount) {
-  Bench bench("pa10_dlr_hit2");
+  TwinBench bench("pa10_dlr_hit2");
   for (Eigen::Index j = 0; j < 7; ++j) {
     bench.problem.objective.get<humanlike::NaturalPosture>().weight = 1;
     bench.problem.objective.get<humanlike::NaturalPosture>().joints.push_back(

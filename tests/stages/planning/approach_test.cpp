@@ -48,7 +48,7 @@ TEST_F(Approach, LeadsFromHomeToTheFirstSampleAndBackWithinItsShareOfTheLimits) 
   ASSERT_TRUE(plan->executable()) << plan->detail;
   Plan with = *plan;
   const ApproachOptions asked = options();
-  const ApproachResult result = add_approach(of.planner(), asked, 1, with);
+  const Refusal result = add_approach(of.planner(), asked, 1, with);
   ASSERT_EQ(result.reason, Reason::none) << result.detail;
   const JointVector home = home_posture(of.robot, asked);
   const Trajectory &there = with.approach, &back = with.retreat;
@@ -84,7 +84,7 @@ TEST_F(Approach, NoneWhereHomeIsInAnObstacle) {
   ball.position = {robot::tip_pose(of.robot, frames, 1).translation()};
   ball.orientation = {Quat::Identity()};
   with.scene.objects.push_back(ball);
-  const ApproachResult result = add_approach(of.planner(), asked, 1, with);
+  const Refusal result = add_approach(of.planner(), asked, 1, with);
   EXPECT_EQ(result.reason, Reason::no_approach);
   EXPECT_THAT(result.detail, testing::HasSubstr("ball"));
 }

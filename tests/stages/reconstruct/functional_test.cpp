@@ -16,7 +16,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-constexpr double kNoise = 0.0003;  // [m] in each direction, of every marker
+constexpr double kMarkerNoise = 0.0003;  // [m] in each direction, of every marker
 
 struct MovingArm {
   Demonstration demonstration;
@@ -62,7 +62,7 @@ MovingArm moving_arm(std::size_t size, bool landmarks) {
   MovingArm arm;
   MarkerStream markers;
   std::mt19937 random(11);
-  std::normal_distribution<double> normal(0, kNoise);
+  std::normal_distribution<double> normal(0, kMarkerNoise);
   const std::size_t frames = 1000;
   markers.position = Table<Vec3>(frames, all.size(), unseen_point());
   for (const Marker& marker : all) markers.names.push_back(marker.name);

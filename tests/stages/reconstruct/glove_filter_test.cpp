@@ -13,7 +13,7 @@ using Columns = std::vector<std::vector<double>>;
 
 constexpr std::size_t kColumns = 22;
 constexpr double kRate = 90, kBegin_s = 4, kLength_s = 0.25, kLast_s = 8;
-constexpr double kNoise = 0.0123;  ///< [rad] the white part of one degree
+constexpr double kGloveNoise = 0.0123;  ///< [rad] the white part of one degree
 
 double progress(double tau) {
   tau = std::clamp(tau, 0.0, 1.0);
@@ -73,14 +73,14 @@ struct Filtered {
 };
 
 TEST(GloveFilter, AHandAtRestIsCalm) {
-  const Filtered all(kColumns, kNoise), none(0, kNoise);
+  const Filtered all(kColumns, kGloveNoise), none(0, kGloveNoise);
   EXPECT_LT(all.jitter(all.fitted), all.jitter(all.plain) / 3);
   EXPECT_LT(none.jitter(none.fitted), none.jitter(none.plain) / 3);
 }
 
 TEST(GloveFilter, AMovingHandIsAsFastAsTheLowPassLetsIt) {
   for (const std::size_t moving : {std::size_t{1}, kColumns}) {
-    const Filtered hand(moving, kNoise);
+    const Filtered hand(moving, kGloveNoise);
     const double error = hand.error(hand.fitted, 0, moving);
     EXPECT_LT(error, 1.1 * hand.error(hand.plain, 0, moving) + 0.001) << moving;
     const auto peak = [](const std::vector<double>& column) {

@@ -7,7 +7,8 @@
 namespace morphe::repair {
 namespace {
 
-const JointVector kFrom = Vec3(-0.9, 0.3, 0.3), kTo = Vec3(0.9, 0.3, 0.3);
+using test::kFrom;
+using test::kTo;
 
 TEST(Ladder, ClimbsInOrderAndStopsWhereNothingIsWrong) {
   // Tracking errors alone: 3 mm on the path, 30 mm on the course, none on what is free.
@@ -42,18 +43,18 @@ TEST(Ladder, ARungMayEndIt) {
   const JointPath path = test::sweep(kFrom, kTo);
   const std::vector<Finding> findings{{0.5, 0.5, Cause::tracking, "thumb_tip", "", 0.012}};
   const Rung dead_end = [](const Judged& best) {
-    return Made{best, Reason::unreachable, "no posture", true};
+    return Made{best, {Reason::unreachable, "no posture"}, true};
   };
   const Rung never = [](const Judged& best) {
     ADD_FAILURE() << "no rung can help";
     return Made{best};
   };
-  const RepairResult result = repair_path({dead_end, never}, {path, findings}, {});
-  EXPECT_EQ(result.reason, Reason::unreachable);
-  EXPECT_EQ(result.detail, "no posture");
-  EXPECT_FALSE(result.repaired);
-  EXPECT_EQ(result.path.position, path.position);
-  EXPECT_EQ(result.remaining.size(), 1u);
+  const Outcome<RepairResult> result = repair_path({dead_end, never}, {path, findings}, {});
+  EXPECT_EQ(result.refusal.reason, Reason::unreachable);
+  EXPECT_EQ(result.refusal.detail, "no posture");
+  EXPECT_FALSE(result.value.repaired);
+  EXPECT_EQ(result.value.path.position, path.position);
+  EXPECT_EQ(result.value.remaining.size(), 1u);
 }
 
 TEST(Ladder, DepthOfCollisionsComesFirst) {

@@ -13,6 +13,9 @@ RobotTable planar_arm();
 /// A cylinder of radius 0.04 m that stands on the plane's point (x, y).
 SceneObject post(const std::string& name, double x, double y);
 
+/// The sweep of most tests.
+inline const JointVector kFrom = Vec3(-0.9, 0.3, 0.3), kTo = Vec3(0.9, 0.3, 0.3);
+
 /// 101 samples in 1 s from `from` to `to`, a straight line in joint space at minimum jerk.
 JointPath sweep(const JointVector& from, const JointVector& to);
 

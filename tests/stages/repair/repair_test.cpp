@@ -13,11 +13,11 @@ namespace morphe::repair {
 namespace {
 
 using test::Bench;
+using test::kFrom;
+using test::kTo;
 using test::post;
 using test::sweep;
 using ::testing::HasSubstr;
-
-const JointVector kFrom = Vec3(-0.9, 0.3, 0.3), kTo = Vec3(0.9, 0.3, 0.3);
 
 using Change = std::function<JointPath(const JointPath&, const std::vector<Finding>&)>;
 
@@ -36,7 +36,7 @@ struct Repair {
   RepairOptions options = {};
   NextCourse next = nullptr;
 
-  RepairResult operator()(const JointPath& path) const {
+  Outcome<RepairResult> operator()(const JointPath& path) const {
     Surroundings around{bench.world, options, 42, judge, {}};
     if (resolve) around.win_back = {rung(judge, resolve)};
     const Judged start{path, judge(path)};
@@ -48,8 +48,8 @@ struct Repair {
   }
 };
 
-RepairResult repair(const Bench& bench, const JointPath& path, const Change& resolve = nullptr,
-                    const RepairOptions& options = {}) {
+Outcome<RepairResult> repair(const Bench& bench, const JointPath& path,
+                             const Change& resolve = nullptr, const RepairOptions& options = {}) {
   Repair repair{bench};
   repair.resolve = resolve;
   repair.options = options;
@@ -59,10 +59,10 @@ RepairResult repair(const Bench& bench, const JointPath& path, const Change& res
 TEST(Repair, LeavesAFreePathAlone) {
   const Bench bench({});
   const JointPath path = sweep(kFrom, kTo);
-  const RepairResult result = repair(bench, path);
-  EXPECT_EQ(result.reason, Reason::none);
-  EXPECT_FALSE(result.repaired);
-  EXPECT_EQ(result.path.position, path.position);
+  const Outcome<RepairResult> result = repair(bench, path);
+  EXPECT_EQ(result.refusal.reason, Reason::none);
+  EXPECT_FALSE(result.value.repaired);
+  EXPECT_EQ(result.value.path.position, path.position);
 }
 
 TEST(Repair, GoesAroundAPost) {
@@ -71,21 +71,21 @@ TEST(Repair, GoesAroundAPost) {
   ASSERT_FALSE(bench.collisions(path).empty());
   ASSERT_LT(bench.densely_sampled_slack(path), 0);
 
-  const RepairResult result = repair(bench, path);
-  EXPECT_EQ(result.reason, Reason::none) << result.detail;
-  EXPECT_TRUE(result.repaired);
-  EXPECT_TRUE(result.remaining.empty());
-  EXPECT_GE(bench.densely_sampled_slack(result.path), 0);
+  const Outcome<RepairResult> result = repair(bench, path);
+  EXPECT_EQ(result.refusal.reason, Reason::none) << result.refusal.detail;
+  EXPECT_TRUE(result.value.repaired);
+  EXPECT_TRUE(result.value.remaining.empty());
+  EXPECT_GE(bench.densely_sampled_slack(result.value.path), 0);
 
   const Eigen::Index rows = path.position.rows();
-  ASSERT_EQ(result.path.position.rows(), rows);
-  EXPECT_EQ(result.path.demonstration_time, path.demonstration_time);
-  EXPECT_EQ(result.path.position.row(0), path.position.row(0));
-  EXPECT_EQ(result.path.position.row(rows - 1), path.position.row(rows - 1));
+  ASSERT_EQ(result.value.path.position.rows(), rows);
+  EXPECT_EQ(result.value.path.demonstration_time, path.demonstration_time);
+  EXPECT_EQ(result.value.path.position.row(0), path.position.row(0));
+  EXPECT_EQ(result.value.path.position.row(rows - 1), path.position.row(rows - 1));
   int planned = 0;
   for (Eigen::Index k = 0; k < rows; ++k) {
-    const bool same = result.path.position.row(k) == path.position.row(k);
-    const Origin origin = result.path.origin[static_cast<std::size_t>(k)];
+    const bool same = result.value.path.position.row(k) == path.position.row(k);
+    const Origin origin = result.value.path.origin[static_cast<std::size_t>(k)];
     EXPECT_EQ(origin, same ? Origin::mapped : Origin::planned) << k;
     planned += same ? 0 : 1;
   }
@@ -96,15 +96,17 @@ TEST(Repair, GoesAroundAPost) {
 TEST(Repair, TheDetourIsSmallAndHasNoCorners) {
   const Bench bench({post("post", 0.9, 0)});
   const JointPath path = sweep(kFrom, kTo);
-  const RepairResult result = repair(bench, path);
-  ASSERT_TRUE(result.repaired);
+  const Outcome<RepairResult> result = repair(bench, path);
+  ASSERT_TRUE(result.value.repaired);
   // Bending just enough to pass at a radius of 0.81 m takes less than 1.7 rad of any joint.
-  EXPECT_LT((result.path.position - path.position).cwiseAbs().maxCoeff(), 1.7);
+  EXPECT_LT((result.value.path.position - path.position).cwiseAbs().maxCoeff(), 1.7);
   const Eigen::Index rows = path.position.rows();
   double step = 0, turn = 0;
   for (Eigen::Index k = 1; k + 1 < rows; ++k) {
-    const JointVector before = result.path.position.row(k) - result.path.position.row(k - 1);
-    const JointVector after = result.path.position.row(k + 1) - result.path.position.row(k);
+    const JointVector before =
+        result.value.path.position.row(k) - result.value.path.position.row(k - 1);
+    const JointVector after =
+        result.value.path.position.row(k + 1) - result.value.path.position.row(k);
     step = std::max(step, before.cwiseAbs().maxCoeff());
     turn = std::max(turn, (after - before).cwiseAbs().maxCoeff());
   }
@@ -116,9 +118,9 @@ TEST(Repair, FingersFollowTheArmAndTheRestIsTheSame) {
   Bench bench({post("post", 0.9, 0)});
   bench.robot.palm_frame = 1;  // the third joint is the hand's
   bench.robot = robot::Robot(RobotTable(bench.robot));
-  const RepairResult result = repair(bench, sweep(kFrom, kTo));
-  EXPECT_EQ(result.reason, Reason::none) << result.detail;
-  EXPECT_GE(bench.densely_sampled_slack(result.path), 0);
+  const Outcome<RepairResult> result = repair(bench, sweep(kFrom, kTo));
+  EXPECT_EQ(result.refusal.reason, Reason::none) << result.refusal.detail;
+  EXPECT_GE(bench.densely_sampled_slack(result.value.path), 0);
 }
 
 TEST(Repair, SaysWhenThereIsNoPath) {
@@ -127,12 +129,12 @@ TEST(Repair, SaysWhenThereIsNoPath) {
   const JointPath path = sweep(kFrom, kTo);
   RepairOptions options;
   options.iterations = 300;
-  const RepairResult result = repair(bench, path, nullptr, options);
-  EXPECT_EQ(result.reason, Reason::no_path);
-  EXPECT_THAT(result.detail, HasSubstr("post"));
-  EXPECT_THAT(result.detail, HasSubstr("300 iterations"));
-  EXPECT_FALSE(result.repaired);
-  EXPECT_FALSE(result.remaining.empty());
+  const Outcome<RepairResult> result = repair(bench, path, nullptr, options);
+  EXPECT_EQ(result.refusal.reason, Reason::no_path);
+  EXPECT_THAT(result.refusal.detail, HasSubstr("post"));
+  EXPECT_THAT(result.refusal.detail, HasSubstr("300 iterations"));
+  EXPECT_FALSE(result.value.repaired);
+  EXPECT_FALSE(result.value.remaining.empty());
 }
 
 TEST(Repair, SaysWhenAnEndIsInCollision) {
@@ -140,39 +142,39 @@ TEST(Repair, SaysWhenAnEndIsInCollision) {
   const Vec3 tip_at_goal(0.4 * (std::cos(0.9) + std::cos(1.2) + std::cos(1.5)),
                          0.4 * (std::sin(0.9) + std::sin(1.2) + std::sin(1.5)), 0);
   const Bench goal({post("cupboard", tip_at_goal.x(), tip_at_goal.y())});
-  const RepairResult at_goal = repair(goal, path);
-  EXPECT_EQ(at_goal.reason, Reason::goal_in_collision);
-  EXPECT_THAT(at_goal.detail, HasSubstr("link3"));
-  EXPECT_THAT(at_goal.detail, HasSubstr("cupboard"));
+  const Outcome<RepairResult> at_goal = repair(goal, path);
+  EXPECT_EQ(at_goal.refusal.reason, Reason::goal_in_collision);
+  EXPECT_THAT(at_goal.refusal.detail, HasSubstr("link3"));
+  EXPECT_THAT(at_goal.refusal.detail, HasSubstr("cupboard"));
 
   const Bench start({post("shelf", 0.4 * std::cos(0.9), -0.4 * std::sin(0.9))});
-  EXPECT_EQ(repair(start, path).reason, Reason::start_in_collision);
+  EXPECT_EQ(repair(start, path).refusal.reason, Reason::start_in_collision);
 }
 
 TEST(Repair, TakesWhatTheMappingCanSolveItself) {
   const Bench bench({post("post", 0.9, 0)});
   const JointPath path = sweep(kFrom, kTo);
-  JointPath around = repair(bench, path).path;
+  JointPath around = repair(bench, path).value.path;
   for (Origin& origin : around.origin)
     if (origin == Origin::planned) origin = Origin::resolved;
-  const RepairResult result =
+  const Outcome<RepairResult> result =
       repair(bench, path, [&](const JointPath&, const std::vector<Finding>&) { return around; });
-  EXPECT_TRUE(result.repaired);
-  EXPECT_EQ(result.path.position, around.position);
-  EXPECT_EQ(result.path.origin, around.origin);
+  EXPECT_TRUE(result.value.repaired);
+  EXPECT_EQ(result.value.path.position, around.position);
+  EXPECT_EQ(result.value.path.origin, around.origin);
 }
 
 TEST(Repair, DropsASolutionThatMakesItWorse) {
   const Bench bench({post("post", 0.9, 0)});
   const JointPath path = sweep(kFrom, kTo);
-  const JointPath without = repair(bench, path).path;
-  const RepairResult result = repair(bench, path, [&](JointPath worse, const auto&) {
+  const JointPath without = repair(bench, path).value.path;
+  const Outcome<RepairResult> result = repair(bench, path, [&](JointPath worse, const auto&) {
     for (Eigen::Index k = 0; k < 101; ++k)  // there and back: through the post twice
       worse.position.row(k) = path.position.row(k <= 50 ? 2 * k : std::abs(100 - 2 * (k - 50)));
     return worse;
   });
-  EXPECT_TRUE(result.repaired);
-  EXPECT_EQ(result.path.position, without.position);
+  EXPECT_TRUE(result.value.repaired);
+  EXPECT_EQ(result.value.path.position, without.position);
 }
 
 TEST(Repair, GoesAroundFromTheMappedPathWhereResolvingLosesTheGoals) {
@@ -190,10 +192,10 @@ TEST(Repair, GoesAroundFromTheMappedPathWhereResolvingLosesTheGoals) {
     return findings;
   };
   repair.resolve = [&](const JointPath&, const std::vector<Finding>&) { return aside; };
-  const RepairResult result = repair(path);
-  EXPECT_EQ(result.reason, Reason::none) << result.detail;
-  EXPECT_TRUE(result.repaired);
-  EXPECT_TRUE(repair.judge(result.path).empty());
+  const Outcome<RepairResult> result = repair(path);
+  EXPECT_EQ(result.refusal.reason, Reason::none) << result.refusal.detail;
+  EXPECT_TRUE(result.value.repaired);
+  EXPECT_TRUE(repair.judge(result.value.path).empty());
 }
 
 TEST(Repair, AnotherCourseWhereTheGoalIsInCollision) {
@@ -204,16 +206,16 @@ TEST(Repair, AnotherCourseWhereTheGoalIsInCollision) {
   Bench bench({post("goal", 0.32, 0.5), post("way", 0.9, 0)});
   ASSERT_FALSE(bench.collisions(path).empty());
   Repair repair{bench};
-  ASSERT_EQ(repair(path).reason, Reason::goal_in_collision);
+  ASSERT_EQ(repair(path).refusal.reason, Reason::goal_in_collision);
   int asked = 0;
   repair.next = [&](bool) -> std::optional<JointPath> {
     return asked++ == 0 ? std::optional(other) : std::nullopt;
   };
-  const RepairResult freed = repair(path);
-  EXPECT_EQ(freed.reason, Reason::none) << freed.detail;
-  EXPECT_TRUE(freed.repaired);
-  EXPECT_TRUE(bench.collisions(freed.path).empty());
-  EXPECT_EQ(freed.path.position.row(100), other.position.row(100));
+  const Outcome<RepairResult> freed = repair(path);
+  EXPECT_EQ(freed.refusal.reason, Reason::none) << freed.refusal.detail;
+  EXPECT_TRUE(freed.value.repaired);
+  EXPECT_TRUE(bench.collisions(freed.value.path).empty());
+  EXPECT_EQ(freed.value.path.position.row(100), other.position.row(100));
   EXPECT_EQ(asked, 1);
 }
 
@@ -236,11 +238,11 @@ TEST(Repair, StopsWhereCoursesEndWithTheSameFindings) {
     ++course;
     return std::optional(path);
   };
-  const RepairResult result = repair(path);
+  const Outcome<RepairResult> result = repair(path);
   EXPECT_EQ(course, 6u) << "neither the second nor the fourth are like the path";
-  EXPECT_EQ(result.reason, Reason::tracking);
-  ASSERT_EQ(result.remaining.size(), 1u);
-  EXPECT_EQ(result.remaining[0].depth, 0.0040);
+  EXPECT_EQ(result.refusal.reason, Reason::tracking);
+  ASSERT_EQ(result.value.remaining.size(), 1u);
+  EXPECT_EQ(result.value.remaining[0].depth, 0.0040);
 }
 
 TEST(Repair, NamesTheWorstOfWhatPlanningCannotCure) {
@@ -253,11 +255,11 @@ TEST(Repair, NamesTheWorstOfWhatPlanningCannotCure) {
     findings.push_back({0.4, 0.6, Cause::tracking, "thumb_tip", "", 0.020});
     return findings;
   };
-  const RepairResult result = repair(path);
-  EXPECT_EQ(result.reason, Reason::tracking);
-  EXPECT_THAT(result.detail, HasSubstr("thumb_tip"));
-  EXPECT_EQ(result.remaining.size(), 2u);
-  EXPECT_TRUE(bench.collisions(result.path).empty());
+  const Outcome<RepairResult> result = repair(path);
+  EXPECT_EQ(result.refusal.reason, Reason::tracking);
+  EXPECT_THAT(result.refusal.detail, HasSubstr("thumb_tip"));
+  EXPECT_EQ(result.value.remaining.size(), 2u);
+  EXPECT_TRUE(bench.collisions(result.value.path).empty());
 }
 
 TEST(Repair, TheMappingWinsBackWhatADetourCost) {
@@ -276,10 +278,10 @@ TEST(Repair, TheMappingWinsBackWhatADetourCost) {
     return p;
   };
   repair.options.widen_samples = 5;
-  const RepairResult result = repair(path);
-  EXPECT_EQ(result.reason, Reason::none) << result.detail;
-  EXPECT_EQ(result.path.origin[1], Origin::resolved);
-  EXPECT_EQ(result.path.origin[50], Origin::planned);
+  const Outcome<RepairResult> result = repair(path);
+  EXPECT_EQ(result.refusal.reason, Reason::none) << result.refusal.detail;
+  EXPECT_EQ(result.value.path.origin[1], Origin::resolved);
+  EXPECT_EQ(result.value.path.origin[50], Origin::planned);
 }
 
 TEST(Repair, TheReferenceRobotTakesItsForearmAroundABall) {
@@ -301,24 +303,25 @@ TEST(Repair, TheReferenceRobotTakesItsForearmAroundABall) {
 
   const Bench bench({ball}, robot);
   ASSERT_FALSE(bench.collisions(path).empty());
-  const RepairResult result = repair(bench, path);
-  EXPECT_EQ(result.reason, Reason::none) << result.detail;
-  EXPECT_GE(bench.densely_sampled_slack(result.path), 0);
-  EXPECT_TRUE((result.path.position.row(100) - path.position.row(100)).isZero(0));
+  const Outcome<RepairResult> result = repair(bench, path);
+  EXPECT_EQ(result.refusal.reason, Reason::none) << result.refusal.detail;
+  EXPECT_GE(bench.densely_sampled_slack(result.value.path), 0);
+  EXPECT_TRUE((result.value.path.position.row(100) - path.position.row(100)).isZero(0));
 }
 
 TEST(Repair, IsTheSameToTheBitOnEveryThread) {
   const Bench bench({post("post", 0.9, 0), post("other", 0.2, 0.55)});
   const JointPath path = sweep(kFrom, kTo);
-  std::vector<RepairResult> results(4);
+  std::vector<Outcome<RepairResult>> results(4);
   std::vector<std::thread> threads;
-  for (RepairResult& result : results) threads.emplace_back([&] { result = repair(bench, path); });
+  for (Outcome<RepairResult>& result : results)
+    threads.emplace_back([&] { result = repair(bench, path); });
   for (std::thread& thread : threads) thread.join();
-  const RepairResult alone = repair(bench, path);
-  for (const RepairResult& result : results) {
-    EXPECT_EQ(result.path.position, alone.path.position);
-    EXPECT_EQ(result.path.origin, alone.path.origin);
-    EXPECT_EQ(result.reason, alone.reason);
+  const Outcome<RepairResult> alone = repair(bench, path);
+  for (const Outcome<RepairResult>& result : results) {
+    EXPECT_EQ(result.value.path.position, alone.value.path.position);
+    EXPECT_EQ(result.value.path.origin, alone.value.path.origin);
+    EXPECT_EQ(result.refusal.reason, alone.refusal.reason);
   }
 }
 

@@ -40,9 +40,10 @@ JointPath path_of(int samples, Eigen::Index joints, double duration_s,
 double minimum_jerk(double z) { return z * z * z * (10 - 15 * z + 6 * z * z); }
 
 /// Everything that holds for each result; the limits are judged by dense sampling of the quintics.
-void expect_valid(const RobotTable& robot, const JointPath& path, const RetimeResult& result) {
-  ASSERT_EQ(result.reason, Reason::none) << result.detail;
-  const Trajectory& t = result.trajectory;
+void expect_valid(const RobotTable& robot, const JointPath& path,
+                  const Outcome<RetimeResult>& result) {
+  ASSERT_EQ(result.refusal.reason, Reason::none) << result.refusal.detail;
+  const Trajectory& t = result.value.trajectory;
   ASSERT_GE(t.samples(), 2u);
   const Eigen::Index last = t.position.rows() - 1;
   EXPECT_EQ(t.velocity.row(0).cwiseAbs().maxCoeff(), 0);
@@ -75,9 +76,9 @@ void expect_valid(const RobotTable& robot, const JointPath& path, const RetimeRe
   EXPECT_LE(worst[2], 1);
 }
 
-RetimeResult retime_valid(const RobotTable& robot, const JointPath& path,
-                          const RetimeOptions& options = {}) {
-  RetimeResult result = retime(robot, path, Movement{}, options);
+Outcome<RetimeResult> retime_valid(const RobotTable& robot, const JointPath& path,
+                                   const RetimeOptions& options = {}) {
+  Outcome<RetimeResult> result = retime(robot, path, Movement{}, options);
   expect_valid(robot, path, result);
   return result;
 }
@@ -87,7 +88,7 @@ TEST(Retime, StraightLineComesCloseToTheMinimumTimeAndIsNotFaster) {
   const RobotTable robot = robot_with(1, 0.99, 3.1, 31);
   const double least = 1.2 / 0.99 + 0.99 / 3.1 + 3.1 / 31;
   const JointPath line = path_of(101, 1, 1, [](double t, Eigen::Index) { return 1.2 * t; });
-  const double taken = retime_valid(robot, line).trajectory.time.back();
+  const double taken = retime_valid(robot, line).value.trajectory.time.back();
   EXPECT_GE(taken, least);
   EXPECT_LE(taken, 1.03 * least);
 }
@@ -97,10 +98,10 @@ TEST(Retime, HumanReachFasterThanTheRobot) {
   const double least = 1.2 / 0.99 + 0.99 / 3.1 + 3.1 / 31;
   const JointPath reach =
       path_of(101, 1, 1, [](double t, Eigen::Index) { return 1.2 * minimum_jerk(t); });
-  const RetimeResult result = retime_valid(robot, reach);
-  EXPECT_GE(result.trajectory.time.back(), least);
-  EXPECT_LE(result.trajectory.time.back(), 1.1 * least);
-  EXPECT_LE(result.joint_deviation, 5e-4);
+  const Outcome<RetimeResult> result = retime_valid(robot, reach);
+  EXPECT_GE(result.value.trajectory.time.back(), least);
+  EXPECT_LE(result.value.trajectory.time.back(), 1.1 * least);
+  EXPECT_LE(result.value.joint_deviation, 5e-4);
 }
 
 TEST(Retime, GenerousLimitsKeepTheHumanTempo) {
@@ -108,7 +109,7 @@ TEST(Retime, GenerousLimitsKeepTheHumanTempo) {
   const JointPath reach = path_of(121, 3, 1.2, [](double t, Eigen::Index k) {
     return (1.0 - 0.3 * static_cast<double>(k)) * minimum_jerk(t / 1.2);
   });
-  const Trajectory& t = retime_valid(robot, reach).trajectory;
+  const Trajectory& t = retime_valid(robot, reach).value.trajectory;
 
   EXPECT_DOUBLE_EQ(t.time.back(), 1.2);
   // In step with the human but for a few milliseconds, all but for the very ends.
@@ -135,15 +136,16 @@ TEST(Retime, RandomSmoothPathsHoldTheirLimits) {
       return amplitude[i] * std::sin(5 * t + phase[i]) +
              0.4 * amplitude[i + 22] * std::sin(13 * t + phase[i + 22]);
     });
-    const RetimeResult result = retime_valid(robot, path);
-    EXPECT_LE(result.joint_deviation, 1e-3);
-    EXPECT_LE(result.trajectory.time.back(), 2.2 * 1.2);
+    const Outcome<RetimeResult> result = retime_valid(robot, path);
+    EXPECT_LE(result.value.joint_deviation, 1e-3);
+    EXPECT_LE(result.value.trajectory.time.back(), 2.2 * 1.2);
 
     RobotTable stronger = robot;
     stronger.velocity *= 2;
     stronger.acceleration *= 2;
     stronger.jerk *= 2;
-    EXPECT_LT(retime_valid(stronger, path).trajectory.time.back(), result.trajectory.time.back());
+    EXPECT_LT(retime_valid(stronger, path).value.trajectory.time.back(),
+              result.value.trajectory.time.back());
   }
 }
 
@@ -155,17 +157,17 @@ TEST(Retime, PolylineWithCornersSlowsDown) {
   });
   RetimeOptions exact;
   exact.joint_tolerance = 0;
-  const RetimeResult sharp = retime_valid(robot, path, exact);
-  EXPECT_LE(sharp.joint_deviation, 3e-5);
-  const RetimeResult mapped = retime_valid(robot, path);
-  EXPECT_LE(mapped.joint_deviation, 1.01e-3);
-  EXPECT_LT(mapped.trajectory.time.back(), sharp.trajectory.time.back());
+  const Outcome<RetimeResult> sharp = retime_valid(robot, path, exact);
+  EXPECT_LE(sharp.value.joint_deviation, 3e-5);
+  const Outcome<RetimeResult> mapped = retime_valid(robot, path);
+  EXPECT_LE(mapped.value.joint_deviation, 1.01e-3);
+  EXPECT_LT(mapped.value.trajectory.time.back(), sharp.value.trajectory.time.back());
   // A planned stretch at one instant of the demonstration gets a clock of its own.
   path.origin.assign(path.origin.size(), Origin::planned);
   path.demonstration_time.assign(path.origin.size(), 0.5);
-  const RetimeResult planned = retime_valid(robot, path);
-  EXPECT_LE(planned.joint_deviation, 4.1e-3);
-  EXPECT_EQ(planned.trajectory.origin[10], Origin::planned);
+  const Outcome<RetimeResult> planned = retime_valid(robot, path);
+  EXPECT_LE(planned.value.joint_deviation, 4.1e-3);
+  EXPECT_EQ(planned.value.trajectory.origin[10], Origin::planned);
 }
 
 TEST(Retime, NoisyPathStaysWithinTolerance) {
@@ -175,9 +177,9 @@ TEST(Retime, NoisyPathStaysWithinTolerance) {
   const JointPath path = path_of(121, 2, 1.2, [&](double t, Eigen::Index) {
     return 0.6 * minimum_jerk(t / 1.2) + noise(random);
   });
-  const RetimeResult result = retime_valid(robot, path);
-  EXPECT_LE(result.joint_deviation, 1.01e-3);
-  EXPECT_LE(result.trajectory.time.back(), 2.2 * 1.2);
+  const Outcome<RetimeResult> result = retime_valid(robot, path);
+  EXPECT_LE(result.value.joint_deviation, 1.01e-3);
+  EXPECT_LE(result.value.trajectory.time.back(), 2.2 * 1.2);
 }
 
 TEST(Retime, PathAlongAPositionLimitDoesNotLeaveIt) {
@@ -190,7 +192,7 @@ TEST(Retime, PathAlongAPositionLimitDoesNotLeaveIt) {
 TEST(Retime, DegeneratePathsStandStill) {
   const RobotTable robot = robot_with(3, 1, 3, 30);
   const auto still = [](double, Eigen::Index k) { return 0.1 * static_cast<double>(k); };
-  const Trajectory rest = retime_valid(robot, path_of(121, 3, 1.2, still)).trajectory;
+  const Trajectory rest = retime_valid(robot, path_of(121, 3, 1.2, still)).value.trajectory;
   EXPECT_NEAR(rest.time.back(), 1.2, 0.05);
   EXPECT_LT((rest.position.rowwise() - rest.position.row(0)).cwiseAbs().maxCoeff(), 1e-12);
   retime_valid(robot, path_of(2, 3, 0, still));
@@ -228,7 +230,7 @@ TEST(Retime, PhasesFollowTheDemonstration) {
   movement.phases = {{PhaseKind::reach, 0, 0.6, 1}, {PhaseKind::grasp, 0.6, 1.2, 1}};
   const JointPath path =
       path_of(121, 1, 1.2, [](double t, Eigen::Index) { return 0.5 * minimum_jerk(t / 1.2); });
-  const Trajectory t = retime(robot, path, movement, {}).trajectory;
+  const Trajectory t = retime(robot, path, movement, {}).value.trajectory;
   EXPECT_EQ(t.phase.front(), PhaseKind::reach);
   EXPECT_EQ(t.phase.back(), PhaseKind::grasp);
   EXPECT_TRUE(std::isnan(t.clearance[3]));
@@ -238,16 +240,16 @@ TEST(Retime, PhasesFollowTheDemonstration) {
 TEST(Retime, RefusesWhatIsNoPath) {
   const RobotTable robot = robot_with(2, 1, 3, 30);
   const auto line = [](double t, Eigen::Index) { return t; };
-  EXPECT_EQ(retime(robot, JointPath{}, {}, {}).reason, Reason::path);
+  EXPECT_EQ(retime(robot, JointPath{}, {}, {}).refusal.reason, Reason::path);
   JointPath path = path_of(11, 2, 1, line);
   path.position(3, 1) = kNotSeen;
-  EXPECT_EQ(retime(robot, path, {}, {}).reason, Reason::path);
+  EXPECT_EQ(retime(robot, path, {}, {}).refusal.reason, Reason::path);
   path = path_of(11, 2, 1, line);
   path.demonstration_time[5] = 0;
-  EXPECT_EQ(retime(robot, path, {}, {}).reason, Reason::path);
+  EXPECT_EQ(retime(robot, path, {}, {}).refusal.reason, Reason::path);
   path = path_of(11, 2, 1, line);
   path.position(4, 0) = 3.01;
-  EXPECT_EQ(retime(robot, path, {}, {}).reason, Reason::limit);
+  EXPECT_EQ(retime(robot, path, {}, {}).refusal.reason, Reason::limit);
 }
 
 TEST(Retime, FastestComesCloseToTheClosedFormAfterSampling) {
@@ -256,11 +258,11 @@ TEST(Retime, FastestComesCloseToTheClosedFormAfterSampling) {
   RobotTable robot = robot_with(1, 0.99, 3.1, std::numeric_limits<double>::infinity());
   const JointPath line = path_of(101, 1, 30, [](double t, Eigen::Index) { return t / 25; });
   const double trapezoid = 1.2 / 0.99 + 0.99 / 3.1;
-  const double without = retime_valid(robot, line, options).trajectory.time.back();
+  const double without = retime_valid(robot, line, options).value.trajectory.time.back();
   EXPECT_GE(without, trapezoid);
   EXPECT_LE(without, 1.02 * trapezoid);
   robot.jerk.setConstant(31);
-  const double with = retime_valid(robot, line, options).trajectory.time.back();
+  const double with = retime_valid(robot, line, options).value.trajectory.time.back();
   EXPECT_GE(with, trapezoid + 3.1 / 31);
   EXPECT_LE(with, 1.03 * (trapezoid + 3.1 / 31));
 }
@@ -272,14 +274,14 @@ TEST(Retime, ADurationIsMetOrRefused) {
   });
   RetimeOptions options;
   options.mode = Tempo::fastest;
-  const double least = retime_valid(robot, path, options).trajectory.time.back();
+  const double least = retime_valid(robot, path, options).value.trajectory.time.back();
   options.mode = Tempo::duration;
   for (const double duration_s : {1.03 * least, 2 * least, 10.0}) {
     options.duration_s = duration_s;
-    EXPECT_NEAR(retime_valid(robot, path, options).trajectory.time.back(), duration_s, 0.002);
+    EXPECT_NEAR(retime_valid(robot, path, options).value.trajectory.time.back(), duration_s, 0.002);
   }
   options.duration_s = 0.9 * least;
-  EXPECT_EQ(retime(robot, path, Movement{}, options).reason, Reason::duration);
+  EXPECT_EQ(retime(robot, path, Movement{}, options).refusal.reason, Reason::duration);
 }
 
 TEST(Retime, AnyDurationFromTheFastestOnIsMet) {
@@ -291,12 +293,13 @@ TEST(Retime, AnyDurationFromTheFastestOnIsMet) {
   });
   RetimeOptions options;
   options.mode = Tempo::fastest;
-  const double least = retime_valid(robot, path, options).trajectory.time.back();
+  const double least = retime_valid(robot, path, options).value.trajectory.time.back();
   options.mode = Tempo::duration;
   for (const double times : {1.0, 1.003, 1.03, 1.2, 4.0}) {
     SCOPED_TRACE(times);
     options.duration_s = times * least;
-    EXPECT_NEAR(retime_valid(robot, path, options).trajectory.time.back(), times * least, 0.002);
+    EXPECT_NEAR(retime_valid(robot, path, options).value.trajectory.time.back(), times * least,
+                0.002);
   }
 }
 
@@ -307,7 +310,7 @@ TEST(Retime, APhaseIsSlowerByItsScale) {
   const JointPath path = path_of(301, 1, 3, [](double t, Eigen::Index) { return 0.2 * t; });
   RetimeOptions options;
   options.phase_speed = {{PhaseKind::grasp, 0.5}};
-  const Trajectory t = retime(robot, path, movement, options).trajectory;
+  const Trajectory t = retime(robot, path, movement, options).value.trajectory;
   ASSERT_GT(t.samples(), 2u);
   double fastest[2] = {0, 0};
   for (std::size_t i = 0; i < t.samples(); ++i) {
@@ -331,7 +334,7 @@ TEST(Retime, ATipIsNoFasterThanItsLimit) {
       path_of(121, 1, 1.2, [](double t, Eigen::Index) { return 0.6 * minimum_jerk(t / 1.2); });
   RetimeOptions options;
   options.tip_speed = 0.1;
-  const Trajectory t = retime_valid(robot, path, options).trajectory;
+  const Trajectory t = retime_valid(robot, path, options).value.trajectory;
   EXPECT_NEAR(t.velocity.maxCoeff() * 0.5, 0.1, 1e-3);
 }
 
@@ -342,9 +345,9 @@ TEST(Retime, PausesAreKeptUnlessItShallBeFast) {
   };
   const JointPath path = path_of(301, 1, 3, pausing);
   RetimeOptions options;
-  EXPECT_NEAR(retime_valid(robot, path, options).trajectory.time.back(), 3, 0.1);
+  EXPECT_NEAR(retime_valid(robot, path, options).value.trajectory.time.back(), 3, 0.1);
   options.mode = Tempo::fastest;
-  EXPECT_LT(retime_valid(robot, path, options).trajectory.time.back(), 2);
+  EXPECT_LT(retime_valid(robot, path, options).value.trajectory.time.back(), 2);
 }
 
 TEST(Retime, LimitsThatAreNoneAreNone) {
@@ -352,16 +355,16 @@ TEST(Retime, LimitsThatAreNoneAreNone) {
       path_of(121, 1, 1.2, [](double t, Eigen::Index) { return 0.5 * minimum_jerk(t / 1.2); });
   const double infinity = std::numeric_limits<double>::infinity();
   const RobotTable free = robot_with(1, infinity, infinity, infinity);
-  EXPECT_NEAR(retime_valid(free, path).trajectory.time.back(), 1.2, 0.003);
+  EXPECT_NEAR(retime_valid(free, path).value.trajectory.time.back(), 1.2, 0.003);
   for (const double bad : {0.0, -1.0, kNotSeen}) {
     RobotTable robot = robot_with(1, 1, 3, 30);
     robot.acceleration[0] = bad;
-    EXPECT_EQ(retime(robot, path, {}, {}).reason, Reason::limit);
+    EXPECT_EQ(retime(robot, path, {}, {}).refusal.reason, Reason::limit);
     robot = robot_with(1, 1, bad, 30);
-    EXPECT_EQ(retime(robot, path, {}, {}).reason, Reason::limit);
+    EXPECT_EQ(retime(robot, path, {}, {}).refusal.reason, Reason::limit);
     robot = robot_with(1, 1, 3, 30);
     robot.upper[0] = kNotSeen;
-    EXPECT_EQ(retime(robot, path, {}, {}).reason, Reason::limit);
+    EXPECT_EQ(retime(robot, path, {}, {}).refusal.reason, Reason::limit);
   }
 }
 

@@ -18,11 +18,11 @@ TEST(RetimeStudy, RandomPathsHoldTheirLimits) {
     for (const retime::Tempo mode : {retime::Tempo::human, retime::Tempo::fastest}) {
       retime::RetimeOptions options;
       options.mode = mode;
-      const retime::RetimeResult result =
+      const Outcome<retime::RetimeResult> result =
           retime::retime(random.robot, random.path, Movement{}, options);
-      ASSERT_EQ(result.reason, Reason::none)
-          << index << " " << name_of(mode) << ": " << result.detail;
-      const SeenLimits seen = seen_limits(random.robot, result.trajectory);
+      ASSERT_EQ(result.refusal.reason, Reason::none)
+          << index << " " << name_of(mode) << ": " << result.refusal.detail;
+      const SeenLimits seen = seen_limits(random.robot, result.value.trajectory);
       EXPECT_LE(seen.velocity, 1.001) << index;
       EXPECT_LE(seen.acceleration, 1.001) << index;
       EXPECT_LE(seen.jerk, 1.01) << index;

@@ -10,7 +10,7 @@
 namespace morphe::synthesize {
 namespace {
 
-constexpr std::uint64_t kSeed = 11;
+constexpr std::uint64_t kSensorSeed = 11;
 
 SynthesizeOptions without_noise() {
   SynthesizeOptions options;
@@ -21,7 +21,7 @@ SynthesizeOptions without_noise() {
 }
 
 Demonstration recorded(const SynthesizeOptions& options, std::size_t index) {
-  return synthesize(options, kSeed, index).recorded;
+  return synthesize(options, kSensorSeed, index).recorded;
 }
 
 /// Signals of one sensor each, by their variance and that of their steps.
@@ -85,7 +85,7 @@ TEST(SyntheticSensors, NoiseIsAsConfigured) {
 
 TEST(SyntheticSensors, OffsetsOfTheCalibrationLeadToTheJoints) {
   for (std::size_t i = 0; i < 5; ++i) {
-    const SyntheticRecording made = synthesize(without_noise(), kSeed, i);
+    const SyntheticRecording made = synthesize(without_noise(), kSensorSeed, i);
     const BodyStream& sensors = *made.recorded.streams.sensors;
     const BodyStream& joints = *made.truth.streams.sensors;
     const SensorOffsets& offsets = *made.recorded.sensor_offsets;
@@ -123,7 +123,7 @@ TEST(SyntheticGlove, ReadsTheHandOnItsOwnClock) {
   SynthesizeOptions options = without_noise();
   options.glove.clock_offset_s = {0.05, 0.05};
   for (std::size_t i = 0; i < 3; ++i) {
-    const SyntheticRecording made = synthesize(options, kSeed, i);
+    const SyntheticRecording made = synthesize(options, kSensorSeed, i);
     const HandStream& glove = *made.recorded.streams.hand;
     EXPECT_NEAR(glove.time.front(), 0.05, 1e-12);
     EXPECT_NEAR(glove.time[90] - glove.time[0], 1, 1e-9);
@@ -145,7 +145,8 @@ TEST(SyntheticGlove, ReadsTheHandOnItsOwnClock) {
 TEST(SyntheticGlove, TheFlatHandShowsItsBias) {
   SynthesizeOptions options = without_noise(), biased = options;
   biased.glove.bias = 0.05;
-  const SyntheticRecording a = synthesize(options, kSeed, 2), b = synthesize(biased, kSeed, 2);
+  const SyntheticRecording a = synthesize(options, kSensorSeed, 2),
+                           b = synthesize(biased, kSensorSeed, 2);
   const JointRows shift = b.recorded.streams.hand->angles - a.recorded.streams.hand->angles;
   const JointRows& flat = b.recorded.calibration.hand->angles;
   EXPECT_GT(flat.row(0).norm(), 0.1);
@@ -156,7 +157,7 @@ TEST(SyntheticGlove, TheFlatHandShowsItsBias) {
 TEST(SyntheticGlove, IsQuantised) {
   SynthesizeOptions options;
   options.glove.quantisation = 0.01;
-  const JointRows read = synthesize(options, kSeed, 0).recorded.streams.hand->angles / 0.01;
+  const JointRows read = synthesize(options, kSensorSeed, 0).recorded.streams.hand->angles / 0.01;
   EXPECT_LT((read.array() - read.array().round()).abs().maxCoeff(), 1e-9);
 }
 

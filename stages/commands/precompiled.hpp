@@ -1,0 +1,4 @@
+#include "cmake/precompiled.hpp"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
