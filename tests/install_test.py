@@ -181,6 +181,28 @@ class Tree(Installed):
             self.assertIn("ADL001DR2/000 at ", said)
         with self.subTest("robot_from_urdf"):
             self.check_robot(example("robot_from_urdf"))
+        with self.subTest("own_term"):
+            self.check_own_term(example, folder)
+
+    def check_own_term(self, example, folder):
+        def distances(weight):
+            said = example("own_term", CONFIG, RECORDINGS, folder / f"{weight}.h5", weight)
+            return [float(x) for x in re.findall(r": executable, (\S+) of half a range", said)]
+
+        without, with_term = distances("0"), distances("0.05")
+        self.assertEqual((len(without), len(with_term)), (5, 5))
+        for before, after in zip(without, with_term):
+            self.assertLess(after, before)
+        with h5py.File(folder / "0.h5") as ours, h5py.File(self.folder / "reference/plans.h5") as reference:
+            path = "plans/ADL001DR2/000/path/position"
+            self.assertEqual(ours[path][()].tobytes(), reference[path][()].tobytes())
+        with h5py.File(folder / "0.05.h5") as file:
+            config = file.attrs["config"].decode()
+        self.assertIn("range_middle", config)
+        # The program itself brings no terms, and says so.
+        (folder / "with_term.yaml").write_text(f"extends: {ROOT / CONFIG}\nmap:\n  terms: [{{name: range_middle, weight: 1}}]\n")
+        said = run(self.prefix / "bin/morphe", "run", "with_term.yaml", "--out", "none", cwd=folder, exit_code=2)
+        self.assertIn("with_term.yaml:3: map.terms: this program brings no term 'range_middle'", said)
 
     def check_what_was_read(self, said, plans):
         grasps = 0

@@ -4,6 +4,7 @@
 
 #include "pipeline/humanlike/chain_position_term.hpp"
 #include "pipeline/humanlike/finger_joint_distance_term.hpp"
+#include "pipeline/humanlike/given_terms.hpp"
 #include "pipeline/humanlike/hand_orientation_term.hpp"
 #include "pipeline/humanlike/hull_volume_term.hpp"
 #include "pipeline/humanlike/joint_angle_term.hpp"
@@ -25,6 +26,7 @@ using Terms = std::tuple<TipPosition,          //
                          HullVolume,           //
                          NaturalPosture,       //
                          ChainPosition,        //
-                         JointAngle>;
+                         JointAngle,           //
+                         GivenTerms>;
 
 }  // namespace morphe::humanlike

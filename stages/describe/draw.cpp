@@ -22,7 +22,7 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-struct Posture {
+struct DrawnPosture {
   const char* name;
   std::vector<Pose> base_from_frame;
 
@@ -43,7 +43,7 @@ struct Box {
 /// One drawing: a posture seen along x (across = 1) or y (across = 0).
 struct Panel {
   const RobotTable& robot;
-  const Posture& posture;
+  const DrawnPosture& posture;
   const Box& box;
   Eigen::Index across;
   double scale, left, top;
@@ -101,8 +101,8 @@ struct Panel {
   }
 };
 
-Posture posture(const RobotTable& robot, const char* name, const JointVector& q) {
-  Posture result{name, {}};
+DrawnPosture posture(const RobotTable& robot, const char* name, const JointVector& q) {
+  DrawnPosture result{name, {}};
   robot::forward(robot, q, result.base_from_frame);
   return result;
 }
@@ -115,10 +115,10 @@ std::string svg_of(const RobotTable& robot) {
   const auto allowed = [&](const JointVector& q) -> JointVector {
     return q.cwiseMax(robot.lower).cwiseMin(robot.upper);
   };
-  const std::array<Posture, 2> postures = {posture(robot, "all joints 0", allowed(zero)),
-                                           posture(robot, "all joints 30 deg", allowed(bent))};
+  const std::array<DrawnPosture, 2> postures = {posture(robot, "all joints 0", allowed(zero)),
+                                                posture(robot, "all joints 30 deg", allowed(bent))};
   Box box;
-  for (const Posture& p : postures) {
+  for (const DrawnPosture& p : postures) {
     for (std::size_t i = 0; i < robot.frames.size(); ++i) box.take(p.at(static_cast<int>(i)), 0);
     for (const RobotTable::Tip& tip : robot.tips) {
       box.take(p.at(tip.frame, tip.transform.translation()), 0);

@@ -17,6 +17,7 @@
 #include "pipeline/motion/export.hpp"
 #include "pipeline/motion/input_error.hpp"
 #include "pipeline/motion/plan.hpp"
+#include "pipeline/motion/residual_term.hpp"
 #include "pipeline/motion/robot_table.hpp"
 #include "pipeline/motion/version.hpp"
 #include "pipeline/store/demonstration_file.hpp"
@@ -28,9 +29,11 @@ namespace morphe {
 /// A pipeline's config, with the robot and the scene that it names. Copies share one.
 class MORPHE_EXPORT Pipeline {
  public:
-  /// `settings` are "a.b=value": each replaces a value of the config.
+  /// `settings` are "a.b=value": each replaces a value of the config. `terms` are added to the
+  /// objective with the weights that the config's `map.terms` gives them.
   explicit Pipeline(const std::filesystem::path& config,
-                    const std::vector<std::string>& settings = {});
+                    const std::vector<std::string>& settings = {},
+                    const std::vector<std::shared_ptr<const ResidualTerm>>& terms = {});
 
   /// A plan for each movement of the demonstration, executable or with the reason why not, in
   /// their order; the same as `morphe run` makes, to the last bit. May be called from several

@@ -6,15 +6,17 @@
 namespace morphe {
 
 struct Pipeline::State {
-  State(const std::filesystem::path& file, const std::vector<std::string>& settings)
-      : config(planning::load_config(files::here_or_shipped(file), settings)) {}
+  State(const std::filesystem::path& file, const std::vector<std::string>& settings,
+        const std::vector<std::shared_ptr<const ResidualTerm>>& terms)
+      : config(planning::load_config(files::here_or_shipped(file), settings, terms)) {}
 
   planning::LoadedConfig config;
   planning::Planner planner{config.options, config.robot};
 };
 
-Pipeline::Pipeline(const std::filesystem::path& config, const std::vector<std::string>& settings)
-    : state_(std::make_shared<State>(config, settings)) {}
+Pipeline::Pipeline(const std::filesystem::path& config, const std::vector<std::string>& settings,
+                   const std::vector<std::shared_ptr<const ResidualTerm>>& terms)
+    : state_(std::make_shared<State>(config, settings, terms)) {}
 
 std::vector<Plan> Pipeline::plan(const Demonstration& demonstration) const {
   // Sums may depend on how rows lie in memory: a copy lies as this library's own do.

@@ -100,10 +100,24 @@ void check_joints(const config::ConfigNode& node, const LoadedConfig& loaded) {
   }
 }
 
+/// What map.terms names is what the program brings.
+void bring_terms(const config::ConfigNode& node,
+                 const std::vector<std::shared_ptr<const ResidualTerm>>& terms,
+                 map::MapOptions& options) {
+  const std::string unknown =
+      humanlike::bring(terms, options.objective.get<humanlike::GivenTerms>());
+  if (unknown.empty()) return;
+  std::string known;
+  for (const auto& term : terms) known += (known.empty() ? "" : ", ") + term->name();
+  node["map"]["terms"].fail(fmt::format("this program brings no term '{}' ({})", unknown,
+                                        known.empty() ? "it brings none" : "but " + known));
+}
+
 }  // namespace
 
 LoadedConfig load_config(const std::filesystem::path& file,
-                         const std::vector<std::string>& settings) {
+                         const std::vector<std::string>& settings,
+                         const std::vector<std::shared_ptr<const ResidualTerm>>& terms) {
   // Files that are named by an absolute path form groups of their own.
   std::vector<Paths> groups(1);
   const auto group_of = [&](const std::filesystem::path& named) -> Paths& {
@@ -120,6 +134,7 @@ LoadedConfig load_config(const std::filesystem::path& file,
   LoadedConfig loaded;
   config::read_options(node, loaded.options);
   node.expect_all_read();
+  bring_terms(node, terms, loaded.options.map);
 
   const robot::RobotDescription robot =
       robot::load_robot(node["robot"]["file"].folder() / loaded.options.robot.file);

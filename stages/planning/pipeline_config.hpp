@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "pipeline/motion/plan.hpp"
+#include "pipeline/motion/residual_term.hpp"
 #include "pipeline/robot/files/description.hpp"
 #include "pipeline/robot/robot.hpp"
 #include "stages/check/check_path.hpp"
@@ -70,10 +72,12 @@ struct LoadedConfig {
   std::vector<PlanFileHeader::Input> inputs;
 };
 
-/// Reads a config, applies "a.b=value" settings, loads what it names. Throws InputError for bad
-/// files and values and for keys that nobody reads.
+/// Reads a config, applies "a.b=value" settings, loads what it names; `terms` are those that the
+/// program brings for `map.terms`. Throws InputError for bad files and values and for keys that
+/// nobody reads.
 LoadedConfig load_config(const std::filesystem::path& file,
-                         const std::vector<std::string>& settings = {});
+                         const std::vector<std::string>& settings = {},
+                         const std::vector<std::shared_ptr<const ResidualTerm>>& terms = {});
 
 /// What a plans.h5 says of itself that is made with the config from that dataset.
 PlanFileHeader header_of(const LoadedConfig& config, const std::string& dataset_sha256);
