@@ -6,6 +6,13 @@
 
 namespace morphe::math {
 
+Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& m) {
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Matrix3d sign = Eigen::Matrix3d::Identity();
+  sign(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
+  return svd.matrixU() * sign * svd.matrixV().transpose();
+}
+
 Pose fit_rigid(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
   assert(from.size() == to.size());
   Vec3 from_mean = Vec3::Zero(), to_mean = Vec3::Zero();
@@ -28,12 +35,8 @@ Pose fit_rigid(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
   }
   constexpr double kFlat = 0.002;  // [m]
   if (spread.jacobiSvd().singularValues()[1] < kFlat * kFlat) return unseen_pose();
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
-                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Matrix3d sign = Eigen::Matrix3d::Identity();
-  sign(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
   Pose pose = Pose::Identity();
-  pose.linear() = svd.matrixU() * sign * svd.matrixV().transpose();
+  pose.linear() = nearest_rotation(covariance);
   pose.translation() = to_mean - pose.linear() * from_mean;
   return pose;
 }

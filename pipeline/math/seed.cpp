@@ -16,4 +16,8 @@ std::uint64_t seed_from(std::uint64_t seed, std::string_view name) {
   return value;
 }
 
+std::uint64_t seed_from(std::uint64_t seed, std::string_view name, std::size_t number) {
+  return seed_from(seed, fmt::format("{}/{}", name, number));
+}
+
 }  // namespace morphe::math

@@ -1,10 +1,10 @@
 #include "stages/reconstruct/hand_shape.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
 #include "pipeline/human/hand.hpp"
+#include "pipeline/math/rigid.hpp"
 #include "pipeline/math/statistics.hpp"
 
 namespace morphe::reconstruct {
@@ -112,10 +112,7 @@ Eigen::Matrix3d fit_palm(const HandShape& shape, const HandKeypoints& points) {
     covariance += (points[keypoint_of(finger, 0)] - points[0]) * shape.base[finger].transpose();
   }
   if (!covariance.allFinite()) return Eigen::Matrix3d::Constant(kNotSeen);
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
-                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-  return svd.matrixU() * Vec3(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
+  return math::nearest_rotation(covariance);
 }
 
 }  // namespace morphe::reconstruct
