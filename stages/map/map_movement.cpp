@@ -4,6 +4,7 @@
 
 #include "pipeline/humanlike/arm_chain.hpp"
 #include "pipeline/humanlike/metrics.hpp"
+#include "pipeline/math/seed.hpp"
 #include "pipeline/robot/forward.hpp"
 #include "stages/map/finger_curve.hpp"
 #include "stages/map/movement_search.hpp"
@@ -134,8 +135,9 @@ Outcome<MapResult> map_movement(const MappingProblem& problem, Goals& goals,
   }
   const std::vector<Course> courses = search_movement(problem, options, seed);
   const JointRows& q = courses.front().q;
-  const std::vector<bool> reachable = reachable_frames(
-      tracked, q, {options.reachable_starts, options.reachable_m, options.solver}, seed + 1000);
+  const std::vector<bool> reachable =
+      reachable_frames(tracked, q, {options.reachable_starts, options.reachable_m, options.solver},
+                       math::seed_from(seed, "reachable"));
   for (std::size_t f = 0; f < problem.frames(); ++f) {
     for (std::size_t i = 0; i < goals.reachable.cols; ++i) goals.reachable(f, i) = reachable[f];
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "pipeline/math/seed.hpp"
 #include "stages/map/coarse_grid.hpp"
 #include "stages/map/frame_search.hpp"
 #include "stages/map/splice.hpp"
@@ -132,7 +133,7 @@ std::vector<Course> search_movement(const MappingProblem& problem, const MapOpti
     const auto key = static_cast<std::size_t>(std::lround(position));
     for (const solve::Minimum& start :
          search_frame(coarse, key, options.starts, options.candidates, quick(options.solver),
-                      seed + static_cast<std::uint64_t>(k), scratch)) {
+                      math::seed_from(seed, "key frame", static_cast<std::size_t>(k)), scratch)) {
       for (const JointVector& twin : first_twins(twins, start.x)) {
         if (on_known_way(key, twin)) continue;
         ways.push_back(follow(coarse, key, twin, options.solver, scratch));

@@ -4,6 +4,7 @@
 #include <limits>
 #include <random>
 
+#include "pipeline/math/seed.hpp"
 #include "pipeline/robot/draw_tips.hpp"
 #include "stages/map/coarse_grid.hpp"
 #include "stages/map/frame_search.hpp"
@@ -83,7 +84,7 @@ class Judge {
     const MappingProblem plain = tips_alone(problem_, frame);
     solve::MinimiseOptions as_exact = options_.solver;
     as_exact.relative_value = std::max(as_exact.relative_value, 1e-4 * kSameValue);
-    std::mt19937_64 random(seed_ + frame);
+    std::mt19937_64 random(math::seed_from(seed_, "frame", frame));
     std::vector<JointVector> starts{near};
     int random_starts = options_.starts;
     if (const OutOfReach* neighbour = nearest_out_of_reach(frame)) {

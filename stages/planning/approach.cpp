@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "pipeline/math/seed.hpp"
 #include "stages/certify/certify.hpp"
 #include "stages/planning/planner.hpp"
 #include "stages/repair/transfer.hpp"
@@ -104,7 +105,8 @@ Refusal add_approach(const Planner& planner, const ApproachOptions& options, std
   const JointVector first = way.position.row(0).transpose();
   const JointVector last = way.position.row(way.position.rows() - 1).transpose();
 
-  const JointPath there = repair::plan_transfer(world, home, first, begin_s, repair, seed);
+  const JointPath there =
+      repair::plan_transfer(world, home, first, begin_s, repair, math::seed_from(seed, "approach"));
   if (there.position.rows() == 0) {
     return {Reason::no_approach, no_way(world, home, first, begin_s, repair)};
   }
@@ -116,7 +118,8 @@ Refusal add_approach(const Planner& planner, const ApproachOptions& options, std
   if (collision::place_of_target(world, end_s) == collision::TargetPlace::in_hand) {
     return {Reason::no_retreat, "the target is in the hand at the end"};
   }
-  const JointPath back = repair::plan_transfer(world, last, home, end_s, repair, seed + 1);
+  const JointPath back =
+      repair::plan_transfer(world, last, home, end_s, repair, math::seed_from(seed, "retreat"));
   const bool found = back.position.rows() > 0;
   Refusal refused;
   if (found) refused = run_along(planner, world, back, options, end_s, plan.retreat);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "pipeline/math/seed.hpp"
 #include "stages/map/frame_search.hpp"
 #include "stages/planning/firmness.hpp"
 
@@ -87,16 +88,16 @@ std::optional<DeadEnd> find_dead_end(const map::MappingProblem& problem,
     };
     attempt(judged.path.position.row(static_cast<Eigen::Index>(frame)).transpose());
     if (held) continue;
-    for (const solve::Minimum& start :
-         map::search_frame(firm, frame, 2 * options.starts, 2 * options.starts,
-                           map::quick(options.solver), seed + frame, scratch)) {
+    for (const solve::Minimum& start : map::search_frame(
+             firm, frame, 2 * options.starts, 2 * options.starts, map::quick(options.solver),
+             math::seed_from(seed, "dead end", frame), scratch)) {
       attempt(start.x);
       if (held) break;
     }
     if (held || least < kNearly) continue;
-    for (const solve::Minimum& start :
-         map::search_frame(alone, frame, options.starts, options.candidates,
-                           map::quick(options.solver), seed + frame, scratch)) {
+    for (const solve::Minimum& start : map::search_frame(
+             alone, frame, options.starts, options.candidates, map::quick(options.solver),
+             math::seed_from(seed, "dead end alone", frame), scratch)) {
       const JointVector q =
           map::solve_frame(decided_alone, frame, start.x, options.solver, scratch).x;
       if (tracked(moment.findings(q))) end.reason = Reason::goal_in_collision;

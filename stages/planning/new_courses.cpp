@@ -2,12 +2,13 @@
 
 #include <utility>
 
+#include "pipeline/math/seed.hpp"
 #include "stages/planning/firmness.hpp"
 
 namespace morphe::planning {
 
 NewCourses::NewCourses(const map::MappingProblem& whole, const map::MapOptions& options,
-                       const std::vector<Hold>& holds, int searches, std::uint64_t seed)
+                       const std::vector<Hold>& holds, std::size_t searches, std::uint64_t seed)
     : problem_(as_firm(whole, {100})),
       options_(options),
       holds_(holds),
@@ -21,10 +22,10 @@ std::optional<JointPath> NewCourses::operator()(bool nearer) {
     return path_of(map::course_through(problem_, hold.frame, hold.q, options_).q);
   }
   if (next_ == courses_.size()) {
-    if (searches_-- <= 0 || !nearer_) return std::nullopt;
+    if (searched_ == searches_ || !nearer_) return std::nullopt;
     nearer_ = false;
-    seed_ += 100;  // past those of its key frames
-    courses_ = map::search_movement(problem_, options_, seed_);
+    courses_ =
+        map::search_movement(problem_, options_, math::seed_from(seed_, "search", ++searched_));
     next_ = 0;
   }
   return path_of(map::smooth_movement(problem_, courses_[next_++].q, options_).q);

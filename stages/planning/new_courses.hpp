@@ -17,7 +17,7 @@ namespace morphe::planning {
 class NewCourses {
  public:
   NewCourses(const map::MappingProblem& whole, const map::MapOptions& options,
-             const std::vector<Hold>& holds, int searches, std::uint64_t seed);
+             const std::vector<Hold>& holds, std::size_t searches, std::uint64_t seed);
 
   std::optional<JointPath> operator()(bool nearer);
 
@@ -28,7 +28,7 @@ class NewCourses {
   const map::MapOptions& options_;
   const std::vector<Hold>& holds_;
   std::size_t next_hold_ = 0;
-  int searches_;        ///< left
+  std::size_t searches_, searched_ = 0;
   bool nearer_ = true;  ///< a course of the last search was the best so far
   std::uint64_t seed_;
   std::vector<map::Course> courses_;

@@ -156,8 +156,9 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
   const Scene& around = there.scene;
   Vec3 offset = Vec3::Zero();
   if (config.map.free_offset.limit_m > 0) {
-    offset = timed(seconds, "map",
-                   [&] { return choose_offset(planner, motion, plan.movement, around, seed); });
+    offset = timed(seconds, "map", [&] {
+      return choose_offset(planner, motion, plan.movement, around, math::seed_from(seed, "offset"));
+    });
   }
   PlacedMovement placed(planner, motion, plan.movement, around, offset);
   plan.scene = placed.scene;

@@ -38,7 +38,8 @@ Outcome<repair::RepairResult> repair_movement(const Planner& planner, const Plac
   const Judged start{plan.path, plan.findings};
   const ReSolving solving{whole, config.map, with_room};
   std::vector<Hold> holds;  // postures that hold goals at which the path failed
-  NewCourses courses(whole, config.map, holds, config.repair.searches, seed);
+  NewCourses courses(whole, config.map, holds, static_cast<std::size_t>(config.repair.searches),
+                     seed);
   repair::Surroundings around{world, config.repair, seed, with_room, {}};
 
   const Rung a_detour = [&](const Judged& best) { return repair::detour(around, best); };

@@ -13,6 +13,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <string_view>
+
+#include "pipeline/math/seed.hpp"
 
 namespace morphe::repair {
 namespace {
@@ -100,6 +103,11 @@ class CertifiedEdges : public ob::MotionValidator {
   Query& query_;
 };
 
+/// OMPL takes 32 bits, and 0 for none.
+std::uint32_t ompl_seed(std::uint64_t seed, std::string_view name) {
+  return static_cast<std::uint32_t>(math::seed_from(seed, name) >> 32) | 1U;
+}
+
 // OMPL seeds what it makes in the order of making, over all threads; these are seeded by us.
 class SeededSampler : public ob::RealVectorStateSampler {
  public:
@@ -138,9 +146,8 @@ std::vector<JointVector> connect(const IntervalWorld& interval, const ConnectSpa
     bounds.setHigh(i, space.upper[j] / coordinates.span[j] + 1e-12);
   }
   vectors->setBounds(bounds);
-  const auto low_bits = static_cast<std::uint32_t>(seed ^ (seed >> 32));
-  vectors->setStateSamplerAllocator([low_bits](const ob::StateSpace* sampled) {
-    return std::make_shared<SeededSampler>(sampled, low_bits + 1);
+  vectors->setStateSamplerAllocator([seed](const ob::StateSpace* sampled) {
+    return std::make_shared<SeededSampler>(sampled, ompl_seed(seed, "samples"));
   });
 
   auto information = std::make_shared<ob::SpaceInformation>(vectors);
@@ -154,7 +161,7 @@ std::vector<JointVector> connect(const IntervalWorld& interval, const ConnectSpa
   auto problem = std::make_shared<ob::ProblemDefinition>(information);
   problem->setStartAndGoalStates(start, goal);
 
-  SeededConnect planner(information, low_bits + 2);
+  SeededConnect planner(information, ompl_seed(seed, "connect"));
   planner.setRange(range);
   // The default draws random numbers too; looking at all nodes takes too long in large trees.
   if (iterations <= kSmallTree) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "pipeline/math/seed.hpp"
 #include "stages/repair/plan_interval.hpp"
 
 namespace morphe::repair {
@@ -49,10 +50,11 @@ std::vector<Interval> intervals_of(const collision::CollisionWorld& world, const
 bool plan_around(const Surroundings& around, const collision::CollisionWorld& world, int attempt,
                  Judged& judged) {
   bool planned = false;
-  std::uint64_t number = 0;
+  const std::uint64_t seed =
+      math::seed_from(around.seed, "attempt", static_cast<std::size_t>(attempt));
+  std::size_t number = 0;
   for (const Interval& interval : intervals_of(world, judged, attempt, around.options)) {
-    const std::uint64_t own =
-        around.seed + 1000 * static_cast<std::uint64_t>(attempt) + 100 * number++;
+    const std::uint64_t own = math::seed_from(seed, "interval", number++);
     planned |= plan_interval(interval, around.options, attempt, own, judged.path);
   }
   return planned;

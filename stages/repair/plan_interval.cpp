@@ -4,6 +4,7 @@
 #include <numeric>
 #include <random>
 
+#include "pipeline/math/seed.hpp"
 #include "stages/repair/connect.hpp"
 #include "stages/repair/draw_in.hpp"
 
@@ -83,15 +84,16 @@ bool plan_interval(const Interval& interval, const RepairOptions& options, int a
   std::vector<JointVector> vertices;
   space.joints = robot.arm_joints;
   if (!plain && !space.joints.empty() && space.joints.size() < all.size())
-    vertices = connect(interval.within, space, from, to, options.iterations, options.range, seed);
+    vertices = connect(interval.within, space, from, to, options.iterations, options.range,
+                       math::seed_from(seed, "arm"));
   if (vertices.empty()) {
     space.joints = all;
-    vertices =
-        connect(interval.within, space, from, to, options.iterations, options.range, seed + 10);
+    vertices = connect(interval.within, space, from, to, options.iterations, options.range,
+                       math::seed_from(seed, "all joints"));
   }
   if (vertices.empty()) return false;
 
-  std::mt19937_64 random(seed + 20);
+  std::mt19937_64 random(math::seed_from(seed, "shortcut"));
   vertices = shortcut(interval.within, std::move(vertices), options.shortcut_attempts, random);
   JointRows planned = spread(robot, vertices, count);
   if (planned.rows() == 0) return false;

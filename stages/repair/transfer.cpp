@@ -5,6 +5,7 @@
 #include <numeric>
 #include <random>
 
+#include "pipeline/math/seed.hpp"
 #include "stages/repair/connect.hpp"
 #include "stages/repair/draw_in.hpp"
 
@@ -34,7 +35,7 @@ std::vector<JointVector> find_way(const IntervalWorld& interval, const JointVect
   ConnectSpace space{robot.arm_joints, robot.lower, robot.upper};
   std::vector<JointVector> vertices;
   for (int attempt = 0; attempt < options.attempts && vertices.empty(); ++attempt) {
-    const std::uint64_t own = seed + 100 * static_cast<std::uint64_t>(attempt);
+    const std::uint64_t own = math::seed_from(seed, "attempt", static_cast<std::size_t>(attempt));
     for (const std::vector<int>& joints : {robot.arm_joints, all}) {
       space.joints = joints;
       if (joints.empty() || !vertices.empty()) continue;
@@ -65,7 +66,7 @@ JointPath plan_transfer(const collision::CollisionWorld& world, const JointVecto
   if (!free_at_both(world, from, inside, time_s, options.extra_clearance, interval)) return {};
   std::vector<JointVector> vertices = find_way(interval, from, inside, options, seed);
   if (vertices.empty()) return {};
-  std::mt19937_64 random(seed + 20);
+  std::mt19937_64 random(math::seed_from(seed, "shortcut"));
   vertices = shortcut(interval, std::move(vertices), options.shortcut_attempts, random);
 
   double length_rad = 0;

@@ -5,6 +5,7 @@
 
 #include "pipeline/collision/world.hpp"
 #include "pipeline/humanlike/metrics.hpp"
+#include "pipeline/math/seed.hpp"
 #include "pipeline/robot/forward.hpp"
 #include "stages/map/finger_curve.hpp"
 #include "stages/map/frame_search.hpp"
@@ -126,9 +127,9 @@ MappedPoses map_poses(const robot::Robot& robot, const std::vector<humanlike::Fr
   };
   for (int k = 0; k < kKeys; ++k) {
     const std::size_t key = (goals.size() - 1) * static_cast<std::size_t>(k) / (kKeys - 1);
-    for (const solve::Minimum& start :
-         map::search_frame(problem, key, starts, kKept, map::exact(options),
-                           seed + static_cast<std::uint64_t>(k), scratch)) {
+    for (const solve::Minimum& start : map::search_frame(
+             problem, key, starts, kKept, map::exact(options),
+             math::seed_from(seed, "key frame", static_cast<std::size_t>(k)), scratch)) {
       take(key, start);
       follow(key, goals.size() - 1, 1, start.x);
       follow(key, 0, -1, start.x);

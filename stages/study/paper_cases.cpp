@@ -1,10 +1,11 @@
 #include "stages/study/paper_cases.hpp"
-#include "pipeline/math/statistics.hpp"
 
 #include <cmath>
 #include <numbers>
 
 #include "pipeline/humanlike/arm_chain.hpp"
+#include "pipeline/math/seed.hpp"
+#include "pipeline/math/statistics.hpp"
 #include "pipeline/robot/forward.hpp"
 
 namespace morphe::study {
@@ -13,11 +14,10 @@ MappedPoses map_all(const PaperContext& context, const robot::Robot& robot,
                     const std::vector<HumanPoses>& series, const StudyWeights& weights,
                     const Pose& base_from_shoulder) {
   MappedPoses all;
-  std::uint64_t seed = 1;
-  for (const HumanPoses& poses : series) {
-    all.append(map_poses(robot, goals_of(robot, poses, base_from_shoulder), weights,
-                         context.options.solver, context.options.starts, seed));
-    seed += 1000;
+  for (std::size_t k = 0; k < series.size(); ++k) {
+    all.append(map_poses(robot, goals_of(robot, series[k], base_from_shoulder), weights,
+                         context.options.solver, context.options.starts,
+                         math::seed_from(1, "series", k)));
   }
   return all;
 }

@@ -10,6 +10,7 @@ TEST(Seed, IsTheFirstBytesOfTheHash) {
   EXPECT_EQ(seed_from(7, "reach"), 0xaada4facb0201066u);
   EXPECT_NE(seed_from(7, "reach"), seed_from(8, "reach"));
   EXPECT_NE(seed_from(7, "reach"), seed_from(7, "grasp"));
+  EXPECT_EQ(seed_from(7, "reach", 2), seed_from(7, "reach/2"));
 }
 
 }  // namespace
