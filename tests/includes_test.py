@@ -20,7 +20,7 @@ PRECOMPILED = "cmake/precompiled.hpp"  # a folder's own begins with it
 OPEN = ("Eigen/", "fmt/")
 # Headers of packages, beside those of the standard library and the system.
 PACKAGED = re.compile(r"(.*/.*|\w+\.hpp|hdf5\.h|H5\w+\.h|sqlite3\.h|tinyxml2\.h|nlopt\.h)$")
-SYSTEM = re.compile(r"(sys|linux|sanitizer)/")
+SYSTEM = re.compile(r"(sys|linux|gnu|sanitizer)/")
 
 # Made of steps; only they may include planning, and only from here do arrows lead to run and verify.
 MADE_OF_STEPS = ("stages/planning", "stages/study", "stages/library", "stages/commands")

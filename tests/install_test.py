@@ -115,6 +115,10 @@ class Tree(Installed):
         self.check_outside_project()
         with h5py.File(self.elsewhere / "outside/plans.h5") as file:
             self.assertEqual(file.attrs["software"].decode(), f"morphe {VERSION}")
+            built_with = file.attrs["built_with"].decode()
+        number = run(CXX, "-dumpfullversion" if built_with.startswith("GNU") else "-dumpversion").strip()
+        self.assertIn(f" {number}, Eigen3 ", built_with)
+        self.assertRegex(built_with, r"HDF5 1[\d.]+, NLopt 2[\d.]+, OMPL 1[\d.]+, .*, glibc 2[\d.]+$")
 
     def test_nothing_of_ours_is_asked_of_others_flags(self):
         targets = "".join(file.read_text() for file in self.prefix.rglob("MorpheTargets*.cmake"))

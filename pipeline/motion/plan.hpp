@@ -157,7 +157,8 @@ struct Plan {
 struct PlanFileHeader {
   std::string config;  ///< effective YAML
   std::string config_sha256, dataset_sha256;
-  std::string software;  ///< "morphe 0.1.0"
+  std::string software;    ///< "morphe 0.1.0"
+  std::string built_with;  ///< compiler and packages; "" in files of earlier versions
   struct Input {
     std::string path, text;  ///< relative path as the config named it
   };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "pipeline/motion/export.hpp"
 
 namespace morphe {
@@ -8,5 +10,8 @@ namespace morphe {
 MORPHE_EXPORT const char* version();
 /// "morphe 0.1.0", as files say who wrote them.
 MORPHE_EXPORT const char* software();
+/// "GNU 12.2.0, Eigen3 3.4.0, …, x86-64-v3, glibc 2.36": what the last digits of a result, and the
+/// ways that searches take, depend on. The C library is that of the machine it runs on.
+MORPHE_EXPORT std::string built_with();
 
 }  // namespace morphe

@@ -23,6 +23,7 @@ void lay_out_header(Io& io, T& header) {
   io.attribute("config_sha256", header.config_sha256);
   io.attribute("dataset_sha256", header.dataset_sha256);
   io.attribute("software", header.software);
+  io.attribute("built_with", header.built_with);
   io.column("path", header.inputs, &Input::path, {});
   io.column("text", header.inputs, &Input::text, {});
 }

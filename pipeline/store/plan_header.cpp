@@ -59,6 +59,7 @@ void write_plan_header(const Hdf5Group& root, const PlanFileHeader& header,
   root.set("config_sha256", header.config_sha256);
   root.set("dataset_sha256", header.dataset_sha256);
   root.set("software", header.software);
+  root.set("built_with", header.built_with);
   root.set("robot", robot_name);
   write_inputs(root.create("inputs"), header.inputs);
 }
@@ -69,6 +70,7 @@ PlanFileHeader read_plan_header(const Hdf5Group& root) {
   root.get("config_sha256", header.config_sha256);
   root.get("dataset_sha256", header.dataset_sha256);
   root.get("software", header.software);
+  if (root.has_attribute("built_with")) root.get("built_with", header.built_with);
   int left = kMostInputs;
   read_inputs(root.open("inputs"), "", 0, left, header.inputs);
   return header;

@@ -156,8 +156,9 @@ LoadedConfig load_config(const std::filesystem::path& file,
 }
 
 PlanFileHeader header_of(const LoadedConfig& config, const std::string& dataset_sha256) {
-  return {config.effective, files::sha256(config.effective), dataset_sha256, software(),
-          config.inputs};
+  return {config.effective, files::sha256(config.effective),
+          dataset_sha256,   software(),
+          built_with(),     config.inputs};
 }
 
 }  // namespace morphe::planning

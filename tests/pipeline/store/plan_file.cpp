@@ -182,6 +182,7 @@ TEST(PlanFile, ReturnsTheHeader) {
   EXPECT_EQ(reader.size(), 0u);
   EXPECT_SAME(config);
   EXPECT_SAME(config_sha256);
+  EXPECT_SAME(built_with);
   EXPECT_SAME(dataset_sha256);
   EXPECT_SAME(software);
   ASSERT_EQ(a.inputs.size(), b.inputs.size());

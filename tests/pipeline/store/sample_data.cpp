@@ -174,6 +174,7 @@ PlanFileHeader plan_header() {
   header.config_sha256 = "abc";
   header.dataset_sha256 = "def";
   header.software = "morphe 0.1.0";
+  header.built_with = "GNU 12.2.0, OMPL 1.5.2";
   header.inputs = {{"../robots/pa10.yaml", "name: pa10\n"},
                    {"../robots/dlr.yaml", "name: dlr_hit2 °\n"},
                    {"human.yaml", ""}};
