@@ -2,7 +2,7 @@
 
 #include "pipeline/collision/certified.hpp"
 #include "pipeline/robot/forward.hpp"
-#include "pipeline/robot/reach.hpp"
+#include "pipeline/robot/levers.hpp"
 
 namespace morphe::collision {
 
@@ -39,7 +39,7 @@ void carry_target(const std::vector<double>& demonstration_time, const JointRows
     return base_from_frame[static_cast<std::size_t>(carried.frame)];
   };
   carried.frame_from_object = frame_at(taken).inverse() * recorded_pose(target, *taken);
-  carried.reach = robot::reach_of_ball(
+  carried.levers = robot::levers_of_ball(
       robot, carried.frame, carried.frame_from_object.translation(), bounding_radius(target));
   if (std::isnan(target.release_s)) return;
   const auto released = first_from(target.release_s);

@@ -47,7 +47,7 @@ struct Bisection {
     judge(depth + 1, middle, s1);
   }
 
-  void judge_all() {
+  void decide_all() {
     least.pair.separation.distance = std::numeric_limits<double>::infinity();
     least.pair.capsule = -1;
     least.at = pairs.motion.begin;
@@ -92,7 +92,7 @@ void failing_pairs(const CollisionWorld& world, const JointMotion& motion,
                    CollisionScratch& scratch, std::vector<MotionCheck>& out, double band_m) {
   out.clear();
   Bisection bisection{{world, motion, scratch}, band_m, false, out, {}};
-  bisection.judge_all();
+  bisection.decide_all();
   join(out);
 }
 
@@ -100,7 +100,7 @@ MotionCheck check_motion(const CollisionWorld& world, const JointMotion& motion,
                          CollisionScratch& scratch, double band_m) {
   std::vector<MotionCheck> failed;
   Bisection bisection{{world, motion, scratch}, band_m, true, failed, {}};
-  bisection.judge_all();
+  bisection.decide_all();
   return failed.empty() ? bisection.least : failed.front();
 }
 

@@ -187,7 +187,7 @@ struct FclEngine::Trees {
 
   void query(const Eigen::Ref<const JointVector>& q, double at_s, bool first,
              CollisionScratch& used) {
-    place_bodies(world, q, at_s, used);
+    pose_bodies(world, q, at_s, used);
     scratch = &used;
     time_s = at_s;
     first_only = first;

@@ -54,7 +54,7 @@ void set_touching(const Movement& movement, CollisionWorld& world) {
 
 CollisionWorld make_world(const robot::Robot& robot, const Scene& scene, const Movement& movement,
                           const Tolerances& tolerances) {
-  if (static_cast<std::size_t>(robot.capsule_reach.rows()) != robot.capsules.size()) {
+  if (static_cast<std::size_t>(robot.capsule_levers.rows()) != robot.capsules.size()) {
     throw std::logic_error("the robot's capsules changed after what follows from them was derived");
   }
   CollisionWorld world;

@@ -29,9 +29,9 @@ JointMotion straight_motion(const JointVector& from, const JointVector& to, doub
                             double to_s) {
   JointMotion motion;
   motion.position = [from, to](double s, JointVector& q) { q = from + s * (to - from); };
-  motion.travel = [reach = JointVector((to - from).cwiseAbs())](double s0, double s1,
-                                                                JointVector& travel) {
-    travel = 0.5 * (s1 - s0) * reach;
+  motion.travel = [change = JointVector((to - from).cwiseAbs())](double s0, double s1,
+                                                                 JointVector& travel) {
+    travel = 0.5 * (s1 - s0) * change;
   };
   motion.demonstration_time = [from_s, to_s](double s) { return from_s + s * (to_s - from_s); };
   return motion;

@@ -26,10 +26,10 @@ void MotionPairs::place(double s0, double middle, double s1) {
   motion.position(middle, scratch.position);
   motion.travel(s0, s1, scratch.travel);
   const double middle_s = motion.demonstration_time(middle);
-  place_bodies(world, scratch.position, middle_s, scratch);
+  pose_bodies(world, scratch.position, middle_s, scratch);
   for (std::size_t c = 0; c < scratch.bodies.size(); ++c) {
     scratch.body_travel[c] =
-        world.robot->capsule_reach.row(static_cast<Eigen::Index>(c)).dot(scratch.travel);
+        world.robot->capsule_levers.row(static_cast<Eigen::Index>(c)).dot(scratch.travel);
   }
   for (std::size_t k = 0; k < objects(); ++k) {
     const SceneObject& object = world.scene->objects[k];
@@ -65,13 +65,13 @@ double MotionPairs::travel_of(const PairSeparation& pair) const {
   const auto first = static_cast<std::size_t>(pair.capsule);
   const auto other = static_cast<std::size_t>(pair.other);
   const int frame = world.robot->capsules[first].frame;
-  const double* own = world.robot->capsule_reach.row(pair.capsule).data();
+  const double* own = world.robot->capsule_levers.row(pair.capsule).data();
   if (!pair.object) {
     return travel_between(frame, own, world.robot->capsules[other].frame,
-                          world.robot->capsule_reach.row(pair.other).data());
+                          world.robot->capsule_levers.row(pair.other).data());
   }
   if (pair.other == world.target && target_place == TargetPlace::in_hand) {
-    return travel_between(frame, own, world.carried.frame, world.carried.reach.data());
+    return travel_between(frame, own, world.carried.frame, world.carried.levers.data());
   }
   return scratch.body_travel[first] + scratch.object_travel[other];
 }

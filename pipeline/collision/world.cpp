@@ -96,8 +96,8 @@ double required_m(const CollisionWorld& world, int capsule, int object, double t
                                                    : world.tolerances.margin;
 }
 
-void place_bodies(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q,
-                  double time_s, CollisionScratch& scratch) {
+void pose_bodies(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
+                 CollisionScratch& scratch) {
   const RobotTable& robot = *world.robot;
   robot::forward(robot, q, scratch.base_from_frame);
   scratch.bodies.resize(robot.capsules.size());
@@ -132,7 +132,7 @@ void place_bodies(const CollisionWorld& world, const Eigen::Ref<const JointVecto
 
 bool is_free(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
              CollisionScratch& scratch) {
-  place_bodies(world, q, time_s, scratch);
+  pose_bodies(world, q, time_s, scratch);
   const double limit = 0;
   bool free = true;
   visit_near(
@@ -147,7 +147,7 @@ bool is_free(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q
 
 PairSeparation least_slack(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q,
                            double time_s, CollisionScratch& scratch) {
-  place_bodies(world, q, time_s, scratch);
+  pose_bodies(world, q, time_s, scratch);
   PairSeparation best;
   best.capsule = -1;
   best.separation.distance = kInfinity;
@@ -167,7 +167,7 @@ PairSeparation least_slack(const CollisionWorld& world, const Eigen::Ref<const J
 
 void near_pairs(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
                 double below_m, CollisionScratch& scratch, std::vector<PairSeparation>& out) {
-  place_bodies(world, q, time_s, scratch);
+  pose_bodies(world, q, time_s, scratch);
   out.clear();
   visit_near(
       world, scratch, below_m,
@@ -180,7 +180,7 @@ void near_pairs(const CollisionWorld& world, const Eigen::Ref<const JointVector>
 
 double clearance(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
                  CollisionScratch& scratch) {
-  place_bodies(world, q, time_s, scratch);
+  pose_bodies(world, q, time_s, scratch);
   const double margin_m = world.tolerances.margin;
   double least_m = kInfinity, limit = kInfinity;  // limit = least_m - margin_m
   visit_near(

@@ -18,7 +18,7 @@ struct CarriedTarget {
   double begin_s = kNotSeen, end_s = kNotSeen;  ///< demonstration time, end NaN: never released
   Pose frame_from_object = Pose::Identity();
   Pose base_from_released = Pose::Identity();
-  JointVector reach;  ///< [joints] as a row of Robot::capsule_reach
+  JointVector levers;  ///< [joints] as a row of Robot::capsule_levers
 };
 
 /// What must stay apart in one movement, everything in the robot's base frame. Robot and scene must
@@ -90,8 +90,8 @@ bool may_touch(const CollisionWorld& world, int capsule, int object, double time
 double required_m(const CollisionWorld& world, int capsule, int object, double time_s);
 
 /// Fills the scratch with all bodies at joint position q and demonstration time t.
-void place_bodies(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q,
-                  double time_s, CollisionScratch& scratch);
+void pose_bodies(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
+                 CollisionScratch& scratch);
 
 /// Whether every pair has slack >= 0 at joint position q and demonstration time t.
 bool is_free(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,

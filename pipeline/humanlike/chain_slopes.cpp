@@ -19,7 +19,7 @@ struct Sloped {
       : chain(c), at(knots(c)), by_joint(c.size(), Vec3::Zero()), by_knot(c.size(), 0) {}
 
   /// The metric has the slope by the point at a place: returns its slope by the place's knot.
-  double pull(const ChainPlace& place, const Vec3& slope) {
+  double pull(const ChainPoint& place, const Vec3& slope) {
     const std::size_t begin = place.end - 1;
     by_joint[begin] += (1 - place.share) * slope;
     by_joint[place.end] += place.share * slope;
@@ -61,14 +61,14 @@ ChainSlopes triangle_area_slopes(const Chain& human, const Chain& robot, double 
   const std::vector<double> all = all_knots(theirs.at, ours.at);
   ChainSlopes result{0, {}, std::vector<double>(robot.size(), 0)};
   std::vector<double> by_knot(all.size(), 0);
-  const auto add_curvature = [&](const ChainPlace& place, double curvature) {
+  const auto add_curvature = [&](const ChainPoint& place, double curvature) {
     result.curvature[place.end - 1] += (1 - place.share) * curvature;
     result.curvature[place.end] += place.share * curvature;
   };
   for (std::size_t i = 1; i + 1 < all.size(); ++i) {
-    const ChainPlace joint = place_of(theirs.at, all[i]);
-    const ChainPlace corresponding = place_of(ours.at, all[i]),
-                     next = place_of(ours.at, all[i + 1]);
+    const ChainPoint joint = chain_point(theirs.at, all[i]);
+    const ChainPoint corresponding = chain_point(ours.at, all[i]),
+                     next = chain_point(ours.at, all[i + 1]);
     const Vec3 a = corresponding.on(robot) - joint.on(human), b = next.on(robot) - joint.on(human);
     const Vec3 normal = a.cross(b);
     const double smooth = std::sqrt(0.25 * normal.squaredNorm() + smoothing_m2 * smoothing_m2);

@@ -23,7 +23,7 @@ std::vector<double> all_knots(const std::vector<double>& first, const std::vecto
   return all;
 }
 
-ChainPlace place_of(const std::vector<double>& at, double knot) {
+ChainPoint chain_point(const std::vector<double>& at, double knot) {
   const auto upper = std::upper_bound(at.begin(), at.end(), knot);
   if (upper == at.end()) return {at.size() - 1, 1};
   const auto end = static_cast<std::size_t>(upper - at.begin());

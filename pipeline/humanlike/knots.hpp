@@ -13,12 +13,12 @@ std::vector<double> knots(const Chain& chain);
 std::vector<double> all_knots(const std::vector<double>& first, const std::vector<double>& second);
 
 /// Where a knot lies: between the joints end - 1 and end, `share` of the way.
-struct ChainPlace {
+struct ChainPoint {
   std::size_t end = 1;
   double share = 0;
 
   Vec3 on(const Chain& chain) const { return (1 - share) * chain[end - 1] + share * chain[end]; }
 };
-ChainPlace place_of(const std::vector<double>& at, double knot);
+ChainPoint chain_point(const std::vector<double>& at, double knot);
 
 }  // namespace morphe::humanlike

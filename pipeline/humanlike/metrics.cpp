@@ -27,9 +27,9 @@ double triangle_area_sum(const Chain& human, const Chain& robot) {
   const std::vector<double> all = all_knots(human_knots, robot_knots);
   double sum = 0;
   for (std::size_t i = 1; i + 1 < all.size(); ++i) {
-    const Vec3 joint = place_of(human_knots, all[i]).on(human);
-    const Vec3 corresponding = place_of(robot_knots, all[i]).on(robot);
-    const Vec3 next = place_of(robot_knots, all[i + 1]).on(robot);
+    const Vec3 joint = chain_point(human_knots, all[i]).on(human);
+    const Vec3 corresponding = chain_point(robot_knots, all[i]).on(robot);
+    const Vec3 next = chain_point(robot_knots, all[i + 1]).on(robot);
     sum +=
         heron((joint - corresponding).norm(), (corresponding - next).norm(), (next - joint).norm());
   }

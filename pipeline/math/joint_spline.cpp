@@ -21,14 +21,14 @@ void spread(Weights& weights, double z, double rate,
 
 }  // namespace
 
-KnotPlace place_of(const JointSpline& spline, double u) {
+SplinePoint spline_point(const JointSpline& spline, double u) {
   const double knots = std::clamp(u / spline.step(), 0.0, static_cast<double>(spline.intervals));
   const auto interval = std::min(static_cast<Eigen::Index>(knots), spline.intervals - 1);
   return {interval, knots - static_cast<double>(interval)};
 }
 
 void evaluate(const JointSpline& spline, double u, JointRows& out) {
-  const KnotPlace at = place_of(spline, u);
+  const SplinePoint at = spline_point(spline, u);
   const double rate = 1 / spline.step();
   Weights weights = Weights::Zero();
   spread<0>(weights, at.z, 1, {1});

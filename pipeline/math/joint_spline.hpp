@@ -34,11 +34,11 @@ struct JointSpline {
 };
 
 /// Where a clock time lies among the knots: the interval, and z in [0, 1] of it.
-struct KnotPlace {
+struct SplinePoint {
   Eigen::Index interval = 0;
   double z = 0;
 };
-KnotPlace place_of(const JointSpline& spline, double u);
+SplinePoint spline_point(const JointSpline& spline, double u);
 
 /// d^order q / du^order for order 0 … 3, rows of `out` [4, n].
 void evaluate(const JointSpline& spline, double u, JointRows& out);

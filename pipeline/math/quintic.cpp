@@ -164,7 +164,7 @@ bool surely_within(const QuinticPiece& piece, double velocity, double accelerati
          largest(std::array{6 * c[3], 24 * c[4], 60 * c[5]}) <= jerk * t * t * t;
 }
 
-LimitReport judge_limits(const RobotTable& robot, const Trajectory& trajectory) {
+LimitReport limit_report(const RobotTable& robot, const Trajectory& trajectory) {
   LimitReport report;
   for (std::size_t sample = 0; sample + 1 < trajectory.samples(); ++sample) {
     for (Eigen::Index joint = 0; joint < trajectory.position.cols(); ++joint) {

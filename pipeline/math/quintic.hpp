@@ -50,6 +50,6 @@ struct LimitReport {
   double position_margin = kNotSeen;  ///< least distance to a position limit, < 0: beyond [rad]
   int margin_sample = -1, margin_joint = -1;
 };
-LimitReport judge_limits(const RobotTable& robot, const Trajectory& trajectory);
+LimitReport limit_report(const RobotTable& robot, const Trajectory& trajectory);
 
 }  // namespace morphe::math

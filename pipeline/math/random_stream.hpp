@@ -15,9 +15,9 @@ class RandomStream {
   RandomStream(std::uint64_t seed, std::string_view purpose);
 
   double uniform();  ///< [0, 1)
-  double between(double from, double to) { return from + (to - from) * uniform(); }
+  double uniform(double from, double to) { return from + (to - from) * uniform(); }
   /// Of a range {from, to}.
-  double between(const std::vector<double>& range) { return between(range[0], range[1]); }
+  double uniform(const std::vector<double>& range) { return uniform(range[0], range[1]); }
   bool chance(double share) { return uniform() < share; }
   int whole(const std::vector<double>& range);  ///< from … to, both included
   double normal();                              ///< mean 0, variance 1 (Marsaglia's polar method)

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "pipeline/robot/reach.hpp"
+#include "pipeline/robot/levers.hpp"
 #include "pipeline/robot/tree.hpp"
 
 namespace morphe::robot {
@@ -42,7 +42,7 @@ Robot::Robot(RobotTable table) : RobotTable(std::move(table)) {
     centres_of_chain.push_back(
         static_cast<double>(std::ranges::count(centres, centre.chain, &Centre::chain)));
   }
-  capsule_reach = reach_of_capsules(*this);
+  capsule_levers = levers_of_capsules(*this);
 }
 
 std::vector<Vec3> arm_centre_positions(const Robot& robot,

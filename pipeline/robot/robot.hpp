@@ -21,8 +21,8 @@ struct Robot : RobotTable {
       tip_of_centre;  ///< [centres] the tip of the finger it moves; -1: none's, or the arm's
   std::vector<double> centres_of_chain;  ///< [centres] how many its chain has
   /// [capsules, n] how far any point of a capsule can travel per radian of each joint [m], see
-  /// reach.hpp.
-  JointRows capsule_reach;
+  /// levers.hpp.
+  JointRows capsule_levers;
 };
 
 /// Positions of the arm's joint centres (metric A), given the frames' poses [m].

@@ -105,7 +105,7 @@ std::unique_ptr<Journal> Journal::read(const fs::path& folder) {
 
 void Journal::begin(
     const RunIdentity& identity, const std::string& config,
-    const std::function<void(const std::function<void(const Place&)>&)>& each_wanted) {
+    const std::function<void(const std::function<void(const DatasetEntry&)>&)>& each_wanted) {
   const std::lock_guard lock(state_->mutex);
   Database& database = state_->database;
   state_->open_batch();
@@ -121,7 +121,7 @@ void Journal::begin(
   database.run("DELETE FROM wanted");
   Statement insert(database, "INSERT INTO wanted VALUES(?, ?)");
   each_wanted(
-      [&](const Place& place) { insert.bind(1, place.position).bind(2, place.name).run(); });
+      [&](const DatasetEntry& place) { insert.bind(1, place.position).bind(2, place.name).run(); });
   state_->close_batch();
   state_->position = -1;
 }
@@ -235,7 +235,7 @@ bool Journal::has_results() const {
   return state_->count("SELECT EXISTS(SELECT 1 FROM done WHERE error = '')") != 0;
 }
 
-std::optional<Place> Journal::next() {
+std::optional<DatasetEntry> Journal::next() {
   // A query of its own each time: an open one would keep SQLite from emptying its log.
   const std::lock_guard lock(state_->mutex);
   Statement select(
@@ -243,7 +243,7 @@ std::optional<Place> Journal::next() {
       "SELECT position, name FROM wanted WHERE position > ? ORDER BY position LIMIT 1");
   if (!select.bind(1, state_->position).step()) return std::nullopt;
   state_->position = select.number(0);
-  return Place{state_->position, select.text(1)};
+  return DatasetEntry{state_->position, select.text(1)};
 }
 
 void Journal::each_plan(const std::string& name,

@@ -47,7 +47,7 @@ struct RunIdentity {
 };
 
 /// A place in the dataset.
-struct Place {
+struct DatasetEntry {
   std::int64_t position = 0;
   std::string name;
 };
@@ -70,8 +70,9 @@ class Journal {
 
   /// A run begins: what it is, and which demonstrations belong to it. `config` is the effective
   /// config without paths, kept so that a later run can say what changed.
-  void begin(const RunIdentity& identity, const std::string& config,
-             const std::function<void(const std::function<void(const Place&)>&)>& each_wanted);
+  void begin(
+      const RunIdentity& identity, const std::string& config,
+      const std::function<void(const std::function<void(const DatasetEntry&)>&)>& each_wanted);
   std::optional<Finished> find(const std::string& name) const;  ///< without its plans
   std::string config(const std::string& sha256) const;          ///< "" if it is not known
   void add(const Finished& finished);  ///< replaces what is there; committed in batches
@@ -84,8 +85,8 @@ class Journal {
   RunIdentity identity() const;
   std::int64_t wanted() const;
   std::int64_t unfinished() const;
-  bool has_results() const;     ///< of a demonstration that did not fail
-  std::optional<Place> next();  ///< of the wanted ones, in order, from begin() or read() on
+  bool has_results() const;            ///< of a demonstration that did not fail
+  std::optional<DatasetEntry> next();  ///< of the wanted ones, in order, from begin() or read() on
   /// In order; InputError if the bytes are not those that were written.
   void each_plan(const std::string& name,
                  const std::function<void(const Finished::StoredPlan&)>& visit) const;

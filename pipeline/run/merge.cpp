@@ -113,7 +113,7 @@ void in_order(std::vector<OpenShard>& shards, std::int64_t count,
   std::vector<std::string> names(shards.size());
   std::priority_queue<Head, std::vector<Head>, std::greater<>> heads;
   const auto advance = [&](std::size_t i) {
-    const std::optional<Place> place = shards[i].journal->next();
+    const std::optional<DatasetEntry> place = shards[i].journal->next();
     if (!place) return;
     names[i] = place->name;
     heads.emplace(place->position, i);

@@ -86,7 +86,7 @@ class Run {
       reader_.each_name([&](const std::string& name) {
         const auto index = static_cast<std::size_t>(position);
         if (shard.count == 1 || static_cast<int>(shard_of[index]) == shard.index)
-          want(Place{position, name});
+          want(DatasetEntry{position, name});
         ++position;
       });
     });
@@ -103,7 +103,7 @@ class Run {
   }
 
   std::unique_ptr<Task> next() {
-    const std::optional<Place> place = stop_.seen() == 0 ? journal_.next() : std::nullopt;
+    const std::optional<DatasetEntry> place = stop_.seen() == 0 ? journal_.next() : std::nullopt;
     if (!place) return nullptr;
     const std::optional<Finished> found = journal_.find(place->name);
     std::vector<std::string> why = reasons_of_run(found);

@@ -234,12 +234,12 @@ class ContactJudge {
     return spheres >= enough ? spheres : segment_distance(axis, second) - pair.radii;
   }
 
-  Place place(std::size_t piece, double s) const {
+  CurvePoint place(std::size_t piece, double s) const {
     return {static_cast<int>(2 * piece + 1), static_cast<int>(s < 0.5 ? piece : piece + 1),
             curve_.time_at(piece, s)};
   }
 
-  void note(const ContactPair& pair, const Place& place, double value, double required,
+  void note(const ContactPair& pair, const CurvePoint& place, double value, double required,
             double excess) {
     runs_.note(pair.object ? "object" : "self", pair.subject, place, value, required, excess);
   }

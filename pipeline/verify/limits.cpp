@@ -10,7 +10,7 @@ namespace {
 constexpr double kRelativeTolerance = 1e-6;
 constexpr double kRestTolerance = 1e-9;
 
-Place place_of(const Curve& curve, std::size_t piece, double s) {
+CurvePoint place_of(const Curve& curve, std::size_t piece, double s) {
   return {static_cast<int>(2 * piece + 1), static_cast<int>(s < 0.5 ? piece : piece + 1),
           curve.time_at(piece, s)};
 }

@@ -5,8 +5,8 @@
 
 namespace morphe::verify {
 
-void ViolationRuns::note(const std::string& cause, const std::string& subject, const Place& place,
-                         double value, double limit, double excess) {
+void ViolationRuns::note(const std::string& cause, const std::string& subject,
+                         const CurvePoint& place, double value, double limit, double excess) {
   const Violation here{plan_, place.sample, place.time_s, cause, subject, value, limit};
   const auto [entry, fresh] = open_.try_emplace({cause, subject}, Run{here, excess, place.step});
   if (fresh) return;

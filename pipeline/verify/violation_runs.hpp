@@ -10,7 +10,7 @@
 namespace morphe::verify {
 
 /// Where on a curve: sample k is step 2k, the piece after it is step 2k + 1.
-struct Place {
+struct CurvePoint {
   int step = 0;
   int sample = 0;  ///< nearest sample
   double time_s = 0;
@@ -22,8 +22,8 @@ class ViolationRuns {
  public:
   explicit ViolationRuns(std::string plan) : plan_(std::move(plan)) {}
 
-  void note(const std::string& cause, const std::string& subject, const Place& place, double value,
-            double limit, double excess);
+  void note(const std::string& cause, const std::string& subject, const CurvePoint& place,
+            double value, double limit, double excess);
   /// Of the plan as a whole: sample -1.
   void note_plan(const std::string& cause, const std::string& subject, double value, double limit);
   /// All that was noted, by sample, cause and subject.

@@ -100,7 +100,7 @@ Outcome<Certificate> certify_motion(const collision::CollisionWorld& world, Traj
     return result;
   }
   Certificate& c = result.value;
-  const math::LimitReport limits = math::judge_limits(*world.robot, trajectory);
+  const math::LimitReport limits = math::limit_report(*world.robot, trajectory);
   c.position_margin = limits.position_margin;
   c.velocity_ratio = limits.velocity.ratio;
   c.acceleration_ratio = limits.acceleration.ratio;

@@ -65,8 +65,8 @@ struct Walk {
   /// to move evenly from sample to sample.
   int fcl_steps(std::size_t k) const {
     const JointVector travel = (position(k + 1) - position(k)).cwiseAbs();
-    const JointRows& reach = world.robot->capsule_reach;
-    double farthest_m = reach.rows() ? (reach * travel).maxCoeff() : 0;
+    const JointRows& levers = world.robot->capsule_levers;
+    double farthest_m = levers.rows() ? (levers * travel).maxCoeff() : 0;
     double object_m = 0;
     for (const SceneObject& object : world.scene->objects) {
       if (object.time.size() < 2) continue;
@@ -74,7 +74,7 @@ struct Walk {
           std::max(object_m, collision::object_travel(object, time_s(k), time_s(k), time_s(k + 1)));
     }
     if (world.carried.frame >= 0) {
-      object_m = std::max(object_m, world.carried.reach.dot(travel));
+      object_m = std::max(object_m, world.carried.levers.dot(travel));
     }
     const double step_m = std::max(world.tolerances.margin, kLeastStep_m);
     return std::max(1, static_cast<int>(std::ceil((farthest_m + object_m) / step_m)));

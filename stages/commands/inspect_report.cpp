@@ -15,7 +15,7 @@ double share(const std::vector<Vec3>& points) {
   return points.empty() ? 0 : static_cast<double>(count) / static_cast<double>(points.size());
 }
 
-void judge_rebuilt(const HumanMotion& motion, Inspection& inspection) {
+void inspect_rebuilt(const HumanMotion& motion, Inspection& inspection) {
   inspection.rebuilt = {{"shoulder", share(motion.shoulder)},
                         {"elbow", share(motion.elbow)},
                         {"wrist", share(motion.wrist)}};
@@ -78,7 +78,7 @@ Inspection inspect(const Demonstration& demonstration, const InspectOptions& opt
   result.calibration = report_streams(demonstration.calibration);
   result.duration_s = longest_s(result.streams);
   for (const SceneObject& object : demonstration.objects) result.objects.push_back(object.name);
-  judge_rebuilt(motion, result);
+  inspect_rebuilt(motion, result);
   result.residuals = motion.residuals;
   result.estimated = motion.estimated;
   for (Movement& movement : segment::segment(

@@ -45,7 +45,7 @@ SelfCollision sample_self_collision(const RobotTable& table, int samples) {
     for (Eigen::Index j = 0; j < q.size(); ++j) {
       q[j] = robot.lower[j] + share_of(random) * (robot.upper[j] - robot.lower[j]);
     }
-    collision::place_bodies(world, q, 0, scratch);
+    collision::pose_bodies(world, q, 0, scratch);
     for (SelfCollisionPair& pair : pairs) {
       const auto [i, k] = pair.capsules;
       const double distance =

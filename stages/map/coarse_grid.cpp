@@ -61,7 +61,7 @@ JointRows rows_at(const JointRows& q, const std::vector<std::size_t>& frames) {
   return rows;
 }
 
-solve::MovementOptions between(solve::MovementOptions coarse) {
+solve::MovementOptions for_all_frames(solve::MovementOptions coarse) {
   coarse.iterations = std::max(2, coarse.iterations / 2);
   coarse.relative_value *= 10;
   return coarse;

@@ -23,6 +23,6 @@ JointRows rows_at(const JointRows& q, const std::vector<std::size_t>& frames);
 
 /// What all frames take after the coarse grid: what is slow to settle, as fingers that slide along
 /// each other, is settled there; left is what lies between its frames.
-solve::MovementOptions between(solve::MovementOptions coarse);
+solve::MovementOptions for_all_frames(solve::MovementOptions coarse);
 
 }  // namespace morphe::map

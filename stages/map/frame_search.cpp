@@ -63,22 +63,22 @@ solve::Minimum solve_frame(const MappingProblem& problem, std::size_t frame,
   return solve::minimise(bounded(problem, frame, scratch), start, options);
 }
 
-solve::MinimiseOptions brief(solve::MinimiseOptions options, int evaluations) {
+solve::MinimiseOptions limited(solve::MinimiseOptions options, int evaluations) {
   if (options.algorithm == "structured") {
     options.evaluations = std::min(options.evaluations, evaluations);
   }
   return options;
 }
 
-Descents exact(const solve::MinimiseOptions& options) {
+Descents thorough(const solve::MinimiseOptions& options) {
   solve::MinimiseOptions first = options;  // enough to tell which starts are worth more
   first.relative_value = std::max(options.relative_value, 1e-4);
   return {first, options};
 }
 
 Descents quick(const solve::MinimiseOptions& options) {
-  const Descents descents = exact(options);
-  return {brief(descents.first, 40), brief(descents.then, 10)};
+  const Descents descents = thorough(options);
+  return {limited(descents.first, 40), limited(descents.then, 10)};
 }
 
 std::vector<solve::Minimum> search_frame(const MappingProblem& problem, std::size_t frame,

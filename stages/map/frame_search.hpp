@@ -18,13 +18,13 @@ solve::Minimum solve_frame(const MappingProblem& problem, std::size_t frame,
                            MappingScratch& scratch);
 
 /// With a limit that Newton's method comes far enough with; other algorithms keep their own.
-solve::MinimiseOptions brief(solve::MinimiseOptions options, int evaluations);
+solve::MinimiseOptions limited(solve::MinimiseOptions options, int evaluations);
 
 /// Of a search: from every random start, and from the best that these found.
 struct Descents {
   solve::MinimiseOptions first, then;
 };
-Descents exact(const solve::MinimiseOptions& options);
+Descents thorough(const solve::MinimiseOptions& options);
 /// As far as it takes to tell one minimum from another: they are followed and smoothed later.
 Descents quick(const solve::MinimiseOptions& options);
 

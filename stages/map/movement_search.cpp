@@ -22,7 +22,7 @@ constexpr int kFollow = 5;  ///< evaluations at a frame that is followed
 /// to be.
 Way follow(const MappingProblem& problem, std::size_t key, const JointVector& q,
            solve::MinimiseOptions options, MappingScratch& scratch) {
-  options = brief(options, kFollow);
+  options = limited(options, kFollow);
   options.relative_value = std::max(options.relative_value, 1e-5);
   const double share = mean_step(problem.time) / kReferenceStep;
   Way way{key, JointRows(static_cast<Index>(problem.frames()), q.size()),
@@ -53,9 +53,9 @@ bool same_course(const Twins& twins, const JointRows& a, const JointRows& b) {
 /// the best are smoothed to the end: the others wait for repair, which changes them anyway.
 constexpr int kLook = 7;
 constexpr std::size_t kSmoothed = 2;
-constexpr double kToCompare = 10;  ///< times the share of their value that the last steps gain
+constexpr double kComparing = 10;  ///< times the share of their value that the last steps gain
 
-solve::MovementOptions rough(solve::MovementOptions options, int iterations) {
+solve::MovementOptions limited(solve::MovementOptions options, int iterations) {
   options.iterations = std::min(options.iterations, iterations);
   return options;
 }
@@ -106,7 +106,7 @@ Course smooth_movement(const MappingProblem& problem, const JointRows& start,
   const Course coarse = minimise_course(on_frames(problem, frames), rows_at(start, frames),
                                         options.movement_cost, options.movement);
   return minimise_course(problem, interpolate(coarse.q, frames), options.movement_cost,
-                         between(options.movement));
+                         for_all_frames(options.movement));
 }
 
 std::vector<Course> search_movement(const MappingProblem& problem, const MapOptions& options,
@@ -151,13 +151,13 @@ std::vector<Course> search_movement(const MappingProblem& problem, const MapOpti
   for (const JointRows& sequence : sequences) {
     add_if_new(
         twins, courses,
-        minimise_course(coarse, sequence, options.movement_cost, rough(options.movement, kLook)));
+        minimise_course(coarse, sequence, options.movement_cost, limited(options.movement, kLook)));
   }
   by_value(courses);
-  solve::MovementOptions to_compare = options.movement;
-  to_compare.relative_value *= kToCompare;
+  solve::MovementOptions comparing = options.movement;
+  comparing.relative_value *= kComparing;
   for (std::size_t k = 0; k < std::min(kSmoothed, courses.size()); ++k) {
-    courses[k] = minimise_course(coarse, courses[k].q, options.movement_cost, to_compare);
+    courses[k] = minimise_course(coarse, courses[k].q, options.movement_cost, comparing);
   }
   by_value(courses);
   for (Course& course : courses) course.q = interpolate(course.q, frames);

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "pipeline/math/seed.hpp"
-#include "pipeline/robot/draw_tips.hpp"
+#include "pipeline/robot/pull_tips.hpp"
 #include "stages/map/coarse_grid.hpp"
 #include "stages/map/frame_search.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr int kDrawn = 12;  ///< steps
+constexpr int kPullSteps = 12;  ///< steps
 /// Frames are judged in rounds, each twice as dense as the one before: the middle of a stretch out
 /// of reach, where the error is largest, is likely to prove the rest.
 constexpr std::size_t kSparsest = 16;
@@ -50,7 +50,7 @@ class Judge {
 
   /// Whether the tips can be drawn from a posture to their goals: if so, it is remembered.
   bool drawn(std::size_t frame, JointVector q) {
-    if (robot::draw_tips(*problem_.robot, problem_.goals[frame].tip_position, kDrawn,
+    if (robot::pull_tips(*problem_.robot, problem_.goals[frame].tip_position, kPullSteps,
                          options_.tolerance_m, q, draw_) > options_.tolerance_m) {
       return false;
     }
@@ -132,7 +132,7 @@ class Judge {
   std::uint64_t seed_;
   std::vector<JointVector> reached_;  ///< postures that reach a frame's goals; empty: none known
   std::vector<OutOfReach> out_of_reach_;
-  robot::DrawScratch draw_;
+  robot::PullScratch draw_;
   MappingScratch scratch_;
 };
 

@@ -80,7 +80,7 @@ JointPath resolve_path(const MappingProblem& problem, const JointPath& path,
                           exactness);
     };
     const JointRows change = solve(some, {}, options.movement) - rows_at(path.position, some);
-    const JointRows found = solve(all, interpolate(change, some), between(options.movement));
+    const JointRows found = solve(all, interpolate(change, some), for_all_frames(options.movement));
     for (std::size_t frame = begin; frame < end; ++frame) {
       const auto row = static_cast<Index>(frame), k = static_cast<Index>(frame - begin);
       if ((found.row(k) - path.position.row(row)).cwiseAbs().maxCoeff() <= 1e-4) continue;

@@ -47,10 +47,10 @@ double sum_of_depths(const std::vector<Finding>& findings) {
 struct Moment {
   const map::MappingProblem& problem;
   std::size_t frame;
-  const repair::Judge& judge;
+  const repair::Check& check;
 
   std::vector<Finding> findings(const JointVector& q) const {
-    return judge({q.transpose(), {Origin::resolved}, {problem.time[frame]}});
+    return check({q.transpose(), {Origin::resolved}, {problem.time[frame]}});
   }
 };
 
@@ -62,15 +62,16 @@ bool tracked(const std::vector<Finding>& findings) {
 }  // namespace
 
 std::optional<DeadEnd> find_dead_end(const map::MappingProblem& problem,
-                                     const repair::Judged& judged, const repair::Judge& judge,
+                                     const repair::Checked& checked, const repair::Check& check,
                                      const map::MapOptions& options, std::uint64_t seed,
                                      std::vector<Hold>& holds) {
-  const map::MappingProblem firm = as_firm(problem, {100}), decided = as_firm(problem, kFirmest),
-                            alone = as_firm(problem, {0}), decided_alone = as_firm(decided, {0});
+  const map::MappingProblem firm_problem = as_firm(problem, {100}),
+                            decided = as_firm(problem, kFirmest), alone = as_firm(problem, {0}),
+                            decided_alone = as_firm(decided, {0});
   map::MappingScratch scratch;
-  for (const std::size_t frame : frames_of(judged.findings, problem.time)) {
+  for (const std::size_t frame : frames_of(checked.findings, problem.time)) {
     if (problem.time[frame] >= attached_from(*problem.world)) continue;
-    const Moment moment{problem, frame, judge};
+    const Moment moment{problem, frame, check};
     DeadEnd end{Reason::unreachable, problem.time[frame], 0, {}};
     double least = std::numeric_limits<double>::infinity();
     bool held = false;
@@ -86,11 +87,11 @@ std::optional<DeadEnd> find_dead_end(const map::MappingProblem& problem,
         end.nearest = *std::ranges::max_element(left, {}, &Finding::depth);
       }
     };
-    attempt(judged.path.position.row(static_cast<Eigen::Index>(frame)).transpose());
+    attempt(checked.path.position.row(static_cast<Eigen::Index>(frame)).transpose());
     if (held) continue;
     for (const solve::Minimum& start : map::search_frame(
-             firm, frame, 2 * options.starts, 2 * options.starts, map::quick(options.solver),
-             math::seed_from(seed, "dead end", frame), scratch)) {
+             firm_problem, frame, 2 * options.starts, 2 * options.starts,
+             map::quick(options.solver), math::seed_from(seed, "dead end", frame), scratch)) {
       attempt(start.x);
       if (held) break;
     }
@@ -107,10 +108,10 @@ std::optional<DeadEnd> find_dead_end(const map::MappingProblem& problem,
   return std::nullopt;
 }
 
-repair::Made stop_at_dead_end(const map::MappingProblem& problem, const repair::Judged& best,
-                              const repair::Judge& judge, const map::MapOptions& options,
+repair::Made stop_at_dead_end(const map::MappingProblem& problem, const repair::Checked& best,
+                              const repair::Check& check, const map::MapOptions& options,
                               std::uint64_t seed, std::vector<Hold>& holds) {
-  const std::optional<DeadEnd> end = find_dead_end(problem, best, judge, options, seed, holds);
+  const std::optional<DeadEnd> end = find_dead_end(problem, best, check, options, seed, holds);
   if (!end) return {best};
   const std::string detail = fmt::format("the best of {} postures for {:.3f} s has {}", end->tried,
                                          end->time_s, repair::sentence(end->nearest));

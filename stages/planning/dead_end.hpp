@@ -29,15 +29,15 @@ struct DeadEnd {
 /// everything else, from the path and then from `options.starts` random positions. Found ones are
 /// appended to `holds`. A frame without any is a dead end: no path can pass it (as far as these
 /// starts tell). Frames at which something is carried are not looked at: where it hangs depends on
-/// the whole path. `judge` gives the findings of a path.
+/// the whole path. `check` gives the findings of a path.
 std::optional<DeadEnd> find_dead_end(const map::MappingProblem& problem,
-                                     const repair::Judged& judged, const repair::Judge& judge,
+                                     const repair::Checked& checked, const repair::Check& check,
                                      const map::MapOptions& options, std::uint64_t seed,
                                      std::vector<Hold>& holds);
 
 /// The rung that gives up where a dead end is found, with its reason.
-repair::Made stop_at_dead_end(const map::MappingProblem& problem, const repair::Judged& best,
-                              const repair::Judge& judge, const map::MapOptions& options,
+repair::Made stop_at_dead_end(const map::MappingProblem& problem, const repair::Checked& best,
+                              const repair::Check& check, const map::MapOptions& options,
                               std::uint64_t seed, std::vector<Hold>& holds);
 
 }  // namespace morphe::planning

@@ -9,7 +9,7 @@
 namespace morphe::planning {
 namespace {
 
-using repair::Judged;
+using repair::Checked;
 using repair::Made;
 using repair::Rung;
 
@@ -17,23 +17,23 @@ constexpr double kSoonSeen = 100;  ///< whether a path gets free is: values this
 
 /// `exactly`: twice the iterations, to the values that the options ask for.
 Rung re_solved(const ReSolving& solving, const Firmness& firmness, bool exactly = false) {
-  return [solving, firmness, exactly](const Judged& best) {
+  return [solving, firmness, exactly](const Checked& best) {
     Made made{best};
     const bool tips_alone = std::ranges::none_of(best.findings, is_collision, &Finding::cause);
     if (tips_alone && firmness.band_share == 1) return made;
     map::MapOptions options = solving.options;
     if (exactly) options.movement.iterations *= 2;
     if (!exactly) options.movement.relative_value *= kSoonSeen;
-    made.judged.path =
+    made.checked.path =
         map::resolve_path(as_firm(solving.whole, firmness), best.path, best.findings, options);
-    made.judged.findings = solving.judge(made.judged.path);
+    made.checked.findings = solving.check(made.checked.path);
     return made;
   };
 }
 
 /// Several rungs as one.
 Rung one_of(std::vector<Rung> rungs) {
-  return [rungs = std::move(rungs)](const Judged& best) { return repair::climb(rungs, best); };
+  return [rungs = std::move(rungs)](const Checked& best) { return repair::climb(rungs, best); };
 }
 
 }  // namespace
@@ -49,16 +49,16 @@ Rung firmly(const ReSolving& solving) {
 
 Rung candidates(const ReSolving& solving, const std::vector<JointRows>& courses,
                 std::vector<Rung> rungs) {
-  return [solving, &courses, rungs = std::move(rungs)](const Judged& from) {
+  return [solving, &courses, rungs = std::move(rungs)](const Checked& from) {
     Made best{from};
     for (const JointRows& course : courses) {
-      if (best.judged.findings.empty()) break;
-      Judged other{from.path, {}};
+      if (best.checked.findings.empty()) break;
+      Checked other{from.path, {}};
       other.path.position = course;
       std::ranges::fill(other.path.origin, Origin::resolved);
-      other.findings = solving.judge(other.path);
+      other.findings = solving.check(other.path);
       Made made = repair::climb(rungs, std::move(other));
-      if (repair::less_bad(made.judged.findings, best.judged.findings)) best = std::move(made);
+      if (repair::less_bad(made.checked.findings, best.checked.findings)) best = std::move(made);
     }
     return best;
   };

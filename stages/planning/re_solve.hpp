@@ -8,11 +8,11 @@
 
 namespace morphe::planning {
 
-/// What re-solving needs to know; all but `judge` must outlive the rungs.
+/// What re-solving needs to know; all but `check` must outlive the rungs.
 struct ReSolving {
   const map::MappingProblem& whole;  ///< the movement against the whole scene
   const map::MapOptions& options;
-  repair::Judge judge;
+  repair::Check check;
 };
 
 /// The least change of the mapping: the path re-solved near its findings against the whole scene,

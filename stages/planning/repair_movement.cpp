@@ -11,7 +11,7 @@
 namespace morphe::planning {
 namespace {
 
-using repair::Judged;
+using repair::Checked;
 using repair::Rung;
 
 /// A repaired path keeps this much more than the margin where it can: the curve through it is
@@ -27,34 +27,36 @@ Outcome<repair::RepairResult> repair_movement(const Planner& planner, const Plac
   const PipelineConfig& config = planner.config;
   map::MappingProblem whole = placed.problem;
   whole.world = &world;
-  const auto findings_in = [&](const collision::CollisionWorld& judged, const JointPath& path) {
-    return check::check_path(judged, plan.goals, plan.movement, path, config.check);
+  const auto findings_in = [&](const collision::CollisionWorld& of, const JointPath& path) {
+    return check::check_path(of, plan.goals, plan.movement, path, config.check);
   };
-  const repair::Judge judge = [&](const JointPath& path) { return findings_in(world, path); };
-  collision::CollisionWorld roomy = world;
-  roomy.tolerances.margin += kRoom;
-  const repair::Judge with_room = [&](const JointPath& path) { return findings_in(roomy, path); };
+  const repair::Check check = [&](const JointPath& path) { return findings_in(world, path); };
+  collision::CollisionWorld world_with_room = world;
+  world_with_room.tolerances.margin += kRoom;
+  const repair::Check with_room = [&](const JointPath& path) {
+    return findings_in(world_with_room, path);
+  };
 
-  const Judged start{plan.path, plan.findings};
+  const Checked start{plan.path, plan.findings};
   const ReSolving solving{whole, config.map, with_room};
   std::vector<Hold> holds;  // postures that hold goals at which the path failed
   NewCourses courses(whole, config.map, holds, static_cast<std::size_t>(config.repair.searches),
                      seed);
   repair::Surroundings around{world, config.repair, seed, with_room, {}};
 
-  const Rung a_detour = [&](const Judged& best) { return repair::detour(around, best); };
+  const Rung a_detour = [&](const Checked& best) { return repair::detour(around, best); };
   std::vector<Rung> ladder{a_detour};
   if (config.repair.method == repair::Method::humanlike) {
     around.win_back = {gently(solving), repair::if_nearly_free(firmly(solving))};
-    const Rung unless_a_dead_end = [&](const Judged& best) {
+    const Rung unless_a_dead_end = [&](const Checked& best) {
       const bool tips_count = config.map.mode != map::MapMode::joint_to_joint;
       if (!tips_count) return repair::Made{best};
-      return stop_at_dead_end(whole, best, judge, config.map, seed, holds);
+      return stop_at_dead_end(whole, best, check, config.map, seed, holds);
     };
-    const Rung a_detour_from_the_mapped_path = [&](const Judged& best) {
+    const Rung a_detour_from_the_mapped_path = [&](const Checked& best) {
       return repair::detour_from(start, around, best);
     };
-    const Rung other_courses = [&](const Judged& best) {
+    const Rung other_courses = [&](const Checked& best) {
       return repair::other_courses(around, std::ref(courses), best);
     };
     ladder = {
@@ -65,7 +67,7 @@ Outcome<repair::RepairResult> repair_movement(const Planner& planner, const Plac
     };
   }
   Outcome<repair::RepairResult> repaired = repair::repair_path(ladder, start, config.repair);
-  if (repaired.refusal && judge(repaired.value.path).empty()) {
+  if (repaired.refusal && check(repaired.value.path).empty()) {
     return {{std::move(repaired.value.path), true, {}}, {}};
   }
   return repaired;

@@ -72,7 +72,7 @@ GloveColumns glove_on_clock(const HandStream& glove, const std::optional<HandStr
   return filtered_glove(time, columns, clock, options);
 }
 
-void place_fingers(const GloveColumns& glove, const human::HandSize& size, HumanMotion& motion) {
+void pose_fingers(const GloveColumns& glove, const human::HandSize& size, HumanMotion& motion) {
   const GloveColumns columns = completed(glove, motion.estimated);
   const RobotTable hand = human::human_hand(size);
   std::vector<Pose> frames;

@@ -17,7 +17,7 @@ GloveColumns glove_on_clock(const HandStream& glove, const std::optional<HandStr
 /// Hand angles, and with the wrist's pose tips, tip orientations and middle joints. Sensors that a
 /// glove lacks are made up for, and named in `estimated`: a finger's last joint bends 2/3 as much
 /// as its middle one, the palm's arch is flat. A finger lacking another sensor stays unseen.
-void place_fingers(const GloveColumns& glove, const human::HandSize& size, HumanMotion& motion);
+void pose_fingers(const GloveColumns& glove, const human::HandSize& size, HumanMotion& motion);
 
 /// Length and breadth of the hand: recorded ones first, else by the stature (in `estimated`).
 human::HandSize hand_size_of(const Demonstration& demonstration, const HumanOptions& human,

@@ -24,8 +24,8 @@ std::vector<std::string> members_of(const MarkerStream& markers, const std::stri
 }
 
 /// Rigid fit of a body to what it was made of.
-void judge_fit(const MarkerBody& body, const std::vector<std::vector<Vec3>>& tracks,
-               HumanMotion& motion) {
+void measure_fit(const MarkerBody& body, const std::vector<std::vector<Vec3>>& tracks,
+                 HumanMotion& motion) {
   std::vector<double> misfit;
   for (std::size_t i = 0; i < body.world_from_body.size(); ++i) {
     std::vector<Vec3> now;
@@ -104,7 +104,7 @@ MarkerBody body_of(MarkerTrial& trial, const std::string& cluster, bool needed,
     smooth.push_back(on_clock(markers.time, body.tracks[k], trial.clock, trial.options));
   }
   body.world_from_body = poses_of(body.shape, smooth);
-  judge_fit(body, smooth, motion);
+  measure_fit(body, smooth, motion);
   return body;
 }
 

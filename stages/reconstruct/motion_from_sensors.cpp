@@ -109,7 +109,7 @@ void add_glove(const Demonstration& demonstration, const Clock& clock,
     std::vector<std::string> said;
     if (late_s != 0) columns = glove_on_clock(glove, flat_hand, late_s, clock, options, said);
   }
-  place_fingers(columns, hand_size_of(demonstration, human, motion.estimated), motion);
+  pose_fingers(columns, hand_size_of(demonstration, human, motion.estimated), motion);
 }
 
 void add_fingertips(const HandStream& hand, const Clock& clock, const ReconstructOptions& options,

@@ -17,15 +17,15 @@ bool collides(const std::vector<Finding>& findings) {
 }
 
 /// Intervals around all collisions; those that overlap become one.
-std::vector<Interval> intervals_of(const collision::CollisionWorld& world, const Judged& judged,
+std::vector<Interval> intervals_of(const collision::CollisionWorld& world, const Checked& checked,
                                    int attempt, const RepairOptions& options) {
   std::vector<std::pair<double, double>> spans;  // [s]
-  for (const Finding& finding : judged.findings)
+  for (const Finding& finding : checked.findings)
     if (is_collision(finding.cause)) spans.emplace_back(finding.begin_s, finding.end_s);
   std::sort(spans.begin(), spans.end());
 
   const auto around = [&](const std::pair<double, double>& span) {
-    return interval_around(world, judged.path, span.first, span.second,
+    return interval_around(world, checked.path, span.first, span.second,
                            options.widen_samples * (attempt + 1), options.extra_clearance);
   };
   std::vector<std::pair<double, double>> covered;
@@ -48,14 +48,14 @@ std::vector<Interval> intervals_of(const collision::CollisionWorld& world, const
 
 /// Plans around all collisions; false if nothing could be planned.
 bool plan_around(const Surroundings& around, const collision::CollisionWorld& world, int attempt,
-                 Judged& judged) {
+                 Checked& checked) {
   bool planned = false;
   const std::uint64_t seed =
       math::seed_from(around.seed, "attempt", static_cast<std::size_t>(attempt));
   std::size_t number = 0;
-  for (const Interval& interval : intervals_of(world, judged, attempt, around.options)) {
+  for (const Interval& interval : intervals_of(world, checked, attempt, around.options)) {
     const std::uint64_t own = math::seed_from(seed, "interval", number++);
-    planned |= plan_interval(interval, around.options, attempt, own, judged.path);
+    planned |= plan_interval(interval, around.options, attempt, own, checked.path);
   }
   return planned;
 }
@@ -78,7 +78,7 @@ Refusal end_in_collision(const collision::CollisionWorld& world, const JointPath
 
 }  // namespace
 
-Made detour(const Surroundings& around, const Judged& from) {
+Made detour(const Surroundings& around, const Checked& from) {
   Made made{from};
   if (!collides(from.findings)) return made;
   collision::CollisionWorld world =
@@ -86,15 +86,15 @@ Made detour(const Surroundings& around, const Judged& from) {
   collision::carry_target(from.path.demonstration_time, from.path.position, world);
   made.refusal = end_in_collision(world, from.path);
   if (made.refusal) return made;
-  Judged& best = made.judged;
+  Checked& best = made.checked;
   for (int attempt = 0; attempt < around.options.attempts && !best.findings.empty(); ++attempt) {
     // A detour that is free but worse in other ways is planned again from where it began.
-    Judged candidate = collides(best.findings) ? best : from;
+    Checked candidate = collides(best.findings) ? best : from;
     if (!plan_around(around, world, attempt, candidate)) continue;
-    candidate.findings = around.judge(candidate.path);
+    candidate.findings = around.check(candidate.path);
     // A detour costs tracking; the mapping may win it back from where the detour leads.
     const std::vector<Origin> origin = candidate.path.origin;
-    candidate = climb(around.win_back, std::move(candidate)).judged;
+    candidate = climb(around.win_back, std::move(candidate)).checked;
     for (std::size_t k = 0; k < origin.size(); ++k)
       if (origin[k] == Origin::planned) candidate.path.origin[k] = Origin::planned;
     if (less_bad(candidate.findings, best.findings)) best = std::move(candidate);
@@ -102,9 +102,9 @@ Made detour(const Surroundings& around, const Judged& from) {
   return made;
 }
 
-Made detour_from(const Judged& mapped, const Surroundings& around, const Judged& best) {
+Made detour_from(const Checked& mapped, const Surroundings& around, const Checked& best) {
   if (collides(best.findings)) return {best};
-  return {detour(around, mapped).judged};
+  return {detour(around, mapped).checked};
 }
 
 }  // namespace morphe::repair

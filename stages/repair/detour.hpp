@@ -8,12 +8,12 @@
 
 namespace morphe::repair {
 
-/// What a way around collisions is planned in, and judged by. The world must outlive it.
+/// What a way around collisions is planned in, and checked by. The world must outlive it.
 struct Surroundings {
   const collision::CollisionWorld& world;
   RepairOptions options;
   std::uint64_t seed = 0;
-  Judge judge;
+  Check check;
   /// Rungs that win back what a way around, or another course, cost in tracking.
   std::vector<Rung> win_back;
 };
@@ -24,9 +24,9 @@ struct Surroundings {
 /// widely in each attempt. Samples outside the intervals keep their bits unless they are won back;
 /// planned ones are Origin::planned. A path that collides at one of its ends is left as it is, with
 /// the reason. Depends on its arguments alone.
-Made detour(const Surroundings& around, const Judged& from);
+Made detour(const Surroundings& around, const Checked& from);
 
 /// For a path that is free but not where it should be: the detour from the mapped path instead.
-Made detour_from(const Judged& mapped, const Surroundings& around, const Judged& best);
+Made detour_from(const Checked& mapped, const Surroundings& around, const Checked& best);
 
 }  // namespace morphe::repair

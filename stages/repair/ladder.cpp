@@ -53,15 +53,15 @@ bool nearly_free(const std::vector<Finding>& findings) {
   return std::ranges::all_of(findings, [](const Finding& f) { return f.depth <= kMost; });
 }
 
-Made climb(const std::vector<Rung>& ladder, Judged start) {
+Made climb(const std::vector<Rung>& ladder, Checked start) {
   Made best{std::move(start)};
   for (const Rung& rung : ladder) {
-    if (best.judged.findings.empty() || best.last) break;
-    Made made = rung(best.judged);
-    if (less_bad(made.judged.findings, best.judged.findings)) {
+    if (best.checked.findings.empty() || best.last) break;
+    Made made = rung(best.checked);
+    if (less_bad(made.checked.findings, best.checked.findings)) {
       best = std::move(made);
     } else if (made.refusal) {
-      made.judged = std::move(best.judged);
+      made.checked = std::move(best.checked);
       best = std::move(made);
     }
   }
@@ -69,19 +69,19 @@ Made climb(const std::vector<Rung>& ladder, Judged start) {
 }
 
 Rung if_nearly_free(Rung rung) {
-  return [rung = std::move(rung)](const Judged& best) {
+  return [rung = std::move(rung)](const Checked& best) {
     return nearly_free(best.findings) ? rung(best) : Made{best};
   };
 }
 
-Outcome<RepairResult> repair_path(const std::vector<Rung>& ladder, Judged start,
+Outcome<RepairResult> repair_path(const std::vector<Rung>& ladder, Checked start,
                                   const RepairOptions& options) {
   const bool clean = start.findings.empty() || start.path.position.rows() == 0;
   Made made = clean ? Made{std::move(start)} : climb(ladder, std::move(start));
-  const std::vector<Finding>& remaining = made.judged.findings;
+  const std::vector<Finding>& remaining = made.checked.findings;
   if (!made.refusal) made.refusal = refusal_of(remaining, options);
   const bool repaired = !clean && remaining.empty();
-  return {{std::move(made.judged.path), repaired, std::move(made.judged.findings)},
+  return {{std::move(made.checked.path), repaired, std::move(made.checked.findings)},
           std::move(made.refusal)};
 }
 

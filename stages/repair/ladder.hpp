@@ -12,11 +12,11 @@
 namespace morphe::repair {
 
 /// A path and everything that is wrong with it.
-struct Judged {
+struct Checked {
   JointPath path;
   std::vector<Finding> findings;
 };
-using Judge = std::function<std::vector<Finding>(const JointPath&)>;
+using Check = std::function<std::vector<Finding>(const JointPath&)>;
 
 /// The order by which repair decides: the depths of all collisions together; where these are equal,
 /// those of everything else.
@@ -28,17 +28,17 @@ bool nearly_free(const std::vector<Finding>& findings);
 
 /// What a rung made of the best path so far: another one, or the same.
 struct Made {
-  Judged judged;
+  Checked checked;
   Refusal refusal = {};  ///< what stopped the rung
   bool last = false;     ///< no other rung can help
 };
 
 /// One way to change a path. It depends on the path alone.
-using Rung = std::function<Made(const Judged& best)>;
+using Rung = std::function<Made(const Checked& best)>;
 
 /// The rungs one after the other, as long as something is wrong: what a rung made is kept if it is
 /// less bad.
-Made climb(const std::vector<Rung>& ladder, Judged start);
+Made climb(const std::vector<Rung>& ladder, Checked start);
 
 /// The rung for paths that are nearly free, for no others.
 Rung if_nearly_free(Rung rung);
@@ -51,7 +51,7 @@ struct RepairResult {
 
 /// Climbs, and says what is left: what stopped a rung, or the worst finding, collisions first.
 /// Refused: start_in_collision, goal_in_collision, unreachable, no_path, limit, jump, tracking.
-Outcome<RepairResult> repair_path(const std::vector<Rung>& ladder, Judged start,
+Outcome<RepairResult> repair_path(const std::vector<Rung>& ladder, Checked start,
                                   const RepairOptions& options);
 
 /// "object: palm – cup from 1.200 s to 1.300 s, 0.0040 m too much".

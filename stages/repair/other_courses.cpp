@@ -19,22 +19,22 @@ bool alike(const std::vector<Finding>& a, const std::vector<Finding>& b) {
 
 }  // namespace
 
-Made other_courses(const Surroundings& around, const NextCourse& next, const Judged& from) {
+Made other_courses(const Surroundings& around, const NextCourse& next, const Checked& from) {
   constexpr int kOftenEnough = 4;  // courses that end with the same findings: no other will do
   int ended_there = 0;
   bool nearer = true;
   Made best{from};
-  while (!best.judged.findings.empty() && ended_there < kOftenEnough) {
+  while (!best.checked.findings.empty() && ended_there < kOftenEnough) {
     std::optional<JointPath> course = next(nearer);
     if (!course) break;
-    Judged judged{std::move(*course), {}};
-    judged.findings = around.judge(judged.path);
-    Made made = climb(around.win_back, std::move(judged));
+    Checked checked{std::move(*course), {}};
+    checked.findings = around.check(checked.path);
+    Made made = climb(around.win_back, std::move(checked));
     const bool detour_may_do =
-        std::ranges::all_of(made.judged.findings, is_collision, &Finding::cause);
-    if (detour_may_do) made = detour(around, made.judged);
-    nearer = less_bad(made.judged.findings, best.judged.findings);
-    const bool same = alike(made.judged.findings, best.judged.findings);
+        std::ranges::all_of(made.checked.findings, is_collision, &Finding::cause);
+    if (detour_may_do) made = detour(around, made.checked);
+    nearer = less_bad(made.checked.findings, best.checked.findings);
+    const bool same = alike(made.checked.findings, best.checked.findings);
     if (same) ++ended_there;
     if (!nearer) continue;
     if (!same) ended_there = 0;

@@ -14,6 +14,6 @@ using NextCourse = std::function<std::optional<JointPath>(bool nearer)>;
 
 /// The best of the path and of other courses, won back and led around collisions alike; the first
 /// one that is free, or the best when there are no more, or when four end with the same findings.
-Made other_courses(const Surroundings& around, const NextCourse& next, const Judged& from);
+Made other_courses(const Surroundings& around, const NextCourse& next, const Checked& from);
 
 }  // namespace morphe::repair

@@ -73,7 +73,7 @@ Deviation deviation_at(const Leverage& leverage, std::size_t i, const JointVecto
 
 /// Where the samples lie among the knots, and what they weigh; the same for all joints.
 struct Rows {
-  std::vector<math::KnotPlace> place;
+  std::vector<math::SplinePoint> place;
   std::vector<Eigen::Matrix<double, 6, 1>> basis;
   std::vector<double> weight;
   Eigen::VectorXd roughness;     ///< weight of each third difference
@@ -85,7 +85,7 @@ Rows rows_of(const std::vector<double>& clock, const std::vector<double>& allowa
   Rows rows;
   rows.roughness = Eigen::VectorXd::Constant(spline.coefficient.rows() - 3, kLeastRoughness);
   for (std::size_t i = 0; i < clock.size(); ++i) {
-    const math::KnotPlace at = math::place_of(spline, clock[i]);
+    const math::SplinePoint at = math::spline_point(spline, clock[i]);
     rows.place.push_back(at);
     const auto basis = math::bspline_weights<5>(at.z);
     rows.basis.emplace_back(basis.data());

@@ -74,24 +74,24 @@ std::vector<Point> points_of(double length, Eigen::Index intervals) {
   return points;
 }
 
-Constraints constraints_of(const Course& course, const RampedClock& clock, Eigen::Index intervals,
-                           double most) {
+Constraints constraints_of(const PacedPath& paced_path, const RampedClock& clock,
+                           Eigen::Index intervals, double most) {
   Constraints c;
   c.point = points_of(clock.length, intervals);
   const auto points = static_cast<Eigen::Index>(c.point.size());
-  const Eigen::Index n = course.acceleration.size(), rows = (n + 3) / 4 * 4;
+  const Eigen::Index n = paced_path.acceleration.size(), rows = (n + 3) / 4 * 4;
   for (Eigen::ArrayXXd* block : {&c.a0, &c.a1, &c.j0, &c.j1, &c.j2}) block->setZero(rows, points);
   c.ceiling.resize(points);
-  const Eigen::ArrayXd per_a = course.acceleration.array().inverse();
-  const Eigen::ArrayXd per_j = course.jerk.array().inverse();
+  const Eigen::ArrayXd per_a = paced_path.acceleration.array().inverse();
+  const Eigen::ArrayXd per_j = paced_path.jerk.array().inverse();
   JointRows q;
   for (Eigen::Index i = 0; i < points; ++i) {
     const ClockAt at = clock_at(clock, c.point[static_cast<std::size_t>(i)].w);
-    math::evaluate(course.spline, at.u, q);
-    const double pace = std::min(most, most_pace(course, at.u, q) / std::max(at.d1, 1e-12));
+    math::evaluate(paced_path.spline, at.u, q);
+    const double pace = std::min(most, most_pace(paced_path, at.u, q) / std::max(at.d1, 1e-12));
     c.ceiling[i] = pace * pace;
     chain(at, q);
-    const double s = slowdown_at(course, at.u);
+    const double s = slowdown_at(paced_path, at.u);
     const auto column = [&](Eigen::Index order, const Eigen::ArrayXd& per) {
       return q.row(order).transpose().array() * per;
     };
@@ -283,9 +283,9 @@ bool positive(const Progress& progress) {
 
 }  // namespace
 
-Progress fastest_progress(const Course& course, const RampedClock& clock, Eigen::Index intervals,
-                          double most, double scale_s) {
-  const Constraints constraints = constraints_of(course, clock, intervals, most);
+Progress fastest_progress(const PacedPath& paced_path, const RampedClock& clock,
+                          Eigen::Index intervals, double most, double scale_s) {
+  const Constraints constraints = constraints_of(paced_path, clock, intervals, most);
   const Progress start{clock.length, feasible(constraints, intervals)};
   Progress fastest = start;
   minimise(constraints, scale_s, fastest.coefficient);

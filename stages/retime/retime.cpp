@@ -61,66 +61,66 @@ std::string what_is_beyond_limits(const RobotTable& robot, const JointPath& path
   return "";
 }
 
-Course make_course(const RobotTable& robot, const JointPath& path, const Movement& movement,
-                   const RetimeOptions& options, bool keep_pauses, RetimeResult& result) {
-  Course course;
-  course.robot = &robot;
-  course.movement = &movement;
-  course.clocked = clock_path(robot, path, kKnotStep_s, keep_pauses);
+PacedPath make_course(const RobotTable& robot, const JointPath& path, const Movement& movement,
+                      const RetimeOptions& options, bool keep_pauses, RetimeResult& result) {
+  PacedPath paced_path;
+  paced_path.robot = &robot;
+  paced_path.movement = &movement;
+  paced_path.clocked = clock_path(robot, path, kKnotStep_s, keep_pauses);
   std::vector<double> allowance;
-  for (const Origin origin : course.clocked.origin) {
+  for (const Origin origin : paced_path.clocked.origin) {
     allowance.push_back(origin == Origin::planned ? options.planned_smoothing : 1);
   }
   PathFit fitted =
-      fit_path(robot, course.clocked.clock, course.clocked.position, allowance,
+      fit_path(robot, paced_path.clocked.clock, paced_path.clocked.position, allowance,
                {options.smoothing_s, options.tip_tolerance, options.joint_tolerance}, kKnotStep_s);
-  course.spline = std::move(fitted.spline);
+  paced_path.spline = std::move(fitted.spline);
   result.tip_deviation = fitted.tip_deviation;
   result.joint_deviation = fitted.joint_deviation;
-  course.velocity = options.limit_share * robot.velocity;
-  course.acceleration = options.limit_share * robot.acceleration;
-  course.jerk = options.limit_share * robot.jerk;
-  course.tip_speed = options.tip_speed.value_or(kMostPace);
-  if (!options.phase_speed.empty()) course.phase_scale.assign(kPhases, 1);
+  paced_path.velocity = options.limit_share * robot.velocity;
+  paced_path.acceleration = options.limit_share * robot.acceleration;
+  paced_path.jerk = options.limit_share * robot.jerk;
+  paced_path.tip_speed = options.tip_speed.value_or(kMostPace);
+  if (!options.phase_speed.empty()) paced_path.phase_scale.assign(kPhases, 1);
   for (const PhaseSpeed& phase : options.phase_speed) {
-    course.phase_scale[static_cast<std::size_t>(phase.phase)] = phase.scale;
+    paced_path.phase_scale[static_cast<std::size_t>(phase.phase)] = phase.scale;
   }
-  course.slowdown.assign(static_cast<std::size_t>(course.spline.intervals), 1);
-  return course;
+  paced_path.slowdown.assign(static_cast<std::size_t>(paced_path.spline.intervals), 1);
+  return paced_path;
 }
 
-/// How many times slower each step between samples would have to be to hold the course's limits; 0
+/// How many times slower each step between samples would have to be to hold the path's limits; 0
 /// where it surely does.
-std::vector<double> haste(const Course& course, const Trajectory& trajectory) {
+std::vector<double> haste(const PacedPath& paced_path, const Trajectory& trajectory) {
   std::vector<double> out;
   for (std::size_t i = 0; i + 1 < trajectory.samples(); ++i) {
     double worst = 0;
     for (Eigen::Index joint = 0; joint < trajectory.position.cols(); ++joint) {
       const math::QuinticPiece piece = math::quintic_piece(trajectory, i, joint);
-      if (math::surely_within(piece, course.velocity[joint], course.acceleration[joint],
-                              course.jerk[joint])) {
+      if (math::surely_within(piece, paced_path.velocity[joint], paced_path.acceleration[joint],
+                              paced_path.jerk[joint])) {
         continue;
       }
       const math::QuinticExtremes over = math::extremes(piece);
       const auto ratio = [](const math::Range& range, double limit) {
         return std::max(-range.least, range.greatest) / limit;
       };
-      worst = std::max({worst, ratio(over.velocity, course.velocity[joint]),
-                        std::sqrt(ratio(over.acceleration, course.acceleration[joint])),
-                        std::cbrt(ratio(over.jerk, course.jerk[joint]))});
+      worst = std::max({worst, ratio(over.velocity, paced_path.velocity[joint]),
+                        std::sqrt(ratio(over.acceleration, paced_path.acceleration[joint])),
+                        std::cbrt(ratio(over.jerk, paced_path.jerk[joint]))});
     }
     out.push_back(worst);
   }
   return out;
 }
 
-/// Slows the course where the samples are too hasty, and a few knots around.
-void slow_down(Course& course, const SampledLaw& sampled, const std::vector<double>& hasty) {
-  const auto cells = static_cast<Eigen::Index>(course.slowdown.size());
+/// Slows the path where the samples are too hasty, and a few knots around.
+void slow_down(PacedPath& paced_path, const SampledLaw& sampled, const std::vector<double>& hasty) {
+  const auto cells = static_cast<Eigen::Index>(paced_path.slowdown.size());
   const auto cell_of = [&](double u) {
-    return static_cast<Eigen::Index>(u / course.spline.length * static_cast<double>(cells));
+    return static_cast<Eigen::Index>(u / paced_path.spline.length * static_cast<double>(cells));
   };
-  std::vector<double> factor(course.slowdown.size(), 1);
+  std::vector<double> factor(paced_path.slowdown.size(), 1);
   for (std::size_t i = 0; i < hasty.size(); ++i) {
     if (hasty[i] <= 1) continue;
     const Eigen::Index from = std::max<Eigen::Index>(0, cell_of(sampled.clock[i]) - kReach);
@@ -130,7 +130,7 @@ void slow_down(Course& course, const SampledLaw& sampled, const std::vector<doub
       here = std::max(here, hasty[i] * (1 + kInside));
     }
   }
-  for (std::size_t k = 0; k < factor.size(); ++k) course.slowdown[k] *= factor[k];
+  for (std::size_t k = 0; k < factor.size(); ++k) paced_path.slowdown[k] *= factor[k];
 }
 
 /// A law, its samples, and how hasty each step between them is.
@@ -141,41 +141,41 @@ struct Attempt {
   double worst = 0;
 };
 
-void sample(const Course& course, double rate_hz, Attempt& attempt) {
-  attempt.sampled = sample_law(course, attempt.paced, rate_hz);
-  attempt.hasty = haste(course, attempt.sampled.trajectory);
+void sample(const PacedPath& paced_path, double rate_hz, Attempt& attempt) {
+  attempt.sampled = sample_law(paced_path, attempt.paced, rate_hz);
+  attempt.hasty = haste(paced_path, attempt.sampled.trajectory);
   attempt.worst = *std::max_element(attempt.hasty.begin(), attempt.hasty.end());
 }
 
-using Pace = std::function<std::optional<PacedLaw>(Course&)>;
+using Pace = std::function<std::optional<PacedLaw>(PacedPath&)>;
 
-/// Paces and samples the course until the quintics hold its limits: slowed down where they do not,
+/// Paces and samples the path until the quintics hold its limits: slowed down where they do not,
 /// and as a whole if that takes too long. False if that never comes, or there is no pace.
-bool follow(Course& course, const Pace& pace, double rate_hz, Attempt& attempt) {
+bool follow(PacedPath& paced_path, const Pace& pace, double rate_hz, Attempt& attempt) {
   for (int round = 0; round <= kCorrections; ++round) {
-    std::optional<PacedLaw> paced = pace(course);
+    std::optional<PacedLaw> paced = pace(paced_path);
     if (!paced) return false;
     attempt.paced = std::move(*paced);
-    sample(course, rate_hz, attempt);
+    sample(paced_path, rate_hz, attempt);
     if (attempt.worst <= 1) return true;
     if (!std::isfinite(attempt.worst)) return false;
     // The last rounds slow down more than where it is needed.
     std::vector<double> hasty = attempt.hasty;
     if (2 * round >= kCorrections) std::fill(hasty.begin(), hasty.end(), attempt.worst);
-    slow_down(course, attempt.sampled, hasty);
+    slow_down(paced_path, attempt.sampled, hasty);
   }
   return false;
 }
 
 /// In as many periods as it takes.
-bool follow_freely(Course& course, const Pace& pace, double rate_hz, Attempt& attempt) {
-  if (follow(course, pace, rate_hz, attempt)) return true;
+bool follow_freely(PacedPath& paced_path, const Pace& pace, double rate_hz, Attempt& attempt) {
+  if (follow(paced_path, pace, rate_hz, attempt)) return true;
   if (!std::isfinite(attempt.worst)) return false;
   for (int stretch = 0; attempt.worst > 1 && stretch < kCorrections; ++stretch) {
     const auto moving = static_cast<double>(attempt.paced.periods - 2);
     const double longer = std::ceil(moving * attempt.worst * (1 + kInside));
     attempt.paced.periods = 2 + static_cast<Eigen::Index>(longer);
-    sample(course, rate_hz, attempt);
+    sample(paced_path, rate_hz, attempt);
   }
   return attempt.worst <= 1;
 }
@@ -183,27 +183,27 @@ bool follow_freely(Course& course, const Pace& pace, double rate_hz, Attempt& at
 /// In so many periods: in the human's proportions; in those without the pauses, which may leave no
 /// time for the way; or as the fastest way there is, stretched. That stays within the limits but
 /// for what other instants of sampling do: if it does not, as it is, and at rest thereafter.
-bool follow_for(Eigen::Index periods, const std::function<Course(bool keep_pauses)>& make,
+bool follow_for(Eigen::Index periods, const std::function<PacedPath(bool keep_pauses)>& make,
                 double rate_hz, Attempt& attempt) {
-  const auto pace = [&](Course& c) { return pace_duration(c, rate_hz, periods); };
-  Course course = make(true);
-  const double with_pauses_s = course.spline.length;
-  if (follow(course, pace, rate_hz, attempt)) return true;
-  const Course without = make(false);
-  course = without;
-  const bool pauses = course.spline.length < with_pauses_s;
-  if (pauses && follow(course, pace, rate_hz, attempt)) return true;
-  course = without;
-  const auto fastest = [&](Course& c) { return pace_fastest(c, rate_hz); };
-  if (!follow_freely(course, fastest, rate_hz, attempt)) return false;
+  const auto pace = [&](PacedPath& c) { return pace_duration(c, rate_hz, periods); };
+  PacedPath paced_path = make(true);
+  const double with_pauses_s = paced_path.spline.length;
+  if (follow(paced_path, pace, rate_hz, attempt)) return true;
+  const PacedPath without = make(false);
+  paced_path = without;
+  const bool pauses = paced_path.spline.length < with_pauses_s;
+  if (pauses && follow(paced_path, pace, rate_hz, attempt)) return true;
+  paced_path = without;
+  const auto fastest = [&](PacedPath& c) { return pace_fastest(c, rate_hz); };
+  if (!follow_freely(paced_path, fastest, rate_hz, attempt)) return false;
   const Eigen::Index least = attempt.paced.periods;
   if (least > periods) return false;
   attempt.paced.periods = periods;
-  sample(course, rate_hz, attempt);
+  sample(paced_path, rate_hz, attempt);
   if (attempt.worst <= 1) return true;
   attempt.paced.periods = least;
   attempt.paced.rest = periods - least;
-  sample(course, rate_hz, attempt);
+  sample(paced_path, rate_hz, attempt);
   return attempt.worst <= 1;
 }
 
@@ -252,11 +252,11 @@ Outcome<RetimeResult> retime(const RobotTable& robot, const JointPath& path,
     }
   } else {
     const bool human = options.mode == Tempo::human;
-    Course course = make(human);
-    const auto pace = [&](Course& c) {
+    PacedPath paced_path = make(human);
+    const auto pace = [&](PacedPath& c) {
       return human ? pace_human(c, rate_hz) : pace_fastest(c, rate_hz);
     };
-    if (!follow_freely(course, pace, rate_hz, attempt)) {
+    if (!follow_freely(paced_path, pace, rate_hz, attempt)) {
       return {std::move(result),
               {Reason::limit,
                "no slowdown brings the path within the joints' velocity, acceleration and jerk"}};

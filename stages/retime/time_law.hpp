@@ -3,7 +3,7 @@
 #include <functional>
 #include <optional>
 
-#include "stages/retime/course.hpp"
+#include "stages/retime/paced_path.hpp"
 
 namespace morphe::retime {
 
@@ -13,12 +13,12 @@ struct TimeLaw {
   std::function<double(double)> clock_at;  ///< u at a time, not decreasing; the ends beyond them
 };
 
-/// The fastest law within the course's limits: reachability analysis for velocity and acceleration;
+/// The fastest law within the path's limits: reachability analysis for velocity and acceleration;
 /// where a joint's jerk is bounded, the fastest smooth progress within that too.
 /// grid_steps, knots: of the two; fewer are coarser and faster.
-TimeLaw fastest_law(const Course& course, Eigen::Index grid_steps, Eigen::Index knots);
-/// With as many steps as the course's spline needs.
-TimeLaw fastest_law(const Course& course);
+TimeLaw fastest_law(const PacedPath& paced_path, Eigen::Index grid_steps, Eigen::Index knots);
+/// With as many steps as the path's spline needs.
+TimeLaw fastest_law(const PacedPath& paced_path);
 
 /// A law and how many periods its samples take: sample_law() stretches it to that.
 struct PacedLaw {
@@ -30,14 +30,14 @@ struct PacedLaw {
 Eigen::Index least_periods(const TimeLaw& law, double rate_hz);
 
 /// As fast as the limits allow.
-PacedLaw pace_fastest(Course& course, double rate_hz);
+PacedLaw pace_fastest(PacedPath& paced_path, double rate_hz);
 /// du/dt <= 1. Being late by up to 5 % (starting and stopping take time that the demonstration may
 /// not have taken) is made up for next to both ends, by up to 1.4 times that pace, if limits allow.
-PacedLaw pace_human(Course& course, double rate_hz);
+PacedLaw pace_human(PacedPath& paced_path, double rate_hz);
 /// As human as can be, a steady pace faster or slower, so that all takes so many periods; nothing
-/// if even the fastest law takes longer. A course that was paced so before and slowed down since
+/// if even the fastest law takes longer. A path that was paced so before and slowed down since
 /// needs no less than the tempo it was left with, and starts from that.
-std::optional<PacedLaw> pace_duration(Course& course, double rate_hz, Eigen::Index periods);
+std::optional<PacedLaw> pace_duration(PacedPath& paced_path, double rate_hz, Eigen::Index periods);
 
 /// Samples of the law: c_k = u at the sample instants, stretched to `periods` - 2 and with a period
 /// of rest at each end, are the coefficients of a cubic B-spline in time with its knots at the
@@ -49,6 +49,6 @@ struct SampledLaw {
   Trajectory trajectory;
   std::vector<double> clock;  ///< u at the samples
 };
-SampledLaw sample_law(const Course& course, const PacedLaw& paced, double rate_hz);
+SampledLaw sample_law(const PacedPath& paced_path, const PacedLaw& paced, double rate_hz);
 
 }  // namespace morphe::retime

@@ -180,7 +180,7 @@ std::vector<Bout> with_weak_neighbours(const HandSignals& signals, const Segment
   return result;
 }
 
-void judge_dips(const Speeds& speed, double dip_share, std::vector<Bout>& bouts) {
+void measure_dips(const Speeds& speed, double dip_share, std::vector<Bout>& bouts) {
   for (std::size_t k = 0; k < bouts.size(); ++k) {
     const double peak = speed[bouts[k].peak];
     if (k == 0) {
@@ -220,7 +220,7 @@ double rebound(const Speeds& speed, std::size_t edge, std::size_t rest, std::siz
 
 }  // namespace
 
-void place_ends(const HandSignals& signals, const SegmentOptions& options, Bout& bout) {
+void find_ends(const HandSignals& signals, const SegmentOptions& options, Bout& bout) {
   const double level = options.onset_share * signals.speed[bout.peak];
   const double part = options.weak_share * signals.speed[bout.peak];
   const Edge begin = find_edge(signals, bout.first, bout.first_part, level, part);
@@ -252,7 +252,7 @@ void absorb(const HandSignals& signals, const SegmentOptions& options, const Bou
   bout.first = std::min(bout.first, other.first);
   bout.last = std::max(bout.last, other.last);
   if (signals.speed[other.peak] > signals.speed[bout.peak]) bout.peak = other.peak;
-  place_ends(signals, options, bout);
+  find_ends(signals, options, bout);
 }
 
 double dip_confidence(double slowest, double smaller_peak, double dip_share) {
@@ -273,13 +273,13 @@ std::vector<Bout> find_bouts(const HandSignals& signals, const SegmentOptions& o
     bout.first = piece.first;
     bout.last = piece.last;
     bout.peak = bout.first_part = bout.last_part = piece.peak;
-    place_ends(signals, options, bout);
+    find_ends(signals, options, bout);
     if (bout.end_s - bout.begin_s >= kLeastBout_s) bouts.push_back(bout);
   }
   mark_weak(signals, options, bouts);
   bouts = with_weak_neighbours(signals, options, bouts);
   take_in_fingers(signals, options, bouts);
-  judge_dips(signals.speed, options.dip_share, bouts);
+  measure_dips(signals.speed, options.dip_share, bouts);
   return bouts;
 }
 

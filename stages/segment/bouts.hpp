@@ -40,7 +40,7 @@ std::vector<Bout> find_bouts(const HandSignals& signals, const SegmentOptions& o
 inline constexpr double kNoisePeak = 4;
 
 /// Begin, end and what follows from them, of a bout between `first` and `last`.
-void place_ends(const HandSignals& signals, const SegmentOptions& options, Bout& bout);
+void find_ends(const HandSignals& signals, const SegmentOptions& options, Bout& bout);
 
 /// Lengthens a bout by one beside it: its begin and end are those of the two taken as one.
 void absorb(const HandSignals& signals, const SegmentOptions& options, const Bout& other,

@@ -100,7 +100,7 @@ Evidence gather(const HandSignals& signals, const HumanMotion& motion,
   Evidence on{signals, options, bouts, objects, {}, {}, usual_place(motion.shoulder)};
   for (std::size_t k = 0; k < bouts.size(); ++k) {
     const double next_s = k + 1 < bouts.size() ? bouts[k + 1].begin_s : signals.end_s();
-    on.opening.push_back(judge_opening(signals, options, bouts[k].begin_s, bouts[k].end_s, next_s));
+    on.opening.push_back(opening_in(signals, options, bouts[k].begin_s, bouts[k].end_s, next_s));
     on.carried.push_back(carries(bouts[k], motions));
   }
   return on;

@@ -72,7 +72,7 @@ void lengthen(const HandSignals& signals, const SegmentOptions& options, const C
     bout.last_part = last;
     bout.last = slowest(signals, last, latest);
   }
-  place_ends(signals, options, bout);
+  find_ends(signals, options, bout);
 }
 
 }  // namespace

@@ -31,8 +31,7 @@ std::size_t lifting_bout(const std::vector<Bout>& bouts, double time_s) {
 bool goes_on_reaching(const HandSignals& signals, const SegmentOptions& options, const Bout& reach,
                       const Bout& bout) {
   const double closed_s = bout.end_s + kClosing_s;
-  if (!judge_opening(signals, options, reach.begin_s, bout.begin_s, closed_s).grasps())
-    return false;
+  if (!opening_in(signals, options, reach.begin_s, bout.begin_s, closed_s).grasps()) return false;
   const auto at = [&](double time_s) {
     return signals.opening.begin() + static_cast<std::ptrdiff_t>(signals.frame(time_s));
   };
@@ -95,7 +94,7 @@ GraspTimes find_grasp(const HandSignals& signals, const SegmentOptions& options,
     grasp.end_confidence = bouts[next].begin_confidence;
   }
   const double begin_s = bouts.front().begin_s;
-  grasp.opening = judge_opening(signals, options, begin_s, grasp.begin_s, grasp.end_s);
+  grasp.opening = opening_in(signals, options, begin_s, grasp.begin_s, grasp.end_s);
   if (moved && !grasp.opening.widens) {
     grasp.opening.preshape_s = signals.time(static_cast<double>(bouts.front().peak));
   }

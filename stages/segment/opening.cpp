@@ -3,8 +3,8 @@
 #include <algorithm>
 
 namespace morphe::segment {
-Opening judge_opening(const HandSignals& signals, const SegmentOptions& options,
-                      double reach_begin_s, double reach_end_s, double closed_by_s) {
+Opening opening_in(const HandSignals& signals, const SegmentOptions& options, double reach_begin_s,
+                   double reach_end_s, double closed_by_s) {
   Opening result;
   result.preshape_s = result.widest_s = reach_begin_s;
   if (signals.opening.empty()) return result;

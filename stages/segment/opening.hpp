@@ -18,7 +18,7 @@ struct Opening {
 };
 
 /// The opening in a reach, and whether it has closed by `closed_by_s`, when the next motion begins.
-Opening judge_opening(const HandSignals& signals, const SegmentOptions& options,
-                      double reach_begin_s, double reach_end_s, double closed_by_s);
+Opening opening_in(const HandSignals& signals, const SegmentOptions& options, double reach_begin_s,
+                   double reach_end_s, double closed_by_s);
 
 }  // namespace morphe::segment

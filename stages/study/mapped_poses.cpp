@@ -9,7 +9,6 @@
 #include "pipeline/robot/forward.hpp"
 #include "stages/map/finger_curve.hpp"
 #include "stages/map/frame_search.hpp"
-#include "stages/study/judge.hpp"
 #include "stages/study/stopwatch.hpp"
 
 namespace morphe::study {
@@ -128,7 +127,7 @@ MappedPoses map_poses(const robot::Robot& robot, const std::vector<humanlike::Fr
   for (int k = 0; k < kKeys; ++k) {
     const std::size_t key = (goals.size() - 1) * static_cast<std::size_t>(k) / (kKeys - 1);
     for (const solve::Minimum& start : map::search_frame(
-             problem, key, starts, kKept, map::exact(options),
+             problem, key, starts, kKept, map::thorough(options),
              math::seed_from(seed, "key frame", static_cast<std::size_t>(k)), scratch)) {
       take(key, start);
       follow(key, goals.size() - 1, 1, start.x);

@@ -8,7 +8,6 @@
 #include "pipeline/store/demonstration_file.hpp"
 #include "stages/import/import.hpp"
 #include "stages/planning/plan_movement.hpp"
-#include "stages/study/judge.hpp"
 #include "stages/study/mapping_options.hpp"
 #include "stages/study/results.hpp"
 #include "stages/synthesize/synthesize.hpp"

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 
-#include "stages/study/judge.hpp"
 #include "stages/study/mapped_poses.hpp"
 #include "stages/study/paper_options.hpp"
 

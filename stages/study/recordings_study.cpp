@@ -1,4 +1,4 @@
-#include "stages/study/judge.hpp"
+#include "stages/study/score_recordings.hpp"
 
 namespace morphe::study {
 
@@ -8,18 +8,18 @@ std::string why_invalid(const SyntheticSet& o) {
 }
 
 StudyResult recordings_study(const config::ConfigNode& config, const StudyRun& run) {
-  JudgeOptions options;
+  ScoreOptions options;
   options.folder = run.config.parent_path();
   config::read_options(config, static_cast<RecordingsStudyOptions&>(options));
   config.expect_all_read();
   StudyResult result;
-  for (const RealSet& set : options.real) judge_real(options, set, run, result);
+  for (const RealSet& set : options.real) score_real(options, set, run, result);
   Plot errors;
   errors.title = "Boundaries of reaches on synthetic recordings";
   errors.x_label = "error [ms]";
   errors.y_label = "share of boundaries below it [%]";
   for (const SyntheticSet& set : options.synthetic) {
-    judge_synthetic(options, set, run, result, errors);
+    score_synthetic(options, set, run, result, errors);
   }
   if (!errors.lines.empty()) result.plots.emplace_back("boundary_errors", std::move(errors));
   return result;

@@ -11,7 +11,6 @@
 #include "stages/certify/goal_errors.hpp"
 #include "stages/planning/plan_movement.hpp"
 #include "stages/repair/detour.hpp"
-#include "stages/study/judge.hpp"
 #include "stages/study/obstacles.hpp"
 #include "stages/study/repair_options.hpp"
 #include "stages/synthesize/synthesize.hpp"
@@ -85,7 +84,7 @@ void look_for_collisions(const robot::Robot& robot, const Plan& plan, const Traj
   for (std::size_t i = 1; i < trajectory.samples(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     const JointVector from = trajectory.position.row(row - 1), to = trajectory.position.row(row);
-    const double travel_m = (robot.capsule_reach * (to - from).cwiseAbs()).maxCoeff();
+    const double travel_m = (robot.capsule_levers * (to - from).cwiseAbs()).maxCoeff();
     const int steps = std::max(1, static_cast<int>(std::ceil(travel_m / step_m)));
     for (int k = 0; k < steps; ++k) {
       const double share = static_cast<double>(k) / steps;
@@ -97,7 +96,7 @@ void look_for_collisions(const robot::Robot& robot, const Plan& plan, const Traj
   }
 }
 
-Repaired judge(const Study& study, const robot::Robot& robot, const Plan& plan) {
+Repaired check(const Study& study, const robot::Robot& robot, const Plan& plan) {
   Repaired repaired;
   repaired.executable = plan.executable();
   repaired.failure =
@@ -128,12 +127,12 @@ Plan repair_plainly(const planning::LoadedConfig& loaded, const Plan& undisturbe
   plan.trajectory = {};
   const collision::CollisionWorld world =
       collision::make_world(loaded.robot, plan.scene, plan.movement, plan.tolerances);
-  const repair::Judge judge = [&](const JointPath& path) {
+  const repair::Check check = [&](const JointPath& path) {
     return check::check_path(world, plan.goals, plan.movement, path, loaded.options.check);
   };
-  const repair::Surroundings around{world, loaded.options.repair, seed, judge, {}};
-  const repair::Judged start{plan.path, judge(plan.path)};
-  const repair::Rung a_detour = [&](const repair::Judged& best) {
+  const repair::Surroundings around{world, loaded.options.repair, seed, check, {}};
+  const repair::Checked start{plan.path, check(plan.path)};
+  const repair::Rung a_detour = [&](const repair::Checked& best) {
     return repair::detour(around, best);
   };
   const Outcome<repair::RepairResult> repaired =
@@ -168,10 +167,10 @@ ObstacleCase run_case(const Study& study, const std::vector<planning::LoadedConf
   Plan disturbed;
   for (const planning::LoadedConfig& variant : variants) {
     disturbed = plan_with(variant, obstacle, recorded);
-    result.variants.push_back(judge(study, ours.robot, disturbed));
+    result.variants.push_back(check(study, ours.robot, disturbed));
   }
   result.variants.push_back(
-      judge(study, ours.robot, repair_plainly(plain, undisturbed, disturbed, seed)));
+      check(study, ours.robot, repair_plainly(plain, undisturbed, disturbed, seed)));
   if (result.variants.front().executable) return result;
   for (const planning::LoadedConfig& search : long_searches) {
     if (result.found_by_long_search) break;

@@ -38,9 +38,9 @@ void add_sines(math::RandomStream& random, JointPath& path) {
   const double duration_s = path.demonstration_time.back();
   for (Eigen::Index k = 0; k < path.position.cols(); ++k) {
     for (int wave = 1; wave <= 3; ++wave) {
-      const double amplitude = random.between(0, 0.8) / (wave * wave);
-      const double begin = random.between(0, kTurn);
-      const double rate = kTurn * wave * random.between(0.3, 1) / std::max(0.6, duration_s);
+      const double amplitude = random.uniform(0, 0.8) / (wave * wave);
+      const double begin = random.uniform(0, kTurn);
+      const double rate = kTurn * wave * random.uniform(0.3, 1) / std::max(0.6, duration_s);
       for (Eigen::Index i = 0; i < path.position.rows(); ++i) {
         const double t = path.demonstration_time[static_cast<std::size_t>(i)];
         path.position(i, k) += amplitude * std::sin(begin + rate * t);
@@ -52,7 +52,7 @@ void add_sines(math::RandomStream& random, JointPath& path) {
 void add_noise(math::RandomStream& random, JointPath& path) {
   const double amplitude = log_between(random, 1e-5, 1e-2);
   for (Eigen::Index i = 0; i < path.position.size(); ++i) {
-    path.position.data()[i] += random.between(-amplitude, amplitude);
+    path.position.data()[i] += random.uniform(-amplitude, amplitude);
   }
 }
 
@@ -60,7 +60,7 @@ void add_noise(math::RandomStream& random, JointPath& path) {
 void add_reversals(math::RandomStream& random, JointPath& path) {
   for (Eigen::Index k = 0; k < path.position.cols(); ++k) {
     if (random.chance(0.5)) continue;
-    const double amplitude = random.between(0.01, 0.3), period = random.between(0.2, 1);
+    const double amplitude = random.uniform(0.01, 0.3), period = random.uniform(0.2, 1);
     for (Eigen::Index i = 0; i < path.position.rows(); ++i) {
       const double t = path.demonstration_time[static_cast<std::size_t>(i)] / period;
       path.position(i, k) += amplitude * std::abs(2 * (t - std::floor(t)) - 1);
@@ -71,9 +71,9 @@ void add_reversals(math::RandomStream& random, JointPath& path) {
 /// A run of waypoints at the place of its first one; at its time too, if asked.
 void hold(math::RandomStream& random, JointPath& path, bool same_time) {
   const auto rows = static_cast<double>(path.position.rows());
-  const auto from = static_cast<Eigen::Index>(random.between(0, 0.9) * rows);
+  const auto from = static_cast<Eigen::Index>(random.uniform(0, 0.9) * rows);
   const auto to = std::min(path.position.rows(),
-                           from + 1 + static_cast<Eigen::Index>(random.between(0, 0.2) * rows));
+                           from + 1 + static_cast<Eigen::Index>(random.uniform(0, 0.2) * rows));
   for (Eigen::Index i = from + 1; i < to; ++i) {
     path.position.row(i) = path.position.row(from);
     if (!same_time) continue;
@@ -111,14 +111,14 @@ RandomPath smooth_path(std::uint64_t seed, std::uint64_t index, int joints, int 
 
 RandomPath random_path(std::uint64_t seed, std::uint64_t index) {
   math::RandomStream random(seed, fmt::format("path {}", index));
-  const int joints = 1 + static_cast<int>(random.between(0, 44));
+  const int joints = 1 + static_cast<int>(random.uniform(0, 44));
   const int waypoints = static_cast<int>(std::lround(log_between(random, 2, 2000)));
-  const double step_s = waypoints < 30 ? random.between(0.01, 0.3) : random.between(0.004, 0.02);
+  const double step_s = waypoints < 30 ? random.uniform(0.01, 0.3) : random.uniform(0.004, 0.02);
   RandomPath out = begin_path(random, joints, waypoints, step_s * waypoints);
   JointPath& path = out.path;
   if (waypoints < 30 && random.chance(0.5)) {
     for (Eigen::Index i = 0; i < path.position.size(); ++i) {
-      path.position.data()[i] = random.between(-1, 1);
+      path.position.data()[i] = random.uniform(-1, 1);
     }
   } else {
     add_sines(random, path);
@@ -128,11 +128,11 @@ RandomPath random_path(std::uint64_t seed, std::uint64_t index) {
   while (random.chance(0.3)) hold(random, path, false);
   while (random.chance(0.3)) hold(random, path, true);
   if (random.chance(0.3)) {
-    const auto still = static_cast<Eigen::Index>(random.between(0, joints));
+    const auto still = static_cast<Eigen::Index>(random.uniform(0, joints));
     path.position.col(still).setConstant(path.position(0, still));
   }
   if (random.chance(0.2)) {
-    const auto from = static_cast<std::size_t>(random.between(0, 0.7) * waypoints);
+    const auto from = static_cast<std::size_t>(random.uniform(0, 0.7) * waypoints);
     const auto to = from + static_cast<std::size_t>(0.3 * waypoints);
     std::fill(path.origin.begin() + static_cast<std::ptrdiff_t>(from),
               path.origin.begin() + static_cast<std::ptrdiff_t>(to), Origin::planned);

@@ -15,7 +15,7 @@ struct Range {
   double most = std::numeric_limits<double>::infinity();
 };
 
-Range allowed(const retime::Course& course, const JointRows& q, double x) {
+Range allowed(const retime::PacedPath& course, const JointRows& q, double x) {
   Range range;
   for (Eigen::Index k = 0; k < q.cols(); ++k) {
     const double first = q(1, k), rest = q(2, k) * x, limit = course.acceleration[k];
@@ -32,10 +32,10 @@ Range allowed(const retime::Course& course, const JointRows& q, double x) {
 
 }  // namespace
 
-retime::Course plain_course(const RobotTable& robot, const JointPath& path,
-                            const Movement& movement) {
+retime::PacedPath plain_course(const RobotTable& robot, const JointPath& path,
+                               const Movement& movement) {
   constexpr double kKnotStep_s = 0.01;
-  retime::Course course;
+  retime::PacedPath course;
   course.robot = &robot;
   course.movement = &movement;
   course.clocked = retime::clock_path(robot, path, kKnotStep_s, false);
@@ -49,7 +49,7 @@ retime::Course plain_course(const RobotTable& robot, const JointPath& path,
   return course;
 }
 
-double reference_time(const retime::Course& course, int steps) {
+double reference_time(const retime::PacedPath& course, int steps) {
   const double h = course.spline.length / steps;
   std::vector<JointRows> q(static_cast<std::size_t>(steps) + 1);
   for (std::size_t i = 0; i < q.size(); ++i) {

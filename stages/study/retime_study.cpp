@@ -10,7 +10,6 @@
 #include "stages/planning/plan_movement.hpp"
 #include "stages/retime/time_law.hpp"
 #include "stages/study/human_tempo.hpp"
-#include "stages/study/judge.hpp"
 #include "stages/study/retime_options.hpp"
 #include "stages/study/retime_paths.hpp"
 #include "stages/study/retime_reference.hpp"
@@ -28,7 +27,7 @@ struct PathOutcome {
   std::array<double, 3> took_s{};
 };
 
-PathOutcome judge_path(std::uint64_t seed, std::uint64_t index) {
+PathOutcome score_path(std::uint64_t seed, std::uint64_t index) {
   const RandomPath random = random_path(seed, index);
   PathOutcome out;
   double fastest_s = 0;
@@ -52,7 +51,7 @@ void random_paths(const RetimeStudyOptions& options, const StudyRun& study, Stud
   std::vector<PathOutcome> all;
   parallel::for_each<PathOutcome>(
       study.quick ? options.quick_paths : options.paths, study.jobs,
-      [&](std::uint64_t index) { return judge_path(options.seed, index); },
+      [&](std::uint64_t index) { return score_path(options.seed, index); },
       [&](const PathOutcome& outcome) {
         for (std::size_t mode = 0; mode < 3; ++mode) {
           if (!outcome.refusal[mode]) continue;
@@ -111,7 +110,7 @@ void optimum(const RetimeStudyOptions& options, const StudyRun& study, StudyResu
             smooth_path(options.seed, index, 1 + static_cast<int>(index * 7 % 30), 200, 2);
         path.robot.jerk.setConstant(std::numeric_limits<double>::infinity());
         const Movement movement;
-        const retime::Course course = plain_course(path.robot, path.path, movement);
+        const retime::PacedPath course = plain_course(path.robot, path.path, movement);
         const double least_s = reference_time(course, kFine);
         retime::RetimeOptions fastest;
         fastest.mode = retime::Tempo::fastest;

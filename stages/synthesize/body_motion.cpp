@@ -24,8 +24,8 @@ Unrest draw_waves(int count, double from_hz, double to_hz, const Vec3& amplitude
   for (int k = 0; k < count; ++k) {
     Unrest::Wave& wave = unrest.waves.emplace_back();
     wave.amplitude = amplitude;
-    wave.hz = random.between(from_hz, to_hz);
-    for (double& phase : wave.phase) phase = random.between(0, kTurn);
+    wave.hz = random.uniform(from_hz, to_hz);
+    for (double& phase : wave.phase) phase = random.uniform(0, kTurn);
   }
   return unrest;
 }
@@ -54,7 +54,7 @@ Unrest draw_drift(const SyntheticBody& options, math::RandomStream& random) {
 Unrest draw_tremor(const SyntheticBody& options, math::RandomStream& random) {
   constexpr int kWaves = 3;
   constexpr double kHalfBand = 0.4;  // [Hz]
-  const double hz = random.between(options.tremor_hz);
+  const double hz = random.uniform(options.tremor_hz);
   const Vec3 along = random.normals().normalized();
   return draw_waves(kWaves, hz - kHalfBand, hz + kHalfBand, options.tremor / kWaves * along,
                     random);

@@ -31,8 +31,8 @@ Unrest draw_tremor(const SyntheticBody& options, math::RandomStream& random);
 
 /// All that moves.
 struct BodyMotion {
-  Course<kArmState> arm;
-  Course<kHandState> hand;
+  SmoothSteps<kArmState> arm;
+  SmoothSteps<kHandState> hand;
   Unrest drift, tremor;
 };
 

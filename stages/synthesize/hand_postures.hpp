@@ -4,7 +4,7 @@
 
 #include "pipeline/human/hand.hpp"
 #include "pipeline/math/random_stream.hpp"
-#include "stages/synthesize/course.hpp"
+#include "stages/synthesize/smooth_steps.hpp"
 
 namespace morphe::synthesize {
 

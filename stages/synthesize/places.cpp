@@ -6,11 +6,11 @@ namespace morphe::synthesize {
 
 ArmState Places::home() {
   ArmState state;
-  const Vec3 ahead(random_.between(-0.1, 0.02), random_.between(0.17, 0.25), 0);
+  const Vec3 ahead(random_.uniform(-0.1, 0.02), random_.uniform(0.17, 0.25), 0);
   Vec3 wrist = subject_.shoulder + ahead;
-  wrist.z() = random_.between(0.035, 0.05);
-  state << wrist, random_.between(0.8, 1.15), random_.between(-0.2, 0.05),
-      random_.between(-0.1, 0.1), swivel(), subject_.shoulder;
+  wrist.z() = random_.uniform(0.035, 0.05);
+  state << wrist, random_.uniform(0.8, 1.15), random_.uniform(-0.2, 0.05),
+      random_.uniform(-0.1, 0.1), swivel(), subject_.shoulder;
   return within_reach(subject_.shoulder, state);
 }
 
@@ -19,11 +19,11 @@ ArmState Places::target(const ArmState& home) {
   ArmState state = home, best = home;
   double farthest = 0;
   for (int k = 0; k < kTries; ++k) {
-    const double direction = random_.between(options_.direction);
-    const double distance = random_.between(options_.distance);
+    const double direction = random_.uniform(options_.direction);
+    const double distance = random_.uniform(options_.distance);
     Vec3 wrist =
         home.segment<3>(kWristAt) + distance * Vec3(std::sin(direction), std::cos(direction), 0);
-    wrist.z() = random_.between(options_.height);
+    wrist.z() = random_.uniform(options_.height);
     state.segment<3>(kWristAt) = wrist;
     const ArmState reached = within_reach(home.segment<3>(kWristAt), state);
     const double way = (reached - home).segment<3>(kWristAt).norm();
@@ -33,22 +33,22 @@ ArmState Places::target(const ArmState& home) {
     }
     if (reached == state) break;
   }
-  best[kPronation] = random_.between(0, 0.45);
-  best[kFlexion] = random_.between(-0.45, -0.1);
-  best[kDeviation] = random_.between(-0.2, 0.2);
+  best[kPronation] = random_.uniform(0, 0.45);
+  best[kFlexion] = random_.uniform(-0.45, -0.1);
+  best[kDeviation] = random_.uniform(-0.2, 0.2);
   best[kSwivel] = swivel();
   const Vec3 leaning = best.segment<3>(kWristAt) - home.segment<3>(kWristAt);
-  best.segment<3>(kShoulderAt) += random_.between(0, 0.06) * leaning;
+  best.segment<3>(kShoulderAt) += random_.uniform(0, 0.06) * leaning;
   return best;
 }
 
 ArmState Places::lifted(const ArmState& target) {
   ArmState state = target;
   state.segment<3>(kWristAt) +=
-      Vec3(random_.between(-0.1, 0.1), random_.between(-0.15, 0), random_.between(0.08, 0.2));
-  state[kPronation] += random_.between(-0.2, 0.2);
-  state[kFlexion] += random_.between(-0.15, 0.15);
-  state[kSwivel] += random_.between(-0.1, 0.2);
+      Vec3(random_.uniform(-0.1, 0.1), random_.uniform(-0.15, 0), random_.uniform(0.08, 0.2));
+  state[kPronation] += random_.uniform(-0.2, 0.2);
+  state[kFlexion] += random_.uniform(-0.15, 0.15);
+  state[kSwivel] += random_.uniform(-0.1, 0.2);
   return within_reach(target.segment<3>(kWristAt), state);
 }
 

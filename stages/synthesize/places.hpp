@@ -19,7 +19,7 @@ class Places {
   ArmState again(const ArmState& place, double spread_m, double spread_rad);
 
  private:
-  double swivel() { return random_.between(options_.elbow_swivel); }
+  double swivel() { return random_.uniform(options_.elbow_swivel); }
   ArmState within_reach(const Vec3& from, ArmState state) const;
 
   const SyntheticMovements& options_;

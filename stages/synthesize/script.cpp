@@ -28,7 +28,7 @@ MovementKind draw_kind(const KindWeights& w, math::RandomStream& random) {
 /// The speed profile that goes with a kind.
 Profile draw_profile(MovementKind kind, double begin_s, double duration_s,
                      math::RandomStream& random) {
-  const double sigma = random.between(0.2, 0.35), peak = random.between(0.3, 0.45);
+  const double sigma = random.uniform(0.2, 0.35), peak = random.uniform(0.3, 0.45);
   if (kind == MovementKind::lognormal) {
     return {ProfileShape::lognormal, begin_s, duration_s, sigma};
   }
@@ -40,7 +40,7 @@ Profile draw_profile(MovementKind kind, double begin_s, double duration_s,
 Vec3 across(const Vec3& way, math::RandomStream& random) {
   const Vec3 along = way.normalized();
   const Vec3 aside = along.cross(Vec3::UnitZ()).normalized();
-  const double turn = random.between(0, std::numbers::pi);
+  const double turn = random.uniform(0, std::numbers::pi);
   return std::cos(turn) * aside + std::sin(turn) * aside.cross(along);
 }
 
@@ -76,20 +76,20 @@ class Writer {
     target_ = places_.target(home_);
     const double widest = aperture(subject.hand, subject.postures.open);
     const double fits = 0.5 * (widest - options.hand.opening_excess[0]) - options.hand.pad;
-    script_.object_radius = std::min(random.between(options.object.radius), fits);
+    script_.object_radius = std::min(random.uniform(options.object.radius), fits);
   }
 
   Script write() {
     const int count = random_.whole(m_.per_recording);
-    now_s_ = random_.between(m_.rest_s);
+    now_s_ = random_.uniform(m_.rest_s);
     for (int k = 0; k < count; ++k) {
       write_movement();
-      now_s_ += random_.between(m_.rest_s);
+      now_s_ += random_.uniform(m_.rest_s);
     }
     script_.begin_s = 0;
     script_.end_s = script_.length_s = now_s_;
     const auto within = [&](const ScriptedMovement& movement) {
-      return random_.between(movement.bouts.front().begin_s, movement.bouts.back().end_s);
+      return random_.uniform(movement.bouts.front().begin_s, movement.bouts.back().end_s);
     };
     if (random_.chance(m_.starts_inside_share)) script_.begin_s = within(script_.movements.front());
     if (random_.chance(m_.ends_inside_share)) {
@@ -108,7 +108,7 @@ class Writer {
     if (movement.grasps) {
       write_reach(movement, places_.again(target_, 0.004, 0.04));
       write_carrying(movement);
-      write_return(movement, now_s_ + random_.between(0.08, 0.2));
+      write_return(movement, now_s_ + random_.uniform(0.08, 0.2));
     } else {
       write_touch(movement);
       write_return(movement, now_s_);
@@ -117,21 +117,21 @@ class Writer {
 
   void write_reach(ScriptedMovement& movement, const ArmState& target) {
     const double begin_s = now_s_;
-    double duration_s = random_.between(m_.reach_s), opening_s = duration_s, closing_s = 0;
-    const double peak_share = random_.between(o_.hand.peak_share);
+    double duration_s = random_.uniform(m_.reach_s), opening_s = duration_s, closing_s = 0;
+    const double peak_share = random_.uniform(o_.hand.peak_share);
     const ArmState way = target - arm_;
     if (movement.kind == MovementKind::two_peaks) {
-      const double first_s = random_.between(0.62, 0.72) * duration_s;
-      const double second_s = begin_s + random_.between(0.5, 0.6) * duration_s;
-      ArmState first = random_.between(0.75, 0.9) * way;
+      const double first_s = random_.uniform(0.62, 0.72) * duration_s;
+      const double second_s = begin_s + random_.uniform(0.5, 0.6) * duration_s;
+      ArmState first = random_.uniform(0.75, 0.9) * way;
       first.segment<3>(kWristAt) +=
-          random_.between(0.005, 0.02) * across(way.segment<3>(kWristAt), random_);
+          random_.uniform(0.005, 0.02) * across(way.segment<3>(kWristAt), random_);
       move_arm({ProfileShape::minimum_jerk, begin_s, first_s, 0}, first, 0);
       move_arm({ProfileShape::minimum_jerk, second_s, begin_s + duration_s - second_s, 0},
                way - first, 0);
     } else if (movement.kind == MovementKind::pause_before_grasp) {
-      const double pause_s = random_.between(m_.pause_s), last_s = random_.between(0.3, 0.45);
-      const ArmState first = random_.between(0.85, 0.95) * way;
+      const double pause_s = random_.uniform(m_.pause_s), last_s = random_.uniform(0.3, 0.45);
+      const ArmState first = random_.uniform(0.85, 0.95) * way;
       move_arm({ProfileShape::minimum_jerk, begin_s, duration_s, 0}, first, detour());
       opening_s = duration_s;
       closing_s = begin_s + duration_s + pause_s;
@@ -139,7 +139,7 @@ class Writer {
       move_arm({ProfileShape::minimum_jerk, closing_s, last_s, 0}, way - first, 0);
     } else {
       const double aside =
-          movement.kind == MovementKind::curved ? random_.between(0.05, 0.12) : detour();
+          movement.kind == MovementKind::curved ? random_.uniform(0.05, 0.12) : detour();
       move_arm(draw_profile(movement.kind, begin_s, duration_s, random_), way, aside);
     }
     now_s_ = begin_s + duration_s;
@@ -155,35 +155,35 @@ class Writer {
   /// Opens, and closes on the object when the hand has arrived.
   void shape_hand(double begin_s, double widest_s, double closing_s) {
     const double grasp_m = 2 * (script_.object_radius + o_.hand.pad);
-    const double wide_m = std::max(grasp_m + random_.between(o_.hand.opening_excess),
+    const double wide_m = std::max(grasp_m + random_.uniform(o_.hand.opening_excess),
                                    aperture(subject_.hand, hand_) + o_.hand.least_widening);
-    const double lag_s = random_.between(0, 0.05);
+    const double lag_s = random_.uniform(0, 0.05);
     move_hand(begin_s + lag_s, widest_s, posture(wide_m));
     move_hand(closing_s, now_s_ + lag_s, posture(grasp_m));
   }
 
   void write_carrying(ScriptedMovement& movement) {
     const ArmState put_down = arm_;
-    now_s_ += random_.between(m_.grasp_s);
+    now_s_ += random_.uniform(m_.grasp_s);
     movement.attach_s = now_s_;
-    write_bout(movement, PhaseKind::transport, now_s_, random_.between(m_.transport_s),
+    write_bout(movement, PhaseKind::transport, now_s_, random_.uniform(m_.transport_s),
                places_.lifted(arm_));
-    now_s_ += random_.between(m_.hold_s);
-    write_bout(movement, PhaseKind::transport, now_s_, random_.between(m_.transport_s), put_down);
-    now_s_ += random_.between(m_.grasp_s);
+    now_s_ += random_.uniform(m_.hold_s);
+    write_bout(movement, PhaseKind::transport, now_s_, random_.uniform(m_.transport_s), put_down);
+    now_s_ += random_.uniform(m_.grasp_s);
     movement.release_s = now_s_;
-    const double opened_m = aperture(subject_.hand, hand_) + random_.between(0.015, 0.03);
-    move_hand(now_s_, now_s_ + random_.between(0.22, 0.35), posture(opened_m));
+    const double opened_m = aperture(subject_.hand, hand_) + random_.uniform(0.015, 0.03);
+    move_hand(now_s_, now_s_ + random_.uniform(0.22, 0.35), posture(opened_m));
   }
 
   void write_touch(ScriptedMovement& movement) {
     write_reach(movement, places_.target(home_));
-    now_s_ += random_.between(m_.hold_s);
+    now_s_ += random_.uniform(m_.hold_s);
   }
 
   /// The arm sets out at `begin_s`; the hand may have begun to let go at now_s_.
   void write_return(ScriptedMovement& movement, double begin_s) {
-    const double release_s = now_s_, duration_s = random_.between(m_.return_s);
+    const double release_s = now_s_, duration_s = random_.uniform(m_.return_s);
     write_bout(movement, PhaseKind::go_back, begin_s, duration_s,
                places_.again(home_, 0.006, 0.04));
     movement.bouts.back().begin_s = release_s;
@@ -197,7 +197,7 @@ class Writer {
     movement.bouts.push_back({phase, begin_s, now_s_});
   }
 
-  double detour() { return random_.between(0, 0.02); }
+  double detour() { return random_.uniform(0, 0.02); }
 
   void move_arm(const Profile& profile, const ArmState& delta, double detour_m) {
     ArmState aside = ArmState::Zero();

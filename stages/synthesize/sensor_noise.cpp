@@ -15,7 +15,7 @@ std::vector<bool> draw_dropouts(std::size_t count, double rate_hz, double share,
   const double length_s = static_cast<double>(count) / rate_hz;
   double now_s = -burst_s[1] - between_s();
   while (now_s < length_s) {
-    const double end_s = now_s + random.between(burst_s);
+    const double end_s = now_s + random.uniform(burst_s);
     const double first = std::max(0.0, std::ceil(now_s * rate_hz));
     for (double i = first; i < std::min(end_s * rate_hz, static_cast<double>(count)); ++i) {
       lost[static_cast<std::size_t>(i)] = true;

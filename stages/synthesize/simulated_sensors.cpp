@@ -36,7 +36,7 @@ Quat upper_arm_axes(const human::ArmPose& arm) {
 SensorMounts draw_mounts(const SyntheticSensors& options, math::RandomStream& random) {
   SensorMounts mounts;
   for (Pose& mount : mounts.segment_from_sensor) {
-    const Vec3 away = random.normals().normalized() * random.between(options.mount);
+    const Vec3 away = random.normals().normalized() * random.uniform(options.mount);
     mount = make_pose(away, random.rotation());
   }
   return mounts;

@@ -26,7 +26,7 @@ Subject draw_subject(const SyntheticSubject& options, math::RandomStream& random
   const double least = deviate_of(options.percentiles[0]);
   const double greatest = deviate_of(options.percentiles[1]);
   std::array<double, 5> deviates{};
-  for (double& z : deviates) z = deviate_of(random.between(options.percentiles));
+  for (double& z : deviates) z = deviate_of(random.uniform(options.percentiles));
   for (std::size_t k = 1; k < deviates.size(); ++k) {
     deviates[k] = std::clamp(0.8 * deviates[0] + 0.6 * deviates[k], least, greatest);
   }
@@ -35,8 +35,8 @@ Subject draw_subject(const SyntheticSubject& options, math::RandomStream& random
   subject.hand = human::human_hand(subject.body.hand);
   subject.postures = draw_hand_postures(subject.hand, random);
   constexpr double kHalfBreadth = 0.1;  // shoulder joint from the middle, share of stature
-  subject.shoulder = {kHalfBreadth * subject.body.stature_m, random.between(-0.18, -0.08),
-                      random.between(options.shoulder_height)};
+  subject.shoulder = {kHalfBreadth * subject.body.stature_m, random.uniform(-0.18, -0.08),
+                      random.uniform(options.shoulder_height)};
   return subject;
 }
 

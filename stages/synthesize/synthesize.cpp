@@ -116,7 +116,7 @@ SyntheticRecording synthesize(const SynthesizeOptions& options, std::uint64_t se
   truth.hand_breadth = subject.body.hand.breadth;
   truth.labels = true_labels(script, samples);
   truth.reports.push_back(kinds_report(script));
-  const double clock_offset_s = of_sensors.between(options.glove.clock_offset_s);
+  const double clock_offset_s = of_sensors.uniform(options.glove.clock_offset_s);
   truth.reports.push_back(fmt::format("the glove's clock is {:.4f} s ahead", clock_offset_s));
   made.recorded = truth;
 
@@ -136,7 +136,7 @@ SyntheticRecording synthesize(const SynthesizeOptions& options, std::uint64_t se
       human::sensor_offsets(made.recorded.calibration, made.recorded.reports);
 
   if (of_object.chance(options.object.recorded_share)) {
-    const double height_m = of_object.between(options.object.height);
+    const double height_m = of_object.uniform(options.object.height);
     truth.objects.push_back(carried_object(script, samples, height_m, part.first, part.last));
     made.recorded.objects = truth.objects;
     add_noise(options.sensors, of_object, made.recorded.objects.front());

@@ -43,34 +43,34 @@ Problem problem(bool jerk) {
   return out;
 }
 
-retime::Course course_of(const Problem& from) {
-  retime::Course course;
-  course.robot = &from.robot;
-  course.movement = &from.movement;
-  course.clocked = retime::clock_path(from.robot, from.path, 0.01, true);
-  const std::vector<double> allowance(course.clocked.clock.size(), 1);
-  course.spline = retime::fit_path(from.robot, course.clocked.clock, course.clocked.position,
-                                   allowance, {}, 0.01)
-                      .spline;
-  course.velocity = from.robot.velocity;
-  course.acceleration = from.robot.acceleration;
-  course.jerk = from.robot.jerk;
-  return course;
+retime::PacedPath paced_path_of(const Problem& from) {
+  retime::PacedPath paced_path;
+  paced_path.robot = &from.robot;
+  paced_path.movement = &from.movement;
+  paced_path.clocked = retime::clock_path(from.robot, from.path, 0.01, true);
+  const std::vector<double> allowance(paced_path.clocked.clock.size(), 1);
+  paced_path.spline = retime::fit_path(from.robot, paced_path.clocked.clock,
+                                       paced_path.clocked.position, allowance, {}, 0.01)
+                          .spline;
+  paced_path.velocity = from.robot.velocity;
+  paced_path.acceleration = from.robot.acceleration;
+  paced_path.jerk = from.robot.jerk;
+  return paced_path;
 }
 
 void path_building(benchmark::State& state) {
   const Problem from = problem(false);
-  for (auto _ : state) benchmark::DoNotOptimize(course_of(from).spline.coefficient.data());
+  for (auto _ : state) benchmark::DoNotOptimize(paced_path_of(from).spline.coefficient.data());
 }
 
 /// `build`: the path is built each time. Points of the jerk law: knots and the middles between.
 void law(benchmark::State& state, bool jerk, bool build) {
   const Problem from = problem(jerk);
-  retime::Course course = course_of(from);
+  retime::PacedPath paced_path = paced_path_of(from);
   double duration_s = 0;
   for (auto _ : state) {
-    if (build) course = course_of(from);
-    duration_s = retime::fastest_law(course, state.range(0), state.range(0) / 2).duration_s;
+    if (build) paced_path = paced_path_of(from);
+    duration_s = retime::fastest_law(paced_path, state.range(0), state.range(0) / 2).duration_s;
     benchmark::DoNotOptimize(duration_s);
   }
   state.counters["duration_s"] = duration_s;

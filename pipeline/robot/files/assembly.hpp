@@ -15,9 +15,9 @@ namespace morphe::robot {
 /// A robot while its files are read; load_robot() puts it together.
 
 /// Where something hangs: a frame (-1 = the robot's base) and the fixed rest of the way.
-struct Place {
+struct Anchor {
   int frame = -1;
-  Pose frame_from_place = Pose::Identity();
+  Pose frame_from_anchor = Pose::Identity();
 };
 
 struct Chain {
@@ -26,7 +26,7 @@ struct Chain {
   /// Those that turn across a link, where a person would see a joint: rows with d = 0. The frame of
   /// a row with d != 0 turns about the link itself and lies, by convention, at either of its ends.
   std::vector<int> hinges;
-  Place end;  ///< after the last link
+  Anchor end;  ///< after the last link
 };
 
 struct Assembly {
@@ -40,14 +40,14 @@ struct Assembly {
 };
 
 /// Hinges nearer than this stand in one place [m].
-inline constexpr double kSamePlace_m = 1e-6;
+inline constexpr double kSamePoint_m = 1e-6;
 
 /// One file's view: its own base, and where its frames and capsules begin (those of its parts
 /// included).
 struct FileScope {
-  Place base;
+  Anchor base;
   std::size_t first_capsule = 0;
-  std::map<std::string, Place> links = {};  ///< of a URDF: other names of frames
+  std::map<std::string, Anchor> links = {};  ///< of a URDF: other names of frames
 };
 
 /// position (default zero) and one of rpy (fixed axes: Rz(yaw) Ry(pitch) Rx(roll)), quaternion
@@ -57,16 +57,17 @@ Pose read_mount(const config::ConfigNode& node);
 Pose read_mount_of(const config::ConfigNode& owner);
 
 /// True if a frame or chain has that name, or it is "base".
-bool has_place(const Assembly& assembly, const std::string& name);
+bool has_anchor(const Assembly& assembly, const std::string& name);
 /// A frame of that name, or the one that a link of this file's URDF moves with; -1 if there is
 /// none.
 int frame_called(const Assembly& assembly, const FileScope& scope, const std::string& name);
 /// The base of the file ("base"), a frame, the end of a chain or a link; InputError if none of
 /// them.
-Place place_named(const Assembly& assembly, const FileScope& scope, const config::ConfigNode& name);
+Anchor anchor_named(const Assembly& assembly, const FileScope& scope,
+                    const config::ConfigNode& name);
 /// parent's place * mount; the file's base if `node` has no key `parent`.
-Place read_hanging(const Assembly& assembly, const FileScope& scope,
-                   const config::ConfigNode& node);
+Anchor read_hanging(const Assembly& assembly, const FileScope& scope,
+                    const config::ConfigNode& node);
 int frame_index(const RobotTable& table, const std::string& name);  ///< -1 if unknown
 bool hangs_on(const RobotTable& table, int frame, int ancestor);    ///< or is it
 
@@ -84,13 +85,13 @@ void read_urdf(Assembly& assembly, FileScope& scope, const config::ConfigNode& n
 void read_urdf_chain(Assembly& assembly, const FileScope& scope, const config::ConfigNode& node);
 
 /// Adds a generated robot's chains, tips and palm at `base`, which names must not be taken.
-void add_generated_arm(Assembly& assembly, const Place& base, const ArmShape& shape);
-void add_generated_hand(Assembly& assembly, const Place& base, const HandShape& shape);
+void add_generated_arm(Assembly& assembly, const Anchor& base, const ArmShape& shape);
+void add_generated_hand(Assembly& assembly, const Anchor& base, const HandShape& shape);
 /// {arm: {…}} or {hand: {…}} of a description; InputError as for any other part of it.
-void read_generated(Assembly& assembly, const Place& base, const config::ConfigNode& node);
+void read_generated(Assembly& assembly, const Anchor& base, const config::ConfigNode& node);
 
 /// What carries a part at `place` ends in that part's tips, no longer in its own wrist.
-void drop_carriers_wrist(Assembly& assembly, const Place& place);
+void drop_carriers_wrist(Assembly& assembly, const Anchor& place);
 
 /// Adds a file's capsules; names may end in `*` in allowed_pairs and may_touch_target.
 void read_collision(Assembly& assembly, const FileScope& scope, const config::ConfigNode& node);

@@ -15,7 +15,7 @@ std::vector<int> distinct_hinges(const Chain& chain, const std::vector<Pose>& ba
   std::vector<int> distinct;
   for (const int hinge : chain.hinges) {
     const auto same = [&](int other) {
-      return (origin(hinge) - origin(other)).norm() < kSamePlace_m;
+      return (origin(hinge) - origin(other)).norm() < kSamePoint_m;
     };
     if (!same(skip) && std::ranges::none_of(distinct, same)) distinct.push_back(hinge);
   }

@@ -24,12 +24,12 @@ int read_finger(const config::ConfigNode& node) {
 
 void read_tip(Assembly& assembly, const FileScope& scope, const config::ConfigNode& node) {
   const char* key = node.has("chain") ? "chain" : "frame";
-  const Place place = place_named(assembly, scope, node[key]);
+  const Anchor place = anchor_named(assembly, scope, node[key]);
   RobotTable::Tip tip;
   tip.name = node["name"].text();
   tip.frame = place.frame;
   if (tip.frame < 0) node[key].fail("a tip must move with a frame");
-  tip.transform = place.frame_from_place * read_mount_of(node);
+  tip.transform = place.frame_from_anchor * read_mount_of(node);
   if (node.has("along")) {
     tip.along = node["along"].number();
     if (tip.along < 0 || tip.along > 1) node["along"].fail("must be from 0 (index) to 1 (little)");
@@ -48,15 +48,15 @@ void read_tip(Assembly& assembly, const FileScope& scope, const config::ConfigNo
 void add_ready_frames(Assembly& assembly, const FileScope& scope,
                       std::vector<config::ConfigNode>& nodes) {
   for (auto node = nodes.begin(); node != nodes.end();) {
-    if (node->has("parent") && !has_place(assembly, (*node)["parent"].text()) &&
+    if (node->has("parent") && !has_anchor(assembly, (*node)["parent"].text()) &&
         !scope.links.contains((*node)["parent"].text())) {
       ++node;
       continue;
     }
-    const Place place = read_hanging(assembly, scope, *node);
+    const Anchor place = read_hanging(assembly, scope, *node);
     RobotTable::Frame frame;
     frame.parent = place.frame;
-    frame.transform = place.frame_from_place;
+    frame.transform = place.frame_from_anchor;
     add_frame(assembly, (*node)["name"], frame);
     node = nodes.erase(node);
   }
@@ -85,7 +85,7 @@ void read_chains_and_frames(Assembly& assembly, const FileScope& scope,
       return other["name"].text() == parent.text();
     };
     if (std::ranges::any_of(fixed, same)) continue;
-    (void)place_named(assembly, scope, parent);
+    (void)anchor_named(assembly, scope, parent);
   }
   if (!fixed.empty()) fixed.front()["parent"].fail("hangs on itself, by way of other frames");
 }
@@ -98,7 +98,7 @@ void read_centres(Assembly& assembly, const FileScope& scope, const config::Conf
       chain.fail(fmt::format("there is no chain '{}'", chain.text()));
     }
     const config::ConfigNode frame = node["frame"];
-    (void)place_named(assembly, scope, frame);
+    (void)anchor_named(assembly, scope, frame);
     const int index = frame_called(assembly, scope, frame.text());
     if (index < 0) frame.fail("must be a frame");
     assembly.table.centres.push_back({index, chain.text()});
@@ -114,10 +114,10 @@ void read_frame_name(const Assembly& assembly, const FileScope& scope,
   name = assembly.table.frames[static_cast<std::size_t>(frame)].name;
 }
 
-void read_file(const std::filesystem::path& file, const Place& base, Assembly& assembly);
+void read_file(const std::filesystem::path& file, const Anchor& base, Assembly& assembly);
 
 void read_part(Assembly& assembly, const FileScope& scope, const config::ConfigNode& node) {
-  const Place place = read_hanging(assembly, scope, node);
+  const Anchor place = read_hanging(assembly, scope, node);
   drop_carriers_wrist(assembly, place);
   if (node.has("generate")) return read_generated(assembly, place, node["generate"]);
   const config::ConfigNode file = node["file"];
@@ -125,7 +125,7 @@ void read_part(Assembly& assembly, const FileScope& scope, const config::ConfigN
   read_file(node.folder() / file.text(), place, assembly);
 }
 
-void read_file(const std::filesystem::path& file, const Place& base, Assembly& assembly) {
+void read_file(const std::filesystem::path& file, const Anchor& base, Assembly& assembly) {
   const config::ConfigNode root = config::ConfigNode::load(file);
   assembly.files.push_back(file);
   FileScope scope{base, assembly.table.capsules.size()};
@@ -152,7 +152,7 @@ void read_file(const std::filesystem::path& file, const Place& base, Assembly& a
 
 RobotDescription load_robot(const std::filesystem::path& file) {
   Assembly assembly;
-  read_file(file, Place{}, assembly);
+  read_file(file, Anchor{}, assembly);
   const auto is_arm = [](const Chain& chain) { return chain.name == "arm"; };
   if (assembly.palm.empty() && std::ranges::none_of(assembly.chains, is_arm)) {
     throw InputError(fmt::format("{}:1: palm: is missing, and there is no chain 'arm' to end in it",

@@ -12,7 +12,7 @@ JointVector vector_of(const std::vector<double>& values) {
 
 }  // namespace
 
-void drop_carriers_wrist(Assembly& assembly, const Place& place) {
+void drop_carriers_wrist(Assembly& assembly, const Anchor& place) {
   std::erase_if(assembly.table.tips, [&](const RobotTable::Tip& tip) {
     return tip.finger < 0 && place.frame >= 0 &&
            (hangs_on(assembly.table, tip.frame, place.frame) ||

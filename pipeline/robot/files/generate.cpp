@@ -28,13 +28,13 @@ Pose frame_about(const Vec3& axis) {
 }
 
 /// Adds a driven joint that turns about `axis` at the end of `place`; returns where it leads.
-Place add_turn(Assembly& assembly, Chain& chain, const std::string& name, const Place& place,
-               const Vec3& axis, double lower, double upper, const Speed& speed) {
+Anchor add_turn(Assembly& assembly, Chain& chain, const std::string& name, const Anchor& place,
+                const Vec3& axis, double lower, double upper, const Speed& speed) {
   RobotTable::Frame frame;
   frame.name = name;
   frame.parent = place.frame;
   const Pose about = frame_about(axis);
-  frame.transform = place.frame_from_place * about;
+  frame.transform = place.frame_from_anchor * about;
   frame.joint = static_cast<int>(assembly.table.joint_names.size());
   assembly.table.joint_names.push_back(name);
   assembly.lower.push_back(lower);
@@ -47,38 +47,38 @@ Place add_turn(Assembly& assembly, Chain& chain, const std::string& name, const 
   return {chain.frames.back(), about.inverse()};
 }
 
-Place moved(Place place, double x, double y, double z) {
-  place.frame_from_place = place.frame_from_place * Eigen::Translation3d(x, y, z);
+Anchor moved(Anchor place, double x, double y, double z) {
+  place.frame_from_anchor = place.frame_from_anchor * Eigen::Translation3d(x, y, z);
   return place;
 }
 
-Place turned(Place place, double angle, const Vec3& axis) {
-  place.frame_from_place = place.frame_from_place * Eigen::AngleAxisd(angle, axis);
+Anchor turned(Anchor place, double angle, const Vec3& axis) {
+  place.frame_from_anchor = place.frame_from_anchor * Eigen::AngleAxisd(angle, axis);
   return place;
 }
 
-int add_fixed(Assembly& assembly, const std::string& name, const Place& place) {
+int add_fixed(Assembly& assembly, const std::string& name, const Anchor& place) {
   RobotTable::Frame frame;
   frame.name = name;
   frame.parent = place.frame;
-  frame.transform = place.frame_from_place;
+  frame.transform = place.frame_from_anchor;
   assembly.table.frames.push_back(std::move(frame));
   return static_cast<int>(assembly.table.frames.size()) - 1;
 }
 
-void add_tip(Assembly& assembly, const std::string& name, const Place& place, int finger,
+void add_tip(Assembly& assembly, const std::string& name, const Anchor& place, int finger,
              double along) {
-  assembly.table.tips.push_back({name, place.frame, place.frame_from_place, finger, along});
+  assembly.table.tips.push_back({name, place.frame, place.frame_from_anchor, finger, along});
 }
 
 /// A capsule along z of a place, if the radius is one; returns its number, -1 if none.
-int add_capsule(Assembly& assembly, const std::string& name, const Place& place, double length,
+int add_capsule(Assembly& assembly, const std::string& name, const Anchor& place, double length,
                 double radius, bool hand) {
   if (!(radius > 0)) return -1;
   RobotTable::Capsule capsule{name,
                               place.frame,
-                              place.frame_from_place * Vec3::Zero().eval(),
-                              place.frame_from_place * Vec3(0, 0, length),
+                              place.frame_from_anchor * Vec3::Zero().eval(),
+                              place.frame_from_anchor * Vec3(0, 0, length),
                               radius,
                               hand};
   assembly.table.capsules.push_back(std::move(capsule));
@@ -117,14 +117,14 @@ FingerProportions finger_between(double share) {
 const Vec3 kFlexing = Vec3::UnitY();  ///< curls towards x, out of the palm
 const Vec3 kAbducting = -Vec3::UnitX();
 
-void add_thumb(Assembly& assembly, const HandShape& shape, const Place& palm) {
+void add_thumb(Assembly& assembly, const HandShape& shape, const Anchor& palm) {
   const ThumbProportions& t = kThumbProportions;
   const Speed speed{shape.velocity, shape.acceleration, shape.jerk};
   Chain chain{"thumb", {}, {}, {}};
-  const auto joint = [&](const char* name, const Place& place, const Vec3& axis, std::size_t k) {
+  const auto joint = [&](const char* name, const Anchor& place, const Vec3& axis, std::size_t k) {
     return add_turn(assembly, chain, name, place, axis, t.lower[k], t.upper[k], speed);
   };
-  Place at = moved(palm, 0, t.across * shape.breadth, t.along * shape.length);
+  Anchor at = moved(palm, 0, t.across * shape.breadth, t.along * shape.length);
   at = joint("thumb_rotation", at, -Vec3::UnitZ(), 0);
   at = joint("thumb_abduction", turned(at, t.splay, kAbducting), kAbducting, 1);
   const double radius = shape.radius, length = shape.length;
@@ -156,7 +156,7 @@ double share_of(const HandShape& shape, int number) {
 }
 
 /// From the wrist's end of the palm to a finger's base.
-void add_metacarpal(Assembly& assembly, const HandShape& shape, const Place& palm, int number) {
+void add_metacarpal(Assembly& assembly, const HandShape& shape, const Anchor& palm, int number) {
   const FingerProportions f = finger_between(share_of(shape, number));
   const double along = f.along * shape.length, root = std::min(shape.radius, along);
   add_capsule(assembly, finger_name(shape, number) + "_metacarpal",
@@ -164,7 +164,7 @@ void add_metacarpal(Assembly& assembly, const HandShape& shape, const Place& pal
 }
 
 /// `first_palm`: the first of the metacarpals' capsules, if there are any.
-void add_finger(Assembly& assembly, const HandShape& shape, const Place& palm, int first_palm,
+void add_finger(Assembly& assembly, const HandShape& shape, const Anchor& palm, int first_palm,
                 int number) {
   const double share = share_of(shape, number);
   const FingerProportions f = finger_between(share);
@@ -172,11 +172,11 @@ void add_finger(Assembly& assembly, const HandShape& shape, const Place& palm, i
   const bool human = shape.fingers == static_cast<int>(kFingers);
   const std::string name = finger_name(shape, number);
   Chain chain{name, {}, {}, {}};
-  const auto joint = [&](const char* what, const Place& place, const Vec3& axis, std::size_t k) {
+  const auto joint = [&](const char* what, const Anchor& place, const Vec3& axis, std::size_t k) {
     return add_turn(assembly, chain, name + what, place, axis, f.lower[k], f.upper[k], speed);
   };
   const double length = shape.length;
-  Place at = moved(palm, 0, f.across * shape.breadth, f.along * length);
+  Anchor at = moved(palm, 0, f.across * shape.breadth, f.along * length);
   at = joint("_abduction", turned(at, -f.splay, kAbducting), kAbducting, 0);
   at = joint("_mcp", at, kFlexing, 1);
   const auto phalanx = [&](const char* what, double share_of_hand) {
@@ -218,7 +218,7 @@ std::string why_invalid(const HandShape& shape) {
   return wrong_speed(shape.velocity, shape.acceleration, shape.jerk);
 }
 
-void add_generated_arm(Assembly& assembly, const Place& base, const ArmShape& shape) {
+void add_generated_arm(Assembly& assembly, const Anchor& base, const ArmShape& shape) {
   assert(why_invalid(shape).empty());
   const Speed speed{shape.velocity, shape.acceleration, shape.jerk};
   const int spherical = shape.joints / 3;
@@ -244,9 +244,9 @@ void add_generated_arm(Assembly& assembly, const Place& base, const ArmShape& sh
   assembly.chains.push_back(std::move(chain));
 }
 
-void add_generated_hand(Assembly& assembly, const Place& base, const HandShape& shape) {
+void add_generated_hand(Assembly& assembly, const Anchor& base, const HandShape& shape) {
   assert(why_invalid(shape).empty());
-  const Place palm{add_fixed(assembly, "palm", base)};
+  const Anchor palm{add_fixed(assembly, "palm", base)};
   const int first_palm = static_cast<int>(assembly.table.capsules.size());
   for (int number = 1; number < shape.fingers; ++number) {
     add_metacarpal(assembly, shape, palm, number);
@@ -277,7 +277,7 @@ RobotTable generate_arm_hand(const ArmShape& arm, const HandShape& hand,
   Assembly assembly;
   assembly.table.name = fmt::format("arm{}_hand{}", arm.joints, hand.fingers);
   add_generated_arm(assembly, {}, arm);
-  const Place end{assembly.chains.back().end.frame, wrist_from_palm};
+  const Anchor end{assembly.chains.back().end.frame, wrist_from_palm};
   drop_carriers_wrist(assembly, end);
   add_generated_hand(assembly, end, hand);
   return finished(std::move(assembly));

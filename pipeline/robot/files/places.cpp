@@ -28,7 +28,7 @@ bool hangs_on(const RobotTable& table, int frame, int ancestor) {
   return frame == ancestor;
 }
 
-bool has_place(const Assembly& assembly, const std::string& name) {
+bool has_anchor(const Assembly& assembly, const std::string& name) {
   return name == "base" || frame_index(assembly.table, name) >= 0 || find_chain(assembly, name);
 }
 
@@ -38,8 +38,8 @@ int frame_called(const Assembly& assembly, const FileScope& scope, const std::st
   return link == scope.links.end() ? -1 : link->second.frame;
 }
 
-Place place_named(const Assembly& assembly, const FileScope& scope,
-                  const config::ConfigNode& name) {
+Anchor anchor_named(const Assembly& assembly, const FileScope& scope,
+                    const config::ConfigNode& name) {
   const std::string wanted = name.text();
   if (wanted == "base") return scope.base;
   if (const int frame = frame_index(assembly.table, wanted); frame >= 0) return {frame};
@@ -48,16 +48,16 @@ Place place_named(const Assembly& assembly, const FileScope& scope,
   name.fail(fmt::format("there is no frame or chain '{}'", wanted));
 }
 
-Place read_hanging(const Assembly& assembly, const FileScope& scope,
-                   const config::ConfigNode& node) {
-  Place place = node.has("parent") ? place_named(assembly, scope, node["parent"]) : scope.base;
-  place.frame_from_place = place.frame_from_place * read_mount_of(node);
+Anchor read_hanging(const Assembly& assembly, const FileScope& scope,
+                    const config::ConfigNode& node) {
+  Anchor place = node.has("parent") ? anchor_named(assembly, scope, node["parent"]) : scope.base;
+  place.frame_from_anchor = place.frame_from_anchor * read_mount_of(node);
   return place;
 }
 
 int add_frame(Assembly& assembly, const config::ConfigNode& name, RobotTable::Frame frame) {
   frame.name = name.text();
-  if (has_place(assembly, frame.name)) {
+  if (has_anchor(assembly, frame.name)) {
     name.fail(fmt::format("a frame or chain '{}' exists already", frame.name));
   }
   assembly.table.frames.push_back(std::move(frame));

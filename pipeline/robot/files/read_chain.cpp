@@ -51,7 +51,7 @@ DhConvention read_convention(const config::ConfigNode& node) {
 void read_chain(Assembly& assembly, const FileScope& scope, DhConvention convention,
                 const config::ConfigNode& node) {
   const config::ConfigNode name = node["name"];
-  if (has_place(assembly, name.text())) {
+  if (has_anchor(assembly, name.text())) {
     name.fail(fmt::format("a frame or chain '{}' exists already", name.text()));
   }
   if (node.has("convention")) convention = read_convention(node["convention"]);
@@ -62,7 +62,7 @@ void read_chain(Assembly& assembly, const FileScope& scope, DhConvention convent
     const DhLink link = dh_link(convention, dh);
     RobotTable::Frame frame;
     frame.parent = chain.end.frame;
-    frame.transform = chain.end.frame_from_place * link.before;
+    frame.transform = chain.end.frame_from_anchor * link.before;
     frame.offset = dh.theta;
     if (row.has("couple")) {
       read_coupling(row["couple"], row["name"].text(), assembly.table, frame);

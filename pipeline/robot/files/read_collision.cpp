@@ -23,7 +23,7 @@ std::vector<int> capsules_named(const RobotTable& table, const FileScope& scope,
 }
 
 void read_capsule(Assembly& assembly, const FileScope& scope, const config::ConfigNode& node) {
-  const Place place = place_named(assembly, scope, node["frame"]);
+  const Anchor place = anchor_named(assembly, scope, node["frame"]);
   RobotTable::Capsule capsule;
   capsule.name = node["name"].text();
   const auto same = [&](const RobotTable::Capsule& c) { return c.name == capsule.name; };
@@ -31,8 +31,8 @@ void read_capsule(Assembly& assembly, const FileScope& scope, const config::Conf
     node["name"].fail(fmt::format("a capsule '{}' exists already", capsule.name));
   }
   capsule.frame = place.frame;
-  capsule.from = place.frame_from_place * node["from"].vec3();
-  capsule.to = place.frame_from_place * node["to"].vec3();
+  capsule.from = place.frame_from_anchor * node["from"].vec3();
+  capsule.to = place.frame_from_anchor * node["to"].vec3();
   capsule.radius = node["radius"].number();
   if (capsule.radius <= 0) node["radius"].fail("must be above 0");
   assembly.table.capsules.push_back(std::move(capsule));

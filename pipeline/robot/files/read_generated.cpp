@@ -16,13 +16,13 @@ void read_numbers(const config::ConfigNode& node,
 void expect_free(const Assembly& assembly, const config::ConfigNode& node,
                  std::initializer_list<const char*> names) {
   for (const char* name : names) {
-    if (has_place(assembly, name)) node.fail("there is one already");
+    if (has_anchor(assembly, name)) node.fail("there is one already");
   }
 }
 
 }  // namespace
 
-void read_generated(Assembly& assembly, const Place& base, const config::ConfigNode& node) {
+void read_generated(Assembly& assembly, const Anchor& base, const config::ConfigNode& node) {
   if (node.has("arm") == node.has("hand")) node.fail("must hold either arm or hand");
   std::string wrong;
   if (node.has("arm")) {

@@ -116,16 +116,16 @@ struct Reader {
                                    assembly.table.joint_names.begin());
   }
 
-  int add_joint_frame(const UrdfJoint& joint, const Place& parent) {
+  int add_joint_frame(const UrdfJoint& joint, const Anchor& parent) {
     const urdf::Joint& urdf = of(joint);
     const bool fixed = urdf.type == urdf::Joint::FIXED;
     RobotTable::Frame frame;
     frame.name = fixed ? joint.child : joint.name;
-    if (has_place(assembly, frame.name)) {
+    if (has_anchor(assembly, frame.name)) {
       fail(joint, "", fmt::format("a frame or chain '{}' exists already", frame.name));
     }
     frame.parent = parent.frame;
-    frame.transform = parent.frame_from_place * pose_of(urdf.parent_to_joint_origin_transform);
+    frame.transform = parent.frame_from_anchor * pose_of(urdf.parent_to_joint_origin_transform);
     if (!fixed) {
       frame.axis = Vec3(urdf.axis.x, urdf.axis.y, urdf.axis.z).normalized();
       couple(joint, frame);

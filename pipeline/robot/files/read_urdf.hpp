@@ -18,7 +18,7 @@ Pose pose_of(const urdf::Pose& pose);
 /// longest side. A cylinder with a sphere of its radius at both ends is the capsule they make up.
 /// Meshes are left out and named in assembly.notes if `ignore_meshes`, else InputError.
 void add_link_shapes(Assembly& assembly, const files::XmlText& text, const urdf::Link& link,
-                     const Place& place, bool ignore_meshes);
+                     const Anchor& place, bool ignore_meshes);
 
 /// The links' disabled pairs of an SRDF: no capsule of the one collides with one of the other.
 void read_srdf(Assembly& assembly, const FileScope& scope, const std::filesystem::path& file);

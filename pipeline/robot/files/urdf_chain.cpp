@@ -22,7 +22,7 @@ std::vector<int> hinges_of(const RobotTable& table, const std::vector<int>& fram
     const RobotTable::Frame& f = table.frames[static_cast<std::size_t>(*frame)];
     const Vec3 here = pose(*frame).translation(), axis = pose(*frame).linear() * f.axis;
     const auto next = std::find_if(frame + 1, frames.end(), [&](int other) {
-      return (pose(other).translation() - here).norm() > kSamePlace_m;
+      return (pose(other).translation() - here).norm() > kSamePoint_m;
     });
     if (f.joint < 0 || next == frames.end()) continue;
     const Vec3 way = (pose(*next).translation() - here).normalized();
@@ -36,7 +36,7 @@ std::vector<int> hinges_of(const RobotTable& table, const std::vector<int>& fram
 void read_urdf_chain(Assembly& assembly, const FileScope& scope, const config::ConfigNode& node) {
   const config::ConfigNode name = node["name"];
   Chain chain{name.text(), {}, {}, {}};
-  if (has_place(assembly, chain.name)) {
+  if (has_anchor(assembly, chain.name)) {
     name.fail(fmt::format("a frame or chain '{}' exists already", chain.name));
   }
   const auto end = [&](const char* key) {

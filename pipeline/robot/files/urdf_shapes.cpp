@@ -99,7 +99,7 @@ std::string free_name(const RobotTable& table, const std::string& wanted) {
 }  // namespace
 
 void add_link_shapes(Assembly& assembly, const files::XmlText& text, const urdf::Link& link,
-                     const Place& place, bool ignore_meshes) {
+                     const Anchor& place, bool ignore_meshes) {
   const files::XmlElement& element = link_element(text, link.name);
   const std::vector<const files::XmlElement*> elements = files::children(element, "collision");
   Shapes shapes{link, {}};
@@ -130,8 +130,8 @@ void add_link_shapes(Assembly& assembly, const files::XmlText& text, const urdf:
   for (Capsule& capsule : shapes.capsules) {
     capsule.name = free_name(assembly.table, capsule.name);
     capsule.frame = place.frame;
-    capsule.from = place.frame_from_place * capsule.from;
-    capsule.to = place.frame_from_place * capsule.to;
+    capsule.from = place.frame_from_anchor * capsule.from;
+    capsule.to = place.frame_from_anchor * capsule.to;
     assembly.table.capsules.push_back(std::move(capsule));
   }
 }

@@ -47,7 +47,7 @@ TEST(CapsuleCapsule, EqualsSearchOnPointsAndParallels) {
   RandomBodies random(2);
   for (int k = 0; k < 5000; ++k) {
     CapsuleBody a = random.capsule(0.4), b = random.capsule(0.4);
-    const double tilt = std::pow(10.0, random.between(-14, -2));
+    const double tilt = std::pow(10.0, random.uniform(-14, -2));
     const Vec3 aside = tilt * random.direction();
     switch (k % 4) {
       case 0:
@@ -61,7 +61,7 @@ TEST(CapsuleCapsule, EqualsSearchOnPointsAndParallels) {
         b.to = b.from;
         break;
       default:
-        b.to = b.from + random.between(-2, 2) * (a.to - a.from) + aside;
+        b.to = b.from + random.uniform(-2, 2) * (a.to - a.from) + aside;
     }
     expect_consistent(a, b, 1e-8);
   }

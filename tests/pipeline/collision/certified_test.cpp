@@ -22,13 +22,13 @@ TEST(CapsuleReach, IsNeverExceeded) {
     CollisionScratch here, there;
     for (int motion = 0; motion < 20; ++motion) {
       const JointVector q = random_position(random, 8, 3);
-      JointVector step = random_position(random, 8, std::pow(10.0, random.between(-5, 0)));
+      JointVector step = random_position(random, 8, std::pow(10.0, random.uniform(-5, 0)));
       if (motion % 2) step = step[motion % 8] * JointVector::Unit(8, motion % 8);
-      place_bodies(world, q, 0, here);
-      place_bodies(world, q + step, 0, there);
+      pose_bodies(world, q, 0, here);
+      pose_bodies(world, q + step, 0, there);
       for (std::size_t c = 0; c < robot.capsules.size(); ++c) {
         const double bound =
-            robot.capsule_reach.row(static_cast<Eigen::Index>(c)).dot(step.cwiseAbs());
+            robot.capsule_levers.row(static_cast<Eigen::Index>(c)).dot(step.cwiseAbs());
         const double from = (there.bodies[c].from - here.bodies[c].from).norm();
         const double to = (there.bodies[c].to - here.bodies[c].to).norm();
         EXPECT_LE(std::max(from, to), bound * (1 + 1e-9) + 1e-12);
@@ -47,9 +47,9 @@ RobotTable two_links() {
 }
 
 TEST(CapsuleReach, OfTwoLinksByHand) {
-  const JointRows reach = robot::Robot(two_links()).capsule_reach;
-  EXPECT_DOUBLE_EQ(reach(0, 0), 1.01);
-  EXPECT_DOUBLE_EQ(reach(0, 1), 0.51);
+  const JointRows levers = robot::Robot(two_links()).capsule_levers;
+  EXPECT_DOUBLE_EQ(levers(0, 0), 1.01);
+  EXPECT_DOUBLE_EQ(levers(0, 1), 0.51);
 }
 
 SceneObject thin_post(double x, double y) {
@@ -137,9 +137,9 @@ TEST(CheckMotion, VerdictsHoldUnderDenseSampling) {
     for (int again = 0; again < 20 && least_slack(world, from, 0, scratch).slack() < 0; ++again) {
       from = random_position(random, 8, 2);
     }
-    const JointVector to = from + random_position(random, 8, random.between(0.01, 0.3));
+    const JointVector to = from + random_position(random, 8, random.uniform(0.01, 0.3));
     const JointMotion motion =
-        straight_motion(from, to, random.between(0, 0.5), random.between(0.5, 1));
+        straight_motion(from, to, random.uniform(0, 0.5), random.uniform(0.5, 1));
     const MotionCheck check = check_motion(world, motion, scratch);
     failing_pairs(world, motion, scratch, failing);
     EXPECT_EQ(check.verdict == MotionVerdict::free, failing.empty());
@@ -274,7 +274,7 @@ TEST(CarriedTarget, MovesWithTheHandFromGraspToRelease) {
   ASSERT_EQ(c.world.carried.frame, 1);
   CollisionScratch scratch;
   const auto cup = [&](int sample) {
-    place_bodies(c.world, c.at(sample), c.time[static_cast<std::size_t>(sample)], scratch);
+    pose_bodies(c.world, c.at(sample), c.time[static_cast<std::size_t>(sample)], scratch);
     return scratch.object_poses[0].translation();
   };
   EXPECT_TRUE(cup(1).isApprox(Vec3(0.8, 0.1, 0), 1e-12));
@@ -325,11 +325,11 @@ TEST(CarriedTarget, VerdictsHoldUnderDenseSampling) {
     Scene scene = random_scene(random);
     SceneObject& cup = scene.objects.back();
     cup.attached_frame = "f4";  // the palm
-    cup.attach_s = random.between(0, 0.5);
-    cup.release_s = random.between(0.5, 1);
+    cup.attach_s = random.uniform(0, 0.5);
+    cup.release_s = random.uniform(0.5, 1);
     CollisionWorld world = make_world(robot, scene, movement, {});
     const JointVector from = random_position(random, 8, 2);
-    const JointVector to = from + random_position(random, 8, random.between(0.05, 0.5));
+    const JointVector to = from + random_position(random, 8, random.uniform(0.05, 0.5));
     const int samples = 6;
     JointRows position(samples, 8);
     std::vector<double> time;
@@ -358,7 +358,7 @@ TEST(ObjectTravel, HoldsForEveryPointOfTheObject) {
   RandomBodies random(43);
   for (int k = 0; k < 200; ++k) {
     const SceneObject cup = random_scene(random).objects.back();
-    const double middle_s = random.between(0, 1), half_s = random.between(0, 0.5);
+    const double middle_s = random.uniform(0, 1), half_s = random.uniform(0, 0.5);
     const double bound = object_travel(cup, middle_s - half_s, middle_s, middle_s + half_s);
     const Vec3 corner = 0.5 * Vec3(cup.size[0], cup.size[1], cup.size[2]);
     const Vec3 there = recorded_pose(cup, middle_s) * corner;

@@ -91,8 +91,8 @@ TEST_P(FclAgreement, VerdictOnObjectsWithMarginAndWithContact) {
     solid.orientation = {Quat(random.pose(0).linear())};
     pair.scene.objects = {solid};
     pair.add(random.capsule(0.3), true);
-    const double depth_m = random.between(0, 0.04);  // deeper than some radii
-    const CollisionWorld& world = pair.make(random.between(0, 0.01), depth_m);
+    const double depth_m = random.uniform(0, 0.04);  // deeper than some radii
+    const CollisionWorld& world = pair.make(random.uniform(0, 0.01), depth_m);
     for (const double time_s : {0.5, 1.5}) {
       const PairSeparation least = least_slack(world, q, time_s, scratch);
       ASSERT_DOUBLE_EQ(least.required, time_s < 1 ? world.tolerances.margin : -depth_m);
@@ -126,8 +126,8 @@ TEST(FclAgreementOfMeshes, VerdictWithMarginAndWithContact) {
     mesh.orientation = {Quat(random.pose(0).linear())};
     pair.scene.objects = {mesh};
     pair.add(random.capsule(0.2), true);
-    const double depth_m = random.between(0, 0.04);
-    const CollisionWorld& world = pair.make(random.between(0, 0.01), depth_m);
+    const double depth_m = random.uniform(0, 0.04);
+    const CollisionWorld& world = pair.make(random.uniform(0, 0.01), depth_m);
     for (const double time_s : {0.5, 1.5}) {
       const PairSeparation least = least_slack(world, q, time_s, scratch);
       if (std::abs(least.slack()) < 2e-5) continue;
@@ -149,7 +149,7 @@ TEST(FclAgreementOfCapsules, Verdict) {
     Pair pair;
     pair.add(random.capsule(0.2), false);
     pair.add(random.capsule(0.2), false);
-    CollisionWorld& world = pair.make(random.between(0, 0.01), 0);
+    CollisionWorld& world = pair.make(random.uniform(0, 0.01), 0);
     world.pairs = {{0, 1}};  // both of the base: no pair by themselves
     const double slack = least_slack(world, q, 0, scratch).slack();
     if (std::abs(slack) < 1e-6) continue;

@@ -22,8 +22,8 @@ TEST(Mesh, BoxOfTrianglesIsTheBox) {
   RandomBodies random(61);
   int inside_count = 0, sunk = 0;
   for (int k = 0; k < 3000; ++k) {
-    const Vec3 size(random.between(0.02, 0.4), random.between(0.02, 0.4),
-                    random.between(0.02, 0.4));
+    const Vec3 size(random.uniform(0.02, 0.4), random.uniform(0.02, 0.4),
+                    random.uniform(0.02, 0.4));
     const SceneObject mesh = box_mesh(size), box = box_of(size);
     const Vec3 point = random.point(0.2);
     Vec3 mesh_gradient, box_gradient;
@@ -60,7 +60,7 @@ TEST(Mesh, DistanceToAllTrianglesIsTheLeast) {
     for (const MeshSolid::Triangle& t : mesh.solid->triangles) {
       for (int s = 0; s <= 40; ++s) {
         // Points spread over the triangle and along the axis: never nearer than what was found.
-        const double u = random.between(0, 1), v = random.between(0, 1 - u);
+        const double u = random.uniform(0, 1), v = random.uniform(0, 1 - u);
         const Vec3 point = t.a + u * (t.b - t.a) + v * (t.c - t.a);
         const Vec3 along = body.to - body.from;
         const double at =

@@ -9,7 +9,7 @@ namespace morphe::collision {
 
 /// The hull of points on an ellipsoid about the origin.
 inline SceneObject random_hull(RandomBodies& random) {
-  const Vec3 axes(random.between(0.02, 0.2), random.between(0.02, 0.2), random.between(0.02, 0.2));
+  const Vec3 axes(random.uniform(0.02, 0.2), random.uniform(0.02, 0.2), random.uniform(0.02, 0.2));
   SceneObject points;
   for (int k = 0; k < 14; ++k) points.vertices.push_back(axes.cwiseProduct(random.direction()));
   // Whatever the others are, the origin is inside.
@@ -32,7 +32,7 @@ inline DistanceError random_pair_error(RandomBodies& random, Shape shape, int nu
   if (number % 7 == 0) body.to = body.from;  // a sphere
   if (number % 11 == 0) body.to = body.from + 1e-6 * random.direction();
   if (number % 13 == 0) {  // along an axis of the solid
-    body.to = body.from + random.between(0, 0.4) * pose.linear().col(number % 3);
+    body.to = body.from + random.uniform(0, 0.4) * pose.linear().col(number % 3);
   }
   const double got = capsule_solid(body, solid, pose).distance + body.radius;
   const Pose solid_from_base = pose.inverse();

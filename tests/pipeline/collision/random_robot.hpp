@@ -20,7 +20,7 @@ inline RobotTable random_robot(RandomBodies& random) {
     frame.axis = random.direction();
     frame.joint = joint;
     frame.ratio = ratio;
-    frame.offset = random.between(-1, 1);
+    frame.offset = random.uniform(-1, 1);
     robot.frames.push_back(frame);
     return static_cast<int>(robot.frames.size()) - 1;
   };
@@ -57,7 +57,7 @@ inline RobotTable random_robot(RandomBodies& random) {
 
 inline JointVector random_position(RandomBodies& random, Eigen::Index joints, double reach) {
   JointVector q(joints);
-  for (double& value : q) value = random.between(-reach, reach);
+  for (double& value : q) value = random.uniform(-reach, reach);
   return q;
 }
 

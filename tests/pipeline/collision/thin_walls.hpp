@@ -24,8 +24,8 @@ struct ThinWalls {
     for (int k = 0; k < 10; ++k) {
       SceneObject wall = random.solid(Shape::box);
       wall.name = "wall" + std::to_string(k);
-      wall.size = {random.between(0.02, 0.1), random.between(0.02, 0.1), 0.001};
-      wall.position = {random.between(0.3, 0.9) * random.direction()};
+      wall.size = {random.uniform(0.02, 0.1), random.uniform(0.02, 0.1), 0.001};
+      wall.position = {random.uniform(0.3, 0.9) * random.direction()};
       wall.orientation = {Quat(random.pose(0).linear())};
       scene.objects.push_back(wall);
     }
@@ -34,7 +34,7 @@ struct ThinWalls {
     do {
       from = random_position(random, 8, 2);
     } while (!is_free(world, from, 0, scratch) && ++tries < 200);
-    to = from + random_position(random, 8, random.between(0.02, 1));
+    to = from + random_position(random, 8, random.uniform(0.02, 1));
   }
   int tries = 0;
 };
@@ -61,7 +61,7 @@ inline void count_thin_walls(RandomBodies& random, ThinWallCount& count,
   const ThinWalls walls(random);
   if (!is_free(walls.world, walls.from, 0, scratch)) return;
   const double travel_m =
-      (walls.robot.capsule_reach * (walls.to - walls.from).cwiseAbs()).maxCoeff();
+      (walls.robot.capsule_levers * (walls.to - walls.from).cwiseAbs()).maxCoeff();
   const int steps = std::max(1, static_cast<int>(std::ceil(travel_m / 1e-4)));
   const double fine = sampled_slack(walls, steps, scratch);
   const double coarse = sampled_slack(walls, 10, scratch);

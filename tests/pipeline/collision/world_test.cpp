@@ -93,9 +93,9 @@ TEST(World, QueriesEqualThoseOverAllPairs) {
     const Scene scene = random_scene(random);
     const CollisionWorld world = make_world(robot, scene, grasping(), {});
     const JointVector q = random_position(random, 8, 2);
-    const double time_s = random.between(0, 1);
+    const double time_s = random.uniform(0, 1);
     const PairSeparation least = least_slack(world, q, time_s, scratch);
-    const double below_m = random.between(0, 0.1);
+    const double below_m = random.uniform(0, 0.1);
     near_pairs(world, q, time_s, below_m, scratch, near);
     const double free_m = clearance(world, q, time_s, scratch);
 
@@ -141,7 +141,7 @@ TEST(World, FclAgreesOnWholeRobots) {
     const Scene scene = random_scene(random);
     const CollisionWorld world = make_world(robot, scene, grasping(), {});
     const JointVector q = random_position(random, 8, 2);
-    const double time_s = random.between(0, 1);
+    const double time_s = random.uniform(0, 1);
     near_pairs(world, q, time_s, 1e-6, scratch, ours);
     const bool too_near_to_tell = std::any_of(
         ours.begin(), ours.end(), [](const PairSeparation& p) { return p.slack() > -1e-6; });

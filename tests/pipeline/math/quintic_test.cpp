@@ -74,7 +74,7 @@ TEST(Quintic, JudgesATrajectoryBetweenItsSamples) {
   trajectory.position = JointRows::Zero(2, 1);
   trajectory.position(1, 0) = 1;
   trajectory.velocity = trajectory.acceleration = JointRows::Zero(2, 1);
-  const LimitReport report = judge_limits(robot, trajectory);
+  const LimitReport report = limit_report(robot, trajectory);
   EXPECT_NEAR(report.velocity.ratio, 1, 1e-13);
   EXPECT_NEAR(report.acceleration.ratio, 1 / std::sqrt(3.0), 1e-12);
   EXPECT_NEAR(report.jerk.ratio, 2, 1e-12);

@@ -60,7 +60,7 @@ TEST(Robot, DerivesWhatFollows) {
   EXPECT_THAT(robot.arm_centres, ElementsAre(1, 2));
   EXPECT_THAT(robot.tip_of_centre, ElementsAre(-1, 1, 1, -1, -1));
   EXPECT_THAT(robot.centres_of_chain, ElementsAre(2, 2, 2, 1, 2));
-  EXPECT_EQ(robot.capsule_reach.rows(), 0);
+  EXPECT_EQ(robot.capsule_levers.rows(), 0);
 }
 
 TEST(Robot, OfNothingIsNothing) {

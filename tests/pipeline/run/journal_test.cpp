@@ -30,9 +30,9 @@ class JournalTest : public testing::Test {
     identity.software = "morphe 1.2.3";
     identity.demonstrations = 6;
     journal.begin(identity, "seed: 1\n", [](const auto& want) {
-      want(Place{0, "a"});
-      want(Place{2, "b"});
-      want(Place{5, "c"});
+      want(DatasetEntry{0, "a"});
+      want(DatasetEntry{2, "b"});
+      want(DatasetEntry{5, "c"});
     });
   }
   static Finished finished(const std::string& name, const std::string& bytes) {
@@ -83,7 +83,7 @@ TEST_F(JournalTest, GoesThroughWhatIsWantedInOrder) {
     begin(*journal);
     std::vector<std::string> names;
     std::vector<std::int64_t> positions;
-    while (const std::optional<Place> place = journal->next()) {
+    while (const std::optional<DatasetEntry> place = journal->next()) {
       names.push_back(place->name);
       positions.push_back(place->position);
     }

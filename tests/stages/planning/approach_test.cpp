@@ -63,7 +63,7 @@ TEST_F(Approach, LeadsFromHomeToTheFirstSampleAndBackWithinItsShareOfTheLimits) 
   for (const Trajectory* way : {&there, &back}) {
     EXPECT_LT(way->velocity.row(0).norm(), 1e-12);
     EXPECT_LT(way->velocity.bottomRows(1).norm(), 1e-12);
-    const math::LimitReport use = math::judge_limits(of.robot, *way);
+    const math::LimitReport use = math::limit_report(of.robot, *way);
     EXPECT_LE(use.velocity.ratio, asked.limit_share * (1 + 1e-6));
     EXPECT_LE(use.acceleration.ratio, asked.limit_share * (1 + 1e-6));
     EXPECT_LE(use.jerk.ratio, asked.limit_share * (1 + 1e-6));

@@ -43,13 +43,13 @@ class FindDeadEnd : public testing::Test {
         collision::make_world(robot, scene, Movement{}, Tolerances{});
     const JointRows beside =
         (posture.array() + 0.05).matrix().transpose().replicate(static_cast<Index>(kFrames), 1);
-    const auto judge = [&](const JointPath& path) {
+    const auto check = [&](const JointPath& path) {
       return check::check_path(world, goals, Movement{}, path, check::CheckOptions{});
     };
     return find_dead_end(map::make_mapping_problem(robot, goals, world, options),
                          {{beside, std::vector<Origin>(kFrames), goals.time},
                           {{0.1, 0.3, Cause::tracking, "thumb_tip", "", 0.01}}},
-                         judge, options, 3, holds);
+                         check, options, 3, holds);
   }
 
   static constexpr std::size_t kFrames = 11;

@@ -13,39 +13,39 @@ using test::kTo;
 TEST(Ladder, ClimbsInOrderAndStopsWhereNothingIsWrong) {
   // Tracking errors alone: 3 mm on the path, 30 mm on the course, none on what is free.
   const JointPath path = test::sweep(kFrom, kTo), free = test::sweep(kTo, kFrom);
-  const Judge judge = [&](const JointPath& p) -> std::vector<Finding> {
+  const Check check = [&](const JointPath& p) -> std::vector<Finding> {
     if (p.position == free.position) return {};
     return {{0.5, 0.5, Cause::tracking, "tip", "", p.position == path.position ? 0.003 : 0.03}};
   };
   std::string called;
   const auto logged = [&](char name, const JointPath& to) -> Rung {
-    return [&called, &judge, name, to](const Judged&) {
+    return [&called, &check, name, to](const Checked&) {
       called += name;
-      return Made{{to, judge(to)}};
+      return Made{{to, check(to)}};
     };
   };
   JointPath worse = path;
   worse.position.row(50) *= 0.5;
-  const Judged start{path, judge(path)};
+  const Checked start{path, check(path)};
   Made made = climb({logged('a', worse), logged('b', free), logged('c', path)}, start);
   EXPECT_EQ(called, "ab");
-  EXPECT_EQ(made.judged.path.position, free.position);
+  EXPECT_EQ(made.checked.path.position, free.position);
   called.clear();
   made = climb({logged('a', worse), if_nearly_free(logged('b', worse))}, start);
   EXPECT_EQ(called, "ab");
-  EXPECT_EQ(made.judged.path.position, path.position) << "what is worse is not kept";
+  EXPECT_EQ(made.checked.path.position, path.position) << "what is worse is not kept";
   called.clear();
-  climb({if_nearly_free(logged('b', free))}, {worse, judge(worse)});
+  climb({if_nearly_free(logged('b', free))}, {worse, check(worse)});
   EXPECT_EQ(called, "") << "30 mm off";
 }
 
 TEST(Ladder, ARungMayEndIt) {
   const JointPath path = test::sweep(kFrom, kTo);
   const std::vector<Finding> findings{{0.5, 0.5, Cause::tracking, "thumb_tip", "", 0.012}};
-  const Rung dead_end = [](const Judged& best) {
+  const Rung dead_end = [](const Checked& best) {
     return Made{best, {Reason::unreachable, "no posture"}, true};
   };
-  const Rung never = [](const Judged& best) {
+  const Rung never = [](const Checked& best) {
     ADD_FAILURE() << "no rung can help";
     return Made{best};
   };

@@ -21,29 +21,29 @@ using ::testing::HasSubstr;
 
 using Change = std::function<JointPath(const JointPath&, const std::vector<Finding>&)>;
 
-Rung rung(const Judge& judge, const Change& change) {
-  return [=](const Judged& best) {
+Rung rung(const Check& check, const Change& change) {
+  return [=](const Checked& best) {
     const JointPath path = change(best.path, best.findings);
-    return Made{{path, judge(path)}};
+    return Made{{path, check(path)}};
   };
 }
 
 /// A ladder without a mapping: what `resolve` gives, detours, and other courses.
 struct Repair {
   const Bench& bench;
-  Judge judge = [this](const JointPath& path) { return bench.collisions(path); };
+  Check check = [this](const JointPath& path) { return bench.collisions(path); };
   Change resolve = nullptr;
   RepairOptions options = {};
   NextCourse next = nullptr;
 
   Outcome<RepairResult> operator()(const JointPath& path) const {
-    Surroundings around{bench.world, options, 42, judge, {}};
-    if (resolve) around.win_back = {rung(judge, resolve)};
-    const Judged start{path, judge(path)};
+    Surroundings around{bench.world, options, 42, check, {}};
+    if (resolve) around.win_back = {rung(check, resolve)};
+    const Checked start{path, check(path)};
     std::vector<Rung> ladder = around.win_back;
-    ladder.push_back([&](const Judged& best) { return detour(around, best); });
-    ladder.push_back([&](const Judged& best) { return detour_from(start, around, best); });
-    if (next) ladder.push_back([&](const Judged& b) { return other_courses(around, next, b); });
+    ladder.push_back([&](const Checked& best) { return detour(around, best); });
+    ladder.push_back([&](const Checked& best) { return detour_from(start, around, best); });
+    if (next) ladder.push_back([&](const Checked& b) { return other_courses(around, next, b); });
     return repair_path(ladder, start, options);
   }
 };
@@ -184,7 +184,7 @@ TEST(Repair, GoesAroundFromTheMappedPathWhereResolvingLosesTheGoals) {
   for (Eigen::Index k = 0; k < aside.position.rows(); ++k)
     aside.position.row(k) = kFrom.transpose();
   Repair repair{bench};
-  repair.judge = [&](const JointPath& p) {
+  repair.check = [&](const JointPath& p) {
     std::vector<Finding> findings = bench.collisions(p);
     if ((p.position.row(100).transpose() - kTo).norm() > 1e-9) {
       findings.push_back({1, 1, Cause::tracking, "tip", "", 0.1});
@@ -195,7 +195,7 @@ TEST(Repair, GoesAroundFromTheMappedPathWhereResolvingLosesTheGoals) {
   const Outcome<RepairResult> result = repair(path);
   EXPECT_EQ(result.refusal.reason, Reason::none) << result.refusal.detail;
   EXPECT_TRUE(result.value.repaired);
-  EXPECT_TRUE(repair.judge(result.value.path).empty());
+  EXPECT_TRUE(repair.check(result.value.path).empty());
 }
 
 TEST(Repair, AnotherCourseWhereTheGoalIsInCollision) {
@@ -233,7 +233,7 @@ TEST(Repair, StopsWhereCoursesEndWithTheSameFindings) {
                                       {0.50, 0.52, Cause::tracking, "tip", "", 0.0041}};
   Repair repair{bench};
   std::size_t course = 0;
-  repair.judge = [&](const JointPath&) { return std::vector<Finding>{findings.at(course)}; };
+  repair.check = [&](const JointPath&) { return std::vector<Finding>{findings.at(course)}; };
   repair.next = [&](bool) {
     ++course;
     return std::optional(path);
@@ -249,7 +249,7 @@ TEST(Repair, NamesTheWorstOfWhatPlanningCannotCure) {
   const Bench bench({post("post", 0.9, 0)});
   const JointPath path = sweep(kFrom, kTo);
   Repair repair{bench};
-  repair.judge = [&](const JointPath& p) {
+  repair.check = [&](const JointPath& p) {
     std::vector<Finding> findings = bench.collisions(p);
     findings.push_back({0.2, 0.3, Cause::tracking, "index_tip", "", 0.004});
     findings.push_back({0.4, 0.6, Cause::tracking, "thumb_tip", "", 0.020});
@@ -267,7 +267,7 @@ TEST(Repair, TheMappingWinsBackWhatADetourCost) {
   const JointPath path = sweep(kFrom, kTo);
   const auto tracks = [](const JointPath& p) { return p.origin[1] == Origin::resolved; };
   Repair repair{bench};
-  repair.judge = [&](const JointPath& p) {
+  repair.check = [&](const JointPath& p) {
     std::vector<Finding> findings = bench.collisions(p);
     if (findings.empty() && !tracks(p))
       findings.push_back({0, 0.1, Cause::tracking, "tip", "", 0.01});

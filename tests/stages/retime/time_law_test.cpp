@@ -12,22 +12,23 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A straight line from 0 to `way` over one second of the clock.
-Course line_course(const JointVector& way, double velocity, double acceleration, double jerk,
-                   const Movement& movement) {
-  Course course;
+PacedPath line_path(const JointVector& way, double velocity, double acceleration, double jerk,
+                    const Movement& movement) {
+  PacedPath paced_path;
   const Eigen::Index n = way.size(), intervals = 100;
-  course.movement = &movement;
-  course.spline.length = 1;
-  course.spline.intervals = intervals;
-  course.spline.origin = Eigen::RowVectorXd::Zero(n);
-  course.spline.coefficient.resize(intervals + 5, n);
+  paced_path.movement = &movement;
+  paced_path.spline.length = 1;
+  paced_path.spline.intervals = intervals;
+  paced_path.spline.origin = Eigen::RowVectorXd::Zero(n);
+  paced_path.spline.coefficient.resize(intervals + 5, n);
   for (Eigen::Index i = 0; i < intervals + 5; ++i) {
-    course.spline.coefficient.row(i) = way.transpose() * (static_cast<double>(i) - 2) / intervals;
+    paced_path.spline.coefficient.row(i) =
+        way.transpose() * (static_cast<double>(i) - 2) / intervals;
   }
-  course.velocity = JointVector::Constant(n, velocity);
-  course.acceleration = JointVector::Constant(n, acceleration);
-  course.jerk = JointVector::Constant(n, jerk);
-  return course;
+  paced_path.velocity = JointVector::Constant(n, velocity);
+  paced_path.acceleration = JointVector::Constant(n, acceleration);
+  paced_path.jerk = JointVector::Constant(n, jerk);
+  return paced_path;
 }
 
 /// Rest to rest over a distance d: trapezoid or triangle of velocity; with a jerk limit the seven
@@ -48,11 +49,11 @@ double least_time(double d, double v, double a, double j) {
 TEST(TimeLaw, TrapezoidTriangleAndStraightLine) {
   const Movement movement;
   for (const double way : {0.05, 0.3, 1.0, 3.0}) {
-    const Course one = line_course(JointVector::Constant(1, way), 1, 3, kInfinity, movement);
+    const PacedPath one = line_path(JointVector::Constant(1, way), 1, 3, kInfinity, movement);
     EXPECT_NEAR(fastest_law(one).duration_s / least_time(way, 1, 3, kInfinity), 1, 0.002) << way;
     JointVector ways(3);
     ways << 0.4 * way, -way, 0.1 * way;
-    const Course line = line_course(ways, 1, 3, kInfinity, movement);
+    const PacedPath line = line_path(ways, 1, 3, kInfinity, movement);
     EXPECT_NEAR(fastest_law(line).duration_s / least_time(way, 1, 3, kInfinity), 1, 0.002) << way;
   }
 }
@@ -61,8 +62,8 @@ TEST(TimeLaw, SevenSegments) {
   const Movement movement;
   for (const double way : {0.01, 0.1, 0.5, 1.0, 3.0}) {
     for (const double jerk : {10.0, 30.0, 300.0}) {
-      const Course course = line_course(JointVector::Constant(1, way), 1, 3, jerk, movement);
-      const double ratio = fastest_law(course).duration_s / least_time(way, 1, 3, jerk);
+      const PacedPath paced_path = line_path(JointVector::Constant(1, way), 1, 3, jerk, movement);
+      const double ratio = fastest_law(paced_path).duration_s / least_time(way, 1, 3, jerk);
       EXPECT_GE(ratio, 0.998) << way << " " << jerk;
       EXPECT_LE(ratio, 1.03) << way << " " << jerk;
     }
@@ -71,13 +72,13 @@ TEST(TimeLaw, SevenSegments) {
 
 TEST(TimeLaw, RestIsTheSameMotionAndThenNone) {
   const Movement movement;
-  Course course = line_course(JointVector::Constant(1, 0.3), 1, 3, 30, movement);
-  course.clocked.clock = course.clocked.demonstration_time = {0, 1};
-  course.clocked.origin = {Origin::mapped, Origin::mapped};
-  PacedLaw paced = pace_fastest(course, 500);
-  const Trajectory early = sample_law(course, paced, 500).trajectory;
+  PacedPath paced_path = line_path(JointVector::Constant(1, 0.3), 1, 3, 30, movement);
+  paced_path.clocked.clock = paced_path.clocked.demonstration_time = {0, 1};
+  paced_path.clocked.origin = {Origin::mapped, Origin::mapped};
+  PacedLaw paced = pace_fastest(paced_path, 500);
+  const Trajectory early = sample_law(paced_path, paced, 500).trajectory;
   paced.rest = 40;
-  const Trajectory t = sample_law(course, paced, 500).trajectory;
+  const Trajectory t = sample_law(paced_path, paced, 500).trajectory;
   const Eigen::Index rows = early.position.rows();
   ASSERT_EQ(t.position.rows(), rows + 40);
   EXPECT_EQ(t.position.topRows(rows), early.position);

@@ -36,8 +36,9 @@ TEST(RetimeStudy, WithinHalfAPercentOfTheLeastTime) {
   for (std::uint64_t index = 0; index < 3; ++index) {
     const RandomPath random = smooth_path(3, index, 1 + 4 * static_cast<int>(index), 100, 1.5);
     const Movement movement;
-    const retime::Course course = plain_course(random.robot, random.path, movement);
-    const double ratio = retime::fastest_law(course).duration_s / reference_time(course, 20000);
+    const retime::PacedPath paced_path = plain_course(random.robot, random.path, movement);
+    const double ratio =
+        retime::fastest_law(paced_path).duration_s / reference_time(paced_path, 20000);
     EXPECT_GE(ratio, 0.995) << index;
     EXPECT_LE(ratio, 1.005) << index;
   }

@@ -1,4 +1,4 @@
-#include "pipeline/robot/draw_tips.hpp"
+#include "pipeline/robot/pull_tips.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -12,7 +12,7 @@ using Eigen::Index;
 
 /// Fills place - tip, 0 for free tips; the largest distance.
 double measure(const RobotTable& robot, const std::vector<Vec3>& places, const JointVector& q,
-               DrawScratch& scratch) {
+               PullScratch& scratch) {
   forward(robot, q, scratch.base_from_frame);
   double largest = 0;
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -25,7 +25,7 @@ double measure(const RobotTable& robot, const std::vector<Vec3>& places, const J
   return largest;
 }
 
-void fill_jacobian(const RobotTable& robot, const std::vector<Vec3>& places, DrawScratch& scratch) {
+void fill_jacobian(const RobotTable& robot, const std::vector<Vec3>& places, PullScratch& scratch) {
   tip_jacobians(robot, scratch.base_from_frame, scratch.of_tips);
   for (std::size_t i = 0; i < places.size(); ++i) {
     auto rows = scratch.jacobian.middleRows<3>(3 * static_cast<Index>(i));
@@ -38,7 +38,7 @@ void fill_jacobian(const RobotTable& robot, const std::vector<Vec3>& places, Dra
 }
 
 /// The step with the joints that it would take beyond their limits left where they are.
-void find_step(const RobotTable& robot, const JointVector& q, DrawScratch& scratch) {
+void find_step(const RobotTable& robot, const JointVector& q, PullScratch& scratch) {
   constexpr double kDamping = 1e-7;  // λ [m²]
   for (bool stopped = true; stopped;) {
     scratch.normal.noalias() = scratch.jacobian * scratch.jacobian.transpose();
@@ -58,8 +58,8 @@ void find_step(const RobotTable& robot, const JointVector& q, DrawScratch& scrat
 
 }  // namespace
 
-double draw_tips(const RobotTable& robot, const std::vector<Vec3>& places, int steps, double near_m,
-                 JointVector& q, DrawScratch& scratch) {
+double pull_tips(const RobotTable& robot, const std::vector<Vec3>& places, int steps, double near_m,
+                 JointVector& q, PullScratch& scratch) {
   constexpr double kLongest = 0.3;  // of any joint [rad]
   const auto tips = static_cast<Index>(places.size());
   scratch.error.resize(3 * tips);

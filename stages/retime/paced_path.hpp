@@ -10,7 +10,7 @@
 namespace morphe::retime {
 
 /// A smooth path and what bounds the pace du/dt along it, all of it positive and perhaps infinite.
-struct Course {
+struct PacedPath {
   const RobotTable* robot = nullptr;
   const Movement* movement = nullptr;
   ClockedPath clocked;
@@ -26,13 +26,13 @@ struct Course {
 };
 
 /// Limits at a clock time: v / s, a / s^2, j / s^3 with the slowdown s there.
-double slowdown_at(const Course& course, double u);
+double slowdown_at(const PacedPath& paced_path, double u);
 
 /// The largest du/dt that speed limits and tempo allow where the path's derivatives are the rows of
 /// q, at a clock time.
-double most_pace(const Course& course, double u, const JointRows& q);
+double most_pace(const PacedPath& paced_path, double u, const JointRows& q);
 
 /// For the reachability analysis, on `steps` equal steps.
-PaceGrid pace_grid(const Course& course, Eigen::Index steps);
+PaceGrid pace_grid(const PacedPath& paced_path, Eigen::Index steps);
 
 }  // namespace morphe::retime

@@ -10,7 +10,7 @@ namespace morphe::synthesize {
 /// A quantity that goes from place to place: q(t) = start + Σ_k (delta_k s_k(t) + detour_k b(s_k)),
 /// b(s) = 64 s³ (1 - s)³, which is 1 halfway. Steps may overlap; twice continuously differentiable.
 template <int N>
-struct Course {
+struct SmoothSteps {
   using Value = Eigen::Matrix<double, N, 1>;
   struct Step {
     Profile profile;

@@ -7,7 +7,7 @@
 #include "stages/import/import.hpp"
 #include "stages/reconstruct/mirror.hpp"
 #include "stages/study/angle_files.hpp"
-#include "stages/study/judge.hpp"
+#include "stages/study/score_recordings.hpp"
 #include "stages/study/segmentation_score.hpp"
 #include "stages/study/stopwatch.hpp"
 
@@ -51,7 +51,7 @@ bool overlaps_a_reach(const Label& label, const std::vector<Movement>& movements
 
 }  // namespace
 
-void judge_real(const JudgeOptions& options, const RealSet& set, const StudyRun& run,
+void score_real(const ScoreOptions& options, const RealSet& set, const StudyRun& run,
                 StudyResult& result) {
   imports::ImportRequest request;
   request.paths = {options.folder / set.manifest};

@@ -6,8 +6,8 @@
 #include "pipeline/motion/stream_report.hpp"
 #include "pipeline/parallel/ordered_map.hpp"
 #include "stages/reconstruct/mirror.hpp"
-#include "stages/study/judge.hpp"
 #include "stages/study/reconstruction_score.hpp"
+#include "stages/study/score_recordings.hpp"
 #include "stages/study/segmentation_score.hpp"
 #include "stages/study/stopwatch.hpp"
 #include "stages/synthesize/synthesize.hpp"
@@ -22,7 +22,7 @@ struct Judgement {
   double recorded_s = 0, synthesize_s = 0, rebuild_s = 0;
 };
 
-Judgement outcome_of(const JudgeOptions& options, const synthesize::SynthesizeOptions& synthetic,
+Judgement outcome_of(const ScoreOptions& options, const synthesize::SynthesizeOptions& synthetic,
                      const SyntheticSet& set, std::size_t index) {
   Judgement outcome;
   synthesize::SyntheticRecording recording;
@@ -41,7 +41,7 @@ Judgement outcome_of(const JudgeOptions& options, const synthesize::SynthesizeOp
   return outcome;
 }
 
-Judgement sum_of(const JudgeOptions& options, const SyntheticSet& set, const StudyRun& run) {
+Judgement sum_of(const ScoreOptions& options, const SyntheticSet& set, const StudyRun& run) {
   config::ConfigNode node = config::ConfigNode::load(options.folder / set.config);
   for (const std::string& setting : set.set) {
     const std::size_t equals = setting.find('=');
@@ -126,7 +126,7 @@ void add_boundaries(const Case& of, const SyntheticSet& set, const SegmentationS
 
 }  // namespace
 
-void judge_synthetic(const JudgeOptions& options, const SyntheticSet& set, const StudyRun& run,
+void score_synthetic(const ScoreOptions& options, const SyntheticSet& set, const StudyRun& run,
                      StudyResult& result, Plot& errors) {
   const Judgement sum = sum_of(options, set, run);
   const SegmentationScore& score = sum.segmentation;

@@ -4,13 +4,13 @@
 
 namespace morphe::robot {
 
-/// How far any point of a capsule can travel per radian of each joint: |dx| <= sum_j reach(c, j)
+/// How far any point of a capsule can travel per radian of each joint: |dx| <= sum_j levers(c, j)
 /// |dq_j|, whatever the robot's position. From the joint's axis to the capsule's far end along the
 /// fixed links between, times the coupling's ratio, summed over the frames that a joint turns.
-/// reach [capsules, joints] [m]. Robot::capsule_reach holds it.
-JointRows reach_of_capsules(const RobotTable& robot);
+/// levers [capsules, joints] [m]. Robot::capsule_levers holds it.
+JointRows levers_of_capsules(const RobotTable& robot);
 
 /// The same of a ball that moves with a frame, its centre given there. [joints]
-JointVector reach_of_ball(const RobotTable& robot, int frame, const Vec3& centre, double radius);
+JointVector levers_of_ball(const RobotTable& robot, int frame, const Vec3& centre, double radius);
 
 }  // namespace morphe::robot

@@ -10,17 +10,17 @@
 
 namespace morphe::study {
 
-struct JudgeOptions : RecordingsStudyOptions {
+struct ScoreOptions : RecordingsStudyOptions {
   std::filesystem::path folder;  ///< of the config: paths start there
 };
 
 /// Import, movements and boundaries of marked recordings; a plot of each.
-void judge_real(const JudgeOptions& options, const RealSet& set, const StudyRun& run,
+void score_real(const ScoreOptions& options, const RealSet& set, const StudyRun& run,
                 StudyResult& result);
 
 /// Movements, boundaries and positions of synthetic recordings against their truth; a line of the
 /// boundary errors' distribution.
-void judge_synthetic(const JudgeOptions& options, const SyntheticSet& set, const StudyRun& run,
+void score_synthetic(const ScoreOptions& options, const SyntheticSet& set, const StudyRun& run,
                      StudyResult& result, Plot& errors);
 
 }  // namespace morphe::study

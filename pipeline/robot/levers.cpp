@@ -1,4 +1,4 @@
-#include "pipeline/robot/reach.hpp"
+#include "pipeline/robot/levers.hpp"
 
 #include <algorithm>
 
@@ -9,10 +9,10 @@ double from_axis(const Vec3& point, const Vec3& axis) {
   return (point - point.dot(axis) * axis).norm();
 }
 
-/// Adds the reach of what lies within `radius` of the segment to `row` [joints].
+/// Adds the lever arms on what lies within `radius` of the segment to `row` [joints].
 template <class Row>
-void add_reach(const RobotTable& robot, int frame_index, const Vec3& from, const Vec3& to,
-               double radius, Row row) {
+void add_levers(const RobotTable& robot, int frame_index, const Vec3& from, const Vec3& to,
+                double radius, Row row) {
   // What lies beyond the next link outward, and that link: it turns with the frame, so that only
   // its part across the frame's axis counts.
   double beyond_m = radius;
@@ -32,21 +32,21 @@ void add_reach(const RobotTable& robot, int frame_index, const Vec3& from, const
 
 }  // namespace
 
-JointRows reach_of_capsules(const RobotTable& robot) {
-  JointRows reach = JointRows::Zero(static_cast<Eigen::Index>(robot.capsules.size()),
-                                    static_cast<Eigen::Index>(robot.joints()));
+JointRows levers_of_capsules(const RobotTable& robot) {
+  JointRows levers = JointRows::Zero(static_cast<Eigen::Index>(robot.capsules.size()),
+                                     static_cast<Eigen::Index>(robot.joints()));
   for (std::size_t c = 0; c < robot.capsules.size(); ++c) {
     const RobotTable::Capsule& capsule = robot.capsules[c];
-    add_reach(robot, capsule.frame, capsule.from, capsule.to, capsule.radius,
-              reach.row(static_cast<Eigen::Index>(c)));
+    add_levers(robot, capsule.frame, capsule.from, capsule.to, capsule.radius,
+               levers.row(static_cast<Eigen::Index>(c)));
   }
-  return reach;
+  return levers;
 }
 
-JointVector reach_of_ball(const RobotTable& robot, int frame, const Vec3& centre, double radius) {
-  JointVector reach = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
-  add_reach(robot, frame, centre, centre, radius, Eigen::Ref<JointVector>(reach));
-  return reach;
+JointVector levers_of_ball(const RobotTable& robot, int frame, const Vec3& centre, double radius) {
+  JointVector levers = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
+  add_levers(robot, frame, centre, centre, radius, Eigen::Ref<JointVector>(levers));
+  return levers;
 }
 
 }  // namespace morphe::robot

@@ -1,4 +1,4 @@
-#include "pipeline/robot/draw_tips.hpp"
+#include "pipeline/robot/pull_tips.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ class DrawTips : public testing::Test {
   }
 
   RobotTable robot;
-  DrawScratch scratch;
+  PullScratch scratch;
 };
 
 TEST_F(DrawTips, ToWhereTheRobotHadThemInsideItsLimits) {
@@ -32,7 +32,7 @@ TEST_F(DrawTips, ToWhereTheRobotHadThemInsideItsLimits) {
     JointVector q = start.cwiseMax(robot.lower).cwiseMin(robot.upper);
     std::vector<Vec3> places(robot.tips.size(), unseen_point());
     for (const std::size_t i : {0U, 1U, 4U}) places[i] = tip(there, i);
-    EXPECT_LT(draw_tips(robot, places, 20, 1e-7, q, scratch), 1e-7) << k;
+    EXPECT_LT(pull_tips(robot, places, 20, 1e-7, q, scratch), 1e-7) << k;
     for (const std::size_t i : {0U, 1U, 4U}) EXPECT_LT((tip(q, i) - places[i]).norm(), 1e-7) << k;
     EXPECT_TRUE((q.array() >= robot.lower.array()).all());
     EXPECT_TRUE((q.array() <= robot.upper.array()).all());
@@ -46,7 +46,7 @@ TEST_F(DrawTips, AsNearAsAFingerComesWithoutTheArm) {
   std::vector<Vec3> places(robot.tips.size(), unseen_point());
   places[1] = tip(middle, 1) + Vec3(0, 0, 1);
   JointVector q = middle;
-  const double left = draw_tips(stiff, places, 30, 1e-6, q, scratch);
+  const double left = pull_tips(stiff, places, 30, 1e-6, q, scratch);
   EXPECT_GT(left, 0.8);
   EXPECT_LT(left, 1.0);
   EXPECT_NEAR(left, (tip(q, 1) - places[1]).norm(), 1e-12);

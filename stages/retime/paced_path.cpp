@@ -1,0 +1,71 @@
+#include "stages/retime/paced_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/robot/forward.hpp"
+
+namespace morphe::retime {
+namespace {
+
+/// Speed of the fastest tip per du/dt [m].
+double tip_rate(const RobotTable& robot, const JointRows& q) {
+  std::vector<Pose> base_from_frame;
+  const JointVector position = q.row(0).transpose(), rate = q.row(1).transpose();
+  robot::forward(robot, position, base_from_frame);
+  Eigen::Matrix3Xd jacobian(3, position.size());
+  double fastest = 0;
+  for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
+    const Vec3 point = robot::tip_pose(robot, base_from_frame, tip).translation();
+    robot::point_jacobian(robot, base_from_frame, robot.tips[tip].frame, point, jacobian);
+    fastest = std::max(fastest, (jacobian * rate).norm());
+  }
+  return fastest;
+}
+
+}  // namespace
+
+double slowdown_at(const PacedPath& paced_path, double u) {
+  if (paced_path.slowdown.empty()) return 1;
+  const auto cells = static_cast<double>(paced_path.slowdown.size());
+  const double cell = std::clamp(u / paced_path.spline.length * cells, 0.0, cells - 1);
+  return paced_path.slowdown[static_cast<std::size_t>(cell)];
+}
+
+double most_pace(const PacedPath& paced_path, double u, const JointRows& q) {
+  double least_s = (q.row(1).transpose().cwiseAbs().cwiseQuotient(paced_path.velocity)).maxCoeff() *
+                   slowdown_at(paced_path, u);
+  if (paced_path.tip_speed < kMostPace) {
+    least_s = std::max(least_s, tip_rate(*paced_path.robot, q) / paced_path.tip_speed);
+  }
+  const double z = std::min(1.0, std::min(u, paced_path.spline.length - u) / paced_path.catch_up_s);
+  const double tempo = paced_path.tempo * (1 + paced_path.catch_up * (1 - z * z * (3 - 2 * z)));
+  const double pace = std::min(1 / std::max(least_s, 1 / kMostPace), tempo);
+  if (paced_path.phase_scale.empty()) return pace;
+  const PhaseKind phase =
+      phase_at(paced_path.movement->phases, demonstration_time_at(paced_path.clocked, u));
+  return pace * paced_path.phase_scale[static_cast<std::size_t>(phase)];
+}
+
+PaceGrid pace_grid(const PacedPath& paced_path, Eigen::Index steps) {
+  PaceGrid grid;
+  grid.step = paced_path.spline.length / static_cast<double>(steps);
+  const Eigen::Index n = paced_path.acceleration.size();
+  const Eigen::ArrayXd inverse = paced_path.acceleration.array().inverse();
+  grid.first.resize(n, steps + 1);
+  grid.second.resize(n, steps + 1);
+  grid.ceiling.resize(steps + 1);
+  JointRows q;
+  for (Eigen::Index i = 0; i <= steps; ++i) {
+    const double u = static_cast<double>(i) * grid.step;
+    math::evaluate(paced_path.spline, u, q);
+    const double slower = slowdown_at(paced_path, u) * slowdown_at(paced_path, u);
+    grid.first.col(i) = slower * q.row(1).transpose().array() * inverse;
+    grid.second.col(i) = slower * q.row(2).transpose().array() * inverse;
+    const double pace = most_pace(paced_path, u, q);
+    grid.ceiling[i] = pace * pace;
+  }
+  return grid;
+}
+
+}  // namespace morphe::retime
