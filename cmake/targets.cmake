@@ -43,6 +43,11 @@ if(MORPHE_SANITIZE)
   target_compile_options(morphe_flags INTERFACE -fsanitize=${MORPHE_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(morphe_flags INTERFACE -fsanitize=${MORPHE_SANITIZE})
 endif()
+# The linker sees what every file takes a type for: two of one name are an error.
+if(MORPHE_COMPARE_TYPES)
+  target_compile_options(morphe_flags INTERFACE -flto)
+  target_link_options(morphe_flags INTERFACE -flto=auto -Werror=odr -Werror=lto-type-mismatch)
+endif()
 # Eigen and fmt are open to every folder: linked everywhere, so that one precompiled header fits all.
 target_link_libraries(morphe_flags INTERFACE Eigen3::Eigen fmt::fmt)
 
