@@ -67,7 +67,7 @@ struct Deepest {
 
 /// Halves the segment by the sign of the slope. At the end the slopes on both sides tell how the
 /// two gradients weigh in that of the minimum: their sum must not change along the segment.
-Deepest deepest_point(const SceneObject& solid, const Vec3& from, const Vec3& to) {
+Deepest deepest_point(const Solid& solid, const Vec3& from, const Vec3& to) {
   const Vec3 along = to - from;
   Deepest best;
   const auto probe = [&](double s, Vec3& gradient) {
@@ -110,32 +110,34 @@ Deepest deepest_point(const SceneObject& solid, const Vec3& from, const Vec3& to
 
 }  // namespace
 
-double signed_distance(const SceneObject& solid, const Vec3& point, Vec3& gradient) {
-  switch (solid.shape) {
+double signed_distance(const Solid& solid, const Vec3& point, Vec3& gradient) {
+  switch (solid.object.shape) {
     case Shape::sphere:
-      return round_distance(point, solid.size[0], 0, gradient);
+      return round_distance(point, solid.object.size[0], 0, gradient);
     case Shape::box:
-      return box_distance(point, 0.5 * Vec3(solid.size[0], solid.size[1], solid.size[2]), gradient);
+      return box_distance(
+          point, 0.5 * Vec3(solid.object.size[0], solid.object.size[1], solid.object.size[2]),
+          gradient);
     case Shape::cylinder:
-      return cylinder_distance(point, solid.size[0], 0.5 * solid.size[1], gradient);
+      return cylinder_distance(point, solid.object.size[0], 0.5 * solid.object.size[1], gradient);
     case Shape::capsule:
-      return round_distance(point, solid.size[0], 0.5 * solid.size[1], gradient);
+      return round_distance(point, solid.object.size[0], 0.5 * solid.object.size[1], gradient);
     case Shape::mesh:
       break;
   }
-  if (solid.solid) return mesh_distance(*solid.solid, point, gradient);
+  if (solid.mesh) return mesh_distance(*solid.mesh, point, gradient);
   gradient = Vec3::UnitZ();
   return -kBrokenMesh_m;
 }
 
-double signed_distance_at_least(const SceneObject& solid, const Vec3& point) {
+double signed_distance_at_least(const Solid& solid, const Vec3& point) {
   // Without gradients: this is asked for every part of the robot and every object.
-  const std::vector<double>& size = solid.size;
+  const std::vector<double>& size = solid.object.size;
   const auto beyond = [](double most, double out_squared) {
     return most <= 0 ? most : std::sqrt(out_squared);
   };
   const auto square = [](double x) { return x > 0 ? x * x : 0; };
-  switch (solid.shape) {
+  switch (solid.object.shape) {
     case Shape::sphere:
       return point.norm() - size[0];
     case Shape::box: {
@@ -156,38 +158,38 @@ double signed_distance_at_least(const SceneObject& solid, const Vec3& point) {
     case Shape::mesh:
       break;
   }
-  return solid.solid ? mesh_distance_at_least(*solid.solid, point) : -kBrokenMesh_m;
+  return solid.mesh ? mesh_distance_at_least(*solid.mesh, point) : -kBrokenMesh_m;
 }
 
-double bounding_radius(const SceneObject& solid) {
-  switch (solid.shape) {
+double bounding_radius(const Solid& solid) {
+  switch (solid.object.shape) {
     case Shape::sphere:
-      return solid.size[0];
+      return solid.object.size[0];
     case Shape::box:
-      return 0.5 * Vec3(solid.size[0], solid.size[1], solid.size[2]).norm();
+      return 0.5 * Vec3(solid.object.size[0], solid.object.size[1], solid.object.size[2]).norm();
     case Shape::cylinder:
-      return std::hypot(solid.size[0], 0.5 * solid.size[1]);
+      return std::hypot(solid.object.size[0], 0.5 * solid.object.size[1]);
     case Shape::capsule:
-      return solid.size[0] + 0.5 * solid.size[1];
+      return solid.object.size[0] + 0.5 * solid.object.size[1];
     case Shape::mesh:
       break;
   }
-  return solid.solid ? solid.solid->radius : kBrokenMesh_m;
+  return solid.mesh ? solid.mesh->radius : kBrokenMesh_m;
 }
 
-Separation capsule_solid(const CapsuleBody& first, const SceneObject& solid, const Pose& pose) {
-  if (solid.shape == Shape::sphere || solid.shape == Shape::capsule) {
-    const double half = solid.shape == Shape::sphere ? 0 : 0.5 * solid.size[1];
+Separation capsule_solid(const CapsuleBody& first, const Solid& solid, const Pose& pose) {
+  if (solid.object.shape == Shape::sphere || solid.object.shape == Shape::capsule) {
+    const double half = solid.object.shape == Shape::sphere ? 0 : 0.5 * solid.object.size[1];
     const Vec3 arm = half * pose.linear().col(2);
-    return capsule_capsule(first,
-                           {pose.translation() - arm, pose.translation() + arm, solid.size[0]});
+    return capsule_capsule(
+        first, {pose.translation() - arm, pose.translation() + arm, solid.object.size[0]});
   }
   const Eigen::Matrix3d solid_from_common = pose.linear().transpose();
-  if (solid.shape == Shape::mesh && solid.solid) {
+  if (solid.object.shape == Shape::mesh && solid.mesh) {
     Separation result =
         capsule_mesh({solid_from_common * (first.from - pose.translation()),
                       solid_from_common * (first.to - pose.translation()), first.radius},
-                     *solid.solid);
+                     *solid.mesh);
     result.normal = pose.linear() * result.normal;
     result.on_first = pose * result.on_first;
     result.on_second = pose * result.on_second;

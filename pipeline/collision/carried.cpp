@@ -40,7 +40,8 @@ void carry_target(const std::vector<double>& demonstration_time, const JointRows
   };
   carried.frame_from_object = frame_at(taken).inverse() * recorded_pose(target, *taken);
   carried.levers = robot::levers_of_ball(
-      robot, carried.frame, carried.frame_from_object.translation(), bounding_radius(target));
+      robot, carried.frame, carried.frame_from_object.translation(),
+      bounding_radius(solid_at(world, static_cast<std::size_t>(world.target))));
   if (std::isnan(target.release_s)) return;
   const auto released = first_from(target.release_s);
   if (released == demonstration_time.end()) return;

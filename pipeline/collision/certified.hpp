@@ -52,6 +52,6 @@ MotionClearance motion_clearance(const CollisionWorld& world, const JointMotion&
 
 /// How far any point of an object gets from where it is at `middle_s` within [begin_s, end_s]
 /// (demonstration time): the length of its way plus its radius times the angle turned on it [m].
-double object_travel(const SceneObject& object, double begin_s, double middle_s, double end_s);
+double object_travel(const Solid& solid, double begin_s, double middle_s, double end_s);
 
 }  // namespace morphe::collision

@@ -5,6 +5,17 @@
 
 namespace morphe::collision {
 
+struct MeshSolid;  // mesh_solid.hpp
+
+/// What distances are measured from: an object and, if it is a mesh, that mesh made ready. A mesh
+/// without it is broken and counts as 1 m deep everywhere.
+struct Solid {
+  Solid(const SceneObject& of, const MeshSolid* ready = nullptr) : object(of), mesh(ready) {}
+
+  const SceneObject& object;
+  const MeshSolid* mesh;
+};
+
 /// Points within `radius` of the segment from–to, in one common frame [m]. from == to is a sphere.
 struct CapsuleBody {
   Vec3 from, to;
@@ -27,17 +38,16 @@ struct Separation {
 Separation capsule_capsule(const CapsuleBody& first, const CapsuleBody& second);
 
 /// Signed distance of a point given in the solid's frame, < 0 inside [m], and its unit gradient.
-/// A mesh must be prepared (mesh_solid.hpp); one that is not counts as 1 m deep everywhere.
-double signed_distance(const SceneObject& solid, const Vec3& point, Vec3& gradient);
+double signed_distance(const Solid& solid, const Vec3& point, Vec3& gradient);
 /// No more than that; of a mesh the distance from its box, -infinity in it.
-double signed_distance_at_least(const SceneObject& solid, const Vec3& point);
+double signed_distance_at_least(const Solid& solid, const Vec3& point);
 
 /// Radius about the object's centre that holds all of it [m].
-double bounding_radius(const SceneObject& solid);
+double bounding_radius(const Solid& solid);
 
 /// distance = min over the capsule's segment of the solid's signed distance, minus the capsule's
 /// radius. Convex along the segment: closed form for sphere and capsule, for box and cylinder found
 /// to 1e-9 m; for a mesh see capsule_mesh(). The pose is common_from_solid.
-Separation capsule_solid(const CapsuleBody& first, const SceneObject& solid, const Pose& pose);
+Separation capsule_solid(const CapsuleBody& first, const Solid& solid, const Pose& pose);
 
 }  // namespace morphe::collision

@@ -116,8 +116,8 @@ struct FclEngine::Trees {
       checked[static_cast<std::size_t>(j) * count + static_cast<std::size_t>(i)] = 1;
     }
     for (std::size_t k = 0; k < world.scene->objects.size(); ++k) {
-      const SceneObject& object = world.scene->objects[k];
-      shapes.push_back(object.solid ? mesh_of(*object.solid) : shape_of(object, 0));
+      const Solid solid = solid_at(world, k);
+      shapes.push_back(solid.mesh ? mesh_of(*solid.mesh) : shape_of(solid.object, 0));
       if (!shapes.back()) continue;
       scene_objects.push_back(std::make_unique<Object>(shapes.back()));
       scene_objects.back()->setUserData(reinterpret_cast<void*>(k));
@@ -144,21 +144,21 @@ struct FclEngine::Trees {
   }
 
   bool object_touches(std::size_t i, std::size_t k, double required_m) const {
-    const SceneObject& object = world.scene->objects[k];
+    const Solid solid = solid_at(world, k);
     const RobotTable::Capsule& capsule = world.robot->capsules[i];
     const Pose& pose = scratch->object_poses[k];
     const double shrunk_m = std::max(0.0, kLeastRadius_m - capsule.radius - required_m);
     if (!shapes[k]) return true;
-    if (object.solid) {
+    if (solid.mesh) {
       if (shrunk_m > 0) {
-        return capsule_solid(scratch->bodies[i], object, pose).distance < required_m;
+        return capsule_solid(scratch->bodies[i], solid, pose).distance < required_m;
       }
       const Geometry as_required = capsule_of(capsule, required_m);
       return touch(*as_required, poses[i], *shapes[k], pose) ||
-             inside(*object.solid, pose.inverse() * poses[i].translation());
+             inside(*solid.mesh, pose.inverse() * poses[i].translation());
     }
     if (required_m == world.tolerances.margin) return touch(*grown[i], poses[i], *shapes[k], pose);
-    const Geometry shape = shape_of(object, shrunk_m);
+    const Geometry shape = shape_of(solid.object, shrunk_m);
     return shape && touch(*capsule_of(capsule, required_m), poses[i], *shape, pose);
   }
 
@@ -230,7 +230,7 @@ void FclEngine::pairs(const Eigen::Ref<const JointVector>& q, double time_s,
     const auto other = static_cast<std::size_t>(found.other);
     const Separation separation =
         found.object
-            ? capsule_solid(first, trees_->world.scene->objects[other], scratch.object_poses[other])
+            ? capsule_solid(first, solid_at(trees_->world, other), scratch.object_poses[other])
             : capsule_capsule(first, scratch.bodies[other]);
     out.push_back({found.capsule, found.other, found.object, separation, found.required});
   }

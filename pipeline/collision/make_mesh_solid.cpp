@@ -162,10 +162,18 @@ MeshSolid make_mesh_solid(const SceneObject& mesh) {
 
 bool is_open(const MeshSolid& mesh) { return !std::ranges::all_of(mesh.closed, std::identity()); }
 
-void prepare_meshes(Scene& scene) {
-  for (SceneObject& object : scene.objects) {
-    if (object.shape != Shape::mesh || object.solid || !mesh_problem(object).empty()) continue;
-    object.solid = std::make_shared<const MeshSolid>(make_mesh_solid(object));
+std::shared_ptr<const MeshSolid> mesh_solid_of(const SceneObject& object,
+                                               const ReadyMeshes& ready) {
+  if (object.shape != Shape::mesh || !mesh_problem(object).empty()) return nullptr;
+  for (const ReadyMesh& mesh : ready) {
+    if (mesh.vertices == object.vertices && mesh.triangles == object.triangles) return mesh.solid;
+  }
+  return std::make_shared<const MeshSolid>(make_mesh_solid(object));
+}
+
+void make_ready(const SceneObject& object, ReadyMeshes& ready) {
+  if (std::shared_ptr<const MeshSolid> solid = mesh_solid_of(object, ready)) {
+    ready.push_back({object.vertices, object.triangles, std::move(solid)});
   }
 }
 

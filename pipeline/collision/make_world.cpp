@@ -53,21 +53,15 @@ void set_touching(const Movement& movement, CollisionWorld& world) {
 }  // namespace
 
 CollisionWorld make_world(const robot::Robot& robot, const Scene& scene, const Movement& movement,
-                          const Tolerances& tolerances) {
+                          const Tolerances& tolerances, const ReadyMeshes& ready) {
   if (static_cast<std::size_t>(robot.capsule_levers.rows()) != robot.capsules.size()) {
     throw std::logic_error("the robot's capsules changed after what follows from them was derived");
   }
   CollisionWorld world;
   world.robot = &robot;
   world.scene = &scene;
-  const auto unprepared = [](const SceneObject& object) {
-    return object.shape == Shape::mesh && !object.solid;
-  };
-  if (std::ranges::any_of(scene.objects, unprepared)) {
-    const auto prepared = std::make_shared<Scene>(scene);
-    prepare_meshes(*prepared);
-    world.prepared = prepared;
-    world.scene = prepared.get();
+  for (const SceneObject& object : scene.objects) {
+    world.meshes.push_back(mesh_solid_of(object, ready));
   }
   world.tolerances = tolerances;
   if (!movement.target.empty()) {

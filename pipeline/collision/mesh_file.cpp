@@ -64,7 +64,6 @@ std::string load_mesh(const std::filesystem::path& file, double scale, bool hull
     if (mesh.triangles.empty()) problem = "it is smaller than a micrometre";
   }
   if (!problem.empty()) return file.string() + ": " + problem;
-  mesh.solid = std::make_shared<const MeshSolid>(make_mesh_solid(mesh));
   return "";
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -35,9 +36,20 @@ std::string mesh_problem(const SceneObject& mesh);
 /// The mesh must have no problem.
 MeshSolid make_mesh_solid(const SceneObject& mesh);
 
-/// Gives every mesh of the scene that lacks it its MeshSolid; one with a problem keeps none, and
-/// counts as a ball that collides with everything.
-void prepare_meshes(Scene& scene);
+/// Meshes that were made ready before, found again by their vertices and triangles.
+struct ReadyMesh {
+  std::vector<Vec3> vertices;
+  std::vector<Eigen::Vector3i> triangles;
+  std::shared_ptr<const MeshSolid> solid;
+};
+using ReadyMeshes = std::vector<ReadyMesh>;
+
+/// An object's mesh made ready, from `ready` if it is there; null for other shapes and for a mesh
+/// with a problem.
+std::shared_ptr<const MeshSolid> mesh_solid_of(const SceneObject& object,
+                                               const ReadyMeshes& ready = {});
+/// Adds an object's mesh, if it has one without a problem.
+void make_ready(const SceneObject& object, ReadyMeshes& ready);
 
 /// True if a part of the mesh is a sheet.
 bool is_open(const MeshSolid& mesh);

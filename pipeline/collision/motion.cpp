@@ -5,8 +5,9 @@
 
 namespace morphe::collision {
 
-double object_travel(const SceneObject& object, double begin_s, double middle_s, double end_s) {
-  const double radius_m = bounding_radius(object);
+double object_travel(const Solid& solid, double begin_s, double middle_s, double end_s) {
+  const double radius_m = bounding_radius(solid);
+  const SceneObject& object = solid.object;
   const auto way = [&](double from_s, double to_s) {
     Pose last = recorded_pose(object, from_s);
     double length_m = 0;

@@ -35,16 +35,17 @@ void MotionPairs::place(double s0, double middle, double s1) {
     const SceneObject& object = world.scene->objects[k];
     const bool still = object.time.size() < 2 || (static_cast<int>(k) == world.target &&
                                                   target_place != TargetPlace::as_recorded);
-    scratch.object_travel[k] = still ? 0
-                                     : object_travel(object, motion.demonstration_time(s0),
-                                                     middle_s, motion.demonstration_time(s1));
+    scratch.object_travel[k] =
+        still ? 0
+              : object_travel(solid_at(world, k), motion.demonstration_time(s0), middle_s,
+                              motion.demonstration_time(s1));
   }
 }
 
 /// What joints above a common parent do to both bodies does not bring them nearer.
-/// `reach_a`, `reach_b`: [joints] of each.
-double MotionPairs::travel_between(int a, const double* reach_a, int b,
-                                   const double* reach_b) const {
+/// `levers_a`, `levers_b`: [joints] of each.
+double MotionPairs::travel_between(int a, const double* levers_a, int b,
+                                   const double* levers_b) const {
   int last_a = -1, last_b = -1;  // a coupled joint turns neighbouring frames: count it once
   double sum_m = 0;
   while (a != b) {
@@ -53,7 +54,7 @@ double MotionPairs::travel_between(int a, const double* reach_a, int b,
     int& last = first ? last_a : last_b;
     const RobotTable::Frame& turned = world.robot->frames[static_cast<std::size_t>(frame)];
     if (turned.joint >= 0 && turned.joint != last) {
-      sum_m += (first ? reach_a : reach_b)[turned.joint] * scratch.travel[turned.joint];
+      sum_m += (first ? levers_a : levers_b)[turned.joint] * scratch.travel[turned.joint];
       last = turned.joint;
     }
     frame = turned.parent;
@@ -86,15 +87,15 @@ double MotionPairs::slack_at_least(const PairSeparation& pair) const {
   }
   const Pose& pose = scratch.object_poses[other];
   const Vec3 in_object = pose.linear().transpose() * (a.centre - pose.translation());
-  return signed_distance_at_least(world.scene->objects[other], in_object) - around;
+  return signed_distance_at_least(solid_at(world, other), in_object) - around;
 }
 
 void MotionPairs::measure(PairSeparation& pair) const {
   const CapsuleBody& first = scratch.bodies[static_cast<std::size_t>(pair.capsule)];
   const auto other = static_cast<std::size_t>(pair.other);
-  pair.separation =
-      pair.object ? capsule_solid(first, world.scene->objects[other], scratch.object_poses[other])
-                  : capsule_capsule(first, scratch.bodies[other]);
+  pair.separation = pair.object
+                        ? capsule_solid(first, solid_at(world, other), scratch.object_poses[other])
+                        : capsule_capsule(first, scratch.bodies[other]);
 }
 
 /// Where the demonstration's time passes `time_s`, by halving.

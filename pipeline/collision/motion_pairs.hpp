@@ -38,7 +38,7 @@ struct MotionPairs {
   void measure(PairSeparation& pair) const;
 
  private:
-  double travel_between(int a, const double* reach_a, int b, const double* reach_b) const;
+  double travel_between(int a, const double* levers_a, int b, const double* levers_b) const;
   double passing(double time_s) const;
 };
 

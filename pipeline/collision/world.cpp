@@ -19,8 +19,7 @@ double ball_slack(const CollisionWorld& world, const CollisionScratch& scratch,
                   const CollisionScratch::Ball& ball, std::size_t object, double required_m) {
   const Pose& pose = scratch.object_poses[object];
   const Vec3 in_object = pose.linear().transpose() * (ball.centre - pose.translation());
-  return signed_distance_at_least(world.scene->objects[object], in_object) - ball.radius -
-         required_m;
+  return signed_distance_at_least(solid_at(world, object), in_object) - ball.radius - required_m;
 }
 
 /// Visits every pair whose slack can be below `limit`, in the fixed order; `visit` may lower it,
@@ -58,7 +57,7 @@ void visit_near(const CollisionWorld& world, CollisionScratch& scratch, const do
       pair.required = required(pair.capsule, pair.other);
       if (ball_slack(world, scratch, scratch.balls[i], k, pair.required) >= limit) continue;
       pair.separation =
-          capsule_solid(scratch.bodies[i], world.scene->objects[k], scratch.object_poses[k]);
+          capsule_solid(scratch.bodies[i], solid_at(world, k), scratch.object_poses[k]);
       if (!visit(pair)) return;
     }
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pipeline/collision/distance.hpp"
+#include "pipeline/collision/mesh_solid.hpp"
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/robot/robot.hpp"
 
@@ -29,8 +30,8 @@ struct CarriedTarget {
 struct CollisionWorld {
   const robot::Robot* robot = nullptr;
   const Scene* scene = nullptr;
-  std::shared_ptr<const Scene> prepared;  ///< what `scene` is if make_world had to prepare meshes
-  int target = -1;                        ///< index into scene->objects, -1 if none
+  std::vector<std::shared_ptr<const MeshSolid>> meshes;  ///< [objects] null: no mesh, or broken
+  int target = -1;                                       ///< index into scene->objects, -1 if none
   double touch_begin_s = kNotSeen, touch_end_s = kNotSeen;  ///< demonstration time, NaN = never
   Tolerances tolerances;
   std::vector<std::array<int, 2>> pairs;  ///< capsule pairs to check, from make_world()
@@ -39,9 +40,13 @@ struct CollisionWorld {
 
 /// Touching is allowed from the first preshape (or grasp, if there is none) to the end of the last
 /// of grasp, hold and transport; never without a target or one of these three. Capsules that no
-/// joint moves relative to each other are no pair.
+/// joint moves relative to each other are no pair. Meshes are made ready, but for those in `ready`.
 CollisionWorld make_world(const robot::Robot& robot, const Scene& scene, const Movement& movement,
-                          const Tolerances& tolerances);
+                          const Tolerances& tolerances, const ReadyMeshes& ready = {});
+
+inline Solid solid_at(const CollisionWorld& world, std::size_t object) {
+  return {world.scene->objects[object], world.meshes[object].get()};
+}
 
 /// Lets the target move with its `attached_frame` from the first sample at or after its attach_s to
 /// the first one at or after its release_s, as this path [samples, joints] takes hold of it.

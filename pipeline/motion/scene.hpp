@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,10 +10,6 @@
 #include "pipeline/motion/named.hpp"
 
 namespace morphe {
-
-namespace collision {
-struct MeshSolid;  // pipeline/collision/mesh_solid.hpp
-}
 
 enum class Shape { sphere, box, cylinder, capsule, mesh };
 constexpr std::array<std::string_view, 5> names_of(Shape) {
@@ -33,8 +28,6 @@ struct SceneObject {
   std::vector<Quat> orientation;  ///< [K]
   std::vector<Vec3> vertices;     ///< mesh only
   std::vector<Eigen::Vector3i> triangles;
-  std::shared_ptr<const collision::MeshSolid>
-      solid;                    ///< the mesh made ready for distances, not stored
   std::string attached_frame;   ///< robot frame that carries it, "" if none
   double attach_s = kNotSeen;   ///< carried from here …
   double release_s = kNotSeen;  ///< … to here [demonstration time, s]

@@ -68,10 +68,10 @@ struct Walk {
     const JointRows& levers = world.robot->capsule_levers;
     double farthest_m = levers.rows() ? (levers * travel).maxCoeff() : 0;
     double object_m = 0;
-    for (const SceneObject& object : world.scene->objects) {
-      if (object.time.size() < 2) continue;
-      object_m =
-          std::max(object_m, collision::object_travel(object, time_s(k), time_s(k), time_s(k + 1)));
+    for (std::size_t o = 0; o < world.scene->objects.size(); ++o) {
+      if (world.scene->objects[o].time.size() < 2) continue;
+      object_m = std::max(object_m, collision::object_travel(collision::solid_at(world, o),
+                                                             time_s(k), time_s(k), time_s(k + 1)));
     }
     if (world.carried.frame >= 0) {
       object_m = std::max(object_m, world.carried.levers.dot(travel));

@@ -97,8 +97,8 @@ Refusal add_approach(const Planner& planner, const ApproachOptions& options, std
                      Plan& plan) {
   const repair::RepairOptions& repair = planner.config.repair;
   const JointVector home = home_posture(planner.robot, options);
-  collision::CollisionWorld world =
-      collision::make_world(planner.robot, plan.scene, plan.movement, plan.tolerances);
+  collision::CollisionWorld world = collision::make_world(
+      planner.robot, plan.scene, plan.movement, plan.tolerances, planner.config.scene.meshes);
   collision::carry_target(plan.trajectory.demonstration_time, plan.trajectory.position, world);
   const Trajectory& way = plan.trajectory;
   const double begin_s = way.demonstration_time.front(), end_s = way.demonstration_time.back();

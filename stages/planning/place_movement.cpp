@@ -82,7 +82,8 @@ PlacedMovement::PlacedMovement(const Planner& planner, const HumanMotion& motion
   goals = map::make_goals(robot, motion, movement, base_from_world);
   if (config.map.free_offset.limit_m > 0) goals.free_offset = offset;
   known = mapping_scene(config, scene, movement);
-  world = collision::make_world(robot, known, movement, config.check.tolerances);
+  world =
+      collision::make_world(robot, known, movement, config.check.tolerances, config.scene.meshes);
   problem = map::make_mapping_problem(robot, goals, world, config.map, movement.phases);
   if (config.map.mode == map::MapMode::joint_to_joint) {
     problem.goals = map::joint_to_joint_goals(robot, motion.hand_angles, motion.time, goals);

@@ -70,9 +70,10 @@ std::string joined(const std::vector<std::string>& sentences) {
 /// What a user must know of an executable plan: tips whose goals are missing in some frames, a hand
 /// of which one tip alone was seen, meshes with holes, phases that may begin or end elsewhere (a
 /// recording that is cut off in them), and what reconstruction had to complain of.
-std::string warnings(const robot::Robot& robot, const Scene& scene, const Goals& goals,
+std::string warnings(const collision::CollisionWorld& world, const Goals& goals,
                      const Movement& movement, const HumanMotion& motion) {
   constexpr double kUncertain = 0.5;
+  const robot::Robot& robot = *world.robot;
   std::vector<std::string> sentences, asked;
   for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
     std::size_t count = 0;
@@ -88,9 +89,9 @@ std::string warnings(const robot::Robot& robot, const Scene& scene, const Goals&
     sentences.push_back(fmt::format("the base is moved by ({:.0f}, {:.0f}, {:.0f}) mm", moved.x(),
                                     moved.y(), moved.z()));
   }
-  for (const SceneObject& object : scene.objects) {
-    if (object.solid && collision::is_open(*object.solid)) {
-      sentences.push_back(object.name + " is not closed: only its surface counts");
+  for (std::size_t k = 0; k < world.meshes.size(); ++k) {
+    if (world.meshes[k] && collision::is_open(*world.meshes[k])) {
+      sentences.push_back(world.scene->objects[k].name + " is not closed: only its surface counts");
     }
   }
   if (asked.size() == 1) sentences.push_back("no tip but " + asked.front() + " has goals");
@@ -167,7 +168,7 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
     return fail(plan, {Reason::no_goal, "no fingertip was seen in the grasp"});
   }
   const collision::CollisionWorld world =
-      collision::make_world(robot, plan.scene, plan.movement, plan.tolerances);
+      collision::make_world(robot, plan.scene, plan.movement, plan.tolerances, config.scene.meshes);
   Outcome<map::MapResult> mapping = timed(seconds, "map", [&] {
     return map::map_movement(placed.problem, plan.goals, config.map, seed);
   });
@@ -196,7 +197,7 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
       if (refused) return fail(plan, refused);
     }
     plan.grasp = certify::find_grasp(robot, plan.scene, plan.movement, plan.trajectory);
-    plan.detail = warnings(robot, plan.scene, plan.goals, plan.movement, motion);
+    plan.detail = warnings(world, plan.goals, plan.movement, motion);
   }
   return plan;
 }

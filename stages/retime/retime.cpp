@@ -61,8 +61,8 @@ std::string what_is_beyond_limits(const RobotTable& robot, const JointPath& path
   return "";
 }
 
-PacedPath make_course(const RobotTable& robot, const JointPath& path, const Movement& movement,
-                      const RetimeOptions& options, bool keep_pauses, RetimeResult& result) {
+PacedPath make_paced_path(const RobotTable& robot, const JointPath& path, const Movement& movement,
+                          const RetimeOptions& options, bool keep_pauses, RetimeResult& result) {
   PacedPath paced_path;
   paced_path.robot = &robot;
   paced_path.movement = &movement;
@@ -240,7 +240,7 @@ Outcome<RetimeResult> retime(const RobotTable& robot, const JointPath& path,
   RetimeResult result;
   const double rate_hz = options.sample_rate_hz;
   const auto make = [&](bool keep_pauses) {
-    return make_course(robot, path, movement, options, keep_pauses, result);
+    return make_paced_path(robot, path, movement, options, keep_pauses, result);
   };
   Attempt attempt;
   if (options.mode == Tempo::duration) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/collision/mesh_solid.hpp"
 #include "pipeline/config/node.hpp"
 #include "pipeline/motion/demonstration.hpp"
 #include "pipeline/motion/human_motion.hpp"
@@ -135,7 +136,9 @@ struct SceneOptions {
   std::vector<ConfiguredObject> objects;  ///< fixed bodies
   TableOptions table;
   TargetOptions target;
-  std::vector<ConfiguredObject> file_objects;  ///< those of `file`, filled in by load_scene_files()
+  /// Filled in by load_scene_files(): the objects of `file`, and all meshes made ready.
+  std::vector<ConfiguredObject> file_objects;
+  collision::ReadyMeshes meshes;
 };
 template <class Fields>
 void fields(Fields& f, SceneOptions& o) {

@@ -143,8 +143,9 @@ std::string why_invalid(const SceneOptions& o) {
   return "";
 }
 
-void load_scene_files(SceneOptions& options, const config::ConfigNode& node) {
-  if (node.has("objects")) load_meshes(node["objects"], options.objects);
+namespace {
+
+void load_file(SceneOptions& options, const config::ConfigNode& node) {
   options.file_objects.clear();
   if (options.file.empty()) return;
   const config::ConfigNode root = config::ConfigNode::load(node["file"].folder() / options.file);
@@ -163,6 +164,17 @@ void load_scene_files(SceneOptions& options, const config::ConfigNode& node) {
     options.file_objects = std::move(file.objects);
   }
   if (const std::string wrong = why_invalid(options); !wrong.empty()) root.fail(wrong);
+}
+
+}  // namespace
+
+void load_scene_files(SceneOptions& options, const config::ConfigNode& node) {
+  if (node.has("objects")) load_meshes(node["objects"], options.objects);
+  load_file(options, node);
+  options.meshes.clear();
+  for (const auto* list : {&options.objects, &options.file_objects}) {
+    for (const ConfiguredObject& object : *list) collision::make_ready(object.mesh, options.meshes);
+  }
 }
 
 }  // namespace morphe::scene

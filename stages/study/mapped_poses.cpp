@@ -10,6 +10,7 @@
 #include "stages/map/finger_curve.hpp"
 #include "stages/map/frame_search.hpp"
 #include "stages/study/stopwatch.hpp"
+#include "stages/study/study.hpp"
 
 namespace morphe::study {
 namespace {

@@ -10,6 +10,7 @@
 #include "stages/planning/plan_movement.hpp"
 #include "stages/study/mapping_options.hpp"
 #include "stages/study/results.hpp"
+#include "stages/study/study.hpp"
 #include "stages/synthesize/synthesize.hpp"
 
 namespace morphe::study {

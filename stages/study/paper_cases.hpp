@@ -4,6 +4,7 @@
 
 #include "stages/study/mapped_poses.hpp"
 #include "stages/study/paper_options.hpp"
+#include "stages/study/study.hpp"
 
 namespace morphe::study {
 

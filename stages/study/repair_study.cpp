@@ -13,6 +13,7 @@
 #include "stages/repair/detour.hpp"
 #include "stages/study/obstacles.hpp"
 #include "stages/study/repair_options.hpp"
+#include "stages/study/study.hpp"
 #include "stages/synthesize/synthesize.hpp"
 
 namespace morphe::study {

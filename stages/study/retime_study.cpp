@@ -14,6 +14,7 @@
 #include "stages/study/retime_paths.hpp"
 #include "stages/study/retime_reference.hpp"
 #include "stages/study/stopwatch.hpp"
+#include "stages/study/study.hpp"
 
 namespace morphe::study {
 namespace {

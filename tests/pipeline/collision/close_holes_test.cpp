@@ -24,7 +24,7 @@ SceneObject loose(const SceneObject& mesh) {
 bool closed(SceneObject mesh) {
   weld(mesh);
   close_holes(mesh, 0.01);
-  const SceneObject made = mesh_object(mesh.vertices, mesh.triangles);
+  const MeshObject made = mesh_object(mesh.vertices, mesh.triangles);
   return !is_open(*made.solid) && inside(*made.solid, Vec3(0.001, 0.002, 0.003));
 }
 
@@ -38,7 +38,7 @@ TEST(CloseHoles, LooseCornersAreSewn) {
 }
 
 TEST(CloseHoles, ASmallHoleGetsALidAWideOneStays) {
-  SceneObject ball = torus_mesh(0.2, 0.07, 96, 48);
+  MeshObject ball = torus_mesh(0.2, 0.07, 96, 48);
   for (Vec3& vertex : ball.vertices) vertex.x() -= 0.2;
   EXPECT_TRUE(closed(ball));
   SceneObject leaky = ball;
@@ -55,7 +55,7 @@ TEST(CloseHoles, ASmallHoleGetsALidAWideOneStays) {
 /// One side of the box is one face, its neighbour's edge has a corner between: as CAD programs
 /// write it. The slit has no width.
 TEST(CloseHoles, ACornerOnAnEdgeIsNoHole) {
-  SceneObject mesh = box_mesh(Vec3::Constant(0.4));
+  MeshObject mesh = box_mesh(Vec3::Constant(0.4));
   const Eigen::Vector3i split = mesh.triangles[0];
   mesh.vertices.push_back(0.5 * (mesh.vertices[static_cast<std::size_t>(split[0])] +
                                  mesh.vertices[static_cast<std::size_t>(split[1])]));
@@ -64,7 +64,7 @@ TEST(CloseHoles, ACornerOnAnEdgeIsNoHole) {
   EXPECT_TRUE(is_open(*mesh_object(mesh.vertices, mesh.triangles).solid));
   EXPECT_TRUE(closed(mesh));
   // The whole seam around a face is split and has opened by 2 mm.
-  SceneObject torn = box_mesh(Vec3::Constant(0.4));
+  MeshObject torn = box_mesh(Vec3::Constant(0.4));
   const std::size_t corners = torn.vertices.size();
   for (std::size_t k = 0; k < corners; ++k) torn.vertices.push_back(torn.vertices[k]);
   for (std::size_t t = 0; t < 2; ++t) torn.triangles[t] += Eigen::Vector3i::Constant(8);
@@ -73,7 +73,7 @@ TEST(CloseHoles, ACornerOnAnEdgeIsNoHole) {
 }
 
 TEST(CloseHoles, ASheetIsLeftAlone) {
-  SceneObject sheet = box_mesh(Vec3(0.4, 0.4, 0.001), 1);
+  MeshObject sheet = box_mesh(Vec3(0.4, 0.4, 0.001), 1);
   const std::size_t triangles = sheet.triangles.size();
   close_holes(sheet, 0.01);
   EXPECT_EQ(sheet.triangles.size(), triangles);

@@ -24,18 +24,20 @@ TEST(Mesh, BoxOfTrianglesIsTheBox) {
   for (int k = 0; k < 3000; ++k) {
     const Vec3 size(random.uniform(0.02, 0.4), random.uniform(0.02, 0.4),
                     random.uniform(0.02, 0.4));
-    const SceneObject mesh = box_mesh(size), box = box_of(size);
+    const MeshObject mesh = box_mesh(size);
+    const SceneObject box = box_of(size);
     const Vec3 point = random.point(0.2);
     Vec3 mesh_gradient, box_gradient;
     const double expected = signed_distance(box, point, box_gradient);
-    EXPECT_NEAR(signed_distance(mesh, point, mesh_gradient), expected, 1e-12);
+    EXPECT_NEAR(signed_distance(mesh.ready(), point, mesh_gradient), expected, 1e-12);
     EXPECT_LT((mesh_gradient - box_gradient).norm(), 1e-6);
-    EXPECT_LE(signed_distance_at_least(mesh, point), expected + 1e-12);
+    EXPECT_LE(signed_distance_at_least(mesh.ready(), point), expected + 1e-12);
     inside_count += expected < 0;
 
     const Pose pose = random.pose(0.2);
     const CapsuleBody body = random.capsule(0.2);
-    const Separation got = capsule_solid(body, mesh, pose), want = capsule_solid(body, box, pose);
+    const Separation got = capsule_solid(body, mesh.ready(), pose),
+                     want = capsule_solid(body, box, pose);
     const double axis = want.distance + body.radius;
     if (axis > 1e-9) {
       EXPECT_NEAR(got.distance, want.distance, 1e-9);
@@ -52,10 +54,10 @@ TEST(Mesh, BoxOfTrianglesIsTheBox) {
 
 TEST(Mesh, DistanceToAllTrianglesIsTheLeast) {
   RandomBodies random(62);
-  const SceneObject mesh = torus_mesh(0.2, 0.07, 24, 12);
+  const MeshObject mesh = torus_mesh(0.2, 0.07, 24, 12);
   for (int k = 0; k < 300; ++k) {
     const CapsuleBody body = random.capsule(0.4);
-    const Separation got = capsule_solid(body, mesh, Pose::Identity());
+    const Separation got = capsule_solid(body, mesh.ready(), Pose::Identity());
     double least = std::numeric_limits<double>::infinity();
     for (const MeshSolid::Triangle& t : mesh.solid->triangles) {
       for (int s = 0; s <= 40; ++s) {
@@ -77,7 +79,7 @@ TEST(Mesh, DistanceToAllTrianglesIsTheLeast) {
 
 TEST(Mesh, InsideOfATorusIsInsideTheTube) {
   RandomBodies random(63);
-  const SceneObject mesh = torus_mesh(0.2, 0.07, 96, 48);
+  const MeshObject mesh = torus_mesh(0.2, 0.07, 96, 48);
   int inside_count = 0;
   for (int k = 0; k < 5000; ++k) {
     const Vec3 p = random.point(0.3);
@@ -92,7 +94,7 @@ TEST(Mesh, InsideOfATorusIsInsideTheTube) {
 
 TEST(Mesh, PointsInTheAxesOfSymmetryAreToldToo) {
   // Rays along axes and diagonals run through edges and corners.
-  const SceneObject mesh = box_mesh(Vec3::Constant(0.2));
+  const MeshObject mesh = box_mesh(Vec3::Constant(0.2));
   for (int x = -2; x <= 2; ++x) {
     for (int y = -2; y <= 2; ++y) {
       for (int z = -2; z <= 2; ++z) {
@@ -106,10 +108,10 @@ TEST(Mesh, PointsInTheAxesOfSymmetryAreToldToo) {
 /// The hand in the middle of something closed is never free, however it is made.
 TEST(Mesh, NothingClosedIsHollow) {
   const CapsuleBody hand{{-0.02, 0, 0}, {0.02, 0, 0}, 0.01};
-  const auto free = [&](const SceneObject& mesh) {
-    return capsule_solid(hand, mesh, Pose::Identity()).distance > 0;
+  const auto free = [&](const MeshObject& mesh) {
+    return capsule_solid(hand, mesh.ready(), Pose::Identity()).distance > 0;
   };
-  const SceneObject closed = box_mesh(Vec3::Constant(0.4));
+  const MeshObject closed = box_mesh(Vec3::Constant(0.4));
   EXPECT_FALSE(free(closed));
   // All triangles turned inside out.
   SceneObject turned = closed;
@@ -122,7 +124,7 @@ TEST(Mesh, NothingClosedIsHollow) {
   EXPECT_FALSE(free(mesh_object(turned.vertices, turned.triangles)));
   // Thick walls: the cavity's surface points inwards, or does not.
   for (const bool inwards : {true, false}) {
-    SceneObject thick = closed;
+    MeshObject thick = closed;
     append(thick, box_mesh(Vec3::Constant(0.3)), Vec3::Zero(), inwards);
     EXPECT_FALSE(free(thick));
   }
@@ -138,7 +140,7 @@ TEST(Mesh, NothingClosedIsHollow) {
   EXPECT_FALSE(free(mesh_object(loose.vertices, loose.triangles)));
   EXPECT_FALSE(is_open(*closed.solid));
   // Between two boxes of one mesh there is room.
-  SceneObject two = box_mesh(Vec3::Constant(0.1));
+  MeshObject two = box_mesh(Vec3::Constant(0.1));
   for (Vec3& vertex : two.vertices) vertex.y() += 0.2;
   append(two, box_mesh(Vec3::Constant(0.1)), Vec3(0, -0.2, 0), false);
   EXPECT_TRUE(free(two));
@@ -146,17 +148,18 @@ TEST(Mesh, NothingClosedIsHollow) {
 
 /// The hand reaches into a bowl until it meets a wall.
 TEST(Mesh, OpenOnesAreSheets) {
-  const auto distance = [](const SceneObject& mesh, double z) {
-    return capsule_solid({{-0.02, 0, z}, {0.02, 0, z}, 0.01}, mesh, Pose::Identity()).distance;
+  const auto distance = [](const MeshObject& mesh, double z) {
+    return capsule_solid({{-0.02, 0, z}, {0.02, 0, z}, 0.01}, mesh.ready(), Pose::Identity())
+        .distance;
   };
-  const SceneObject bowl = box_mesh(Vec3::Constant(0.4), 5);  // open above
+  const MeshObject bowl = box_mesh(Vec3::Constant(0.4), 5);  // open above
   ASSERT_TRUE(is_open(*bowl.solid));
   EXPECT_NEAR(distance(bowl, 0.1), 0.2 - 0.02 - 0.01, 1e-12);
   EXPECT_NEAR(distance(bowl, -0.195), -0.005, 1e-12);
   EXPECT_NEAR(distance(bowl, -0.2), -0.01, 1.1e-5);
   EXPECT_NEAR(distance(bowl, -0.205), -0.005, 1e-12);
   // A closed part of the same mesh stays solid.
-  SceneObject both = bowl;
+  MeshObject both = bowl;
   append(both, box_mesh(Vec3::Constant(0.1)), Vec3::Zero(), false);
   EXPECT_LT(distance(both, 0), -0.04);
   EXPECT_TRUE(is_open(*both.solid));
@@ -164,10 +167,10 @@ TEST(Mesh, OpenOnesAreSheets) {
 
 TEST(Mesh, BrokenOnesAreNamedAndCollide) {
   const CapsuleBody body{{5, 0, 0}, {5, 0, 0.1}, 0.01};
-  const auto broken = [&](SceneObject mesh, const std::string& problem) {
+  const auto broken = [&](const MeshObject& mesh, const std::string& problem) {
     EXPECT_EQ(mesh_problem(mesh), problem);
     EXPECT_EQ(mesh.solid, nullptr);
-    EXPECT_LT(capsule_solid(body, mesh, Pose::Identity()).distance, -0.5);
+    EXPECT_LT(capsule_solid(body, mesh.ready(), Pose::Identity()).distance, -0.5);
   };
   broken(mesh_object({}, {}), "it has no triangles");
   broken(mesh_object({Vec3::Zero(), Vec3::UnitX()}, {{0, 1, 1}}), "it has no triangles");
@@ -182,13 +185,16 @@ TEST(Mesh, WorldPreparesItAndCertifiesPastIt) {
   table.capsules.push_back({"forearm", 1, Vec3::Zero(), Vec3(0.5, 0, 0), 0.01, false});
   const robot::Robot robot(table);
   Scene scene;
-  SceneObject wall = box_mesh(Vec3(0.001, 0.001, 0.5));
-  wall.solid.reset();
+  MeshObject wall = box_mesh(Vec3(0.001, 0.001, 0.5));
   wall.position = {Vec3(0.8, 0, 0)};
   scene.objects = {wall};
   const CollisionWorld world = make_world(robot, scene, {}, {});
-  EXPECT_EQ(scene.objects[0].solid, nullptr);
-  EXPECT_NE(world.scene->objects[0].solid, nullptr);
+  ReadyMeshes ready;
+  make_ready(box_mesh(Vec3(0.001, 0.001, 0.4)), ready);
+  make_ready(wall, ready);
+  const CollisionWorld again = make_world(robot, scene, {}, {}, ready);
+  EXPECT_EQ(again.meshes[0], ready[1].solid) << "made once";
+  EXPECT_EQ(world.meshes[0]->radius, ready[1].solid->radius);
   CollisionScratch scratch;
   const JointVector from = Eigen::Vector2d(-0.1, 0), to = Eigen::Vector2d(0.08, 0);
   EXPECT_GT(least_slack(world, from, 0, scratch).slack(), 0.03);

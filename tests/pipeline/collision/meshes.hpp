@@ -8,8 +8,14 @@
 
 namespace morphe::collision {
 
-inline SceneObject mesh_object(std::vector<Vec3> vertices, std::vector<Eigen::Vector3i> triangles) {
-  SceneObject mesh;
+/// A mesh, made ready if it has no problem.
+struct MeshObject : SceneObject {
+  std::shared_ptr<const MeshSolid> solid;
+  Solid ready() const { return {*this, solid.get()}; }
+};
+
+inline MeshObject mesh_object(std::vector<Vec3> vertices, std::vector<Eigen::Vector3i> triangles) {
+  MeshObject mesh;
   mesh.name = "mesh";
   mesh.shape = Shape::mesh;
   mesh.time = {0};
@@ -17,14 +23,12 @@ inline SceneObject mesh_object(std::vector<Vec3> vertices, std::vector<Eigen::Ve
   mesh.orientation = {Quat::Identity()};
   mesh.vertices = std::move(vertices);
   mesh.triangles = std::move(triangles);
-  Scene scene;
-  scene.objects = {mesh};
-  prepare_meshes(scene);
-  return scene.objects.front();
+  mesh.solid = mesh_solid_of(mesh);
+  return mesh;
 }
 
 /// The twelve triangles of a box of full size; `walls` 1 … 6 leaves out those that come after.
-inline SceneObject box_mesh(const Vec3& size, int walls = 6) {
+inline MeshObject box_mesh(const Vec3& size, int walls = 6) {
   std::vector<Vec3> vertices;
   for (int k = 0; k < 8; ++k) {
     vertices.push_back(0.5 * Vec3((k & 1) ? size.x() : -size.x(), (k & 2) ? size.y() : -size.y(),
@@ -42,7 +46,7 @@ inline SceneObject box_mesh(const Vec3& size, int walls = 6) {
 }
 
 /// Adds another mesh's triangles, moved.
-inline void append(SceneObject& mesh, const SceneObject& other, const Vec3& shift, bool turned) {
+inline void append(MeshObject& mesh, const SceneObject& other, const Vec3& shift, bool turned) {
   const int first = static_cast<int>(mesh.vertices.size());
   for (const Vec3& vertex : other.vertices) mesh.vertices.push_back(vertex + shift);
   for (Eigen::Vector3i triangle : other.triangles) {
@@ -53,7 +57,7 @@ inline void append(SceneObject& mesh, const SceneObject& other, const Vec3& shif
 }
 
 /// A torus about z, closed and not convex.
-inline SceneObject torus_mesh(double ring, double tube, int around, int across) {
+inline MeshObject torus_mesh(double ring, double tube, int around, int across) {
   std::vector<Vec3> vertices;
   std::vector<Eigen::Vector3i> triangles;
   for (int i = 0; i < around; ++i) {

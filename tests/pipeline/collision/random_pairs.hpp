@@ -8,7 +8,7 @@
 namespace morphe::collision {
 
 /// The hull of points on an ellipsoid about the origin.
-inline SceneObject random_hull(RandomBodies& random) {
+inline MeshObject random_hull(RandomBodies& random) {
   const Vec3 axes(random.uniform(0.02, 0.2), random.uniform(0.02, 0.2), random.uniform(0.02, 0.2));
   SceneObject points;
   for (int k = 0; k < 14; ++k) points.vertices.push_back(axes.cwiseProduct(random.direction()));
@@ -26,7 +26,9 @@ struct DistanceError {
   double over = 0, under = 0, uncertain = 0;
 };
 inline DistanceError random_pair_error(RandomBodies& random, Shape shape, int number) {
-  const SceneObject solid = shape == Shape::mesh ? random_hull(random) : random.solid(shape);
+  const SceneObject object = shape == Shape::mesh ? random_hull(random) : random.solid(shape);
+  const std::shared_ptr<const MeshSolid> mesh = mesh_solid_of(object);
+  const Solid solid(object, mesh.get());
   const Pose pose = random.pose(0.3);
   CapsuleBody body = random.capsule(0.5);
   if (number % 7 == 0) body.to = body.from;  // a sphere
@@ -37,7 +39,7 @@ inline DistanceError random_pair_error(RandomBodies& random, Shape shape, int nu
   const double got = capsule_solid(body, solid, pose).distance + body.radius;
   const Pose solid_from_base = pose.inverse();
   const ReferenceDistance truth =
-      reference_distance(solid_from_base * body.from, solid_from_base * body.to, solid);
+      reference_distance(solid_from_base * body.from, solid_from_base * body.to, object);
   if (truth.upper == 0) return {std::max(got, 0.0), 0, 0};  // how deep is another question
   return {got - truth.upper, truth.lower - got, truth.upper - truth.lower};
 }

@@ -358,7 +358,7 @@ TEST_F(MeshFiles, MillimetresTakenForMetresAreNoticed) {
 /// What a file leaves out where nothing fits through is closed, a wide opening is not.
 TEST_F(MeshFiles, SmallHolesAreClosed) {
   const auto read_open = [&](const std::string& name, const std::string& text) {
-    return collision::is_open(*read(object_of("mesh", write(name, text))).objects[0].mesh.solid);
+    return collision::is_open(*read(object_of("mesh", write(name, text))).meshes.at(0).solid);
   };
   EXPECT_FALSE(read_open("whole.obj", kPyramid));
   EXPECT_TRUE(read_open("side.obj", kPyramid.substr(0, kPyramid.size() - 8)));
