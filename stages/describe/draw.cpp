@@ -6,6 +6,7 @@
 #include <array>
 #include <numbers>
 
+#include "pipeline/files/markup.hpp"
 #include "pipeline/robot/forward.hpp"
 
 namespace morphe::describe {
@@ -13,14 +14,6 @@ namespace {
 
 constexpr double kPanel = 430, kTitle = 46, kFoot = 30, kRoom = 24;
 constexpr double kBent = std::numbers::pi / 6;
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    out += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-  }
-  return out;
-}
 
 struct DrawnPosture {
   const char* name;
@@ -131,12 +124,9 @@ std::string svg_of(const RobotTable& robot) {
   const double extent = (box.most - box.least).maxCoeff();
   const double scale = (kPanel - 2 * kRoom) / std::max(extent, 1e-6);
   const double width = 2 * kPanel, height = kTitle + 2 * kPanel + kFoot;
-  std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
-      "viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"sans-serif\" font-size=\"13\">\n"
-      "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
-      "<text x=\"{2:.0f}\" y=\"28\" font-size=\"17\">{3}: {4} joints</text>\n",
-      width, height, kRoom, escaped(robot.name), robot.joints());
+  std::string svg = files::svg_begin(width, height, 13);
+  svg += fmt::format("<text x=\"{:.0f}\" y=\"28\" font-size=\"17\">{}: {} joints</text>\n", kRoom,
+                     files::xml_escaped(robot.name), robot.joints());
   for (std::size_t row = 0; row < postures.size(); ++row) {
     for (const Eigen::Index across : {1, 0}) {
       svg += Panel{robot,

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "pipeline/files/markup.hpp"
+
 namespace morphe::study {
 namespace {
 
@@ -14,14 +16,6 @@ constexpr double kLeft = 70, kRight = 180, kTop = 40, kBottom = 50;
 constexpr const char* kColours[] = {"#1f5fa8", "#c0392b", "#2e8b57", "#8e5ea2", "#d68910",
                                     "#17808f", "#7f4f24", "#555555", "#b03a7a", "#6b8e23"};
 constexpr const char* kShades[] = {"#dfe9f5", "#f7e3d9"};
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    result += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-  }
-  return result;
-}
 
 /// An axis with round ticks: 1, 2 or 5 times a power of ten apart, about six of them.
 struct Axis {
@@ -83,19 +77,17 @@ std::string svg_of(const Plot& plot) {
   const auto py = [&](double y) {
     return kHeight - kBottom - tall * (y - y_axis.low) / (y_axis.high - y_axis.low);
   };
-  std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
-      "height=\"{1}\" font-family=\"sans-serif\" font-size=\"12\">\n"
-      "<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n"
-      "<text x=\"{2}\" y=\"20\" font-size=\"14\">{3}</text>\n",
-      kWidth, kHeight, kLeft, escaped(plot.title));
+  std::string svg = files::svg_begin(kWidth, kHeight, 12);
+  svg += fmt::format("<text x=\"{}\" y=\"20\" font-size=\"14\">{}</text>\n", kLeft,
+                     files::xml_escaped(plot.title));
   for (std::size_t i = 0; i < plot.bands.size(); ++i) {
     const Plot::Band& band = plot.bands[i];
     svg += fmt::format(
         "<rect x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"{}\" fill=\"{}\"/>\n"
         "<text x=\"{:.1f}\" y=\"{}\" font-size=\"10\" fill=\"#555\">{}</text>\n",
         px(band.begin), kTop, px(band.end) - px(band.begin), tall, kShades[i % std::size(kShades)],
-        px(band.begin) + 2, kTop + 10 + 11 * static_cast<double>(i % 3), escaped(band.name));
+        px(band.begin) + 2, kTop + 10 + 11 * static_cast<double>(i % 3),
+        files::xml_escaped(band.name));
   }
   const auto ticks = [](const Axis& axis) {
     return static_cast<int>(std::floor((axis.high - axis.first) / axis.step + 1e-9));
@@ -134,15 +126,16 @@ std::string svg_of(const Plot& plot) {
       svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.5\" fill=\"{}\"/>\n",
                          px(line.x[k]), py(line.y[k]), colour);
     }
-    svg += fmt::format("<text x=\"{}\" y=\"{}\" fill=\"{}\">{}</text>\n", kWidth - kRight + 10,
-                       kTop + 12 + 16 * static_cast<double>(i), colour, escaped(line.name));
+    svg +=
+        fmt::format("<text x=\"{}\" y=\"{}\" fill=\"{}\">{}</text>\n", kWidth - kRight + 10,
+                    kTop + 12 + 16 * static_cast<double>(i), colour, files::xml_escaped(line.name));
   }
   svg += fmt::format(
       "<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n"
       "<text transform=\"translate(16 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n"
       "</svg>\n",
-      kLeft + inner / 2, kHeight - 12, escaped(plot.x_label), kTop + tall / 2,
-      escaped(plot.y_label));
+      kLeft + inner / 2, kHeight - 12, files::xml_escaped(plot.x_label), kTop + tall / 2,
+      files::xml_escaped(plot.y_label));
   return svg;
 }
 

@@ -6,29 +6,10 @@
 #include <cmath>
 #include <set>
 
+#include "pipeline/files/markup.hpp"
+
 namespace morphe::robot {
 namespace {
-
-/// For an attribute's value.
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 std::string numbers(const Vec3& v) {
   const Vec3 positive = v.array() + 0.0;  // no -0
@@ -54,7 +35,7 @@ std::string origin(const Pose& pose) {
 
 std::string shape(const std::string& name, const Pose& pose, const std::string& geometry) {
   return fmt::format("    <collision name=\"{}\">{}<geometry>{}</geometry></collision>\n",
-                     escaped(name), origin(pose), geometry);
+                     files::xml_escaped(name), origin(pose), geometry);
 }
 
 std::string capsule_shapes(const RobotTable::Capsule& capsule) {
@@ -80,8 +61,8 @@ std::string link(const RobotTable& robot, const std::string& name, int frame) {
   for (const RobotTable::Capsule& capsule : robot.capsules) {
     if (capsule.frame == frame) shapes += capsule_shapes(capsule);
   }
-  if (shapes.empty()) return fmt::format("  <link name=\"{}\"/>\n", escaped(name));
-  return fmt::format("  <link name=\"{}\">\n{}  </link>\n", escaped(name), shapes);
+  if (shapes.empty()) return fmt::format("  <link name=\"{}\"/>\n", files::xml_escaped(name));
+  return fmt::format("  <link name=\"{}\">\n{}  </link>\n", files::xml_escaped(name), shapes);
 }
 
 std::string joint(const std::string& name, const char* type, const std::string& parent,
@@ -89,7 +70,7 @@ std::string joint(const std::string& name, const char* type, const std::string& 
   return fmt::format(
       "  <joint name=\"{0}\" type=\"{1}\">\n    <parent link=\"{2}\"/>\n    <child link=\"{0}\"/>\n"
       "    {3}\n{4}  </joint>\n",
-      escaped(name), type, escaped(parent), origin(pose), more);
+      files::xml_escaped(name), type, files::xml_escaped(parent), origin(pose), more);
 }
 
 std::string parent_name(const RobotTable& robot, int frame) {
@@ -108,8 +89,8 @@ std::string turning(const RobotTable& robot, const RobotTable::Frame& frame, boo
     lower = frame.ratio * robot.lower[k] + frame.offset;
     upper = frame.ratio * robot.upper[k] + frame.offset;
     more += fmt::format("    <mimic joint=\"{}\" multiplier=\"{}\" offset=\"{}\"/>\n",
-                        escaped(robot.joint_names[static_cast<std::size_t>(k)]), frame.ratio,
-                        frame.offset);
+                        files::xml_escaped(robot.joint_names[static_cast<std::size_t>(k)]),
+                        frame.ratio, frame.offset);
   }
   more += fmt::format("    <limit lower=\"{}\" upper=\"{}\" effort=\"0\" velocity=\"{}\"/>\n",
                       std::min(lower, upper), std::max(lower, upper),
@@ -121,7 +102,7 @@ std::string turning(const RobotTable& robot, const RobotTable::Frame& frame, boo
 
 std::string urdf_of(const RobotTable& robot) {
   std::string text =
-      fmt::format("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n", escaped(robot.name));
+      fmt::format("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n", files::xml_escaped(robot.name));
   text += link(robot, "base", -1);
   std::set<int> driven;
   std::set<std::string> names = {"base"};

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace morphe::files {
+
+/// Text as XML may hold it, in an attribute too: & < > " as entities.
+std::string xml_escaped(std::string_view text);
+
+/// The beginning of a drawing [pixels] on white, to be ended by "</svg>\n".
+std::string svg_begin(double width, double height, int font_size);
+
+}  // namespace morphe::files
