@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <system_error>
 #include <utility>
@@ -19,18 +18,20 @@ namespace {
   throw InputError(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(errno)));
 }
 
-void sync(const std::filesystem::path& path) {
+void sync(const std::filesystem::path& path, Disk& disk) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) fail(path);
-  const int synced = ::fsync(descriptor);
+  const int synced = disk.sync(descriptor);
+  const int error = errno;
   ::close(descriptor);
+  errno = error;
   if (synced != 0) fail(path);
 }
 
 }  // namespace
 
-PartFile::PartFile(std::filesystem::path target)
-    : target_(std::move(target)), part_(target_.string() + ".part") {}
+PartFile::PartFile(std::filesystem::path target, Disk& disk)
+    : target_(std::move(target)), part_(target_.string() + ".part"), disk_(&disk) {}
 
 PartFile::~PartFile() {
   std::error_code ignored;
@@ -38,10 +39,10 @@ PartFile::~PartFile() {
 }
 
 void PartFile::commit() {
-  sync(part_);
-  if (std::rename(part_.c_str(), target_.c_str()) != 0) fail(target_);
+  sync(part_, *disk_);
+  if (disk_->rename(part_.c_str(), target_.c_str()) != 0) fail(target_);
   committed_ = true;
-  sync(target_.has_parent_path() ? target_.parent_path() : std::filesystem::path("."));
+  sync(target_.has_parent_path() ? target_.parent_path() : std::filesystem::path("."), *disk_);
 }
 
 }  // namespace morphe::files

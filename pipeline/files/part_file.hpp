@@ -2,13 +2,15 @@
 
 #include <filesystem>
 
+#include "pipeline/files/disk.hpp"
+
 namespace morphe::files {
 
 /// A file that appears under its name only when it is whole: written beside it as "<name>.part",
 /// then synced and renamed. Removed again if commit() is never reached.
 class PartFile {
  public:
-  explicit PartFile(std::filesystem::path target);
+  explicit PartFile(std::filesystem::path target, Disk& disk = real_disk());
   PartFile(const PartFile&) = delete;
   PartFile& operator=(const PartFile&) = delete;
   ~PartFile();
@@ -20,6 +22,7 @@ class PartFile {
 
  private:
   std::filesystem::path target_, part_;
+  Disk* disk_;
   bool committed_ = false;
 };
 

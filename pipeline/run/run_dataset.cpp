@@ -53,7 +53,8 @@ class Run {
 
   RunResult run() {
     begin();
-    writer_.emplace(request_.plans, request_.identity.header, request_.identity.robot);
+    writer_.emplace(request_.plans, request_.identity.header, request_.identity.robot,
+                    *request_.disk);
     parallel::OrderedMap<Task, Done> map;
     map.next = [&] { return next(); };
     map.work = [&](const Task& task) { return work(task); };

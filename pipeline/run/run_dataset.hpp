@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "pipeline/files/disk.hpp"
 #include "pipeline/run/batch.hpp"
 #include "pipeline/run/journal.hpp"
 #include "pipeline/run/progress.hpp"
@@ -18,6 +19,7 @@ struct RunRequest {
   std::string config;    ///< effective config, but for the paths of files
   std::string expected_dataset;  ///< SHA-256 that the dataset must have, "" = any
   int jobs = 1;
+  files::Disk* disk = &files::real_disk();  ///< for plans.h5
   bool explain = false;
   std::function<DemonstrationOutcome(const Demonstration&)> plan;
   std::function<std::string(const Plan&)> rows;  ///< of the table for people

@@ -98,10 +98,10 @@ bool Hdf5Id::reset() {
   return closed;
 }
 
-Hdf5File Hdf5File::create(const std::filesystem::path& path) {
+Hdf5File Hdf5File::create(const std::filesystem::path& path, files::Disk& disk) {
   Hdf5File file;
   const Hdf5Id access = access_properties();
-  H5Pset_driver(access.get(), hdf5_output_driver(), nullptr);
+  write_through_output_driver(access.get(), disk);
   // No space in advance: HDF5 keeps a list, in memory, of what is left of each such block.
   H5Pset_meta_block_size(access.get(), 0);
   H5Pset_small_data_block_size(access.get(), 0);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/files/disk.hpp"
 #include "pipeline/motion/input_error.hpp"
 
 namespace morphe::store {
@@ -122,7 +123,7 @@ class Hdf5File {
  public:
   Hdf5File() = default;
   /// Overwrites; InputError if the file cannot be created.
-  static Hdf5File create(const std::filesystem::path& path);
+  static Hdf5File create(const std::filesystem::path& path, files::Disk& disk = files::real_disk());
   /// Read only; InputError if it is missing, empty, truncated or not HDF5.
   static Hdf5File open(const std::filesystem::path& path);
 

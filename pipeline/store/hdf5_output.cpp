@@ -27,6 +27,7 @@ struct Output {
   H5FD_t known;
   int descriptor;
   int error;
+  files::Disk* disk;
   int* report;  ///< where close_file() leaves the error, or null
   haddr_t end_of_address, end_of_file;
 };
@@ -34,11 +35,17 @@ struct Output {
 Output* output(H5FD_t* file) { return reinterpret_cast<Output*>(file); }
 const Output* output(const H5FD_t* file) { return reinterpret_cast<const Output*>(file); }
 
-H5FD_t* open_file(const char* name, unsigned flags, hid_t, haddr_t) {
-  if (!(flags & H5F_ACC_CREAT)) return nullptr;
+/// What the access properties tell the driver.
+struct Access {
+  files::Disk* disk;
+};
+
+H5FD_t* open_file(const char* name, unsigned flags, hid_t properties, haddr_t) {
+  const auto* const access = static_cast<const Access*>(H5Pget_driver_info(properties));
+  if (!(flags & H5F_ACC_CREAT) || !access) return nullptr;
   const int descriptor = ::open(name, O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (descriptor < 0) return nullptr;
-  auto* const file = new (std::nothrow) Output{{}, descriptor, 0, nullptr, 0, 0};
+  auto* const file = new (std::nothrow) Output{{}, descriptor, 0, access->disk, nullptr, 0, 0};
   if (!file) ::close(descriptor);
   return file ? &file->known : nullptr;
 }
@@ -97,7 +104,8 @@ herr_t write_bytes(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t address, std::size_t
   const auto* from = static_cast<const char*>(buffer);
   out.end_of_file = std::max(out.end_of_file, address + count);
   while (count > 0 && out.error == 0) {
-    const ssize_t put = ::pwrite(out.descriptor, from, count, static_cast<off_t>(address));
+    const std::int64_t put =
+        out.disk->write(out.descriptor, from, count, static_cast<std::int64_t>(address));
     if (put < 0 && errno == EINTR) continue;
     if (put < 0) {
       out.error = errno;
@@ -113,7 +121,8 @@ herr_t write_bytes(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t address, std::size_t
 herr_t truncate_file(H5FD_t* file, hid_t, hbool_t) {
   Output& out = *output(file);
   if (out.end_of_address == out.end_of_file) return 0;
-  if (out.error == 0 && ::ftruncate(out.descriptor, static_cast<off_t>(out.end_of_address)) != 0)
+  if (out.error == 0 &&
+      out.disk->truncate(out.descriptor, static_cast<std::int64_t>(out.end_of_address)) != 0)
     out.error = errno;
   out.end_of_file = out.end_of_address;
   return 0;
@@ -129,6 +138,7 @@ const H5FD_class_t& driver_class() {
     d.name = kName;
     d.maxaddr = kMostBytes;
     d.fc_degree = H5F_CLOSE_WEAK;
+    d.fapl_size = sizeof(Access);
     d.open = open_file;
     d.close = close_file;
     d.cmp = compare;
@@ -156,9 +166,10 @@ Output* output_of(hid_t file) {
 
 }  // namespace
 
-std::int64_t hdf5_output_driver() {
+void write_through_output_driver(std::int64_t access, files::Disk& disk) {
   static const hid_t driver = H5FDregister(&driver_class());
-  return driver;
+  const Access told{&disk};
+  H5Pset_driver(access, driver, &told);
 }
 
 int hdf5_output_error(std::int64_t file) {

@@ -38,8 +38,12 @@ struct PlanWriter::State {
 
 PlanWriter::PlanWriter(const std::filesystem::path& path, const PlanFileHeader& header,
                        const RobotTable& robot)
-    : state_(new State{files::PartFile(path), robot, {}, {}}) {
-  state_->file = Hdf5File::create(state_->part.part());
+    : PlanWriter(path, header, robot, files::real_disk()) {}
+
+PlanWriter::PlanWriter(const std::filesystem::path& path, const PlanFileHeader& header,
+                       const RobotTable& robot, files::Disk& disk)
+    : state_(new State{files::PartFile(path, disk), robot, {}, {}}) {
+  state_->file = Hdf5File::create(state_->part.part(), disk);
   state_->file.call_it(path);
   const Hdf5Group root = state_->file.root();
   write_format(root, kPlanFormat, kPlanVersion);

@@ -10,6 +10,10 @@
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
 
+namespace morphe::files {
+struct Disk;  // pipeline/files/disk.hpp
+}
+
 namespace morphe::store {
 
 /// Writes plans.h5 (docs/formats.md), plan by plan, in the order of the calls. The file appears,
@@ -20,6 +24,9 @@ class MORPHE_EXPORT PlanWriter {
  public:
   PlanWriter(const std::filesystem::path& path, const PlanFileHeader& header,
              const RobotTable& robot);
+  /// To a disk that may fail.
+  PlanWriter(const std::filesystem::path& path, const PlanFileHeader& header,
+             const RobotTable& robot, files::Disk& disk);
   ~PlanWriter();
   void add(const Plan& plan);
   void finish();
