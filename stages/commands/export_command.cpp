@@ -15,10 +15,10 @@ Command export_command(CLI::App& app) {
   };
   const auto arguments = std::make_shared<Arguments>();
   app.add_option("FILE", arguments->plans, "plans.h5")->required();
-  app.add_option("--format", arguments->format, "What to write")
+  app.add_option("--format", arguments->format, "File format")
       ->required()
       ->check(CLI::IsMember(exports::export_format_names()));
-  app.add_option("--out", arguments->out, "Folder for it")->required();
+  app.add_option("--out", arguments->out, "Folder to write the files to")->required();
   return [arguments] {
     run::OutputFolder folder(arguments->out);
     const exports::ExportReport report =

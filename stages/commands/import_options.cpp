@@ -7,17 +7,17 @@
 namespace morphe::commands {
 
 void add_import_options(CLI::App& app, imports::ImportRequest& request) {
-  app.add_option("--static", request.static_trial, "Static trial of the recordings")
+  app.add_option("--static", request.static_trial, "Recording of the static trial")
       ->transform(input_file());
-  app.add_option("--format", request.format, "Format, if not to be told by content")
+  app.add_option("--format", request.format, "Format of the recordings (default: recognised by their content)")
       ->check(CLI::IsMember(imports::import_format_names()));
-  app.add_option("--names", request.names, "YAML map of recorded names to ours")
+  app.add_option("--names", request.names, "YAML file that maps recorded names to Morphe's")
       ->transform(input_file());
   app.add_option("--axes", request.conventions.axes,
                  "Recorded axes that point right, forward and up, such as 'x y z'");
   app.add_option("--unit", request.conventions.unit,
                  "Unit of lengths: m, cm, mm, in or metres per unit");
-  app.add_option("--rate", request.conventions.rate_hz, "Frames a second")
+  app.add_option("--rate", request.conventions.rate_hz, "Frames per second")
       ->check(CLI::PositiveNumber);
 }
 

@@ -44,7 +44,7 @@ Command inspect_command(CLI::App& app) {
       ->required()
       ->transform(input_file());
   app.add_option("--config", arguments->config,
-                 "Pipeline config to rebuild and segment by (default: every default)")
+                 "Pipeline config to reconstruct and segment with (default: default values)")
       ->transform(input_file());
   add_import_options(app, arguments->request);
   app.add_flag("--json", arguments->json, "Print JSON");

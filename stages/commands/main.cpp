@@ -20,18 +20,18 @@ struct Entry {
 };
 
 constexpr std::array<Entry, 10> kCommands{{
-    {"diff", "In which plans and by how much two plans.h5 differ", morphe::commands::diff_command},
-    {"export", "Executable plans as CSV, ROS or robomimic files", morphe::commands::export_command},
-    {"import", "Recordings -> demonstrations.h5", morphe::commands::import_command},
-    {"inspect", "What a demonstrations.h5 holds and what will be usable",
+    {"diff", "Compare two plans.h5: which plans differ, and by how much", morphe::commands::diff_command},
+    {"export", "Write executable plans as CSV, ROS or robomimic files", morphe::commands::export_command},
+    {"import", "Convert recordings into a demonstrations.h5", morphe::commands::import_command},
+    {"inspect", "Show what a recording or demonstrations.h5 holds, and what cannot be used",
      morphe::commands::inspect_command},
-    {"merge", "Folders of all shards of a run -> DIR/plans.h5", morphe::commands::merge_command},
+    {"merge", "Join the shards of a run into one plans.h5", morphe::commands::merge_command},
     {"robot", "Check, print and draw a robot description", morphe::commands::robot_command},
-    {"run", "Demonstrations and a config -> DIR/plans.h5", morphe::commands::run_command},
-    {"synthesize", "Recordings that never were, with their truth",
+    {"run", "Plan recorded demonstrations: write DIR/plans.h5", morphe::commands::run_command},
+    {"synthesize", "Generate recordings with known ground truth",
      morphe::commands::synthesize_command},
-    {"study", "Figures against ground truth -> DIR/results.json", morphe::commands::study_command},
-    {"verify", "Judge a plans.h5 from the file alone", morphe::commands::verify_command},
+    {"study", "Run a study: write its figures to DIR/results.json", morphe::commands::study_command},
+    {"verify", "Check a plans.h5 with independent code, from the file alone", morphe::commands::verify_command},
 }};
 
 constexpr int kBadInput = 2;
@@ -58,8 +58,8 @@ int main(int argc, char** argv) {
   }
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is an error to be told, like a full disk
   CLI::App app(
-      "Morphe: recorded human reaches -> executable robot trajectories\n"
-      "A file to read that is not there may be a shipped one: configs/..., datasets/...",
+      "Morphe turns recorded human reaches and grasps into executable robot trajectories.\n"
+      "Shipped files (configs/..., datasets/...) are found from any folder.",
       "morphe");
   app.set_version_flag("--version", morphe::software());
   app.require_subcommand(1);

@@ -42,7 +42,7 @@ int execute(const MergeArguments& arguments) {
 Command merge_command(CLI::App& app) {
   const auto arguments = std::make_shared<MergeArguments>();
   app.add_option("DIR", arguments->folders, "Folders of all shards of a run")->required();
-  app.add_option("--out", arguments->out, "Folder for the plans.h5 of them all")->required();
+  app.add_option("--out", arguments->out, "Folder for the joined plans.h5")->required();
   app.add_flag("--strict", arguments->strict, "Exit 1 if a movement is infeasible");
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] { return execute(*arguments); };

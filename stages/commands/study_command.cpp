@@ -23,8 +23,8 @@ Command study_command(CLI::App& app) {
       ->required()
       ->transform(input_file());
   app.add_option("--out", arguments->out, "Folder for the results")->required();
-  app.add_flag("--quick", arguments->quick, "The small version");
-  app.add_option("--jobs", arguments->jobs, "Threads (default: one per core)")
+  app.add_flag("--quick", arguments->quick, "Run the small version");
+  app.add_option("--jobs", arguments->jobs, "Number of threads (default: one per core)")
       ->check(CLI::PositiveNumber);
   return [arguments] {
     run::OutputFolder folder(arguments->out);

@@ -69,15 +69,15 @@ int execute(const SynthesizeArguments& arguments) {
 
 Command synthesize_command(CLI::App& app) {
   const auto arguments = std::make_shared<SynthesizeArguments>();
-  app.add_option("CONFIG", arguments->config, "What to synthesize (YAML, configs/synthetic)")
+  app.add_option("CONFIG", arguments->config, "What to generate (YAML, configs/synthetic)")
       ->required()
       ->transform(input_file());
   app.add_option("--out", arguments->out, "The demonstrations.h5 to write; F.truth.h5 beside it")
       ->required();
-  app.add_option("--count", arguments->count, "Demonstrations (default: 100)")
+  app.add_option("--count", arguments->count, "Number of demonstrations (default: 100)")
       ->check(CLI::PositiveNumber);
-  app.add_option("--seed", arguments->seed, "Another seed, other demonstrations (default: 1)");
-  app.add_option("--jobs", arguments->jobs, "Threads (default: one per core)")
+  app.add_option("--seed", arguments->seed, "Random seed (default: 1)");
+  app.add_option("--jobs", arguments->jobs, "Number of threads (default: one per core)")
       ->check(CLI::PositiveNumber);
   return [arguments] { return execute(*arguments); };
 }
