@@ -9,7 +9,8 @@ namespace morphe::commands {
 void add_import_options(CLI::App& app, imports::ImportRequest& request) {
   app.add_option("--static", request.static_trial, "Recording of the static trial")
       ->transform(input_file());
-  app.add_option("--format", request.format, "Format of the recordings (default: recognised by their content)")
+  app.add_option("--format", request.format,
+                 "Format of the recordings (default: recognised by their content)")
       ->check(CLI::IsMember(imports::import_format_names()));
   app.add_option("--names", request.names, "YAML file that maps recorded names to Morphe's")
       ->transform(input_file());

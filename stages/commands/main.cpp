@@ -20,8 +20,10 @@ struct Entry {
 };
 
 constexpr std::array<Entry, 10> kCommands{{
-    {"diff", "Compare two plans.h5: which plans differ, and by how much", morphe::commands::diff_command},
-    {"export", "Write executable plans as CSV, ROS or robomimic files", morphe::commands::export_command},
+    {"diff", "Compare two plans.h5: which plans differ, and by how much",
+     morphe::commands::diff_command},
+    {"export", "Write executable plans as CSV, ROS or robomimic files",
+     morphe::commands::export_command},
     {"import", "Convert recordings into a demonstrations.h5", morphe::commands::import_command},
     {"inspect", "Show what a recording or demonstrations.h5 holds, and what cannot be used",
      morphe::commands::inspect_command},
@@ -30,8 +32,10 @@ constexpr std::array<Entry, 10> kCommands{{
     {"run", "Plan recorded demonstrations: write DIR/plans.h5", morphe::commands::run_command},
     {"synthesize", "Generate recordings with known ground truth",
      morphe::commands::synthesize_command},
-    {"study", "Run a study: write its figures to DIR/results.json", morphe::commands::study_command},
-    {"verify", "Check a plans.h5 with independent code, from the file alone", morphe::commands::verify_command},
+    {"study", "Run a study: write its figures to DIR/results.json",
+     morphe::commands::study_command},
+    {"verify", "Check a plans.h5 with independent code, from the file alone",
+     morphe::commands::verify_command},
 }};
 
 constexpr int kBadInput = 2;

@@ -33,8 +33,9 @@ Command robot_command(CLI::App& app) {
   app.add_option("FILE", arguments->file, "Robot description")->required()->transform(input_file());
   app.add_option("--svg", arguments->svg, "SVG file for a drawing, front and side view");
   app.add_option("--urdf", arguments->urdf, "URDF file to write the robot to");
-  app.add_option("--self-collision", arguments->samples,
-                 "Print which pairs of capsules overlap always, never or sometimes in N random positions")
+  app.add_option(
+         "--self-collision", arguments->samples,
+         "Print which pairs of capsules overlap always, never or sometimes in N random positions")
       ->check(CLI::Range(1, 100'000'000));
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] {

@@ -150,18 +150,21 @@ Command run_command(CLI::App& app) {
   app.add_option("CONFIG", arguments->config, "Pipeline config (YAML)")->transform(input_file());
   app.add_option("--from", arguments->from,
                  "plans.h5 whose config, robot and scene are used again");
-  app.add_option("--out", arguments->out, "Folder for plans.h5; an unfinished run in it is continued")
+  app.add_option("--out", arguments->out,
+                 "Folder for plans.h5; an unfinished run in it is continued")
       ->required();
   app.add_option("--dataset", arguments->dataset,
                  "demonstrations.h5 or manifest of recordings to use instead of the config's")
       ->transform(input_file());
   app.add_option("--jobs", arguments->jobs, "Number of threads (default: one per core)")
       ->check(CLI::PositiveNumber);
-  app.add_option("--set", arguments->settings, "KEY=VALUE: change a value of the config, such as map.starts=64")
+  app.add_option("--set", arguments->settings,
+                 "KEY=VALUE: change a value of the config, such as map.starts=64")
       ->allow_extra_args(false);
   app.add_option("--shard", arguments->shard,
                  "I/N: plan part I of N of the dataset; slurm: the part of this array task");
-  app.add_flag("--fresh", arguments->fresh, "Plan everything anew, including what an earlier run in the folder finished");
+  app.add_flag("--fresh", arguments->fresh,
+               "Plan everything anew, including what an earlier run in the folder finished");
   app.add_flag("--explain", arguments->explain, "Say for each demonstration why it is planned");
   app.add_flag("--strict", arguments->strict, "Exit 1 if a movement is infeasible");
   app.add_flag("--json", arguments->json, "Print JSON");
