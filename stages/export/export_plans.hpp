@@ -18,10 +18,12 @@ struct ExportReport {
 };
 
 /// Writes what a plans.h5 holds of executable plans for others to read:
-///   csv        <demonstration>_<000>.csv and, with an approach and a retreat, …_approach.csv,
-///   …_retreat.csv ros        the same with .yaml, a JointTrajectory each robomimic robomimic.hdf5,
-///   all plans in one (approach and retreat are no demonstration: left out); none
-///              if no plan is executable
+/// - csv: <demonstration>_<000>.csv and, with an approach and a retreat, …_approach.csv and
+///   …_retreat.csv
+/// - ros: the same with .yaml, a JointTrajectory each
+/// - robomimic: robomimic.hdf5, all plans in one, without approach and retreat, which are no
+///   demonstration; no file if no plan is executable
+///
 /// The folder must exist. Each file appears whole, in place of an older one of its
 /// name; nothing else in the folder is touched. InputError if the plans cannot be read or the
 /// folder not be written.

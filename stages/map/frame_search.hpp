@@ -12,7 +12,7 @@ namespace morphe::map {
 /// Somewhere inside the limits: the same on any machine.
 JointVector random_start(const RobotTable& robot, std::mt19937_64& random);
 
-/// Local minimum of one frame's objective from a start, by NLopt.
+/// Local minimum of one frame's objective from a start, by `options.algorithm`.
 solve::Minimum solve_frame(const MappingProblem& problem, std::size_t frame,
                            const JointVector& start, const solve::MinimiseOptions& options,
                            MappingScratch& scratch);

@@ -34,7 +34,7 @@ struct NaturalJoint {
 };
 
 /// Section 3.3 of the paper: where the robot's base (a hand's: its wrist) stands is chosen with the
-/// mapping, once a movement (free_offset.hpp).
+/// mapping, one place for a movement.
 struct BaseOffset {
   double limit_m = 0;  ///< along each axis of the world, from where the placement puts it; 0: off
   double weight = 1;   ///< on its square, beside the mean of the frames' objectives [1/m²]

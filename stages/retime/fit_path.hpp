@@ -25,9 +25,9 @@ struct PathFit {
 ///   sum_i w_i |q(u_i) - y_i|^2 + sum (duration / step)^6 |third difference|^2
 /// for all joints with the same weights w_i, raised wherever the tips (J(y_i) (q(u_i) - y_i)) or
 /// the joints without tips are off by more than `allowance_i` times the tolerance, until none is;
-/// after 30 rounds the knots are halved, three times at most. The ends are met to 2e-7 rad unless a
-/// limit is in the way. The curve stays within [lower, upper] everywhere: its Bézier points do.
-/// clock [W] not decreasing, from 0; samples [W, n]; allowance [W].
+/// after 30 rounds the step is halved, twice at most and only while that helps. The ends are met to
+/// 2e-7 rad unless a limit is in the way. The curve stays within [lower, upper] everywhere: its
+/// Bézier points do. clock [W] not decreasing, from 0; samples [W, n]; allowance [W].
 PathFit fit_path(const RobotTable& robot, const std::vector<double>& clock,
                  const JointRows& samples, const std::vector<double>& allowance,
                  const FitTolerance& tolerance, double step_s);

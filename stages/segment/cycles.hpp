@@ -23,13 +23,15 @@ bool carries(const Bout& bout, const std::vector<ObjectMotion>& motions);
 ///   home    1 − (d / h)², at least −1: d the distance of rest j from rest i, h = home_radius or
 ///           half the reach if that is less; at least 0 where the recording ends before it; and
 ///           the same, if positive, taken off for every rest between that is at home
-///   grasp   1 if an object moves, or else ½ if the opening widens and closes, −½ if it does not
+///   grasp   1 if an object moves after the reach, or else ½ if the opening is known to widen and
+///           close, −½ if it is known not to; and −1 if an object moves during the reach
 ///   away    the level distance from the shoulder gained by the reach, over the reach's way
 ///   target  ¼ if the reach halves the distance to a recorded object
-/// Bouts outside of movements cost up to 1 each, by the way they go; together ½ at the head of a
-/// recording, and nothing if it begins inside one: the rest of a movement without its reach.
-/// No movement begins with a bout that is no reach: shorter than `least_reach`, back at once, or
-/// cut by the recording's begin after its peak.
+/// Bouts outside of movements cost up to 1 each, by the way they go. Those at the head of a
+/// recording cost 0.1 together, and nothing if it begins inside one: the rest of a movement without
+/// its reach. No movement begins with a bout that is no reach: one that ends less than
+/// `least_reach` from where it began, or is cut by the recording's begin after its peak or by its
+/// end before it.
 std::vector<Cycle> find_cycles(const HandSignals& signals, const HumanMotion& motion,
                                const SegmentOptions& options, const std::vector<Bout>& bouts,
                                const std::vector<SceneObject>& objects,
