@@ -35,7 +35,7 @@ Refusal refusal_of(const std::vector<Finding>& remaining, const RepairOptions& o
                                                              {Cause::jump, Reason::jump},
                                                              {Cause::tracking, Reason::tracking}}};
   for (const auto& [cause, reason] : kOthers) {
-    if (const Finding* worst = worst_of([&](Cause one) { return one == cause; })) {
+    if (const Finding* worst = worst_of([&, its = cause](Cause one) { return one == its; })) {
       return {reason, sentence(*worst)};
     }
   }
