@@ -164,10 +164,11 @@ bool is_open(const MeshSolid& mesh) { return !std::ranges::all_of(mesh.closed, s
 
 std::shared_ptr<const MeshSolid> mesh_solid_of(const SceneObject& object,
                                                const ReadyMeshes& ready) {
-  if (object.shape != Shape::mesh || !mesh_problem(object).empty()) return nullptr;
+  if (object.shape != Shape::mesh) return nullptr;
   for (const ReadyMesh& mesh : ready) {
     if (mesh.vertices == object.vertices && mesh.triangles == object.triangles) return mesh.solid;
   }
+  if (!mesh_problem(object).empty()) return nullptr;
   return std::make_shared<const MeshSolid>(make_mesh_solid(object));
 }
 
