@@ -9,9 +9,9 @@ namespace morphe::collision {
 namespace {
 
 /// That moves a capsule, -1: none.
-int turning_frame(const robot::Robot& robot, int capsule) {
+int moving_frame(const robot::Robot& robot, int capsule) {
   const int frame = robot.capsules[static_cast<std::size_t>(capsule)].frame;
-  return frame < 0 ? -1 : robot.turning_frame[static_cast<std::size_t>(frame)];
+  return frame < 0 ? -1 : robot.moving_frame[static_cast<std::size_t>(frame)];
 }
 
 std::vector<std::array<int, 2>> pairs_to_check(const robot::Robot& robot) {
@@ -25,7 +25,7 @@ std::vector<std::array<int, 2>> pairs_to_check(const robot::Robot& robot) {
   const int capsules = static_cast<int>(robot.capsules.size());
   for (int i = 0; i < capsules; ++i) {
     for (int j = i + 1; j < capsules; ++j) {
-      const bool rigid = turning_frame(robot, i) == turning_frame(robot, j);
+      const bool rigid = moving_frame(robot, i) == moving_frame(robot, j);
       if (!rigid && !allowed(i, j)) pairs.push_back({i, j});
     }
   }

@@ -105,7 +105,11 @@ void add_derivatives(const RobotTable& robot, const std::vector<Pose>& base_from
     const Pose& pose = base_from_frame[i];
     const Vec3 axis = frame.axis.z() == 1 ? Vec3(frame.ratio * pose.linear().col(2))
                                           : Vec3(frame.ratio * (pose.linear() * frame.axis));
-    sweep.twist[i] << axis, pose.translation().cross(axis);
+    if (frame.slides) {
+      sweep.twist[i] << Vec3::Zero(), axis;
+    } else {
+      sweep.twist[i] << axis, pose.translation().cross(axis);
+    }
   }
 
   // More variables than joints: an offset of the goals, against which every point moves.

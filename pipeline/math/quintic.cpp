@@ -1,5 +1,7 @@
 #include "pipeline/math/quintic.hpp"
 
+#include "pipeline/math/braking.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
@@ -95,12 +97,15 @@ JointState state_at(const Trajectory& trajectory, std::size_t sample, Eigen::Ind
           trajectory.acceleration(row, joint)};
 }
 
-void raise(LimitUse& use, const Range& range, double limit, std::size_t sample,
-           Eigen::Index joint) {
-  const double ratio = std::max(-range.least, range.greatest) / limit;
+void raise(LimitUse& use, double ratio, std::size_t sample, Eigen::Index joint) {
   // Written so that a NaN counts as beyond the limit.
   if (use.sample >= 0 && ratio <= use.ratio) return;
   use = {ratio, static_cast<int>(sample), static_cast<int>(joint)};
+}
+
+void raise(LimitUse& use, const Range& range, double limit, std::size_t sample,
+           Eigen::Index joint) {
+  raise(use, std::max(-range.least, range.greatest) / limit, sample, joint);
 }
 
 }  // namespace
@@ -132,8 +137,11 @@ double value_at(const QuinticPiece& piece, double t, int order) {
   return evaluate(p, 5 - order, t / piece.duration) / std::pow(piece.duration, order);
 }
 
-QuinticExtremes extremes(const QuinticPiece& piece) {
-  const std::array<Range, 4> over = ranges(piece.coefficient, 0, 1);
+QuinticExtremes extremes(const QuinticPiece& piece) { return extremes(piece, 0, piece.duration); }
+
+QuinticExtremes extremes(const QuinticPiece& piece, double from_s, double to_s) {
+  const std::array<Range, 4> over =
+      ranges(piece.coefficient, from_s / piece.duration, to_s / piece.duration);
   const double rate = 1 / piece.duration;
   return {over[0], scaled(over[1], rate), scaled(over[2], rate * rate),
           scaled(over[3], rate * rate * rate)};
@@ -168,10 +176,15 @@ LimitReport limit_report(const RobotTable& robot, const Trajectory& trajectory) 
   LimitReport report;
   for (std::size_t sample = 0; sample + 1 < trajectory.samples(); ++sample) {
     for (Eigen::Index joint = 0; joint < trajectory.position.cols(); ++joint) {
-      const QuinticExtremes over = extremes(quintic_piece(trajectory, sample, joint));
+      const QuinticPiece piece = quintic_piece(trajectory, sample, joint);
+      const QuinticExtremes over = extremes(piece);
       raise(report.velocity, over.velocity, robot.velocity[joint], sample, joint);
       raise(report.acceleration, over.acceleration, robot.acceleration[joint], sample, joint);
       raise(report.jerk, over.jerk, robot.jerk[joint], sample, joint);
+      for (const RobotTable::BrakingCurve& curve : robot.braking_curves) {
+        if (curve.joint != joint) continue;
+        raise(report.velocity, braking_ratio(curve, piece, report.velocity.ratio), sample, joint);
+      }
       const double margin = std::min(over.position.least - robot.lower[joint],
                                      robot.upper[joint] - over.position.greatest);
       if (report.margin_sample >= 0 && margin >= report.position_margin) continue;

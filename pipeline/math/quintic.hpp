@@ -35,12 +35,14 @@ struct QuinticExtremes {
   Range position, velocity, acceleration, jerk;
 };
 QuinticExtremes extremes(const QuinticPiece& piece);
+/// Over [from_s, to_s] of it alone.
+QuinticExtremes extremes(const QuinticPiece& piece, double from_s, double to_s);
 /// Whether the Bézier points of velocity, acceleration and jerk, which enclose each curve, lie
 /// within the limits: a quick yes; a no says nothing.
 bool surely_within(const QuinticPiece& piece, double velocity, double acceleration, double jerk);
 
-/// Largest |value| / limit over all joints and the whole trajectory, on the quintics; the sample is
-/// the one before the place, -1 for an empty trajectory.
+/// Largest |value| / limit over all joints and the whole trajectory, on the quintics (velocity: of
+/// the braking curves too); the sample is the one before the place, -1 for an empty trajectory.
 struct LimitUse {
   double ratio = 0;
   int sample = -1, joint = -1;

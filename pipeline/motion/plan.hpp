@@ -89,7 +89,7 @@ struct Trajectory {
   std::vector<double> demonstration_time;      ///< [T]
   std::vector<PhaseKind> phase;                ///< [T]
   std::vector<Origin> origin;                  ///< [T]
-  std::vector<double> clearance;               ///< [T] [m], least over pairs that may not touch
+  std::vector<double> clearance;  ///< [T] [m], least over pairs that may not touch; NaN: none
 
   std::size_t samples() const { return time.size(); }
 };
@@ -108,7 +108,8 @@ struct Grasp {
 struct Certificate {
   double position_margin = kNotSeen;  ///< least distance to a joint limit [rad]
   double velocity_ratio = kNotSeen, acceleration_ratio = kNotSeen, jerk_ratio = kNotSeen;
-  double clearance = kNotSeen;  ///< proved lower bound of the motion's least, to 0.01 mm [m]
+  /// Proved lower bound of the motion's least, to 0.01 mm [m]; NaN: nothing that could be checked.
+  double clearance = kNotSeen;
   double position_error_max = kNotSeen, position_error_mean = kNotSeen;  ///< over all goals [m]
   double position_error_grasp = kNotSeen;   ///< largest in grasp and hold [m], NaN = no such phase
   double orientation_error_max = kNotSeen;  ///< full angle [rad], NaN = no orientation goals
@@ -120,6 +121,7 @@ struct Certificate {
   double sparc_robot = kNotSeen, sparc_human = kNotSeen;
   double log_dimensionless_jerk_robot = kNotSeen, log_dimensionless_jerk_human = kNotSeen;
   bool repaired = false;
+  std::vector<std::string> unchecked_links;  ///< the robot's: nothing of them was checked
 };
 
 /// What the plan was judged by; `verify` reads it from the file.

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -9,9 +11,12 @@
 namespace morphe {
 
 /// A robot as plans.h5 stores it: all that is needed for kinematics, limits and contacts.
-/// Frame pose: base_from_frame = base_from_parent * transform * Rotation(axis, angle) with
-/// angle = ratio * position[joint] + offset (joint = -1: fixed, no rotation). Parents first.
+/// Frame pose: base_from_frame = base_from_parent * transform * Rotation(axis, value), or
+/// Translation(axis * value) if it slides, with value = ratio * position[joint] + offset (joint =
+/// -1: fixed, neither). Parents first. A joint is measured in rad if the first of its frames turns,
+/// in m if that slides; ratio and offset convert.
 struct RobotTable {
+  static constexpr double kUnbounded = std::numeric_limits<double>::infinity();
   struct Frame {
     std::string name;
     int parent = -1;  ///< -1 = base
@@ -19,6 +24,23 @@ struct RobotTable {
     Vec3 axis = Vec3::UnitZ();
     int joint = -1;
     double ratio = 1, offset = 0;
+    bool slides = false;
+  };
+  /// What a frame that is coupled to a joint may do itself, by its own value and its derivatives;
+  /// infinite: not bounded. The joint's limits below are within them.
+  struct CoupledLimit {
+    int frame = 0;
+    double lower = -kUnbounded, upper = kUnbounded;
+    double velocity = kUnbounded, acceleration = kUnbounded, jerk = kUnbounded;
+  };
+  /// A joint's velocity towards its ends, beside `velocity`:
+  ///   v <= max(0, sqrt(slope * (upper_end - q)) - drop),
+  ///  -v <= max(0, sqrt(slope * (q - lower_end)) - drop)   (a negative product counts as 0)
+  struct BrakingCurve {
+    int joint = 0;
+    double slope = 0;                     ///< twice the deceleration [rad/s^2]
+    double drop = 0;                      ///< [rad/s]
+    double lower_end = 0, upper_end = 0;  ///< [rad]
   };
   struct Tip {
     std::string name;
@@ -43,17 +65,25 @@ struct RobotTable {
 
   std::string name;
   std::vector<std::string> joint_names;  ///< [n] actuated joints, the order of every position array
-  JointVector lower, upper;              ///< [n] [rad]
-  JointVector velocity, acceleration, jerk;  ///< [n] [rad/s], [rad/s^2], [rad/s^3], all > 0
+  JointVector lower, upper;              ///< [n] [rad or m]
+  JointVector velocity, acceleration, jerk;  ///< [n] per s, s^2, s^3, all > 0
+  std::vector<CoupledLimit> coupled_limits;
+  std::vector<BrakingCurve> braking_curves;
   std::vector<Frame> frames;
   std::vector<Tip> tips;
   std::vector<Centre> centres;  ///< joint centres of metric A; the arm's first one is the elbow
   std::vector<Capsule> capsules;
   std::vector<std::array<int, 2>> allowed_pairs;  ///< capsules that never count as colliding, i < j
-  int shoulder_frame = 0;                         ///< its origin is the robot's shoulder
+  /// Links that have a body but no capsule: nothing of them is checked for contact.
+  std::vector<std::string> unchecked_links;
+  int shoulder_frame = 0;  ///< its origin is the robot's shoulder
   int palm_frame = 0;  ///< carries the hand: z to the fingers, y to the thumb, x out of the palm
 
   std::size_t joints() const { return joint_names.size(); }
+  bool some_slide() const { return std::ranges::any_of(frames, &Frame::slides); }
 };
+
+/// "", or which links are not checked for contact.
+std::string unchecked_sentence(const std::vector<std::string>& links);
 
 }  // namespace morphe

@@ -117,8 +117,9 @@ void read_matrix(const config::ConfigNode& scene, const robot::RobotDescription&
 }
 
 std::string root_link(const robot::RobotDescription& robot) {
-  const auto root =
-      std::ranges::find_if(robot.links, [](const auto& link) { return link.second < 0; });
+  const auto root = std::ranges::find_if(robot.links, [&](const auto& link) {
+    return robot.table.frames[static_cast<std::size_t>(link.second)].parent < 0;
+  });
   return root == robot.links.end() ? "" : root->first;
 }
 

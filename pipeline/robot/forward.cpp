@@ -12,11 +12,11 @@ namespace {
 
 constexpr std::size_t kBlock = 32;  ///< angles whose sines are taken at once
 
-/// base_from_parent * transform * Rotation(axis, angle). Column by column and with the fourth row:
-/// four numbers fit the processor's packets, three do not. Turning about z, as every DH joint does,
-/// mixes the first two columns only.
+/// base_from_parent * transform * Rotation(axis, angle) * Translation(axis * way). Column by column
+/// and with the fourth row: four numbers fit the processor's packets, three do not. Turning about
+/// z, as every DH joint does, mixes the first two columns only.
 void place(const Eigen::Matrix4d& parent, const RobotTable::Frame& frame, double s, double c,
-           Eigen::Matrix4d& pose) {
+           double way, Eigen::Matrix4d& pose) {
   const Eigen::Matrix4d& t = frame.transform.matrix();
   const Eigen::Vector4d p0 = parent.col(0), p1 = parent.col(1), p2 = parent.col(2);
   const auto column = [&](Eigen::Index j) -> Eigen::Vector4d {
@@ -24,6 +24,13 @@ void place(const Eigen::Matrix4d& parent, const RobotTable::Frame& frame, double
   };
   const Eigen::Vector4d x = column(0), y = column(1), z = column(2);
   pose.col(3) = column(3) + parent.col(3);
+  if (frame.slides && frame.joint >= 0) {
+    pose.col(0) = x;
+    pose.col(1) = y;
+    pose.col(2) = z;
+    pose.col(3) += way * (frame.axis.x() * x + frame.axis.y() * y + frame.axis.z() * z);
+    return;
+  }
   if (frame.axis.z() == 1) {
     pose.col(0) = c * x + s * y;
     pose.col(1) = c * y - s * x;
@@ -39,7 +46,7 @@ void place(const Eigen::Matrix4d& parent, const RobotTable::Frame& frame, double
 }
 
 /// ratio * axis in the base frame.
-Vec3 turning_axis(const RobotTable::Frame& frame, const Pose& pose) {
+Vec3 scaled_axis(const RobotTable::Frame& frame, const Pose& pose) {
   if (frame.axis.z() == 1) return frame.ratio * pose.matrix().col(2).head<3>();
   return frame.ratio * (pose.linear() * frame.axis);
 }
@@ -66,7 +73,7 @@ void forward(const RobotTable& robot, const Eigen::Ref<const JointVector>& q,
       const Eigen::Matrix4d& parent =
           frame.parent < 0 ? base
                            : base_from_frame[static_cast<std::size_t>(frame.parent)].matrix();
-      place(parent, frame, sine[i], cosine[i], base_from_frame[begin + i].matrix());
+      place(parent, frame, sine[i], cosine[i], angle[i], base_from_frame[begin + i].matrix());
     }
   }
 }
@@ -86,7 +93,8 @@ void point_jacobian(const RobotTable& robot, const std::vector<Pose>& base_from_
     if (f.joint < 0) continue;
     const Pose& pose = base_from_frame[static_cast<std::size_t>(above)];
     const Vec3 arm = point_in_base - pose.translation();
-    jacobian.col(f.joint) += turning_axis(f, pose).cross(arm);
+    const Vec3 axis = scaled_axis(f, pose);
+    jacobian.col(f.joint) += f.slides ? axis : axis.cross(arm);
   }
 }
 
@@ -99,7 +107,7 @@ void add_point_slope(const RobotTable& robot, const std::vector<Pose>& base_from
     if (f.joint >= 0) {
       const Pose& pose = base_from_frame[static_cast<std::size_t>(frame)];
       const Vec3 arm = point_in_base - pose.translation();
-      slope[f.joint] += turning_axis(f, pose).dot(arm.cross(direction));
+      slope[f.joint] += scaled_axis(f, pose).dot(f.slides ? direction : arm.cross(direction));
     }
     frame = f.parent;
   }
@@ -119,10 +127,14 @@ void tip_jacobians(const RobotTable& robot, const std::vector<Pose>& base_from_f
       const RobotTable::Frame& f = robot.frames[static_cast<std::size_t>(frame)];
       if (f.joint >= 0) {
         const Pose& pose = base_from_frame[static_cast<std::size_t>(frame)];
-        const Vec3 axis = turning_axis(f, pose);
+        const Vec3 axis = scaled_axis(f, pose);
         auto column = jacobian.block<6, 1>(6 * static_cast<Eigen::Index>(i), f.joint);
-        column.head<3>() += axis.cross(point - pose.translation());
-        column.tail<3>() += axis;
+        if (f.slides) {
+          column.head<3>() += axis;
+        } else {
+          column.head<3>() += axis.cross(point - pose.translation());
+          column.tail<3>() += axis;
+        }
       }
       frame = f.parent;
     }

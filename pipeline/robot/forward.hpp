@@ -6,16 +6,17 @@
 
 namespace morphe::robot {
 
-/// base_from_frame = base_from_parent * transform * Rotation(axis, ratio * q[joint] + offset) for
-/// every frame of the robot, in one pass, parents first. `base_from_frame` is resized once and can
-/// be reused. q [n] [rad].
+/// base_from_frame = base_from_parent * transform * Rotation(axis, ratio * q[joint] + offset), a
+/// Translation along the axis where it slides, for every frame of the robot, in one pass, parents
+/// first. `base_from_frame` is resized once and can be reused. q [n] [rad or m].
 void forward(const RobotTable& robot, const Eigen::Ref<const JointVector>& q,
              std::vector<Pose>& base_from_frame);
 
 /// base_from_tip of one tip, given the frames' poses.
 Pose tip_pose(const RobotTable& robot, const std::vector<Pose>& base_from_frame, std::size_t tip);
 
-/// d point / d q of a point that moves with `frame` (-1 = base: zero), in the base frame [m/rad].
+/// d point / d q of a point that moves with `frame` (-1 = base: zero), in the base frame [m/rad],
+/// of joints that slide [m/m].
 /// A coupled joint adds ratio times its column to the joint that drives it. jacobian [3, n] is
 /// overwritten.
 void point_jacobian(const RobotTable& robot, const std::vector<Pose>& base_from_frame, int frame,

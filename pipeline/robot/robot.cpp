@@ -26,9 +26,9 @@ Robot::Robot(RobotTable table) : RobotTable(std::move(table)) {
   for (std::size_t f = 0; f < frames.size(); ++f) {
     const bool turns = frames[f].joint >= 0;
     const int parent = frames[f].parent;
-    turning_frame.push_back(turns        ? static_cast<int>(f)
-                            : parent < 0 ? -1
-                                         : turning_frame[static_cast<std::size_t>(parent)]);
+    moving_frame.push_back(turns        ? static_cast<int>(f)
+                           : parent < 0 ? -1
+                                        : moving_frame[static_cast<std::size_t>(parent)]);
   }
   const int palm = frames.empty() ? -1 : palm_frame;
   for (const int frame : upwards(*this, palm)) {

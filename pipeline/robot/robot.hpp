@@ -7,21 +7,22 @@
 namespace morphe::robot {
 
 /// A robot: its table, and what follows from frames, tips, centres and capsules, derived once. It
-/// is const and shared by all threads; scratch is each thread's own. Limits may be changed
-/// afterwards, nothing else follows from them.
+/// is const and shared by all threads; scratch is each thread's own. Limits may be
+/// changed afterwards: nothing else follows from them, but for those of joints that slide, which
+/// may only be narrowed.
 struct Robot : RobotTable {
   Robot() = default;
   explicit Robot(RobotTable table);
 
   /// [frames] the nearest frame at or above it that a joint turns, -1 if none does.
-  std::vector<int> turning_frame;
+  std::vector<int> moving_frame;
   std::vector<int> arm_joints;   ///< those that move the palm, in order
   std::vector<int> arm_centres;  ///< frames of the arm's joint centres, in order
   std::vector<int>
       tip_of_centre;  ///< [centres] the tip of the finger it moves; -1: none's, or the arm's
   std::vector<double> centres_of_chain;  ///< [centres] how many its chain has
-  /// [capsules, n] how far any point of a capsule can travel per radian of each joint [m], see
-  /// levers.hpp.
+  /// [capsules, n] how far any point of a capsule can travel per radian (metre, if it slides) of
+  /// each joint [m], see levers.hpp.
   JointRows capsule_levers;
 };
 

@@ -49,6 +49,11 @@ class BytesWriter {
     put(rows.size());
     for (const Row& row : rows) put_item(row.*member);
   }
+  template <class Row, class Member>
+  void column_if(bool present, const char* name, const std::vector<Row>& rows, Member Row::*member,
+                 const Tags& tags) {
+    if (present) column(name, rows, member, tags);
+  }
   template <class T>
   void attribute(const char* name, const T& value) {
     begin(name);
@@ -142,6 +147,11 @@ class BytesReader {
     expect(name);
     rows.resize(take_count(1));
     for (Row& row : rows) take_item(row.*member);
+  }
+  template <class Row, class Member>
+  void column_if(bool, const char* name, std::vector<Row>& rows, Member Row::*member,
+                 const Tags& tags) {
+    if (comes(name)) column(name, rows, member, tags);
   }
   template <class T>
   void attribute(const char* name, T& value) {

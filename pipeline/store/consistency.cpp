@@ -205,6 +205,14 @@ std::string inconsistency(const RobotTable& robot) {
     faults.index("frames/parent", robot.frames[i].parent, -1, i);
     faults.index("frames/joint", robot.frames[i].joint, -1, robot.joints());
   }
+  for (const RobotTable::CoupledLimit& limit : robot.coupled_limits) {
+    faults.index("coupled_limits/frame", limit.frame, 0, frames);
+    if (!faults.first.empty()) break;
+    faults.require(robot.frames[static_cast<std::size_t>(limit.frame)].joint >= 0,
+                   "coupled_limits/frame", "is fixed");
+  }
+  for (const RobotTable::BrakingCurve& curve : robot.braking_curves)
+    faults.index("braking_curves/joint", curve.joint, 0, robot.joints());
   for (const RobotTable::Tip& tip : robot.tips) {
     faults.index("tips/frame", tip.frame, 0, frames);
     faults.index("tips/finger", tip.finger, -1, kFingers);

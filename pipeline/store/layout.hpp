@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -18,10 +19,16 @@ namespace morphe::store {
 
 /// Attributes of a dataset.
 struct Tags {
-  std::string unit;     ///< "m", "rad", "1" for a number without one, "" for names
+  std::string unit;     ///< "m", "rad", "1" for a number without one, "" for names, kJoint…
   std::string frame;    ///< of a pose or point, else ""
   std::string meaning;  ///< of a coded number: "0=rest,1=reach,…"
 };
+
+/// Stands for the unit of joint positions in Tags: "rad", or "rad or m" of a robot some of whose
+/// joints slide.
+inline constexpr std::string_view kJoint = "joint";
+inline Tags of_joints(const std::string& per = "") { return {std::string(kJoint) + per, "", ""}; }
+inline std::string joint_unit(bool some_slide) { return some_slide ? "rad or m" : "rad"; }
 
 /// "0=rest,1=reach,…" of an enumeration.
 template <Named E>
@@ -45,7 +52,8 @@ struct ColumnItem<E> : std::type_identity<std::string> {};
 class LayoutWriter {
  public:
   static constexpr bool reading = false;
-  explicit LayoutWriter(Hdf5Group group) : group_(std::move(group)) {}
+  explicit LayoutWriter(Hdf5Group group, std::string joint = joint_unit(false))
+      : group_(std::move(group)), joint_(std::move(joint)) {}
   const Hdf5Group& here() const { return group_; }
 
   template <class T>
@@ -80,6 +88,11 @@ class LayoutWriter {
       dataset(name, values, tags);
     }
   }
+  template <class Row, class Member>
+  void column_if(bool present, const char* name, const std::vector<Row>& rows, Member Row::*member,
+                 const Tags& tags) {
+    if (present) column(name, rows, member, tags);
+  }
   template <class T>
   void attribute(const char* name, const T& value) {
     group_.set(name, value);
@@ -103,7 +116,7 @@ class LayoutWriter {
   }
   template <class Body>
   void group(const std::string& name, const Body& body) {
-    LayoutWriter inner(group_.create(name));
+    LayoutWriter inner(group_.create(name), joint_);
     body(inner);
   }
   template <class Body>
@@ -119,12 +132,14 @@ class LayoutWriter {
 
  private:
   void tag(const char* name, const Tags& tags) {
-    group_.set("unit", tags.unit, name);
+    const bool of_joint = tags.unit.starts_with(kJoint);
+    group_.set("unit", of_joint ? joint_ + tags.unit.substr(kJoint.size()) : tags.unit, name);
     if (!tags.frame.empty()) group_.set("frame", tags.frame, name);
     if (!tags.meaning.empty()) group_.set("meaning", tags.meaning, name);
   }
 
   Hdf5Group group_;
+  std::string joint_;
 };
 
 class LayoutReader {
@@ -167,6 +182,11 @@ class LayoutReader {
         rows[i].*member = static_cast<Member>(std::move(values[i]));
       }
     }
+  }
+  template <class Row, class Member>
+  void column_if(bool, const char* name, std::vector<Row>& rows, Member Row::*member,
+                 const Tags& tags) {
+    if (group_.has(name)) column(name, rows, member, tags);
   }
   template <class T>
   void attribute(const char* name, T& value) {

@@ -48,7 +48,7 @@ PlanWriter::PlanWriter(const std::filesystem::path& path, const PlanFileHeader& 
   const Hdf5Group root = state_->file.root();
   write_format(root, kPlanFormat, kPlanVersion);
   write_plan_header(root, header, robot.name);
-  LayoutWriter io(root.create("robot"));
+  LayoutWriter io(root.create("robot"), joint_unit(robot.some_slide()));
   io.here().refuse(inconsistency(robot));
   lay_out_robot(io, robot);
   state_->plans = root.create("plans");
@@ -65,7 +65,7 @@ void PlanWriter::add(const Plan& plan) {
   const bool there = !plan.demonstration.empty() && plans.has(plan.demonstration);
   const Hdf5Group demonstration =
       there ? plans.open(plan.demonstration) : plans.create(plan.demonstration);
-  LayoutWriter io(demonstration.create(movement));
+  LayoutWriter io(demonstration.create(movement), joint_unit(state_->robot.some_slide()));
   lay_out_plan(io, plan);
   state_->file.expect_written();
 }

@@ -26,7 +26,7 @@ void lay_out_goals(Io& io, T& goals) {
 
 template <class Io, class T>
 void lay_out_mapped(Io& io, T& mapped) {
-  io.dataset("position", mapped.position, {"rad", "", ""});
+  io.dataset("position", mapped.position, of_joints());
   io.dataset("position_error", mapped.position_error, {"m", "", ""});
   io.dataset("orientation_error", mapped.orientation_error, {"rad", "", ""});
   io.dataset("objective", mapped.objective, {"1", "", ""});
@@ -50,16 +50,16 @@ void lay_out_grasp(Io& io, T& grasp) {
   io.dataset("object_pose", grasp.base_from_object, {"m", "base", ""});
   io.dataset("wrist_pose_in_object", grasp.object_from_palm, {"m", "object", ""});
   io.dataset("tips_in_object", grasp.tips_in_object, {"m", "object", ""});
-  io.dataset("hand_posture", grasp.hand_posture, {"rad", "", ""});
-  io.dataset("pregrasp_posture", grasp.pregrasp_posture, {"rad", "", ""});
+  io.dataset("hand_posture", grasp.hand_posture, of_joints());
+  io.dataset("pregrasp_posture", grasp.pregrasp_posture, of_joints());
 }
 
 template <class Io, class T>
 void lay_out_trajectory(Io& io, T& trajectory) {
   io.dataset("time", trajectory.time, {"s", "", ""});
-  io.dataset("position", trajectory.position, {"rad", "", ""});
-  io.dataset("velocity", trajectory.velocity, {"rad/s", "", ""});
-  io.dataset("acceleration", trajectory.acceleration, {"rad/s^2", "", ""});
+  io.dataset("position", trajectory.position, of_joints());
+  io.dataset("velocity", trajectory.velocity, of_joints("/s"));
+  io.dataset("acceleration", trajectory.acceleration, of_joints("/s^2"));
   io.dataset("demonstration_time", trajectory.demonstration_time, {"s", "", ""});
   io.dataset("phase", trajectory.phase, {"1", "", meaning<PhaseKind>()});
   io.dataset("origin", trajectory.origin, {"1", "", meaning<Origin>()});
@@ -88,6 +88,7 @@ void lay_out_certificate(Io& io, T& certificate) {
   io.attribute("log_dimensionless_jerk_robot", certificate.log_dimensionless_jerk_robot);
   io.attribute("log_dimensionless_jerk_human", certificate.log_dimensionless_jerk_human);
   io.attribute("repaired", certificate.repaired);
+  io.names_if_any("unchecked_links", certificate.unchecked_links);
 }
 
 /// "executable" exactly if there is no reason; reading refuses a file that says otherwise.
@@ -131,7 +132,7 @@ void lay_out_plan(Io& io, T& plan) {
   io.group("mapped", [&](Io& in) { lay_out_mapped(in, plan.mapped); });
   io.group("findings", [&](Io& in) { lay_out_findings(in, plan.findings); });
   io.group("path", [&](Io& in) {
-    in.dataset("position", plan.path.position, {"rad", "", ""});
+    in.dataset("position", plan.path.position, of_joints());
     in.dataset("origin", plan.path.origin, {"1", "", meaning<Origin>()});
     in.dataset("demonstration_time", plan.path.demonstration_time, {"s", "", ""});
   });

@@ -49,7 +49,8 @@ Certificate recomputed_certificate(const RobotTable& robot, const Plan& plan, co
   own.velocity_ratio = use.velocity_ratio;
   own.acceleration_ratio = use.acceleration_ratio;
   own.jerk_ratio = use.jerk_ratio;
-  own.clearance = clearance;
+  // Nothing that could touch: no clearance was measured.
+  own.clearance = std::isinf(clearance) ? kNotSeen : clearance;
   const AgainstGoals goals = against_goals(robot, plan);
   own.position_error_max = goals.position_max;
   own.position_error_mean = goals.position_mean;
@@ -100,17 +101,19 @@ void judge_certificate(const RobotTable& robot, const Plan& plan, const Curve& c
       {"log_dimensionless_jerk_human", &Certificate::log_dimensionless_jerk_human},
   };
   const Certificate own = recomputed_certificate(robot, plan, curve, use, clearance);
-  const bool unbounded = std::isinf(clearance);
   for (const Attribute& attribute : kAttributes) {
     const double stored = plan.certificate.*attribute.value, found = own.*attribute.value;
     const bool contact = attribute.value == &Certificate::clearance;
-    // Nothing that could touch: any value, or none, is as true.
-    if (contact && unbounded) continue;
     double tolerance = contact ? kClearance_m : kAlgebra * std::max(1.0, std::abs(found));
     if (attribute.value == &Certificate::jerk_ratio)
       tolerance += jerk_rounding(robot, plan.trajectory);
     if (!agree(stored, found, tolerance))
       runs.note_plan("certificate", attribute.name, stored, found);
+  }
+  if (plan.certificate.unchecked_links != robot.unchecked_links) {
+    runs.note_plan("certificate", "unchecked_links",
+                   static_cast<double>(plan.certificate.unchecked_links.size()),
+                   static_cast<double>(robot.unchecked_links.size()));
   }
   if (plan.certificate.repaired != own.repaired) {
     runs.note_plan("certificate", "repaired", plan.certificate.repaired, own.repaired);

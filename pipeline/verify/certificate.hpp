@@ -12,7 +12,7 @@ Certificate recomputed_certificate(const RobotTable& robot, const Plan& plan, co
                                    const LimitUse& use, double clearance);
 
 /// Notes `certificate` for each attribute of the plan's certificate that does not agree with what
-/// was recomputed: to 1e-4 m the clearance (any, where nothing could touch), all others to 1e-9 of
+/// was recomputed: to 1e-4 m the clearance (NaN where nothing could touch), all others to 1e-9 of
 /// 1 or of their value, whichever is more, jerk_ratio also to what rounding of the samples makes.
 void judge_certificate(const RobotTable& robot, const Plan& plan, const Curve& curve,
                        const LimitUse& use, double clearance, ViolationRuns& runs);

@@ -13,6 +13,12 @@ bool carries(const RobotTable& robot, int ancestor, int frame) {
   return false;
 }
 
+double longest_slide(const RobotTable& robot, const RobotTable::Frame& frame) {
+  if (!frame.slides || frame.joint < 0) return 0;
+  return std::max(std::abs(frame.ratio * robot.lower(frame.joint) + frame.offset),
+                  std::abs(frame.ratio * robot.upper(frame.joint) + frame.offset));
+}
+
 /// Adds the joints that carry `capsule` but not a body that sits on `other_frame`.
 void add_levers(const RobotTable& robot, const RobotTable::Capsule& capsule, int other_frame,
                 JointVector& lever) {
@@ -20,8 +26,9 @@ void add_levers(const RobotTable& robot, const RobotTable::Capsule& capsule, int
   for (int index = capsule.frame; index >= 0;) {
     if (carries(robot, index, other_frame)) return;
     const RobotTable::Frame& frame = robot.frames[static_cast<std::size_t>(index)];
-    if (frame.joint >= 0) lever(frame.joint) += std::abs(frame.ratio) * distance;
-    distance += frame.transform.translation().norm();
+    if (frame.joint >= 0)
+      lever(frame.joint) += std::abs(frame.ratio) * (frame.slides ? 1 : distance);
+    distance += frame.transform.translation().norm() + longest_slide(robot, frame);
     index = frame.parent;
   }
 }
@@ -38,8 +45,12 @@ void frame_poses(const RobotTable& robot, const JointVector& q,
                ? frame.transform
                : base_from_frame[static_cast<std::size_t>(frame.parent)] * frame.transform;
     if (frame.joint < 0) continue;
-    const double angle = frame.ratio * q(frame.joint) + frame.offset;
-    pose.linear() = pose.linear() * Eigen::AngleAxisd(angle, frame.axis).toRotationMatrix();
+    const double value = frame.ratio * q(frame.joint) + frame.offset;
+    if (frame.slides) {
+      pose.translation() += pose.linear() * (value * frame.axis);
+    } else {
+      pose.linear() = pose.linear() * Eigen::AngleAxisd(value, frame.axis).toRotationMatrix();
+    }
   }
 }
 

@@ -14,7 +14,9 @@ struct LimitUse {
 };
 
 /// Notes `position`, `velocity`, `acceleration` and `jerk` for each joint wherever the quintic
-/// leaves its limits by more than 1e-6 of them (position: of the joint's range).
+/// leaves its limits by more than 1e-6 of them (position: of the joint's range), for each coupled
+/// frame where that leaves its own (by its name), and `velocity` where a joint is faster than its
+/// braking curve leaves it.
 LimitUse judge_limits(const RobotTable& robot, const Curve& curve, ViolationRuns& runs);
 
 /// Notes `rest` for each joint whose velocity or acceleration exceeds 1e-9 at an end.

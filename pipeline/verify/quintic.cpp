@@ -25,9 +25,9 @@ Polynomial differentiated(const Polynomial& p) {
   return d;
 }
 
-/// Points of [0, 1], ascending, both ends always among them.
+/// Points of an interval, ascending, both ends always among them.
 struct Knots {
-  std::array<double, 6> at{0.0, 1.0};
+  std::array<double, 6> at{};
   std::size_t count = 2;
 };
 
@@ -44,12 +44,13 @@ double crossing(const Polynomial& p, double a, double b) {
 /// Ends and sign changes of p, which is monotone between the given knots.
 Knots sign_changes(const Polynomial& p, const Knots& monotone) {
   Knots found;
+  found.at[0] = monotone.at[0];
   found.count = 1;
   for (std::size_t i = 0; i + 1 < monotone.count; ++i) {
     const double a = monotone.at[i], b = monotone.at[i + 1];
     if (p(a) * p(b) < 0) found.at[found.count++] = crossing(p, a, b);
   }
-  found.at[found.count++] = 1.0;
+  found.at[found.count++] = monotone.at[monotone.count - 1];
   return found;
 }
 
@@ -79,18 +80,20 @@ double derivative(const Quintic& quintic, int order, double s) {
   return p(s) / std::pow(quintic.step_s, order);
 }
 
-std::array<Range, 4> ranges(const Quintic& quintic) {
+std::array<Range, 4> ranges(const Quintic& quintic) { return ranges(quintic, 0, 1); }
+
+std::array<Range, 4> ranges(const Quintic& quintic, double from, double to) {
   std::array<Polynomial, 5> p;
   p[0] = {quintic.c, 5};
   for (std::size_t k = 1; k < p.size(); ++k) p[k] = differentiated(p[k - 1]);
 
   std::array<Range, 4> found;
-  Knots turning;  // of the snap, p[4]: none, it is linear
+  Knots turning{{from, to}};  // of the snap, p[4]: none, it is linear
   for (std::size_t order = 4; order-- > 0;) {
     turning = sign_changes(p[order + 1], turning);
     const double scale = 1 / std::pow(quintic.step_s, static_cast<double>(order));
     Range& range = found[order];
-    range.least = range.greatest = {0, p[order](0) * scale};
+    range.least = range.greatest = {from, p[order](from) * scale};
     for (std::size_t i = 1; i < turning.count; ++i) {
       const Extreme here{turning.at[i], p[order](turning.at[i]) * scale};
       if (here.value < range.least.value) range.least = here;

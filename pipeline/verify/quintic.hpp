@@ -29,5 +29,7 @@ struct Range {
 /// Exact ranges over s in [0, 1] of position, velocity, acceleration and jerk. The zeros of each
 /// derivative are where the one below turns, so a chain from the linear snap down finds them all.
 std::array<Range, 4> ranges(const Quintic& quintic);
+/// Over s in [from, to] alone.
+std::array<Range, 4> ranges(const Quintic& quintic, double from, double to);
 
 }  // namespace morphe::verify

@@ -77,6 +77,14 @@ const char* robot_fault(const RobotTable& robot) {
                        std::isfinite(frame.offset);
     if (!rigid(frame.transform) || (frame.joint >= 0 && !turns)) return "robot/frames";
   }
+  for (const RobotTable::CoupledLimit& own : robot.coupled_limits) {
+    if (!(own.lower <= own.upper && own.velocity > 0 && own.acceleration > 0 && own.jerk > 0))
+      return "robot/coupled_limits";
+  }
+  for (const RobotTable::BrakingCurve& curve : robot.braking_curves) {
+    const double sum = curve.slope + curve.drop + curve.lower_end + curve.upper_end;
+    if (!(std::isfinite(sum) && curve.slope > 0 && curve.drop >= 0)) return "robot/braking_curves";
+  }
   for (const RobotTable::Tip& tip : robot.tips)
     if (!rigid(tip.transform)) return "robot/tips";
   for (const RobotTable::Capsule& capsule : robot.capsules)

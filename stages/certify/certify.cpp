@@ -53,13 +53,16 @@ std::string beyond_limits(const RobotTable& robot, const Trajectory& trajectory,
   return "";
 }
 
+/// A distance of no pair at all is none.
+double if_any(double clearance) { return std::isinf(clearance) ? kNotSeen : clearance; }
+
 void fill_clearance(const collision::CollisionWorld& world, Trajectory& trajectory,
                     collision::CollisionScratch& scratch) {
   trajectory.clearance.resize(trajectory.samples());
   for (std::size_t i = 0; i < trajectory.samples(); ++i) {
     const JointVector q = trajectory.position.row(static_cast<Eigen::Index>(i)).transpose();
     trajectory.clearance[i] =
-        collision::clearance(world, q, trajectory.demonstration_time[i], scratch);
+        if_any(collision::clearance(world, q, trajectory.demonstration_time[i], scratch));
   }
 }
 
@@ -111,7 +114,8 @@ Outcome<Certificate> certify_motion(const collision::CollisionWorld& world, Traj
   fill_clearance(world, trajectory, scratch);
   const collision::JointMotion motion = trajectory_motion(trajectory);
   c.clearance =
-      collision::motion_clearance(world, motion, scratch, kClearanceResolution_m).at_least;
+      if_any(collision::motion_clearance(world, motion, scratch, kClearanceResolution_m).at_least);
+  c.unchecked_links = world.robot->unchecked_links;
   fail(path_was_free ? Reason::smoothing : Reason::collision,
        contacts(world, motion, trajectory, scratch));
   return result;

@@ -90,9 +90,12 @@ std::string plan_rows(const Plan& plan) {
   return rows;
 }
 
-std::string plan_table_foot(const std::string& robot, const run::BatchSummary& summary) {
-  return fmt::format("{}: {} of {} fingertip goals out of reach from this placement", robot,
-                     summary.out_of_reach, summary.goals);
+std::string plan_table_foot(const RobotTable& robot, const run::BatchSummary& summary) {
+  std::string text = fmt::format("{}: {} of {} fingertip goals out of reach from this placement",
+                                 robot.name, summary.out_of_reach, summary.goals);
+  const std::string unchecked = unchecked_sentence(robot.unchecked_links);
+  if (!unchecked.empty()) text += fmt::format("\n{}: {}", robot.name, unchecked);
+  return text;
 }
 
 }  // namespace morphe::commands

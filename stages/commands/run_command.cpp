@@ -69,7 +69,7 @@ class Dataset {
   fs::path file_, published_;
 };
 
-void print_table(const run::Journal& journal, const std::string& robot, const fs::path& plans,
+void print_table(const run::Journal& journal, const RobotTable& robot, const fs::path& plans,
                  const run::BatchSummary& summary) {
   constexpr int kMostRows = 1000;
   if (summary.movements <= kMostRows) {
@@ -137,7 +137,7 @@ int execute(const RunArguments& arguments) {
   if (arguments.json) {
     fmt::print("{}\n", run::summary_json(result.summary));
   } else {
-    print_table(folder.journal(), robot.name, request.plans, result.summary);
+    print_table(folder.journal(), robot, request.plans, result.summary);
   }
   if (result.summary.failed > 0) return 1;
   return arguments.strict && result.summary.infeasible > 0 ? 1 : 0;

@@ -58,7 +58,7 @@ std::vector<std::string> remarks(const robot::RobotDescription& description) {
       found.push_back(fmt::format("tip {} has no centre for its finger's humanlikeness", tip.name));
     }
   }
-  if (robot.capsules.empty()) found.emplace_back("no collision shapes: no contact of it is seen");
+  if (!robot.unchecked_links.empty()) found.push_back(unchecked_sentence(robot.unchecked_links));
   return found;
 }
 

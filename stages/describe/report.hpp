@@ -8,7 +8,7 @@
 namespace morphe::describe {
 
 /// What can be loaded but is hardly meant: a joint that moves no tip, a tip beside the palm, a palm
-/// beside the shoulder, a finger without a centre, no collision shapes; and what the description
+/// beside the shoulder, a finger without a centre, links without a shape; and what the description
 /// left out. One line each.
 std::vector<std::string> remarks(const robot::RobotDescription& description);
 

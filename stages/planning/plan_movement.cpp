@@ -198,6 +198,8 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
     }
     plan.grasp = certify::find_grasp(robot, plan.scene, plan.movement, plan.trajectory);
     plan.detail = warnings(world, plan.goals, plan.movement, motion);
+    const std::string unchecked = unchecked_sentence(robot.unchecked_links);
+    if (!unchecked.empty()) plan.detail += (plan.detail.empty() ? "" : "; ") + unchecked;
   }
   return plan;
 }

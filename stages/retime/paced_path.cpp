@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/math/braking.hpp"
 #include "pipeline/robot/forward.hpp"
 
 namespace morphe::retime {
@@ -23,6 +24,20 @@ double tip_rate(const RobotTable& robot, const JointRows& q) {
   return fastest;
 }
 
+/// Least s per clock second that the braking curves leave.
+double braking_rate(const PacedPath& paced_path, const JointRows& q) {
+  constexpr double kLeastLeft = 1e-3;  ///< of the velocity limit: the pace stays above 0
+  double slowest = 0;
+  for (const RobotTable::BrakingCurve& curve : paced_path.robot->braking_curves) {
+    const double rate = q(1, curve.joint);
+    const double left =
+        paced_path.braking_share * math::speed_left(curve, q(0, curve.joint), rate > 0);
+    const double least = kLeastLeft * paced_path.velocity[curve.joint];
+    slowest = std::max(slowest, std::abs(rate) / std::max(left, least));
+  }
+  return slowest;
+}
+
 }  // namespace
 
 double slowdown_at(const PacedPath& paced_path, double u) {
@@ -33,8 +48,8 @@ double slowdown_at(const PacedPath& paced_path, double u) {
 }
 
 double most_pace(const PacedPath& paced_path, double u, const JointRows& q) {
-  double least_s = (q.row(1).transpose().cwiseAbs().cwiseQuotient(paced_path.velocity)).maxCoeff() *
-                   slowdown_at(paced_path, u);
+  double least_s = (q.row(1).transpose().cwiseAbs().cwiseQuotient(paced_path.velocity)).maxCoeff();
+  least_s = std::max(least_s, braking_rate(paced_path, q)) * slowdown_at(paced_path, u);
   if (paced_path.tip_speed < kMostPace) {
     least_s = std::max(least_s, tip_rate(*paced_path.robot, q) / paced_path.tip_speed);
   }

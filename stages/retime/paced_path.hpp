@@ -16,6 +16,7 @@ struct PacedPath {
   ClockedPath clocked;
   math::JointSpline spline;
   JointVector velocity, acceleration, jerk;  ///< [n] shares of the robot's limits
+  double braking_share = 1;                  ///< of its braking curves
   double tempo = kMostPace;                  ///< clock seconds per second at most
   double catch_up = 0;                       ///< tempo is greater by this share at both ends …
   double catch_up_s = 0.3;          ///< … falling smoothly to none this far from them [s]

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <optional>
 
+#include "pipeline/math/braking.hpp"
 #include "pipeline/math/quintic.hpp"
 #include "stages/retime/fit_path.hpp"
 #include "stages/retime/time_law.hpp"
@@ -80,6 +81,7 @@ PacedPath make_paced_path(const RobotTable& robot, const JointPath& path, const 
   paced_path.velocity = options.limit_share * robot.velocity;
   paced_path.acceleration = options.limit_share * robot.acceleration;
   paced_path.jerk = options.limit_share * robot.jerk;
+  paced_path.braking_share = options.limit_share;
   paced_path.tip_speed = options.tip_speed.value_or(kMostPace);
   if (!options.phase_speed.empty()) paced_path.phase_scale.assign(kPhases, 1);
   for (const PhaseSpeed& phase : options.phase_speed) {
@@ -95,6 +97,11 @@ std::vector<double> haste(const PacedPath& paced_path, const Trajectory& traject
   std::vector<double> out;
   for (std::size_t i = 0; i + 1 < trajectory.samples(); ++i) {
     double worst = 0;
+    for (const RobotTable::BrakingCurve& curve : paced_path.robot->braking_curves) {
+      const math::QuinticPiece piece = math::quintic_piece(trajectory, i, curve.joint);
+      const double known = worst * paced_path.braking_share;
+      worst = std::max(worst, math::braking_ratio(curve, piece, known) / paced_path.braking_share);
+    }
     for (Eigen::Index joint = 0; joint < trajectory.position.cols(); ++joint) {
       const math::QuinticPiece piece = math::quintic_piece(trajectory, i, joint);
       if (math::surely_within(piece, paced_path.velocity[joint], paced_path.acceleration[joint],

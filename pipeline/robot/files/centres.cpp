@@ -47,10 +47,10 @@ void derive_centres(Assembly& assembly) {
     std::ranges::copy_if(table.centres, std::back_inserter(centres),
                          [&](const RobotTable::Centre& c) { return c.chain == chain.name; });
     if (centres.size() > before) continue;
-    if (chain.name == "arm") {
+    if (chain.arm) {
       std::vector<int> joints = distinct_hinges(chain, base_from_frame, table.shoulder_frame);
       if (joints.size() > 1 && !carries_something(assembly, chain)) joints.pop_back();
-      for (const int frame : joints) centres.push_back({frame, chain.name});
+      for (const int frame : joints) centres.push_back({frame, "arm"});
     } else if (is_finger(table, chain)) {
       const std::vector<int> joints = distinct_hinges(chain, base_from_frame, chain.frames.front());
       if (!joints.empty()) centres.push_back({joints.front(), chain.name});

@@ -17,16 +17,16 @@ int read_finger(const config::ConfigNode& node) {
   for (std::size_t finger = 0; finger < kFingers; ++finger) {
     if (word == kFingerNames[finger]) return static_cast<int>(finger);
   }
-  const std::int64_t number = node.integer();
-  if (number < 0 || number > 4) node.fail("must be a finger's name, wrist, or 0 (thumb) … 4");
-  return static_cast<int>(number);
+  if (word.size() == 1 && word[0] >= '0' && word[0] <= '4') return word[0] - '0';
+  node.fail(
+      fmt::format("must be thumb, index, middle, ring, little, wrist or 0 … 4, not '{}'", word));
 }
 
 void read_tip(Assembly& assembly, const FileScope& scope, const config::ConfigNode& node) {
   const char* key = node.has("chain") ? "chain" : "frame";
   const Anchor place = anchor_named(assembly, scope, node[key]);
   RobotTable::Tip tip;
-  tip.name = node["name"].text();
+  tip.name = scope.prefix + node["name"].text();
   tip.frame = place.frame;
   if (tip.frame < 0) node[key].fail("a tip must move with a frame");
   tip.transform = place.frame_from_anchor * read_mount_of(node);
@@ -48,8 +48,7 @@ void read_tip(Assembly& assembly, const FileScope& scope, const config::ConfigNo
 void add_ready_frames(Assembly& assembly, const FileScope& scope,
                       std::vector<config::ConfigNode>& nodes) {
   for (auto node = nodes.begin(); node != nodes.end();) {
-    if (node->has("parent") && !has_anchor(assembly, (*node)["parent"].text()) &&
-        !scope.links.contains((*node)["parent"].text())) {
+    if (node->has("parent") && !is_known(assembly, scope, (*node)["parent"].text())) {
       ++node;
       continue;
     }
@@ -57,7 +56,7 @@ void add_ready_frames(Assembly& assembly, const FileScope& scope,
     RobotTable::Frame frame;
     frame.parent = place.frame;
     frame.transform = place.frame_from_anchor;
-    add_frame(assembly, (*node)["name"], frame);
+    add_frame(assembly, scope, (*node)["name"], frame);
     node = nodes.erase(node);
   }
 }
@@ -71,14 +70,17 @@ void read_chains_and_frames(Assembly& assembly, const FileScope& scope,
   add_ready_frames(assembly, scope, fixed);
   if (root.has("chains")) {
     for (const config::ConfigNode& chain : root["chains"].items()) {
-      if (scope.links.empty()) {
-        read_chain(assembly, scope, convention, chain);
-      } else {
-        read_urdf_chain(assembly, scope, chain);
-      }
-      add_ready_frames(assembly, scope, fixed);
+      assembly.problems.attempt([&] {
+        if (chain.has("joints")) {
+          read_chain(assembly, scope, convention, chain);
+        } else {
+          read_urdf_chain(assembly, scope, chain);
+        }
+        add_ready_frames(assembly, scope, fixed);
+      });
     }
   }
+  if (!assembly.problems.none()) return;
   for (const config::ConfigNode& node : fixed) {
     const config::ConfigNode parent = node["parent"];
     const auto same = [&](const config::ConfigNode& other) {
@@ -93,15 +95,18 @@ void read_chains_and_frames(Assembly& assembly, const FileScope& scope,
 void read_centres(Assembly& assembly, const FileScope& scope, const config::ConfigNode& list) {
   for (const config::ConfigNode& node : list.items()) {
     const config::ConfigNode chain = node["chain"];
-    const auto same = [&](const Chain& c) { return c.name == chain.text(); };
-    if (std::ranges::none_of(assembly.chains, same)) {
+    const auto same = [&](const Chain& c) {
+      return c.name == scope.prefix + chain.text() || c.name == chain.text();
+    };
+    const auto meant = std::ranges::find_if(assembly.chains, same);
+    if (meant == assembly.chains.end()) {
       chain.fail(fmt::format("there is no chain '{}'", chain.text()));
     }
     const config::ConfigNode frame = node["frame"];
     (void)anchor_named(assembly, scope, frame);
     const int index = frame_called(assembly, scope, frame.text());
     if (index < 0) frame.fail("must be a frame");
-    assembly.table.centres.push_back({index, chain.text()});
+    assembly.table.centres.push_back({index, meant->arm ? "arm" : meant->name});
   }
 }
 
@@ -110,25 +115,51 @@ void read_frame_name(const Assembly& assembly, const FileScope& scope,
                      const config::ConfigNode& root, const char* key, std::string& name) {
   if (!root.has(key)) return;
   const int frame = frame_called(assembly, scope, root[key].text());
-  if (frame < 0) root[key].fail(fmt::format("there is no frame '{}'", root[key].text()));
+  if (frame < 0) root[key].fail(fmt::format("there is no frame or link '{}'", root[key].text()));
   name = assembly.table.frames[static_cast<std::size_t>(frame)].name;
 }
 
-void read_file(const std::filesystem::path& file, const Anchor& base, Assembly& assembly);
+FileScope read_file(const std::filesystem::path& file, const Anchor& base,
+                    const std::string& prefix, Assembly& assembly);
 
-void read_part(Assembly& assembly, const FileScope& scope, const config::ConfigNode& node) {
+/// `hold: [{joint, at}]`
+void read_held(Assembly& assembly, const FileScope& scope, const config::ConfigNode& list) {
+  for (const config::ConfigNode& node : list.items()) {
+    assembly.problems.attempt([&] {
+      const std::string name = node["joint"].text();
+      const auto& names = assembly.table.joint_names;
+      auto joint = std::ranges::find(names, scope.prefix + name);
+      if (joint == names.end()) joint = std::ranges::find(names, name);
+      if (joint == names.end())
+        node["joint"].fail(fmt::format("there is no actuated joint '{}'", name));
+      const auto j = static_cast<std::size_t>(joint - names.begin());
+      const double at = node.has("at") ? node["at"].number() : 0;
+      if (at < assembly.lower[j] || at > assembly.upper[j])
+        node[node.has("at") ? "at" : "joint"].fail(fmt::format(
+            "{} is outside its limits, {} to {}", at, assembly.lower[j], assembly.upper[j]));
+      assembly.held.push_back({*joint, at});
+    });
+  }
+}
+
+void read_part(Assembly& assembly, FileScope& scope, const config::ConfigNode& node) {
   const Anchor place = read_hanging(assembly, scope, node);
   drop_carriers_wrist(assembly, place);
   if (node.has("generate")) return read_generated(assembly, place, node["generate"]);
   const config::ConfigNode file = node["file"];
   if (assembly.files.size() > 32) file.fail("more than 32 files: does one name itself?");
-  read_file(node.folder() / file.text(), place, assembly);
+  const std::string prefix = node.has("prefix") ? node["prefix"].text() : "";
+  const FileScope part =
+      read_file(node.folder() / file.text(), place, scope.prefix + prefix, assembly);
+  scope.links.insert(part.links.begin(), part.links.end());
 }
 
-void read_file(const std::filesystem::path& file, const Anchor& base, Assembly& assembly) {
+FileScope read_file(const std::filesystem::path& file, const Anchor& base,
+                    const std::string& prefix, Assembly& assembly) {
   const config::ConfigNode root = config::ConfigNode::load(file);
   assembly.files.push_back(file);
-  FileScope scope{base, assembly.table.capsules.size()};
+  FileScope scope{base, prefix, assembly.table.capsules.size()};
+  const auto attempt = [&](const auto& step) { assembly.problems.attempt(step); };
   const std::string name = root["name"].text();
   if (root.has("parts")) {
     for (const config::ConfigNode& part : root["parts"].items()) read_part(assembly, scope, part);
@@ -137,34 +168,39 @@ void read_file(const std::filesystem::path& file, const Anchor& base, Assembly& 
   if (root.has("generate")) read_generated(assembly, base, root["generate"]);
   if (root.has("urdf")) read_urdf(assembly, scope, root["urdf"]);
   read_chains_and_frames(assembly, scope, root);
-  read_frame_name(assembly, scope, root, "shoulder", assembly.shoulder);
-  read_frame_name(assembly, scope, root, "palm", assembly.palm);
+  assembly.problems.throw_any();  // the rest would only repeat what is missing
+  if (root.has("hold")) read_held(assembly, scope, root["hold"]);
+  attempt([&] { read_frame_name(assembly, scope, root, "shoulder", assembly.shoulder); });
+  attempt([&] { read_frame_name(assembly, scope, root, "palm", assembly.palm); });
   if (root.has("tips")) {
-    for (const config::ConfigNode& tip : root["tips"].items()) read_tip(assembly, scope, tip);
+    for (const config::ConfigNode& tip : root["tips"].items())
+      attempt([&] { read_tip(assembly, scope, tip); });
   }
-  if (root.has("centres")) read_centres(assembly, scope, root["centres"]);
+  if (root.has("centres")) attempt([&] { read_centres(assembly, scope, root["centres"]); });
   if (root.has("collision")) read_collision(assembly, scope, root["collision"]);
-  root.expect_all_read();
-  if (assembly.chains.empty()) root.fail("has no chains");
+  if (assembly.problems.none()) root.expect_all_read();
+  if (assembly.chains.empty() && assembly.problems.none()) root.fail("has no chains");
+  return scope;
 }
 
 }  // namespace
 
 RobotDescription load_robot(const std::filesystem::path& file) {
   Assembly assembly;
-  read_file(file, Anchor{}, assembly);
-  const auto is_arm = [](const Chain& chain) { return chain.name == "arm"; };
-  if (assembly.palm.empty() && std::ranges::none_of(assembly.chains, is_arm)) {
-    throw InputError(fmt::format("{}:1: palm: is missing, and there is no chain 'arm' to end in it",
-                                 file.string()));
+  config::Problems& problems = assembly.problems;
+  problems.attempt([&] { read_file(file, Anchor{}, "", assembly); });
+  problems.throw_any();
+  if (assembly.palm.empty() && std::ranges::none_of(assembly.chains, &Chain::arm)) {
+    problems.add(fmt::format("{}:1: palm: is missing, and there is no chain 'arm' to end in it",
+                             file.string()));
   }
-  if (assembly.table.tips.empty()) {
-    throw InputError(fmt::format("{}:1: tips: are missing", file.string()));
-  }
-  RobotDescription description{
-      {}, std::move(assembly.files), std::move(assembly.notes), std::move(assembly.links)};
-  description.table = finished(std::move(assembly));
-  return description;
+  if (assembly.table.tips.empty())
+    problems.add(fmt::format("{}:1: tips: are missing", file.string()));
+  problems.throw_any();
+  finish(assembly);
+  problems.throw_any();
+  return {std::move(assembly.table), std::move(assembly.files), std::move(assembly.notes),
+          std::move(assembly.links)};
 }
 
 }  // namespace morphe::robot

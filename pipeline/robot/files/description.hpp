@@ -14,13 +14,13 @@ struct RobotDescription {
   RobotTable table;
   std::vector<std::filesystem::path> files;  ///< every file it was read from, the first one named
   std::vector<std::string> notes;            ///< "FILE:LINE: …": what of it was left out
-  std::map<std::string, int> links;          ///< of its URDFs: the frame that each moves with
+  std::map<std::string, int> links;          ///< of its URDFs: the frame that each is
 };
 
 /// Reads a robot description (docs/formats.md): DH chains, a URDF (with an SRDF), a generated arm
 /// or hand, or `parts` that mount other descriptions (a hand on an arm). Throws InputError with
 /// file, line and key for unknown or missing keys, a joint without limits, a coupling to an unknown
-/// joint, a frame or capsule that names nothing.
+/// joint, a frame or capsule that names nothing: a line for each.
 RobotDescription load_robot(const std::filesystem::path& file);
 
 }  // namespace morphe::robot

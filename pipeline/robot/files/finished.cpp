@@ -1,5 +1,9 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "pipeline/robot/files/assembly.hpp"
 
@@ -8,6 +12,21 @@ namespace {
 
 JointVector vector_of(const std::vector<double>& values) {
   return Eigen::Map<const JointVector>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+/// The arm that carries the palm, the first one if none is named. There is one in the end.
+const Chain* choose_arm(Assembly& assembly) {
+  const int palm = frame_index(assembly.table, assembly.palm);
+  Chain* arm = nullptr;
+  bool carried = false;
+  for (Chain& chain : assembly.chains) {
+    if (!std::exchange(chain.arm, false)) continue;
+    const bool carries = palm >= 0 && hangs_on(assembly.table, palm, chain.frames.front());
+    if (!arm || (carries && !carried)) arm = &chain;
+    carried = carried || carries;
+  }
+  if (arm) arm->arm = true;
+  return arm;
 }
 
 }  // namespace
@@ -20,7 +39,9 @@ void drop_carriers_wrist(Assembly& assembly, const Anchor& place) {
   });
 }
 
-RobotTable finished(Assembly assembly) {
+void finish(Assembly& assembly) {
+  draw_in_limits(assembly);
+  hold_joints(assembly);
   RobotTable& table = assembly.table;
   table.lower = vector_of(assembly.lower);
   table.upper = vector_of(assembly.upper);
@@ -28,23 +49,28 @@ RobotTable finished(Assembly assembly) {
   table.acceleration = vector_of(assembly.acceleration);
   table.jerk = vector_of(assembly.jerk);
 
-  const auto arm =
-      std::ranges::find_if(assembly.chains, [](const Chain& c) { return c.name == "arm"; });
-  const bool has_arm = arm != assembly.chains.end();
+  const Chain* arm = choose_arm(assembly);
   if (!assembly.shoulder.empty()) {
     table.shoulder_frame = frame_index(table, assembly.shoulder);
-  } else if (has_arm) {
+  } else if (arm) {
     table.shoulder_frame = arm->frames.front();
   }
   if (!assembly.palm.empty()) {
     table.palm_frame = frame_index(table, assembly.palm);
   } else {
-    assert(has_arm);
+    assert(arm);
     table.palm_frame = arm->end.frame;
   }
   derive_centres(assembly);
+  for (auto& [file, links] : assembly.meshes) {
+    links.erase(std::unique(links.begin(), links.end()), links.end());
+    assembly.notes.push_back(
+        fmt::format("{}: meshes of {} are left out; `morphe robot setup` makes capsules of them",
+                    file, fmt::join(links, ", ")));
+  }
+  for (const auto& [one, other] : assembly.allowed_frames) allow_frames(table, 0, one, other);
   allow_neighbours(table);
-  return std::move(table);
+  table.unchecked_links = unchecked_links(assembly);
 }
 
 }  // namespace morphe::robot

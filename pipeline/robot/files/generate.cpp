@@ -120,7 +120,7 @@ const Vec3 kAbducting = -Vec3::UnitX();
 void add_thumb(Assembly& assembly, const HandShape& shape, const Anchor& palm) {
   const ThumbProportions& t = kThumbProportions;
   const Speed speed{shape.velocity, shape.acceleration, shape.jerk};
-  Chain chain{"thumb", {}, {}, {}};
+  Chain chain{"thumb", false, {}, {}, {}};
   const auto joint = [&](const char* name, const Anchor& place, const Vec3& axis, std::size_t k) {
     return add_turn(assembly, chain, name, place, axis, t.lower[k], t.upper[k], speed);
   };
@@ -171,7 +171,7 @@ void add_finger(Assembly& assembly, const HandShape& shape, const Anchor& palm, 
   const Speed speed{shape.velocity, shape.acceleration, shape.jerk};
   const bool human = shape.fingers == static_cast<int>(kFingers);
   const std::string name = finger_name(shape, number);
-  Chain chain{name, {}, {}, {}};
+  Chain chain{name, false, {}, {}, {}};
   const auto joint = [&](const char* what, const Anchor& place, const Vec3& axis, std::size_t k) {
     return add_turn(assembly, chain, name + what, place, axis, f.lower[k], f.upper[k], speed);
   };
@@ -223,7 +223,7 @@ void add_generated_arm(Assembly& assembly, const Anchor& base, const ArmShape& s
   const Speed speed{shape.velocity, shape.acceleration, shape.jerk};
   const int spherical = shape.joints / 3;
   const Vec3 axes[] = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
-  Chain chain{"arm", {}, {}, base};
+  Chain chain{"arm", true, {}, {}, base};
   for (int k = 0; k < shape.joints; ++k) {
     const std::string name = fmt::format("arm_{}", k + 1);
     const bool first = k % 3 == 0;
@@ -258,18 +258,28 @@ void add_generated_hand(Assembly& assembly, const Anchor& base, const HandShape&
   assembly.palm = "palm";
 }
 
+namespace {
+
+RobotTable finished_table(Assembly& assembly) {
+  finish(assembly);
+  assert(assembly.problems.none());
+  return std::move(assembly.table);
+}
+
+}  // namespace
+
 RobotTable generate_arm(const ArmShape& shape) {
   Assembly assembly;
   assembly.table.name = fmt::format("arm{}", shape.joints);
   add_generated_arm(assembly, {}, shape);
-  return finished(std::move(assembly));
+  return finished_table(assembly);
 }
 
 RobotTable generate_hand(const HandShape& shape) {
   Assembly assembly;
   assembly.table.name = fmt::format("hand{}", shape.fingers);
   add_generated_hand(assembly, {}, shape);
-  return finished(std::move(assembly));
+  return finished_table(assembly);
 }
 
 RobotTable generate_arm_hand(const ArmShape& arm, const HandShape& hand,
@@ -280,7 +290,7 @@ RobotTable generate_arm_hand(const ArmShape& arm, const HandShape& hand,
   const Anchor end{assembly.chains.back().end.frame, wrist_from_palm};
   drop_carriers_wrist(assembly, end);
   add_generated_hand(assembly, end, hand);
-  return finished(std::move(assembly));
+  return finished_table(assembly);
 }
 
 }  // namespace morphe::robot

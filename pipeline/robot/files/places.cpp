@@ -13,6 +13,11 @@ const Chain* find_chain(const Assembly& assembly, const std::string& name) {
   return found == assembly.chains.end() ? nullptr : &*found;
 }
 
+/// A name as it may stand in a file: with its prefix first.
+std::array<std::string, 2> readings(const FileScope& scope, const std::string& name) {
+  return {scope.prefix + name, name};
+}
+
 }  // namespace
 
 int frame_index(const RobotTable& table, const std::string& name) {
@@ -22,30 +27,33 @@ int frame_index(const RobotTable& table, const std::string& name) {
   return -1;
 }
 
-bool hangs_on(const RobotTable& table, int frame, int ancestor) {
-  while (frame >= 0 && frame != ancestor)
-    frame = table.frames[static_cast<std::size_t>(frame)].parent;
-  return frame == ancestor;
-}
-
 bool has_anchor(const Assembly& assembly, const std::string& name) {
-  return name == "base" || frame_index(assembly.table, name) >= 0 || find_chain(assembly, name);
+  return frame_index(assembly.table, name) >= 0 || find_chain(assembly, name);
 }
 
 int frame_called(const Assembly& assembly, const FileScope& scope, const std::string& name) {
-  if (const int frame = frame_index(assembly.table, name); frame >= 0) return frame;
-  const auto link = scope.links.find(name);
-  return link == scope.links.end() ? -1 : link->second.frame;
+  for (const std::string& reading : readings(scope, name)) {
+    if (const auto link = scope.links.find(reading); link != scope.links.end()) return link->second;
+    if (const int frame = frame_index(assembly.table, reading); frame >= 0) return frame;
+  }
+  return -1;
+}
+
+bool is_known(const Assembly& assembly, const FileScope& scope, const std::string& name) {
+  if (name == "base" || frame_called(assembly, scope, name) >= 0) return true;
+  const auto known = readings(scope, name);
+  return find_chain(assembly, known[0]) || find_chain(assembly, known[1]);
 }
 
 Anchor anchor_named(const Assembly& assembly, const FileScope& scope,
                     const config::ConfigNode& name) {
   const std::string wanted = name.text();
+  for (const std::string& reading : readings(scope, wanted)) {
+    if (const Chain* chain = find_chain(assembly, reading)) return chain->end;
+  }
+  if (const int frame = frame_called(assembly, scope, wanted); frame >= 0) return {frame};
   if (wanted == "base") return scope.base;
-  if (const int frame = frame_index(assembly.table, wanted); frame >= 0) return {frame};
-  if (const Chain* chain = find_chain(assembly, wanted)) return chain->end;
-  if (const auto link = scope.links.find(wanted); link != scope.links.end()) return link->second;
-  name.fail(fmt::format("there is no frame or chain '{}'", wanted));
+  name.fail(fmt::format("there is no frame, link or chain '{}'", wanted));
 }
 
 Anchor read_hanging(const Assembly& assembly, const FileScope& scope,
@@ -55,8 +63,9 @@ Anchor read_hanging(const Assembly& assembly, const FileScope& scope,
   return place;
 }
 
-int add_frame(Assembly& assembly, const config::ConfigNode& name, RobotTable::Frame frame) {
-  frame.name = name.text();
+int add_frame(Assembly& assembly, const FileScope& scope, const config::ConfigNode& name,
+              RobotTable::Frame frame) {
+  frame.name = scope.prefix + name.text();
   if (has_anchor(assembly, frame.name)) {
     name.fail(fmt::format("a frame or chain '{}' exists already", frame.name));
   }

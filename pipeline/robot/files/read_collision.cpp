@@ -10,13 +10,16 @@ namespace {
 /// The file's capsules with that name; all that begin so if it ends in `*`.
 std::vector<int> capsules_named(const RobotTable& table, const FileScope& scope,
                                 const config::ConfigNode& node) {
-  std::string wanted = node.text();
-  const bool prefix = wanted.ends_with('*');
-  if (prefix) wanted.pop_back();
+  const std::string wanted = node.text();
+  const auto matches = [&](const std::string& name, const std::string& pattern) {
+    if (!pattern.ends_with('*')) return name == pattern;
+    return name.starts_with(std::string_view(pattern).substr(0, pattern.size() - 1));
+  };
   std::vector<int> found;
   for (std::size_t i = scope.first_capsule; i < table.capsules.size(); ++i) {
     const std::string& name = table.capsules[i].name;
-    if (prefix ? name.starts_with(wanted) : name == wanted) found.push_back(static_cast<int>(i));
+    if (matches(name, scope.prefix + wanted) || matches(name, wanted))
+      found.push_back(static_cast<int>(i));
   }
   if (found.empty()) node.fail(fmt::format("there is no capsule '{}'", node.text()));
   return found;
@@ -25,7 +28,7 @@ std::vector<int> capsules_named(const RobotTable& table, const FileScope& scope,
 void read_capsule(Assembly& assembly, const FileScope& scope, const config::ConfigNode& node) {
   const Anchor place = anchor_named(assembly, scope, node["frame"]);
   RobotTable::Capsule capsule;
-  capsule.name = node["name"].text();
+  capsule.name = scope.prefix + node["name"].text();
   const auto same = [&](const RobotTable::Capsule& c) { return c.name == capsule.name; };
   if (std::ranges::any_of(assembly.table.capsules, same)) {
     node["name"].fail(fmt::format("a capsule '{}' exists already", capsule.name));
@@ -59,24 +62,46 @@ void allow(RobotTable& table, int first, int second) {
 
 void read_collision(Assembly& assembly, const FileScope& scope, const config::ConfigNode& node) {
   RobotTable& table = assembly.table;
+  bool whole = true;
   if (node.has("capsules")) {
     for (const config::ConfigNode& item : node["capsules"].items())
-      read_capsule(assembly, scope, item);
+      whole = assembly.problems.attempt([&] { read_capsule(assembly, scope, item); }) && whole;
+  }
+  if (!whole) return;  // what names them would only repeat it
+  if (node.has("allowed_links")) {
+    for (const config::ConfigNode& pair : node["allowed_links"].items()) {
+      assembly.problems.attempt([&] {
+        const std::vector<config::ConfigNode> names = pair.items();
+        if (names.size() != 2) pair.fail("must be a list of two links");
+        std::array<int, 2> frames{};
+        for (const std::size_t k : {0, 1}) {
+          frames[k] = frame_called(assembly, scope, names[k].text());
+          if (frames[k] < 0)
+            names[k].fail(fmt::format("there is no link or frame '{}'", names[k].text()));
+        }
+        assembly.allowed_frames.push_back(frames);
+      });
+    }
   }
   if (node.has("allowed_pairs")) {
     for (const config::ConfigNode& pair : node["allowed_pairs"].items()) {
-      const std::vector<config::ConfigNode> names = pair.items();
-      if (names.size() != 2) pair.fail("must be a list of two capsule names");
-      for (const int first : capsules_named(table, scope, names[0])) {
-        for (const int second : capsules_named(table, scope, names[1])) allow(table, first, second);
-      }
+      assembly.problems.attempt([&] {
+        const std::vector<config::ConfigNode> names = pair.items();
+        if (names.size() != 2) pair.fail("must be a list of two capsule names");
+        for (const int first : capsules_named(table, scope, names[0])) {
+          for (const int second : capsules_named(table, scope, names[1]))
+            allow(table, first, second);
+        }
+      });
     }
   }
   if (node.has("may_touch_target")) {
     for (const config::ConfigNode& name : node["may_touch_target"].items()) {
-      for (const int i : capsules_named(table, scope, name)) {
-        table.capsules[static_cast<std::size_t>(i)].may_touch_target = true;
-      }
+      assembly.problems.attempt([&] {
+        for (const int i : capsules_named(table, scope, name)) {
+          table.capsules[static_cast<std::size_t>(i)].may_touch_target = true;
+        }
+      });
     }
   }
 }

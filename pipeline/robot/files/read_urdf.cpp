@@ -1,5 +1,4 @@
 #include "pipeline/robot/files/read_urdf.hpp"
-#include "pipeline/robot/files/urdf_joints.hpp"
 
 #include <console_bridge/console.h>
 #include <fmt/format.h>
@@ -8,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "pipeline/robot/files/urdf_joints.hpp"
 
 namespace morphe::robot {
 namespace {
@@ -27,9 +28,41 @@ class QuietConsole : console_bridge::OutputHandler {
   bool said_ = false;
 };
 
+/// urdfdom asks for limits and efforts that may come from the description or are not needed, and
+/// reads what a picture alone needs: the one is put in, the other left out.
+void simplify(tinyxml2::XMLDocument& document) {
+  tinyxml2::XMLElement* robot = document.RootElement();
+  for (const char* tag : {"material", "transmission", "gazebo", "sensor"}) {
+    while (tinyxml2::XMLElement* extra = robot->FirstChildElement(tag)) robot->DeleteChild(extra);
+  }
+  for (auto* link = robot->FirstChildElement("link"); link;
+       link = link->NextSiblingElement("link")) {
+    for (const char* tag : {"visual", "inertial"}) {
+      while (tinyxml2::XMLElement* extra = link->FirstChildElement(tag)) link->DeleteChild(extra);
+    }
+  }
+  for (auto* joint = robot->FirstChildElement("joint"); joint;
+       joint = joint->NextSiblingElement("joint")) {
+    for (const char* tag : {"safety_controller", "calibration", "dynamics"}) {
+      while (tinyxml2::XMLElement* extra = joint->FirstChildElement(tag)) joint->DeleteChild(extra);
+    }
+    const std::string type = joint->Attribute("type");
+    if (type == "planar" || type == "floating") joint->SetAttribute("type", "fixed");
+    if (type != "revolute" && type != "prismatic" && type != "continuous") continue;
+    tinyxml2::XMLElement* limit = joint->FirstChildElement("limit");
+    if (!limit) limit = joint->InsertNewChildElement("limit");
+    for (const char* needed : {"effort", "velocity"}) {
+      if (!limit->Attribute(needed)) limit->SetAttribute(needed, 0);
+    }
+  }
+}
+
 urdf::ModelInterfaceSharedPtr parsed(const files::XmlText& text) {
+  tinyxml2::XMLDocument simple;
+  text.document.DeepCopy(&simple);
+  simplify(simple);
   tinyxml2::XMLPrinter printer;
-  text.document.Print(&printer);
+  simple.Print(&printer);
   QuietConsole console;
   urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(printer.CStr());
   if (!model) text.fail(text.root(), "robot", console.first);
@@ -38,72 +71,112 @@ urdf::ModelInterfaceSharedPtr parsed(const files::XmlText& text) {
 
 struct Reader {
   Assembly& assembly;
+  FileScope& scope;
   const config::ConfigNode& node;  ///< of the key `urdf`
   const files::XmlText& text;
   const urdf::ModelInterface& model;
-  std::vector<UrdfJoint> joints;
+  UrdfTree tree;
+  std::map<std::string, config::ConfigNode> own;  ///< what the description says of a joint
 
   const urdf::Joint& of(const UrdfJoint& joint) const { return *model.joints_.at(joint.name); }
   [[noreturn]] void fail(const UrdfJoint& joint, const char* part, const std::string& what) const {
     text.fail(*joint.element, fmt::format("joint {}{}", joint.name, part), what);
   }
   bool driven(const UrdfJoint& joint) const {
-    return of(joint).type != urdf::Joint::FIXED && !of(joint).mimic;
+    return joint.kind != JointKind::fixed && !of(joint).mimic;
   }
   const UrdfJoint* find(const std::string& name) const {
-    const auto found = std::ranges::find(joints, name, &UrdfJoint::name);
-    return found == joints.end() ? nullptr : &*found;
+    const auto found = std::ranges::find(tree.joints, name, &UrdfJoint::name);
+    return found == tree.joints.end() ? nullptr : &*found;
   }
 
-  /// What the description says about a joint's limits, if it does.
-  const config::ConfigNode* limits_of(const std::string& joint,
-                                      const std::vector<config::ConfigNode>& limits) const {
-    const auto found = std::ranges::find_if(
-        limits, [&](const config::ConfigNode& entry) { return entry["joint"].text() == joint; });
-    return found == limits.end() ? nullptr : &*found;
+  /// What the description says of this joint; of all joints if the file says nothing.
+  std::optional<double> stated(const UrdfJoint& joint, const char* key,
+                               std::optional<double> written = std::nullopt) const {
+    const auto entry = own.find(joint.name);
+    if (entry != own.end() && entry->second.has(key)) return entry->second[key].number();
+    if (written) return written;
+    if (node.has(key)) return node[key].number();
+    return std::nullopt;
   }
 
-  void add_limits(const UrdfJoint& joint, const std::vector<config::ConfigNode>& limits) {
-    const urdf::Joint& urdf = of(joint);
-    const config::ConfigNode* own = limits_of(joint.name, limits);
-    const auto stated = [&](const char* key) -> double {
-      if (own && own->has(key)) return (*own)[key].number();
-      return node.has(key) ? node[key].number() : 0;
-    };
-    const auto bound = [&](const char* key, double written) {
-      return own && own->has(key) ? (*own)[key].number() : written;
-    };
-    const bool turns_round = urdf.type == urdf::Joint::CONTINUOUS;
-    const double lower = bound("lower", turns_round ? -std::numbers::pi : urdf.limits->lower);
-    const double upper = bound("upper", turns_round ? std::numbers::pi : urdf.limits->upper);
-    if (!(lower < upper)) (*own)["upper"].fail("must be above lower");
-    double velocity = stated("velocity");
-    if (velocity == 0 && urdf.limits) velocity = urdf.limits->velocity;
-    const double acceleration = stated("acceleration"), jerk = stated("jerk");
-    if (!(velocity > 0))
-      fail(joint, ".limit.velocity", "must be above 0, here or in the description");
-    if (!(acceleration > 0) || !(jerk > 0)) {
-      node.fail(
-          fmt::format("joint '{}' needs an acceleration and a jerk above 0, for all joints or "
-                      "in limits",
-                      joint.name));
+  void read_own_limits() {
+    for (const char* key : {"velocity", "acceleration", "jerk"}) {
+      if (node.has(key) && !(node[key].number() > 0)) node[key].fail("must be above 0");
     }
-    assembly.lower.push_back(lower);
-    assembly.upper.push_back(upper);
+    if (!node.has("limits")) return;
+    for (const config::ConfigNode& entry : node["limits"].items()) {
+      assembly.problems.attempt([&] {
+        const UrdfJoint* joint = find(entry["joint"].text());
+        if (!joint || joint->kind == JointKind::fixed) {
+          entry["joint"].fail(
+              fmt::format("there is no joint '{}' that moves", entry["joint"].text()));
+        }
+        if (!own.emplace(joint->name, entry).second) entry["joint"].fail("stands twice");
+      });
+    }
+  }
+
+  double positive(const UrdfJoint& joint, const char* key, std::optional<double> written) const {
+    const std::optional<double> value = stated(joint, key, written);
+    if (value && *value > 0 && std::isfinite(*value)) return *value;
+    if (value && *value < 0) fail(joint, fmt::format(".{}", key).c_str(), "must be above 0");
+    node.fail(
+        fmt::format("joint '{}' needs a{} {} above 0: in the URDF, for all joints (urdf.{}) "
+                    "or in urdf.limits",
+                    joint.name, *key == 'a' ? "n" : "", key, key));
+  }
+
+  void add_limits(const UrdfJoint& joint) {
+    const bool turns_round = joint.kind == JointKind::continuous;
+    const double round = 2 * std::numbers::pi;
+    const auto lower = stated(joint, "lower", turns_round ? -round : joint.lower);
+    const auto upper = stated(joint, "upper", turns_round ? round : joint.upper);
+    if (!lower || !upper) {
+      fail(joint, ".limit", "is missing; `lower` and `upper` may stand in urdf.limits");
+    }
+    if (*lower > *upper) own.at(joint.name)["upper"].fail("must be above lower");
+    const double velocity = positive(joint, "velocity", joint.velocity);
+    const double acceleration = positive(joint, "acceleration", std::nullopt);
+    const double jerk = positive(joint, "jerk", std::nullopt);
+    const std::string name = scope.prefix + joint.name;
+    if (std::ranges::count(assembly.table.joint_names, name) > 0) {
+      fail(joint, "", fmt::format("a joint '{}' exists already: give this part a `prefix`", name));
+    }
+    if (*lower == *upper) assembly.held.push_back({name, *lower});
+    read_braking(joint);
+    assembly.lower.push_back(*lower);
+    assembly.upper.push_back(*upper);
     assembly.velocity.push_back(velocity);
     assembly.acceleration.push_back(acceleration);
     assembly.jerk.push_back(jerk);
-    assembly.table.joint_names.push_back(joint.name);
+    assembly.table.joint_names.push_back(name);
   }
 
-  /// angle = ratio * (driven joint) + offset, through any number of joints that copy each other.
+  /// `braking: {slope, drop, lower_end, upper_end}` of the next joint to be added.
+  void read_braking(const UrdfJoint& joint) {
+    const auto entry = own.find(joint.name);
+    if (entry == own.end() || !entry->second.has("braking")) return;
+    const config::ConfigNode braking = entry->second["braking"];
+    RobotTable::BrakingCurve curve;
+    curve.joint = static_cast<int>(assembly.table.joints());
+    curve.slope = braking["slope"].number();
+    curve.drop = braking["drop"].number();
+    curve.lower_end = braking["lower_end"].number();
+    curve.upper_end = braking["upper_end"].number();
+    if (!(curve.slope > 0)) braking["slope"].fail("must be above 0");
+    if (!(curve.drop >= 0)) braking["drop"].fail("must not be negative");
+    assembly.table.braking_curves.push_back(curve);
+  }
+
+  /// value = ratio * (driven joint) + offset, through any number of joints that copy each other.
   void couple(const UrdfJoint& joint, RobotTable::Frame& frame) const {
     const UrdfJoint* at = &joint;
     for (std::size_t steps = 0; !driven(*at); ++steps) {
       const urdf::Joint& urdf = of(*at);
-      if (steps > joints.size()) fail(joint, ".mimic", "is coupled to itself");
+      if (steps > tree.joints.size()) fail(joint, ".mimic", "is coupled to itself");
       const UrdfJoint* next = urdf.mimic ? find(urdf.mimic->joint_name) : nullptr;
-      if (!next || of(*next).type == urdf::Joint::FIXED) {
+      if (!next || next->kind == JointKind::fixed) {
         fail(joint, ".mimic",
              fmt::format("there is no joint '{}' to copy", urdf.mimic->joint_name));
       }
@@ -112,28 +185,90 @@ struct Reader {
       at = next;
     }
     if (frame.ratio == 0) fail(joint, ".mimic.multiplier", "must not be 0");
-    frame.joint = static_cast<int>(std::ranges::find(assembly.table.joint_names, at->name) -
-                                   assembly.table.joint_names.begin());
+    frame.joint =
+        static_cast<int>(std::ranges::find(assembly.table.joint_names, scope.prefix + at->name) -
+                         assembly.table.joint_names.begin());
   }
 
-  int add_joint_frame(const UrdfJoint& joint, const Anchor& parent) {
-    const urdf::Joint& urdf = of(joint);
-    const bool fixed = urdf.type == urdf::Joint::FIXED;
-    RobotTable::Frame frame;
-    frame.name = fixed ? joint.child : joint.name;
-    if (has_anchor(assembly, frame.name)) {
-      fail(joint, "", fmt::format("a frame or chain '{}' exists already", frame.name));
+  /// The limits of a joint that copies another; `enforce: false` leaves out those of its position.
+  void limit_coupled(const UrdfJoint& joint, int frame) {
+    RobotTable::CoupledLimit limit;
+    limit.frame = frame;
+    const auto entry = own.find(joint.name);
+    const bool enforced =
+        entry == own.end() || !entry->second.has("enforce") || entry->second["enforce"].boolean();
+    if (enforced) {
+      limit.lower = stated(joint, "lower", joint.lower).value_or(limit.lower);
+      limit.upper = stated(joint, "upper", joint.upper).value_or(limit.upper);
     }
-    frame.parent = parent.frame;
-    frame.transform = parent.frame_from_anchor * pose_of(urdf.parent_to_joint_origin_transform);
-    if (!fixed) {
+    const auto most = [&](const char* key, std::optional<double> written, double& value) {
+      if (const auto given = stated(joint, key, written); given && *given > 0) value = *given;
+    };
+    most("velocity", joint.velocity, limit.velocity);
+    most("acceleration", std::nullopt, limit.acceleration);
+    most("jerk", std::nullopt, limit.jerk);
+    assembly.table.coupled_limits.push_back(limit);
+  }
+
+  /// A joint's frame has its name, a fixed one that of its link: joints and links have name spaces
+  /// of their own in a URDF, frames do not.
+  std::string free_name(const UrdfJoint& joint) const {
+    const bool fixed = joint.kind == JointKind::fixed;
+    const std::string name = scope.prefix + (fixed ? joint.child : joint.name);
+    if (!has_anchor(assembly, name)) return name;
+    const std::string other = scope.prefix + (fixed ? joint.name : joint.child);
+    if (!scope.links.contains(name) && !find(name)) {
+      fail(joint, "",
+           fmt::format("a frame or chain '{}' exists already: give this part a `prefix`", name));
+    }
+    if (!has_anchor(assembly, other)) return other;
+    return name + (fixed ? "_link" : "_joint");
+  }
+
+  int add_joint_frame(const UrdfJoint& joint) {
+    const urdf::Joint& urdf = of(joint);
+    RobotTable::Frame frame;
+    frame.name = free_name(joint);
+    frame.parent = scope.links.at(scope.prefix + joint.parent);
+    frame.transform = pose_of(urdf.parent_to_joint_origin_transform);
+    if (joint.kind != JointKind::fixed) {
       frame.axis = Vec3(urdf.axis.x, urdf.axis.y, urdf.axis.z).normalized();
+      frame.slides = joint.kind == JointKind::prismatic;
       couple(joint, frame);
+    }
+    assembly.table.frames.push_back(std::move(frame));
+    const int index = static_cast<int>(assembly.table.frames.size()) - 1;
+    if (urdf.mimic && joint.kind != JointKind::fixed) limit_coupled(joint, index);
+    return index;
+  }
+
+  int add_root_frame() {
+    RobotTable::Frame frame;
+    frame.name = scope.prefix + tree.root;
+    frame.parent = scope.base.frame;
+    frame.transform = scope.base.frame_from_anchor;
+    const bool taken = has_anchor(assembly, frame.name) || find(tree.root);
+    if (taken) frame.name += "_link";
+    if (has_anchor(assembly, frame.name)) {
+      text.fail(text.root(), "robot",
+                fmt::format("a frame '{}' exists already: give this part a `prefix`", frame.name));
     }
     assembly.table.frames.push_back(std::move(frame));
     return static_cast<int>(assembly.table.frames.size()) - 1;
   }
+
+  void add_link(const std::string& link, int frame) {
+    scope.links[scope.prefix + link] = frame;
+    assembly.links[scope.prefix + link] = frame;
+  }
 };
+
+bool read_shapes_key(const config::ConfigNode& node) {
+  if (!node.has("shapes")) return true;
+  const std::string word = node["shapes"].text();
+  if (word != "use" && word != "ignore") node["shapes"].fail("must be use or ignore");
+  return word == "use";
+}
 
 }  // namespace
 
@@ -147,37 +282,27 @@ void read_urdf(Assembly& assembly, FileScope& scope, const config::ConfigNode& n
   const std::filesystem::path file = node.folder() / node["file"].text();
   const files::XmlText text(file, "robot");
   assembly.files.push_back(file);
-  std::vector<UrdfJoint> joints = urdf_joints(text);
+  UrdfTree tree = urdf_tree(text);
   const urdf::ModelInterfaceSharedPtr model = parsed(text);
-  Reader reader{assembly, node, text, *model, std::move(joints)};
-  std::vector<config::ConfigNode> limits;
-  if (node.has("limits")) limits = node["limits"].items();
-  for (const config::ConfigNode& entry : limits) {
-    const UrdfJoint* joint = reader.find(entry["joint"].text());
-    if (!joint || !reader.driven(*joint)) {
-      entry["joint"].fail(fmt::format("there is no actuated joint '{}'", entry["joint"].text()));
-    }
+  Reader reader{assembly, scope, node, text, *model, std::move(tree), {}};
+  std::ranges::copy(reader.tree.notes, std::back_inserter(assembly.notes));
+  reader.read_own_limits();
+  config::Problems problems;
+  for (const UrdfJoint& joint : reader.tree.joints) {
+    if (reader.driven(joint)) problems.attempt([&] { reader.add_limits(joint); });
   }
-  for (const UrdfJoint& joint : reader.joints) {
-    if (reader.driven(joint)) reader.add_limits(joint, limits);
+  problems.throw_any();
+  reader.add_link(reader.tree.root, reader.add_root_frame());
+  for (const UrdfJoint& joint : reader.tree.joints) {
+    reader.add_link(joint.child, reader.add_joint_frame(joint));
   }
-  const std::string root = model->getRoot()->name;
-  scope.links[root] = scope.base;
-  for (const UrdfJoint& joint : reader.joints) {
-    scope.links[joint.child] = {reader.add_joint_frame(joint, scope.links.at(joint.parent))};
-  }
-  for (const auto& [link, place] : scope.links) assembly.links.emplace(link, place.frame);
-  bool ignore_meshes = false;
-  if (node.has("meshes")) {
-    const std::string word = node["meshes"].text();
-    if (word != "refuse" && word != "ignore") node["meshes"].fail("must be refuse or ignore");
-    ignore_meshes = word == "ignore";
-  }
-  add_link_shapes(assembly, text, *model->getRoot(), scope.base, ignore_meshes);
-  for (const UrdfJoint& joint : reader.joints) {
-    add_link_shapes(assembly, text, *model->links_.at(joint.child), scope.links.at(joint.child),
-                    ignore_meshes);
-  }
+  const bool use_shapes = read_shapes_key(node);
+  const auto shapes_of = [&](const std::string& link) {
+    add_link_shapes(assembly, text, *model->links_.at(link), scope.links.at(scope.prefix + link),
+                    use_shapes, scope.prefix);
+  };
+  shapes_of(reader.tree.root);
+  for (const UrdfJoint& joint : reader.tree.joints) shapes_of(joint.child);
   if (node.has("srdf")) read_srdf(assembly, scope, node.folder() / node["srdf"].text());
 }
 

@@ -24,7 +24,7 @@ std::vector<int> hinges_of(const RobotTable& table, const std::vector<int>& fram
     const auto next = std::find_if(frame + 1, frames.end(), [&](int other) {
       return (pose(other).translation() - here).norm() > kSamePoint_m;
     });
-    if (f.joint < 0 || next == frames.end()) continue;
+    if (f.joint < 0 || f.slides || next == frames.end()) continue;
     const Vec3 way = (pose(*next).translation() - here).normalized();
     if (axis.cross(way).norm() > kAlong) hinges.push_back(*frame);
   }
@@ -35,12 +35,14 @@ std::vector<int> hinges_of(const RobotTable& table, const std::vector<int>& fram
 
 void read_urdf_chain(Assembly& assembly, const FileScope& scope, const config::ConfigNode& node) {
   const config::ConfigNode name = node["name"];
-  Chain chain{name.text(), {}, {}, {}};
+  Chain chain{scope.prefix + name.text(), name.text() == "arm", {}, {}, {}};
   if (has_anchor(assembly, chain.name)) {
     name.fail(fmt::format("a frame or chain '{}' exists already", chain.name));
   }
   const auto end = [&](const char* key) {
-    const int frame = frame_called(assembly, scope, node[key].text());
+    const std::string joint = scope.prefix + node[key].text();
+    int frame = frame_index(assembly.table, joint);  // of joint and link, the joint
+    if (frame < 0) frame = frame_called(assembly, scope, node[key].text());
     if (frame < 0) node[key].fail(fmt::format("there is no joint or link '{}'", node[key].text()));
     return frame;
   };

@@ -99,10 +99,13 @@ std::string free_name(const RobotTable& table, const std::string& wanted) {
 }  // namespace
 
 void add_link_shapes(Assembly& assembly, const files::XmlText& text, const urdf::Link& link,
-                     const Anchor& place, bool ignore_meshes) {
+                     int frame, bool use_shapes, const std::string& prefix) {
   const files::XmlElement& element = link_element(text, link.name);
   const std::vector<const files::XmlElement*> elements = files::children(element, "collision");
   Shapes shapes{link, {}};
+  const bool drawn = element.FirstChildElement("visual") != nullptr;
+  if (drawn || !link.collision_array.empty()) assembly.shaped.push_back(frame);
+  if (!use_shapes) return;
   for (std::size_t k = 0; k < link.collision_array.size(); ++k) {
     const urdf::Collision& collision = *link.collision_array[k];
     const files::XmlElement& at = k < elements.size() ? *elements[k] : element;
@@ -115,23 +118,18 @@ void add_link_shapes(Assembly& assembly, const files::XmlText& text, const urdf:
       shapes.add_cylinder(pose, rod->radius, rod->length);
     } else if (const auto* box = dynamic_cast<const urdf::Box*>(collision.geometry.get())) {
       shapes.add_box(pose, {box->dim.x, box->dim.y, box->dim.z});
-    } else if (ignore_meshes) {
-      assembly.notes.push_back(fmt::format("{}:{}: {}: a mesh, left out: no contact of it is seen",
-                                           text.file.string(), at.GetLineNum(), key));
     } else {
-      text.fail(at, key, "is a mesh; give a sphere, cylinder or box, or say `meshes: ignore`");
+      assembly.meshes[text.file.string()].push_back(link.name);
     }
     for (std::size_t i = before; i < shapes.capsules.size(); ++i) {
-      shapes.capsules[i].name = collision.name.empty() ? link.name : collision.name;
+      shapes.capsules[i].name = prefix + (collision.name.empty() ? link.name : collision.name);
       if (!(shapes.capsules[i].radius > 0)) text.fail(at, key, "has no extent");
     }
   }
   shapes.drop_hidden_spheres();
   for (Capsule& capsule : shapes.capsules) {
     capsule.name = free_name(assembly.table, capsule.name);
-    capsule.frame = place.frame;
-    capsule.from = place.frame_from_anchor * capsule.from;
-    capsule.to = place.frame_from_anchor * capsule.to;
+    capsule.frame = frame;
     assembly.table.capsules.push_back(std::move(capsule));
   }
 }
@@ -140,17 +138,20 @@ void read_srdf(Assembly& assembly, const FileScope& scope, const std::filesystem
   const files::XmlText text(file, "robot");
   assembly.files.push_back(file);
   for (const files::XmlElement* pair : files::children(text.root(), "disable_collisions")) {
-    const auto frame = [&](const char* attribute) {
+    std::array<int, 2> frames{};
+    bool known = true;
+    for (const auto& [k, attribute] : {std::pair{0, "link1"}, std::pair{1, "link2"}}) {
       const std::string link = text.attribute(*pair, attribute);
-      const auto found = scope.links.find(link);
+      const auto found = scope.links.find(scope.prefix + link);
       if (found == scope.links.end()) {
-        text.fail(*pair, fmt::format("disable_collisions.{}", attribute),
-                  fmt::format("there is no link '{}'", link));
+        known = false;
+        assembly.notes.push_back(fmt::format("{}:{}: there is no link '{}': the pair is left out",
+                                             file.string(), pair->GetLineNum(), link));
+      } else {
+        frames[static_cast<std::size_t>(k)] = found->second;
       }
-      return found->second.frame;
-    };
-    const int first = frame("link1"), second = frame("link2");
-    allow_frames(assembly.table, scope.first_capsule, first, second);
+    }
+    if (known) assembly.allowed_frames.push_back(frames);
   }
 }
 

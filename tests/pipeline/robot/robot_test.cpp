@@ -55,7 +55,7 @@ TEST(Tree, QuestionsOfABranchingRobot) {
 
 TEST(Robot, DerivesWhatFollows) {
   const Robot robot(branching());
-  EXPECT_THAT(robot.turning_frame, ElementsAre(0, 1, 1, 3, 4, 5));
+  EXPECT_THAT(robot.moving_frame, ElementsAre(0, 1, 1, 3, 4, 5));
   EXPECT_THAT(robot.arm_joints, ElementsAre(0, 1));
   EXPECT_THAT(robot.arm_centres, ElementsAre(1, 2));
   EXPECT_THAT(robot.tip_of_centre, ElementsAre(-1, 1, 1, -1, -1));
@@ -66,7 +66,7 @@ TEST(Robot, DerivesWhatFollows) {
 TEST(Robot, OfNothingIsNothing) {
   const Robot robot{RobotTable{}};
   EXPECT_THAT(robot.arm_joints, IsEmpty());
-  EXPECT_THAT(robot.turning_frame, IsEmpty());
+  EXPECT_THAT(robot.moving_frame, IsEmpty());
 }
 
 TEST(Robot, TheReferenceRobot) {

@@ -12,8 +12,8 @@ ORIGINS = "0=mapped,1=re-solved,2=planned"
 
 def trajectory(name, samples):
     return {f"{name}/{data}": (shape, kind, unit, None) for data, shape, kind, unit in [
-        ("time", (samples,), "f", "s"), ("position", (samples, 3), "f", "rad"),
-        ("velocity", (samples, 3), "f", "rad/s"), ("acceleration", (samples, 3), "f", "rad/s^2"),
+        ("time", (samples,), "f", "s"), ("position", (samples, 3), "f", "rad or m"),
+        ("velocity", (samples, 3), "f", "rad or m/s"), ("acceleration", (samples, 3), "f", "rad or m/s^2"),
         ("demonstration_time", (samples,), "f", "s"), ("phase", (samples,), "u", "1"),
         ("origin", (samples,), "u", "1"), ("clearance", (samples,), "f", "m")]}
 
@@ -30,7 +30,7 @@ def frames(f, m, n):
         "goals/wrist_position": ((f, 3), "f", "m", "base"),
         "goals/wrist_orientation": ((f, 4), "f", "1", "base"),
         "goals/finger_joint_position": ((f, 5 if f else 0, 3), "f", "m", "base"),
-        "mapped/position": ((f, n), "f", "rad", None),
+        "mapped/position": ((f, n), "f", "rad or m", None),
         "mapped/position_error": ((f, m), "f", "m", None),
         "mapped/orientation_error": ((f, m), "f", "rad", None),
         "mapped/objective": ((f,), "f", "1", None),
@@ -48,7 +48,7 @@ def rows(phases, findings, waypoints, joints, estimated):
         **{f"findings/{d}": ((findings,), "f", "s", None) for d in ("begin_s", "end_s")},
         **{f"findings/{d}": ((findings,), "S", "", None) for d in ("cause", "first", "second")},
         "findings/depth": ((findings,), "f", "m or rad", None),
-        "path/position": ((waypoints, joints), "f", "rad", None),
+        "path/position": ((waypoints, joints), "f", "rad or m", None),
         "path/origin": ((waypoints,), "u", "1", None),
         "path/demonstration_time": ((waypoints,), "f", "s", None),
     }
@@ -74,13 +74,26 @@ with h5py.File(sys.argv[1]) as file:
     assert file.attrs["robot"] == robot.attrs["name"] == b"three"
     shapes(robot, {
         "joint_names": ((3,), "S", "", None),
-        "lower": ((3,), "f", "rad", None), "upper": ((3,), "f", "rad", None),
-        "velocity": ((3,), "f", "rad/s", None), "acceleration": ((3,), "f", "rad/s^2", None),
-        "jerk": ((3,), "f", "rad/s^3", None),
+        "lower": ((3,), "f", "rad or m", None), "upper": ((3,), "f", "rad or m", None),
+        "velocity": ((3,), "f", "rad or m/s", None), "acceleration": ((3,), "f", "rad or m/s^2", None),
+        "jerk": ((3,), "f", "rad or m/s^3", None),
         "frames/name": ((4,), "S", "", None), "frames/parent": ((4,), "i", "1", None),
         "frames/transform": ((4, 4, 4), "f", "m", "parent"),
         "frames/axis": ((4, 3), "f", "1", "joint"), "frames/joint": ((4,), "i", "1", None),
-        "frames/ratio": ((4,), "f", "1", None), "frames/offset": ((4,), "f", "rad", None),
+        "frames/ratio": ((4,), "f", "1", None), "frames/offset": ((4,), "f", "rad or m", None),
+        "frames/slides": ((4,), "u", "1", None),
+        "coupled_limits/frame": ((1,), "i", "1", None),
+        "coupled_limits/lower": ((1,), "f", "rad or m", None),
+        "coupled_limits/upper": ((1,), "f", "rad or m", None),
+        "coupled_limits/velocity": ((1,), "f", "rad or m/s", None),
+        "coupled_limits/acceleration": ((1,), "f", "rad or m/s^2", None),
+        "coupled_limits/jerk": ((1,), "f", "rad or m/s^3", None),
+        "braking_curves/joint": ((1,), "i", "1", None),
+        "braking_curves/slope": ((1,), "f", "rad or m/s^2", None),
+        "braking_curves/drop": ((1,), "f", "rad or m/s", None),
+        "braking_curves/lower_end": ((1,), "f", "rad or m", None),
+        "braking_curves/upper_end": ((1,), "f", "rad or m", None),
+        "unchecked_links": ((2,), "S", "", None),
         "tips/name": ((2,), "S", "", None), "tips/frame": ((2,), "i", "1", None),
         "tips/transform": ((2, 4, 4), "f", "m", "joint"), "tips/finger": ((2,), "i", "1", None),
         "tips/along": ((2,), "f", "1", None),
@@ -120,8 +133,9 @@ with h5py.File(sys.argv[1]) as file:
         "grasp/object_pose": ((4, 4), "f", "m", "base"),
         "grasp/wrist_pose_in_object": ((4, 4), "f", "m", "object"),
         "grasp/tips_in_object": ((2, 3), "f", "m", "object"),
-        "grasp/hand_posture": ((3,), "f", "rad", None),
-        "grasp/pregrasp_posture": ((3,), "f", "rad", None),
+        "certificate/unchecked_links": ((1,), "S", "", None),
+        "grasp/hand_posture": ((3,), "f", "rad or m", None),
+        "grasp/pregrasp_posture": ((3,), "f", "rad or m", None),
     })
     assert text(full.attrs["status"]) == "executable" and text(full.attrs["reason"]) == ""
     assert (full.attrs["start_s"], full.attrs["end_s"], text(full.attrs["target"])) == (0.5, 2.75, "cup")

@@ -31,7 +31,26 @@ void expect_same(const RobotTable& a, const RobotTable& b) {
     EXPECT_SAME(frames[i].joint);
     EXPECT_SAME(frames[i].ratio);
     EXPECT_SAME(frames[i].offset);
+    EXPECT_SAME(frames[i].slides);
   }
+  ASSERT_EQ(a.coupled_limits.size(), b.coupled_limits.size());
+  for (std::size_t i = 0; i < a.coupled_limits.size(); ++i) {
+    EXPECT_SAME(coupled_limits[i].frame);
+    EXPECT_SAME(coupled_limits[i].lower);
+    EXPECT_SAME(coupled_limits[i].upper);
+    EXPECT_SAME(coupled_limits[i].velocity);
+    EXPECT_SAME(coupled_limits[i].acceleration);
+    EXPECT_SAME(coupled_limits[i].jerk);
+  }
+  ASSERT_EQ(a.braking_curves.size(), b.braking_curves.size());
+  for (std::size_t i = 0; i < a.braking_curves.size(); ++i) {
+    EXPECT_SAME(braking_curves[i].joint);
+    EXPECT_SAME(braking_curves[i].slope);
+    EXPECT_SAME(braking_curves[i].drop);
+    EXPECT_SAME(braking_curves[i].lower_end);
+    EXPECT_SAME(braking_curves[i].upper_end);
+  }
+  EXPECT_SAME(unchecked_links);
   ASSERT_EQ(a.tips.size(), b.tips.size());
   for (std::size_t i = 0; i < a.tips.size(); ++i) {
     EXPECT_SAME(tips[i].name);

@@ -156,7 +156,10 @@ RobotTable small_robot() {
   robot.frames = {{"S1", -1, number.pose(), number.point(), 0, 0.5, 0.25},
                   {"E1", 0, number.pose(), number.point(), 1, 1.5, 0.75},
                   {"fixed", 1, number.pose(), number.point(), -1, 2.5, 1.25},
-                  {"coupled", 2, number.pose(), number.point(), 2, -1, 3}};
+                  {"coupled", 2, number.pose(), number.point(), 2, -1, 3, true}};
+  robot.coupled_limits = {{3, -0.5, 0.25, 1.5, RobotTable::kUnbounded, 12}};
+  robot.braking_curves = {{1, 12, 0.3, -2.75, 2.5}};
+  robot.unchecked_links = {"fixed", "E1"};
   robot.tips = {{"ring_tip", 3, number.pose(), 3, 0.75}, {"wrist_tip", 2, number.pose(), -1}};
   robot.centres = {{1, "arm"}, {2, "index"}};
   robot.capsules = {{"base", -1, number.point(), number.point(), 0.1, false},
@@ -229,7 +232,7 @@ Plan full_plan(const std::string& demonstration, int movement) {
   plan.retreat = trajectory(number, 3);
   plan.certificate = {number(), number(), number(), number(), number(), number(), number(),
                       number(), kNotSeen, number(), number(), number(), number(), number(),
-                      number(), number(), number(), number(), number(), true};
+                      number(), number(), number(), number(), number(), true,     {"fixed"}};
   return plan;
 }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "pipeline/verify/verify.hpp"
 #include "planar_plan.hpp"
@@ -75,6 +76,66 @@ TEST(VerifyPlan, FindsARaisedVelocity) {
   EXPECT_NEAR(found[0].sample, 30, 1);
   EXPECT_GE(found[0].value, 2.5);
   EXPECT_EQ(found[0].limit, 2);
+}
+
+/// The distal link of the planar arm copies the proximal one: 0.3 … 0.6 rad, 0.1 more than that.
+RobotTable with_coupled_limit(const RobotTable::CoupledLimit& limit) {
+  RobotTable robot = planar::robot();
+  robot.coupled_limits = {limit};
+  return robot;
+}
+
+TEST(VerifyPlan, FindsACoupledJointBeyondItsOwnLimits) {
+  const Plan plan = planar::plan();
+  const std::string distal = planar::robot().frames[3].name;
+  RobotTable::CoupledLimit limit;
+  limit.frame = 3;
+  limit.lower = 0.29;
+  limit.upper = 0.61;
+  EXPECT_TRUE(verify(plan, with_coupled_limit(limit)).empty());
+  limit.upper = 0.59;
+  auto found = of("position", verify(plan, with_coupled_limit(limit)));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].subject, distal);
+  EXPECT_NEAR(found[0].value, 0.6, 1e-12);
+  EXPECT_EQ(found[0].limit, 0.59);
+  limit.upper = 0.61;
+  limit.velocity = 0.3 * 15 / 8 - 1e-3;  // minimum jerk over 0.3 rad in 1 s: 15/8 of the mean
+  found = of("velocity", verify(plan, with_coupled_limit(limit)));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].subject, distal);
+  EXPECT_NEAR(found[0].value, 0.3 * 15 / 8, 1e-6);
+}
+
+TEST(VerifyPlan, FindsAJointFasterThanItsBrakingCurve) {
+  const Plan plan = planar::plan();
+  RobotTable robot = planar::robot();
+  // 15 rad/s are left everywhere but next to 0.72 rad, where the shoulder stops at 0.7.
+  robot.braking_curves = {{0, 1000, 0, -9, 0.72}};
+  EXPECT_TRUE(verify(plan, robot).empty());
+  robot.braking_curves = {{0, 2, 0.3, -9, 0.72}};
+  const auto found = of("velocity", verify(plan, robot));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].subject, "shoulder");
+  const double q =
+      0.2 + 0.5 * [](double s) { return s * s * s * (10 + s * (6 * s - 15)); }(found[0].time_s);
+  EXPECT_NEAR(found[0].limit, std::max(0.0, std::sqrt(2 * (0.72 - q)) - 0.3), 1e-6);
+}
+
+TEST(VerifyPlan, FindsAClearanceThatNothingWasMeasuredFor) {
+  Plan plan = planar::plan();
+  RobotTable robot = planar::robot();
+  robot.capsules.clear();
+  robot.allowed_pairs.clear();
+  plan.certificate.clearance = kNotSeen;
+  EXPECT_TRUE(verify(plan, robot).empty());
+  plan.certificate.clearance = std::numeric_limits<double>::infinity();
+  ASSERT_EQ(of("certificate", verify(plan, robot)).size(), 1u);
+  plan.certificate.clearance = kNotSeen;
+  robot.unchecked_links = {"upper"};
+  const auto found = of("certificate", verify(plan, robot));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].subject, "unchecked_links");
 }
 
 TEST(VerifyPlan, FindsAnEndThatIsNotAtRest) {

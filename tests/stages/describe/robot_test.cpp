@@ -51,14 +51,14 @@ TEST(RobotReport, RemarksOnWhatIsHardlyMeant) {
               ElementsAre("hand.urdf:7: a mesh", "tip pad does not hang on palm palm",
                           "tip pad has no centre for its finger's humanlikeness"));
   robot.notes.clear();
-  robot.table.capsules.clear();
+  robot.table.unchecked_links = {"upper", "hand"};
   robot.table.tips.pop_back();
   robot.table.tips[0].frame = 0;
   robot.table.palm_frame = 0;
   robot.table.shoulder_frame = 1;
   EXPECT_THAT(remarks(robot),
               ElementsAre("joint b moves no tip", "palm a does not hang on shoulder b",
-                          "no collision shapes: no contact of it is seen"));
+                          "no contact of upper, hand is checked: no shape is known"));
 }
 
 TEST(RobotReport, PrintsJointsCouplingsAndTips) {

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "pipeline/math/quintic.hpp"
+#include "pipeline/motion/robot_table.hpp"
+
+namespace morphe::math {
+
+/// max(0, sqrt(slope * max(0, way left to the end)) - drop), the end being the upper one for
+/// `upwards`: the speed that a braking curve leaves at q.
+double speed_left(const RobotTable::BrakingCurve& curve, double q, bool upwards);
+
+/// The largest speed / speed_left over a piece, to 1e-10 of it, found by bisection: over an
+/// interval it is at most the largest speed over the least that is left. Infinite where the joint
+/// moves with nothing left. Pieces that stay below `known` may give that.
+double braking_ratio(const RobotTable::BrakingCurve& curve, const QuinticPiece& piece,
+                     double known = 0);
+
+}  // namespace morphe::math

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "pipeline/motion/robot_table.hpp"
+#include "pipeline/verify/quintic.hpp"
+
+namespace morphe::verify {
+
+/// Where a joint is fastest for what a braking curve leaves it there.
+struct BrakingUse {
+  double ratio = 0;  ///< speed / what is left, infinite where it moves and nothing is
+  double s = 0, speed = 0, left = 0;
+};
+
+/// The greatest over the piece, to 1e-10 of it: on a part of it no ratio exceeds the greatest speed
+/// there over the least that is left, and parts are halved until that settles it. Parts that cannot
+/// exceed `known` are not looked into.
+BrakingUse worst_braking(const RobotTable::BrakingCurve& curve, const Quintic& quintic,
+                         double known);
+
+}  // namespace morphe::verify
