@@ -41,6 +41,14 @@ inline bool hangs_on(const RobotTable& robot, int frame, int ancestor) {
   return frame == ancestor;  // parents come first
 }
 
+/// The frame that a joint moves at or above one, with which it is rigid; -1 = the base.
+inline int body_of(const RobotTable& robot, int frame) {
+  while (frame >= 0 && joint_of(robot, frame) < 0) {
+    frame = robot.frames[static_cast<std::size_t>(frame)].parent;
+  }
+  return frame;
+}
+
 /// Whether a joint moves a frame, directly or through a coupling.
 inline bool moves(const RobotTable& robot, int joint, int frame) {
   for (const int f : upwards(robot, frame)) {

@@ -1,27 +1,19 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <fstream>
 #include <memory>
 
 #include "pipeline/motion/input_error.hpp"
 #include "pipeline/robot/files/write_urdf.hpp"
 #include "stages/commands/commands.hpp"
 #include "stages/commands/input_file.hpp"
+#include "stages/commands/robot_setup.hpp"
+#include "stages/commands/text_file.hpp"
 #include "stages/describe/draw.hpp"
 #include "stages/describe/report.hpp"
 #include "stages/describe/self_collision.hpp"
 
 namespace morphe::commands {
-namespace {
-
-void write_text(const std::string& file, const std::string& text) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  if (!stream.flush()) throw InputError(fmt::format("{}: cannot be written", file));
-}
-
-}  // namespace
 
 Command robot_command(CLI::App& app) {
   struct Arguments {
@@ -30,7 +22,9 @@ Command robot_command(CLI::App& app) {
     int samples = 0;
   };
   const auto arguments = std::make_shared<Arguments>();
-  app.add_option("FILE", arguments->file, "Robot description")->required()->transform(input_file());
+  app.add_option("FILE", arguments->file, "Robot description, or a URDF to be looked at")
+      ->transform(input_file());
+  const Command setup = add_robot_setup(app);
   app.add_option("--svg", arguments->svg, "SVG file for a drawing, front and side view");
   app.add_option("--urdf", arguments->urdf, "URDF file to write the robot to");
   app.add_option(
@@ -38,8 +32,10 @@ Command robot_command(CLI::App& app) {
          "Print which pairs of capsules overlap always, never or sometimes in N random positions")
       ->check(CLI::Range(1, 100'000'000));
   app.add_flag("--json", arguments->json, "Print JSON");
-  return [arguments] {
-    const robot::RobotDescription robot = robot::load_robot(arguments->file);
+  return [arguments, setup, &app] {
+    if (app.got_subcommand("setup")) return setup();
+    if (arguments->file.empty()) throw InputError("robot: needs FILE, or setup");
+    const robot::RobotDescription robot = read_robot(arguments->file);
     if (!arguments->svg.empty()) write_text(arguments->svg, describe::svg_of(robot.table));
     if (!arguments->urdf.empty()) write_text(arguments->urdf, robot::urdf_of(robot.table));
     if (arguments->samples > 0) {

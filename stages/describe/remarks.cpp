@@ -13,6 +13,11 @@ const RobotTable::Frame& frame_at(const RobotTable& robot, int frame) {
   return robot.frames[static_cast<std::size_t>(frame)];
 }
 
+/// Whether a frame moves with all that moves another: fixed frames may lie side by side.
+bool hangs_on_body(const RobotTable& robot, int frame, int other) {
+  return robot::hangs_on(robot, frame, robot::body_of(robot, other));
+}
+
 bool moves_a_tip(const RobotTable& robot, int joint) {
   return std::ranges::any_of(robot.tips, [&](const RobotTable::Tip& tip) {
     return robot::moves(robot, joint, tip.frame);
@@ -28,9 +33,10 @@ bool has_centre(const RobotTable& robot, const RobotTable::Tip& tip) {
 }  // namespace
 
 double stretched_reach(const RobotTable& robot, const RobotTable::Tip& tip) {
+  const int shoulder = robot::body_of(robot, robot.shoulder_frame);
   double reach = tip.transform.translation().norm();
   for (const int frame : robot::upwards(robot, tip.frame)) {
-    if (frame == robot.shoulder_frame) break;
+    if (frame == shoulder) break;
     reach += frame_at(robot, frame).transform.translation().norm();
   }
   return reach;
@@ -44,13 +50,13 @@ std::vector<std::string> remarks(const robot::RobotDescription& description) {
       found.push_back(fmt::format("joint {} moves no tip", robot.joint_names[k]));
     }
   }
-  if (!robot::hangs_on(robot, robot.palm_frame, robot.shoulder_frame)) {
+  if (!hangs_on_body(robot, robot.palm_frame, robot.shoulder_frame)) {
     found.push_back(fmt::format("palm {} does not hang on shoulder {}",
                                 frame_at(robot, robot.palm_frame).name,
                                 frame_at(robot, robot.shoulder_frame).name));
   }
   for (const RobotTable::Tip& tip : robot.tips) {
-    if (tip.finger >= 0 && !robot::hangs_on(robot, tip.frame, robot.palm_frame)) {
+    if (tip.finger >= 0 && !hangs_on_body(robot, tip.frame, robot.palm_frame)) {
       found.push_back(fmt::format("tip {} does not hang on palm {}", tip.name,
                                   frame_at(robot, robot.palm_frame).name));
     }

@@ -150,6 +150,11 @@ LoadedConfig load_config(const std::filesystem::path& file,
     loaded.dataset = node["dataset"]["file"].folder() / loaded.options.dataset->file;
   }
   check_joints(node, loaded);
+  if (loaded.options.map.natural.empty()) {
+    for (const robot::NaturalJoint& joint : robot.natural) {
+      loaded.options.map.natural.push_back({joint.joint, joint.follow, joint.value});
+    }
+  }
   loaded.effective = config::write_options(loaded.options);
   loaded.inputs = collect(groups);
   return loaded;

@@ -10,6 +10,7 @@
 #include "pipeline/config/problems.hpp"
 #include "pipeline/motion/robot_table.hpp"
 #include "pipeline/robot/dh.hpp"
+#include "pipeline/robot/files/description.hpp"
 #include "pipeline/robot/files/generate.hpp"
 #include "pipeline/robot/tree.hpp"
 
@@ -51,6 +52,8 @@ struct Assembly {
   std::map<std::string, std::vector<std::string>> meshes;  ///< of a file: links with some left out
   std::vector<int> shaped;  ///< frames of links whose shapes were left out
   std::vector<HeldJoint> held;
+  std::vector<NaturalJoint> natural;
+  Side side = Side::right;
   config::Problems problems;  ///< all that is wrong, told at the end
 };
 
@@ -60,8 +63,8 @@ inline constexpr double kSamePoint_m = 1e-6;
 /// One file's view: its own base, and where its frames and capsules begin (those of its parts
 /// included).
 struct FileScope {
-  Anchor base;
-  std::string prefix;  ///< of all names that the file gives
+  Anchor base = {};
+  std::string prefix = {};  ///< of all names that the file gives
   std::size_t first_capsule = 0;
   std::map<std::string, int> links = {};  ///< of its URDF and its parts': other names of frames
 };

@@ -30,6 +30,9 @@ void read_tip(Assembly& assembly, const FileScope& scope, const config::ConfigNo
   tip.frame = place.frame;
   if (tip.frame < 0) node[key].fail("a tip must move with a frame");
   tip.transform = place.frame_from_anchor * read_mount_of(node);
+  if (node.has("pad_depth")) {
+    tip.transform.translate(Vec3(-node["pad_depth"].number(), 0, 0));
+  }
   if (node.has("along")) {
     tip.along = node["along"].number();
     if (tip.along < 0 || tip.along > 1) node["along"].fail("must be from 0 (index) to 1 (little)");
@@ -119,8 +122,8 @@ void read_frame_name(const Assembly& assembly, const FileScope& scope,
   name = assembly.table.frames[static_cast<std::size_t>(frame)].name;
 }
 
-FileScope read_file(const std::filesystem::path& file, const Anchor& base,
-                    const std::string& prefix, Assembly& assembly);
+FileScope read_description(const config::ConfigNode& root, const Anchor& base,
+                           const std::string& prefix, Assembly& assembly);
 
 /// `hold: [{joint, at}]`
 void read_held(Assembly& assembly, const FileScope& scope, const config::ConfigNode& list) {
@@ -142,6 +145,25 @@ void read_held(Assembly& assembly, const FileScope& scope, const config::ConfigN
   }
 }
 
+/// `natural: [{joint, follow, value}]`
+void read_natural(Assembly& assembly, const FileScope& scope, const config::ConfigNode& list) {
+  const auto joint_named = [&](const config::ConfigNode& node) {
+    const auto& names = assembly.table.joint_names;
+    for (const std::string& name : {scope.prefix + node.text(), node.text()}) {
+      if (std::ranges::count(names, name) > 0) return name;
+    }
+    node.fail(fmt::format("there is no actuated joint '{}'", node.text()));
+  };
+  for (const config::ConfigNode& node : list.items()) {
+    assembly.problems.attempt([&] {
+      NaturalJoint joint{joint_named(node["joint"]), "", 0};
+      if (node.has("follow")) joint.follow = joint_named(node["follow"]);
+      if (node.has("value")) joint.value = node["value"].number();
+      assembly.natural.push_back(joint);
+    });
+  }
+}
+
 void read_part(Assembly& assembly, FileScope& scope, const config::ConfigNode& node) {
   const Anchor place = read_hanging(assembly, scope, node);
   drop_carriers_wrist(assembly, place);
@@ -149,15 +171,14 @@ void read_part(Assembly& assembly, FileScope& scope, const config::ConfigNode& n
   const config::ConfigNode file = node["file"];
   if (assembly.files.size() > 32) file.fail("more than 32 files: does one name itself?");
   const std::string prefix = node.has("prefix") ? node["prefix"].text() : "";
-  const FileScope part =
-      read_file(node.folder() / file.text(), place, scope.prefix + prefix, assembly);
+  const FileScope part = read_description(config::ConfigNode::load(node.folder() / file.text()),
+                                          place, scope.prefix + prefix, assembly);
   scope.links.insert(part.links.begin(), part.links.end());
 }
 
-FileScope read_file(const std::filesystem::path& file, const Anchor& base,
-                    const std::string& prefix, Assembly& assembly) {
-  const config::ConfigNode root = config::ConfigNode::load(file);
-  assembly.files.push_back(file);
+FileScope read_description(const config::ConfigNode& root, const Anchor& base,
+                           const std::string& prefix, Assembly& assembly) {
+  assembly.files.push_back(root.file());
   FileScope scope{base, prefix, assembly.table.capsules.size()};
   const auto attempt = [&](const auto& step) { assembly.problems.attempt(step); };
   const std::string name = root["name"].text();
@@ -176,6 +197,12 @@ FileScope read_file(const std::filesystem::path& file, const Anchor& base,
     for (const config::ConfigNode& tip : root["tips"].items())
       attempt([&] { read_tip(assembly, scope, tip); });
   }
+  if (root.has("side")) {
+    const std::optional<Side> side = named<Side>(root["side"].text());
+    if (side) assembly.side = *side;
+    if (!side) attempt([&] { root["side"].fail("must be left or right"); });
+  }
+  if (root.has("natural")) read_natural(assembly, scope, root["natural"]);
   if (root.has("centres")) attempt([&] { read_centres(assembly, scope, root["centres"]); });
   if (root.has("collision")) read_collision(assembly, scope, root["collision"]);
   if (assembly.problems.none()) root.expect_all_read();
@@ -183,12 +210,11 @@ FileScope read_file(const std::filesystem::path& file, const Anchor& base,
   return scope;
 }
 
-}  // namespace
-
-RobotDescription load_robot(const std::filesystem::path& file) {
+RobotDescription loaded(const config::ConfigNode& root) {
+  const std::filesystem::path file = root.file();
   Assembly assembly;
   config::Problems& problems = assembly.problems;
-  problems.attempt([&] { read_file(file, Anchor{}, "", assembly); });
+  problems.attempt([&] { read_description(root, Anchor{}, "", assembly); });
   problems.throw_any();
   if (assembly.palm.empty() && std::ranges::none_of(assembly.chains, &Chain::arm)) {
     problems.add(fmt::format("{}:1: palm: is missing, and there is no chain 'arm' to end in it",
@@ -199,8 +225,19 @@ RobotDescription load_robot(const std::filesystem::path& file) {
   problems.throw_any();
   finish(assembly);
   problems.throw_any();
-  return {std::move(assembly.table), std::move(assembly.files), std::move(assembly.notes),
-          std::move(assembly.links)};
+  return {std::move(assembly.table),   std::move(assembly.files),
+          std::move(assembly.notes),   assembly.side,
+          std::move(assembly.natural), std::move(assembly.links)};
+}
+
+}  // namespace
+
+RobotDescription load_robot(const std::filesystem::path& file) {
+  return loaded(config::ConfigNode::load(file));
+}
+
+RobotDescription parse_robot(const std::string& text, const std::filesystem::path& file) {
+  return loaded(config::ConfigNode::parse(text, file.string()));
 }
 
 }  // namespace morphe::robot

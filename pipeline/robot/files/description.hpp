@@ -7,13 +7,22 @@
 
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
+#include "pipeline/motion/side.hpp"
 
 namespace morphe::robot {
+
+/// What a joint does while no goal asks anything of it: q = value, or q = q_follow + value.
+struct NaturalJoint {
+  std::string joint, follow;
+  double value = 0;  ///< [rad or m]
+};
 
 struct RobotDescription {
   RobotTable table;
   std::vector<std::filesystem::path> files;  ///< every file it was read from, the first one named
   std::vector<std::string> notes;            ///< "FILE:LINE: …": what of it was left out
+  Side side = Side::right;                   ///< of the hand
+  std::vector<NaturalJoint> natural;         ///< what a config's `map.natural` is by default
   std::map<std::string, int> links;          ///< of its URDFs: the frame that each is
 };
 
@@ -22,5 +31,7 @@ struct RobotDescription {
 /// file, line and key for unknown or missing keys, a joint without limits, a coupling to an unknown
 /// joint, a frame or capsule that names nothing: a line for each.
 RobotDescription load_robot(const std::filesystem::path& file);
+/// The same of a text that would stand in that file.
+RobotDescription parse_robot(const std::string& text, const std::filesystem::path& file);
 
 }  // namespace morphe::robot

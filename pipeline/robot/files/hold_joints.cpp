@@ -64,6 +64,9 @@ void hold_joints(Assembly& assembly) {
     const double at = asked ? held->at : rest;
     if (!asked) idle.insert(idle.begin(), fmt::format("{} at {:.4g}", name, at));
     remove_joint(assembly, joint, at);
+    std::erase_if(assembly.natural, [&](const NaturalJoint& natural) {
+      return natural.joint == name || natural.follow == name;
+    });
   }
   if (idle.empty()) return;
   assembly.notes.push_back(

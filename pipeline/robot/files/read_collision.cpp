@@ -41,14 +41,6 @@ void read_capsule(Assembly& assembly, const FileScope& scope, const config::Conf
   assembly.table.capsules.push_back(std::move(capsule));
 }
 
-/// The joint frame that a frame moves with, -1 = base.
-int body_of(const RobotTable& table, int frame) {
-  while (frame >= 0 && table.frames[static_cast<std::size_t>(frame)].joint < 0) {
-    frame = table.frames[static_cast<std::size_t>(frame)].parent;
-  }
-  return frame;
-}
-
 int body_before(const RobotTable& table, int body) {
   return body < 0 ? -1 : body_of(table, table.frames[static_cast<std::size_t>(body)].parent);
 }

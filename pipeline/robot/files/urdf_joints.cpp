@@ -19,21 +19,6 @@ std::string key_of(const UrdfJoint& joint, const std::string& part) {
   return fmt::format("joint {}{}", joint.name, part);
 }
 
-/// The numbers of an attribute; empty if anything in it is none, or not finite.
-std::vector<double> numbers(const std::string& text) {
-  std::vector<double> values;
-  std::istringstream words(text);
-  for (std::string word; words >> word;) {
-    double value = 0;
-    if (word.starts_with('+')) word.erase(0, 1);
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
-      return {};
-    values.push_back(value);
-  }
-  return values;
-}
-
 /// urdfdom would say what is no number, but not where.
 void check_numbers(const files::XmlText& urdf, const files::XmlElement& element,
                    const std::string& owner) {
@@ -42,7 +27,7 @@ void check_numbers(const files::XmlText& urdf, const files::XmlElement& element,
       "radius", "length", "lower", "upper", "velocity", "effort", "multiplier", "offset"};
   const auto check = [&](const char* name, std::size_t count) {
     const char* text = element.Attribute(name);
-    if (text && numbers(text).size() != count) {
+    if (text && numbers_of(text).size() != count) {
       urdf.fail(element, fmt::format("{}.{}.{}", owner, element.Value(), name),
                 count == 1 ? fmt::format("must be a number, not '{}'", text)
                            : fmt::format("must be {} numbers, not '{}'", count, text));
@@ -60,12 +45,12 @@ void check_numbers(const files::XmlText& urdf, const files::XmlElement& element,
 std::optional<double> number(const files::XmlElement* element, const char* name) {
   const char* text = element ? element->Attribute(name) : nullptr;
   if (!text) return std::nullopt;
-  return numbers(text).front();
+  return numbers_of(text).front();
 }
 
 void read_limits(const files::XmlText& urdf, UrdfJoint& joint) {
   if (const files::XmlElement* axis = joint.element->FirstChildElement("axis")) {
-    const std::vector<double> xyz = numbers(urdf.attribute(*axis, "xyz"));
+    const std::vector<double> xyz = numbers_of(urdf.attribute(*axis, "xyz"));
     if (std::ranges::all_of(xyz, [](double x) { return x == 0; })) {
       urdf.fail(*axis, key_of(joint, ".axis"), "must not be zero");
     }
@@ -205,6 +190,20 @@ std::string the_root(const files::XmlText& urdf,
 }
 
 }  // namespace
+
+std::vector<double> numbers_of(const std::string& text) {
+  std::vector<double> values;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    double value = 0;
+    if (word.starts_with('+')) word.erase(0, 1);
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
+      return {};
+    values.push_back(value);
+  }
+  return values;
+}
 
 UrdfTree urdf_tree(const files::XmlText& urdf) {
   refuse_xacro(urdf);

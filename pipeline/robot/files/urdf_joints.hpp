@@ -27,6 +27,9 @@ struct UrdfTree {
   std::vector<std::string> notes;  ///< "FILE:LINE: …": what was left out or simplified
 };
 
+/// The numbers of an attribute; empty if anything in it is none, or not finite.
+std::vector<double> numbers_of(const std::string& text);
+
 /// A file with more is not read: the largest public ones have a few hundred.
 inline constexpr std::size_t kMostLinks = 4096;
 

@@ -1,0 +1,119 @@
+#include "stages/setup/capsules.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "pipeline/robot/tree.hpp"
+
+namespace morphe::setup {
+namespace {
+
+constexpr double kBone_m = 0.01;  ///< what reaches no farther needs no shape
+
+/// The capsule along the longest extent that holds all points.
+RobotTable::Capsule around(const std::vector<Vec3>& points) {
+  Vec3 mean = Vec3::Zero();
+  for (const Vec3& point : points) mean += point / static_cast<double>(points.size());
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Vec3& point : points) spread += (point - mean) * (point - mean).transpose();
+  const Vec3 along = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(2);
+  double radius = 0, least = HUGE_VAL, most = -HUGE_VAL;
+  for (const Vec3& point : points) {
+    const Vec3 from = point - mean;
+    radius = std::max(radius, (from - from.dot(along) * along).norm());
+  }
+  for (const Vec3& point : points) {  // how far the ends must go for their caps to hold it
+    const Vec3 from = point - mean;
+    const double t = from.dot(along);
+    const double across = (from - t * along).norm();
+    const double cap = std::sqrt(std::max(0.0, radius * radius - across * across));
+    least = std::min(least, t + cap);
+    most = std::max(most, t - cap);
+  }
+  if (least > most) least = most = 0.5 * (least + most);
+  RobotTable::Capsule capsule;
+  capsule.from = mean + least * along;
+  capsule.to = mean + most * along;
+  capsule.radius = radius;
+  return capsule;
+}
+
+/// As thick as a rod of the link's inertia: I about its long axis = m r² / 2, which is the least of
+/// the three.
+double thickness(const robot::UrdfInertia& inertia) {
+  const Vec3 moments =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia.inertia).eigenvalues();
+  if (!(inertia.mass > 0) || !(moments[0] > 0)) return 0;
+  return std::sqrt(2 * moments[0] / inertia.mass);
+}
+
+/// What hangs on a frame, and where its finger ends; the pad's depth below the surface.
+std::vector<Vec3> ends_of(const Kinematics& robot, int frame, const std::vector<Pad>& pads) {
+  std::vector<Vec3> ends;
+  for (const int child : robot.children[static_cast<std::size_t>(frame)]) {
+    ends.push_back(robot.frame(child).transform.translation());
+  }
+  for (const Pad& pad : pads) {
+    if (pad.frame == frame) ends.emplace_back(pad.frame_from_pad * Vec3(-kPadDepth_m, 0, 0));
+  }
+  std::erase_if(ends, [](const Vec3& end) { return end.norm() <= kBone_m; });
+  return ends;
+}
+
+/// Bones from a link's origin to what hangs on it.
+LinkCapsules bones_of(const Kinematics& robot, int frame, const std::vector<Vec3>& ends) {
+  LinkCapsules link;
+  link.frame = frame;
+  link.sure = Sure::assumed;
+  const auto inertia = robot.model->inertias.find(robot.link[static_cast<std::size_t>(frame)]);
+  for (const Vec3& end : ends) {
+    RobotTable::Capsule bone;
+    bone.to = end;
+    const double known = inertia == robot.model->inertias.end() ? 0 : thickness(inertia->second);
+    bone.radius = std::clamp(known, 0.006, std::max(0.006, 0.5 * end.norm()));
+    link.capsules.push_back(bone);
+  }
+  return link;
+}
+
+/// The budget of the link that a frame is.
+int budget_of(const Kinematics& robot, int frame, const std::vector<int>& arm, const Hand* hand,
+              const CapsuleBudget& budget) {
+  if (hand && robot::hangs_on(robot.table(), frame, hand->root)) {
+    return frame == hand->root ? budget.palm : budget.finger;
+  }
+  const auto at = std::ranges::find(arm, frame);
+  if (at == arm.end()) return hand ? budget.palm : budget.arm;
+  return 2 * (at - arm.begin()) >= static_cast<std::ptrdiff_t>(arm.size()) ? budget.wrist
+                                                                           : budget.arm;
+}
+
+}  // namespace
+
+std::vector<LinkCapsules> cover_links(const Kinematics& robot, const std::vector<int>& arm,
+                                      const Hand* hand, const std::vector<Pad>& pads,
+                                      const LinkShapes& shapes, const CapsuleBudget& budget) {
+  std::vector<LinkCapsules> links;
+  std::set<int> shaped;  // bodies
+  for (const auto& [frame, objects] : shapes.of_frame) {
+    shaped.insert(robot::body_of(robot.table(), frame));
+  }
+  for (int frame = 0; frame < static_cast<int>(robot.table().frames.size()); ++frame) {
+    if (shapes.of_frame.contains(frame)) {
+      LinkCapsules link;
+      link.frame = frame;
+      (void)budget_of(robot, frame, arm, hand, budget);
+      link.capsules = {around(shapes.points.at(frame))};
+      link.figures.capsules = 1;
+      links.push_back(std::move(link));
+    } else if (!shaped.contains(robot::body_of(robot.table(), frame))) {
+      const std::vector<Vec3> ends = ends_of(robot, frame, pads);
+      if (!ends.empty()) links.push_back(bones_of(robot, frame, ends));
+    }
+  }
+  return links;
+}
+
+}  // namespace morphe::setup
