@@ -15,6 +15,7 @@ namespace {
 
 constexpr int kPostures = 400;
 constexpr double kAlways = 0.95;
+constexpr double kTouch_m = 0.0015;  ///< nearer than this a margin of 1 mm is hardly kept
 constexpr double kDeepAtRest_m = 0.004;
 constexpr std::size_t kNearJoints = 3;  ///< between links that may overlap at rest
 
@@ -91,7 +92,7 @@ std::vector<AllowedPair> allowed_links(const RobotTable& robot) {
       for (; drawn < kPostures; ++drawn) {
         if (drawn - overlapping > (1 - kAlways) * kPostures) break;  // 95 % are out of reach
         for (const int j : joints) q[j] = random.uniform(robot.lower[j], robot.upper[j]);
-        overlapping += sampler.overlap(pair.one, pair.other, q) > 0;
+        overlapping += sampler.overlap(pair.one, pair.other, q) > -kTouch_m;
       }
       pair.share = static_cast<double>(overlapping) / drawn;
       const bool always = drawn == kPostures;

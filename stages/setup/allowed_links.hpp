@@ -13,6 +13,7 @@ struct AllowedPair {
   double deepest_m = 0;  ///< overlap at rest
 };
 
+/// Overlap: less than 1.5 mm apart, which a margin of 1 mm cannot stand.
 /// Frames with capsules that no joint connects directly and that overlap in more than 95 % of 400
 /// postures of the joints between them, drawn from a seed of their own: they are made that way. So
 /// are those with at most three joints between them that overlap at rest (all joints as near to

@@ -94,6 +94,11 @@ SetupResult mount_hand(const MountRequest& request, const std::optional<std::str
                     1e3 * pair.deepest_m);
   }
   std::vector<Section> sections = {{"name", named}, {"parts", parts}};
+  // Alone, the arm's wrist is its end; under a hand it is a joint as any other.
+  const auto wrist = std::ranges::find(arm.table.frames, "wrist_centre", &RobotTable::Frame::name);
+  if (wrist != arm.table.frames.end()) {
+    sections.push_back({"centres", "centres:\n  - {chain: arm, frame: wrist_centre}\n"});
+  }
   if (!collision.empty()) sections.push_back({"collision", collision});
   SetupResult result;
   std::vector<std::string> kept;

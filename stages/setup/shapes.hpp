@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/motion/scene.hpp"
 #include "stages/setup/find_hand.hpp"
 
 namespace morphe::setup {
