@@ -54,6 +54,14 @@ struct Sampler {
     }
     return joints;
   }
+  /// Both are moved, and by one joint alone: parts of one mechanism.
+  bool one_linkage(int one, int other, const std::set<int>& joints) const {
+    const int both = robot::common_ancestor(robot, one, other);
+    const auto moved = [&](int end) {
+      return robot::body_of(robot, end) >= 0 && robot::body_of(robot, end) > both;
+    };
+    return joints.size() == 1 && moved(one) && moved(other);
+  }
   bool allowed_already(int one, int other) const {
     for (const int first : capsules.at(one)) {
       for (const int second : capsules.at(other)) {
@@ -96,8 +104,9 @@ std::vector<AllowedPair> allowed_links(const RobotTable& robot) {
       }
       pair.share = static_cast<double>(overlapping) / drawn;
       const bool always = drawn == kPostures;
+      const bool linkage = overlapping > 0 && sampler.one_linkage(pair.one, pair.other, joints);
       const bool at_rest = pair.deepest_m > kDeepAtRest_m && joints.size() <= kNearJoints;
-      if (always || at_rest) allowed.push_back(pair);
+      if (always || at_rest || linkage) allowed.push_back(pair);
     }
   }
   return allowed;

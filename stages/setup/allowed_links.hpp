@@ -17,7 +17,9 @@ struct AllowedPair {
 /// Frames with capsules that no joint connects directly and that overlap in more than 95 % of 400
 /// postures of the joints between them, drawn from a seed of their own: they are made that way. So
 /// are those with at most three joints between them that overlap at rest (all joints as near to
-/// zero as they may be) by more than 4 mm. Everything else stays checked: that samples found no
+/// zero as they may be) by more than 4 mm. So are parts that one
+/// joint moves both of, each its own way, if they ever overlap: the bars of a gripper, which a URDF
+/// cuts open. Everything else stays checked: that samples found no
 /// contact proves nothing. Pairs that the table allows already are left out.
 std::vector<AllowedPair> allowed_links(const RobotTable& robot);
 

@@ -5,40 +5,13 @@
 #include <cmath>
 #include <set>
 
+#include "pipeline/cover/cover.hpp"
 #include "pipeline/robot/tree.hpp"
 
 namespace morphe::setup {
 namespace {
 
 constexpr double kBone_m = 0.01;  ///< what reaches no farther needs no shape
-
-/// The capsule along the longest extent that holds all points.
-RobotTable::Capsule around(const std::vector<Vec3>& points) {
-  Vec3 mean = Vec3::Zero();
-  for (const Vec3& point : points) mean += point / static_cast<double>(points.size());
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const Vec3& point : points) spread += (point - mean) * (point - mean).transpose();
-  const Vec3 along = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(2);
-  double radius = 0, least = HUGE_VAL, most = -HUGE_VAL;
-  for (const Vec3& point : points) {
-    const Vec3 from = point - mean;
-    radius = std::max(radius, (from - from.dot(along) * along).norm());
-  }
-  for (const Vec3& point : points) {  // how far the ends must go for their caps to hold it
-    const Vec3 from = point - mean;
-    const double t = from.dot(along);
-    const double across = (from - t * along).norm();
-    const double cap = std::sqrt(std::max(0.0, radius * radius - across * across));
-    least = std::min(least, t + cap);
-    most = std::max(most, t - cap);
-  }
-  if (least > most) least = most = 0.5 * (least + most);
-  RobotTable::Capsule capsule;
-  capsule.from = mean + least * along;
-  capsule.to = mean + most * along;
-  capsule.radius = radius;
-  return capsule;
-}
 
 /// As thick as a rod of the link's inertia: I about its long axis = m r² / 2, which is the least of
 /// the three.
@@ -104,9 +77,16 @@ std::vector<LinkCapsules> cover_links(const Kinematics& robot, const std::vector
     if (shapes.of_frame.contains(frame)) {
       LinkCapsules link;
       link.frame = frame;
-      (void)budget_of(robot, frame, arm, hand, budget);
-      link.capsules = {around(shapes.points.at(frame))};
-      link.figures.capsules = 1;
+      const cover::Cover cover =
+          cover::cover_bodies(shapes.of_frame.at(frame), budget_of(robot, frame, arm, hand, budget),
+                              robot.link[static_cast<std::size_t>(frame)]);
+      for (const collision::CapsuleBody& body : cover.capsules) {
+        RobotTable::Capsule& capsule = link.capsules.emplace_back();
+        capsule.from = body.from;
+        capsule.to = body.to;
+        capsule.radius = body.radius;
+      }
+      link.figures = cover.figures;
       links.push_back(std::move(link));
     } else if (!shaped.contains(robot::body_of(robot.table(), frame))) {
       const std::vector<Vec3> ends = ends_of(robot, frame, pads);

@@ -4,23 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/cover/cover.hpp"
 #include "stages/setup/hand_frames.hpp"
 #include "stages/setup/shapes.hpp"
 
 namespace morphe::setup {
 
-/// How well a link's capsules stand for its shapes.
-struct CoverFigures {
-  int capsules = 0;
-  double coverage = 1;                              ///< share of the surface inside
-  double largest_gap_m = 0;                         ///< how far any of it is outside
-  double standoff_median_m = 0, standoff_95_m = 0;  ///< capsules' surface from the link's
-};
-
 struct LinkCapsules {
   int frame = -1;
   std::vector<RobotTable::Capsule> capsules;
-  CoverFigures figures;
+  cover::CoverFigures figures;
   Sure sure = Sure::derived;
 };
 

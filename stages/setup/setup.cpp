@@ -196,7 +196,7 @@ std::string capsules_section(const Found& found, const std::string& allowed) {
   if (found.capsules.empty()) return "";
   std::string text = "collision:\n  capsules:\n", touch;
   for (const LinkCapsules& link : found.capsules) {
-    const CoverFigures& f = link.figures;
+    const cover::CoverFigures& f = link.figures;
     text += link.sure == Sure::assumed
                 ? fmt::format("    # {}: no shape in the URDF, assumed\n", found.link(link.frame))
                 : fmt::format(
