@@ -5,6 +5,7 @@
 #include <assimp/scene.h>
 
 #include <algorithm>
+#include <array>
 #include <assimp/Importer.hpp>
 #include <cctype>
 
@@ -17,6 +18,7 @@ namespace {
 
 /// No finger of a robot fits through.
 constexpr double kWidestHole_m = 0.01;
+constexpr std::uintmax_t kLargestFile = 200'000'000;
 
 std::string lower_extension(const std::filesystem::path& file) {
   std::string text = file.extension().string();
@@ -25,11 +27,11 @@ std::string lower_extension(const std::filesystem::path& file) {
   return text;
 }
 
-void take(const aiMesh& part, double scale, SceneObject& mesh) {
+void take(const aiMesh& part, const aiMatrix4x4& pose, SceneObject& mesh) {
   const int first = static_cast<int>(mesh.vertices.size());
   for (unsigned k = 0; k < part.mNumVertices; ++k) {
-    const aiVector3D& v = part.mVertices[k];
-    mesh.vertices.push_back(scale * Vec3(v.x, v.y, v.z));
+    const aiVector3D v = pose * part.mVertices[k];
+    mesh.vertices.emplace_back(v.x, v.y, v.z);
   }
   for (unsigned k = 0; k < part.mNumFaces; ++k) {
     const aiFace& face = part.mFaces[k];
@@ -41,30 +43,54 @@ void take(const aiMesh& part, double scale, SceneObject& mesh) {
   }
 }
 
+void take(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above, SceneObject& mesh) {
+  const aiMatrix4x4 pose = above * node.mTransformation;
+  for (unsigned k = 0; k < node.mNumMeshes; ++k) take(*scene.mMeshes[node.mMeshes[k]], pose, mesh);
+  for (unsigned k = 0; k < node.mNumChildren; ++k) take(scene, *node.mChildren[k], pose, mesh);
+}
+
 }  // namespace
 
-std::string load_mesh(const std::filesystem::path& file, double scale, bool hull,
-                      SceneObject& mesh) {
+std::string load_surface(const std::filesystem::path& file, SceneObject& mesh) {
+  static constexpr std::array kKinds = {".stl", ".obj", ".dae", ".gltf", ".glb"};
   const std::string kind = lower_extension(file);
-  if (kind != ".stl" && kind != ".obj") return "must be an STL or OBJ file";
+  if (std::ranges::find(kKinds, kind) == kKinds.end()) {
+    return file.string() + ": must be an STL, OBJ, DAE or glTF file";
+  }
   if (!std::filesystem::is_regular_file(file)) return file.string() + " cannot be read";
+  if (std::filesystem::file_size(file) > kLargestFile) {
+    return file.string() + ": is larger than 200 MB; a mesh that large is to be simplified first";
+  }
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFile(file.string(), aiProcess_Triangulate);
-  if (!scene) return file.string() + ": " + importer.GetErrorString();
+  if (!scene || !scene->mRootNode) return file.string() + ": " + importer.GetErrorString();
   mesh.shape = Shape::mesh;
   mesh.size.clear();
   mesh.vertices.clear();
   mesh.triangles.clear();
-  for (unsigned k = 0; k < scene->mNumMeshes; ++k) take(*scene->mMeshes[k], scale, mesh);
-  std::string problem = mesh_problem(mesh);
+  aiMatrix4x4 above;
+  if (kind == ".dae") {  // undoes what Collada says of units and which way is up
+    above = scene->mRootNode->mTransformation;
+    above.Inverse();
+  }
+  take(*scene, *scene->mRootNode, above, mesh);
+  const std::string problem = mesh_problem(mesh);
+  return problem.empty() ? "" : file.string() + ": " + problem;
+}
+
+std::string load_mesh(const std::filesystem::path& file, double scale, bool hull,
+                      SceneObject& mesh) {
+  std::string problem = load_surface(file, mesh);
+  if (!problem.empty()) return problem;
+  for (Vec3& vertex : mesh.vertices) vertex *= scale;
+  problem = mesh_problem(mesh);
   if (problem.empty() && hull && !take_hull(mesh)) problem = "it is flat: it has no hull";
   if (problem.empty()) {
     weld(mesh);
     close_holes(mesh, kWidestHole_m);
     if (mesh.triangles.empty()) problem = "it is smaller than a micrometre";
   }
-  if (!problem.empty()) return file.string() + ": " + problem;
-  return "";
+  return problem.empty() ? "" : file.string() + ": " + problem;
 }
 
 }  // namespace morphe::collision

@@ -129,11 +129,13 @@ std::vector<Vec3> sample_area(const std::vector<Triangle>& surface, std::size_t 
 }
 
 std::vector<Vec3> outermost_corners(const std::vector<Triangle>& surface) {
-  constexpr int kDirections = 300;
   std::vector<Vec3> corners;
   if (surface.empty()) return corners;
-  for (int k = 0; k < kDirections; ++k) {  // along a spiral about the ball
-    const double z = 1 - (2 * k + 1.0) / kDirections, turn = 2.399963229728653 * k;
+  // Fewer of a huge mesh, whose samples are dense anyway.
+  const int directions =
+      static_cast<int>(std::clamp<std::size_t>(60'000'000 / surface.size(), 30, 300));
+  for (int k = 0; k < directions; ++k) {  // along a spiral about the ball
+    const double z = 1 - (2 * k + 1.0) / directions, turn = 2.399963229728653 * k;
     const double r = std::sqrt(1 - z * z);
     const Vec3 direction(r * std::cos(turn), r * std::sin(turn), z);
     Vec3 farthest = surface.front().a;

@@ -55,7 +55,7 @@ void finish(const setup::SetupResult& result, const fs::path& out) {
   const robot::RobotDescription robot = robot::load_robot(out);
   fs::path picture = out;
   picture.replace_extension(".svg");
-  write_text(picture, describe::svg_of(robot.table));
+  write_text(picture, describe::svg_of(robot.table, result.points));
   for (const std::string& note : result.notes) fmt::print("note: {}\n", note);
   for (const std::string& remark : describe::remarks(robot)) fmt::print("note: {}\n", remark);
   for (const std::string& check : result.to_check) fmt::print("check: {}\n", check);

@@ -37,6 +37,7 @@ struct Box {
 struct Panel {
   const RobotTable& robot;
   const DrawnPosture& posture;
+  const Outlines& outlines;
   const Box& box;
   Eigen::Index across;
   double scale, left, top;
@@ -58,10 +59,57 @@ struct Panel {
                        style);
   }
 
+  /// The convex outline of points as they are seen (Andrew's monotone chain).
+  std::string outline(int frame, const std::vector<Vec3>& points) const {
+    std::vector<Eigen::Vector2d> flat, hull;
+    for (const Vec3& point : points) {
+      const Vec3 there = posture.at(frame, point);
+      flat.emplace_back(x(there), y(there));
+    }
+    std::ranges::sort(flat, [](const auto& a, const auto& b) {
+      return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+    });
+    const auto right = [](const auto& o, const auto& a, const auto& b) {
+      return (a - o).x() * (b - o).y() - (a - o).y() * (b - o).x() <= 0;
+    };
+    for (int round = 0; round < 2; ++round, std::ranges::reverse(flat)) {
+      const std::size_t floor = hull.size();
+      for (const Eigen::Vector2d& p : flat) {
+        while (hull.size() > floor + 1 && right(hull[hull.size() - 2], hull.back(), p))
+          hull.pop_back();
+        hull.push_back(p);
+      }
+      hull.pop_back();
+    }
+    std::string path;
+    for (const Eigen::Vector2d& p : hull) path += fmt::format("{:.2f},{:.2f} ", p.x(), p.y());
+    return fmt::format(
+        "<polygon points=\"{}\" fill=\"none\" stroke=\"#7a9a6a\" stroke-width=\"0.7\"/>\n", path);
+  }
+  std::string joint(std::size_t i) const {
+    constexpr double kAxis_m = 0.02;
+    const Vec3 at = posture.at(static_cast<int>(i));
+    const Vec3 along = posture.at(static_cast<int>(i), kAxis_m * robot.frames[i].axis) - at;
+    return line(at - along, at + along, 1, "stroke=\"#1f5fa8\" stroke-dasharray=\"3 2\"") +
+           dot(at, 2.6, "fill=\"#1f5fa8\"") +
+           fmt::format(
+               "<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"5\" fill=\"#1f5fa8\">{}</text>\n",
+               x(at) + 4, y(at) - 3, files::xml_escaped(robot.frames[i].name));
+  }
+  std::string tip(const RobotTable::Tip& tip) const {
+    constexpr double kOut_m = 0.015;
+    const Vec3 at = posture.at(tip.frame, tip.transform.translation());
+    const Vec3 out = posture.at(tip.frame, tip.transform * Vec3(kOut_m, 0, 0));
+    return line(at, out, 1, "stroke=\"#c0392b\"") + dot(at, 3, "fill=\"#c0392b\"");
+  }
+
   std::string drawn() const {
     std::string svg = fmt::format(
         "<text x=\"{:.0f}\" y=\"{:.0f}\">{}, {} (right: {}, up: z)</text>\n", left + kRoom,
         top + 16, posture.name, across == 1 ? "front" : "side", across == 1 ? "y" : "x");
+    for (const auto& [frame, points] : outlines) {
+      if (points.size() > 2) svg += outline(frame, points);
+    }
     for (const RobotTable::Capsule& capsule : robot.capsules) {
       svg += line(posture.at(capsule.frame, capsule.from), posture.at(capsule.frame, capsule.to),
                   2 * scale * capsule.radius,
@@ -77,16 +125,13 @@ struct Panel {
       svg += bone(tip.frame, posture.at(tip.frame, tip.transform.translation()));
     }
     for (std::size_t i = 0; i < robot.frames.size(); ++i) {
-      if (robot.frames[i].joint < 0) continue;
-      svg += dot(posture.at(static_cast<int>(i)), 2.6, "fill=\"#1f5fa8\"");
+      if (robot.frames[i].joint >= 0) svg += joint(i);
     }
     for (const RobotTable::Centre& centre : robot.centres) {
       svg +=
           dot(posture.at(centre.frame), 5, "fill=\"none\" stroke=\"#d68910\" stroke-width=\"1.5\"");
     }
-    for (const RobotTable::Tip& tip : robot.tips) {
-      svg += dot(posture.at(tip.frame, tip.transform.translation()), 3, "fill=\"#c0392b\"");
-    }
+    for (const RobotTable::Tip& drawn_tip : robot.tips) svg += tip(drawn_tip);
     const double size = 5;
     return svg + fmt::format(
                      "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{}\" height=\"{}\" fill=\"#333\"/>\n",
@@ -102,7 +147,7 @@ DrawnPosture posture(const RobotTable& robot, const char* name, const JointVecto
 
 }  // namespace
 
-std::string svg_of(const RobotTable& robot) {
+std::string svg_of(const RobotTable& robot, const Outlines& outlines) {
   const JointVector zero = JointVector::Zero(robot.lower.size());
   const JointVector bent = JointVector::Constant(robot.lower.size(), kBent);
   const auto allowed = [&](const JointVector& q) -> JointVector {
@@ -131,6 +176,7 @@ std::string svg_of(const RobotTable& robot) {
     for (const Eigen::Index across : {1, 0}) {
       svg += Panel{robot,
                    postures[row],
+                   outlines,
                    box,
                    across,
                    scale,
@@ -141,9 +187,11 @@ std::string svg_of(const RobotTable& robot) {
   }
   const double foot = height - 10, bar = 0.1 * scale, end = width - kRoom;
   svg += fmt::format(
-      "<text x=\"{0:.0f}\" y=\"{1:.0f}\" font-size=\"12\">blue: joint, orange: joint centre of "
+      "<text x=\"{0:.0f}\" y=\"{1:.0f}\" font-size=\"12\">blue: joint and its axis, orange: joint "
+      "centre of "
       "metric A, "
-      "red: tip, grey: capsule, black: base; joints as near as their limits allow</text>\n"
+      "red: tip and out of its pad, grey: capsule, green: mesh, black: base; joints as near as "
+      "their limits allow</text>\n"
       "<path d=\"M{2:.2f} {1:.0f}h{3:.2f}\" stroke=\"#333\" stroke-width=\"2\"/>\n"
       "<text x=\"{4:.0f}\" y=\"{5:.0f}\" font-size=\"12\" text-anchor=\"end\">100 mm</text>\n",
       kRoom, foot, end - bar, bar, end, foot - 6);

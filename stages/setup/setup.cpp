@@ -309,6 +309,7 @@ SetupResult set_up(const SetupRequest& request, const std::optional<std::string>
       before ? joined_over(sections, *before, kept) : joined(sections));
   if (!kept.empty())
     result.notes.push_back(fmt::format("kept as changed: {}", fmt::join(kept, ", ")));
+  result.points = shapes.points;  // the URDF comes first in the description: the same frames
   tell_what_to_check(found, limits, result);
   (void)robot::parse_robot(result.text, request.out);  // what is kept must still fit
   return result;

@@ -22,6 +22,7 @@ struct SetupRequest {
 struct SetupResult {
   std::string text;                   ///< YAML
   std::vector<std::string> notes;     ///< what is missing or was simplified
+  BodyPoints points;                  ///< of the URDF's shapes, by the description's frames
   std::vector<std::string> to_check;  ///< what was derived or assumed, in the order of its weight
 };
 

@@ -89,6 +89,18 @@ struct Reader {
     if (told.insert(sentence).second) found.notes.push_back(sentence);
   }
 
+  /// A link of 5 m, or of 1 mm, was hardly drawn in metres.
+  void warn_of_size(const fs::path& file, const SceneObject& mesh) {
+    Vec3 least = mesh.vertices.front(), most = least;
+    for (const Vec3& vertex : mesh.vertices) {
+      least = least.cwiseMin(vertex);
+      most = most.cwiseMax(vertex);
+    }
+    const double extent = (most - least).maxCoeff();
+    if (extent < 5 && extent > 0.001) return;
+    note(fmt::format("{}: is {:.4g} m long: is its scale right?", file.string(), extent));
+  }
+
   bool read_mesh(const UrdfShape& shape, SceneObject& mesh) {
     const fs::path file = file_of(robot.model->file, shape.mesh, places);
     if (file.empty() || !fs::exists(file)) {
@@ -98,7 +110,7 @@ struct Reader {
                       robot.model->file.string(), shape.mesh));
       return false;
     }
-    const std::string problem = collision::load_mesh(file, 1, false, mesh);
+    const std::string problem = collision::load_surface(file, mesh);
     if (!problem.empty()) {
       note(problem);
       return false;
@@ -109,6 +121,7 @@ struct Reader {
     if (shape.size.prod() < 0) {
       for (Eigen::Vector3i& triangle : mesh.triangles) std::swap(triangle[0], triangle[1]);
     }
+    warn_of_size(file, mesh);
     mesh.position = {Vec3::Zero()};
     mesh.orientation = {Quat::Identity()};
     return true;

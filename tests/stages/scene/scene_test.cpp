@@ -247,7 +247,7 @@ TEST(SceneOptions, ErrorsNameFileLineAndKey) {
               testing::StartsWith("c.yaml:3: objects[0]: file: a mesh needs one"));
   EXPECT_THAT(error_of(with("shape: mesh, file: nowhere.stl")),
               testing::StartsWith("c.yaml:3: objects[0].file: nowhere.stl cannot be read"));
-  EXPECT_THAT(error_of(with("shape: mesh, file: cup.step")), HasSubstr("STL or OBJ"));
+  EXPECT_THAT(error_of(with("shape: mesh, file: cup.step")), HasSubstr("STL, OBJ, DAE or glTF"));
   EXPECT_THAT(error_of(with("shape: convex, file: a.stl, scale: 0")), HasSubstr("scale"));
   EXPECT_THAT(error_of(with("shape: sphere, size: [1], file: a.stl")), HasSubstr("has none"));
   EXPECT_THAT(error_of(with("shape: box, size: [1, -1, 1]")),
