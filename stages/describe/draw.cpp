@@ -12,7 +12,7 @@
 namespace morphe::describe {
 namespace {
 
-constexpr double kPanel = 430, kTitle = 46, kFoot = 30, kRoom = 24;
+constexpr double kPanel = 430, kTitle = 46, kFoot = 46, kRoom = 24;
 constexpr double kBent = std::numbers::pi / 6;
 
 struct DrawnPosture {
@@ -187,14 +187,13 @@ std::string svg_of(const RobotTable& robot, const Outlines& outlines) {
   }
   const double foot = height - 10, bar = 0.1 * scale, end = width - kRoom;
   svg += fmt::format(
-      "<text x=\"{0:.0f}\" y=\"{1:.0f}\" font-size=\"12\">blue: joint and its axis, orange: joint "
-      "centre of "
-      "metric A, "
-      "red: tip and out of its pad, grey: capsule, green: mesh, black: base; joints as near as "
-      "their limits allow</text>\n"
+      "<text x=\"{0:.0f}\" y=\"{6:.0f}\" font-size=\"12\">blue: joint and its axis, orange: joint "
+      "centre of metric A, red: tip and out of its pad</text>\n"
+      "<text x=\"{0:.0f}\" y=\"{1:.0f}\" font-size=\"12\">grey: capsule, green: mesh, black: base; "
+      "joints as near as their limits allow</text>\n"
       "<path d=\"M{2:.2f} {1:.0f}h{3:.2f}\" stroke=\"#333\" stroke-width=\"2\"/>\n"
       "<text x=\"{4:.0f}\" y=\"{5:.0f}\" font-size=\"12\" text-anchor=\"end\">100 mm</text>\n",
-      kRoom, foot, end - bar, bar, end, foot - 6);
+      kRoom, foot, end - bar, bar, end, foot - 6, foot - 16);
   return svg + "</svg>\n";
 }
 
