@@ -9,9 +9,11 @@ namespace morphe::math {
 /// `upwards`: the speed that a braking curve leaves at q.
 double speed_left(const RobotTable::BrakingCurve& curve, double q, bool upwards);
 
-/// The largest speed / speed_left over a piece, to 1e-10 of it, found by bisection: over an
-/// interval it is at most the largest speed over the least that is left. Infinite where the joint
-/// moves with nothing left. Pieces that stay below `known` may give that.
+/// To which braking_ratio() is found.
+inline constexpr double kBrakingResolution = 1e-6;
+
+/// The largest speed / speed_left over a piece, to 1e-6 of it, found by bisection with bounds over
+/// each interval. Infinite where the joint moves with nothing left. `known` if it is not larger.
 double braking_ratio(const RobotTable::BrakingCurve& curve, const QuinticPiece& piece,
                      double known = 0);
 

@@ -49,6 +49,14 @@ inline int body_of(const RobotTable& robot, int frame) {
   return frame;
 }
 
+/// Whether a joint's own value is a length: the first of its frames slides.
+inline bool slides(const RobotTable& robot, int joint) {
+  for (const RobotTable::Frame& frame : robot.frames) {
+    if (frame.joint == joint) return frame.slides;
+  }
+  return false;
+}
+
 /// Whether a joint moves a frame, directly or through a coupling.
 inline bool moves(const RobotTable& robot, int joint, int frame) {
   for (const int f : upwards(robot, frame)) {

@@ -6,10 +6,10 @@
 namespace morphe::verify {
 namespace {
 
-constexpr double kResolution = 1e-10;
-constexpr int kMostHalvings = 50;
+constexpr double kResolution = 1e-6;
+constexpr int kMostHalvings = 40;
 
-/// Speed upwards (negative: downwards) with so much way left to that end.
+/// Speed towards an end with so much way left to it.
 BrakingUse use_of(const RobotTable::BrakingCurve& curve, double speed, double way) {
   const double root = std::sqrt(std::max(curve.slope * way, 0.0));
   const double left = std::max(root - curve.drop, 0.0);
@@ -17,27 +17,52 @@ BrakingUse use_of(const RobotTable::BrakingCurve& curve, double speed, double wa
   return {ratio, 0, speed, left};
 }
 
-/// Of the least and greatest position and velocity, as if they came together.
-BrakingUse worse_of(const RobotTable::BrakingCurve& curve, double q0, double q1, double v0,
-                    double v1) {
-  const BrakingUse up = use_of(curve, v1, curve.upper_end - q1);
-  const BrakingUse down = use_of(curve, -v0, q0 - curve.lower_end);
-  return up.ratio >= down.ratio ? up : down;
+struct Interval {
+  double low, high;
+};
+
+/// Values of one direction: turned round for the lower end.
+struct Direction {
+  double sign, end;
+  Interval of(const Range& range) const {
+    return sign > 0 ? Interval{range.least.value, range.greatest.value}
+                    : Interval{-range.greatest.value, -range.least.value};
+  }
+};
+
+/// |d ratio / dt| is at most this over intervals of way, speed and acceleration: with u = root -
+/// drop, ratio = v / u and du/dt = -slope v / (2 root).
+double steepest(const RobotTable::BrakingCurve& curve, const Interval& way, const Interval& speed,
+                const Interval& acceleration) {
+  const double root_low = std::sqrt(std::max(curve.slope * way.low, 0.0));
+  const double root_high = std::sqrt(std::max(curve.slope * way.high, 0.0));
+  const double low = root_low - curve.drop, high = root_high - curve.drop;
+  if (!(low > 0) || speed.low < 0) return HUGE_VAL;
+  const double falls_low = 0.5 * curve.slope * speed.low * speed.low / root_high;
+  const double falls_high = 0.5 * curve.slope * speed.high * speed.high / root_low;
+  const double least = std::min(acceleration.low * low, acceleration.low * high) + falls_low;
+  const double most = std::max(acceleration.high * low, acceleration.high * high) + falls_high;
+  return std::max(std::abs(least), std::abs(most)) / (low * low);
 }
 
-void search(const RobotTable::BrakingCurve& curve, const Quintic& quintic, double a, double b,
-            int halvings, BrakingUse& worst) {
+void search(const RobotTable::BrakingCurve& curve, const Quintic& quintic, const Direction& towards,
+            double a, double b, int halvings, BrakingUse& worst) {
   const double middle = 0.5 * (a + b);
-  const double q = derivative(quintic, 0, middle), v = derivative(quintic, 1, middle);
-  BrakingUse here = worse_of(curve, q, q, v, v);
+  BrakingUse here = use_of(curve, towards.sign * derivative(quintic, 1, middle),
+                           towards.sign * (towards.end - derivative(quintic, 0, middle)));
   here.s = middle;
   if (here.ratio > worst.ratio) worst = here;
-  const auto [position, velocity, acceleration, jerk] = ranges(quintic, a, b);
-  const BrakingUse bound = worse_of(curve, position.least.value, position.greatest.value,
-                                    velocity.least.value, velocity.greatest.value);
-  if (halvings == 0 || !(bound.ratio > worst.ratio * (1 + kResolution))) return;
-  search(curve, quintic, a, middle, halvings - 1, worst);
-  search(curve, quintic, middle, b, halvings - 1, worst);
+  const auto over = ranges(quintic, a, b);
+  const Interval q = towards.of(over[0]), speed = towards.of(over[1]);
+  const double end = towards.sign * towards.end;
+  const Interval way{end - q.high, end - q.low};
+  const double half_s = 0.5 * (b - a) * quintic.step_s;
+  const double bound =
+      std::min(use_of(curve, speed.high, way.low).ratio,
+               here.ratio + half_s * steepest(curve, way, speed, towards.of(over[2])));
+  if (halvings == 0 || !(bound > worst.ratio * (1 + kResolution))) return;
+  search(curve, quintic, towards, a, middle, halvings - 1, worst);
+  search(curve, quintic, towards, middle, b, halvings - 1, worst);
 }
 
 }  // namespace
@@ -46,7 +71,8 @@ BrakingUse worst_braking(const RobotTable::BrakingCurve& curve, const Quintic& q
                          double known) {
   BrakingUse worst;
   worst.ratio = known;
-  search(curve, quintic, 0, 1, kMostHalvings, worst);
+  search(curve, quintic, {1, curve.upper_end}, 0, 1, kMostHalvings, worst);
+  search(curve, quintic, {-1, curve.lower_end}, 0, 1, kMostHalvings, worst);
   return worst;
 }
 

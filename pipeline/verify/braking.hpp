@@ -11,9 +11,9 @@ struct BrakingUse {
   double s = 0, speed = 0, left = 0;
 };
 
-/// The greatest over the piece, to 1e-10 of it: on a part of it no ratio exceeds the greatest speed
-/// there over the least that is left, and parts are halved until that settles it. Parts that cannot
-/// exceed `known` are not looked into.
+/// The greatest over the piece, to 1e-6 of it: on a part of it no ratio exceeds the greatest speed
+/// there over the least that is left, nor that in its middle by more than its steepest change, and
+/// parts are halved until that settles it. Parts that cannot exceed `known` are not looked into.
 BrakingUse worst_braking(const RobotTable::BrakingCurve& curve, const Quintic& quintic,
                          double known);
 

@@ -11,6 +11,7 @@ namespace morphe::verify {
 namespace {
 
 constexpr double kClearance_m = 1e-4, kAlgebra = 1e-9;
+constexpr double kBraking = 3e-6;  ///< to which either side finds the use of braking curves
 
 /// What rounding of the stored positions alone makes of the largest jerk: its quintic's coefficient
 /// is 60 differences of them over the step's third power.
@@ -105,6 +106,8 @@ void judge_certificate(const RobotTable& robot, const Plan& plan, const Curve& c
     const double stored = plan.certificate.*attribute.value, found = own.*attribute.value;
     const bool contact = attribute.value == &Certificate::clearance;
     double tolerance = contact ? kClearance_m : kAlgebra * std::max(1.0, std::abs(found));
+    if (attribute.value == &Certificate::velocity_ratio && !robot.braking_curves.empty())
+      tolerance = kBraking * std::max(1.0, std::abs(found));
     if (attribute.value == &Certificate::jerk_ratio)
       tolerance += jerk_rounding(robot, plan.trajectory);
     if (!agree(stored, found, tolerance))

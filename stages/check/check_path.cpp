@@ -7,6 +7,7 @@
 
 #include "pipeline/motion/goals_at.hpp"
 #include "pipeline/robot/forward.hpp"
+#include "pipeline/robot/tree.hpp"
 #include "stages/check/check_collisions.hpp"
 #include "stages/check/finding_rows.hpp"
 
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double kLimitTolerance = 1e-9;  ///< rounding of what was clamped to a limit [rad]
 constexpr double kClock_s = 0.01;         ///< jump_step is a step in this time
+constexpr double kLengthOfAngle_m = 0.1;  ///< a radian at a finger's length
 constexpr double kIsolated = 3;           ///< a jump is so many times its neighbours' mean
 
 void check_limits(const RobotTable& robot, const JointPath& path, FindingRows& rows) {
@@ -85,10 +87,12 @@ void check_jumps(const RobotTable& robot, const JointPath& path, double jump_ste
   };
   for (std::size_t j = 0; j < robot.joints(); ++j) {
     const std::vector<double> steps = steps_of(path, static_cast<Eigen::Index>(j));
+    const double most =
+        jump_step * (robot::slides(robot, static_cast<int>(j)) ? kLengthOfAngle_m : 1);
     for (std::size_t k = 0; k < steps.size(); ++k) {
-      if (steps[k] <= jump_step || planned(k) || planned(k + 1)) continue;
+      if (steps[k] <= most || planned(k) || planned(k + 1)) continue;
       if (steps[k] <= kIsolated * mean_of_neighbours(steps, k)) continue;
-      rows.add(Cause::jump, robot.joint_names[j], "", k, k + 1, steps[k] - jump_step);
+      rows.add(Cause::jump, robot.joint_names[j], "", k, k + 1, steps[k] - most);
     }
   }
 }

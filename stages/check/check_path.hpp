@@ -17,7 +17,8 @@ constexpr std::array<std::string_view, 2> names_of(Engine) { return {"closed", "
 struct CheckOptions {
   Tolerances tolerances;
   Engine engine = Engine::closed;
-  double jump_step = 0.06;  ///< a joint step that may be a change of basin [rad per 10 ms]
+  double jump_step = 0.06;  ///< a joint step that may be a change of basin [rad per 10 ms]; one
+                            ///< that slides: a tenth of it [m per 10 ms]
 };
 template <class Fields>
 void fields(Fields& f, CheckOptions& o) {

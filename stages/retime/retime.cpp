@@ -99,8 +99,9 @@ std::vector<double> haste(const PacedPath& paced_path, const Trajectory& traject
     double worst = 0;
     for (const RobotTable::BrakingCurve& curve : paced_path.robot->braking_curves) {
       const math::QuinticPiece piece = math::quintic_piece(trajectory, i, curve.joint);
-      const double known = worst * paced_path.braking_share;
-      worst = std::max(worst, math::braking_ratio(curve, piece, known) / paced_path.braking_share);
+      // Below the limit, how far does not matter.
+      const double limit = paced_path.braking_share;
+      worst = std::max(worst, math::braking_ratio(curve, piece, limit) / limit);
     }
     for (Eigen::Index joint = 0; joint < trajectory.position.cols(); ++joint) {
       const math::QuinticPiece piece = math::quintic_piece(trajectory, i, joint);

@@ -34,6 +34,15 @@ struct Found {
   std::optional<ArmCentres> centres;
   std::vector<LinkCapsules> capsules;
 
+  /// A name for a frame of ours that no frame, joint or link of the file has.
+  std::string own(const std::string& wanted) const {
+    std::string name = wanted;
+    const auto taken = [&] {
+      return robot.model->links.contains(name) || robot.model->joint(name) != nullptr;
+    };
+    while (taken()) name += "_of_setup";
+    return name;
+  }
   std::string link(int frame) const { return robot.link[static_cast<std::size_t>(frame)]; }
   std::string joint(int frame) const { return robot.frame(frame).name; }
   /// A hand's own wrist is no arm.
@@ -118,7 +127,7 @@ std::string frames_section(const Found& found) {
   const auto centre = [&](const char* name, const JointCentre& c) {
     const Pose mount(Eigen::Translation3d(c.in_frame));
     text +=
-        frame_line(name, found.link(c.frame), mount,
+        frame_line(found.own(name), found.link(c.frame), mount,
                    fmt::format("{}, axes pass it by {:.1f} mm", name_of(c.sure), 1e3 * c.miss_m));
   };
   if (found.centres) {
@@ -127,23 +136,27 @@ std::string frames_section(const Found& found) {
     centre("wrist_centre", found.centres->wrist);
   }
   if (found.flange) {
-    text += frame_line("flange", found.link(found.flange->frame), found.flange->frame_from_flange,
+    text += frame_line(found.own("flange"), found.link(found.flange->frame),
+                       found.flange->frame_from_flange,
                        fmt::format("z outwards; {}", name_of(found.flange->sure)));
   }
   if (found.palm) {
     text += frame_line(
-        "palm_frame", found.link(found.hand->root), found.palm->root_from_palm,
+        found.own("palm_frame"), found.link(found.hand->root), found.palm->root_from_palm,
         fmt::format("z to the fingers, x out of the palm; {}", name_of(found.palm->sure)));
   }
   std::string keys;
-  if (found.centres) keys += "shoulder: shoulder_centre\n";
-  keys += fmt::format("palm: {}\n", found.palm ? "palm_frame" : "flange");
+  if (found.centres) keys += fmt::format("shoulder: {}\n", found.own("shoulder_centre"));
+  keys += fmt::format("palm: {}\n", found.own(found.palm ? "palm_frame" : "flange"));
   return (text.empty() ? "" : "frames:\n" + text) + keys;
 }
 
 std::string tips_section(const Found& found) {
   std::string text = "tips:  # z along the last bone, x out of the pad, on the pad's surface\n";
-  if (!found.hand) return text + "  - {name: wrist, frame: flange, finger: wrist}\n";
+  if (!found.hand) {
+    return text +
+           fmt::format("  - {{name: wrist, frame: {}, finger: wrist}}\n", found.own("flange"));
+  }
   for (std::size_t i = 0; i < found.pads.size(); ++i) {
     const Pad& pad = found.pads[i];
     const std::string finger = found.finger_name(found.hand->fingers[i]);
@@ -164,8 +177,9 @@ std::string tips_section(const Found& found) {
 std::string centres_section(const Found& found) {
   std::string text;
   if (found.has_arm()) {
-    text += "  - {chain: arm, frame: elbow_centre}\n";
-    if (found.hand) text += "  - {chain: arm, frame: wrist_centre}\n";
+    text += fmt::format("  - {{chain: arm, frame: {}}}\n", found.own("elbow_centre"));
+    if (found.hand)
+      text += fmt::format("  - {{chain: arm, frame: {}}}\n", found.own("wrist_centre"));
   }
   if (found.hand) {
     for (const Finger& finger : found.hand->fingers) {

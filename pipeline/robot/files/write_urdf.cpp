@@ -73,8 +73,18 @@ std::string joint(const std::string& name, const char* type, const std::string& 
       files::xml_escaped(name), type, files::xml_escaped(parent), origin(pose), more);
 }
 
+/// Of the root link, which is no frame: one that no frame has.
+std::string root_name(const RobotTable& robot) {
+  std::string name = "base";
+  const auto taken = [&] {
+    return std::ranges::count(robot.frames, name, &RobotTable::Frame::name);
+  };
+  while (taken() > 0) name += "_root";
+  return name;
+}
+
 std::string parent_name(const RobotTable& robot, int frame) {
-  return frame < 0 ? "base" : robot.frames[static_cast<std::size_t>(frame)].name;
+  return frame < 0 ? root_name(robot) : robot.frames[static_cast<std::size_t>(frame)].name;
 }
 
 /// A joint that turns; `driven` by its own angle, else by that of another.
@@ -84,7 +94,11 @@ std::string turning(const RobotTable& robot, const RobotTable::Frame& frame, boo
   std::string more = fmt::format("    <axis xyz=\"{}\"/>\n", numbers(frame.axis));
   double lower = robot.lower[k], upper = robot.upper[k];
   if (driven) {
-    pose = pose * Eigen::AngleAxisd(frame.offset, frame.axis);
+    if (frame.slides) {
+      pose = pose * Eigen::Translation3d(frame.offset * frame.axis);
+    } else {
+      pose = pose * Eigen::AngleAxisd(frame.offset, frame.axis);
+    }
   } else {
     lower = frame.ratio * robot.lower[k] + frame.offset;
     upper = frame.ratio * robot.upper[k] + frame.offset;
@@ -95,7 +109,8 @@ std::string turning(const RobotTable& robot, const RobotTable::Frame& frame, boo
   more += fmt::format("    <limit lower=\"{}\" upper=\"{}\" effort=\"0\" velocity=\"{}\"/>\n",
                       std::min(lower, upper), std::max(lower, upper),
                       std::abs(frame.ratio) * robot.velocity[k]);
-  return joint(frame.name, "revolute", parent_name(robot, frame.parent), pose, more);
+  return joint(frame.name, frame.slides ? "prismatic" : "revolute",
+               parent_name(robot, frame.parent), pose, more);
 }
 
 }  // namespace
@@ -103,9 +118,9 @@ std::string turning(const RobotTable& robot, const RobotTable::Frame& frame, boo
 std::string urdf_of(const RobotTable& robot) {
   std::string text =
       fmt::format("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n", files::xml_escaped(robot.name));
-  text += link(robot, "base", -1);
+  text += link(robot, root_name(robot), -1);
   std::set<int> driven;
-  std::set<std::string> names = {"base"};
+  std::set<std::string> names = {root_name(robot)};
   for (std::size_t i = 0; i < robot.frames.size(); ++i) {
     const RobotTable::Frame& frame = robot.frames[i];
     text += frame.joint < 0

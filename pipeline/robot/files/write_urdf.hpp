@@ -7,10 +7,10 @@
 namespace morphe::robot {
 
 /// The robot as a URDF. Every frame is a joint and the link below it, both by its name, below the
-/// root link `base`; coupled joints mimic the one that drives them; every tip is a fixed link; a
-/// capsule is a cylinder with a sphere at both ends. Efforts are not known: 0. What a URDF cannot
-/// say is lost: acceleration, jerk, centres, allowed pairs.
-/// Loaded again, all frames stand where they stood, within rounding. The robot must be one that
+/// root link `base` (`base_root` if a frame is called so); coupled joints mimic the one that drives
+/// them; every tip is a fixed link; a capsule is a cylinder with a sphere at both ends. Efforts are
+/// not known: 0. What a URDF cannot say is lost: acceleration, jerk, centres, allowed pairs. Loaded
+/// again, all frames stand where they stood, within rounding. The robot must be one that
 /// load_robot() gives: the first frame of every joint turns by the joint's angle itself.
 std::string urdf_of(const RobotTable& robot);
 

@@ -7,6 +7,7 @@
 #include "pipeline/humanlike/frame_objective.hpp"
 #include "pipeline/robot/files/description.hpp"
 #include "pipeline/robot/forward.hpp"
+#include "tests/pipeline/robot/sliding_robot.hpp"
 #include "tests/support/finite_differences.hpp"
 #include "tests/support/random_positions.hpp"
 
@@ -72,6 +73,8 @@ class Terms : public testing::Test {
     }
   }
 
+  void expect_exact_hessian(const FrameObjective& objective) const;
+
   robot::Robot robot;
   FrameGoal goal;
   Curvature curvature = Curvature::gauss_newton;
@@ -87,6 +90,23 @@ TEST_F(Terms, ExactHessian) {
   objective.get<JointDistance>().weight = objective.get<FingerJointDistance>().weight = 1;
   objective.get<NaturalPosture>().weight = 1e-3;
   objective.get<NaturalPosture>().joints = {{19, 16, 0.1, {4}}};
+  expect_exact_hessian(objective);
+}
+
+/// Joints that slide, turn, and copy one another.
+TEST_F(Terms, ExactHessianOfARobotThatSlides) {
+  robot = robot::Robot(robot::sliding_robot());
+  goal.tip_position.resize(1);
+  goal.tip_orientation.resize(1);
+  set_every_goal();
+  FrameObjective objective;
+  objective.get<TipPosition>().weight = 1000;
+  objective.get<TipOrientation>() = {0.5, 1e-3};
+  expect_exact_hessian(objective);
+  expect_gradient(TipPosition{1000});
+}
+
+void Terms::expect_exact_hessian(const FrameObjective& objective) const {
   std::mt19937_64 random(11);
   const auto n = static_cast<Eigen::Index>(robot.joints());
   for (int i = 0; i < 20; ++i) {

@@ -189,6 +189,43 @@ TEST(Retime, PathAlongAPositionLimitDoesNotLeaveIt) {
   retime_valid(robot, path);
 }
 
+/// The first two joints of a Franka Research 3 (libfranka), to within a hundredth of where nothing
+/// of their velocity is left, and back.
+TEST(Retime, BrakingCurvesHoldAlongTheTrajectory) {
+  RobotTable robot = robot_with(2, 2.62, 10, 5000);
+  robot.braking_curves = {{0, 12, 0.3, -2.7501, 2.7501}, {1, 5.17, 0.2, -1.7918, 1.7918}};
+  const JointPath path = path_of(101, 2, 1.0, [](double t, Eigen::Index k) {
+    const double there = k == 0 ? 2.73 : -1.77;
+    return there * minimum_jerk(t < 0.5 ? 2 * t : 2 - 2 * t);
+  });
+  for (const double share : {1.0, 0.6}) {
+    RetimeOptions options;
+    options.mode = Tempo::fastest;
+    options.limit_share = share;
+    const auto result = retime_valid(robot, path, options);
+    const Trajectory& t = result.value.trajectory;
+    double worst = 0;
+    for (std::size_t i = 0; i + 1 < t.samples(); ++i) {
+      for (const RobotTable::BrakingCurve& curve : robot.braking_curves) {
+        for (int part = 0; part <= 8; ++part) {
+          const math::QuinticPiece piece = math::quintic_piece(t, i, curve.joint);
+          const double s = piece.duration * part / 8;
+          const double q = math::value_at(piece, s), v = math::value_at(piece, s, 1);
+          const double way = v > 0 ? curve.upper_end - q : q - curve.lower_end;
+          const double left = std::sqrt(curve.slope * way) - curve.drop;
+          if (std::abs(v) > 1e-9) worst = std::max(worst, std::abs(v) / left);
+        }
+      }
+    }
+    EXPECT_LE(worst, share * (1 + 1e-9));
+    EXPECT_GT(worst, 0.9 * share);  // and they are used
+    EXPECT_NEAR(math::limit_report(robot, t).velocity.ratio, std::max(worst, 0.0), 0.02);
+    RobotTable free = robot;
+    free.braking_curves.clear();
+    EXPECT_LT(retime_valid(free, path, options).value.trajectory.time.back(), t.time.back());
+  }
+}
+
 TEST(Retime, DegeneratePathsStandStill) {
   const RobotTable robot = robot_with(3, 1, 3, 30);
   const auto still = [](double, Eigen::Index k) { return 0.1 * static_cast<double>(k); };

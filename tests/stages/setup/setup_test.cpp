@@ -220,6 +220,19 @@ TEST(SetUp, AHandIsMountedOnAFlange) {
   EXPECT_THAT(assumed.to_check, Contains(HasSubstr("mount of the hand: assumed")));
 }
 
+TEST(SetUp, AnArmAndItsHandMayComeInOneFile) {
+  const robot::RobotDescription both = set_up_file(nameless("pa10_dlr_hit2"));
+  EXPECT_EQ(both.table.joints(), 22u);
+  EXPECT_EQ(both.table.tips.size(), 5u);
+  EXPECT_EQ(both.table.centres.size(), 7u);
+  // The same again, of the URDF that is written of it: its frames have the names that setup gives.
+  const RobotTable table = both.table;
+  const robot::RobotDescription twice =
+      set_up_file(robot::write_text("twice.urdf", robot::urdf_of(table)));
+  EXPECT_EQ(twice.table.joints(), 22u);
+  EXPECT_LT((frame_at(twice.table, twice.table.shoulder_frame) - Vec3(0, 0, 0.317)).norm(), 1e-6);
+}
+
 TEST(SetUp, SaysWhatIsWrong) {
   SetupRequest request;
   request.urdf = robot::write_text("arm.urdf", skew_arm());
