@@ -14,9 +14,11 @@
 namespace morphe::place {
 namespace {
 
-constexpr int kHalf = 6;
-constexpr double kStep_m = 0.05;
-constexpr double kSide = 560, kRoom = 60, kTitle = 50;
+constexpr int kCells = 13;
+constexpr double kStep_m = 0.1;
+/// Of the drawing [m] and [pixels].
+constexpr double kLeft_m = -1, kNear_m = -1.15, kSide_m = 2;
+constexpr double kSide = 600, kRoom = 50, kTitle = 60;
 
 }  // namespace
 
@@ -29,9 +31,9 @@ ReachMap reach_map(const planning::Planner& planner, const std::vector<Trial>& t
   ReachMap map;
   map.stand = found.stand;
   map.base = found.base;
-  for (int k = -kHalf; k <= kHalf; ++k) {
-    map.right.push_back(found.stand.shoulder_offset.x() + kStep_m * k);
-    map.forward.push_back(found.stand.shoulder_offset.y() + kStep_m * k);
+  for (int k = 0; k < kCells; ++k) {
+    map.right.push_back(kLeastOffset.x() + kStep_m * k);
+    map.forward.push_back(kLeastOffset.y() + kStep_m * k);
   }
   const std::size_t side = map.right.size();
   map.met.assign(side, std::vector<double>(side, kNotSeen));
@@ -62,18 +64,19 @@ ReachMap reach_map(const planning::Planner& planner, const std::vector<Trial>& t
 }
 
 std::string svg_of(const ReachMap& map) {
-  const double least_x = map.right.front() - kStep_m / 2,
-               least_y = map.forward.front() - kStep_m / 2;
-  const double scale = kSide / (kStep_m * static_cast<double>(map.right.size()));
-  const auto x = [&](double right) { return kRoom + scale * (right - least_x); };
-  const auto y = [&](double forward) { return kTitle + kSide - scale * (forward - least_y); };
+  const double scale = kSide / kSide_m;
+  const auto x = [&](double right) { return kRoom + scale * (right - kLeft_m); };
+  const auto y = [&](double forward) { return kTitle + kSide - scale * (forward - kNear_m); };
   std::string svg = files::svg_begin(kSide + 2 * kRoom, kSide + kTitle + kRoom, 12);
   svg += fmt::format(
-      "<text x=\"{:.0f}\" y=\"20\">Goals in reach by where the robot's shoulder is (from the "
-      "human's), {:.0f} mm above it, turned as placed</text>\n"
-      "<text x=\"{:.0f}\" y=\"36\">right: the person's right, up: forward; red none, green all, "
-      "white not allowed</text>\n",
-      kRoom, 1e3 * map.stand.shoulder_offset.z(), kRoom);
+      "<text x=\"{0:.0f}\" y=\"18\">Goals in reach, by where the robot's shoulder is from the "
+      "human's (mm): red none, green all, white not allowed</text>\n"
+      "<text x=\"{0:.0f}\" y=\"34\">Right: the person's right; up: forward; all turned as placed, "
+      "{1:.0f} mm above the human's shoulder</text>\n"
+      "<text x=\"{0:.0f}\" y=\"50\">Blue: the robot's shoulder; black ring: its base; blue ring: "
+      "the "
+      "human's shoulder; grey: fingertip goals</text>\n",
+      kRoom, 1e3 * map.stand.shoulder_offset.z());
   for (std::size_t row = 0; row < map.forward.size(); ++row) {
     for (std::size_t col = 0; col < map.right.size(); ++col) {
       const double met = map.met[row][col];

@@ -6,7 +6,7 @@
 
 namespace morphe::place {
 
-/// A placement and the same shifted level: what share of goals is in reach from there.
+/// A placement, and the same shifted level: what share of goals is in reach from there.
 struct ReachMap {
   Stand stand;
   std::vector<double> right, forward;    ///< shoulder offsets [m]
@@ -15,8 +15,8 @@ struct ReachMap {
   std::vector<Vec3> goals;               ///< tip goals from the human shoulder [m]
 };
 
-/// 13 x 13 offsets in steps of 50 mm around a placement, over at most three trials: mapped with few
-/// frames, a goal is in reach within 2 mm.
+/// 13 x 13 offsets in steps of 100 mm over the box that is searched, at the height and turned as a
+/// placement, over at most three trials: mapped with few frames, a goal is in reach within 2 mm.
 ReachMap reach_map(const planning::Planner& planner, const std::vector<Trial>& trials,
                    const Found& found, const PlaceOptions& options, const Report& report);
 

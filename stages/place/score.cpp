@@ -66,7 +66,7 @@ double cost_of(const Measures& m) {
 }
 
 Measures measure(const map::MappingProblem& problem, const JointRows& q) {
-  constexpr double kMissed_m = 0.002, kMost_m = 0.05;
+  constexpr double kMissed_m = 0.002, kMost_m = 0.2;
   const robot::Robot& robot = *problem.robot;
   Mean out, tip_error, colliding, depth, upper_arm, palm, limits;
   Measures measures;

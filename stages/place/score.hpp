@@ -10,7 +10,7 @@ namespace morphe::place {
 /// What a placement is worth in a movement (means over its frames), or in several (means of these).
 struct Measures {
   double out_of_reach = 0;  ///< share of tip goals that are missed by more than 2 mm
-  double tip_error_m = 0;   ///< mean, each at most 50 mm
+  double tip_error_m = 0;   ///< mean, each at most 200 mm
   double colliding = 0;     ///< share of frames with less than the margin
   double depth_m = 0;       ///< mean of what the margin lacks
   double upper_arm = 0;     ///< between the upper arms' directions [rad]

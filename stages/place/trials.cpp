@@ -13,30 +13,34 @@ namespace {
 
 constexpr std::size_t kGoalFrames = 12;
 
-/// False where nothing can be tried: no shoulder, no tip.
-bool prepare(const planning::Planner& planner, Trial& trial) {
-  const HumanMotion& recorded = trial.rebuilt->motion;
-  trial.movement = trial.rebuilt->movements[trial.index];
-  if (!seen(map::shoulder_at_begin(recorded, trial.movement))) return false;
+}  // namespace
+
+std::optional<Trial> make_trial(const planning::Planner& planner,
+                                const std::shared_ptr<const planning::Rebuilt>& rebuilt,
+                                std::size_t index) {
+  Trial trial;
+  trial.rebuilt = rebuilt;
+  trial.index = index;
+  trial.movement = rebuilt->movements[index];
+  if (!seen(map::shoulder_at_begin(rebuilt->motion, trial.movement))) return std::nullopt;
   const Scene as_recorded =
-      planning::scene_around(planner, trial.rebuilt->beside, recorded, trial.movement);
+      planning::scene_around(planner, rebuilt->beside, rebuilt->motion, trial.movement);
   scene::MovedTarget there =
-      scene::move_target(planner.config.scene, recorded, trial.movement, as_recorded);
+      scene::move_target(planner.config.scene, rebuilt->motion, trial.movement, as_recorded);
   trial.motion = std::move(there.motion);
   trial.around = std::move(there.scene);
   trial.shoulder = map::shoulder_at_begin(trial.motion, trial.movement);
   const Goals goals =
       map::make_goals(planner.robot, trial.motion, trial.movement, Pose::Identity());
-  if (goals.frames() < 5) return false;
+  if (goals.frames() < 5) return std::nullopt;
   for (const std::size_t frame : planning::few_frames(goals.frames(), kGoalFrames)) {
     for (std::size_t tip = 0; tip < planner.robot.tips.size(); ++tip) {
       trial.goals.push_back(goals.tip_position(frame, tip));
     }
   }
-  return std::ranges::any_of(trial.goals, [](const Vec3& goal) { return seen(goal); });
+  if (std::ranges::none_of(trial.goals, [](const Vec3& goal) { return seen(goal); })) return {};
+  return trial;
 }
-
-}  // namespace
 
 std::vector<Trial> make_trials(const planning::Planner& planner,
                                const std::vector<Demonstration>& demonstrations,
@@ -51,10 +55,8 @@ std::vector<Trial> make_trials(const planning::Planner& planner,
         planning::rebuild(planner, demonstrations[k], ignored));
     std::vector<Trial> trials;
     for (std::size_t index = 0; index < rebuilt->movements.size(); ++index) {
-      Trial trial;
-      trial.rebuilt = rebuilt;
-      trial.index = index;
-      if (prepare(planner, trial)) trials.push_back(std::move(trial));
+      std::optional<Trial> trial = make_trial(planner, rebuilt, index);
+      if (trial) trials.push_back(std::move(*trial));
     }
     return trials;
   };

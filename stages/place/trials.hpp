@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "pipeline/motion/demonstration.hpp"
@@ -20,6 +21,11 @@ struct Trial {
   std::vector<Vec3> goals;  ///< [few * tips] tip goals in the world, NaN: none
   const SceneObject* table() const { return object_named(around.objects, "table"); }
 };
+
+/// Nothing where nothing can be tried: no shoulder, no tip goal, fewer than five frames.
+std::optional<Trial> make_trial(const planning::Planner& planner,
+                                const std::shared_ptr<const planning::Rebuilt>& rebuilt,
+                                std::size_t index);
 
 /// The movements of the demonstrations that have a shoulder and tip goals, evenly at most
 /// `options.trials` of them. InputError if there is none, or if the robot is a hand alone.
