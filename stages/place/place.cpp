@@ -13,6 +13,7 @@ namespace morphe::place {
 namespace {
 
 const Effort kFirst{6, 2, 4}, kSecond{8, 2, 6};
+const Steps kRough{0.12, 24 * kDegree, 2}, kFine{0.03, 6 * kDegree, 2};
 constexpr std::size_t kFewTrials = 3;
 
 /// Places that differ by less than both are one.
@@ -115,16 +116,23 @@ std::vector<Found> place(const planning::Planner& planner, const std::vector<Tri
   const Stand configured = stand_of(planner.config.placement);
   const Reach reach(planner.robot, options.seed);
   const std::vector<Stand> stands = within_reach(reach, trials, configured, options);
-  const std::vector<Candidate> starts =
-      distinct(screened(planner, stands, trials, options, report), options.refined);
-  std::vector<Candidate> refined =
-      map_all(starts.size(), options, report, "refined", [&](std::size_t k) {
-        return refine(planner, starts[k], configured, trials, reach.shoulder(), options,
-                      math::seed_from(options.seed, "refine", k));
-      });
-  by_cost(refined);
+  const auto refined = [&](const std::vector<Candidate>& starts, const Steps& steps,
+                           const char* what) {
+    std::vector<Candidate> better =
+        map_all(starts.size(), options, report, what, [&](std::size_t k) {
+          return refine(planner, starts[k].stand, steps, configured, trials, reach.shoulder(),
+                        options, math::seed_from(options.seed, what, k));
+        });
+    by_cost(better);
+    return better;
+  };
+  const std::vector<Candidate> roughly =
+      refined(distinct(screened(planner, stands, trials, options, report), options.refined), kRough,
+              "refined roughly");
+  const std::vector<Candidate> finely = refined(
+      distinct(roughly, std::max(options.planned, options.refined / 2)), kFine, "refined finely");
   std::vector<Found> found;
-  const std::vector<Candidate> best = distinct(refined, options.planned);
+  const std::vector<Candidate> best = distinct(finely, options.planned);
   for (const Candidate& candidate : best) {
     found.push_back(plan_at(planner, trials, placement_of(candidate.stand), options.jobs));
     found.back().tried = candidate.measures;

@@ -34,8 +34,8 @@ using Report = std::function<void(const std::string& what, int done, int of)>;
 ///   1. `samples` random places that the constraints allow; the `candidates` with the fewest goals
 ///      outside of where the robot's tips get (Reach)
 ///   2. these mapped in one trial, the better third in three, with few frames (score.hpp)
-///   3. the best `refined` of them that differ, improved by a compass search over shift and turn,
-///      over all trials
+///   3. the best `refined` of them that differ, improved by a compass search over shift and turn
+///      (refine.hpp) over all trials: all roughly, the better half finely
 ///   4. the best `planned` of these that differ, planned in full and ordered by that
 /// The same options give the same places with any number of threads. InputError if none is allowed.
 std::vector<Found> place(const planning::Planner& planner, const std::vector<Trial>& trials,

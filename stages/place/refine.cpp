@@ -79,16 +79,16 @@ Candidate try_stand(const planning::Planner& planner, const Stand& stand,
   return {stand, mean, cost_of(mean)};
 }
 
-Candidate refine(const planning::Planner& planner, const Candidate& start, const Stand& configured,
-                 const std::vector<Trial>& trials, const Vec3& robot_shoulder,
-                 const PlaceOptions& options, std::uint64_t seed) {
-  constexpr int kHalvings = 4, kMostRounds = 4;
+Candidate refine(const planning::Planner& planner, const Stand& start, const Steps& steps,
+                 const Stand& configured, const std::vector<Trial>& trials,
+                 const Vec3& robot_shoulder, const PlaceOptions& options, std::uint64_t seed) {
+  constexpr int kMostRounds = 4;
   constexpr double kGain = 0.02;  // degrees: less is not worth a step
-  double shift_m = 0.12, turn_rad = 24 * kDegree;
-  Visited best = search_all(planner, start.stand, trials, seed);
-  for (int halving = 0; halving < kHalvings; ++halving, shift_m /= 2, turn_rad /= 2) {
-    if (halving > 0) {
-      const std::uint64_t again = math::seed_from(seed, "again", static_cast<std::size_t>(halving));
+  double shift_m = steps.shift_m, turn_rad = steps.turn_rad;
+  Visited best = search_all(planner, start, trials, seed);
+  for (int level = 0; level < steps.levels; ++level, shift_m /= 2, turn_rad /= 2) {
+    if (level > 0) {
+      const std::uint64_t again = math::seed_from(seed, "again", static_cast<std::size_t>(level));
       Visited anew = search_all(planner, best.at.stand, trials, again);
       if (anew.at.cost < best.at.cost) best = std::move(anew);
     }
