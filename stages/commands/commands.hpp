@@ -16,6 +16,7 @@ Command export_command(CLI::App& app);
 Command import_command(CLI::App& app);
 Command inspect_command(CLI::App& app);
 Command merge_command(CLI::App& app);
+Command place_command(CLI::App& app);
 Command robot_command(CLI::App& app);
 Command run_command(CLI::App& app);
 Command synthesize_command(CLI::App& app);

@@ -13,21 +13,8 @@ Vec3 on_curve(const Table<Vec3>& fingers, std::size_t row, double along) {
   return point_along({fingers(row, 1), fingers(row, 2), fingers(row, 3), fingers(row, 4)}, along);
 }
 
-Vec3 robot_shoulder(const RobotTable& robot) {
-  std::vector<Pose> base_from_frame;
-  robot::forward(robot, JointVector::Zero(static_cast<Eigen::Index>(robot.joints())),
-                 base_from_frame);
-  return base_from_frame[static_cast<std::size_t>(robot.shoulder_frame)].translation();
-}
-
 Vec3 axis_of(const std::string& name) {
   return name == "x" ? Vec3::UnitX() : name == "y" ? Vec3::UnitY() : Vec3::UnitZ();
-}
-
-Eigen::Matrix3d product(const std::vector<PlacementOptions::Turn>& turns) {
-  Pose pose = Pose::Identity();
-  for (const auto& turn : turns) pose.rotate(Eigen::AngleAxisd(turn.angle, axis_of(turn.axis)));
-  return pose.linear();
 }
 
 bool inside(const Movement& movement, double time_s) {
@@ -46,10 +33,24 @@ std::string why_invalid(const PlacementOptions& options) {
   return "";
 }
 
+Eigen::Matrix3d rotation_of(const PlacementOptions& options) {
+  Pose pose = Pose::Identity();
+  for (const auto& turn : options.rotation)
+    pose.rotate(Eigen::AngleAxisd(turn.angle, axis_of(turn.axis)));
+  return pose.linear();
+}
+
+Vec3 robot_shoulder(const RobotTable& robot) {
+  std::vector<Pose> base_from_frame;
+  robot::forward(robot, JointVector::Zero(static_cast<Eigen::Index>(robot.joints())),
+                 base_from_frame);
+  return base_from_frame[static_cast<std::size_t>(robot.shoulder_frame)].translation();
+}
+
 Pose place_robot(const RobotTable& robot, const Vec3& human_shoulder,
                  const PlacementOptions& options) {
   Pose world_from_base = Pose::Identity();
-  world_from_base.linear() = product(options.rotation);
+  world_from_base.linear() = rotation_of(options);
   world_from_base.translation() =
       human_shoulder + options.shoulder_offset - world_from_base.linear() * robot_shoulder(robot);
   return world_from_base;
@@ -71,7 +72,7 @@ Pose place_hand(const RobotTable& robot, const PlacementOptions& options) {
   robot::forward(robot, JointVector::Zero(static_cast<Eigen::Index>(robot.joints())),
                  base_from_frame);
   Pose hand_from_palm = Pose::Identity();
-  hand_from_palm.linear() = product(options.rotation);
+  hand_from_palm.linear() = rotation_of(options);
   hand_from_palm.translation() = options.shoulder_offset;
   return hand_from_palm * base_from_frame[static_cast<std::size_t>(robot.palm_frame)].inverse();
 }

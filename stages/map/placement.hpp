@@ -32,6 +32,12 @@ void fields(Fields& f, PlacementOptions& o) {
 }
 std::string why_invalid(const PlacementOptions& options);
 
+/// R: the product of the turns.
+Eigen::Matrix3d rotation_of(const PlacementOptions& options);
+
+/// The robot's shoulder in the frame of its base, all joints at zero [m].
+Vec3 robot_shoulder(const RobotTable& robot);
+
 /// world_from_base = Translation(t) * R with R the product of the turns and t such that
 /// world_from_base * (robot shoulder) = human shoulder + shoulder_offset.
 Pose place_robot(const RobotTable& robot, const Vec3& human_shoulder,

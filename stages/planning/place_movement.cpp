@@ -47,15 +47,6 @@ Scene mapping_scene(const PipelineConfig& config, const Scene& scene, const Move
   return part;
 }
 
-/// At most 16 of a movement's frames, evenly spread, the first and the last among them.
-std::vector<std::size_t> few_frames(std::size_t frames) {
-  constexpr std::size_t kMost = 16;
-  const std::size_t count = std::min(kMost, frames);
-  std::vector<std::size_t> few;
-  for (std::size_t k = 0; k < count; ++k) few.push_back(k * (frames - 1) / (count - 1));
-  return few;
-}
-
 }  // namespace
 
 Scene scene_around(const Planner& planner, const Demonstration& demonstration,
@@ -90,6 +81,14 @@ PlacedMovement::PlacedMovement(const Planner& planner, const HumanMotion& motion
   }
 }
 
+std::vector<std::size_t> few_frames(std::size_t frames, std::size_t most) {
+  const std::size_t count = std::min(most, frames);
+  if (count == 1) return {0};
+  std::vector<std::size_t> few;
+  for (std::size_t k = 0; k < count; ++k) few.push_back(k * (frames - 1) / (count - 1));
+  return few;
+}
+
 Vec3 choose_offset(const Planner& planner, const HumanMotion& motion, const Movement& movement,
                    const Scene& around, std::uint64_t seed) {
   const map::MapOptions& options = planner.config.map;
@@ -97,7 +96,7 @@ Vec3 choose_offset(const Planner& planner, const HumanMotion& motion, const Move
   const bool any_goal = std::ranges::any_of(
       unmoved.problem.goals, [](const humanlike::FrameGoal& goal) { return goal.tips_seen() > 0; });
   if (unmoved.problem.frames() < 5 || !any_goal) return Vec3::Zero();
-  const std::vector<std::size_t> frames = few_frames(unmoved.problem.frames());
+  const std::vector<std::size_t> frames = few_frames(unmoved.problem.frames(), 16);
   const JointRows start =
       map::search_movement(map::on_frames(unmoved.problem, frames), options, seed).front().q;
   map::MappingScratch scratch;

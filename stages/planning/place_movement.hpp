@@ -28,6 +28,9 @@ struct PlacedMovement {
   map::MappingProblem problem;
 };
 
+/// At most so many of a movement's frames, evenly spread, the first and the last among them.
+std::vector<std::size_t> few_frames(std::size_t frames, std::size_t most);
+
 /// Section 3.3: the offset |o_k| <= free_offset.limit that makes
 ///   mean over at most 16 frames of min_q F + free_offset.weight * ‖o‖²
 /// least, found by a compass search from zero in steps down to 1 mm. Minima are those near the best

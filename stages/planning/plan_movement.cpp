@@ -204,37 +204,47 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
   return plan;
 }
 
+Rebuilt rebuild(const Planner& planner, const Demonstration& demonstration, StageSeconds& seconds) {
+  const PipelineConfig& config = planner.config;
+  const bool alone = map::hand_alone(planner.robot);
+  Rebuilt rebuilt;
+  rebuilt.motion = timed(seconds, "reconstruct", [&] {
+    return alone ? reconstruct::reconstruct_hand(demonstration, config.reconstruct, config.human)
+                 : reconstruct::reconstruct(demonstration, config.reconstruct, config.human);
+  });
+  rebuilt.beside = demonstration;
+  rebuilt.beside.objects = reconstruct::objects_beside_right_hand(demonstration);
+  rebuilt.movements = timed(seconds, "segment", [&] {
+    return segment::segment(rebuilt.motion, config.segment, rebuilt.beside.objects);
+  });
+  if (alone) rebuilt.motion = reconstruct::in_hand_frame(std::move(rebuilt.motion));
+  return rebuilt;
+}
+
 run::DemonstrationOutcome plan_demonstration(const Planner& planner,
                                              const Demonstration& demonstration) {
   run::DemonstrationOutcome outcome;
   StageSeconds& seconds = outcome.stage_seconds;
-  const PipelineConfig& config = planner.config;
-  const bool alone = map::hand_alone(planner.robot);
-  HumanMotion motion = timed(seconds, "reconstruct", [&] {
-    return alone ? reconstruct::reconstruct_hand(demonstration, config.reconstruct, config.human)
-                 : reconstruct::reconstruct(demonstration, config.reconstruct, config.human);
-  });
-  Demonstration beside = demonstration;
-  beside.objects = reconstruct::objects_beside_right_hand(demonstration);
-  const std::vector<Movement> movements = timed(
-      seconds, "segment", [&] { return segment::segment(motion, config.segment, beside.objects); });
-  if (alone) motion = reconstruct::in_hand_frame(std::move(motion));
+  const Rebuilt rebuilt = rebuild(planner, demonstration, seconds);
+  const HumanMotion& motion = rebuilt.motion;
+  const std::vector<Movement>& movements = rebuilt.movements;
   outcome.plans.resize(movements.size());
   std::vector<StageSeconds> of_movement(movements.size());
   parallel::for_each_index(movements.size(), [&](std::size_t k) {
-    outcome.plans[k] = plan_movement(planner, beside, motion, movements[k], of_movement[k]);
+    outcome.plans[k] = plan_movement(planner, rebuilt.beside, motion, movements[k], of_movement[k]);
   });
   for (const StageSeconds& own : of_movement) {
     for (const auto& [stage, taken] : own) seconds[stage] += taken;
   }
   if (movements.empty()) {
     const std::string nothing =
-        alone ? "no complete reach in it (segment.whole plans a recording of gestures)"
-              : "no complete reach in it";
+        map::hand_alone(planner.robot)
+            ? "no complete reach in it (segment.whole plans a recording of gestures)"
+            : "no complete reach in it";
     const std::string detail =
         motion.problems.empty() ? nothing : nothing + "; " + joined(motion.problems);
     outcome.plans.push_back(
-        fail(begin_plan(demonstration, {}, config.check), {Reason::no_movement, detail}));
+        fail(begin_plan(demonstration, {}, planner.config.check), {Reason::no_movement, detail}));
   }
   return outcome;
 }

@@ -16,7 +16,16 @@ using StageSeconds = std::map<std::string, double>;
 Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
                    const HumanMotion& recorded, const Movement& movement, StageSeconds& seconds);
 
-/// Reconstructs and segments a demonstration and plans each of its movements. One without any
+/// A demonstration rebuilt, and the movements found in it; what is around them is where the rebuilt
+/// arm is: a left hand's in the mirror.
+struct Rebuilt {
+  HumanMotion motion;
+  Demonstration beside;
+  std::vector<Movement> movements;
+};
+Rebuilt rebuild(const Planner& planner, const Demonstration& demonstration, StageSeconds& seconds);
+
+/// Rebuilds a demonstration and plans each of its movements. One without any
 /// movement ends as one plan with reason "no_movement".
 run::DemonstrationOutcome plan_demonstration(const Planner& planner,
                                              const Demonstration& demonstration);

@@ -1,0 +1,169 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "pipeline/motion/input_error.hpp"
+#include "pipeline/store/demonstration_file.hpp"
+#include "stages/commands/commands.hpp"
+#include "stages/commands/input_file.hpp"
+#include "stages/commands/place_report.hpp"
+#include "stages/commands/text_file.hpp"
+#include "stages/import/import.hpp"
+#include "stages/place/place.hpp"
+#include "stages/place/reach_map.hpp"
+
+namespace morphe::commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PlaceArguments {
+  std::string config, dataset, out, map, mount = "any", keep;
+  std::vector<std::string> settings;
+  place::PlaceOptions options;
+  double tilt_deg = 0;
+  int jobs = 0;
+  bool json = false;
+};
+
+std::vector<Demonstration> read_dataset(const PlaceArguments& arguments,
+                                        const planning::LoadedConfig& config) {
+  const fs::path file = arguments.dataset.empty() ? config.dataset : fs::path(arguments.dataset);
+  if (file.empty()) {
+    throw InputError(
+        fmt::format("{}: dataset: is missing (and there is no --dataset)", arguments.config));
+  }
+  if (!fs::exists(file)) throw InputError(fmt::format("{}: cannot be read", file.string()));
+  std::vector<Demonstration> demonstrations;
+  if (file.extension() == ".yaml") {
+    imports::ImportRequest request;
+    request.paths = {file};
+    imports::import_recordings(request, [&](Demonstration&& demonstration) {
+      demonstrations.push_back(std::move(demonstration));
+    });
+    return demonstrations;
+  }
+  const store::DemonstrationReader reader(file);
+  for (std::size_t k = 0; k < reader.size(); ++k) demonstrations.push_back(reader.read(k));
+  return demonstrations;
+}
+
+place::Kept kept(const std::string& list) {
+  place::Kept keep;
+  for (const std::string& word : CLI::detail::split(list, ',')) {
+    if (word.empty()) continue;
+    bool* const part = word == "x"          ? &keep.x
+                       : word == "y"        ? &keep.y
+                       : word == "z"        ? &keep.z
+                       : word == "rotation" ? &keep.rotation
+                                            : nullptr;
+    if (!part) throw InputError(fmt::format("--keep {}: must be of x, y, z, rotation", list));
+    *part = true;
+  }
+  return keep;
+}
+
+place::PlaceOptions options_of(const PlaceArguments& arguments, std::uint64_t seed) {
+  place::PlaceOptions options = arguments.options;
+  options.seed = seed;
+  options.jobs = arguments.jobs > 0
+                     ? arguments.jobs
+                     : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  options.keep = kept(arguments.keep);
+  options.mount = named<place::Mount>(arguments.mount).value();
+  options.tilt_rad = arguments.tilt_deg * kDegree;
+  if (const std::string wrong = why_invalid(options); !wrong.empty()) {
+    throw InputError("place: " + wrong);
+  }
+  return options;
+}
+
+/// On standard error: one line that changes on a terminal, otherwise one for each tenth.
+place::Report progress(bool quiet) {
+  return [quiet, terminal = isatty(STDERR_FILENO) != 0](const std::string& what, int done, int of) {
+    if (quiet) return;
+    if (terminal) {
+      fmt::print(stderr, "\r\033[Kplace: {} {} of {}{}", what, done, of, done == of ? "\n" : "");
+    } else if (done * 10 / of != (done - 1) * 10 / of) {
+      fmt::print(stderr, "place: {} {} of {}\n", what, done, of);
+    }
+  };
+}
+
+/// A config beside which FILE says where the base stands, and nothing else.
+std::string config_text(const PlaceArguments& arguments, const place::Found& best) {
+  const fs::path folder = fs::absolute(arguments.out).parent_path();
+  const fs::path base =
+      fs::weakly_canonical(arguments.config).lexically_relative(fs::weakly_canonical(folder));
+  return fmt::format("# Placed by morphe place.\nextends: {}\n{}", base.generic_string(),
+                     placement_yaml(best.placement));
+}
+
+int execute(const PlaceArguments& arguments) {
+  const planning::LoadedConfig config = planning::load_config(arguments.config, arguments.settings);
+  const place::PlaceOptions options = options_of(arguments, config.options.seed);
+  const planning::Planner planner{config.options, config.robot};
+  const std::vector<place::Trial> trials =
+      place::make_trials(planner, read_dataset(arguments, config), options);
+  const place::Report report = progress(arguments.json);
+  const std::vector<place::Found> found = place::place(planner, trials, options, report);
+  const place::Found given =
+      place::plan_at(planner, trials, config.options.placement, options.jobs);
+  if (!arguments.out.empty()) write_text(arguments.out, config_text(arguments, found.front()));
+  if (!arguments.map.empty()) {
+    write_text(arguments.map,
+               place::svg_of(place::reach_map(planner, trials, found.front(), options, report)));
+  }
+  if (arguments.json) {
+    fmt::print("{}\n", place_json(given, found));
+    return 0;
+  }
+  fmt::print("{}\n{}\n", place_table_head(), place_row("given", given));
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    fmt::print("{}\n", place_row(std::to_string(k + 1), found[k]));
+  }
+  fmt::print("\n{}", placement_yaml(found.front().placement));
+  return 0;
+}
+
+}  // namespace
+
+Command place_command(CLI::App& app) {
+  const auto arguments = std::make_shared<PlaceArguments>();
+  place::PlaceOptions& options = arguments->options;
+  app.add_option("CONFIG", arguments->config, "Pipeline config (YAML)")
+      ->required()
+      ->transform(input_file());
+  app.add_option("--dataset", arguments->dataset,
+                 "demonstrations.h5 or manifest of recordings to use instead of the config's")
+      ->transform(input_file());
+  app.add_option("--out", arguments->out,
+                 "Config to write (YAML): it extends CONFIG by the best placement");
+  app.add_option("--map", arguments->map, "SVG file for a map of reach around the best placement");
+  app.add_option("--mount", arguments->mount,
+                 "Where the base's z axis points: any, floor (up), "
+                 "ceiling (down), wall (level), side (left or right)")
+      ->check(CLI::IsMember({"any", "floor", "ceiling", "wall", "side"}));
+  app.add_option("--tilt", arguments->tilt_deg, "Degrees by which it may lean from there");
+  app.add_option("--keep", arguments->keep,
+                 "What of the config's placement stays: of x, y, z, rotation, with commas between");
+  app.add_option("--person", options.person_m,
+                 "Metres that the base keeps from the person's middle");
+  app.add_option("--trials", options.trials, "Movements to try placements on, at most");
+  app.add_option("--candidates", options.candidates, "Placements to map");
+  app.add_option("--refined", options.refined, "Placements to improve");
+  app.add_option("--planned", options.planned, "Placements to plan in full and print");
+  app.add_option("--jobs", arguments->jobs, "Number of threads (default: one per core)")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--set", arguments->settings,
+                 "KEY=VALUE: change a value of the config, such as seed=2")
+      ->allow_extra_args(false);
+  app.add_flag("--json", arguments->json, "Print JSON");
+  return [arguments] { return execute(*arguments); };
+}
+
+}  // namespace morphe::commands
