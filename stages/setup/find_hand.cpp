@@ -99,7 +99,8 @@ std::vector<Finger> gripper_ends(const Kinematics& robot, int root, std::vector<
   const Vec3 end = end_of(robot, *first);
   const double least_m = kShorterThanTip * reach(*first);
   const auto apart = [&](const Finger& finger) {
-    return reach(finger) < least_m ? -1 : (end_of(robot, finger) - end).norm();
+    const bool other = finger.frames.back() != first->frames.back();
+    return !other ? -2 : reach(finger) < least_m ? -1 : (end_of(robot, finger) - end).norm();
   };
   const auto second = std::ranges::max_element(fingers, {}, apart);
   std::vector<Finger> ends = {*first, *second};
