@@ -8,6 +8,7 @@ FrameGoal frame_goal(const Goals& goals, std::size_t frame) {
     goal.tip_position.push_back(goals.tip_position(frame, tip));
     goal.tip_orientation.push_back(goals.tip_orientation(frame, tip));
   }
+  goal.hand_scale = goals.hand_scale;
   goal.hand = goals.wrist_orientation[frame];
   goal.shoulder = goals.shoulder_position[frame];
   goal.wrist = goals.wrist_position[frame];

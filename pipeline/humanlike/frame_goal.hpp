@@ -65,6 +65,8 @@ struct FrameGoal {
   /// none). Empty in every other mode.
   std::vector<Vec3> chain;
   JointVector angles;
+  /// The human's own distances are those of the tips' goals over this.
+  double hand_scale = 1;
   FrameWeights weights;
 
   int tips_seen() const {

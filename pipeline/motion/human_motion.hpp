@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pipeline/motion/geometry.hpp"
+#include "pipeline/motion/hand_bones.hpp"
 
 namespace morphe {
 
@@ -44,6 +45,8 @@ struct HumanMotion {
   Table<Vec3> finger_joint;                  ///< [N, 5] middle joint of each finger
   JointRows arm_angles;                      ///< [N, 7] kArmAngleNames [rad], or no rows
   JointRows hand_angles;                     ///< [N, 20] kHandAngleNames [rad], or no rows
+  HandBones bones;                           ///< of the hand, if it was seen whole
+  double hand_scale = 1;  ///< what distances of the fingers were multiplied by, for a robot's hand
   std::vector<std::string> estimated;        ///< what was not recorded but estimated
   std::vector<Residual> residuals;
   std::vector<std::string> problems;  ///< sentences for `morphe inspect`

@@ -35,6 +35,10 @@ struct Goals {
   /// none: not asked for. All goals are in the frame of the base where it stands.
   std::optional<Vec3> free_offset;
 
+  /// The human's hand is made this many times larger (section `hand`); not stored, what is asked
+  /// for is in the goals.
+  double hand_scale = 1;
+
   std::size_t frames() const { return time.size(); }
 };
 

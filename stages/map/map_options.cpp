@@ -56,6 +56,10 @@ std::string why_invalid(const MapOptions& o) {
       std::min({o.movement_cost.velocity, o.movement_cost.acceleration, o.movement_cost.jerk});
   o.objective.each([&](const auto& term) { least = std::min(least, term.weight); });
   if (least < 0) return "weights must not be negative";
+  const auto& thumb = o.objective.get<humanlike::ThumbDistance>();
+  if (!(thumb.near_m >= 0 && thumb.near_m < thumb.far_m)) {
+    return "thumb_near must not be negative, and less than thumb_far";
+  }
   if (const std::string wrong = why_invalid(o.phases); !wrong.empty()) return "phases: " + wrong;
   if (o.phase_blend_s < 0) return "phase_blend_s must not be negative";
   if (o.orientation_smoothing <= 0) return "orientation_smoothing must be positive";

@@ -92,6 +92,7 @@ Goals make_goals(const RobotTable& robot, const HumanMotion& motion, const Movem
   }
   Goals goals;
   goals.estimated = motion.estimated;
+  goals.hand_scale = motion.hand_scale;
   goals.tip_position = {rows.size(), robot.tips.size(), unseen_point()};
   goals.tip_orientation = {rows.size(), robot.tips.size(), unseen_rotation()};
   goals.reachable = {rows.size(), robot.tips.size(), 1};

@@ -10,6 +10,7 @@
 #include "pipeline/robot/files/description.hpp"
 #include "pipeline/robot/robot.hpp"
 #include "stages/check/check_path.hpp"
+#include "stages/map/hand_fit.hpp"
 #include "stages/map/map_options.hpp"
 #include "stages/map/placement.hpp"
 #include "stages/planning/approach_options.hpp"
@@ -36,6 +37,7 @@ struct PipelineConfig {
   FileOption robot;
   reconstruct::HumanOptions human;
   map::PlacementOptions placement;
+  map::HandOptions hand;
   scene::SceneOptions scene;
   std::uint64_t seed = 1;
   reconstruct::ReconstructOptions reconstruct;
@@ -52,6 +54,7 @@ void fields(Fields& f, PipelineConfig& o) {
   f.required("robot", o.robot);
   f("human", o.human);
   f("placement", o.placement);
+  f("hand", o.hand);
   f("scene", o.scene);
   f("seed", o.seed);
   f("reconstruct", o.reconstruct);

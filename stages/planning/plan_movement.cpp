@@ -9,6 +9,7 @@
 #include "pipeline/collision/mesh_solid.hpp"
 #include "pipeline/math/seed.hpp"
 #include "pipeline/parallel/ordered_map.hpp"
+#include "pipeline/robot/hand_bones.hpp"
 #include "stages/certify/certify.hpp"
 #include "stages/certify/grasp.hpp"
 #include "stages/map/map_movement.hpp"
@@ -83,6 +84,10 @@ std::string warnings(const collision::CollisionWorld& world, const Goals& goals,
       sentences.push_back(fmt::format("{} has a goal in {} of {} frames", robot.tips[tip].name,
                                       count, goals.frames()));
     }
+  }
+  if (goals.hand_scale != 1) {
+    sentences.push_back(fmt::format("the human's hand is made {:.3g} times as large",
+                                    goals.hand_scale));
   }
   if (goals.free_offset) {
     const Vec3 moved = 1e3 * *goals.free_offset;
@@ -217,7 +222,12 @@ Rebuilt rebuild(const Planner& planner, const Demonstration& demonstration, Stag
   rebuilt.movements = timed(seconds, "segment", [&] {
     return segment::segment(rebuilt.motion, config.segment, rebuilt.beside.objects);
   });
-  if (alone) rebuilt.motion = reconstruct::in_hand_frame(std::move(rebuilt.motion));
+  if (!alone) return rebuilt;
+  rebuilt.motion = reconstruct::in_hand_frame(std::move(rebuilt.motion));
+  const map::HandFit fit =
+      map::fit_hand(robot::hand_bones(planner.robot), rebuilt.motion.bones, config.hand);
+  rebuilt.motion = map::fitted_motion(std::move(rebuilt.motion), fit);
+  if (!fit.problem.empty()) rebuilt.motion.problems.push_back(fit.problem);
   return rebuilt;
 }
 

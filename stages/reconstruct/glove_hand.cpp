@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pipeline/human/glove.hpp"
+#include "pipeline/robot/hand_bones.hpp"
 #include "stages/reconstruct/glove_filter.hpp"
 
 namespace morphe::reconstruct {
@@ -75,6 +76,7 @@ GloveColumns glove_on_clock(const HandStream& glove, const std::optional<HandStr
 void pose_fingers(const GloveColumns& glove, const human::HandSize& size, HumanMotion& motion) {
   const GloveColumns columns = completed(glove, motion.estimated);
   const RobotTable hand = human::human_hand(size);
+  motion.bones = robot::hand_bones(hand);
   std::vector<Pose> frames;
   const auto rows = static_cast<Eigen::Index>(motion.time.size());
   motion.hand_angles.resize(rows, static_cast<Eigen::Index>(kHandAngles));

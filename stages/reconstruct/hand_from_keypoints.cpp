@@ -42,6 +42,11 @@ std::optional<FittedHand> fit_hand(const std::vector<HandKeypoints>& frames,
   const RobotTable hand = hand_of_shape(*shape);
   HandFit fit(hand, kFastest / rate_hz);
   FittedHand fitted;
+  for (std::size_t finger = 0; finger < kFingers; ++finger) {
+    const auto& bones = shape->bones[finger];
+    fitted.bones.knuckle[finger] = shape->base[finger];
+    fitted.bones.length[finger] = bones[0] + bones[1] + bones[2];
+  }
   fitted.angles.resize(static_cast<Eigen::Index>(frames.size()),
                        static_cast<Eigen::Index>(kHandAngles));
   fitted.joints = Table<Vec3>(frames.size(), kHandKeypoints, unseen_point());
@@ -100,6 +105,7 @@ void add_hand_from_keypoints(const HandStream& keypoints, const std::optional<do
     return;
   }
   motion.hand_angles = std::move(fitted->angles);
+  motion.bones = fitted->bones;
   motion.residuals.insert(motion.residuals.end(), fitted->residuals.begin(),
                           fitted->residuals.end());
   for (std::size_t i = 0; i < clock.count; ++i) {

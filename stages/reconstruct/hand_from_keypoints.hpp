@@ -12,6 +12,7 @@ namespace morphe::reconstruct {
 struct FittedHand {
   Table<Vec3> joints;           ///< [N, 21] nearest to the points
   JointRows angles;             ///< [N, 20] kHandAngleNames that come nearest to the joints
+  HandBones bones;
   Table<Quat> tip_orientation;  ///< [N, 5] z along the last bone, x out of the pad
   /// "keypoints, bones constant": points from joints; "hand angles, thumb" …: joints from where
   /// the angles have them. Hinges of a model need not be those of this hand.

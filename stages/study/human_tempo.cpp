@@ -1,21 +1,13 @@
 #include "stages/study/human_tempo.hpp"
-#include "pipeline/math/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "stages/study/correlation.hpp"
 #include "pipeline/robot/forward.hpp"
 
 namespace morphe::study {
 namespace {
-
-double correlation_of(const std::vector<double>& a, const std::vector<double>& b) {
-  const auto n = static_cast<Eigen::Index>(a.size());
-  if (n < 2) return kNotSeen;
-  const Eigen::Map<const Eigen::ArrayXd> x(a.data(), n), y(b.data(), n);
-  const Eigen::ArrayXd dx = x - x.mean(), dy = y - y.mean();
-  return (dx * dy).sum() / std::sqrt(dx.square().sum() * dy.square().sum());
-}
 
 /// Means over five of the speeds of a point over frames, NaN where one of nine positions is.
 std::vector<double> speeds(const std::vector<double>& time, const std::vector<Vec3>& position) {
@@ -77,7 +69,7 @@ HumanTempo human_tempo(const RobotTable& robot, const Goals& goals, const Trajec
       theirs.push_back(b[f]);
     }
   }
-  out.correlation = correlation_of(ours, theirs);
+  out.correlation = correlation(ours, theirs);
   return out;
 }
 

@@ -10,13 +10,13 @@ namespace morphe::study {
 namespace {
 
 /// Accelerations of the clock that all joints allow; empty if least > most.
-struct Range {
+struct AllowedRange {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
 };
 
-Range allowed(const retime::PacedPath& course, const JointRows& q, double x) {
-  Range range;
+AllowedRange allowed(const retime::PacedPath& course, const JointRows& q, double x) {
+  AllowedRange range;
   for (Eigen::Index k = 0; k < q.cols(); ++k) {
     const double first = q(1, k), rest = q(2, k) * x, limit = course.acceleration[k];
     if (std::abs(first) < 1e-9) {
@@ -62,7 +62,7 @@ double reference_time(const retime::PacedPath& course, int steps) {
       ceiling = std::min(ceiling, std::pow(course.velocity[k] / std::abs(q[i](1, k)), 2));
     }
     const auto reaches = [&](double x) {
-      const Range range = allowed(course, q[i], x);
+      const AllowedRange range = allowed(course, q[i], x);
       return std::max(range.least, -x / (2 * h)) <=
              std::min(range.most, (most[i + 1] - x) / (2 * h));
     };

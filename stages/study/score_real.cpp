@@ -17,7 +17,6 @@ namespace {
 /// Speed of the index tip with the phases found: what the eye judges.
 Plot speed_plot(const std::string& name, const HumanMotion& motion,
                 const std::vector<Movement>& movements) {
-  constexpr std::size_t kIndex = 1;
   Plot plot;
   plot.title = name;
   plot.x_label = "time [s]";

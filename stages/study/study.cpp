@@ -14,11 +14,12 @@ struct Entry {
   StudyResult (*run)(const config::ConfigNode&, const StudyRun&);
 };
 
-constexpr std::array<Entry, 5> kStudies{{{"recordings", recordings_study},
+constexpr std::array<Entry, 6> kStudies{{{"recordings", recordings_study},
                                          {"paper", paper_study},
                                          {"mapping", mapping_study},
                                          {"repair", repair_study},
-                                         {"retime", retime_study}}};
+                                         {"retime", retime_study},
+                                         {"hands", hands_study}}};
 
 }  // namespace
 

@@ -59,5 +59,7 @@ StudyResult mapping_study(const config::ConfigNode& config, const StudyRun& run)
 StudyResult repair_study(const config::ConfigNode& config, const StudyRun& run);
 /// The time law on random paths, beside the least time there is, and at the human's tempo.
 StudyResult retime_study(const config::ConfigNode& config, const StudyRun& run);
+/// Hands alone: tips, pinches and smoothness beside what peers publish.
+StudyResult hands_study(const config::ConfigNode& config, const StudyRun& run);
 
 }  // namespace morphe::study

@@ -1,0 +1,81 @@
+#include "stages/map/hand_fit.hpp"
+
+#include <cmath>
+#include <vector>
+
+namespace morphe::map {
+namespace {
+
+/// The fingers that both hands have.
+std::vector<std::size_t> common_fingers(const HandBones& robot, const HandBones& human) {
+  std::vector<std::size_t> fingers;
+  for (std::size_t f = kIndex; f < kFingers; ++f) {
+    if (robot.length[f] > 0 && human.length[f] > 0) fingers.push_back(f);
+  }
+  return fingers;
+}
+
+double length_ratio(const HandBones& robot, const HandBones& human,
+                    const std::vector<std::size_t>& fingers) {
+  double sum = 0;
+  for (const std::size_t f : fingers) sum += robot.length[f] / human.length[f];
+  return sum / static_cast<double>(fingers.size());
+}
+
+double breadth_ratio(const HandBones& robot, const HandBones& human,
+                     const std::vector<std::size_t>& fingers) {
+  const auto breadth = [&](const HandBones& hand) {
+    return (hand.knuckle[fingers.front()] - hand.knuckle[fingers.back()]).norm();
+  };
+  return breadth(robot) / breadth(human);
+}
+
+}  // namespace
+
+std::string why_invalid(const HandOptions& options) {
+  if (!(options.factor > 0)) return "factor must be positive";
+  if (options.scale != HandScale::given && options.factor != 1) {
+    return "factor belongs to the scale given";
+  }
+  return "";
+}
+
+HandFit fit_hand(const HandBones& robot, const HandBones& human, const HandOptions& options) {
+  HandFit fit;
+  fit.scale = options.factor;
+  const bool asked = options.scale != HandScale::given || options.at == HandAt::knuckles;
+  if (!asked) return fit;
+  const std::vector<std::size_t> fingers = common_fingers(robot, human);
+  if (fingers.empty()) {
+    fit.problem = "the lengths of the human's fingers are not known: the hand keeps its size";
+    return fit;
+  }
+  if (options.scale == HandScale::found) fit.scale = length_ratio(robot, human, fingers);
+  if (options.scale == HandScale::palm) {
+    if (fingers.size() < 2) {
+      fit.problem = "one finger has no breadth: the hand keeps its size";
+      return fit;
+    }
+    fit.scale = breadth_ratio(robot, human, fingers);
+  }
+  if (options.at == HandAt::knuckles) {
+    for (const std::size_t f : fingers) fit.offset += robot.knuckle[f] - fit.scale * human.knuckle[f];
+    fit.offset /= static_cast<double>(fingers.size());
+  }
+  return fit;
+}
+
+HumanMotion fitted_motion(HumanMotion motion, const HandFit& fit) {
+  for (std::size_t i = 0; i < motion.time.size(); ++i) {
+    for (std::size_t finger = 0; finger < kFingers; ++finger) {
+      for (Table<Vec3>* points : {&motion.tip, &motion.finger_joint}) {
+        Vec3& point = (*points)(i, finger);
+        point = fit.scale * point + fit.offset;
+      }
+    }
+  }
+  motion.hand_scale *= fit.scale;
+  return motion;
+}
+
+}  // namespace morphe::map
