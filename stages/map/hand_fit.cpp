@@ -1,6 +1,7 @@
 #include "stages/map/hand_fit.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace morphe::map {
@@ -17,9 +18,9 @@ std::vector<std::size_t> common_fingers(const HandBones& robot, const HandBones&
 
 double length_ratio(const HandBones& robot, const HandBones& human,
                     const std::vector<std::size_t>& fingers) {
-  double sum = 0;
-  for (const std::size_t f : fingers) sum += robot.length[f] / human.length[f];
-  return sum / static_cast<double>(fingers.size());
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::size_t f : fingers) least = std::min(least, robot.length[f] / human.length[f]);
+  return least;
 }
 
 double breadth_ratio(const HandBones& robot, const HandBones& human,

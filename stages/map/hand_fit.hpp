@@ -12,7 +12,7 @@ namespace morphe::map {
 /// How large the human's hand is made for a robot's hand alone.
 ///   given  `factor` times
 ///   palm   as broad over the knuckles as the robot's
-///   found  fingers as long as the robot's, from the knuckles' axes to the tips
+///   found  as large as it may be with no finger longer than the robot's, knuckle's axis to tip
 enum class HandScale { given, palm, found };
 constexpr std::array<std::string_view, 3> names_of(HandScale) { return {"given", "palm", "found"}; }
 
@@ -43,7 +43,7 @@ struct HandFit {
 };
 
 /// By the fingers that both hands have, the thumb not among them:
-///   found   scale = mean of robot's over human's lengths
+///   found   scale = least of robot's over human's lengths
 ///   palm    scale = robot's over human's distance of the outermost knuckles
 ///   offset = mean of (robot's knuckle - scale * human's)                       (at knuckles)
 HandFit fit_hand(const HandBones& robot, const HandBones& human, const HandOptions& options);
