@@ -50,6 +50,9 @@ constexpr std::array<std::string_view, 4> names_of(FrameStatus) {
 struct Mapped {
   JointRows position;               ///< [F, n] [rad]
   JointRows position_error;         ///< [F, m] [m], NaN = no goal
+  /// [F, m] [m] how near the tips can come together to goals that are out of reach, NaN elsewhere;
+  /// not stored.
+  JointRows nearest_error;
   JointRows orientation_error;      ///< [F, m] full angle [rad], NaN = no goal
   std::vector<double> objective;    ///< [F] value of the frame's objective
   JointRows humanlikeness;          ///< [F, 3] A (sum) [m^2], B [m^2], C [m^3]

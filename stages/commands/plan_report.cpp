@@ -36,6 +36,29 @@ Tracking tracking_of(const Plan& plan) {
   return tracking;
 }
 
+double mean_mm(const JointRows& errors) {
+  double sum = 0;
+  int count = 0;
+  for (const double error : errors.reshaped()) {
+    if (std::isnan(error)) continue;
+    sum += error;
+    ++count;
+  }
+  return count > 0 ? 1e3 * sum / count : kNotSeen;
+}
+
+/// Where goals are out of reach: how far the tips are from them, and how far they have to be.
+std::string reach_row(const Plan& plan) {
+  const JointRows& nearest = plan.mapped.nearest_error;
+  const JointRows there = nearest.array().isNaN().select(kNotSeen, plan.mapped.position_error);
+  if (std::isnan(mean_mm(nearest))) return "";
+  return fmt::format(
+      "\n  out of reach: tips {} mm from these goals in the mean, {} as near as they can come; {} "
+      "mm over all goals",
+      number(mean_mm(there), 1), number(mean_mm(nearest), 1),
+      number(mean_mm(plan.mapped.position_error), 1));
+}
+
 /// Largest step of a joint between two frames of the mapping, per 10 ms [rad].
 double largest_step(const Plan& plan) {
   double largest = 0;
@@ -81,6 +104,7 @@ std::string plan_rows(const Plan& plan) {
         said ? "\n  " + plan.detail : fmt::format("\n  {}: {}", name_of(plan.reason), plan.detail);
   }
   if (plan.executable() && !plan.detail.empty()) rows += "\n  note: " + plan.detail;
+  rows += reach_row(plan);
   for (const Finding& finding : plan.findings) {
     rows +=
         fmt::format("\n  found: {} {}{} at {:.2f}-{:.2f} s, {:.4f} too far", name_of(finding.cause),

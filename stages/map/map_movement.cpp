@@ -8,6 +8,7 @@
 #include "pipeline/robot/forward.hpp"
 #include "stages/map/finger_curve.hpp"
 #include "stages/map/movement_search.hpp"
+#include "stages/map/nearest.hpp"
 #include "stages/map/reachable.hpp"
 
 namespace morphe::map {
@@ -143,6 +144,7 @@ Outcome<MapResult> map_movement(const MappingProblem& problem, Goals& goals,
   }
   MapResult result;
   result.mapped = measure(problem, goals, q);
+  result.mapped.nearest_error = nearest_errors(tracked, q, reachable, options.solver);
   result.posture_error_rad = posture_error(problem, goals, q);
   result.path = {q, std::vector<Origin>(problem.frames(), Origin::mapped), problem.time};
   for (std::size_t i = 1; i < courses.size(); ++i) result.candidates.push_back(courses[i].q);

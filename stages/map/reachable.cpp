@@ -20,16 +20,6 @@ constexpr int kPullSteps = 12;  ///< steps
 constexpr std::size_t kSparsest = 16;
 constexpr int kShorter = 8;  ///< search beside a frame that one has found to be out of reach
 
-/// The frame by itself, with nothing to ask but tip positions.
-MappingProblem tips_alone(const MappingProblem& problem, std::size_t frame) {
-  MappingProblem plain = on_frames(problem, {frame});
-  plain.goals.front().weights = {};
-  plain.clearance.weight = 0;
-  plain.objective = {};
-  plain.objective.get<humanlike::TipPosition>() = problem.objective.get<humanlike::TipPosition>();
-  return plain;
-}
-
 /// How far one frame's goals are from another's, over the tips that the other asks for; infinite if
 /// this one does not ask for all of them.
 double goals_apart(const humanlike::FrameGoal& goal, const humanlike::FrameGoal& other) {
@@ -137,6 +127,15 @@ class Judge {
 };
 
 }  // namespace
+
+MappingProblem tips_alone(const MappingProblem& problem, std::size_t frame) {
+  MappingProblem plain = on_frames(problem, {frame});
+  plain.goals.front().weights = {};
+  plain.clearance.weight = 0;
+  plain.objective = {};
+  plain.objective.get<humanlike::TipPosition>() = problem.objective.get<humanlike::TipPosition>();
+  return plain;
+}
 
 std::vector<bool> reachable_frames(const MappingProblem& problem, const JointRows& near,
                                    const ReachOptions& options, std::uint64_t seed) {

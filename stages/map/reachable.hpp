@@ -14,6 +14,9 @@ struct ReachOptions {
   solve::MinimiseOptions solver;
 };
 
+/// A frame by itself, with nothing to ask but tip positions.
+MappingProblem tips_alone(const MappingProblem& problem, std::size_t frame);
+
 /// [F] whether the robot can reach a frame's fingertip goals, all of them at once: a solve without
 /// the humanlikeness terms, from the posture in `near` [F, n], from one that reaches a neighbour's
 /// goals, and then from up to `starts` random positions, brings every tip that has a goal within
