@@ -155,6 +155,9 @@ LoadedConfig load_config(const std::filesystem::path& file,
       loaded.options.map.natural.push_back({joint.joint, joint.follow, joint.value});
     }
   }
+  if (loaded.options.parts && !map::hand_alone(loaded.robot)) {
+    node["parts"].fail("is for hands without an arm: " + loaded.robot.name + " has one");
+  }
   loaded.effective = config::write_options(loaded.options);
   loaded.inputs = collect(groups);
   return loaded;

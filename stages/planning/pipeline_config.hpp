@@ -14,6 +14,7 @@
 #include "stages/map/map_options.hpp"
 #include "stages/map/placement.hpp"
 #include "stages/planning/approach_options.hpp"
+#include "stages/planning/parts_options.hpp"
 #include "stages/reconstruct/reconstruct.hpp"
 #include "stages/repair/repair_options.hpp"
 #include "stages/retime/retime.hpp"
@@ -47,6 +48,7 @@ struct PipelineConfig {
   repair::RepairOptions repair;
   retime::RetimeOptions retime;
   std::optional<ApproachOptions> approach;  ///< none: not asked for
+  std::optional<PartsOptions> parts;        ///< likewise
 };
 template <class Fields>
 void fields(Fields& f, PipelineConfig& o) {
@@ -64,6 +66,7 @@ void fields(Fields& f, PipelineConfig& o) {
   f("repair", o.repair);
   f("retime", o.retime);
   f("approach", o.approach);
+  f("parts", o.parts);
 }
 
 /// A config with everything that it names.

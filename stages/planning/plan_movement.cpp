@@ -15,6 +15,7 @@
 #include "stages/map/map_movement.hpp"
 #include "stages/planning/approach.hpp"
 #include "stages/planning/place_movement.hpp"
+#include "stages/planning/plan_parts.hpp"
 #include "stages/planning/repair_movement.hpp"
 #include "stages/reconstruct/hand_frame.hpp"
 #include "stages/reconstruct/mirror.hpp"
@@ -68,11 +69,26 @@ std::string joined(const std::vector<std::string>& sentences) {
   return fmt::format("{}", fmt::join(sentences, "; "));
 }
 
+/// How well the demonstration's time base is kept.
+std::string lateness(const Trajectory& trajectory) {
+  constexpr double kOnTime_s = 0.01;
+  double most_s = 0, late_s = 0;
+  for (std::size_t i = 1; i < trajectory.samples(); ++i) {
+    const double late = trajectory.time[i] - trajectory.time[0] -
+                        (trajectory.demonstration_time[i] - trajectory.demonstration_time[0]);
+    most_s = std::max(most_s, late);
+    if (late > kOnTime_s) late_s += trajectory.time[i] - trajectory.time[i - 1];
+  }
+  return fmt::format("late by up to {:.2f} s, for {:.2f} s by more than {:.2f}", most_s, late_s,
+                     kOnTime_s);
+}
+
 /// What a user must know of an executable plan: tips whose goals are missing in some frames, a hand
 /// of which one tip alone was seen, meshes with holes, phases that may begin or end elsewhere (a
 /// recording that is cut off in them), and what reconstruction had to complain of.
 std::string warnings(const collision::CollisionWorld& world, const Goals& goals,
-                     const Movement& movement, const HumanMotion& motion) {
+                     const Movement& movement, const HumanMotion& motion,
+                     const Trajectory& trajectory, bool kept) {
   constexpr double kUncertain = 0.5;
   const robot::Robot& robot = *world.robot;
   std::vector<std::string> sentences, asked;
@@ -99,6 +115,7 @@ std::string warnings(const collision::CollisionWorld& world, const Goals& goals,
       sentences.push_back(world.scene->objects[k].name + " is not closed: only its surface counts");
     }
   }
+  if (kept && !trajectory.time.empty()) sentences.push_back(lateness(trajectory));
   if (asked.size() == 1) sentences.push_back("no tip but " + asked.front() + " has goals");
   for (const Phase& phase : movement.phases) {
     if (phase.begin_s > movement.end_s || phase.confidence > kUncertain) continue;
@@ -144,7 +161,8 @@ void finish(const Planner& planner, const collision::CollisionWorld& world, Plan
 }  // namespace
 
 Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
-                   const HumanMotion& recorded, const Movement& movement, StageSeconds& seconds) {
+                   const HumanMotion& recorded, const Movement& movement, StageSeconds& seconds,
+                   const std::optional<Vec3>& known_offset) {
   const PipelineConfig& config = planner.config;
   const robot::Robot& robot = planner.robot;
   Plan plan = begin_plan(demonstration, movement, config.check);
@@ -160,8 +178,8 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
   });
   const HumanMotion& motion = there.motion;
   const Scene& around = there.scene;
-  Vec3 offset = Vec3::Zero();
-  if (config.map.free_offset.limit_m > 0) {
+  Vec3 offset = known_offset.value_or(Vec3::Zero());
+  if (config.map.free_offset.limit_m > 0 && !known_offset) {
     offset = timed(seconds, "map", [&] {
       return choose_offset(planner, motion, plan.movement, around, math::seed_from(seed, "offset"));
     });
@@ -202,7 +220,8 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
       if (refused) return fail(plan, refused);
     }
     plan.grasp = certify::find_grasp(robot, plan.scene, plan.movement, plan.trajectory);
-    plan.detail = warnings(world, plan.goals, plan.movement, motion);
+    plan.detail = warnings(world, plan.goals, plan.movement, motion, plan.trajectory,
+                           config.retime.mode == retime::Tempo::kept);
     const std::string unchecked = unchecked_sentence(robot.unchecked_links);
     if (!unchecked.empty()) plan.detail += (plan.detail.empty() ? "" : "; ") + unchecked;
   }
@@ -235,14 +254,27 @@ run::DemonstrationOutcome plan_demonstration(const Planner& planner,
                                              const Demonstration& demonstration) {
   run::DemonstrationOutcome outcome;
   StageSeconds& seconds = outcome.stage_seconds;
+  const PipelineConfig& config = planner.config;
   const Rebuilt rebuilt = rebuild(planner, demonstration, seconds);
   const HumanMotion& motion = rebuilt.motion;
   const std::vector<Movement>& movements = rebuilt.movements;
-  outcome.plans.resize(movements.size());
+  const Demonstration& beside = rebuilt.beside;
+  std::vector<std::vector<Plan>> plans(movements.size());
   std::vector<StageSeconds> of_movement(movements.size());
   parallel::for_each_index(movements.size(), [&](std::size_t k) {
-    outcome.plans[k] = plan_movement(planner, rebuilt.beside, motion, movements[k], of_movement[k]);
+    if (config.parts) {
+      plans[k] =
+          plan_parts(planner, beside, motion, movements[k], *config.parts, of_movement[k]);
+    } else {
+      plans[k].push_back(plan_movement(planner, beside, motion, movements[k], of_movement[k]));
+    }
   });
+  for (std::vector<Plan>& parts : plans) {
+    for (Plan& part : parts) {
+      part.movement.index = static_cast<int>(outcome.plans.size());
+      outcome.plans.push_back(std::move(part));
+    }
+  }
   for (const StageSeconds& own : of_movement) {
     for (const auto& [stage, taken] : own) seconds[stage] += taken;
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,9 +13,11 @@ namespace morphe::planning {
 using StageSeconds = std::map<std::string, double>;
 
 /// All steps for one movement. Never throws for a bad movement: the plan carries the reason. The
-/// objects of `demonstration` are where `recorded` is: a left hand's in the mirror.
+/// objects of `demonstration` are where `recorded` is: a left hand's in the mirror. `offset`: where
+/// the base stands, if that is no longer to be chosen (map.free_offset).
 Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
-                   const HumanMotion& recorded, const Movement& movement, StageSeconds& seconds);
+                   const HumanMotion& recorded, const Movement& movement, StageSeconds& seconds,
+                   const std::optional<Vec3>& offset = {});
 
 /// A demonstration rebuilt, and the movements found in it; what is around them is where the rebuilt
 /// arm is: a left hand's in the mirror.

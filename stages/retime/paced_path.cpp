@@ -38,13 +38,17 @@ double braking_rate(const PacedPath& paced_path, const JointRows& q) {
   return slowest;
 }
 
+/// Of values over equal cells, at a share of their length; `otherwise` if there are none.
+double of_cell(const std::vector<double>& values, double share, double otherwise) {
+  if (values.empty()) return otherwise;
+  const auto cells = static_cast<double>(values.size());
+  return values[static_cast<std::size_t>(std::clamp(share * cells, 0.0, cells - 1))];
+}
+
 }  // namespace
 
 double slowdown_at(const PacedPath& paced_path, double u) {
-  if (paced_path.slowdown.empty()) return 1;
-  const auto cells = static_cast<double>(paced_path.slowdown.size());
-  const double cell = std::clamp(u / paced_path.spline.length * cells, 0.0, cells - 1);
-  return paced_path.slowdown[static_cast<std::size_t>(cell)];
+  return of_cell(paced_path.slowdown, u / paced_path.spline.length, 1);
 }
 
 double most_pace(const PacedPath& paced_path, double u, const JointRows& q) {
@@ -54,7 +58,9 @@ double most_pace(const PacedPath& paced_path, double u, const JointRows& q) {
     least_s = std::max(least_s, tip_rate(*paced_path.robot, q) / paced_path.tip_speed);
   }
   const double z = std::min(1.0, std::min(u, paced_path.spline.length - u) / paced_path.catch_up_s);
-  const double tempo = paced_path.tempo * (1 + paced_path.catch_up * (1 - z * z * (3 - 2 * z)));
+  const double hurry = of_cell(paced_path.hurry, u / paced_path.spline.length, 0);
+  const double tempo =
+      paced_path.tempo * (1 + hurry) * (1 + paced_path.catch_up * (1 - z * z * (3 - 2 * z)));
   const double pace = std::min(1 / std::max(least_s, 1 / kMostPace), tempo);
   if (paced_path.phase_scale.empty()) return pace;
   const PhaseKind phase =

@@ -20,6 +20,8 @@ struct PacedPath {
   double tempo = kMostPace;                  ///< clock seconds per second at most
   double catch_up = 0;                       ///< tempo is greater by this share at both ends …
   double catch_up_s = 0.3;          ///< … falling smoothly to none this far from them [s]
+  /// Over equal cells of the clock: tempo is greater by this share there. Empty: nowhere.
+  std::vector<double> hurry;
   double tip_speed = kMostPace;     ///< of any tip [m/s]
   std::vector<double> phase_scale;  ///< of tempo, joint and tip speed, by number of PhaseKind
   /// Over equal cells of the clock: the limits are those of a motion this many times slower.

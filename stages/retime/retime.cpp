@@ -259,10 +259,12 @@ Outcome<RetimeResult> retime(const RobotTable& robot, const JointPath& path,
                fmt::format("the path cannot be followed in {} s", *options.duration_s)}};
     }
   } else {
-    const bool human = options.mode == Tempo::human;
-    PacedPath paced_path = make(human);
+    const bool human = options.mode == Tempo::human, kept = options.mode == Tempo::kept;
+    PacedPath paced_path = make(human || kept);
     const auto pace = [&](PacedPath& c) {
-      return human ? pace_human(c, rate_hz) : pace_fastest(c, rate_hz);
+      return kept    ? pace_kept(c, rate_hz)
+             : human ? pace_human(c, rate_hz)
+                     : pace_fastest(c, rate_hz);
     };
     if (!follow_freely(paced_path, pace, rate_hz, attempt)) {
       return {std::move(result),

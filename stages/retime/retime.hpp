@@ -23,10 +23,11 @@ void fields(Fields& f, PhaseSpeed& o) {
 }
 std::string why_invalid(const PhaseSpeed& options);
 
-/// The human's wherever the limits allow it, as fast as they allow, or taking a given time.
-enum class Tempo { human, fastest, duration };
-constexpr std::array<std::string_view, 3> names_of(Tempo) {
-  return {"human", "fastest", "duration"};
+/// The human's wherever the limits allow it, as fast as they allow, taking a given time, or the
+/// human's with what was lost made up for.
+enum class Tempo { human, fastest, duration, kept };
+constexpr std::array<std::string_view, 4> names_of(Tempo) {
+  return {"human", "fastest", "duration", "kept"};
 }
 
 struct RetimeOptions {
@@ -66,7 +67,9 @@ struct RetimeResult {
 ///   human     at the demonstration's tempo wherever they allow it, slower elsewhere;
 ///   fastest   as fast as they allow;
 ///   duration  taking duration_s, in the human's proportions as far as they allow; any duration
-///             that is not less than the fastest is met.
+///             that is not less than the fastest is met;
+///   kept      as human, but where the limits made it late it hurries afterwards, by at most 1.4
+///             times, until the time base is the demonstration's again.
 /// Starts and ends with velocity and acceleration exactly zero. The limits hold for the quintics
 /// between the samples, not only at them: where they do not, the law is slowed down until they do.
 /// Refused: path (not a path of this robot), limit, duration.

@@ -15,6 +15,38 @@ constexpr double kCatchUp_s = 0.2;
 constexpr int kPaces = 11;  ///< tried for a duration, below the fastest
 constexpr Eigen::Index kLeastSteps = 400, kStepsPerKnot = 4, kLeastKnots = 32;
 
+constexpr int kHurries = 4;              ///< rounds of finding where to hurry
+constexpr double kReachesItsCap = 0.98;  ///< of the tempo that it may have
+
+/// Where a law is late it may hurry after that: as it is paced in the cells where the limits hold
+/// it below its tempo, in the others at 1 + min(1.4 - 1, late / kCatchUp_s).
+std::vector<double> where_late(const PacedPath& paced_path, const TimeLaw& law, double rate_hz) {
+  const std::size_t cells = paced_path.slowdown.size();
+  const double cell_s = paced_path.spline.length / static_cast<double>(cells);
+  std::vector<double> arrival(cells + 1, law.duration_s);  // at the edges of the cells
+  arrival[0] = 0;
+  std::size_t next = 1;
+  double before = 0;
+  for (double t = 1 / rate_hz; t < law.duration_s && next < cells; t += 1 / rate_hz) {
+    const double u = law.clock_at(t);
+    for (; next < cells && u >= static_cast<double>(next) * cell_s; ++next) {
+      const double share = (static_cast<double>(next) * cell_s - before) / (u - before);
+      arrival[next] = t - (1 - share) / rate_hz;
+    }
+    before = u;
+  }
+  std::vector<double> hurry(cells, 0);
+  double late_s = 0;
+  for (std::size_t k = 0; k < cells; ++k) {
+    const double had = paced_path.hurry.empty() ? 0 : paced_path.hurry[k];
+    const double pace = cell_s / std::max(arrival[k + 1] - arrival[k], 1e-9);
+    hurry[k] = std::clamp(late_s / kCatchUp_s, 0.0, kMostCatchUp);
+    const bool held = pace < kReachesItsCap * (1 + had);
+    late_s += cell_s / (held ? std::min(pace, 1 + hurry[k]) : 1 + hurry[k]) - cell_s;
+  }
+  return hurry;
+}
+
 }  // namespace
 
 TimeLaw fastest_law(const PacedPath& paced_path, Eigen::Index grid_steps, Eigen::Index knots) {
@@ -72,6 +104,19 @@ PacedLaw pace_human(PacedPath& paced_path, double rate_hz) {
     paced_path.catch_up += late_s / paced_path.catch_up_s + 1e-3;
   }
   return first;
+}
+
+PacedLaw pace_kept(PacedPath& paced_path, double rate_hz) {
+  const auto wanted = static_cast<Eigen::Index>(std::lround(paced_path.spline.length * rate_hz));
+  paced_path.tempo = 1;
+  paced_path.hurry.clear();
+  PacedLaw paced;
+  for (int k = 0; k < kHurries; ++k) {
+    if (k > 0) paced_path.hurry = where_late(paced_path, paced.law, rate_hz);
+    paced.law = fastest_law(paced_path);
+  }
+  paced.periods = std::max(least_periods(paced.law, rate_hz), wanted);
+  return paced;
 }
 
 std::optional<PacedLaw> pace_duration(PacedPath& paced_path, double rate_hz, Eigen::Index periods) {

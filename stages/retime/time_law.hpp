@@ -34,6 +34,9 @@ PacedLaw pace_fastest(PacedPath& paced_path, double rate_hz);
 /// du/dt <= 1. Being late by up to 5 % (starting and stopping take time that the demonstration may
 /// not have taken) is made up for next to both ends, by up to 1.4 times that pace, if limits allow.
 PacedLaw pace_human(PacedPath& paced_path, double rate_hz);
+/// du/dt <= 1 where it is on time; where the limits made it late, up to 1.4 afterwards until it is
+/// on time again.
+PacedLaw pace_kept(PacedPath& paced_path, double rate_hz);
 /// As human as can be, a steady pace faster or slower, so that all takes so many periods; nothing
 /// if even the fastest law takes longer. A path that was paced so before and slowed down since
 /// needs no less than the tempo it was left with, and starts from that.
