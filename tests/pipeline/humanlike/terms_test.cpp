@@ -137,6 +137,30 @@ TEST_F(Terms, TipPosition) {
   set_every_goal();
   expect_gradient(TipPosition{1000});
 }
+TEST_F(Terms, ThumbDistance) {
+  set_every_goal();
+  goal.hand_scale = 4;  // the human's tips are 25, 50, 75 mm and 0.1 m from its thumb's
+  ThumbDistance term;
+  term.weight = 1000;
+  expect_gradient(term);
+  // Fingers that are far, or whose goal is not seen, ask for nothing.
+  for (std::size_t i = 1; i < robot.tips.size(); ++i) {
+    if (i != 1) goal.tip_position[i] = unseen_point();
+  }
+  std::mt19937_64 random(3);
+  const JointVector q = random_position(robot, random);
+  std::vector<Pose> poses;
+  robot::forward(robot, q, poses);
+  const Vec3 thumb = robot::tip_pose(robot, poses, 0).translation();
+  const Vec3 index = robot::tip_pose(robot, poses, 1).translation();
+  const double off = (thumb - index).norm() - 0.025;
+  EXPECT_NEAR(value(term, q), 1000 * off * off, 1e-9);
+  goal.hand_scale = 1;
+  EXPECT_EQ(value(term, q), 0);
+  EXPECT_EQ(term.nearness(0.04), 1);
+  EXPECT_NEAR(term.nearness(0.05), 0.5, 1e-12);
+  EXPECT_EQ(term.nearness(0.06), 0);
+}
 TEST_F(Terms, TipOrientation) {
   set_every_goal();
   expect_gradient(TipOrientation{0.01});

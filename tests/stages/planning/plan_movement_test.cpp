@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/motion/goals_at.hpp"
+#include "stages/planning/plan_parts.hpp"
 #include "tests/stages/planning/robot_demonstration.hpp"
 
 namespace morphe::planning {
@@ -62,6 +63,37 @@ TEST(PlanMovement, AGraspInsideAnObstacleIsRefusedWithItsTime) {
   EXPECT_THAT(plan.detail, HasSubstr("postures for 1.4"));
   EXPECT_EQ(plan.trajectory.samples(), 0u);
   EXPECT_FALSE(plan.findings.empty()) << "what the mapping ran into stays on record";
+}
+
+TEST(PlanParts, WhatIsExecutableOfAMovementThatFails) {
+  test::RobotDemonstration of;
+  of.config.scene.objects = {ball_at_the_end(of, 0.05)};
+  StageSeconds seconds;
+  const std::vector<Plan> parts =
+      plan_parts(of.planner(), {}, of.motion, of.movement, {0.4}, seconds);
+  ASSERT_GT(parts.size(), 1u);
+  EXPECT_EQ(parts.front().movement.begin_s, of.movement.begin_s);
+  EXPECT_EQ(parts.back().movement.end_s, of.movement.end_s);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const Movement& part = parts[k].movement;
+    if (k > 0) {
+      EXPECT_EQ(part.begin_s, parts[k - 1].movement.end_s) << "nothing is left out";
+    }
+    if (!parts[k].executable()) {
+      EXPECT_LT(part.end_s - part.begin_s, 0.8);
+    }
+    EXPECT_THAT(parts[k].detail, HasSubstr("of a movement of 2.00 s"));
+  }
+  EXPECT_TRUE(parts.front().executable()) << parts.front().detail;
+  EXPECT_FALSE(parts.back().executable()) << "the ball is there";
+}
+
+TEST(PlanParts, AMovementThatSucceedsStaysWhole) {
+  test::RobotDemonstration of;
+  StageSeconds seconds;
+  const std::vector<Plan> parts = plan_parts(of.planner(), {}, of.motion, of.movement, {}, seconds);
+  ASSERT_EQ(parts.size(), 1u);
+  EXPECT_TRUE(parts.front().executable());
 }
 
 TEST(PlanMovement, GoalsThatNoArmReachesAreNotMarkedAsReachable) {

@@ -104,6 +104,30 @@ TEST(Retime, HumanReachFasterThanTheRobot) {
   EXPECT_LE(result.value.joint_deviation, 5e-4);
 }
 
+TEST(Retime, KeptMakesUpForWhatTheLimitsTook) {
+  // Slow, then too fast for the robot for a moment, then slow again.
+  const RobotTable robot = robot_with(1, 1, 10, 200);
+  const JointPath path = path_of(1001, 1, 10, [](double t, Eigen::Index) {
+    return 0.1 * t - 0.5 + 0.4 * std::tanh(6 * (t - 4));
+  });
+  RetimeOptions options;
+  const double human_s = retime_valid(robot, path, options).value.trajectory.time.back();
+  options.mode = Tempo::kept;
+  const Trajectory kept = retime_valid(robot, path, options).value.trajectory;
+  EXPECT_GT(human_s, 10.1);
+  EXPECT_NEAR(kept.time.back(), 10, 0.1);
+  double most_late_s = 0, late_afterwards_s = 0;
+  for (std::size_t i = 0; i < kept.samples(); ++i) {
+    const double late_s = kept.time[i] - kept.demonstration_time[i];
+    most_late_s = std::max(most_late_s, late_s);
+    if (kept.time[i] > 7 && kept.time[i] < 9.5) {
+      late_afterwards_s = std::max(late_afterwards_s, std::abs(late_s));
+    }
+  }
+  EXPECT_GT(most_late_s, 0.1);
+  EXPECT_LT(late_afterwards_s, 0.02);
+}
+
 TEST(Retime, GenerousLimitsKeepTheHumanTempo) {
   const RobotTable robot = robot_with(3, 10, 100, 10000);
   const JointPath reach = path_of(121, 3, 1.2, [](double t, Eigen::Index k) {
