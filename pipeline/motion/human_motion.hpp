@@ -47,7 +47,7 @@ struct HumanMotion {
   JointRows hand_angles;                     ///< [N, 20] kHandAngleNames [rad], or no rows
   HandBones bones;                           ///< of the hand, if it was seen whole
   double hand_scale = 1;  ///< what distances of the fingers were multiplied by, for a robot's hand
-  std::vector<std::string> estimated;        ///< what was not recorded but estimated
+  std::vector<std::string> estimated;  ///< what was not recorded but estimated
   std::vector<Residual> residuals;
   std::vector<std::string> problems;  ///< sentences for `morphe inspect`
 };

@@ -48,8 +48,8 @@ constexpr std::array<std::string_view, 4> names_of(FrameStatus) {
 }
 
 struct Mapped {
-  JointRows position;               ///< [F, n] [rad]
-  JointRows position_error;         ///< [F, m] [m], NaN = no goal
+  JointRows position;        ///< [F, n] [rad]
+  JointRows position_error;  ///< [F, m] [m], NaN = no goal
   /// [F, m] [m] how near the tips can come together to goals that are out of reach, NaN elsewhere;
   /// not stored.
   JointRows nearest_error;

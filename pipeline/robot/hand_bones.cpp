@@ -39,8 +39,7 @@ HandBones hand_bones(const RobotTable& robot) {
   std::vector<Pose> base_from_frame;
   const JointVector zero = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
   forward(robot, zero.cwiseMax(robot.lower).cwiseMin(robot.upper), base_from_frame);
-  const Pose palm_from_base =
-      base_from_frame[static_cast<std::size_t>(robot.palm_frame)].inverse();
+  const Pose palm_from_base = base_from_frame[static_cast<std::size_t>(robot.palm_frame)].inverse();
   for (std::size_t i = 0; i < robot.tips.size(); ++i) {
     const RobotTable::Tip& tip = robot.tips[i];
     if (tip.finger < 0) continue;

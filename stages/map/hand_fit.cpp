@@ -60,7 +60,8 @@ HandFit fit_hand(const HandBones& robot, const HandBones& human, const HandOptio
     fit.scale = breadth_ratio(robot, human, fingers);
   }
   if (options.at == HandAt::knuckles) {
-    for (const std::size_t f : fingers) fit.offset += robot.knuckle[f] - fit.scale * human.knuckle[f];
+    for (const std::size_t f : fingers)
+      fit.offset += robot.knuckle[f] - fit.scale * human.knuckle[f];
     fit.offset /= static_cast<double>(fingers.size());
   }
   return fit;

@@ -18,14 +18,14 @@ constexpr std::array<std::string_view, 3> names_of(HandScale) { return {"given",
 
 /// Where it is laid: its wrist where the robot's palm stands, or its knuckles on the robot's, which
 /// is the same for every choice of the palm's origin.
-enum class HandAt { wrist, knuckles };
-constexpr std::array<std::string_view, 2> names_of(HandAt) { return {"wrist", "knuckles"}; }
+enum class HandAt { palm, knuckles };
+constexpr std::array<std::string_view, 2> names_of(HandAt) { return {"palm", "knuckles"}; }
 
 /// Config section `hand`: for robots without an arm.
 struct HandOptions {
   HandScale scale = HandScale::given;
   double factor = 1;  ///< of scale given
-  HandAt at = HandAt::wrist;
+  HandAt at = HandAt::palm;
 };
 template <class Fields>
 void fields(Fields& f, HandOptions& o) {

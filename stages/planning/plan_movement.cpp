@@ -102,8 +102,8 @@ std::string warnings(const collision::CollisionWorld& world, const Goals& goals,
     }
   }
   if (goals.hand_scale != 1) {
-    sentences.push_back(fmt::format("the human's hand is made {:.3g} times as large",
-                                    goals.hand_scale));
+    sentences.push_back(
+        fmt::format("the human's hand is made {:.3g} times as large", goals.hand_scale));
   }
   if (goals.free_offset) {
     const Vec3 moved = 1e3 * *goals.free_offset;
@@ -263,8 +263,7 @@ run::DemonstrationOutcome plan_demonstration(const Planner& planner,
   std::vector<StageSeconds> of_movement(movements.size());
   parallel::for_each_index(movements.size(), [&](std::size_t k) {
     if (config.parts) {
-      plans[k] =
-          plan_parts(planner, beside, motion, movements[k], *config.parts, of_movement[k]);
+      plans[k] = plan_parts(planner, beside, motion, movements[k], *config.parts, of_movement[k]);
     } else {
       plans[k].push_back(plan_movement(planner, beside, motion, movements[k], of_movement[k]));
     }

@@ -10,8 +10,8 @@ namespace morphe::reconstruct {
 
 /// A hand of constant bones, frame by frame, in the hand frame.
 struct FittedHand {
-  Table<Vec3> joints;           ///< [N, 21] nearest to the points
-  JointRows angles;             ///< [N, 20] kHandAngleNames that come nearest to the joints
+  Table<Vec3> joints;  ///< [N, 21] nearest to the points
+  JointRows angles;    ///< [N, 20] kHandAngleNames that come nearest to the joints
   HandBones bones;
   Table<Quat> tip_orientation;  ///< [N, 5] z along the last bone, x out of the pad
   /// "keypoints, bones constant": points from joints; "hand angles, thumb" …: joints from where

@@ -19,7 +19,7 @@ struct PacedPath {
   double braking_share = 1;                  ///< of its braking curves
   double tempo = kMostPace;                  ///< clock seconds per second at most
   double catch_up = 0;                       ///< tempo is greater by this share at both ends …
-  double catch_up_s = 0.3;          ///< … falling smoothly to none this far from them [s]
+  double catch_up_s = 0.3;  ///< … falling smoothly to none this far from them [s]
   /// Over equal cells of the clock: tempo is greater by this share there. Empty: nowhere.
   std::vector<double> hurry;
   double tip_speed = kMostPace;     ///< of any tip [m/s]

@@ -35,8 +35,9 @@ struct PeerResidual {
   double weight;
 };
 
-std::vector<PeerResidual> peer_residuals(PeerMethod method, double scale, const std::vector<Vec3>& human,
-                                const ClosedPairs& closed) {
+std::vector<PeerResidual> peer_residuals(PeerMethod method, double scale,
+                                         const std::vector<Vec3>& human,
+                                         const ClosedPairs& closed) {
   const std::size_t tips = human.size();
   std::vector<PeerResidual> all;
   if (method == PeerMethod::dexpilot) {

@@ -36,8 +36,9 @@ struct ClosedPairs {
   std::vector<bool> closed;  ///< thumb's pairs first
 };
 
-/// A frame's objective at q, human tips [m] given about their wrist in the axes of the robot's palm.
-/// `closed` is brought up to the frame first (update_closed). Adds to gradient [n] if not null.
+/// A frame's objective at q, human tips [m] given about their wrist in the axes of the robot's
+/// palm. `closed` is brought up to the frame first (update_closed). Adds to gradient [n] if not
+/// null.
 double peer_objective(PeerMethod method, const PeerHand& hand, const std::vector<Vec3>& human_tips,
                       const ClosedPairs& closed, const JointVector& last, const JointVector& q,
                       JointVector* gradient);

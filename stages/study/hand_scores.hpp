@@ -9,11 +9,11 @@ namespace morphe::study {
 /// A hand's course beside the human's: what a user of hands alone looks at.
 struct HandScores {
   double tip_mean_m = kNotSeen, tip_95_m = kNotSeen;  ///< from where the method wants its tips
-  double pinch_median_m = kNotSeen;  ///< |thumb-index - the human's| in pinches
-  std::size_t pinches = 0;           ///< frames
-  double correlation = kNotSeen;     ///< thumb-index distance with the human's, all frames
-  double largest_step_rad = 0;       ///< of any joint, per 10 ms
-  double acceleration = kNotSeen;    ///< rms of tips', robot's over that of their goals
+  double pinch_median_m = kNotSeen;                   ///< |thumb-index - the human's| in pinches
+  std::size_t pinches = 0;                            ///< frames
+  double correlation = kNotSeen;   ///< thumb-index distance with the human's, all frames
+  double largest_step_rad = 0;     ///< of any joint, per 10 ms
+  double acceleration = kNotSeen;  ///< rms of tips', robot's over that of their goals
 };
 
 /// What a method makes of a recording: tips and goals [F][tips] in one frame.

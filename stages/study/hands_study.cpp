@@ -55,8 +55,8 @@ Tips about_wrist(const std::vector<Plan>& plans, const HandCourse& course,
   Tips tips = course.goals;
   for (std::vector<Vec3>& frame : tips) {
     for (Vec3& tip : frame) {
-      tip = (palm_from_base * tip - palm_from_base * goals.wrist_position.front()) /
-            goals.hand_scale;
+      tip =
+          (palm_from_base * tip - palm_from_base * goals.wrist_position.front()) / goals.hand_scale;
     }
   }
   return tips;
@@ -134,8 +134,9 @@ void study_peers(const StudiedHand& hand, const robot::Robot& robot, const HandC
 void study_hand(const StudiedHand& hand, const Demonstration& demonstration,
                 const HandsStudyOptions& options, const StudyRun& run, StudyResult& result) {
   const std::filesystem::path folder = std::filesystem::absolute(run.config).parent_path();
-  const planning::LoadedConfig config = planning::load_config(
-      folder / options.pipeline, {"robot.file=" + (folder / hand.file).lexically_normal().string()});
+  const planning::LoadedConfig config =
+      planning::load_config(folder / options.pipeline,
+                            {"robot.file=" + (folder / hand.file).lexically_normal().string()});
   const robot::Robot& robot = config.robot;
   const planning::Planner planner{config.options, robot};
   const double before_s = processor_s();

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stages/study/correlation.hpp"
 #include "pipeline/robot/forward.hpp"
+#include "stages/study/correlation.hpp"
 
 namespace morphe::study {
 namespace {

@@ -195,5 +195,25 @@ variants:
         self.assertEqual(ours["states in collision"], 0)
 
 
+class HandsStudy(CommandCase):
+    """Hands alone: the shipped study's small version has a row for every method and metric."""
+
+    def test_every_method_is_measured_and_pinches_close(self):
+        config = SOURCE / "configs/studies/hands.yaml"
+        result = morphe("study", config, "--quick", "--out", self.folder / "hands")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        rows = json.loads((self.folder / "hands/results.json").read_text())["rows"]
+        figures = {(row["case"]["method"], row["metric"]): row for row in rows}
+        for method in ("Morphe", "vector", "DexPilot"):
+            for metric in ("tips from their goals, mean", "largest step in 10 ms",
+                           "thumb-index, correlation with the human's"):
+                self.assertIsNotNone(figures[method, metric]["ours"])
+        ours = figures["Morphe", "thumb-index error in pinches, median"]
+        self.assertTrue(ours["holds"])
+        self.assertTrue(figures["Morphe", "tips' acceleration over their goals'"]["holds"])
+        # 30 frames a second for 20.67 s, rebuilt at 100.
+        self.assertEqual(figures["Morphe", "largest step in 10 ms"]["n"], 2067)
+
+
 if __name__ == "__main__":
     main()

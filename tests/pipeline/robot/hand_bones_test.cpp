@@ -31,7 +31,7 @@ TEST(HandBones, PassOverAnAxisThatSpreadsTheFinger) {
     f.joint = joint;
     robot.frames.push_back(f);
   };
-  frame(-1, Vec3(0, 0, 0.2), Vec3::UnitZ(), -1);           // palm
+  frame(-1, Vec3(0, 0, 0.2), Vec3::UnitZ(), -1);  // palm
   frame(0, Vec3(0.01, 0.03, 0.05), Vec3::UnitY(), 0);
   frame(1, Vec3(0, 0, 0.01), Vec3::UnitX(), 1);
   frame(2, Vec3(0, 0.004, 0.04), Vec3::UnitY(), 2);

@@ -18,7 +18,7 @@ HandBones hand_of(double index, double middle, double ring, double gap, const Ve
 TEST(FitHand, NoFingerIsAskedToBeLongerThanItIs) {
   const HandBones human = hand_of(0.08, 0.1, 0.09, 0.02, {0, 0, 0.09});
   const HandBones robot = hand_of(0.13, 0.13, 0.13, 0.045, {0.02, 0.01, 0});
-  const HandFit fit = fit_hand(robot, human, {HandScale::found, 1, HandAt::wrist});
+  const HandFit fit = fit_hand(robot, human, {HandScale::found, 1, HandAt::palm});
   EXPECT_NEAR(fit.scale, 0.13 / 0.1, 1e-12);
   EXPECT_EQ(fit.offset, Vec3::Zero());
   EXPECT_EQ(fit.problem, "");
@@ -27,7 +27,7 @@ TEST(FitHand, NoFingerIsAskedToBeLongerThanItIs) {
 TEST(FitHand, ByThePalmItIsAsBroadAsTheRobots) {
   const HandBones human = hand_of(0.08, 0.1, 0.09, 0.02, {0, 0, 0.09});
   const HandBones robot = hand_of(0.13, 0.13, 0.13, 0.045, {0.02, 0.01, 0});
-  EXPECT_NEAR(fit_hand(robot, human, {HandScale::palm, 1, HandAt::wrist}).scale, 2.25, 1e-12);
+  EXPECT_NEAR(fit_hand(robot, human, {HandScale::palm, 1, HandAt::palm}).scale, 2.25, 1e-12);
 }
 
 TEST(FitHand, AHandThatIsALargerOneMovedIsFittedExactly) {
@@ -57,8 +57,8 @@ TEST(FitHand, WhatIsNotKnownIsSaid) {
   EXPECT_EQ(unknown.offset, Vec3::Zero());
   EXPECT_NE(unknown.problem, "");
   EXPECT_EQ(fit_hand(robot, {}, {}).problem, "") << "nothing was asked for";
-  EXPECT_NE(why_invalid(HandOptions{HandScale::found, 1.2, HandAt::wrist}), "");
-  EXPECT_NE(why_invalid(HandOptions{HandScale::given, 0, HandAt::wrist}), "");
+  EXPECT_NE(why_invalid(HandOptions{HandScale::found, 1.2, HandAt::palm}), "");
+  EXPECT_NE(why_invalid(HandOptions{HandScale::given, 0, HandAt::palm}), "");
 }
 
 }  // namespace

@@ -24,8 +24,8 @@ TEST(NearestErrors, AreDistancesFromWhatTheLinksReach) {
   problem.robot = &robot;
   problem.objective = usual_objective();
   problem.world = &world;
-  const std::vector<Vec3> places = {{1.2, 0.3, 0}, {1.5, 0, 0}, {0.3, 0.4, 0.25}, {0.5, 0.5, 0},
-                                    unseen_point()};
+  const std::vector<Vec3> places = {
+      {1.2, 0.3, 0}, {1.5, 0, 0}, {0.3, 0.4, 0.25}, {0.5, 0.5, 0}, unseen_point()};
   for (std::size_t f = 0; f < places.size(); ++f) {
     problem.time.push_back(0.01 * static_cast<double>(f));
     problem.goals.emplace_back().tip_position = {places[f]};
