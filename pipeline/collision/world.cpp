@@ -8,6 +8,8 @@
 namespace morphe::collision {
 namespace {
 
+constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
 /// Whether two balls are at least so far apart: then the bodies in them are, too.
 bool apart(const CollisionScratch::Ball& a, const CollisionScratch::Ball& b, double distance_m) {
   const double least_m = a.radius + b.radius + distance_m;
@@ -30,8 +32,16 @@ void visit_near(const CollisionWorld& world, CollisionScratch& scratch, const do
                 Required required, Visit visit) {
   PairSeparation pair;
   pair.required = world.tolerances.margin;
+  std::size_t of = kNone, row = kNone;  // the last capsule, and the group looked at for it
+  bool beside = false;
   for (const auto& [i, j] : world.pairs) {
     const auto first = static_cast<std::size_t>(i), second = static_cast<std::size_t>(j);
+    if (first != of || second / kCapsuleGroup != row) {
+      of = first;
+      row = second / kCapsuleGroup;
+      beside = !apart(scratch.balls[first], scratch.groups[row], limit + pair.required);
+    }
+    if (!beside) continue;
     if (apart(scratch.balls[first], scratch.balls[second], limit + pair.required)) continue;
     pair.capsule = i;
     pair.other = j;
