@@ -21,7 +21,7 @@ std::vector<Axis> bending_axes(const RobotTable& robot, const RobotTable::Tip& t
   std::vector<Axis> axes;
   for (const int f : upwards(robot, tip.frame)) {
     if (f == robot.palm_frame) break;
-    if (joint_of(robot, f) < 0) continue;
+    if (joint_of(robot, f) < 0 || robot.frames[static_cast<std::size_t>(f)].slides) continue;
     const Pose& pose = base_from_frame[static_cast<std::size_t>(f)];
     const Axis axis{pose.translation(),
                     pose.linear() * robot.frames[static_cast<std::size_t>(f)].axis};
