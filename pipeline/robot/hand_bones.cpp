@@ -20,7 +20,7 @@ std::vector<Axis> bending_axes(const RobotTable& robot, const RobotTable::Tip& t
                                const std::vector<Pose>& base_from_frame) {
   std::vector<Axis> axes;
   for (const int f : upwards(robot, tip.frame)) {
-    if (f == robot.palm_frame) break;
+    if (hangs_on(robot, robot.palm_frame, f)) break;  // it carries the palm: a wrist, no finger
     if (joint_of(robot, f) < 0 || robot.frames[static_cast<std::size_t>(f)].slides) continue;
     const Pose& pose = base_from_frame[static_cast<std::size_t>(f)];
     const Axis axis{pose.translation(),

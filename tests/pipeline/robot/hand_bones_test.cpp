@@ -20,9 +20,9 @@ TEST(HandBones, AreTheSumsOfTheLinksFromTheKnucklesAxis) {
 /// that bend is passed over, and a tip beside the finger, along the axes, adds nothing.
 TEST(HandBones, PassOverAnAxisThatSpreadsTheFinger) {
   RobotTable robot;
-  robot.joint_names = {"bend", "spread", "middle"};
-  robot.lower = JointVector::Constant(3, -1);
-  robot.upper = JointVector::Constant(3, 2);
+  robot.joint_names = {"bend", "spread", "middle", "wrist"};
+  robot.lower = JointVector::Constant(4, -1);
+  robot.upper = JointVector::Constant(4, 2);
   const auto frame = [&](int parent, const Vec3& at, const Vec3& axis, int joint) {
     RobotTable::Frame f;
     f.parent = parent;
@@ -31,10 +31,12 @@ TEST(HandBones, PassOverAnAxisThatSpreadsTheFinger) {
     f.joint = joint;
     robot.frames.push_back(f);
   };
-  frame(-1, Vec3(0, 0, 0.2), Vec3::UnitZ(), -1);  // palm
+  frame(-1, Vec3(0, 0, 0.2), Vec3::UnitY(), 3);  // a wrist that bends as the fingers do
   frame(0, Vec3(0.01, 0.03, 0.05), Vec3::UnitY(), 0);
   frame(1, Vec3(0, 0, 0.01), Vec3::UnitX(), 1);
   frame(2, Vec3(0, 0.004, 0.04), Vec3::UnitY(), 2);
+  frame(0, Vec3::Zero(), Vec3::UnitZ(), -1);  // the palm, beside the finger
+  robot.palm_frame = 4;
   RobotTable::Tip tip;
   tip.frame = 3;
   tip.finger = 2;
