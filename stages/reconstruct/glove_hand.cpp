@@ -76,7 +76,11 @@ GloveColumns glove_on_clock(const HandStream& glove, const std::optional<HandStr
 void pose_fingers(const GloveColumns& glove, const human::HandSize& size, HumanMotion& motion) {
   const GloveColumns columns = completed(glove, motion.estimated);
   const RobotTable hand = human::human_hand(size);
-  motion.bones = robot::hand_bones(hand);
+  RobotTable flat_palm = hand;  // whose arch, after kHandAngleNames, bends no finger
+  for (RobotTable::Frame& frame : flat_palm.frames) {
+    if (frame.joint == static_cast<int>(kHandAngles)) frame.joint = -1;
+  }
+  motion.bones = robot::hand_bones(flat_palm);
   std::vector<Pose> frames;
   const auto rows = static_cast<Eigen::Index>(motion.time.size());
   motion.hand_angles.resize(rows, static_cast<Eigen::Index>(kHandAngles));
