@@ -13,7 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using robot::UrdfShape;
-using robot::UrdfShapeKind;
 
 /// The folder that holds PATH of package://NAME/PATH: NAME itself somewhere above the URDF.
 fs::path package_file(const fs::path& urdf, const std::string& name, const fs::path& path,
@@ -45,9 +44,7 @@ fs::path file_of(const fs::path& urdf, const std::string& named, const MeshPlace
 
 SceneObject solid(const UrdfShape& shape) {
   SceneObject object;
-  object.shape = shape.kind == UrdfShapeKind::sphere ? Shape::sphere
-                 : shape.kind == UrdfShapeKind::box  ? Shape::box
-                                                     : Shape::cylinder;
+  object.shape = shape.kind;
   const std::size_t numbers = object.shape == Shape::sphere ? 1
                               : object.shape == Shape::box  ? 3
                                                             : 2;
@@ -129,7 +126,7 @@ struct Reader {
 
   void read(const UrdfShape& shape, int frame) {
     SceneObject object;
-    if (shape.kind == UrdfShapeKind::mesh) {
+    if (shape.kind == Shape::mesh) {
       if (!read_mesh(shape, object)) return;
       auto& points = found.points[frame];
       points.insert(points.end(), object.vertices.begin(), object.vertices.end());

@@ -198,7 +198,7 @@ FileScope read_description(const config::ConfigNode& root, const Anchor& base,
       attempt([&] { read_tip(assembly, scope, tip); });
   }
   if (root.has("side")) {
-    const std::optional<Side> side = named<Side>(root["side"].text());
+    const std::optional<Side> side = morphe::named<Side>(root["side"].text());
     if (side) assembly.side = *side;
     if (!side) attempt([&] { root["side"].fail("must be left or right"); });
   }

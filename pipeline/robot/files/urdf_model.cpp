@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "pipeline/motion/named.hpp"
 #include "pipeline/robot/files/assembly.hpp"
 
 namespace morphe::robot {
@@ -40,22 +41,24 @@ bool read_shape(const XmlElement& element, UrdfShape& shape) {
   const XmlElement* found = geometry ? geometry->FirstChildElement() : nullptr;
   if (!found) return false;
   shape.link_from_shape = origin_of(element);
-  const std::string kind = found->Value();
-  if (kind == "sphere") {
-    shape.kind = UrdfShapeKind::sphere;
-    shape.size = {number_of(found, "radius"), 0, 0};
-  } else if (kind == "box") {
-    shape.kind = UrdfShapeKind::box;
-    shape.size = vector_of(found, "size", Vec3::Zero());
-  } else if (kind == "cylinder") {
-    shape.kind = UrdfShapeKind::cylinder;
-    shape.size = {number_of(found, "radius"), number_of(found, "length"), 0};
-  } else if (kind == "mesh") {
-    const char* file = found->Attribute("filename");
-    shape.mesh = file ? file : "";
-    shape.size = vector_of(found, "scale", Vec3::Ones());
-  } else {
-    return false;
+  const std::optional<Shape> kind = morphe::named<Shape>(found->Value());
+  if (!kind) return false;
+  shape.kind = *kind;
+  switch (shape.kind) {
+    case Shape::sphere:
+      shape.size = {number_of(found, "radius"), 0, 0};
+      break;
+    case Shape::box:
+      shape.size = vector_of(found, "size", Vec3::Zero());
+      break;
+    case Shape::cylinder:
+    case Shape::capsule:
+      shape.size = {number_of(found, "radius"), number_of(found, "length"), 0};
+      break;
+    case Shape::mesh:
+      const char* file = found->Attribute("filename");
+      shape.mesh = file ? file : "";
+      shape.size = vector_of(found, "scale", Vec3::Ones());
   }
   return true;
 }

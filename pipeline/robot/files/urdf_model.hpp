@@ -6,16 +6,15 @@
 #include <vector>
 
 #include "pipeline/motion/robot_table.hpp"
+#include "pipeline/motion/scene.hpp"
 #include "pipeline/robot/files/urdf_joints.hpp"
 
 namespace morphe::robot {
 
-enum class UrdfShapeKind { sphere, box, cylinder, mesh };
-
 /// A shape of a link as the URDF has it.
 struct UrdfShape {
   std::string link;
-  UrdfShapeKind kind = UrdfShapeKind::mesh;
+  Shape kind = Shape::mesh;
   Vec3 size = Vec3::Ones();  ///< sphere r, -, -; box x, y, z; cylinder r, length, -; mesh scale
   std::string mesh;          ///< as it is named there
   Pose link_from_shape = Pose::Identity();

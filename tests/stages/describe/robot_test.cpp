@@ -47,9 +47,8 @@ TEST(RobotReport, ReachIsThatOfTheStretchedLinks) {
 TEST(RobotReport, RemarksOnWhatIsHardlyMeant) {
   robot::RobotDescription robot = two_links();
   robot.notes = {"hand.urdf:7: a mesh"};
-  EXPECT_THAT(remarks(robot),
-              ElementsAre("hand.urdf:7: a mesh",
-                          "tip pad has no centre for its finger's humanlikeness"));
+  EXPECT_THAT(remarks(robot), ElementsAre("hand.urdf:7: a mesh",
+                                          "tip pad has no centre for its finger's humanlikeness"));
   robot.table.tips[1].frame = 0;  // the palm moves with b, this one before it
   EXPECT_THAT(remarks(robot), testing::Contains("tip pad does not hang on palm palm"));
   robot.notes.clear();
