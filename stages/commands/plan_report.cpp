@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "stages/place/reach.hpp"
+
 namespace morphe::commands {
 namespace {
 
@@ -112,6 +114,24 @@ std::string plan_rows(const Plan& plan) {
                     finding.begin_s, finding.end_s, finding.depth);
   }
   return rows;
+}
+
+std::string base_sentence(const RobotTable& robot, const map::PlacementOptions& placement,
+                          const Plan& plan) {
+  if (map::hand_alone(robot)) return "";
+  const place::Stand stand = place::stand_of(placement);
+  const Vec3 base = 1e3 * place::base_from_human_shoulder(stand, map::robot_shoulder(robot));
+  const Vec3 up = stand.up();
+  std::string text = fmt::format(
+      "{}: base ({:.0f}, {:.0f}, {:.0f}) mm right of, before and above the person's shoulder, z "
+      "axis ({:.2f}, {:.2f}, {:.2f})",
+      robot.name, base.x(), base.y(), base.z(), up.x(), up.y(), up.z());
+  if (const SceneObject* table = object_named(plan.scene.objects, "table")) {
+    const Vec3 from_middle = recorded_pose(*table, 0).inverse() * Vec3::Zero();
+    const double above = 1e3 * (from_middle.z() - table->size[2] / 2);
+    text += fmt::format(", {:.0f} mm above the table", above);
+  }
+  return text;
 }
 
 std::string plan_table_foot(const RobotTable& robot, const run::BatchSummary& summary) {

@@ -5,6 +5,7 @@
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
 #include "pipeline/run/batch.hpp"
+#include "stages/place/stand.hpp"
 
 namespace morphe::commands {
 
@@ -13,6 +14,10 @@ namespace morphe::commands {
 /// robot is not checked. Without a newline at the end.
 std::string plan_table_head();
 std::string plan_rows(const Plan& plan);
+/// Where the base stands, relative to the person and, as in `plan`, to the table; "" of a hand
+/// alone.
+std::string base_sentence(const RobotTable& robot, const map::PlacementOptions& placement,
+                          const Plan& plan);
 std::string plan_table_foot(const RobotTable& robot, const run::BatchSummary& summary);
 
 }  // namespace morphe::commands

@@ -11,6 +11,7 @@
 #include "pipeline/motion/version.hpp"
 #include "pipeline/run/run_dataset.hpp"
 #include "pipeline/run/run_folder.hpp"
+#include "pipeline/store/plan_file.hpp"
 #include "stages/commands/commands.hpp"
 #include "stages/commands/input_file.hpp"
 #include "stages/commands/plan_report.hpp"
@@ -69,12 +70,18 @@ class Dataset {
   fs::path file_, published_;
 };
 
-void print_table(const run::Journal& journal, const RobotTable& robot, const fs::path& plans,
-                 const run::BatchSummary& summary) {
+void print_table(const run::Journal& journal, const planning::LoadedConfig& config,
+                 const fs::path& plans, const run::BatchSummary& summary) {
+  const RobotTable& robot = config.robot;
   constexpr int kMostRows = 1000;
   if (summary.movements <= kMostRows) {
     fmt::print("{}\n", plan_table_head());
     journal.each_row([](const std::string& rows) { fmt::print("{}\n", rows); });
+  }
+  const store::PlanReader written(plans);
+  if (written.size() > 0) {
+    const std::string base = base_sentence(robot, config.options.placement, written.read(0));
+    if (!base.empty()) fmt::print("{}\n", base);
   }
   fmt::print("{}\n{}: {}\n", plan_table_foot(robot, summary), plans.string(),
              run::summary_text_for_people(summary));
@@ -137,7 +144,7 @@ int execute(const RunArguments& arguments) {
   if (arguments.json) {
     fmt::print("{}\n", run::summary_json(result.summary));
   } else {
-    print_table(folder.journal(), robot, request.plans, result.summary);
+    print_table(folder.journal(), config.loaded, request.plans, result.summary);
   }
   if (result.summary.failed > 0) return 1;
   return arguments.strict && result.summary.infeasible > 0 ? 1 : 0;

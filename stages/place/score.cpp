@@ -39,6 +39,10 @@ double speed_between(const robot::Robot& robot, const JointVector& a, const Join
   return ((b - a).cwiseAbs().array() / robot.velocity.array()).maxCoeff() / time_s;
 }
 
+/// A placement's worth shows long before its postures settle.
+constexpr int kIterations = 12;
+constexpr double kSettled = 3e-4;
+
 map::MappingProblem few_of(const planning::PlacedMovement& placed, const Effort& effort) {
   return map::on_frames(placed.problem,
                         planning::few_frames(placed.problem.frames(), effort.frames));
@@ -119,6 +123,9 @@ planning::PipelineConfig tried_config(const planning::PipelineConfig& config, co
   tried.map.key_frames = effort.key_frames;
   tried.map.starts = effort.starts;
   tried.map.candidates = 2;
+  solve::MovementOptions& movement = tried.map.movement;
+  movement.iterations = std::min(movement.iterations, kIterations);
+  movement.relative_value = std::max(movement.relative_value, kSettled);
   return tried;
 }
 

@@ -126,6 +126,15 @@ std::string warnings(const collision::CollisionWorld& world, const Goals& goals,
   return joined(sentences);
 }
 
+/// "", or that the upper arm points elsewhere than the person's.
+std::string not_humanlike(const Certificate& certificate) {
+  constexpr double kFar = 45 * kDegree;
+  if (!(certificate.upper_arm_error_mean > kFar)) return "";
+  return fmt::format(
+      "not humanlike: the upper arm is {:.0f} degrees from the person's in the mean (morphe place)",
+      certificate.upper_arm_error_mean / kDegree);
+}
+
 /// Time law and certificate. Smoothing that makes a path collide, or takes tips too far from their
 /// goals, is taken back before giving up.
 void finish(const Planner& planner, const collision::CollisionWorld& world, Plan& plan,
@@ -222,8 +231,10 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
     plan.grasp = certify::find_grasp(robot, plan.scene, plan.movement, plan.trajectory);
     plan.detail = warnings(world, plan.goals, plan.movement, motion, plan.trajectory,
                            config.retime.mode == retime::Tempo::kept);
-    const std::string unchecked = unchecked_sentence(robot.unchecked_links);
-    if (!unchecked.empty()) plan.detail += (plan.detail.empty() ? "" : "; ") + unchecked;
+    for (const std::string& sentence :
+         {not_humanlike(plan.certificate), unchecked_sentence(robot.unchecked_links)}) {
+      if (!sentence.empty()) plan.detail += (plan.detail.empty() ? "" : "; ") + sentence;
+    }
   }
   return plan;
 }
