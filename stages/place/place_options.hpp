@@ -31,8 +31,8 @@ struct PlaceOptions {
   Kept keep;
   double person_m = 0.15;  ///< the base keeps this far from the person's middle, a plumb line
   int samples = 16000;     ///< places looked at by reach alone
-  int candidates = 400;    ///< the best of them, mapped in three trials with a few frames
-  int refined = 12;        ///< the best of these, improved over all trials
+  int candidates = 600;    ///< the best of them, mapped in three trials with a few frames
+  int refined = 16;        ///< the best of these, improved over all trials
   int planned = 3;         ///< the best of these, planned in full
   int trials = 8;          ///< movements at most, evenly over the dataset
   int jobs = 1;            ///< threads
