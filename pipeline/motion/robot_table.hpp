@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/motion/export.hpp"
 #include "pipeline/motion/geometry.hpp"
 
 namespace morphe {
@@ -84,6 +85,6 @@ struct RobotTable {
 };
 
 /// "", or which links are not checked for contact.
-std::string unchecked_sentence(const std::vector<std::string>& links);
+MORPHE_EXPORT std::string unchecked_sentence(const std::vector<std::string>& links);
 
 }  // namespace morphe

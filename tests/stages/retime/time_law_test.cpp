@@ -14,8 +14,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// A straight line from 0 to `way` over one second of the clock.
 PacedPath line_path(const JointVector& way, double velocity, double acceleration, double jerk,
                     const Movement& movement) {
+  static const RobotTable robot;  // without braking curves
   PacedPath paced_path;
   const Eigen::Index n = way.size(), intervals = 100;
+  paced_path.robot = &robot;
   paced_path.movement = &movement;
   paced_path.spline.length = 1;
   paced_path.spline.intervals = intervals;
