@@ -8,6 +8,7 @@
 
 #include "pipeline/motion/export.hpp"
 #include "pipeline/motion/geometry.hpp"
+#include "pipeline/motion/side.hpp"
 
 namespace morphe {
 
@@ -78,7 +79,10 @@ struct RobotTable {
   /// Links that have a body but no capsule: nothing of them is checked for contact.
   std::vector<std::string> unchecked_links;
   int shoulder_frame = 0;  ///< its origin is the robot's shoulder
-  int palm_frame = 0;  ///< carries the hand: z to the fingers, y to the thumb, x out of the palm
+  /// Carries the hand: z to the fingers, x out of the palm; y to the thumb of a right hand, away
+  /// from that of a left one.
+  int palm_frame = 0;
+  Side side = Side::right;  ///< of the hand: what it follows is mirrored into a hand of its side
 
   std::size_t joints() const { return joint_names.size(); }
   bool some_slide() const { return std::ranges::any_of(frames, &Frame::slides); }

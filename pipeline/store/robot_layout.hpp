@@ -11,6 +11,7 @@ void lay_out_robot(Io& io, T& robot) {
   io.attribute("name", robot.name);
   io.attribute("shoulder_frame", robot.shoulder_frame);
   io.attribute("palm_frame", robot.palm_frame);
+  io.maybe("side", robot.side);
   io.names("joint_names", robot.joint_names);
   io.dataset("lower", robot.lower, of_joints());
   io.dataset("upper", robot.upper, of_joints());

@@ -82,7 +82,7 @@ Inspection inspect(const Demonstration& demonstration, const InspectOptions& opt
   result.residuals = motion.residuals;
   result.estimated = motion.estimated;
   for (Movement& movement : segment::segment(
-           motion, options.segment, reconstruct::objects_beside_right_hand(demonstration))) {
+           motion, options.segment, reconstruct::objects_beside(demonstration, Side::right))) {
     std::string unusable = why_unusable(motion, movement);
     result.movements.push_back({std::move(movement), std::move(unusable)});
   }

@@ -126,7 +126,10 @@ JointVector FingerAngles::operator()(const JointVector& human_angles) {
   std::vector<humanlike::Chain> goals;
   for (const Finger& finger : fingers) {
     humanlike::Chain chain = human_chain(finger, poses);
-    for (Vec3& joint : chain) joint = base_from_palm * joint;
+    for (Vec3& joint : chain) {
+      if (hand.side == Side::left) joint.y() = -joint.y();
+      joint = base_from_palm * joint;
+    }
     goals.push_back(humanlike::posed_like(chain, finger.at_zero));
   }
 

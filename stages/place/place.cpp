@@ -19,7 +19,7 @@ constexpr std::size_t kFewTrials = 3;
 /// Places that differ by less than both are one.
 constexpr double kSamePlace_m = 0.06, kSameTurn = 15 * kDegree;
 
-std::vector<Stand> within_reach(const Reach& reach, const std::vector<Trial>& trials,
+std::vector<Stand> within_reach(const Reach& reach, Side side, const std::vector<Trial>& trials,
                                 const Stand& configured, const PlaceOptions& options) {
   struct Sample {
     Stand stand;
@@ -29,7 +29,7 @@ std::vector<Stand> within_reach(const Reach& reach, const std::vector<Trial>& tr
   math::RandomStream random(options.seed, "places");
   for (int k = 0; k < options.samples; ++k) {
     Sample sample{random_stand(configured, options, random), 0};
-    if (!base_is_free(trials, sample.stand, reach.shoulder(), options)) continue;
+    if (!base_is_free(trials, sample.stand, reach.shoulder(), side, options)) continue;
     for (const Trial& trial : trials) sample.outside += reach.share_outside(trial, sample.stand);
     samples.push_back(std::move(sample));
   }
@@ -115,7 +115,8 @@ std::vector<Found> place(const planning::Planner& planner, const std::vector<Tri
                          const PlaceOptions& options, const Report& report) {
   const Stand configured = stand_of(planner.config.placement);
   const Reach reach(planner.robot, options.seed);
-  const std::vector<Stand> stands = within_reach(reach, trials, configured, options);
+  const std::vector<Stand> stands =
+      within_reach(reach, planner.robot.side, trials, configured, options);
   const auto refined = [&](const std::vector<Candidate>& starts, const Steps& steps,
                            const char* what) {
     std::vector<Candidate> better =

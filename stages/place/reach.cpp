@@ -74,10 +74,11 @@ Vec3 base_from_human_shoulder(const Stand& stand, const Vec3& shoulder) {
 }
 
 bool base_is_free(const std::vector<Trial>& trials, const Stand& stand, const Vec3& shoulder,
-                  const PlaceOptions& options) {
-  constexpr double kMiddle = -0.2, kAbove = 0.005;
+                  Side side, const PlaceOptions& options) {
+  constexpr double kHalfBreadth = 0.2, kAbove = 0.005;
   const Vec3 base = base_from_human_shoulder(stand, shoulder);
-  if (std::hypot(base.x() - kMiddle, base.y()) < options.person_m) return false;
+  const double middle = side == Side::left ? kHalfBreadth : -kHalfBreadth;
+  if (std::hypot(base.x() - middle, base.y()) < options.person_m) return false;
   return std::ranges::none_of(trials, [&](const Trial& trial) {
     const SceneObject* table = trial.table();
     if (!table) return false;

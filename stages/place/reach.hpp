@@ -32,9 +32,9 @@ class Reach {
 /// Whether the base may stand there: the origin of its frame, in every trial,
 ///   - is not below the table's top (nor less than 5 mm above it) where the table is,
 ///   - keeps `person_m` from the plumb line through the person's middle, 0.2 m to the left of the
-///     shoulder: about half a man's shoulder breadth.
+///     right shoulder (to the right of the left one): about half a man's shoulder breadth.
 bool base_is_free(const std::vector<Trial>& trials, const Stand& stand, const Vec3& shoulder,
-                  const PlaceOptions& options);
+                  Side side, const PlaceOptions& options);
 
 /// The base's origin from the human shoulder, along the world's axes [m].
 Vec3 base_from_human_shoulder(const Stand& stand, const Vec3& shoulder);

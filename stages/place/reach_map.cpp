@@ -45,7 +45,7 @@ ReachMap reach_map(const planning::Planner& planner, const std::vector<Trial>& t
         Stand stand = map.stand;
         stand.shoulder_offset.x() = map.right[cell % side];
         stand.shoulder_offset.y() = map.forward[cell / side];
-        if (!base_is_free(trials, stand, shoulder, options)) return kNotSeen;
+        if (!base_is_free(trials, stand, shoulder, planner.robot.side, options)) return kNotSeen;
         const Candidate tried =
             try_stand(planner, stand, few, {6, 2, 4}, math::seed_from(options.seed, "map", cell));
         return 1 - tried.measures.out_of_reach;

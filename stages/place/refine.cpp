@@ -99,7 +99,8 @@ Candidate refine(const planning::Planner& planner, const Stand& start, const Ste
         for (const double sign : {1.0, -1.0}) {
           const Stand next = allowed(stepped(best.at.stand, way, sign * shift_m, sign * turn_rad),
                                      configured, options);
-          if (same(next, best.at.stand) || !base_is_free(trials, next, robot_shoulder, options)) {
+          if (same(next, best.at.stand) ||
+              !base_is_free(trials, next, robot_shoulder, planner.robot.side, options)) {
             continue;
           }
           Visited there = follow_all(planner, next, trials, best);

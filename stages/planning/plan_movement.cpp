@@ -248,10 +248,14 @@ Rebuilt rebuild(const Planner& planner, const Demonstration& demonstration, Stag
                  : reconstruct::reconstruct(demonstration, config.reconstruct, config.human);
   });
   rebuilt.beside = demonstration;
-  rebuilt.beside.objects = reconstruct::objects_beside_right_hand(demonstration);
+  rebuilt.beside.objects = reconstruct::objects_beside(demonstration, Side::right);
   rebuilt.movements = timed(seconds, "segment", [&] {
     return segment::segment(rebuilt.motion, config.segment, rebuilt.beside.objects);
   });
+  if (planner.robot.side == Side::left) {
+    rebuilt.motion = reconstruct::mirrored(std::move(rebuilt.motion));
+    rebuilt.beside.objects = reconstruct::objects_beside(demonstration, Side::left);
+  }
   if (!alone) return rebuilt;
   rebuilt.motion = reconstruct::in_hand_frame(std::move(rebuilt.motion));
   const map::HandFit fit =

@@ -13,14 +13,15 @@ namespace morphe::planning {
 using StageSeconds = std::map<std::string, double>;
 
 /// All steps for one movement. Never throws for a bad movement: the plan carries the reason. The
-/// objects of `demonstration` are where `recorded` is: a left hand's in the mirror. `offset`: where
-/// the base stands, if that is no longer to be chosen (map.free_offset).
+/// objects of `demonstration` are where `recorded` is: in the mirror, if a hand of the other side
+/// than the robot's was recorded. `offset`: where the base stands, if that is no longer to be
+/// chosen (map.free_offset).
 Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
                    const HumanMotion& recorded, const Movement& movement, StageSeconds& seconds,
                    const std::optional<Vec3>& offset = {});
 
-/// A demonstration rebuilt, and the movements found in it; what is around them is where the rebuilt
-/// arm is: a left hand's in the mirror.
+/// A demonstration rebuilt as an arm of the robot's side, and the movements found in it; what is
+/// around them is where that arm is: in the mirror, if the other one was recorded.
 struct Rebuilt {
   HumanMotion motion;
   Demonstration beside;

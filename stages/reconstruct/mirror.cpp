@@ -80,9 +80,24 @@ Demonstration mirrored(const Demonstration& demonstration) {
   return result;
 }
 
-std::vector<SceneObject> objects_beside_right_hand(const Demonstration& demonstration) {
+HumanMotion mirrored(HumanMotion motion) {
+  // M R M has the axes -x, y, z of the mirrored hand; half a turn about z makes them x, -y, z.
+  const Quat half_turn(0, 0, 0, 1);
+  for (std::vector<Vec3>* points : {&motion.shoulder, &motion.elbow, &motion.wrist})
+    mirror_all(*points);
+  mirror_all(motion.tip.values);
+  mirror_all(motion.finger_joint.values);
+  for (std::vector<Quat>* turns : {&motion.wrist_orientation, &motion.tip_orientation.values}) {
+    mirror_all(*turns);
+    for (Quat& turn : *turns) turn = turn * half_turn;
+  }
+  for (Vec3& knuckle : motion.bones.knuckle) knuckle.y() = -knuckle.y();
+  return motion;
+}
+
+std::vector<SceneObject> objects_beside(const Demonstration& demonstration, Side hand) {
   std::vector<SceneObject> objects = demonstration.objects;
-  if (demonstration.hand == Side::left) mirror(objects);
+  if (demonstration.hand != hand) mirror(objects);
   return objects;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pipeline/motion/demonstration.hpp"
+#include "pipeline/motion/human_motion.hpp"
 
 namespace morphe::reconstruct {
 
@@ -12,7 +13,12 @@ namespace morphe::reconstruct {
 /// (except for `hand`).
 Demonstration mirrored(const Demonstration& demonstration);
 
-/// The recorded objects where the rebuilt motion is: those of a left hand in the mirror.
-std::vector<SceneObject> objects_beside_right_hand(const Demonstration& demonstration);
+/// A motion seen in the mirror, as that of the other arm: what was rebuilt as a right one for a
+/// left robot. z of the hand and of the fingertips still points along the fingers and x out of the
+/// palm; y, to the thumb of a right hand, points away from that of a left one.
+HumanMotion mirrored(HumanMotion motion);
+
+/// The recorded objects where a motion of that side is: in the mirror, if the other hand moved.
+std::vector<SceneObject> objects_beside(const Demonstration& demonstration, Side hand);
 
 }  // namespace morphe::reconstruct

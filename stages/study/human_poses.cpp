@@ -34,7 +34,7 @@ std::vector<HumanPoses> arm_poses(const std::filesystem::path& manifest,
   std::vector<HumanPoses> all;
   for_each_motion(manifest, [&](const Demonstration& demonstration, const HumanMotion& motion) {
     for (const Movement& movement :
-         segment::segment(motion, {}, reconstruct::objects_beside_right_hand(demonstration))) {
+         segment::segment(motion, {}, reconstruct::objects_beside(demonstration, Side::right))) {
       HumanPoses poses;
       const std::size_t every = stride(motion.time, step_s);
       for (std::size_t i = 0; i < motion.time.size(); i += every) {

@@ -66,7 +66,7 @@ void score_real(const ScoreOptions& options, const RealSet& set, const StudyRun&
       rebuild_s += seconds([&] {
         motion = reconstruct::reconstruct(demonstration, options.reconstruct, options.human);
         movements = segment::segment(motion, options.segment,
-                                     reconstruct::objects_beside_right_hand(demonstration));
+                                     reconstruct::objects_beside(demonstration, Side::right));
       });
       const Case of = {{"set", set.name}, {"recording", demonstration.name}};
       for (const StreamReport& stream : report_streams(demonstration.streams)) {

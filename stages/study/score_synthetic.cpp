@@ -34,7 +34,7 @@ Judgement outcome_of(const ScoreOptions& options, const synthesize::SynthesizeOp
     motion = reconstruct::reconstruct(recording.recorded, options.reconstruct, options.human);
   });
   movements = segment::segment(motion, options.segment,
-                               reconstruct::objects_beside_right_hand(recording.recorded));
+                               reconstruct::objects_beside(recording.recorded, Side::right));
   outcome.recorded_s = longest_s(report_streams(recording.recorded.streams));
   outcome.segmentation = score_segmentation(recording.recorded.labels, movements);
   if (set.accuracy) outcome.reconstruction = score_reconstruction(motion, recording.truth);

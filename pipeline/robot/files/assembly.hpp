@@ -53,7 +53,6 @@ struct Assembly {
   std::vector<int> shaped;  ///< frames of links whose shapes were left out
   std::vector<HeldJoint> held;
   std::vector<NaturalJoint> natural;
-  Side side = Side::right;
   config::Problems problems;  ///< all that is wrong, told at the end
 };
 

@@ -199,7 +199,7 @@ FileScope read_description(const config::ConfigNode& root, const Anchor& base,
   }
   if (root.has("side")) {
     const std::optional<Side> side = morphe::named<Side>(root["side"].text());
-    if (side) assembly.side = *side;
+    if (side) assembly.table.side = *side;
     if (!side) attempt([&] { root["side"].fail("must be left or right"); });
   }
   if (root.has("natural")) read_natural(assembly, scope, root["natural"]);
@@ -225,8 +225,7 @@ RobotDescription loaded(const config::ConfigNode& root) {
   problems.throw_any();
   finish(assembly);
   problems.throw_any();
-  return {std::move(assembly.table),   std::move(assembly.files),
-          std::move(assembly.notes),   assembly.side,
+  return {std::move(assembly.table), std::move(assembly.files), std::move(assembly.notes),
           std::move(assembly.natural), std::move(assembly.links)};
 }
 

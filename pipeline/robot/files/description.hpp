@@ -7,7 +7,6 @@
 
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
-#include "pipeline/motion/side.hpp"
 
 namespace morphe::robot {
 
@@ -21,7 +20,6 @@ struct RobotDescription {
   RobotTable table;
   std::vector<std::filesystem::path> files;  ///< every file it was read from, the first one named
   std::vector<std::string> notes;            ///< "FILE:LINE: …": what of it was left out
-  Side side = Side::right;                   ///< of the hand
   std::vector<NaturalJoint> natural;         ///< what a config's `map.natural` is by default
   std::map<std::string, int> links;          ///< of its URDFs: the frame that each is
 };

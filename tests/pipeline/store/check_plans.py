@@ -70,7 +70,7 @@ with h5py.File(sys.argv[1]) as file:
     assert file["inputs/../robots/dlr.yaml"].asstr()[()] == "name: dlr_hit2 °\n"
 
     robot = file["robot"]
-    attributes(robot, ["name", "shoulder_frame", "palm_frame"])
+    attributes(robot, ["name", "shoulder_frame", "palm_frame", "side"])
     assert file.attrs["robot"] == robot.attrs["name"] == b"three"
     shapes(robot, {
         "joint_names": ((3,), "S", "", None),

@@ -114,7 +114,7 @@ TEST(Place, NoBaseStandsInOrBelowTheTable) {
   const auto free = [&](const Vec3& base) {
     Stand stand;
     stand.shoulder_offset = base;  // of a robot whose shoulder is its base's origin
-    return base_is_free(known.trials, stand, Vec3::Zero(), {});
+    return base_is_free(known.trials, stand, Vec3::Zero(), Side::right, {});
   };
   EXPECT_TRUE(free({0.1, 0.5, -0.37}));
   EXPECT_FALSE(free({0.1, 0.5, -0.4}));

@@ -98,7 +98,7 @@ TEST(SetUp, AHandIsKnownByItsGeometryAlone) {
   const Pose palm = ours[static_cast<std::size_t>(found.palm_frame)];
   EXPECT_GT(palm.linear().col(2).z(), 0.98);
   EXPECT_GT(palm.linear().col(0).x(), 0.98);
-  EXPECT_EQ(description.side, Side::right);
+  EXPECT_EQ(description.table.side, Side::right);
   EXPECT_THAT(result.to_check, Contains(HasSubstr("a right hand")));
   // Middle joints, and postures that follow the index.
   ASSERT_EQ(found.centres.size(), 5u);
@@ -127,7 +127,7 @@ TEST(SetUp, TheMirrorOfAHandIsALeftOne) {
   hand.tips.clear();
   const robot::RobotDescription found =
       set_up_file(robot::write_text("left.urdf", robot::urdf_of(hand)));
-  EXPECT_EQ(found.side, Side::left);
+  EXPECT_EQ(found.table.side, Side::left);
   EXPECT_EQ(found.table.tips.size(), 5u);
 }
 
