@@ -261,6 +261,18 @@ void ConfigNode::set(const std::string& dotted_path, const std::string& value) {
 
 void ConfigNode::extend(const ConfigNode& base) { value_->extend(*base.value_); }
 
+void ConfigNode::erase(std::string_view key) {
+  std::erase_if(value_->children, [&](const auto& child) { return child.first == key; });
+}
+
+ConfigNode ConfigNode::detached() const {
+  auto document = std::make_shared<Document>();
+  document->file = document_->file;
+  document->root = value_->clone();
+  Value* root = document->root.get();
+  return {std::move(document), root, key_};
+}
+
 void ConfigNode::expect_all_read() const {
   const auto visit = [](const auto& self, const Value& value, const std::string& path) -> void {
     for (std::size_t i = 0; i < value.children.size(); ++i) {
@@ -273,7 +285,7 @@ void ConfigNode::expect_all_read() const {
       self(self, *child, child_path);
     }
   };
-  visit(visit, *document_->root, "");
+  visit(visit, *document_->root, value_ == document_->root.get() ? key_ : "");
 }
 
 void ConfigNode::fail(const std::string& message) const {

@@ -44,6 +44,10 @@ class ConfigNode {
   /// Takes from `base` what is missing here: mappings key by key, anything else as a whole. What is
   /// taken keeps its file and line.
   void extend(const ConfigNode& base);
+  /// Takes a key away, read or not; nothing where there is none.
+  void erase(std::string_view key);
+  /// A copy of this value as a document of its own: its keys are read anew.
+  ConfigNode detached() const;
   /// Throws for the first key of this document that nobody has read.
   void expect_all_read() const;
   [[noreturn]] void fail(const std::string& message) const;

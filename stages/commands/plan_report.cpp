@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "pipeline/robot/forward.hpp"
 #include "stages/place/reach.hpp"
 
 namespace morphe::commands {
@@ -77,20 +78,35 @@ double largest_step(const Plan& plan) {
 
 std::string plan_table_head() {
   return fmt::format(
-      "{:<22} {:<11} {:>9} {:>7} {:>9} {:>9} {:>9} {:>9} {:>9} {:>8}\n"
-      "{:<22} {:<11} {:>9} {:>7} {:>9} {:>9} {:>9} {:>9} {:>9} {:>8}",
-      "plan", "status", "mapped", "out of", "largest", "tips at", "tips", "upper arm", "clearance",
-      "tempo", "", "", "tips mm", "reach %", "step rad", "grasp mm", "max mm", "mean deg", "mm",
-      "");
+      "{:<22} {:<11} {:>9} {:>7} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>8}\n"
+      "{:<22} {:<11} {:>9} {:>7} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>8}",
+      "plan", "status", "mapped", "out of", "largest", "tips at", "tips", "upper arm", "palm",
+      "clearance", "tempo", "", "", "tips mm", "reach %", "step rad", "grasp mm", "max mm",
+      "mean deg", "mean deg", "mm", "");
 }
 
-std::string plan_rows(const Plan& plan) {
+double palm_error(const RobotTable& robot, const Plan& plan) {
+  std::vector<Pose> frames;
+  double sum = 0;
+  int count = 0;
+  for (Eigen::Index f = 0; f < plan.mapped.position.rows(); ++f) {
+    const Quat hand = plan.goals.wrist_orientation[static_cast<std::size_t>(f)];
+    if (!seen(hand)) continue;
+    robot::forward(robot, plan.mapped.position.row(f).transpose(), frames);
+    const Pose& palm = frames[static_cast<std::size_t>(robot.palm_frame)];
+    sum += angle_between(Quat(palm.linear()), hand);
+    ++count;
+  }
+  return count > 0 ? sum / count : kNotSeen;
+}
+
+std::string plan_rows(const RobotTable& robot, const Plan& plan) {
   constexpr double kDegrees = 180 / std::numbers::pi;
   const Certificate& c = plan.certificate;
   const Tracking tracking = tracking_of(plan);
   const std::string name = fmt::format("{}/{:03}", plan.demonstration, plan.movement.index);
   std::string rows = fmt::format(
-      "{:<22} {:<11} {:>9} {:>7} {:>9} {:>9} {:>9} {:>9} {:>9} {:>8}", name,
+      "{:<22} {:<11} {:>9} {:>7} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>8}", name,
       plan.executable() ? (c.repaired ? "repaired" : "executable") : "infeasible",
       number(1e3 * tracking.worst_m, 2),
       number(tracking.goals ? 100.0 * static_cast<double>(tracking.unreachable) /
@@ -99,7 +115,8 @@ std::string plan_rows(const Plan& plan) {
              1),
       number(largest_step(plan), 3), number(1e3 * c.position_error_grasp, 2),
       number(1e3 * c.position_error_max, 2), number(kDegrees * c.upper_arm_error_mean, 1),
-      number(1e3 * c.clearance, 1), number(c.tempo, 2));
+      number(kDegrees * palm_error(robot, plan), 1), number(1e3 * c.clearance, 1),
+      number(c.tempo, 2));
   if (!plan.executable()) {
     const bool said = plan.detail.starts_with(fmt::format("{}:", name_of(plan.reason)));
     rows +=

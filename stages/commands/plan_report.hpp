@@ -9,11 +9,15 @@
 
 namespace morphe::commands {
 
+/// Between the robot's palm frame and the human's hand, mean over a plan's mapped frames [rad]; NaN
+/// where the hand was not seen.
+double palm_error(const RobotTable& robot, const Plan& plan);
+
 /// What a person wants to see of each plan after a run: a row per plan, a line of explanation for
 /// those that are infeasible, how much of the placement's goals the robot reaches, and what of the
 /// robot is not checked. Without a newline at the end.
 std::string plan_table_head();
-std::string plan_rows(const Plan& plan);
+std::string plan_rows(const RobotTable& robot, const Plan& plan);
 /// Where the base stands, relative to the person and, as in `plan`, to the table; "" of a hand
 /// alone.
 std::string base_sentence(const RobotTable& robot, const map::PlacementOptions& placement,

@@ -4,7 +4,9 @@
 #include <csignal>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <thread>
+#include <utility>
 
 #include "pipeline/collision/certified.hpp"
 #include "pipeline/files/sha256.hpp"
@@ -15,6 +17,7 @@
 #include "stages/commands/commands.hpp"
 #include "stages/commands/input_file.hpp"
 #include "stages/commands/plan_report.hpp"
+#include "stages/commands/robots_report.hpp"
 #include "stages/import/import.hpp"
 #include "stages/planning/plan_movement.hpp"
 #include "stages/planning/run_config.hpp"
@@ -34,12 +37,44 @@ struct RunArguments {
 /// What a shell adds to the number of the signal that ended a program.
 constexpr int kStopped = 128;
 
+/// Of several robots the config names the same one.
 fs::path dataset_of(const RunArguments& arguments, const planning::LoadedConfig& config) {
   if (!arguments.dataset.empty()) return arguments.dataset;
   if (!arguments.from.empty()) throw InputError("--from: needs --dataset");
   if (!config.dataset.empty()) return config.dataset;
   throw InputError(
       fmt::format("{}: dataset: is missing (and there is no --dataset)", arguments.config));
+}
+
+/// One robot's run. A config without `robots` has one, whose folder is that of the results.
+struct RobotRun {
+  std::string name;
+  planning::RunConfig config;
+  std::unique_ptr<run::RunFolder> folder;
+  run::BatchSummary summary;
+
+  fs::path plans() const { return folder->path() / "plans.h5"; }
+};
+
+std::vector<RobotRun> runs_of(const RunArguments& arguments, const std::string& software,
+                              const run::Shard& shard) {
+  std::vector<RobotRun> runs;
+  if (!arguments.from.empty()) {
+    runs.push_back({"", planning::stored_config(arguments.from), nullptr, {}});
+  } else {
+    for (planning::RobotConfig& robot :
+         planning::load_robots(arguments.config, arguments.settings)) {
+      runs.push_back({robot.name, planning::run_config(std::move(robot.loaded)), nullptr, {}});
+    }
+  }
+  const fs::path named = dataset_of(arguments, runs.front().config.loaded);
+  if (!fs::exists(named)) throw InputError(fmt::format("{}: cannot be read", named.string()));
+  for (RobotRun& one : runs) {
+    const fs::path folder =
+        one.name.empty() ? fs::path(arguments.out) : arguments.out / fs::path(one.name);
+    one.folder = std::make_unique<run::RunFolder>(folder, software, shard, arguments.fresh);
+  }
+  return runs;
 }
 
 /// The demonstrations.h5 of a run. A manifest of recordings is imported into the run's folder: the
@@ -62,72 +97,57 @@ class Dataset {
   Dataset& operator=(const Dataset&) = delete;
   const fs::path& file() const { return file_; }
   void publish() {
-    if (!published_.empty()) fs::rename(file_, published_);
-    published_.clear();
+    if (published_.empty()) return;
+    fs::rename(file_, published_);
+    file_ = std::exchange(published_, {});
   }
 
  private:
   fs::path file_, published_;
 };
 
-void print_table(const run::Journal& journal, const planning::LoadedConfig& config,
-                 const fs::path& plans, const run::BatchSummary& summary) {
-  const RobotTable& robot = config.robot;
+void print_table(const RobotRun& one) {
+  const robot::Robot& robot = one.config.loaded.robot;
   constexpr int kMostRows = 1000;
-  if (summary.movements <= kMostRows) {
+  if (one.summary.movements <= kMostRows) {
     fmt::print("{}\n", plan_table_head());
-    journal.each_row([](const std::string& rows) { fmt::print("{}\n", rows); });
+    one.folder->journal().each_row([](const std::string& rows) { fmt::print("{}\n", rows); });
   }
-  const store::PlanReader written(plans);
+  const store::PlanReader written(one.plans());
   if (written.size() > 0) {
-    const std::string base = base_sentence(robot, config.options.placement, written.read(0));
+    const std::string base =
+        base_sentence(robot, one.config.loaded.options.placement, written.read(0));
     if (!base.empty()) fmt::print("{}\n", base);
   }
-  fmt::print("{}\n{}: {}\n", plan_table_foot(robot, summary), plans.string(),
-             run::summary_text_for_people(summary));
+  fmt::print("{}\n{}: {}\n", plan_table_foot(robot, one.summary), one.plans().string(),
+             run::summary_text_for_people(one.summary));
 }
 
-int stopped(const run::RunResult& result, const run::Journal& journal,
-            const run::RunFolder& folder) {
+int stopped(const RobotRun& one, int signal) {
   fmt::print(stderr,
              "{}: stopped by {}: {} of {} demonstrations are finished and kept; the same command "
              "goes on from here\n",
-             folder.path().string(), result.signal == SIGINT ? "SIGINT" : "SIGTERM",
-             result.summary.demonstrations, journal.wanted());
-  return kStopped + result.signal;
+             one.folder->path().string(), signal == SIGINT ? "SIGINT" : "SIGTERM",
+             one.summary.demonstrations, one.folder->journal().wanted());
+  return kStopped + signal;
 }
 
-int execute(const RunArguments& arguments) {
-  if (arguments.config.empty() == arguments.from.empty())
-    throw InputError("run: needs either CONFIG or --from");
-  if (!arguments.from.empty() && !arguments.settings.empty())
-    throw InputError("--set: does not go with --from");
-  const planning::RunConfig config =
-      arguments.from.empty()
-          ? planning::run_config(planning::load_config(arguments.config, arguments.settings))
-          : planning::stored_config(arguments.from);
-  const fs::path named = dataset_of(arguments, config.loaded);
-  if (!fs::exists(named)) throw InputError(fmt::format("{}: cannot be read", named.string()));
-
-  const std::string software = morphe::software();
-  const run::Shard shard = run::parse_shard(arguments.shard);
-  run::RunFolder folder(arguments.out, software, shard, arguments.fresh);
-  Dataset dataset(named, folder.path());
-  const robot::Robot& robot = config.loaded.robot;
-  const planning::Planner planner{config.loaded.options, robot};
-  run::Progress progress(arguments.json);
-
+/// Plans everything for one robot. The signal that stopped it, or 0.
+int plan_all(const RunArguments& arguments, const run::Shard& shard, Dataset& dataset,
+             RobotRun& one) {
+  const robot::Robot& robot = one.config.loaded.robot;
+  const planning::Planner planner{one.config.loaded.options, robot};
   run::RunRequest request;
   request.dataset = dataset.file();
-  request.plans = folder.path() / "plans.h5";
-  request.identity.software = software;
+  request.plans = one.plans();
+  request.identity.software = morphe::software();
   request.identity.program = files::sha256_of_file("/proc/self/exe");
-  request.identity.scene = config.scene_sha256;
+  request.identity.scene = one.config.scene_sha256;
   request.identity.shard = shard;
-  request.identity.header = planning::header_of(config.loaded, "");
+  request.identity.header = planning::header_of(one.config.loaded, "");
   request.identity.robot = robot;
-  request.config = config.without_paths;
-  request.expected_dataset = config.dataset_sha256;
+  request.config = one.config.without_paths;
+  request.expected_dataset = one.config.dataset_sha256;
   request.jobs = arguments.jobs > 0
                      ? arguments.jobs
                      : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -135,19 +155,58 @@ int execute(const RunArguments& arguments) {
   request.plan = [&](const Demonstration& demonstration) {
     return planning::plan_demonstration(planner, demonstration);
   };
-  request.rows = plan_rows;
+  request.rows = [&](const Plan& plan) { return plan_rows(robot, plan); };
   request.publish = [&] { dataset.publish(); };
-  const run::RunResult result = run::run_dataset(folder.journal(), request, progress);
-  folder.keep();
-  if (result.signal != 0) return stopped(result, folder.journal(), folder);
+  run::Progress progress(arguments.json);
+  const run::RunResult result = run::run_dataset(one.folder->journal(), request, progress);
+  one.folder->keep();
+  one.summary = result.summary;
+  return result.signal;
+}
 
+void print_results(const RunArguments& arguments, const std::vector<RobotRun>& runs) {
+  const bool several = !runs.front().name.empty();
   if (arguments.json) {
-    fmt::print("{}\n", run::summary_json(result.summary));
-  } else {
-    print_table(folder.journal(), config.loaded, request.plans, result.summary);
+    nlohmann::ordered_json all;
+    for (const RobotRun& one : runs) {
+      const std::string summary = run::summary_json(one.summary);
+      if (!several) fmt::print("{}\n", summary);
+      all["robots"][one.name] = nlohmann::ordered_json::parse(summary);
+    }
+    if (several) fmt::print("{}\n", all.dump());
+    return;
   }
-  if (result.summary.failed > 0) return 1;
-  return arguments.strict && result.summary.infeasible > 0 ? 1 : 0;
+  std::string table = robots_table_head();
+  for (const RobotRun& one : runs) {
+    if (several) fmt::print("{}\n", one.name);
+    print_table(one);
+    if (several) {
+      fmt::print("\n");
+      table += "\n" + robots_row(one.name, store::PlanReader(one.plans()));
+    }
+  }
+  if (several) fmt::print("{}\n", table);
+}
+
+int execute(const RunArguments& arguments) {
+  if (arguments.config.empty() == arguments.from.empty())
+    throw InputError("run: needs either CONFIG or --from");
+  if (!arguments.from.empty() && !arguments.settings.empty())
+    throw InputError("--set: does not go with --from");
+  const std::string software = morphe::software();
+  const run::Shard shard = run::parse_shard(arguments.shard);
+  std::vector<RobotRun> runs = runs_of(arguments, software, shard);
+  Dataset dataset(dataset_of(arguments, runs.front().config.loaded), arguments.out);
+  for (RobotRun& one : runs) {
+    const int signal = plan_all(arguments, shard, dataset, one);
+    if (signal != 0) return stopped(one, signal);
+  }
+  print_results(arguments, runs);
+  const auto any = [&](int run::BatchSummary::*count) {
+    return std::ranges::any_of(runs, [&](const RobotRun& one) { return one.summary.*count > 0; });
+  };
+  if (any(&run::BatchSummary::failed)) return 1;
+  return arguments.strict && any(&run::BatchSummary::infeasible) ? 1 : 0;
 }
 
 }  // namespace

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <set>
 
 #include "pipeline/config/fields.hpp"
@@ -53,11 +55,11 @@ std::vector<PlanFileHeader::Input> collect(const std::vector<Paths>& groups) {
   return inputs;
 }
 
-/// A config and, where it says `extends: FILE`, what it leaves out taken from that one.
-config::ConfigNode load_extended(const std::filesystem::path& file, Paths& files) {
-  config::ConfigNode node = config::ConfigNode::load(file);
-  files.push_back(file);
-  if (!node.has("extends")) return node;
+config::ConfigNode load_extended(const std::filesystem::path& file, Paths& files);
+
+/// What a config, or an entry of its robots, says `extends: FILE` of; nothing where it does not.
+std::optional<config::ConfigNode> load_base(const config::ConfigNode& node, Paths& files) {
+  if (!node.has("extends")) return {};
   const config::ConfigNode extends = node["extends"];
   const std::filesystem::path base = node.folder() / extends.text();
   for (const auto& known : files) {
@@ -65,7 +67,14 @@ config::ConfigNode load_extended(const std::filesystem::path& file, Paths& files
       extends.fail("comes back to a config that extends this one");
     }
   }
-  node.extend(load_extended(base, files));
+  return load_extended(base, files);
+}
+
+/// A config and what it leaves out, taken from those that it extends.
+config::ConfigNode load_extended(const std::filesystem::path& file, Paths& files) {
+  config::ConfigNode node = config::ConfigNode::load(file);
+  files.push_back(file);
+  if (const auto base = load_base(node, files)) node.extend(*base);
   return node;
 }
 
@@ -113,17 +122,16 @@ void bring_terms(const config::ConfigNode& node,
                                         known.empty() ? "it brings none" : "but " + known));
 }
 
-}  // namespace
+using Terms = std::vector<std::shared_ptr<const ResidualTerm>>;
 
-LoadedConfig load_config(const std::filesystem::path& file,
-                         const std::vector<std::string>& settings,
-                         const std::vector<std::shared_ptr<const ResidualTerm>>& terms) {
+/// What the keys say, which came from these files.
+LoadedConfig load(config::ConfigNode node, const Paths& files,
+                  const std::vector<std::string>& settings, const Terms& terms) {
   // Files that are named by an absolute path form groups of their own.
-  std::vector<Paths> groups(1);
+  std::vector<Paths> groups{files};
   const auto group_of = [&](const std::filesystem::path& named) -> Paths& {
     return named.is_absolute() ? groups.emplace_back() : groups.front();
   };
-  config::ConfigNode node = load_extended(file, groups.front());
   for (const std::string& setting : settings) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos || equals == 0) {
@@ -161,6 +169,66 @@ LoadedConfig load_config(const std::filesystem::path& file,
   loaded.effective = config::write_options(loaded.options);
   loaded.inputs = collect(groups);
   return loaded;
+}
+
+/// Of an entry of `robots`: a folder's name that no other has.
+std::string name_of_entry(const config::ConfigNode& entry,
+                          const std::vector<RobotConfig>& earlier) {
+  const config::ConfigNode node = entry["name"];
+  std::string name = node.text();
+  const bool plain = std::ranges::all_of(name, [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '+';
+  });
+  if (name.empty() || !plain) node.fail("must be of letters, digits, '_', '-' and '+'");
+  if (std::ranges::find(earlier, name, &RobotConfig::name) != earlier.end())
+    node.fail("is there twice");
+  return name;
+}
+
+}  // namespace
+
+LoadedConfig load_config(const std::filesystem::path& file,
+                         const std::vector<std::string>& settings, const Terms& terms) {
+  Paths files;
+  const config::ConfigNode node = load_extended(file, files);
+  if (node.has("robots")) node["robots"].fail("has several, and this takes the config of one");
+  return load(node, files, settings, terms);
+}
+
+std::vector<RobotConfig> load_robots(const std::filesystem::path& file,
+                                     const std::vector<std::string>& settings, const Terms& terms) {
+  Paths files{file};
+  config::ConfigNode own = config::ConfigNode::load(file);
+  std::optional<config::ConfigNode> base = load_base(own, files);
+  const bool here = own.has("robots");
+  if (!here && !(base && base->has("robots"))) {
+    if (base) own.extend(*base);
+    return {{"", load(own, files, settings, terms)}};
+  }
+  const config::ConfigNode robots_node = (here ? own : *base)["robots"];
+  const config::ConfigNode list = robots_node.detached();
+  if (list.items().empty()) list.fail("must name a robot");
+  own.erase("robots");
+  own.erase("extends");
+  if (base) base->erase("robots");
+  std::vector<RobotConfig> robots;
+  for (const config::ConfigNode& entry : list.items()) {
+    if (entry.has("dataset")) entry["dataset"].fail("is the same for all: it stands beside robots");
+    Paths of_robot = files;
+    config::ConfigNode node = entry.detached();
+    node.extend(own);
+    if (std::optional<config::ConfigNode> extended = load_base(entry, of_robot)) {
+      if (extended->has("robots")) entry["extends"].fail("has robots of its own");
+      extended->erase("dataset");
+      node.extend(*extended);
+    }
+    if (base) node.extend(*base);
+    const std::string name = name_of_entry(node, robots);
+    node.erase("name");
+    node.erase("extends");
+    robots.push_back({name, load(node, of_robot, settings, terms)});
+  }
+  return robots;
 }
 
 PlanFileHeader header_of(const LoadedConfig& config, const std::string& dataset_sha256) {

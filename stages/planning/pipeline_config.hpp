@@ -78,12 +78,26 @@ struct LoadedConfig {
   std::vector<PlanFileHeader::Input> inputs;
 };
 
-/// Reads a config, applies "a.b=value" settings, loads what it names; `terms` are those that the
-/// program brings for `map.terms`. Throws InputError for bad files and values and for keys that
-/// nobody reads.
+/// Reads a config of one robot, applies "a.b=value" settings, loads what it names; `terms` are
+/// those that the program brings for `map.terms`. Throws InputError for bad files and values and
+/// for keys that nobody reads.
 LoadedConfig load_config(const std::filesystem::path& file,
                          const std::vector<std::string>& settings = {},
                          const std::vector<std::shared_ptr<const ResidualTerm>>& terms = {});
+
+/// One of a config's `robots`; of a config without them, which has one, the name is "".
+struct RobotConfig {
+  std::string name;
+  LoadedConfig loaded;
+};
+
+/// The configs that a file with `robots` stands for. An entry has a `name` and any section of a
+/// config but `dataset`; what it leaves out comes from the rest of the file, then from the config
+/// that it `extends`, if any (the dataset aside), then from what the file extends. Settings hold
+/// for each.
+std::vector<RobotConfig> load_robots(
+    const std::filesystem::path& file, const std::vector<std::string>& settings = {},
+    const std::vector<std::shared_ptr<const ResidualTerm>>& terms = {});
 
 /// What a plans.h5 says of itself that is made with the config from that dataset.
 PlanFileHeader header_of(const LoadedConfig& config, const std::string& dataset_sha256);
