@@ -1,6 +1,8 @@
 #include "pipeline/cover/cover.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -55,12 +57,12 @@ double depth(const Voxels& voxels, const Vec3& point) {
   return voxels.inside[cell] ? voxels.distance[cell] : -voxels.distance[cell];
 }
 
-/// The deeper of a few: segments are to lie near the body's middle.
-Vec3 draw_inside(const Voxels& voxels, const std::vector<Vec3>& inside,
+/// The deepest of a few: the more, the nearer to the body's middle.
+Vec3 draw_inside(const Voxels& voxels, const std::vector<Vec3>& inside, int few,
                  math::RandomStream& random) {
   Vec3 best = inside.front();
   double deepest = -1;
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < few; ++k) {
     const auto at = static_cast<std::size_t>(random.uniform() * static_cast<double>(inside.size()));
     const double here = depth(voxels, inside[at]);
     if (here > deepest) best = inside[at];
@@ -69,14 +71,17 @@ Vec3 draw_inside(const Voxels& voxels, const std::vector<Vec3>& inside,
   return best;
 }
 
-Segments draw_segments(const Voxels& voxels, const std::vector<Vec3>& points,
+/// `deep` thirds of them near the middle.
+Segments draw_segments(const Voxels& voxels, const std::vector<Vec3>& points, std::size_t deep,
                        const std::string& name) {
   Segments segments;
   const std::vector<Vec3> inside = points_inside(voxels);
   math::RandomStream random(2, name);
   for (std::size_t tries = 0; segments.bodies.size() < kSegments && tries < 8 * kSegments;
        ++tries) {
-    CapsuleBody body{draw_inside(voxels, inside, random), draw_inside(voxels, inside, random), 0};
+    const int few = tries % 3 < deep ? 3 : 1;
+    CapsuleBody body{draw_inside(voxels, inside, few, random),
+                     draw_inside(voxels, inside, few, random), 0};
     if (tries % 4 == 0) body.to = body.from;  // balls as well
     double least = std::numeric_limits<double>::infinity();
     const int steps = 1 + static_cast<int>((body.to - body.from).norm() / voxels.step_m);
@@ -237,6 +242,58 @@ void refine(std::vector<CapsuleBody>& capsules, const std::vector<Vec3>& points,
   }
 }
 
+/// Points on either side of the plane through their middle, across the way in which they are spread
+/// most.
+std::array<std::vector<Vec3>, 2> halves(const std::vector<Vec3>& points) {
+  Vec3 middle = Vec3::Zero();
+  for (const Vec3& point : points) middle += point / static_cast<double>(points.size());
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Vec3& point : points) spread += (point - middle) * (point - middle).transpose();
+  const Vec3 way = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(2);
+  std::array<std::vector<Vec3>, 2> parts;
+  for (const Vec3& point : points) parts[way.dot(point - middle) > 0 ? 1 : 0].push_back(point);
+  return parts;
+}
+
+/// A capsule that holds points: along the way in which they are spread most.
+CapsuleBody about(const std::vector<Vec3>& points) {
+  Vec3 middle = Vec3::Zero();
+  for (const Vec3& point : points) middle += point / static_cast<double>(points.size());
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Vec3& point : points)
+    spread += (point - middle) * (point - middle).transpose() / static_cast<double>(points.size());
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
+  const Vec3 half = std::sqrt(std::max(0.0, axes.eigenvalues()[2] - axes.eigenvalues()[1])) *
+                    axes.eigenvectors().col(2);
+  CapsuleBody capsule{middle - half, middle + half, 0};
+  capsule.radius = farthest(points, capsule.from, capsule.to);
+  return capsule;
+}
+
+/// Uses what is left of the budget: the capsules that stand off most become two each.
+bool split(std::vector<CapsuleBody>& capsules, const std::vector<Vec3>& points,
+           const Voxels& voxels, std::size_t budget) {
+  const std::vector<std::vector<Vec3>> own = assigned(capsules, points);
+  std::vector<std::size_t> order;
+  std::vector<double> cost;
+  for (std::size_t c = 0; c < capsules.size(); ++c) {
+    cost.push_back(cost_of(capsules[c], voxels));
+    if (own[c].size() > 8) order.push_back(c);
+  }
+  std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t c) { return cost[c]; });
+  const std::size_t before = capsules.size();
+  for (const std::size_t c : order) {
+    if (capsules.size() == budget) break;
+    const auto parts = halves(own[c]);
+    if (parts[0].empty() || parts[1].empty()) continue;
+    const CapsuleBody one = about(parts[0]), other = about(parts[1]);
+    if (cost_of(one, voxels) + cost_of(other, voxels) > cost[c]) continue;
+    capsules[c] = one;
+    capsules.push_back(other);
+  }
+  return capsules.size() > before;
+}
+
 /// The least radii that hold all points, without capsules that hold none.
 void hold(std::vector<CapsuleBody>& capsules, const std::vector<Vec3>& points) {
   const std::vector<std::vector<Vec3>> own = assigned(capsules, points);
@@ -255,6 +312,24 @@ double outside(const std::vector<CapsuleBody>& capsules, const Vec3& point) {
     least = std::min(least, to_segment(point, c.from, c.to) - c.radius);
   }
   return least;
+}
+
+/// Mean square of how far the surface of all of them stands off [m²].
+double stands_off(const std::vector<CapsuleBody>& capsules, const Voxels& voxels) {
+  double sum = 0, whole = 0;
+  for (const CapsuleBody& capsule : capsules) {
+    const std::vector<Vec3> points = on_capsule(capsule, 8, 10);
+    const double length = (capsule.to - capsule.from).norm();
+    const double area = 2 * M_PI * capsule.radius * (length + 2 * capsule.radius);
+    for (const Vec3& point : points) {
+      if (outside(capsules, point) < -1e-6) continue;
+      const double off = voxels.outside_by(point);
+      const double share = area / static_cast<double>(points.size());
+      sum += share * off * off;
+      whole += share;
+    }
+  }
+  return whole > 0 ? sum / whole : 0;
 }
 
 CoverFigures figures_of(const std::vector<CapsuleBody>& capsules,
@@ -339,10 +414,21 @@ Cover cover_bodies(const std::vector<SceneObject>& bodies, int budget, const std
   const Voxels voxels = voxels_of(sample_area(surface, kDense, name + "/dense"), kAlong);
   std::vector<Vec3> points = sample_area(surface, kPoints, name);
   for (const Vec3& corner : outermost_corners(surface)) points.push_back(corner);
-  const Segments segments = draw_segments(voxels, points, name);
-  cover.capsules =
-      greedy(segments, points.size(), budget, voxels.step_m * (kAlong + 1) * std::sqrt(3.0));
-  refine(cover.capsules, points, voxels, name);
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::size_t deep : {1, 2, 3}) {
+    std::vector<CapsuleBody> capsules =
+        greedy(draw_segments(voxels, points, deep, name), points.size(), budget,
+               voxels.step_m * (kAlong + 1) * std::sqrt(3.0));
+    refine(capsules, points, voxels, name);
+    while (capsules.size() < static_cast<std::size_t>(budget) &&
+           split(capsules, points, voxels, static_cast<std::size_t>(budget))) {
+      refine(capsules, points, voxels, name);
+    }
+    hold(capsules, points);
+    const double cost = stands_off(capsules, voxels);
+    if (cost < least) cover.capsules = std::move(capsules);
+    least = std::min(least, cost);
+  }
   std::vector<Vec3> held = sample_area(surface, kHeld, name + "/held");
   held.insert(held.end(), points.begin(), points.end());
   hold(cover.capsules, held);

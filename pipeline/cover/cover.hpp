@@ -26,8 +26,9 @@ struct Cover {
 /// Begins with the segments between points inside that, widened by one growth for all, cover most
 /// of what is left, one after the other, with the least growth for which the budget suffices; then
 /// moves their ends, each surface point staying with the capsule that it is deepest in, as long as
-/// what stands off becomes less. Bodies that are balls and capsules are kept as they are if they
-/// fit. Nothing that is sampled is left out: gaps lie between samples. `name` seeds the sampling.
+/// what stands off becomes less; where budget is left, the worst are split and moved again. Bodies
+/// that are balls and capsules are kept as they are if they fit. Nothing that is sampled is left
+/// out: gaps lie between samples. `name` seeds the sampling.
 Cover cover_bodies(const std::vector<SceneObject>& bodies, int budget, const std::string& name);
 
 }  // namespace morphe::cover

@@ -24,6 +24,8 @@ std::string in_words(const tinyxml2::XMLDocument& document) {
       return "an element cannot be read";
     case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
       return "an attribute cannot be read";
+    case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:
+      return "elements are nested too deeply";
     default:
       return document.ErrorName();
   }

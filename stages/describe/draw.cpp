@@ -100,7 +100,10 @@ struct Panel {
     constexpr double kOut_m = 0.015;
     const Vec3 at = posture.at(tip.frame, tip.transform.translation());
     const Vec3 out = posture.at(tip.frame, tip.transform * Vec3(kOut_m, 0, 0));
-    return line(at, out, 1, "stroke=\"#c0392b\"") + dot(at, 3, "fill=\"#c0392b\"");
+    return line(at, out, 1, "stroke=\"#c0392b\"") + dot(at, 3, "fill=\"#c0392b\"") +
+           fmt::format(
+               "<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"5\" fill=\"#c0392b\">{}</text>\n",
+               x(at) + 4, y(at) + 5, files::xml_escaped(tip.name));
   }
 
   std::string drawn() const {

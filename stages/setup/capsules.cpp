@@ -12,6 +12,7 @@ namespace morphe::setup {
 namespace {
 
 constexpr double kBone_m = 0.01;  ///< what reaches no farther needs no shape
+constexpr double kSameEnd_m = 0.001;
 
 /// As thick as a rod of the link's inertia: I about its long axis = m r² / 2, which is the least of
 /// the three.
@@ -31,8 +32,12 @@ std::vector<Vec3> ends_of(const Kinematics& robot, int frame, const std::vector<
   for (const Pad& pad : pads) {
     if (pad.frame == frame) ends.emplace_back(pad.frame_from_pad * Vec3(-kPadDepth_m, 0, 0));
   }
-  std::erase_if(ends, [](const Vec3& end) { return end.norm() <= kBone_m; });
-  return ends;
+  std::vector<Vec3> apart;
+  for (const Vec3& end : ends) {
+    const auto same = [&](const Vec3& other) { return (other - end).norm() < kSameEnd_m; };
+    if (end.norm() > kBone_m && std::ranges::none_of(apart, same)) apart.push_back(end);
+  }
+  return apart;
 }
 
 /// Bones from a link's origin to what hangs on it.

@@ -12,6 +12,7 @@
 #include "pipeline/robot/tree.hpp"
 #include "stages/setup/allowed_links.hpp"
 #include "stages/setup/centres.hpp"
+#include "stages/setup/finger_space.hpp"
 #include "stages/setup/flange.hpp"
 #include "stages/setup/keep_changes.hpp"
 #include "stages/setup/limits.hpp"
@@ -33,6 +34,7 @@ struct Found {
   std::optional<Flange> flange;
   std::optional<ArmCentres> centres;
   std::vector<LinkCapsules> capsules;
+  std::vector<std::string> finger_space;  ///< links that shapes were taken from
 
   /// A name for a frame of ours that no frame, joint or link of the file has.
   std::string own(const std::string& wanted) const {
@@ -52,17 +54,26 @@ struct Found {
   }
 };
 
-Found find_all(const Kinematics& robot, const SetupRequest& request, const LinkShapes& shapes) {
-  Found found{robot, {}, find_hand(robot, request.hand), {}, {}, {}, {}, {}};
+Found find_all(const Kinematics& robot, const SetupRequest& request, LinkShapes shapes) {
+  Found found{robot, {}, find_hand(robot, request.hand), {}, {}, {}, {}, {}, {}};
   const int last = static_cast<int>(robot.table().frames.size()) - 1;
   if (found.hand) {
     found.arm = moving_between(robot, -1, found.hand->root);
     found.pads = find_pads(robot, *found.hand, shapes.points);
     found.palm = find_palm(robot, *found.hand, found.pads);
     found.hand->side = found.palm->side;
+    if (found.hand->gripper) {
+      found.finger_space = take_out_finger_space(robot, *found.hand, found.pads, shapes);
+    }
   } else {
     for (int f = last; f >= 0 && found.arm.empty(); --f) {
       if (robot.moves(f)) found.arm = moving_between(robot, -1, f);
+    }
+    if (!found.has_arm()) {
+      throw InputError(
+          fmt::format("{}: has neither a hand (fingers that part from one link) nor an arm "
+                      "(three joints one after the other)",
+                      request.urdf.string()));
     }
     found.flange = find_flange(robot, found.arm);
   }
@@ -276,6 +287,12 @@ void tell_what_to_check(const Found& found, const std::vector<JointLimits>& limi
   const auto assumed = std::ranges::count(limits, Sure::assumed, &JointLimits::sure);
   if (assumed > 0)
     check.push_back(fmt::format("acceleration and jerk of {} joints are assumed", assumed));
+  if (!found.finger_space.empty()) {
+    check.push_back(
+        fmt::format("shapes of {} in which the pads lie are left out: they would stand "
+                    "for the fingers, which have their own",
+                    fmt::join(found.finger_space, ", ")));
+  }
   std::vector<std::string> bones;
   for (const LinkCapsules& link : found.capsules) {
     if (link.sure == Sure::assumed) bones.push_back(found.link(link.frame));
