@@ -56,6 +56,17 @@ LinkCapsules bones_of(const Kinematics& robot, int frame, const std::vector<Vec3
   return link;
 }
 
+/// To the tip of a finger whose shapes end before it: as thick as its pad is deep.
+RobotTable::Capsule last_bone(const Pad& pad) {
+  RobotTable::Capsule bone;
+  const Vec3 along = pad.frame_from_pad.linear().col(2);
+  const Vec3 tip = pad.frame_from_pad * Vec3(-kPadDepth_m, 0, 0);
+  bone.from = tip - tip.dot(along) * along * 0.5;
+  bone.to = tip - kBeforeEnd_m * along;
+  bone.radius = kPadDepth_m;
+  return bone;
+}
+
 /// The budget of the link that a frame is.
 int budget_of(const Kinematics& robot, int frame, const std::vector<int>& arm, const Hand* hand,
               const CapsuleBudget& budget) {
@@ -92,6 +103,9 @@ std::vector<LinkCapsules> cover_links(const Kinematics& robot, const std::vector
         capsule.radius = body.radius;
       }
       link.figures = cover.figures;
+      for (const Pad& pad : pads) {
+        if (pad.frame == frame && pad.beyond_shapes) link.capsules.push_back(last_bone(pad));
+      }
       links.push_back(std::move(link));
     } else if (!shaped.contains(robot::body_of(robot.table(), frame))) {
       const std::vector<Vec3> ends = ends_of(robot, frame, pads);

@@ -114,7 +114,10 @@ Pad find_pad(const Kinematics& robot, const Finger& finger, const BodyPoints& po
   }
   if (!body.empty()) {
     const Vec3 towards = own >= 0 ? end : mean_of(body);
-    end = end_along(body, across(towards - foot(axis, towards), axis.direction).normalized());
+    const Vec3 way = across(towards - foot(axis, towards), axis.direction).normalized();
+    const Vec3 shapes_end = end_along(body, way);
+    pad.beyond_shapes = own >= 0 && (end - shapes_end).dot(way) > kBeyondShapes_m;
+    if (!pad.beyond_shapes) end = shapes_end;
   } else if (own < 0) {
     end = end_by_mass(robot, pad.frame, axis);
   }
@@ -123,9 +126,10 @@ Pad find_pad(const Kinematics& robot, const Finger& finger, const BodyPoints& po
   if (bone.norm() < 1e-4) bone = axis.direction.unitOrthogonal();
   bone.normalize();
   const Vec3 normal = robot.closing_sense(pad.frame) * axis.direction.cross(bone);
+  const bool measured = !body.empty() && !pad.beyond_shapes;
   const Vec3 surface =
-      body.empty() ? Vec3(end + kPadDepth_m * normal) : pad_surface(body, from, bone, normal);
-  pad.sure = !body.empty() ? Sure::derived : own >= 0 ? Sure::read : Sure::assumed;
+      measured ? pad_surface(body, from, bone, normal) : Vec3(end + kPadDepth_m * normal);
+  pad.sure = measured ? Sure::derived : own >= 0 ? Sure::read : Sure::assumed;
   pad.frame_from_pad = robot.pose(pad.frame).inverse() * frame_with(surface, normal, bone);
   return pad;
 }

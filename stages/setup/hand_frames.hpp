@@ -15,8 +15,11 @@ struct Pad {
   std::string file_link;         ///< a tip that the file has itself, "" if it has none
   Vec3 file_tip = Vec3::Zero();  ///< where, in the frame
   Sure sure = Sure::assumed;
+  bool beyond_shapes = false;  ///< the file's tip lies where the finger's shapes do not get to
 };
 
+/// The file's tip counts, and not where the shapes end, if it lies farther out than that.
+inline constexpr double kBeyondShapes_m = 0.01;
 /// How far before a finger's end its pad touches, at most: a human fingertip's half.
 inline constexpr double kBeforeEnd_m = 0.008;
 /// From the pad's surface to the axis of the finger, which goals are given for.
@@ -24,8 +27,9 @@ inline constexpr double kPadDepth_m = 0.010;
 
 /// The pads of a hand's fingers, in their order. With c the foot of the end on the last joint's
 /// axis: bone = end - c, normal = (axis in the sense of closing) × bone, the end being that of the
-/// body's points farthest along the bone. A finger without shapes ends in the file's own tip, or
-/// twice as far as its centre of mass. The pads of a gripper face each other across the line
+/// body's points farthest along the bone. A finger without shapes, or whose shapes end
+/// before the file's own tip (a bracket without its rubber), ends in that tip, else twice as far as
+/// its centre of mass. The pads of a gripper face each other across the line
 /// between them.
 std::vector<Pad> find_pads(const Kinematics& robot, const Hand& hand, const BodyPoints& points);
 

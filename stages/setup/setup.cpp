@@ -287,6 +287,15 @@ void tell_what_to_check(const Found& found, const std::vector<JointLimits>& limi
   const auto assumed = std::ranges::count(limits, Sure::assumed, &JointLimits::sure);
   if (assumed > 0)
     check.push_back(fmt::format("acceleration and jerk of {} joints are assumed", assumed));
+  std::vector<std::string> beyond;
+  for (const Pad& pad : found.pads) {
+    if (pad.beyond_shapes) beyond.push_back(found.link(pad.frame));
+  }
+  if (!beyond.empty()) {
+    check.push_back(
+        fmt::format("shapes of {} end before the file's tips: the rest of these fingers is assumed",
+                    fmt::join(beyond, ", ")));
+  }
   if (!found.finger_space.empty()) {
     check.push_back(
         fmt::format("shapes of {} in which the pads lie are left out: they would stand "

@@ -31,7 +31,8 @@ struct HandsStudyOptions {
   std::string manifest;             ///< recordings of hands alone
   std::vector<StudiedHand> robots;  ///< one after the other
   double near_m = 0.04;             ///< human's thumb-index distance below which it is a pinch
-  int quick_frames = 300;           ///< that the quick variant looks at with the peers' objectives
+  int quick_robots = 1;             ///< hands that the quick variant looks at, the first ones
+  int quick_frames = 300;           ///< and frames of it, with the peers' objectives
 };
 template <class Fields>
 void fields(Fields& f, HandsStudyOptions& o) {
@@ -40,6 +41,7 @@ void fields(Fields& f, HandsStudyOptions& o) {
   f.required("manifest", o.manifest);
   f.required("robots", o.robots);
   f("near", o.near_m);
+  f("quick_robots", o.quick_robots);
   f("quick_frames", o.quick_frames);
 }
 std::string why_invalid(const HandsStudyOptions& options);

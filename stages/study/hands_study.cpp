@@ -184,6 +184,7 @@ std::string why_invalid(const StudiedHand& hand) {
 std::string why_invalid(const HandsStudyOptions& options) {
   if (options.robots.empty()) return "robots must name a hand";
   if (!(options.near_m > 0)) return "near must be positive";
+  if (options.quick_robots < 1) return "quick_robots must be at least 1";
   if (options.quick_frames < 5) return "quick_frames must be at least 5";
   return "";
 }
@@ -192,6 +193,10 @@ StudyResult hands_study(const config::ConfigNode& config, const StudyRun& run) {
   HandsStudyOptions options;
   config::read_options(config, options);
   config.expect_all_read();
+  if (run.quick) {
+    const auto most = static_cast<std::size_t>(options.quick_robots);
+    options.robots.resize(std::min(options.robots.size(), most));
+  }
   StudyResult result;
   imports::ImportRequest request;
   request.paths = {run.config.parent_path() / options.manifest};

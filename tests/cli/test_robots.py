@@ -1,7 +1,9 @@
 """morphe run with several robots: one import, a folder each, one table."""
+import math
+
 import h5py
 
-from support import QUICK, REFERENCE, CommandCase, main, morphe, write_two_recordings
+from support import QUICK, REFERENCE, SOURCE, CommandCase, main, morphe, write_two_recordings
 
 
 class Robots(CommandCase):
@@ -40,6 +42,28 @@ class Robots(CommandCase):
         from_file = self.folder / "from"
         self.succeeds("run", "--from", out / "lower/plans.h5", "--dataset", out / "demonstrations.h5", "--out", from_file)
         self.succeeds("diff", out / "lower/plans.h5", from_file / "plans.h5")  # equal
+
+    def test_the_shipped_robots(self):
+        """Seven combinations where morphe place put them: humanlike, and what they cannot is known."""
+        out = self.folder / "seven"
+        report = self.json_of("run", SOURCE / "configs/pipelines/robots.yaml", "--out", out)
+        self.assertEqual(len(report["robots"]), 7)
+        for name, robot in report["robots"].items():
+            # The two grippers are narrower than the widest cup.
+            self.assertGreaterEqual(robot["executable"], 4 if name in ("fr3", "gen3_robotiq_2f85") else 5, name)
+            self.succeeds("verify", out / name / "plans.h5")
+            with h5py.File(out / name / "plans.h5") as file:
+                certificates = [plan["certificate"].attrs for group in file["plans"].values() for plan in group.values()
+                                if "certificate" in plan]
+                angles = sorted(float(c["upper_arm_error_mean"]) for c in certificates)
+                self.assertLess(math.degrees(angles[len(angles) // 2]), 22, name)
+
+    def test_the_door_recordings_on_other_robots(self):
+        for name in ("ur5e_shadow", "iiwa14_allegro"):
+            out = self.folder / name
+            report = self.json_of("run", SOURCE / f"configs/pipelines/{name}_adroit.yaml", "--out", out)
+            self.assertGreaterEqual(report["executable"], 4, name)
+            self.succeeds("verify", out / "plans.h5")
 
     def test_what_is_wrong_is_said_with_its_entry(self):
         both = f"{{file: {self.recordings}}}"

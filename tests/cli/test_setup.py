@@ -1,4 +1,8 @@
 """morphe robot setup: a description from a URDF alone, and what hostile files come to."""
+import base64
+import json
+import math
+import re
 import resource
 import struct
 import time
@@ -47,6 +51,22 @@ def dae(size):
 """.encode()
 
 
+def gltf(size):
+    data = struct.pack("<24f", *(a * b for v in CUBE for a, b in zip(v, size)))
+    data += struct.pack("<36H", *(k for face in FACES for k in face))
+    half = [s / 2 for s in size]
+    return json.dumps({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 8, "type": "VEC3",
+                       "min": [-h for h in half], "max": half},
+                      {"bufferView": 1, "componentType": 5123, "count": 36, "type": "SCALAR"}],
+        "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 96},
+                        {"buffer": 0, "byteOffset": 96, "byteLength": 72}],
+        "buffers": [{"byteLength": 168,
+                     "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}]}).encode()
+
+
 def arm(links, mesh=lambda k: "", extra=""):
     """A chain of joints that turn about z and y in turns, 0.2 m apart."""
     parts = ["<robot name='made'><link name='l0'/>"]
@@ -56,6 +76,16 @@ def arm(links, mesh=lambda k: "", extra=""):
                      f"<axis xyz='{'0 0 1' if k % 2 else '0 1 0'}'/>"
                      "<limit lower='-2' upper='2' velocity='2' effort='10'/></joint>\n")
     return "".join(parts) + extra + "</robot>\n"
+
+
+def outside(point, capsule):
+    """How far a point is from a capsule: from (3), to (3), radius."""
+    a, b, radius = capsule[:3], capsule[3:6], capsule[6]
+    along = [y - x for x, y in zip(a, b)]
+    length2 = sum(v * v for v in along)
+    share = sum((p - x) * v for p, x, v in zip(point, a, along)) / length2 if length2 else 0
+    share = min(1, max(0, share))
+    return math.dist(point, [x + share * v for x, v in zip(a, along)]) - radius
 
 
 class Setup(CommandCase):
@@ -83,21 +113,27 @@ class Setup(CommandCase):
         (package / "meshes").mkdir(parents=True)
         (package / "package.xml").write_text("<package><name>made_description</name></package>")
         (package / "urdf").mkdir()
-        size, kinds = (0.06, 0.08, 0.2), {"stl": stl, "obj": obj, "dae": dae}
+        size, kinds = (0.06, 0.08, 0.2), {"stl": stl, "obj": obj, "dae": dae, "gltf": gltf}
         for kind, made in kinds.items():
             (package / f"meshes/box.{kind}").write_bytes(made(size))
         names = [*kinds, "gone"]
         urdf = package / "urdf/made.urdf"
-        urdf.write_text(arm(4, lambda k: "<collision><origin xyz='0 0 0.1'/><geometry><mesh filename="
+        urdf.write_text(arm(5, lambda k: "<collision><origin xyz='0 0 0.1'/><geometry><mesh filename="
                                          f"'package://made_description/meshes/box.{names[k - 1]}'/></geometry></collision>"))
         out, said = self.set_up(urdf)
         self.assertEqual(said.count("box.gone"), 1, said)
         text = out.read_text()
-        for k in (1, 2, 3):
-            self.assertRegex(text, rf"# l{k}: (100.0|99\.\d) % inside, [01]\.\d+ mm outside at most")
+        covers = [re.search(rf"# l{k}: (.*)", text)[1] for k in (1, 2, 3, 4)]
+        for cover in covers:
+            self.assertRegex(cover, r"^(100\.0|99\.\d) % inside, [01]\.\d+ mm outside at most")
         # Every corner of the box is inside a capsule of its link, up to a millimetre.
-        report = self.json_of("robot", out)
-        self.assertGreaterEqual(report["capsules"], 4)
+        for k in (1, 2, 3, 4):
+            held = [[float(v) for v in re.findall(r"-?\d+\.?\d*(?:e-\d+)?", line.split("frame:")[1].partition(",")[2])]
+                    for line in text.splitlines() if f"frame: l{k}," in line and "radius" in line]
+            self.assertTrue(held)
+            for corner in CUBE:
+                point = [c * s + o for c, s, o in zip(corner, size, (0, 0, 0.1))]
+                self.assertLess(min(outside(point, numbers) for numbers in held), 1.01e-3)
         # The same elsewhere, where the package has to be named.
         elsewhere = self.folder / "alone.urdf"
         elsewhere.write_text(urdf.read_text())

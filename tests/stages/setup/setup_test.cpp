@@ -111,6 +111,38 @@ TEST(SetUp, AHandIsKnownByItsGeometryAlone) {
   EXPECT_TRUE(found.unchecked_links.empty());
 }
 
+TEST(SetUp, AFingerMayEndBeyondItsShapes) {
+  RobotTable hand = robot::shipped_robot("dlr_hit2");
+  for (RobotTable::Capsule& capsule : hand.capsules) {
+    if (capsule.name == "index_distal") capsule.to = capsule.from;  // 14 mm before the tip
+    if (capsule.name == "ring_distal") capsule.to.x() -= 0.009;     // 7.4 mm
+  }
+  SetupResult result;
+  const RobotTable found =
+      set_up_file(robot::write_text("bracket.urdf", robot::urdf_of(hand)), &result).table;
+  const std::vector<Pose> ours = poses_at_zero(found), theirs = poses_at_zero(hand);
+  const auto along_bone = [&](const char* finger) {
+    for (std::size_t i = 0; i < found.tips.size(); ++i) {
+      if (kFingerNames[static_cast<std::size_t>(found.tips[i].finger)] != std::string(finger))
+        continue;
+      const auto bone = robot::frame_named(hand, fmt::format("{}_distal", finger));
+      return (theirs[bone].inverse() * robot::tip_pose(found, ours, i).translation()).x();
+    }
+    return kNotSeen;
+  };
+  // The file's tips lie 25 mm from the last joints. The ring's shapes are near enough to be right.
+  EXPECT_NEAR(along_bone("index"), 0.025, 1e-6);
+  EXPECT_NEAR(along_bone("ring"), 0.0266 - 0.009 - 0.008, 3e-3);  // a round end
+  EXPECT_THAT(result.to_check, Contains(HasSubstr("shapes of index_distal end before")));
+  // What the shapes leave out is held by a capsule to the tip.
+  double reaches_m = 0;
+  for (const RobotTable::Capsule& capsule : found.capsules) {
+    if (found.frames[static_cast<std::size_t>(capsule.frame)].name != "index_distal") continue;
+    reaches_m = std::max(reaches_m, std::max(capsule.from.x(), capsule.to.x()) + capsule.radius);
+  }
+  EXPECT_NEAR(reaches_m, 0.025, 3e-3);
+}
+
 TEST(SetUp, TheMirrorOfAHandIsALeftOne) {
   RobotTable hand = robot::shipped_robot("dlr_hit2");
   const Eigen::DiagonalMatrix<double, 3> mirror(1, -1, 1);
