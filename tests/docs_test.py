@@ -224,20 +224,25 @@ def options_in(text):
 def synopsis(block):
     """{command: options} of lines that begin with `morphe`."""
     found = {}
-    for name, rest in re.findall(r"^morphe (\w+)(.*)$", block, re.M):
+    for name, rest in re.findall(r"^morphe ([a-z]+(?: [a-z]+(?= ))?)(.*)$", block, re.M):
         found.setdefault(name, set()).update(options_in(rest))
     return found
+
+
+def subcommands(*command):
+    listed = run([*command, "--help"], ROOT).stdout.partition("Subcommands:")[2]
+    return set(re.findall(r"^  (\w+)", listed, re.M))
 
 
 def wrong_commands(morphe):
     part = text_of("docs/formats.md").split("\n## Command line\n")[1]
     present, planned = [synopsis(block) for _, block in FENCE.findall(part)[:2]]
-    listed = run([morphe, "--help"], ROOT).stdout.partition("Subcommands:")[2]
-    commands = set(re.findall(r"^  (\w+)", listed, re.M))
+    commands = subcommands(morphe)
+    commands |= {f"{name} {inner}" for name in commands for inner in subcommands(morphe, name)}
     for name in sorted(commands ^ set(present)):
         yield f"docs/formats.md: morphe {name}: " + ("is not listed" if name in commands else "does not exist")
     for name in sorted(commands & set(present)):
-        real = options_in(run([morphe, name, "--help"], ROOT).stdout)
+        real = options_in(run([morphe, *name.split(), "--help"], ROOT).stdout)
         for option in sorted(real ^ present[name]):
             yield f"docs/formats.md: morphe {name} {option}: " + (
                 "is not listed" if option in real else "does not exist")
@@ -290,7 +295,7 @@ def fresh_result_of(command, folder):
     first = command.split()[0]
     if first in ("scripts/run", "scripts/test"):
         done = run([ROOT / first, "--help"], ROOT)
-    elif first == "build/release/morphe" or first.startswith("python"):
+    elif first in ("build/release/morphe", "echo") or first.startswith("python"):
         done = run(["bash", "-c", command], folder)
     else:
         return "", "this test does not know how to try it"

@@ -94,7 +94,7 @@ place::Report progress(bool quiet) {
   };
 }
 
-/// A config beside which FILE says where the base stands, and nothing else.
+/// A config that extends the given one, by where the base stands and nothing else.
 std::string config_text(const PlaceArguments& arguments, const place::Found& best) {
   const fs::path folder = fs::absolute(arguments.out).parent_path();
   const fs::path base =
@@ -127,6 +127,10 @@ int execute(const PlaceArguments& arguments) {
     fmt::print("{}\n", place_row(std::to_string(k + 1), found[k]));
   }
   fmt::print("\n{}", placement_yaml(found.front().placement));
+  if (!arguments.out.empty() && !(arguments.settings.empty() && arguments.dataset.empty())) {
+    fmt::print("note: {} does not hold what --set and --dataset said: run takes them, too\n",
+               arguments.out);
+  }
   return 0;
 }
 

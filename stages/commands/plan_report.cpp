@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "pipeline/robot/forward.hpp"
 #include "stages/place/reach.hpp"
+#include "stages/planning/palm_error.hpp"
 
 namespace morphe::commands {
 namespace {
@@ -85,21 +85,6 @@ std::string plan_table_head() {
       "mean deg", "mean deg", "mm", "");
 }
 
-double palm_error(const RobotTable& robot, const Plan& plan) {
-  std::vector<Pose> frames;
-  double sum = 0;
-  int count = 0;
-  for (Eigen::Index f = 0; f < plan.mapped.position.rows(); ++f) {
-    const Quat hand = plan.goals.wrist_orientation[static_cast<std::size_t>(f)];
-    if (!seen(hand)) continue;
-    robot::forward(robot, plan.mapped.position.row(f).transpose(), frames);
-    const Pose& palm = frames[static_cast<std::size_t>(robot.palm_frame)];
-    sum += angle_between(Quat(palm.linear()), hand);
-    ++count;
-  }
-  return count > 0 ? sum / count : kNotSeen;
-}
-
 std::string plan_rows(const RobotTable& robot, const Plan& plan) {
   constexpr double kDegrees = 180 / std::numbers::pi;
   const Certificate& c = plan.certificate;
@@ -115,7 +100,7 @@ std::string plan_rows(const RobotTable& robot, const Plan& plan) {
              1),
       number(largest_step(plan), 3), number(1e3 * c.position_error_grasp, 2),
       number(1e3 * c.position_error_max, 2), number(kDegrees * c.upper_arm_error_mean, 1),
-      number(kDegrees * palm_error(robot, plan), 1), number(1e3 * c.clearance, 1),
+      number(kDegrees * planning::palm_error(robot, plan), 1), number(1e3 * c.clearance, 1),
       number(c.tempo, 2));
   if (!plan.executable()) {
     const bool said = plan.detail.starts_with(fmt::format("{}:", name_of(plan.reason)));

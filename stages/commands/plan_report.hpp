@@ -9,10 +9,6 @@
 
 namespace morphe::commands {
 
-/// Between the robot's palm frame and the human's hand, mean over a plan's mapped frames [rad]; NaN
-/// where the hand was not seen.
-double palm_error(const RobotTable& robot, const Plan& plan);
-
 /// What a person wants to see of each plan after a run: a row per plan, a line of explanation for
 /// those that are infeasible, how much of the placement's goals the robot reaches, and what of the
 /// robot is not checked. Without a newline at the end.

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stages/commands/plan_report.hpp"
+#include "stages/planning/palm_error.hpp"
 
 namespace morphe::commands {
 namespace {
@@ -48,7 +48,7 @@ std::string robots_row(const std::string& name, const store::PlanReader& plans) 
     tips_m += c.position_error_mean;
     tips_max_m = std::fmax(tips_max_m, c.position_error_max);
     upper_arm.push_back(c.upper_arm_error_mean);
-    palm.push_back(palm_error(plans.robot(), plan));
+    palm.push_back(planning::palm_error(plans.robot(), plan));
     tempo.push_back(c.tempo);
   }
   const auto number = [](double value, int digits) {

@@ -38,7 +38,7 @@ def measured(arguments, budget, folder):
     with h5py.File(folder / "run0/plans.h5") as file:
         capsules = len(file["robot/capsules/radius"])
         plans = [plan for demonstration in file["plans"].values() for plan in demonstration.values()]
-        certificates = [plan["certificate"].attrs for plan in plans if plan.attrs["status"] == b"executable"]
+        certificates = [dict(plan["certificate"].attrs) for plan in plans if plan.attrs["status"] == b"executable"]
     def of(name):
         values = [1e3 * float(c[name]) for c in certificates]
         return f"{statistics.median(values):9.2f}" if values else f"{'-':>9}"

@@ -27,7 +27,8 @@ class Place(CommandCase):
         done = self.succeeds("place", REFERENCE, "--dataset", recordings, *SMALL, "--mount", "side",
                              "--tilt", 20, "--keep", "y", "--out", config, "--map", picture)
         self.assertIn("place: refined roughly 2 of 2", done.stderr)
-        section = done.stdout[done.stdout.index("placement:"):]
+        section, _, note = done.stdout[done.stdout.index("placement:"):].partition("note: ")
+        self.assertIn(f"{config} does not hold what --set and --dataset said", note)
         self.assertTrue(config.read_text().endswith(section))
         self.assertEqual(ElementTree.parse(picture).getroot().get("width"), "700")
         rows = done.stdout.splitlines()

@@ -237,7 +237,8 @@ class OtherWaysToRun(CommandCase):
             with self.subTest(config.name):
                 summary = self.json_of("run", config, "--dataset", self.folder / "none.yaml",
                                        "--out", self.folder / config.stem)
-                self.assertEqual((summary["demonstrations"], summary["failed"]), (0, 0))
+                for robot in summary.get("robots", {"": summary}).values():
+                    self.assertEqual((robot["demonstrations"], robot["failed"]), (0, 0))
 
     def test_every_robot_and_scene_loads(self):
         """Named by a config of one robot or one scene and nothing else."""

@@ -92,25 +92,35 @@ Mat4 finger_tip(const Mat4& base, double abduction, double proximal, double midd
          standard_dh(kFinger[2], middle) * standard_dh(kFinger[3], middle);
 }
 
+/// A pad's frame at a finger's end: z along the last bone (x of its row), x out of the pad (y).
+Mat4 end_from_pad() {
+  Mat4 m;
+  m << 0, 0, 1, 0,  //
+      1, 0, 0, 0,   //
+      0, 1, 0, 0,   //
+      0, 0, 0, 1;
+  return m;
+}
+
 /// All tips of a hand on base_from_palm whose first joint is `first`.
 std::map<std::string, Mat4> hand_tips(const Mat4& base_from_palm, const JointVector& q,
                                       Eigen::Index first) {
   std::map<std::string, Mat4> tips;
   for (const auto& [name, base] : finger_bases()) {
-    tips[name + "_tip"] = finger_tip(base_from_palm * base, q[first], q[first + 1], q[first + 2]);
+    tips[name + "_tip"] =
+        finger_tip(base_from_palm * base, q[first], q[first + 1], q[first + 2]) * end_from_pad();
     first += 3;
   }
   return tips;
 }
 
-/// Of every shipped robot; empty for a robot that this test does not know.
+/// Of every shipped robot of tables; those of URDFs have a test of their own.
 std::map<std::string, Mat4> published_tips(const std::string& robot, const JointVector& q) {
   if (robot == "pa10") return {{"wrist", flange(kPa10, q)}};
   if (robot == "wam") return {{"wrist", flange(kWam, q)}};
   if (robot == "arm21") return {{"wrist", arm_product(21, 0.577, q)}};
   if (robot == "dlr_hit2") return hand_tips(Mat4::Identity(), q, 0);
   if (robot == "pa10_dlr_hit2") return hand_tips(flange(kPa10, q) * shift(0, 0, 0.03), q, 7);
-  if (robot != "arm24_hand5") return {};
   std::map<std::string, Mat4> tips = hand_products(0.205, 0.0913, q.data() + 24);
   for (auto& [name, tip] : tips) tip = arm_product(24, 0.577, q) * tip;
   return tips;
@@ -137,7 +147,9 @@ TEST_P(Published, EveryTipIsTheProductOfTheTables) {
   }
   EXPECT_LT(worst, 1e-12);
 }
-INSTANTIATE_TEST_SUITE_P(Robots, Published, testing::ValuesIn(shipped_robots()),
+INSTANTIATE_TEST_SUITE_P(Robots, Published,
+                         testing::Values("pa10", "wam", "arm21", "dlr_hit2", "pa10_dlr_hit2",
+                                         "arm24_hand5"),
                          [](const auto& instance) { return instance.param; });
 
 TEST(Forward, StretchedPa10StandsStraightUp) {
