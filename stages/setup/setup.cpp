@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "pipeline/motion/human_motion.hpp"
+#include "pipeline/motion/input_error.hpp"
 #include "pipeline/robot/files/description.hpp"
 #include "pipeline/robot/tree.hpp"
 #include "stages/setup/allowed_links.hpp"
