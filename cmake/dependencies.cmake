@@ -14,6 +14,7 @@ find_package(console_bridge 1 CONFIG REQUIRED)
 find_package(tinyxml2 CONFIG REQUIRED)
 find_package(OpenSSL 3 REQUIRED COMPONENTS Crypto)
 find_package(SQLite3 3.40 REQUIRED)
+find_package(ZLIB REQUIRED)
 
 # Debian keeps NLopt with its C++ algorithms beside the plain one, under a name of its own.
 find_package(NLopt 2.7 CONFIG QUIET PATHS /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/nlopt_cxx NO_DEFAULT_PATH)

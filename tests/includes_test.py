@@ -19,13 +19,14 @@ PRECOMPILED = "cmake/precompiled.hpp"  # a folder's own begins with it
 # Open to every folder, as the table says.
 OPEN = ("Eigen/", "fmt/")
 # Headers of packages, beside those of the standard library and the system.
-PACKAGED = re.compile(r"(.*/.*|\w+\.hpp|hdf5\.h|H5\w+\.h|sqlite3\.h|tinyxml2\.h|nlopt\.h)$")
+PACKAGED = re.compile(r"(.*/.*|\w+\.hpp|hdf5\.h|H5\w+\.h|sqlite3\.h|zlib\.h|tinyxml2\.h|nlopt\.h)$")
 SYSTEM = re.compile(r"(sys|linux|gnu|sanitizer)/")
 
 # Made of steps; only they may include planning, and only from here do arrows lead to run and verify.
-MADE_OF_STEPS = ("stages/planning", "stages/place", "stages/study", "stages/library", "stages/commands")
+MADE_OF_STEPS = ("stages/planning", "stages/report", "stages/place", "stages/study", "stages/library", "stages/commands")
 INCLUDED_BY = {
     "stages/planning": {"stages/place", "stages/study", "stages/library", "stages/commands"},
+    "stages/report": {"stages/commands"},
     "stages/place": {"stages/commands"},
     "stages/study": {"stages/commands"},
     "stages/library": set(),

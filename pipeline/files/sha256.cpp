@@ -47,6 +47,13 @@ std::string sha256(std::string_view bytes) {
   return hexadecimal(hash.finish());
 }
 
+std::string sha256_bytes(std::string_view bytes) {
+  Sha256 hash;
+  hash.add(bytes.data(), bytes.size());
+  const Digest digest = hash.finish();
+  return {digest.begin(), digest.end()};
+}
+
 std::string sha256_of_file(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   Sha256 hash;

@@ -17,6 +17,7 @@ Command import_command(CLI::App& app);
 Command inspect_command(CLI::App& app);
 Command merge_command(CLI::App& app);
 Command place_command(CLI::App& app);
+Command report_command(CLI::App& app);
 Command robot_command(CLI::App& app);
 Command run_command(CLI::App& app);
 Command synthesize_command(CLI::App& app);

@@ -19,7 +19,7 @@ struct Entry {
   morphe::commands::Command (*add)(CLI::App&);
 };
 
-constexpr std::array<Entry, 11> kCommands{{
+constexpr std::array<Entry, 12> kCommands{{
     {"diff", "Compare two plans.h5: which plans differ, and by how much",
      morphe::commands::diff_command},
     {"export", "Write executable plans as CSV, ROS or robomimic files",
@@ -30,6 +30,8 @@ constexpr std::array<Entry, 11> kCommands{{
     {"merge", "Join the shards of a run into one plans.h5", morphe::commands::merge_command},
     {"place", "Find where a robot's base should stand for a dataset",
      morphe::commands::place_command},
+    {"report", "Write a page that plays every plan of a plans.h5 in a browser",
+     morphe::commands::report_command},
     {"robot", "Check, print and draw a robot description", morphe::commands::robot_command},
     {"run", "Plan recorded demonstrations: write DIR/plans.h5", morphe::commands::run_command},
     {"synthesize", "Generate recordings with known ground truth",

@@ -21,6 +21,7 @@
 #include "stages/import/import.hpp"
 #include "stages/planning/plan_movement.hpp"
 #include "stages/planning/run_config.hpp"
+#include "stages/report/report.hpp"
 
 namespace morphe::commands {
 namespace {
@@ -31,11 +32,16 @@ struct RunArguments {
   std::string config, from, dataset, out, shard = "1/1";
   std::vector<std::string> settings;
   int jobs = 0;
-  bool fresh = false, explain = false, strict = false, json = false;
+  bool fresh = false, explain = false, strict = false, json = false, report = false;
 };
 
 /// What a shell adds to the number of the signal that ended a program.
 constexpr int kStopped = 128;
+
+int jobs_of(const RunArguments& arguments) {
+  return arguments.jobs > 0 ? arguments.jobs
+                            : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 /// Of several robots the config names the same one.
 fs::path dataset_of(const RunArguments& arguments, const planning::LoadedConfig& config) {
@@ -148,9 +154,7 @@ int plan_all(const RunArguments& arguments, const run::Shard& shard, Dataset& da
   request.identity.robot = robot;
   request.config = one.config.without_paths;
   request.expected_dataset = one.config.dataset_sha256;
-  request.jobs = arguments.jobs > 0
-                     ? arguments.jobs
-                     : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  request.jobs = jobs_of(arguments);
   request.explain = arguments.explain;
   request.plan = [&](const Demonstration& demonstration) {
     return planning::plan_demonstration(planner, demonstration);
@@ -188,6 +192,18 @@ void print_results(const RunArguments& arguments, const std::vector<RobotRun>& r
   if (several) fmt::print("{}\n", table);
 }
 
+/// DIR/report.html: every robot's plans side by side.
+void write_page(const RunArguments& arguments, const std::vector<RobotRun>& runs) {
+  report::ReportRequest request;
+  request.jobs = jobs_of(arguments);
+  for (const RobotRun& one : runs)
+    request.runs.push_back(
+        {one.plans(), one.name.empty() ? one.config.loaded.robot.name : one.name});
+  const fs::path page = fs::path(arguments.out) / "report.html";
+  report::write_report(request, page);
+  if (!arguments.json) fmt::print("{}: to be opened in a browser\n", page.string());
+}
+
 int execute(const RunArguments& arguments) {
   if (arguments.config.empty() == arguments.from.empty())
     throw InputError("run: needs either CONFIG or --from");
@@ -202,6 +218,7 @@ int execute(const RunArguments& arguments) {
     if (signal != 0) return stopped(one, signal);
   }
   print_results(arguments, runs);
+  if (arguments.report) write_page(arguments, runs);
   const auto any = [&](int run::BatchSummary::*count) {
     return std::ranges::any_of(runs, [&](const RobotRun& one) { return one.summary.*count > 0; });
   };
@@ -232,6 +249,8 @@ Command run_command(CLI::App& app) {
   app.add_flag("--fresh", arguments->fresh,
                "Plan everything anew, including what an earlier run in the folder finished");
   app.add_flag("--explain", arguments->explain, "Say for each demonstration why it is planned");
+  app.add_flag("--report", arguments->report,
+               "Write DIR/report.html, too: a page that plays every plan");
   app.add_flag("--strict", arguments->strict, "Exit 1 if a movement is infeasible");
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] { return execute(*arguments); };

@@ -1,0 +1,304 @@
+// A movement's page: 3D view, clock and plots side by side, what is wrong below.
+import { at, loadBlock, report, rows } from "./data.js";
+import { build, buildButton, buildName, buildStatus } from "./elements.js";
+import { measureText, measures, shownValue } from "./measures.js";
+import { clips, clockRange, isGoalMotion, stateAt, timeOfDemonstration } from "./player.js";
+import { createPlots } from "./plots.js";
+import { createReadings } from "./readings.js";
+import { createScene } from "./scene.js";
+import { plotsOf } from "./series.js";
+import { addressOf, on, pick, setTime, state } from "./state.js";
+import { bandsOf, createTimeline } from "./timeline.js";
+import { plainText, reasonSentence } from "./words.js";
+
+const kViews = ["front", "side", "top", "eyes", "fit"];
+const kOptions = [["person", "person", true], ["goals", "goals", true], ["capsules", "capsules", true],
+                  ["meshes", "meshes", true], ["ghost", "mapped path", true], ["objects", "objects", true],
+                  ["nearest", "nearest pair", true], ["apart", "apart", false]];
+const kSpeeds = [0.1, 0.25, 0.5, 1, 2];
+
+let page = null; // what was built once
+let players = [];
+let range = { begin: 0, end: 0 };
+let opened = 0;
+const clock = { playing: false, speed: 1, loop: true, last: 0 };
+
+// The plans of all runs that follow the same demonstration, this one first.
+const sameMovement = (rowIndex) => {
+  const others = rows.filter((row, index) => index !== rowIndex && row.plan === rows[rowIndex].plan);
+  return [rows[rowIndex], ...others];
+};
+
+async function playerOf(row) {
+  const run = report.runs[row.run];
+  return { plan: await loadBlock(row.block), robot: run.robot, label: run.name, index: row.run,
+           target: row.target, row };
+}
+
+export async function openMovement(host, rowIndex, time) {
+  const mine = ++opened;
+  page ??= buildPage(host);
+  stopClock();
+  const loaded = await Promise.all(sameMovement(rowIndex).map(playerOf));
+  if (mine !== opened) return;
+  players = loaded;
+  const [{ plan, row }] = players;
+  range = clockRange(plan);
+  state.pick = null;
+  page.title.replaceChildren(...titleOf(row));
+  page.reason.replaceChildren(...reasonOf(plan, row));
+  page.figures.replaceChildren(...figuresOf(row));
+  page.options.apart.parentElement.hidden = players.length < 2;
+  page.options.ghost.parentElement.hidden = !players.some(hasGhost);
+  page.options.meshes.parentElement.hidden = !players.some(({ robot }) => robot.meshes);
+  const bands = bandsOf(plan);
+  page.timeline.show(range, bands);
+  page.scene?.show(players);
+  page.readings.show(players[0]);
+  state.time = Number.isFinite(time) ? Math.min(range.end, Math.max(range.begin, time)) : firstTime(plan);
+  showNow();
+  page.plots.show(plotsOf(players), bands);
+}
+
+export function closeMovement() {
+  stopClock();
+  ++opened;
+  page?.plots.clear();
+  players = [];
+}
+
+const hasGhost = ({ plan }) => plan.mapped &&
+    plan.motions.some(({ origin }) => origin.values.some((value) => value > 0));
+
+const firstTime = (plan) =>
+  (plan.worst ? timeOfDemonstration(plan, plan.worst.demonstration_s) : clockRange(plan).begin);
+
+function titleOf(row) {
+  const run = report.runs.length > 1 ? build("span", { class: "muted" }, report.runs[row.run].name) : null;
+  return [buildName(row.plan), " ", buildStatus(row.status), row.certificate.repaired ? " repaired " : " ", run]
+    .filter((part) => part !== null);
+}
+
+function reasonOf(plan, row) {
+  if (row.status === "executable") return row.detail ? [build("p", {}, plainText(row.detail))] : [];
+  const parts = [build("p", {}, build("b", {}, row.reason), ": ", reasonSentence(row.reason)),
+                 build("p", {}, plainText(row.detail))];
+  if (plan.worst) {
+    const time = timeOfDemonstration(plan, plan.worst.demonstration_s);
+    parts.push(build("p", {}, "Worst instant: ", plainText(plan.worst.sentence), " ",
+        buildButton("show it", {}, () => setTime(time))));
+  }
+  if (plan.advice.length > 0) {
+    parts.push(build("p", {}, "What would have to change:"),
+               build("ul", {}, ...plan.advice.map((sentence) => build("li", {}, plainText(sentence)))));
+  }
+  if (plan.motions.length === 0) parts.push(build("p", {}, "Nothing was planned: the person alone is shown."));
+  return parts;
+}
+
+const kLimitFigures = [["velocity_ratio", "velocity"], ["acceleration_ratio", "acceleration"],
+                       ["jerk_ratio", "jerk"]];
+
+function figuresOf(row) {
+  const entry = (name, value, whole) =>
+    build("div", {}, build("dt", {}, name), build("dd", { title: whole }, value));
+  const shown = measures.map((measure) => {
+    const value = shownValue(measure, row);
+    if (Number.isNaN(value)) return null;
+    const text = `${measureText(measure, value)} ${measure.unit}`;
+    return entry(measure.title, text, `${measure.source} = ${measure.of(row)} ${measure.siUnit}`);
+  });
+  for (const [key, name] of kLimitFigures) {
+    const value = row.certificate[key];
+    if (typeof value === "number")
+      shown.push(entry(`${name}, of limit`, `${(100 * value).toFixed(1)} %`, String(value)));
+  }
+  return shown.filter((each) => each !== null);
+}
+
+function buildPage(host) {
+  const parts = { title: build("h2", { tabindex: "-1" }), reason: build("div", { class: "reason" }),
+                  figures: build("dl", { class: "figures" }), options: {},
+                  instant: build("output", { class: "instant" }) };
+  const sceneHost = build("div", { class: "scene-host" });
+  const readings = build("section", { class: "readings", "aria-label": "Values at this instant" });
+  const plots = build("div", { class: "plots", tabindex: "0", role: "region", "aria-label": "Plots" });
+  const timeline = build("div", { class: "timeline" });
+  host.replaceChildren(
+    build("div", { class: "movement-head" }, parts.title, parts.reason),
+    build("div", { class: "movement" },
+        build("div", { class: "scene" }, viewBar(parts), sceneHost, clockBar(parts), parts.instant, timeline),
+        plots),
+    build("div", { class: "movement-foot" }, parts.figures, readings));
+  parts.scene = createScene(sceneHost);
+  parts.scene?.onPick(({ player, capsule }) => pickCapsule(players[player], capsule));
+  parts.timeline = createTimeline(timeline);
+  parts.plots = createPlots(plots);
+  parts.readings = createReadings(readings);
+  on("time", showNow);
+  on("pick", showNow);
+  on("theme", () => {
+    parts.scene?.theme();
+    parts.plots.theme();
+    showNow();
+  });
+  addEventListener("resize", () => {
+    parts.scene?.resize();
+    parts.plots.resize();
+  });
+  return parts;
+}
+
+function viewBar(parts) {
+  const bar = build("div", { class: "bar", role: "toolbar", "aria-label": "View" });
+  kViews.forEach((name, index) => {
+    bar.append(buildButton(name, { title: `key ${index + 1}` }, () => parts.scene?.view(name)));
+  });
+  for (const [option, name, checked] of kOptions) {
+    const box = build("input", { type: "checkbox", checked });
+    box.addEventListener("change", () => {
+      parts.scene?.set(option, box.checked);
+      showNow();
+    });
+    parts.options[option] = box;
+    bar.append(build("label", {}, box, ` ${name}`));
+  }
+  return bar;
+}
+
+function clockBar(parts) {
+  parts.play = buildButton("Play", { class: "play", title: "space" }, togglePlay);
+  parts.speed = build("select", { "aria-label": "Speed" },
+      ...kSpeeds.map((speed) => build("option", { value: speed, selected: speed === 1 }, `${speed} ×`)));
+  parts.speed.addEventListener("change", () => { clock.speed = Number(parts.speed.value); });
+  parts.loop = build("input", { type: "checkbox", checked: true });
+  parts.loop.addEventListener("change", () => { clock.loop = parts.loop.checked; });
+  return build("div", { class: "bar", role: "toolbar", "aria-label": "Clock" },
+      buildButton("◂ step", { title: "left arrow" }, () => step(-1)), parts.play,
+      buildButton("step ▸", { title: "right arrow" }, () => step(1)), parts.speed,
+      build("label", {}, parts.loop, " loop"));
+}
+
+function pickCapsule({ robot }, capsule) {
+  let frame = robot.capsules[capsule].frame;
+  while (frame >= 0 && robot.frames[frame].joint < 0) frame = robot.frames[frame].parent;
+  if (frame >= 0) pick({ kind: "joint", index: robot.frames[frame].joint });
+}
+
+// Robots of several runs are where they are at the first one's time of the demonstration.
+function statesNow() {
+  const [first, ...others] = players;
+  const own = stateAt(first.plan, first.robot, state.time);
+  const rest = others.map(({ plan, robot }) => {
+    if (!own || !isGoalMotion(own.motion)) return stateAt(plan, robot, state.time);
+    return stateAt(plan, robot, timeOfDemonstration(plan, own.demonstration_s));
+  });
+  return [own, ...rest];
+}
+
+function wordsOf(now) {
+  if (!now) return "no motion";
+  const phases = ["rest", "reach", "preshape", "grasp", "hold", "transport", "return"];
+  const phase = isGoalMotion(now.motion) ? phases[at(now.motion.phase, now.index)] : now.motion.name;
+  return `robot ${state.time.toFixed(3)} s · demonstration ${now.demonstration_s.toFixed(3)} s · ${phase}`;
+}
+
+function showNow() {
+  if (players.length === 0) return;
+  const states = statesNow();
+  const words = wordsOf(states[0]);
+  page.scene?.update(states, state.pick);
+  page.timeline.update(words);
+  page.readings.update(states[0]);
+  page.instant.textContent = words;
+  if (!clock.playing) keepAddress();
+}
+
+let addressTimer = 0;
+
+function keepAddress() {
+  clearTimeout(addressTimer);
+  addressTimer = setTimeout(() => {
+    if (state.row !== null) history.replaceState(null, "", addressOf(rows, state.row, state.time));
+  }, 200);
+}
+
+function togglePlay() {
+  if (clock.playing) stopClock();
+  else startClock();
+}
+
+function startClock() {
+  if (range.end <= range.begin) return;
+  clock.playing = true;
+  clock.last = performance.now();
+  page.play.textContent = "Pause";
+  if (state.time >= range.end) setTime(range.begin);
+  requestAnimationFrame(tick);
+}
+
+function stopClock() {
+  clock.playing = false;
+  if (page) page.play.textContent = "Play";
+}
+
+function tick(now) {
+  if (!clock.playing) return;
+  let time = state.time + clock.speed * Math.max(0, now - clock.last) / 1000;
+  clock.last = now;
+  if (time > range.end) {
+    if (clock.loop) time = range.begin;
+    else {
+      stopClock();
+      time = range.end;
+    }
+  }
+  setTime(time);
+  requestAnimationFrame(tick);
+}
+
+// To the next sample shown, or by seconds.
+function step(count) {
+  stopClock();
+  const times = clips(players[0].plan).flatMap(({ motion, begin }) =>
+    Array.from(motion.time.values, (time) => begin + time));
+  const eps = 1e-6;
+  const next = count > 0 ? times.find((time) => time > state.time + eps)
+      : times.findLast((time) => time < state.time - eps);
+  if (next !== undefined) setTime(next);
+}
+
+function moveBy(seconds) {
+  stopClock();
+  setTime(Math.min(range.end, Math.max(range.begin, state.time + seconds)));
+}
+
+function changeSpeed(by) {
+  const index = Math.min(kSpeeds.length - 1, Math.max(0, kSpeeds.indexOf(clock.speed) + by));
+  clock.speed = kSpeeds[index];
+  page.speed.value = clock.speed;
+}
+
+const toggle = (box) => { if (!box.parentElement.hidden) box.click(); };
+
+// Keys of the movement's page; whether the key was one of them.
+export function movementKey(event) {
+  if (players.length === 0) return false;
+  const plain = {
+    " ": togglePlay,
+    Home: () => moveBy(-Infinity),
+    End: () => moveBy(Infinity),
+    ",": () => changeSpeed(-1),
+    ".": () => changeSpeed(1),
+    l: () => toggle(page.loop),
+    g: () => toggle(page.options.ghost),
+    p: () => toggle(page.options.person),
+    c: () => toggle(page.options.capsules),
+    ArrowLeft: () => (event.shiftKey ? moveBy(-0.1) : step(-1)),
+    ArrowRight: () => (event.shiftKey ? moveBy(0.1) : step(1)),
+  };
+  kViews.forEach((name, index) => { plain[String(index + 1)] = () => page.scene?.view(name); });
+  if (!Object.hasOwn(plain, event.key)) return false;
+  plain[event.key]();
+  return true;
+}

@@ -1,0 +1,124 @@
+// The first page: what was run, how it went, distributions that select, and a table of all plans.
+import { report, rows } from "./data.js";
+import { differenceColumns, partners, planColumns } from "./columns.js";
+import { buildCounts } from "./counts.js";
+import { build, buildButton } from "./elements.js";
+import { clearFilter, countPassing, filter, filterAddress, isFiltered, passing, setFilter } from "./filter.js";
+import { buildHistogram } from "./histogram.js";
+import { measures } from "./measures.js";
+import { buildRuns } from "./runs.js";
+import { addressOf, on, state } from "./state.js";
+import { buildTable, sortItems } from "./table.js";
+import { counted, plainText } from "./words.js";
+
+let items = rows.map((_, index) => index);
+let parts = null;
+
+// Indices into rows, in the order of the table.
+export const shownRows = () => items;
+
+const kPlanColumns = planColumns();
+let differences = { columns: [], partner: [], before: -1, after: -1 };
+
+function columnsNow() {
+  if (!filter.differences) return kPlanColumns;
+  const { before, after } = filter;
+  if (differences.before !== before || differences.after !== after) {
+    const partner = partners(before, after);
+    differences = { columns: differenceColumns(partner), partner, before, after };
+  }
+  return differences.columns;
+}
+
+function sortBy(column) {
+  const again = filter.sort === column.id;
+  // Once up, once down, then as in the file.
+  if (again && filter.descending) setFilter({ sort: "", descending: false });
+  else setFilter({ sort: column.id, descending: again });
+}
+
+const openRow = (row) => { location.hash = addressOf(rows, row, NaN).replace(/\/NaN$/, ""); };
+
+function buildTools() {
+  const search = build("input", { type: "search", placeholder: "Search plans, subjects, tasks, reasons",
+    "aria-label": "Search", spellcheck: "false" });
+  search.addEventListener("input", () => setFilter({ search: search.value }));
+  const shown = build("output", { class: "shown-count" });
+  const all = buildButton("show all", { class: "quiet" }, clearFilter);
+  const tools = build("div", { class: "bar tools" }, search, shown, all);
+  if (report.runs.length > 1) tools.append(...buildComparison());
+  return { tools, search, shown, all };
+}
+
+function buildComparison() {
+  const choice = (key, label) => {
+    const select = build("select", { "aria-label": label },
+        ...report.runs.map(({ name }, run) => build("option", { value: run, selected: run === filter[key] }, plainText(name))));
+    select.addEventListener("change", () => setFilter({ [key]: Number(select.value), differences: true }));
+    return select;
+  };
+  const box = build("input", { type: "checkbox" });
+  box.addEventListener("change", () => setFilter({ differences: box.checked, sort: "", descending: false }));
+  on("filter", () => { box.checked = filter.differences; });
+  return [build("label", {}, box, " differences"), choice("before", "from run"), " → ", choice("after", "to run")];
+}
+
+function buildOverview(host) {
+  const tools = buildTools();
+  const table = buildTable({ label: "Plans", onOpen: openRow, onSort: sortBy });
+  const counts = buildCounts();
+  const histograms = measures.map(buildHistogram);
+  host.replaceChildren(
+    ...report.runs.filter(({ left_out }) => left_out).map(({ left_out }) =>
+      build("p", { class: "warning" }, plainText(left_out))),
+    counts.section,
+    build("section", { "aria-labelledby": "table-title" }, build("h2", { id: "table-title" }, "Movements"), tools.tools, table.box),
+    build("section", { "aria-labelledby": "distributions-title" },
+        build("h2", { id: "distributions-title" }, "Distributions"),
+        build("p", { class: "muted small" }, "Click or drag over bars to show those plans alone."),
+        build("div", { class: "histograms" }, ...histograms.map(({ card }) => card))),
+    buildRuns());
+  return { tools, table, counts, histograms, columns: null };
+}
+
+function showFiltered() {
+  const columns = columnsNow();
+  const kept = filter.differences ? (i) => passing[i] && differences.partner[i] >= 0 : (i) => passing[i];
+  items = rows.map((_, index) => index).filter(kept);
+  const sorted = columns.find(({ id }) => id === filter.sort);
+  if (sorted) sortItems(items, sorted, filter.descending, rows.length);
+  if (!parts) return;
+  if (parts.columns !== columns) {
+    parts.columns = columns;
+    parts.table.setColumns(columns);
+  }
+  parts.table.show(items, sorted, filter.descending);
+  parts.counts.update();
+  parts.histograms.forEach((histogram) => histogram.update());
+  const { search, shown, all } = parts.tools;
+  if (search.value !== filter.search) search.value = filter.search;
+  const count = filter.differences ? items.length : countPassing();
+  shown.textContent = isFiltered() || filter.differences
+    ? `${count.toLocaleString("en")} of ${counted(rows.length, "plan")}` : counted(rows.length, "plan");
+  all.hidden = !isFiltered();
+  if (state.row === null) keepFilterAddress();
+}
+
+let filterTimer = 0;
+
+function keepFilterAddress() {
+  clearTimeout(filterTimer);
+  filterTimer = setTimeout(() => {
+    if (state.row === null && location.hash !== filterAddress()) history.replaceState(null, "", filterAddress());
+  }, 200);
+}
+
+on("filter", showFiltered);
+
+export function openOverview(host, row) {
+  parts ??= buildOverview(host);
+  showFiltered();
+  if (row !== null) parts.table.focusItem(row);
+}
+
+export const focusSearch = () => parts?.tools.search.focus();

@@ -1,0 +1,80 @@
+// A robot in the 3D view: its capsules as they are checked, its meshes, its tips.
+import { loadBlock } from "./data.js";
+import { forward, jointOf, tipPlace } from "./kinematics.js";
+import { ballGeometry, between, boneGeometry, capsuleGeometry, fixedMesh, meshGeometry, placeBone } from "./shapes.js";
+
+const vectorOf = (numbers) => new THREE.Vector3(...numbers);
+
+const capsuleMesh = ({ from, to, radius }, material) => {
+  const [a, b] = [vectorOf(from), vectorOf(to)];
+  const mesh = fixedMesh(capsuleGeometry(radius, a.distanceTo(b)), material);
+  return { mesh, local: between(a, b) };
+};
+
+// {group, pose(q), capsules, showPick(pick, pair, touching)}; materials: {plain, picked, near, touching, mesh, tip}
+export function createRobotModel(robot, materials, onChange) {
+  const group = new THREE.Group();
+  const capsulesGroup = new THREE.Group(), meshesGroup = new THREE.Group(), tipsGroup = new THREE.Group();
+  group.add(capsulesGroup, meshesGroup, tipsGroup);
+  const capsules = robot.capsules.map((capsule) => capsuleMesh(capsule, materials.plain));
+  capsules.forEach(({ mesh }, index) => {
+    mesh.userData.capsule = index;
+    capsulesGroup.add(mesh);
+  });
+  const tips = materials.tip ? robot.tips.map(() => new THREE.Mesh(ballGeometry(0.006), materials.tip)) : [];
+  if (tips.length > 0) tipsGroup.add(...tips);
+  const axis = fixedMesh(boneGeometry(), materials.picked);
+  axis.visible = false;
+  group.add(axis);
+  const meshes = [];
+  const addMesh = async ({ frame, block }) => {
+    const mesh = fixedMesh(meshGeometry(await loadBlock(block)), materials.mesh);
+    meshesGroup.add(mesh);
+    meshes.push({ mesh, frame });
+    onChange();
+  };
+  if (materials.mesh) (robot.meshes ?? []).forEach(addMesh);
+  let poses = [];
+  const put = (mesh, matrix) => {
+    mesh.matrix.copy(matrix);
+    mesh.matrixWorldNeedsUpdate = true;
+  };
+  return {
+    group, capsules, capsulesGroup, meshesGroup,
+    pose(q) {
+      poses = forward(robot, q);
+      robot.capsules.forEach(({ frame }, index) => {
+        const { mesh, local } = capsules[index];
+        mesh.matrix.multiplyMatrices(poses[frame], local);
+        mesh.matrixWorldNeedsUpdate = true;
+      });
+      for (const { mesh, frame } of meshes) put(mesh, poses[frame]);
+      robot.tips.forEach((tip, index) => tips[index]?.position.copy(tipPlace(tip, poses)));
+    },
+    // What is picked, nearest and touching wears a material of its own.
+    wear(pick, nearest, touching) {
+      const isPicked = (index) => (pick?.kind === "joint" && jointOf(robot, robot.capsules[index].frame) === pick.index) ||
+          (pick?.kind === "finger" && robot.capsules[index].frame === robot.tips[pick.index]?.frame) ||
+          (pick?.kind === "pair" && (pick.first === index || pick.second === index));
+      capsules.forEach(({ mesh }, index) => {
+        mesh.material = touching.has(index) ? materials.touching
+            : isPicked(index) ? materials.picked
+            : nearest.includes(index) ? materials.near : materials.plain;
+      });
+      tips.forEach((tip, index) => {
+        tip.scale.setScalar(pick?.kind === "finger" && pick.index === index ? 2 : 1);
+      });
+      showAxis(pick);
+    },
+  };
+
+  function showAxis(pick) {
+    axis.visible = false;
+    if (pick?.kind !== "joint") return;
+    const frame = robot.frames.findIndex(({ joint }) => joint === pick.index);
+    if (frame < 0 || !poses[frame]) return;
+    const along = vectorOf(robot.frames[frame].axis).transformDirection(poses[frame]).multiplyScalar(0.12);
+    const origin = new THREE.Vector3().setFromMatrixPosition(poses[frame]);
+    placeBone(axis, origin.clone().sub(along), origin.clone().add(along), 0.003);
+  }
+}

@@ -1,0 +1,97 @@
+// The clock's range under the 3D view: phases, marks, and a slider for hand and keyboard.
+import { at } from "./data.js";
+import { build, buildButton } from "./elements.js";
+import { clips, isGoalMotion, timeOfDemonstration } from "./player.js";
+import { setTime, state } from "./state.js";
+import { plainText } from "./words.js";
+
+// {kind: "phase" | "origin" | "finding" | "mark", begin, end, name, says} on the plan's clock.
+export function bandsOf(plan) {
+  const bands = [];
+  const add = (kind, from, to, name, says) => bands.push({ kind, begin: from, end: to, name, says });
+  const onClock = (demonstration_s) => timeOfDemonstration(plan, demonstration_s);
+  for (const { motion, begin, end } of clips(plan)) {
+    if (!isGoalMotion(motion)) add("phase", begin, end, motion.name, `${motion.name}, planned`);
+  }
+  for (const { name, begin_s, end_s, confidence } of plan.phases) {
+    const says = `${name}, ${begin_s.toFixed(2)} to ${end_s.toFixed(2)} s of the demonstration, ` +
+        `confidence ${Math.round(100 * confidence)} %`;
+    if (name !== "rest") add("phase", onClock(begin_s), onClock(end_s), name, says, confidence);
+  }
+  for (const clip of clips(plan)) addOrigins(clip, add);
+  for (const { begin_s, end_s, cause, first, second, depth } of plan.findings) {
+    const pair = second === "" ? first : `${first} – ${second}`;
+    add("finding", onClock(begin_s), onClock(end_s), cause,
+        `found in the mapped path: ${cause}, ${plainText(pair)}, ${depth.toPrecision(3)} too far`);
+  }
+  if (plan.grasp) add("mark", onClock(plan.grasp.demonstration_s), null, "grasp", "the grasp");
+  if (plan.worst) add("mark", onClock(plan.worst.demonstration_s), null, "worst", plan.worst.sentence);
+  return bands.map((band) => ({ ...band, end: band.end ?? band.begin }));
+}
+
+const kOrigins = ["mapped", "re-solved", "planned"];
+
+function addOrigins({ motion, begin }, add) {
+  const origin = (row) => at(motion.origin, row);
+  for (let from = 0; from < motion.time.rows;) {
+    let to = from;
+    while (to + 1 < motion.time.rows && origin(to + 1) === origin(from)) ++to;
+    if (origin(from) > 0 && isGoalMotion(motion)) {
+      const name = kOrigins[origin(from)];
+      add("origin", begin + at(motion.time, from), begin + at(motion.time, to), name,
+          `${name} by repair`);
+    }
+    from = to + 1;
+  }
+}
+
+// What begins at the same time and is called the same is one mark.
+function marksOf(bands) {
+  const marks = new Map();
+  for (const { kind, begin, name, says } of bands) {
+    if (kind !== "finding" && kind !== "mark") continue;
+    const title = `${name} ${begin.toFixed(2)} s`;
+    if (!marks.has(title)) marks.set(title, { begin, says: [] });
+    marks.get(title).says.push(says);
+  }
+  return [...marks];
+}
+
+export function createTimeline(host) {
+  const bandsHost = build("div", { class: "bands" });
+  const slider = build("input", { type: "range", "aria-label": "Time", step: "any" });
+  const cursor = build("div", { class: "timeline-cursor", "aria-hidden": "true" });
+  const marks = build("div", { class: "marks" });
+  host.replaceChildren(build("div", { class: "track" }, bandsHost, cursor), slider, marks);
+  slider.addEventListener("input", () => setTime(Number(slider.value)));
+  bandsHost.addEventListener("click", (event) => {
+    const box = bandsHost.getBoundingClientRect();
+    setTime(range.begin + (event.clientX - box.left) / box.width * (range.end - range.begin));
+  });
+  let range = { begin: 0, end: 1 };
+  const share = (time) => (time - range.begin) / (range.end - range.begin || 1);
+  return {
+    show(newRange, bands) {
+      range = newRange;
+      slider.min = range.begin;
+      slider.max = range.end;
+      bandsHost.replaceChildren(...bands.map((band) => bandElement(band, share)));
+      marks.replaceChildren(...marksOf(bands).map(([name, { begin, says }]) =>
+        buildButton(name, { title: says.join("\n") }, () => setTime(begin))));
+    },
+    update(words) {
+      slider.value = state.time;
+      slider.setAttribute("aria-valuetext", words);
+      cursor.style.left = `${100 * Math.min(1, Math.max(0, share(state.time)))}%`;
+    },
+  };
+}
+
+function bandElement({ kind, begin, end, name, says }, share) {
+  const element = build("span", { class: `band ${kind} band-${name}`, title: says },
+      kind === "phase" ? name : "");
+  const left = Math.min(1, Math.max(0, share(begin))), right = Math.min(1, Math.max(0, share(end)));
+  element.style.left = `${100 * left}%`;
+  element.style.width = kind === "mark" ? "" : `${100 * (right - left)}%`;
+  return element;
+}

@@ -1,0 +1,45 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "pipeline/files/part_file.hpp"
+#include "pipeline/motion/input_error.hpp"
+#include "stages/report/filmstrip.hpp"
+#include "stages/report/opened_run.hpp"
+#include "stages/report/report.hpp"
+
+namespace morphe::report {
+namespace {
+
+void write_text(const std::filesystem::path& file, const std::string& text) {
+  files::PartFile part(file);
+  std::ofstream stream(part.part(), std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream) throw InputError(fmt::format("{}: cannot be written", file.string()));
+  part.commit();
+}
+
+}  // namespace
+
+std::vector<std::string> write_filmstrips(const ReportRequest& request,
+                                          const std::filesystem::path& folder) {
+  const std::vector<OpenedRun> runs = open_runs(request);
+  std::vector<std::string> names;
+  for (const OpenedRun& run : runs) {
+    for (const std::size_t k : run.selected.plans) {
+      const std::string& path = run.reader->plan_paths()[k];
+      std::string name = runs.size() > 1 ? fmt::format("{}_{}.svg", run.named.name, path)
+                                         : fmt::format("{}.svg", path);
+      std::ranges::replace(name, '/', '_');
+      const Plan plan = run.reader->read(k);
+      write_text(folder / name,
+                 filmstrip(run.robot, plan, path, view_of(run.robot, run.world_from_base, plan)));
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
+}  // namespace morphe::report
