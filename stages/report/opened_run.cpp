@@ -1,6 +1,11 @@
 #include "stages/report/opened_run.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "pipeline/config/fields.hpp"
+#include "pipeline/motion/input_error.hpp"
 #include "stages/map/placement.hpp"
 
 namespace morphe::report {
@@ -21,6 +26,13 @@ std::optional<Eigen::Matrix3d> world_from_base(const std::string& config,
   }
 }
 
+bool any_called(const std::vector<OpenedRun>& runs, const std::string& pattern) {
+  return std::ranges::any_of(runs, [&](const OpenedRun& run) {
+    return std::ranges::any_of(run.reader->plan_paths(),
+                               [&](const std::string& path) { return matches(path, pattern); });
+  });
+}
+
 }  // namespace
 
 std::vector<OpenedRun> open_runs(const ReportRequest& request) {
@@ -34,6 +46,9 @@ std::vector<OpenedRun> open_runs(const ReportRequest& request) {
     run.selected = select_plans(*run.reader, request.selection);
     runs.push_back(std::move(run));
   }
+  const std::string& pattern = request.selection.pattern;
+  if (!pattern.empty() && !any_called(runs, pattern))
+    throw InputError(fmt::format("--plans: no plan is called '{}'", pattern));
   return runs;
 }
 

@@ -68,7 +68,7 @@ export function closeMovement() {
 }
 
 const hasGhost = ({ plan }) => plan.mapped &&
-    plan.motions.some(({ origin }) => origin.values.some((value) => value > 0));
+    plan.motions.some((motion) => isGoalMotion(motion) && motion.origin.values.some((value) => value > 0));
 
 const firstTime = (plan) =>
   (plan.worst ? timeOfDemonstration(plan, plan.worst.demonstration_s) : clockRange(plan).begin);

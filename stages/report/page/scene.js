@@ -176,7 +176,7 @@ export function createScene(host) {
       ghost.group.visible = options.ghost && Boolean(repairedNow(state));
       if (ghost.group.visible) ghost.pose(mappedAt(plan, human));
     }
-    goals.pose(human, state ? state.q : null, pick);
+    goals.pose(human, state && isGoalMotion(state.motion) ? state.q : null, pick);
     objects.pose(state, demonstration_s);
     person?.pose(human);
     const nearest = isFirst ? showNearest(actor, state) : [];
