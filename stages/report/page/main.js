@@ -1,7 +1,7 @@
 // Which page is open: the address says it; the keys that hold on both.
 import { report, rows } from "./data.js";
 import { readFilterAddress } from "./filter.js";
-import { closeMovement, movementKey, openMovement } from "./movement.js";
+import { closeMovement, movementKey, openMovement, prepareMovement } from "./movement.js";
 import { focusSearch, openOverview, shownRows } from "./overview.js";
 import { addressOf, emit, readAddress, state } from "./state.js";
 import { plainText } from "./words.js";
@@ -94,3 +94,4 @@ element("help-close").addEventListener("click", () => help.close());
 element("software").textContent = plainText(report.software);
 
 route();
+(globalThis.requestIdleCallback ?? setTimeout)(() => prepareMovement(kMovement));

@@ -35,9 +35,14 @@ async function playerOf(row) {
            target: row.target, row };
 }
 
+// Builds what every movement needs, before the first one is opened.
+export function prepareMovement(host) {
+  page ??= buildPage(host);
+}
+
 export async function openMovement(host, rowIndex, time) {
   const mine = ++opened;
-  page ??= buildPage(host);
+  prepareMovement(host);
   stopClock();
   const loaded = await Promise.all(sameMovement(rowIndex).map(playerOf));
   if (mine !== opened) return;

@@ -97,8 +97,14 @@ function rangeOf({ rows, limits }) {
 
 export function createPlots(host) {
   let shown = [];
+  // Only those in sight: a playing clock moves them at every frame.
+  const sight = new IntersectionObserver((entries) => {
+    for (const { target, isIntersecting } of entries) target.inSight = isIntersecting;
+    moveCursors();
+  }, { root: null });
   const moveCursors = () => {
-    for (const { graph, cursor } of shown) {
+    for (const { graph, cursor, figure } of shown) {
+      if (figure.inSight === false) continue;
       const area = graph.getArea();
       const x = graph.toDomXCoord(state.time);
       cursor.hidden = x < area.x - 1 || x > area.x + area.w + 1;
@@ -112,7 +118,10 @@ export function createPlots(host) {
     }
   };
   const clear = () => {
-    for (const { graph } of shown) graph.destroy();
+    for (const { graph, figure } of shown) {
+      graph.destroy();
+      sight.unobserve(figure);
+    }
     shown = [];
     host.replaceChildren();
   };
@@ -126,6 +135,7 @@ export function createPlots(host) {
       const next = (index) => {
         if (mine !== shown || index === plots.length) return;
         shown.push(makePlot(host, plots[index], bands));
+        sight.observe(shown[index].figure);
         moveCursors();
         requestAnimationFrame(() => next(index + 1));
       };

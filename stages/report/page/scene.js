@@ -17,9 +17,18 @@ const kApart_m = 0.9;
 const kRobotColours = 4;
 const kShownAtFirst = 2; // of several robots
 
+// Whether the processor draws, which has no time for smooth edges.
+function drawnInSoftware() {
+  const context = build("canvas").getContext("webgl");
+  const info = context?.getExtension("WEBGL_debug_renderer_info");
+  const name = info ? context.getParameter(info.UNMASKED_RENDERER_WEBGL) : "";
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
+}
+
 function createRenderer(canvas) {
   try {
-    return new THREE.WebGLRenderer({ canvas, antialias: true });
+    return new THREE.WebGLRenderer({ canvas, antialias: !drawnInSoftware() });
   } catch {
     return null;
   }
@@ -251,6 +260,18 @@ export function createScene(host) {
   }
   new ResizeObserver(resize).observe(host);
 
+  // The shaders of all materials, before the first movement is opened.
+  function compile() {
+    const samples = new THREE.Group();
+    for (const material of Object.values(kinds)) {
+      const part = material.isLineBasicMaterial ? THREE.LineSegments : THREE.Mesh;
+      samples.add(new part(boneGeometry(), material));
+    }
+    root.add(samples);
+    renderer.compile(root, eye.camera);
+    root.remove(samples);
+  }
+
   function clear() {
     for (const { group } of actors) {
       root.remove(group);
@@ -306,6 +327,7 @@ export function createScene(host) {
     frames: () => drawn,
   };
   root.background = new THREE.Color(colour("--scene-ground"));
+  compile();
   return api;
 }
 
