@@ -106,15 +106,23 @@ class ReportPage(unittest.TestCase):
         box = bands.size["width"]
         end = float(self.run_script("return document.querySelector('.timeline input').max"))
         self.assertAlmostEqual(self.time(), (0.5 + 100 / box) * end, delta=2 * end / box)
-        moved = [b - a for a, b in zip(before, self.cursors())]
+        after = self.cursors()
+        moved = [b - a for a, b in zip(before, after)]
         self.assertGreater(min(moved), 20)
         self.assertLess(max(moved) - min(moved), 1)
+        self.run_script("document.querySelector('.plots').scrollTop = 1e6")
+        self.wait("return true")
+        self.assertAlmostEqual(self.cursors()[-1], after[0], delta=1)
         self.press(Keys.RIGHT)
         self.assertGreater(self.time(), 0.5 * end)
 
     def cursors(self):
-        return self.run_script("return [...document.querySelectorAll('.plot-cursor')].map("
-                               "c => c.getBoundingClientRect().x - c.parentElement.getBoundingClientRect().x)")
+        """Of the plots in sight."""
+        return self.run_script(
+            "const box = document.querySelector('.plots').getBoundingClientRect();"
+            "return [...document.querySelectorAll('.plot')].map(p => [p, p.getBoundingClientRect()]).filter("
+            "([, r]) => r.top >= box.top && r.bottom <= box.bottom).map("
+            "([p, r]) => p.querySelector('.plot-cursor').getBoundingClientRect().x - r.x)")
 
     def test_a_joint_that_is_picked_is_picked_everywhere(self):
         self.open(self.post / "report.html", "#ADL001DR2/000/0.9")

@@ -42,13 +42,14 @@ function createMaterials() {
   const kinds = {
     person: solid(), goal: solid(), goalLine: new THREE.LineDashedMaterial({ dashSize: 0.012, gapSize: 0.008 }),
     tipLine: line(), gap: solid(), reach: line(), object: solid(), target: solid(), edge: line(),
+    floor: line({ transparent: true, opacity: 0.4 }),
     near: solid(), picked: solid(), touching: solid(), touchingObject: solid(), ghost: solid(faint),
     nearest: new THREE.MeshBasicMaterial({ depthTest: false }), none: new THREE.MeshBasicMaterial({ visible: false }),
     ...Object.fromEntries(Array.from({ length: kRobotColours }, (_, k) => [`robot-${k}`, solid()])),
     tip: solid(), mesh: solid(),
   };
   const names = { person: "--person", goal: "--goal", goalLine: "--goal", tipLine: "--robot-0", gap: "--bad",
-    reach: "--bad", object: "--object", target: "--target", edge: "--scene-line", near: "--near",
+    reach: "--bad", object: "--object", target: "--target", edge: "--scene-line", floor: "--scene-line", near: "--near",
     picked: "--accent", ghost: "--ghost", nearest: "--near", tip: "--robot-0", mesh: "--mesh" };
   const paint = () => {
     for (const [kind, name] of Object.entries(names)) kinds[kind].color.set(colour(name));
@@ -215,10 +216,9 @@ export function createScene(host) {
     if (floor) root.remove(floor);
     const box = boundsOf(actors);
     for (const { objects } of actors) box.expandByObject(objects.group);
-    floor = new THREE.GridHelper(4, 20, colour("--scene-line"), colour("--scene-line"));
+    floor = new THREE.GridHelper(4, 20);
     floor.geometry.rotateX(Math.PI / 2);
-    floor.material.transparent = true;
-    floor.material.opacity = 0.4;
+    floor.material = kinds.floor;
     floor.position.z = Number.isFinite(box.min.z) ? box.min.z - 0.002 : 0;
     root.add(floor);
   }
