@@ -235,8 +235,8 @@ class ReportPage(unittest.TestCase):
         with h5py.File(hostile, "r+") as file:
             file.move("plans/ADL001DR2", f"plans/{name}")
             group = file[f"plans/{name}/000"]
-            for key in ("subject", "task"):
-                group.attrs[key] = HOSTILE.encode()
+            group.attrs["subject"] = HOSTILE.encode()
+            group.attrs["task"] = (10000 * "long \x07\x1b[31m").encode()
         page = self.folder / "hostile.html"
         done = morphe("report", hostile, "--out", page)
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -244,6 +244,10 @@ class ReportPage(unittest.TestCase):
         links = self.run_script("return [...document.querySelectorAll('table.many a')].map(a => a.textContent)")
         shown = next(link for link in links if link.startswith("<img"))
         self.assertIn("\\u{202e}", shown)
+        cells = self.run_script("return [...document.querySelectorAll('table.many td')].map(c => c.textContent)")
+        long = next(cell for cell in cells if cell.startswith("long"))
+        self.assertTrue(long.isprintable() and "\\u{7}" in long and len(long) < 1000)
+        self.assertFalse(self.run_script("return document.body.scrollWidth > innerWidth"))
         self.run_script("[...document.querySelectorAll('table.many a')].find("
                         "a => a.textContent.startsWith('<img')).click()")
         self.wait("return document.querySelectorAll('.plot').length >= 7")
