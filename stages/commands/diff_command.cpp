@@ -5,6 +5,7 @@
 
 #include "pipeline/run/diff.hpp"
 #include "stages/commands/commands.hpp"
+#include "stages/commands/plans_file.hpp"
 
 namespace morphe::commands {
 
@@ -14,11 +15,12 @@ Command diff_command(CLI::App& app) {
     bool json = false;
   };
   const auto arguments = std::make_shared<Arguments>();
-  app.add_option("A", arguments->first, "plans.h5")->required();
-  app.add_option("B", arguments->second, "plans.h5 to compare it with")->required();
+  app.add_option("A", arguments->first, "plans.h5, or a run's folder")->required();
+  app.add_option("B", arguments->second, "The same, to compare it with")->required();
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] {
-    const run::DiffReport report = run::diff_files(arguments->first, arguments->second);
+    const run::DiffReport report =
+        run::diff_files(plans_file(arguments->first), plans_file(arguments->second));
     fmt::print("{}", arguments->json ? run::diff_json(report) : run::diff_text(report));
     return report.differences.empty() ? 0 : 1;
   };

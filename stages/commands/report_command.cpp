@@ -9,6 +9,7 @@
 #include "pipeline/motion/input_error.hpp"
 #include "pipeline/run/output_folder.hpp"
 #include "stages/commands/commands.hpp"
+#include "stages/commands/plans_file.hpp"
 #include "stages/report/report.hpp"
 
 namespace morphe::commands {
@@ -28,24 +29,11 @@ std::string stem_or_folder(const fs::path& file) {
              : file.stem().string();
 }
 
-/// A file, or the plans of a run's folder: of several robots each.
-std::vector<fs::path> plans_of(const fs::path& named) {
-  if (!fs::is_directory(named)) return {named};
-  if (fs::exists(named / "plans.h5")) return {named / "plans.h5"};
-  std::vector<fs::path> found;
-  for (const fs::directory_entry& entry : fs::directory_iterator(named)) {
-    if (fs::exists(entry.path() / "plans.h5")) found.push_back(entry.path() / "plans.h5");
-  }
-  std::ranges::sort(found);
-  if (found.empty()) throw InputError(fmt::format("{}: holds no plans.h5", named.string()));
-  return found;
-}
-
 std::vector<report::ReportRequest::Run> runs_of(const std::vector<std::string>& files) {
   std::vector<report::ReportRequest::Run> runs;
   std::set<std::string> names;
   for (const std::string& named : files) {
-    for (const fs::path& file : plans_of(named)) {
+    for (const fs::path& file : plans_files(named)) {
       std::string name = stem_or_folder(file);
       for (int k = 2; !names.insert(name).second; ++k)
         name = fmt::format("{} ({})", stem_or_folder(file), k);

@@ -5,6 +5,7 @@
 
 #include "pipeline/verify/verify.hpp"
 #include "stages/commands/commands.hpp"
+#include "stages/commands/plans_file.hpp"
 
 namespace morphe::commands {
 
@@ -14,10 +15,10 @@ Command verify_command(CLI::App& app) {
     bool json = false;
   };
   const auto arguments = std::make_shared<Arguments>();
-  app.add_option("FILE", arguments->file, "plans.h5")->required();
+  app.add_option("FILE", arguments->file, "plans.h5, or a run's folder")->required();
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] {
-    const verify::VerifyReport report = verify::verify_file(arguments->file);
+    const verify::VerifyReport report = verify::verify_file(plans_file(arguments->file));
     fmt::print("{}",
                arguments->json ? verify::verify_json(report) + "\n" : verify::verify_text(report));
     return report.violations.empty() ? 0 : 1;

@@ -33,6 +33,22 @@ class Diff(ManyCase):
         self.assertEqual(self.found(), {})
         self.assertRegex(self.diff().stdout, r"^equal: \d+ plans\n$")
 
+    def test_a_runs_folder_stands_for_its_plans(self):
+        for command in (["diff", self.plain, self.plain], ["verify", self.plain],
+                        ["export", self.plain, "--format", "csv", "--out", self.folder / "csv"]):
+            self.assertEqual(morphe(*command).returncode, 0, command)
+        several = self.folder / "several"
+        for robot in ("a", "b"):
+            (several / robot).mkdir(parents=True)
+            shutil.copy(self.other, several / robot / "plans.h5")
+        refused = morphe("verify", several)
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn(f"name one of {several}/a/plans.h5, {several}/b/plans.h5", refused.stderr)
+        empty = self.folder / "empty"
+        empty.mkdir()
+        refused = morphe("diff", empty, self.plain)
+        self.assertEqual((refused.returncode, "holds no plans.h5" in refused.stderr), (2, True))
+
     def test_one_number(self):
         def change(file):
             file["plans/synthetic_000002/000/trajectory/position"][3, 2] += 0.25

@@ -1,0 +1,34 @@
+#include "stages/commands/plans_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "pipeline/motion/input_error.hpp"
+
+namespace morphe::commands {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> plans_files(const fs::path& named) {
+  if (!fs::is_directory(named)) return {named};
+  if (fs::exists(named / "plans.h5")) return {named / "plans.h5"};
+  std::vector<fs::path> found;
+  for (const fs::directory_entry& entry : fs::directory_iterator(named)) {
+    if (fs::exists(entry.path() / "plans.h5")) found.push_back(entry.path() / "plans.h5");
+  }
+  std::ranges::sort(found);
+  if (found.empty()) throw InputError(fmt::format("{}: holds no plans.h5", named.string()));
+  return found;
+}
+
+fs::path plans_file(const fs::path& named) {
+  const std::vector<fs::path> found = plans_files(named);
+  if (found.size() == 1) return found.front();
+  std::string list;
+  for (const fs::path& file : found) list += (list.empty() ? "" : ", ") + file.string();
+  throw InputError(fmt::format("{}: holds several plans.h5: name one of {}", named.string(), list));
+}
+
+}  // namespace morphe::commands
