@@ -21,7 +21,7 @@ std::string xml_escaped(std::string_view text) {
         out += "&quot;";
         break;
       default:
-        out += c;
+        if (static_cast<unsigned char>(c) >= ' ' || c == '\n' || c == '\t') out += c;
     }
   }
   return out;

@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <system_error>
 #include <utility>
 
@@ -43,6 +44,15 @@ void PartFile::commit() {
   if (disk_->rename(part_.c_str(), target_.c_str()) != 0) fail(target_);
   committed_ = true;
   sync(target_.has_parent_path() ? target_.parent_path() : std::filesystem::path("."), *disk_);
+}
+
+void write_whole(const std::filesystem::path& file, const std::string& text) {
+  PartFile part(file);
+  std::ofstream stream(part.part(), std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream) throw InputError(fmt::format("{}: cannot be written", file.string()));
+  part.commit();
 }
 
 }  // namespace morphe::files

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "pipeline/files/disk.hpp"
 
@@ -25,5 +26,8 @@ class PartFile {
   Disk* disk_;
   bool committed_ = false;
 };
+
+/// A file of that text, whole or not at all. InputError if it cannot be written.
+void write_whole(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace morphe::files

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "pipeline/files/markup.hpp"
+#include "pipeline/math/convex_polygon.hpp"
 #include "pipeline/robot/forward.hpp"
 
 namespace morphe::describe {
@@ -59,30 +60,16 @@ struct Panel {
                        style);
   }
 
-  /// The convex outline of points as they are seen (Andrew's monotone chain).
+  /// The convex outline of points as they are seen.
   std::string outline(int frame, const std::vector<Vec3>& points) const {
-    std::vector<Eigen::Vector2d> flat, hull;
+    std::vector<Eigen::Vector2d> flat;
     for (const Vec3& point : points) {
       const Vec3 there = posture.at(frame, point);
       flat.emplace_back(x(there), y(there));
     }
-    std::ranges::sort(flat, [](const auto& a, const auto& b) {
-      return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-    });
-    const auto right = [](const auto& o, const auto& a, const auto& b) {
-      return (a - o).x() * (b - o).y() - (a - o).y() * (b - o).x() <= 0;
-    };
-    for (int round = 0; round < 2; ++round, std::ranges::reverse(flat)) {
-      const std::size_t floor = hull.size();
-      for (const Eigen::Vector2d& p : flat) {
-        while (hull.size() > floor + 1 && right(hull[hull.size() - 2], hull.back(), p))
-          hull.pop_back();
-        hull.push_back(p);
-      }
-      hull.pop_back();
-    }
     std::string path;
-    for (const Eigen::Vector2d& p : hull) path += fmt::format("{:.2f},{:.2f} ", p.x(), p.y());
+    for (const Eigen::Vector2d& p : math::convex_polygon(std::move(flat)))
+      path += fmt::format("{:.2f},{:.2f} ", p.x(), p.y());
     return fmt::format(
         "<polygon points=\"{}\" fill=\"none\" stroke=\"#7a9a6a\" stroke-width=\"0.7\"/>\n", path);
   }

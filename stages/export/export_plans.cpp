@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 #include <iterator>
 
 #include "pipeline/files/part_file.hpp"
@@ -15,15 +14,6 @@
 
 namespace morphe::exports {
 namespace {
-
-void write_text(const std::filesystem::path& file, const std::string& text) {
-  files::PartFile part(file);
-  std::ofstream stream(part.part(), std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw InputError(fmt::format("{}: cannot be written", file.string()));
-  part.commit();
-}
 
 /// What no controller may be given, whatever the file calls it; "" if it may.
 std::string what_is_wrong(const Trajectory& t) {
@@ -57,7 +47,7 @@ void export_texts(const store::PlanReader& reader, const std::filesystem::path& 
   const auto write = [&](const Plan& plan, const char* what, const Trajectory& trajectory) {
     const std::string name =
         fmt::format("{}_{:03}{}{}", plan.demonstration, plan.movement.index, what, ending);
-    write_text(folder / name, text_of(reader.robot(), trajectory));
+    files::write_whole(folder / name, text_of(reader.robot(), trajectory));
     report.files.push_back(name);
   };
   for (std::size_t i = 0; i < reader.size(); ++i) {

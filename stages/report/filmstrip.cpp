@@ -7,16 +7,18 @@
 #include <cmath>
 #include <limits>
 
+#include "pipeline/math/convex_polygon.hpp"
 #include "pipeline/motion/goals_at.hpp"
 #include "pipeline/robot/forward.hpp"
+#include "stages/report/film_instants.hpp"
+#include "stages/report/outline_points.hpp"
 #include "stages/report/svg_chart.hpp"
 
 namespace morphe::report {
 namespace {
 
-constexpr int kPoses = 5;
 constexpr double kWidth = 1000, kTop = 30, kPanelHeight = 230, kCaption = 34, kChartHeight = 170;
-constexpr double kPanelWidth = kWidth / kPoses;
+constexpr double kPanelWidth = kWidth / kFilmPoses;
 
 /// Parallel projection of the world: right and up in the picture, near towards the eye.
 struct View {
@@ -49,61 +51,6 @@ struct Scenery {
   std::vector<Pose> objects;  ///< world_from_object, of the scene's objects
   std::string words;
 };
-
-const ShownMotion* goal_motion(const PlanView& view) {
-  for (const ShownMotion& motion : view.motions) {
-    if (motion.name != "approach" && motion.name != "retreat" && !motion.time.empty())
-      return &motion;
-  }
-  return nullptr;
-}
-
-/// Row with the time nearest to x.
-std::size_t row_near(const std::vector<double>& times, double x) {
-  const auto nearer = [&](double a, double b) { return std::abs(a - x) < std::abs(b - x); };
-  return static_cast<std::size_t>(std::ranges::min_element(times, nearer) - times.begin());
-}
-
-struct Instant {
-  double time_s, demonstration_s;
-  std::size_t row;
-  std::string words;
-};
-
-/// Equal times from the first to the last sample; the inner one that is nearest to what matters
-/// most (the worst instant, or the grasp) is put there.
-std::vector<Instant> instants_of(const Plan& plan, const PlanView& view) {
-  const ShownMotion* motion = goal_motion(view);
-  const std::vector<double>& times = motion ? motion->time : plan.goals.time;
-  const std::vector<double>& demonstration = motion ? motion->demonstration_time : plan.goals.time;
-  std::vector<Instant> instants;
-  if (times.empty()) return instants;
-  for (int k = 0; k < kPoses; ++k) {
-    const double share = static_cast<double>(k) / (kPoses - 1);
-    const std::size_t row = row_near(times, times.front() + share * (times.back() - times.front()));
-    instants.push_back({times[row], demonstration[row], row, ""});
-  }
-  double matters_s = kNotSeen;
-  std::string words;
-  if (view.worst) {
-    matters_s = view.worst->demonstration_s;
-    words = "worst";
-  } else if (const Phase* grasp = last_phase(plan.movement, PhaseKind::grasp)) {
-    matters_s = grasp->begin_s;
-    words = "grasp";
-  }
-  if (std::isnan(matters_s)) return instants;
-  const std::size_t row = row_near(demonstration, matters_s);
-  std::size_t nearest = 1;
-  for (std::size_t k = 1; k + 1 < instants.size(); ++k) {
-    if (std::abs(instants[k].time_s - times[row]) < std::abs(instants[nearest].time_s - times[row]))
-      nearest = k;
-  }
-  if (row == instants.front().row) nearest = 0;
-  if (row == instants.back().row) nearest = instants.size() - 1;
-  instants[nearest] = {times[row], demonstration[row], row, words};
-  return instants;
-}
 
 void add_robot(const robot::Robot& robot, const Pose& world_from_base, const JointVector& q,
                std::vector<Limb>& limbs) {
@@ -156,7 +103,7 @@ std::vector<Scenery> sceneries_of(const robot::Robot& robot, const Plan& plan,
                                   const PlanView& view) {
   const ShownMotion* motion = goal_motion(view);
   std::vector<Scenery> sceneries;
-  for (const Instant& instant : instants_of(plan, view)) {
+  for (const FilmInstant& instant : film_instants(plan, view)) {
     Scenery scenery;
     scenery.time_s = instant.time_s;
     scenery.demonstration_s = instant.demonstration_s;
@@ -198,45 +145,6 @@ Frame frame_of(const View& view, const std::vector<Scenery>& sceneries) {
   return {(low + high) / 2, scale};
 }
 
-/// Corners around a body, of which the hull is its outline.
-std::vector<Vec3> outline_points(const SceneObject& object) {
-  std::vector<Vec3> points;
-  const std::vector<double>& size = object.size;
-  const auto add_ring = [&](double radius, double z) {
-    constexpr int kAround = 24;
-    for (int k = 0; k < kAround; ++k) {
-      const double angle = 2 * M_PI * k / kAround;
-      points.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
-    }
-  };
-  const auto add_ball = [&](double radius, double z) {
-    for (const double height : {-0.9, -0.6, -0.3, 0.0, 0.3, 0.6, 0.9})
-      add_ring(radius * std::sqrt(1 - height * height), z + radius * height);
-  };
-  switch (object.shape) {
-    case Shape::sphere:
-      add_ball(size[0], 0);
-      break;
-    case Shape::box:
-      for (int corner = 0; corner < 8; ++corner) {
-        points.push_back({((corner & 1) != 0 ? 0.5 : -0.5) * size[0],
-                          ((corner & 2) != 0 ? 0.5 : -0.5) * size[1],
-                          ((corner & 4) != 0 ? 0.5 : -0.5) * size[2]});
-      }
-      break;
-    case Shape::cylinder:
-      for (const double end : {-0.5, 0.5}) add_ring(size[0], end * size[1]);
-      break;
-    case Shape::capsule:
-      for (const double end : {-0.5, 0.5}) add_ball(size[0], end * size[1]);
-      break;
-    case Shape::mesh:
-      points = object.vertices;
-      break;
-  }
-  return points;
-}
-
 void draw_panel(Svg& svg, const View& view, const Frame& frame, const Plan& plan,
                 const Scenery& scenery, const Vec2& corner) {
   const Vec2 centre = corner + Vec2(kPanelWidth, kPanelHeight) / 2;
@@ -250,8 +158,8 @@ void draw_panel(Svg& svg, const View& view, const Frame& frame, const Plan& plan
     for (const Vec3& point : outline_points(object))
       corners.push_back(place(scenery.objects[i] * point));
     const bool target = object.name == plan.movement.target;
-    svg.polygon(convex_hull(std::move(corners)), target ? Colours::kGoal : Colours::kObject,
-                target ? 0.45 : 0.35);
+    svg.polygon(math::convex_polygon(std::move(corners)),
+                target ? Colours::kGoal : Colours::kObject, target ? 0.45 : 0.35);
   }
   std::vector<const Limb*> limbs;
   for (const Limb& limb : scenery.limbs) limbs.push_back(&limb);

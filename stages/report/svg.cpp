@@ -2,29 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include "pipeline/files/markup.hpp"
 
 namespace morphe::report {
 namespace {
-
-/// As XML has it; what XML cannot have is left out.
-std::string escaped(std::string_view words) {
-  std::string out;
-  for (const char c : words) {
-    if (c == '&') {
-      out += "&amp;";
-    } else if (c == '<') {
-      out += "&lt;";
-    } else if (c == '>') {
-      out += "&gt;";
-    } else if (c == '"') {
-      out += "&quot;";
-    } else if (static_cast<unsigned char>(c) >= ' ') {
-      out += c;
-    }
-  }
-  return out;
-}
 
 std::string dashed(std::string_view dash) {
   return dash.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", dash);
@@ -37,7 +18,7 @@ Svg::Svg(double width, double height, std::string_view title)
                         "width=\"{0:.0f}\" height=\"{1:.0f}\" font-family=\"sans-serif\" "
                         "role=\"img\">\n<title>{2}</title>\n"
                         "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n",
-                        width, height, escaped(title))) {}
+                        width, height, files::xml_escaped(title))) {}
 
 void Svg::line(const Vec2& from, const Vec2& to, double width, std::string_view colour,
                double opacity, std::string_view dash) {
@@ -89,7 +70,7 @@ void Svg::text(const Vec2& at, double size, std::string_view anchor, std::string
   text_ += fmt::format(
       "<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.1f}\" text-anchor=\"{}\" "
       "fill=\"{}\">{}</text>\n",
-      at.x(), at.y(), size, anchor, colour, escaped(words));
+      at.x(), at.y(), size, anchor, colour, files::xml_escaped(words));
 }
 
 void Svg::begin_clip(const Vec2& corner, const Vec2& size) {
@@ -101,29 +82,5 @@ void Svg::begin_clip(const Vec2& corner, const Vec2& size) {
 }
 
 void Svg::end_clip() { text_ += "</g>\n"; }
-
-std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
-  std::ranges::sort(points, [](const Vec2& a, const Vec2& b) {
-    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-  });
-  const auto left_turn = [](const Vec2& a, const Vec2& b, const Vec2& c) {
-    return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x() > 0;
-  };
-  std::vector<Vec2> hull;
-  const auto add_chain = [&](auto begin, auto end) {
-    const std::size_t first = hull.size();
-    for (auto point = begin; point != end; ++point) {
-      while (hull.size() >= first + 2 &&
-             !left_turn(hull[hull.size() - 2], hull[hull.size() - 1], *point))
-        hull.pop_back();
-      hull.push_back(*point);
-    }
-    hull.pop_back();
-  };
-  if (points.size() < 3) return points;
-  add_chain(points.begin(), points.end());
-  add_chain(points.rbegin(), points.rend());
-  return hull;
-}
 
 }  // namespace morphe::report

@@ -44,8 +44,4 @@ class Svg {
   int clips_ = 0;
 };
 
-/// The least polygon around points, counterclockwise (Andrew 1979); fewer than three corners where
-/// they are on a line.
-std::vector<Vec2> convex_hull(std::vector<Vec2> points);
-
 }  // namespace morphe::report

@@ -1,28 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "pipeline/files/part_file.hpp"
-#include "pipeline/motion/input_error.hpp"
 #include "stages/report/filmstrip.hpp"
 #include "stages/report/opened_run.hpp"
 #include "stages/report/report.hpp"
 
 namespace morphe::report {
-namespace {
-
-void write_text(const std::filesystem::path& file, const std::string& text) {
-  files::PartFile part(file);
-  std::ofstream stream(part.part(), std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw InputError(fmt::format("{}: cannot be written", file.string()));
-  part.commit();
-}
-
-}  // namespace
-
 std::vector<std::string> write_filmstrips(const ReportRequest& request,
                                           const std::filesystem::path& folder) {
   const std::vector<OpenedRun> runs = open_runs(request);
@@ -34,8 +19,8 @@ std::vector<std::string> write_filmstrips(const ReportRequest& request,
                                          : fmt::format("{}.svg", path);
       std::ranges::replace(name, '/', '_');
       const Plan plan = run.reader->read(k);
-      write_text(folder / name,
-                 filmstrip(run.robot, plan, path, view_of(run.robot, run.world_from_base, plan)));
+      files::write_whole(folder / name, filmstrip(run.robot, plan, path,
+                                                  view_of(run.robot, run.world_from_base, plan)));
       names.push_back(name);
     }
   }

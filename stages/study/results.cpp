@@ -35,15 +35,6 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
-void write_text(const std::filesystem::path& path, const std::string& text) {
-  files::PartFile file(path);
-  std::ofstream stream(file.part(), std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw InputError(fmt::format("{}: cannot be written", path.string()));
-  file.commit();
-}
-
 /// The rows that are the same on every machine.
 StudyResult without_times(StudyResult result) {
   std::erase_if(result.rows, [](const StudyRow& row) { return row.timed; });
@@ -145,10 +136,11 @@ std::string results_table(const StudyResult& result) {
 
 void write_results(const StudyResult& all, const std::filesystem::path& folder) {
   const StudyResult result = without_times(all);
-  write_text(folder / "results.json", results_json(result));
-  write_text(folder / "results.csv", results_csv(result));
+  files::write_whole(folder / "results.json", results_json(result));
+  files::write_whole(folder / "results.csv", results_csv(result));
   write_hdf5(result, folder / "results.h5");
-  for (const auto& [name, plot] : result.plots) write_text(folder / (name + ".svg"), svg_of(plot));
+  for (const auto& [name, plot] : result.plots)
+    files::write_whole(folder / (name + ".svg"), svg_of(plot));
 }
 
 }  // namespace morphe::study

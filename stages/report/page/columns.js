@@ -6,7 +6,7 @@ import { addressOf } from "./state.js";
 import { plainText } from "./words.js";
 
 const linkTo = (row) => {
-  const link = build("a", { href: addressOf(rows, row, 0).replace(/\/[^/]*$/, "") });
+  const link = build("a", { href: addressOf(rows, row) });
   link.append(buildName(rows[row].plan));
   return link;
 };

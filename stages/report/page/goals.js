@@ -36,7 +36,7 @@ function outOfReach({ human }, tips) {
   return points;
 }
 
-// {group, pose(human, q)}; materials: {goal, goalLine, tipLine, gap, reach}
+// {group, pose(human, poses of the robot's frames or null, pick)}; materials: {goal, goalLine, tipLine, gap, reach}
 export function createGoals({ plan, robot }, materials) {
   const group = new THREE.Group();
   const tips = robot.tips.length;
@@ -54,9 +54,7 @@ export function createGoals({ plan, robot }, materials) {
   group.add(...lines, crosses, ...goals, ...gaps);
   return {
     group,
-    // q null: nothing was planned.
-    pose(human, q, pick) {
-      const poses = q ? forward(robot, q) : null;
+    pose(human, poses, pick) {
       robot.tips.forEach((tip, index) => {
         const goal = pointBetween(plan.human.tips, human, index);
         goals[index].visible = Number.isFinite(goal.x);

@@ -37,7 +37,7 @@ function goBy(count) {
   const at = shown.indexOf(state.row);
   const next = shown[at + count];
   if (at < 0 || next === undefined) return;
-  location.hash = addressOf(rows, next, NaN).replace(/\/NaN$/, "");
+  location.hash = addressOf(rows, next);
 }
 
 const kThemes = ["light", "dark"];

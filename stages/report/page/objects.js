@@ -14,7 +14,7 @@ function recordedPose({ time, pose }, demonstration_s) {
       turn(from).slerp(turn(to), share), new THREE.Vector3(1, 1, 1));
 }
 
-// {group, meshes (object by object), pose(state, demonstration_s), wear(pick, nearest, touching)};
+// {group, pose(state, demonstration_s), wear(pick, nearest, touching)};
 // only: the target alone is shown, as lines.
 export function createObjects({ plan, robot, target }, materials, only, onChange) {
   const group = new THREE.Group();
@@ -36,7 +36,7 @@ export function createObjects({ plan, robot, target }, materials, only, onChange
     add(object, index, object.block ? meshGeometry(await loadBlock(object.block)) : objectGeometry(object));
   });
   return {
-    group, meshes,
+    group,
     pose(state, demonstration_s) {
       plan.objects.forEach((object, index) => {
         const mesh = meshes[index];

@@ -37,7 +37,7 @@ function sortBy(column) {
   else setFilter({ sort: column.id, descending: again });
 }
 
-const openRow = (row) => { location.hash = addressOf(rows, row, NaN).replace(/\/NaN$/, ""); };
+const openRow = (row) => { location.hash = addressOf(rows, row); };
 
 function buildTools() {
   const search = build("input", { type: "search", placeholder: "Search plans, subjects, tasks, reasons",

@@ -11,7 +11,8 @@ const capsuleMesh = ({ from, to, radius }, material) => {
   return { mesh, local: between(a, b) };
 };
 
-// {group, pose(q), capsules, showPick(pick, pair, touching)}; materials: {plain, picked, near, touching, mesh, tip}
+// {group, capsulesGroup, meshesGroup, pose(q) → base_from_frame of every frame, wear(pick, nearest,
+// touching)}; materials: {plain, picked, near, touching, mesh, tip}
 export function createRobotModel(robot, materials, onChange) {
   const group = new THREE.Group();
   const capsulesGroup = new THREE.Group(), meshesGroup = new THREE.Group(), tipsGroup = new THREE.Group();
@@ -40,7 +41,7 @@ export function createRobotModel(robot, materials, onChange) {
     mesh.matrixWorldNeedsUpdate = true;
   };
   return {
-    group, capsules, capsulesGroup, meshesGroup,
+    group, capsulesGroup, meshesGroup,
     pose(q) {
       poses = forward(robot, q);
       robot.capsules.forEach(({ frame }, index) => {
@@ -49,7 +50,8 @@ export function createRobotModel(robot, materials, onChange) {
         mesh.matrixWorldNeedsUpdate = true;
       });
       for (const { mesh, frame } of meshes) put(mesh, poses[frame]);
-      robot.tips.forEach((tip, index) => tips[index]?.position.copy(tipPlace(tip, poses)));
+      tips.forEach((ball, index) => ball.position.copy(tipPlace(robot.tips[index], poses)));
+      return poses;
     },
     // What is picked, nearest and touching wears a material of its own.
     wear(pick, nearest, touching) {

@@ -126,12 +126,11 @@ export function createScene(host) {
   root.add(pairBone);
   const options = { person: true, goals: true, capsules: true, meshes: true, ghost: true, objects: true,
                     nearest: true, apart: false };
-  let actors = [], states = [], floor = null, drawn = 0, asked = false, picked = () => {}, nearestWords = "";
+  let actors = [], states = [], floor = null, asked = false, picked = () => {}, nearestWords = "";
 
   const draw = () => {
     asked = false;
     if (canvas.clientWidth === 0) return;
-    ++drawn;
     renderer.render(root, eye.camera);
     placeLabel();
   };
@@ -181,12 +180,12 @@ export function createScene(host) {
     const demonstration_s = state ? state.demonstration_s : (plan.worst?.demonstration_s ?? at(plan.human.time, 0));
     const human = state ? state.human : place(plan.human.time, demonstration_s);
     model.group.visible = state !== null;
-    if (state) model.pose(state.q);
+    const poses = state ? model.pose(state.q) : null;
     if (ghost) {
       ghost.group.visible = options.ghost && Boolean(repairedNow(state));
       if (ghost.group.visible) ghost.pose(mappedAt(plan, human));
     }
-    goals.pose(human, state && isGoalMotion(state.motion) ? state.q : null, pick);
+    goals.pose(human, state && isGoalMotion(state.motion) ? poses : null, pick);
     objects.pose(state, demonstration_s);
     person?.pose(human);
     const nearest = isFirst ? showNearest(actor, state) : [];
@@ -197,10 +196,8 @@ export function createScene(host) {
 
   function applyOptions() {
     for (const { model, person, goals, objects } of actors) {
-      model.capsulesGroup.visible = options.capsules || model.meshesGroup.children.length === 0;
+      model.capsulesGroup.visible = options.capsules;
       model.meshesGroup.visible = options.meshes;
-      if (options.meshes && model.meshesGroup.children.length > 0 && !options.capsules)
-        model.capsulesGroup.visible = false;
       if (person) person.group.visible = options.person;
       goals.group.visible = options.goals;
       objects.group.visible = options.objects;
@@ -286,7 +283,6 @@ export function createScene(host) {
   }
 
   const api = {
-    canvas,
     show(players) {
       clear();
       actors = players.map((player, k) => createActor(player, kinds, k === 0, () => {
@@ -324,7 +320,6 @@ export function createScene(host) {
     },
     resize,
     onPick(listener) { picked = listener; },
-    frames: () => drawn,
   };
   root.background = new THREE.Color(colour("--scene-ground"));
   compile();

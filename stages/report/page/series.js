@@ -2,8 +2,6 @@
 import { at } from "./data.js";
 import { clips, isGoalMotion, stateAt, timeOfDemonstration } from "./player.js";
 
-
-
 // {title, unit, names, kind of what a series stands for, rows: [[time, value…]], limits: [lines]}
 const plotOf = (title, unit, series, rows, more = {}) => ({ title, unit, series, rows, ...more });
 

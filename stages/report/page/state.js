@@ -37,12 +37,13 @@ export function pick(what) {
   emit("pick");
 }
 
-// A movement's address: #<plan>/<time on the clock>; of several runs #<run>:<plan>/<time>.
-export function addressOf(rows, index, time) {
+// A movement's address: #<plan>/<time on the clock>, of several runs #<run>:<plan>/<time>; without
+// a time it opens where there is most to see.
+export function addressOf(rows, index, time = null) {
   const { run, plan } = rows[index];
   const several = rows.some((row) => row.run !== 0);
   const name = plan.split("/").map(encodeURIComponent).join("/");
-  return `#${several ? `${run}:` : ""}${name}/${time.toFixed(3)}`;
+  return `#${several ? `${run}:` : ""}${name}${time === null ? "" : `/${time.toFixed(3)}`}`;
 }
 
 // {row, time} of an address, null if it names no movement. A demonstration's name may have slashes.

@@ -24,5 +24,11 @@ TEST(Markup, AnXmlReaderFindsTheTextAndTheSize) {
   EXPECT_EQ(text->GetText(), name);
 }
 
+TEST(Markup, WhatXmlCannotHoldIsLeftOut) {
+  EXPECT_EQ(xml_escaped("a\x01\x1b"
+                        "b\tc\nd"),
+            "ab\tc\nd");
+}
+
 }  // namespace
 }  // namespace morphe::files

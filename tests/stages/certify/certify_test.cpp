@@ -38,17 +38,6 @@ Goals goals_off_by(const Vec3& off) {
   return goals;
 }
 
-SceneObject ball(const Vec3& at, double radius) {
-  SceneObject object;
-  object.name = "ball";
-  object.shape = Shape::sphere;
-  object.size = {radius};
-  object.time = {0};
-  object.position = {at};
-  object.orientation = {Quat::Identity()};
-  return object;
-}
-
 struct Case {
   robot::Robot robot{planar_arm()};
   Scene scene;

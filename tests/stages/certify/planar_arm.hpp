@@ -42,4 +42,15 @@ inline Trajectory sweep(double angle) {
   return t;
 }
 
+inline SceneObject ball(const Vec3& at, double radius) {
+  SceneObject object;
+  object.name = "ball";
+  object.shape = Shape::sphere;
+  object.size = {radius};
+  object.time = {0};
+  object.position = {at};
+  object.orientation = {Quat::Identity()};
+  return object;
+}
+
 }  // namespace morphe::certify

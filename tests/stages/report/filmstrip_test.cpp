@@ -90,20 +90,6 @@ TEST(Filmstrip, NamesFromFilesAreText) {
   EXPECT_EQ(svg.find("<script"), std::string::npos);
 }
 
-TEST(ConvexHull, OfACubeSeenAlongItsDiagonalIsAHexagon) {
-  std::vector<Vec2> points = {{0, 0}};
-  for (int k = 0; k < 6; ++k)
-    points.emplace_back(std::cos(k * M_PI / 3 + 0.1), std::sin(k * M_PI / 3 + 0.1));
-  const std::vector<Vec2> hull = convex_hull(points);
-  ASSERT_EQ(hull.size(), 6u);
-  double area = 0;
-  for (std::size_t k = 0; k < 6; ++k) {
-    const Vec2 &a = hull[k], &b = hull[(k + 1) % 6];
-    area += (a.x() * b.y() - a.y() * b.x()) / 2;
-  }
-  EXPECT_NEAR(area, 1.5 * std::sqrt(3), 1e-12);
-}
-
 TEST(Chart, PutsValuesAtTheirPlaceBetweenTicks) {
   Svg svg(200, 100, "");
   draw_chart(svg, {0, 0}, {200, 100}, "", {{"a", {0, 1, 2}, {0, 10, 5}, "#123456", ""}}, {});

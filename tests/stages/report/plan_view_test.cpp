@@ -88,13 +88,19 @@ TEST(ViewOf, TheWorldBeginsAtThePersonsShoulder) {
   EXPECT_FALSE(view_of(arm(), std::nullopt, plan).upright);
 }
 
-TEST(ViewOf, AnInfeasiblePlanShowsItsPathAndTheWorstInstant) {
+/// The same motion as a path that was not timed.
+Plan stopped_plan(Reason reason, Origin origin) {
   Plan plan = turning_plan();
-  plan.reason = Reason::no_path;
+  plan.reason = reason;
   plan.path.position = plan.trajectory.position;
   plan.path.demonstration_time = plan.trajectory.demonstration_time;
-  plan.path.origin.assign(kSamples, Origin::resolved);
+  plan.path.origin.assign(kSamples, origin);
   plan.trajectory = {};
+  return plan;
+}
+
+TEST(ViewOf, AnInfeasiblePlanShowsItsPathAndTheWorstInstant) {
+  Plan plan = stopped_plan(Reason::no_path, Origin::resolved);
   // Deepest where the arm points at the ball, at the angle 0.4 in the middle of the movement.
   plan.scene.objects = {ball({0.6 * std::cos(0.4), 0.6 * std::sin(0.4), 0}, 0.04)};
   const PlanView view = view_of(arm(), std::nullopt, plan);
@@ -110,12 +116,7 @@ TEST(ViewOf, AnInfeasiblePlanShowsItsPathAndTheWorstInstant) {
 }
 
 TEST(ViewOf, AMissedGoalSaysWhatWouldPass) {
-  Plan plan = turning_plan();
-  plan.reason = Reason::tracking;
-  plan.path.position = plan.trajectory.position;
-  plan.path.demonstration_time = plan.trajectory.demonstration_time;
-  plan.path.origin.assign(kSamples, Origin::mapped);
-  plan.trajectory = {};
+  const Plan plan = stopped_plan(Reason::tracking, Origin::mapped);
   const PlanView view = view_of(arm(), std::nullopt, plan);
   ASSERT_TRUE(view.worst.has_value());
   EXPECT_NEAR(view.worst->demonstration_s, 7, 1e-9);

@@ -6,6 +6,8 @@
 
 namespace morphe::report {
 
+using certify::ball;
+
 inline constexpr double kAngle = 0.8, kDuration_s = 2;
 inline constexpr int kSamples = 401;
 
@@ -25,17 +27,6 @@ inline Trajectory minimum_jerk() {
     t.clearance.push_back(k == 123 ? 0.01 : 0.02);
   }
   return t;
-}
-
-inline SceneObject ball(const Vec3& at, double radius) {
-  SceneObject object;
-  object.name = "ball";
-  object.shape = Shape::sphere;
-  object.size = {radius};
-  object.time = {0};
-  object.position = {at};
-  object.orientation = {Quat::Identity()};
-  return object;
 }
 
 /// Both tips' goals stay where the tips begin, 3 mm above them; the shoulder was 1 m to the left.
