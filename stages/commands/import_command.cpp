@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "stages/commands/assumptions.hpp"
 #include "stages/commands/commands.hpp"
 #include "stages/commands/import_options.hpp"
 #include "stages/commands/input_file.hpp"
@@ -22,8 +23,11 @@ Command import_command(CLI::App& app) {
   app.add_option("--out", arguments->out, "The demonstrations.h5 to write")->required();
   add_import_options(app, arguments->request);
   return [arguments] {
-    const std::size_t count = imports::write_demonstrations(arguments->request, arguments->out);
-    fmt::print("{}: {} demonstrations\n", arguments->out, count);
+    Assumptions assumptions;
+    const std::size_t count = imports::write_demonstrations(
+        arguments->request, arguments->out,
+        [&](const Demonstration& demonstration) { assumptions.add(demonstration); });
+    fmt::print("{}: {} demonstrations\n{}", arguments->out, count, assumptions.text());
     return 0;
   };
 }

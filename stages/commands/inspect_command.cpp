@@ -19,6 +19,12 @@ InspectOptions options_of(const std::string& config) {
   return {options.reconstruct, options.human, options.segment};
 }
 
+bool is_one_recording(const std::filesystem::path& file) {
+  const auto extension = file.extension();
+  return extension != ".h5" && extension != ".yaml" && extension != ".yml" &&
+         !std::filesystem::is_directory(file);
+}
+
 /// Demonstrations of one file: imported ones, or recordings and manifests that are read first.
 void for_each(const imports::ImportRequest& request,
               const std::function<void(Demonstration&&)>& sink) {
@@ -37,7 +43,7 @@ Command inspect_command(CLI::App& app) {
   struct Arguments {
     std::string file, config;
     imports::ImportRequest request;
-    bool json = false;
+    bool json = false, points = false;
   };
   const auto arguments = std::make_shared<Arguments>();
   app.add_option("FILE", arguments->file, "demonstrations.h5, a recording or a manifest")
@@ -47,11 +53,14 @@ Command inspect_command(CLI::App& app) {
                  "Pipeline config to reconstruct and segment with (default: default values)")
       ->transform(input_file());
   add_import_options(app, arguments->request);
+  app.add_flag("--points", arguments->points,
+               "List markers or joints with what they are taken for (a single recording's always)");
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] {
     const InspectOptions options = options_of(arguments->config);
     arguments->request.paths = {arguments->file};
     std::vector<Inspection> all;
+    const bool points = arguments->points || is_one_recording(arguments->file);
     std::size_t demonstrations = 0, movements = 0, usable = 0;
     for_each(arguments->request, [&](Demonstration&& demonstration) {
       Inspection inspection = inspect(demonstration, options);
@@ -62,6 +71,7 @@ Command inspect_command(CLI::App& app) {
         all.push_back(std::move(inspection));
       } else {
         fmt::print("{}", inspection_text(inspection));
+        if (points) fmt::print("{}", imports::survey_text(inspection.survey));
       }
     });
     if (arguments->json) {

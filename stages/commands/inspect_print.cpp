@@ -41,6 +41,17 @@ Json json_of(const MovementReport& report) {
           {"unusable", report.unusable}};
 }
 
+Json json_of(const imports::SurveyedPoint& point) {
+  const auto place = [](const Vec3& v) {
+    return seen(v) ? Json::array({v.x(), v.y(), v.z()}) : Json(nullptr);
+  };
+  return {{"name", point.name},
+          {"taken_for", point.taken_for},
+          {"seen", point.seen},
+          {"middle_m", place(point.middle)},
+          {"extent_m", place(point.extent)}};
+}
+
 template <class Items>
 Json json_list(const Items& items) {
   Json list = Json::array();
@@ -70,7 +81,8 @@ Json json_of(const Inspection& i) {
           {"residuals", residuals},
           {"estimated", i.estimated},
           {"missing", i.missing},
-          {"reports", i.reports}};
+          {"reports", i.reports},
+          {"points", json_list(i.survey.points)}};
 }
 
 void add_stream(const StreamReport& s, const char* prefix, std::string& text) {

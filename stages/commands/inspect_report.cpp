@@ -75,6 +75,9 @@ Inspection inspect(const Demonstration& demonstration, const InspectOptions& opt
   result.task = demonstration.task;
   result.hand = demonstration.hand;
   result.streams = report_streams(demonstration.streams);
+  result.survey = imports::survey_of(imports::recorded_points(demonstration.streams, result.hand));
+  result.survey.file = demonstration.name;
+  result.survey.unit = "m";
   result.calibration = report_streams(demonstration.calibration);
   result.duration_s = longest_s(result.streams);
   for (const SceneObject& object : demonstration.objects) result.objects.push_back(object.name);

@@ -8,6 +8,7 @@
 #include "pipeline/motion/human_motion.hpp"
 #include "pipeline/motion/movement.hpp"
 #include "pipeline/motion/stream_report.hpp"
+#include "stages/import/survey.hpp"
 #include "stages/reconstruct/reconstruct.hpp"
 #include "stages/segment/segment.hpp"
 
@@ -24,6 +25,7 @@ struct Inspection {
   Side hand = Side::right;
   double duration_s = 0;
   std::vector<StreamReport> streams, calibration;
+  imports::Survey survey;  ///< its points and what they are taken for
   std::vector<std::string> objects;
   std::vector<std::pair<std::string, double>> rebuilt;  ///< share of frames: shoulder … little tip
   std::vector<Residual> residuals;

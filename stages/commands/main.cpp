@@ -10,6 +10,7 @@
 #include "pipeline/motion/input_error.hpp"
 #include "pipeline/motion/version.hpp"
 #include "stages/commands/commands.hpp"
+#include "stages/commands/paste.hpp"
 
 namespace {
 
@@ -89,6 +90,9 @@ int main(int argc, char** argv) {
     }
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : kBadInput;
+  } catch (const morphe::imports::ImportQuestion& question) {
+    fmt::print(stderr, "{}\n{}", question.what(),
+               morphe::commands::question_text(question, {argv + 1, argv + argc}));
   } catch (const morphe::InputError& error) {
     fmt::print(stderr, "{}\n", error.what());
   } catch (const std::exception& error) {

@@ -14,6 +14,7 @@
 #include "pipeline/run/run_dataset.hpp"
 #include "pipeline/run/run_folder.hpp"
 #include "pipeline/store/plan_file.hpp"
+#include "stages/commands/assumptions.hpp"
 #include "stages/commands/commands.hpp"
 #include "stages/commands/input_file.hpp"
 #include "stages/commands/plan_report.hpp"
@@ -93,7 +94,11 @@ class Dataset {
     file_ = folder / "demonstrations.h5.new";
     imports::ImportRequest request;
     request.paths = {named};
-    imports::write_demonstrations(request, file_);
+    Assumptions assumptions;
+    imports::write_demonstrations(request, file_, [&](const Demonstration& demonstration) {
+      assumptions.add(demonstration);
+    });
+    fmt::print(stderr, "{}", assumptions.text());
   }
   ~Dataset() {
     std::error_code ignored;

@@ -37,8 +37,8 @@ void check_size(const BvhFile& bvh, const std::vector<std::string>& names,
                 const std::vector<Vec3>& rest) {
   const auto check = [&](const std::string& what, double length, const Plausible& plausible) {
     if (length >= plausible.least && length <= plausible.most) return;
-    throw InputError(fmt::format("{}: unit: cannot be right: {} would be {:.3g} m", bvh.text.file,
-                                 what, length));
+    throw NotSaid("unit", fmt::format("{}: unit: cannot be right: {} would be {:.3g} m",
+                                      bvh.text.file, what, length));
   };
   double extent = 0;
   for (const Vec3& point : rest) extent = std::max(extent, (point - rest[0]).norm());
@@ -57,8 +57,9 @@ double frame_rate(const BvhFile& bvh, const Conventions& conventions,
                   std::vector<std::string>& reports) {
   const bool plausible = bvh.frame_s >= kFrame_s.least && bvh.frame_s <= kFrame_s.most;
   if (!plausible && !conventions.rate_hz) {
-    bvh.text.fail(bvh.frame_time_line, "Frame Time",
-                  fmt::format("{} s cannot be right; give --rate or `rate_hz:`", bvh.frame_s));
+    throw NotSaid("rate", fmt::format("{}:{}: Frame Time: {} s cannot be right; give --rate or "
+                                      "`rate_hz:`",
+                                      bvh.text.file, bvh.frame_time_line, bvh.frame_s));
   }
   return rate_of(plausible ? 1 / bvh.frame_s : 0, conventions, bvh.text.file, reports);
 }
@@ -137,7 +138,7 @@ Demonstration read_bvh(const RecordingFiles& files) {
   pose_bvh(bvh, nullptr, poses);
   for (Vec3& point : poses.position) point *= metres;
   const std::vector<Vec3> rest = poses.position;
-  check_size(bvh, body.names, rest);
+  if (files.conventions.judged) check_size(bvh, body.names, rest);
 
   const auto frames = static_cast<std::size_t>(bvh.rows.rows());
   body.position = Table<Vec3>(frames, bvh.joints.size(), unseen_point());

@@ -20,13 +20,6 @@ Vec3 axis_of(std::string text) {
   return index < 0 || index > 2 ? Vec3(Vec3::Zero()) : Vec3(sign * Vec3::Unit(index));
 }
 
-/// The same as a word of Conventions::axes.
-std::string word_of(const Vec3& axis) {
-  Eigen::Index index = 0;
-  axis.cwiseAbs().maxCoeff(&index);
-  return fmt::format("{}{}", axis[index] < 0 ? "-" : "", "xyz"[index]);
-}
-
 MarkerRecording read_c3d_recording(const std::filesystem::path& file,
                                    const Conventions& conventions) {
   C3dPoints points = read_c3d_points(file);
@@ -39,7 +32,7 @@ MarkerRecording read_c3d_recording(const std::filesystem::path& file,
   const Vec3 right = axis_of(points.x_screen), up = axis_of(points.y_screen);
   const Vec3 forward = up.cross(right);
   if (conventions.axes.empty() && !forward.isZero()) {
-    recording.axes = fmt::format("{} {} {}", word_of(right), word_of(forward), word_of(up));
+    recording.axes = fmt::format("{} {} {}", axis_word(right), axis_word(forward), axis_word(up));
     recording.reports.push_back(fmt::format(
         "axes '{}' from POINT:X_SCREEN and Y_SCREEN, as if the subject looked into the screen",
         recording.axes));

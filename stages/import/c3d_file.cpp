@@ -103,10 +103,20 @@ double scale_of(const C3dHeader& header, const C3dParameters& parameters) {
   return scale;
 }
 
+/// Block of the first frame. Where neither place says it (OptiTrack's Motive writes 0 in both) the
+/// points begin behind the parameters, whose length in blocks `behind_parameters` follows from.
 std::size_t data_start(const C3dHeader& header, const C3dParameters& parameters,
-                       std::vector<std::string>& reports) {
+                       std::size_t behind_parameters, std::vector<std::string>& reports) {
   const auto in_header = static_cast<double>(header.data_block);
-  const double block = parameters.number("POINT:DATA_START", in_header);
+  double block = parameters.number("POINT:DATA_START", in_header);
+  if (block == 0 && in_header == 0) {
+    reports.push_back(fmt::format(
+        "neither the header nor POINT:DATA_START says where points begin: read from block {}, "
+        "behind the parameters",
+        behind_parameters));
+    return (behind_parameters - 1) * kBlock;
+  }
+  if (block == 0) block = in_header;
   if (!(block >= 2 && block <= kLargestWord))
     parameters.fail("POINT:DATA_START", fmt::format("no points at block {}", block));
   if (block != in_header) {
@@ -166,7 +176,8 @@ void read_points(const C3dBytes& bytes, std::size_t start, std::size_t frame_byt
 
 C3dPoints read_c3d_points(const std::filesystem::path& file) {
   C3dBytes bytes = read_bytes(file);
-  const C3dParameters parameters(bytes, find_parameters(bytes));
+  const std::size_t parameters_at = find_parameters(bytes);
+  const C3dParameters parameters(bytes, parameters_at);
   const C3dHeader header = read_c3d_header(bytes);
   const double used = parameters.number("POINT:USED", static_cast<double>(header.points));
   if (header.points == 0 || used != static_cast<double>(header.points)) {
@@ -180,7 +191,8 @@ C3dPoints read_c3d_points(const std::filesystem::path& file) {
   points.y_screen = parameters.text("POINT:Y_SCREEN");
   points.rate_hz = parameters.number("POINT:RATE", header.rate_hz);
   const double scale = scale_of(header, parameters);
-  const std::size_t start = data_start(header, parameters, points.reports);
+  const std::size_t behind_parameters = bytes.byte(0) + std::size_t{bytes.byte(parameters_at + 2)};
+  const std::size_t start = data_start(header, parameters, behind_parameters, points.reports);
   const std::size_t frame_bytes =
       (4 * header.points + analog_count(header, parameters)) * (scale < 0 ? 4 : 2);
   const double frames = frame_count(header, parameters, points);

@@ -142,7 +142,8 @@ void read_bodies(const Place& place, const Columns& columns, const CaptureTable&
 Place place_of(const files::CsvText& csv, const Columns& columns, const Conventions& conventions,
                std::vector<std::string>& reports) {
   if (conventions.axes.empty()) {
-    throw InputError(
+    throw NotSaid(
+        "axes",
         fmt::format("{}: axes: the file does not say which axes point right, forward and up; give "
                     "--axes or `axes:` such as 'x y z'",
                     csv.file));

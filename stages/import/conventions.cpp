@@ -37,6 +37,12 @@ Eigen::Matrix3d world_from_recorded(const std::string& axes, const std::string& 
   return world_from_recorded;
 }
 
+std::string axis_word(const Vec3& direction) {
+  Eigen::Index which = 0;
+  direction.cwiseAbs().maxCoeff(&which);
+  return fmt::format("{}{}", direction[which] < 0 ? "-" : "", "xyz"[which]);
+}
+
 double metres_per_unit(const std::string& unit, const std::string& source) {
   static const std::map<std::string, double> known = {
       {"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}};

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "pipeline/motion/geometry.hpp"
+#include "pipeline/motion/input_error.hpp"
 
 namespace morphe::imports {
 
@@ -13,12 +14,23 @@ struct Conventions {
   std::string axes;
   std::string unit;               ///< of lengths: m, cm, mm, in, or metres per unit as a number
   std::optional<double> rate_hz;  ///< frames a second
+  bool judged = true;  ///< sizes must be a person's; not so while a recording is looked at
+};
+
+/// Something that neither the file nor Conventions says, or says such that it cannot be right.
+struct NotSaid : InputError {
+  NotSaid(std::string key_, const std::string& message)
+      : InputError(message), key(std::move(key_)) {}
+  std::string key;  ///< of Conventions: "axes", "unit" or "rate"
 };
 
 /// Rotation that brings a recorded point into the world (X right, Y forward, Z up); row k picks the
 /// recorded axis that the k-th word of `axes` names. InputError, with `source` (a file, or what
 /// gave the axes) in front, unless the words are three different axes of a right-handed frame.
 Eigen::Matrix3d world_from_recorded(const std::string& axes, const std::string& source);
+
+/// The coordinate axis with the largest share of a direction, as a word of `axes`: "-y".
+std::string axis_word(const Vec3& direction);
 
 /// Metres in one unit of the given name; InputError with `source` in front if it is none.
 double metres_per_unit(const std::string& unit, const std::string& source);

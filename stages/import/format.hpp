@@ -25,8 +25,9 @@ struct RecordingFiles {
 /// A recording format: `recognises` judges the first bytes of a file (without a UTF-8 mark), `read`
 /// fills the streams, the calibration and the objects (and the subject, if the file names one), in
 /// the world frame and in metres, and says in `reports` what it assumed or repaired. InputError for
-/// what is not exactly what the format says, and for axes, a unit or a rate that neither the file
-/// nor `conventions` gives.
+/// what is not exactly what the format says, NotSaid for axes, a unit or a rate that neither the
+/// file nor `conventions` gives, or that cannot be right: import_question.hpp asks for them all at
+/// once.
 struct RecordingFormat {
   std::string name;
   bool (*recognises)(std::string_view head);
@@ -56,6 +57,12 @@ Demonstration read_bvh(const RecordingFiles& files);
 
 bool recognises_mot(std::string_view head);
 Demonstration read_mot(const RecordingFiles& files);
+
+bool recognises_qualisys_tsv(std::string_view head);
+Demonstration read_qualisys_tsv(const RecordingFiles& files);
+
+bool recognises_point_csv(std::string_view head);
+Demonstration read_point_csv(const RecordingFiles& files);
 
 bool recognises_keypoints_csv(std::string_view head);
 Demonstration read_keypoints_csv(const RecordingFiles& files);

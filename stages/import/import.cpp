@@ -6,10 +6,10 @@
 #include <fstream>
 #include <set>
 
-#include "pipeline/config/node.hpp"
 #include "stages/import/format.hpp"
+#include "stages/import/import_question.hpp"
 #include "stages/import/manifest.hpp"
-#include "stages/import/plausible.hpp"
+#include "stages/import/name_map.hpp"
 
 namespace morphe::imports {
 
@@ -22,7 +22,9 @@ const std::vector<RecordingFormat>& recording_formats() {
       {"adroit-csv", &recognises_adroit_csv, &read_adroit_csv},
       {"bvh", &recognises_bvh, &read_bvh},
       {"mot", &recognises_mot, &read_mot},
+      {"qualisys-tsv", &recognises_qualisys_tsv, &read_qualisys_tsv},
       {"keypoints-csv", &recognises_keypoints_csv, &read_keypoints_csv},
+      {"point-csv", &recognises_point_csv, &read_point_csv},
   };
   return formats;
 }
@@ -41,7 +43,8 @@ std::string head_of(const std::filesystem::path& file) {
   if (!stream || std::filesystem::is_directory(file, error)) {
     throw InputError(fmt::format("{}: cannot be read", file.string()));
   }
-  std::string head(4096, '\0');
+  constexpr std::size_t kSeen = 65536;  // a header may name hundreds of points
+  std::string head(kSeen, '\0');
   stream.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(stream.gcount()));
   return head.starts_with("\xEF\xBB\xBF") ? head.substr(3) : head;
@@ -55,15 +58,6 @@ const RecordingFormat& format_of(const std::string& file, const std::string& wan
   throw InputError(wanted.empty()
                        ? fmt::format("{}:1: format: not recognised; known: {}", file, known)
                        : fmt::format("{}: format: unknown '{}'; known: {}", file, wanted, known));
-}
-
-std::map<std::string, std::string> read_names(const std::filesystem::path& file) {
-  std::map<std::string, std::string> renamed;
-  if (file.empty()) return renamed;
-  const config::ConfigNode root = config::ConfigNode::load(file);
-  if (!root.is_map()) root.fail("must map recorded marker names to names");
-  for (const std::string& key : root.keys()) renamed[key] = root[key].text();
-  return renamed;
 }
 
 std::vector<ManifestEntry> entries_of(const ImportRequest& request) {
@@ -104,10 +98,11 @@ std::size_t import_recordings(const ImportRequest& request,
       throw InputError(
           fmt::format("{}: glove: only liberty-csv takes one, not {}", entry.file, format.name));
     }
-    Demonstration demonstration = format.read(
+    Demonstration demonstration = read_or_ask(
+        format,
         {entry.file, entry.static_trial, entry.glove, entry.static_glove, entry.glove_calibration,
-         read_names(entry.names), entry.hand, entry.conventions});
-    check_plausible(entry.file, demonstration);
+         read_names(entry.names), entry.hand, entry.conventions},
+        entry.manifest);
     for (const MarkerObject& object : entry.objects) {
       add_marker_object(entry.file, object, demonstration);
     }

@@ -26,8 +26,9 @@ struct ImportRequest {
 std::size_t import_recordings(const ImportRequest& request,
                               const std::function<void(Demonstration&&)>& sink);
 
-/// The same into a demonstrations.h5 (pipeline/store/demonstration_file.hpp).
-std::size_t write_demonstrations(const ImportRequest& request, const std::filesystem::path& out);
+/// The same into a demonstrations.h5 (pipeline/store/demonstration_file.hpp); `seen` is shown each.
+std::size_t write_demonstrations(const ImportRequest& request, const std::filesystem::path& out,
+                                 const std::function<void(const Demonstration&)>& seen = {});
 
 std::vector<std::string> import_format_names();
 

@@ -83,7 +83,8 @@ double read_time(const files::CsvText& csv, std::size_t line,
 }
 
 /// Says what of the points is not known, and refuses a hand that no unit explains.
-void judge(const files::CsvText& csv, const HandStream& hand, std::vector<std::string>& reports) {
+void judge(const files::CsvText& csv, const HandStream& hand, bool judged,
+           std::vector<std::string>& reports) {
   std::size_t unseen = 0, centred = 0;
   double farthest = 0;
   for (std::size_t i = 0; i < hand.position.rows; ++i) {
@@ -101,9 +102,10 @@ void judge(const files::CsvText& csv, const HandStream& hand, std::vector<std::s
     reports.push_back(
         fmt::format("{} of {} points were not seen", unseen, hand.position.values.size()));
   }
-  if (farthest > 0 && (farthest < 0.05 || farthest > 0.5)) {
-    csv.fail(1, "unit",
-             fmt::format("cannot be right: a point would be {:.3g} m from the wrist", farthest));
+  if (judged && farthest > 0 && (farthest < 0.05 || farthest > 0.5)) {
+    throw NotSaid("unit", fmt::format("{}:1: unit: cannot be right: a point would be {:.3g} m from "
+                                      "the wrist",
+                                      csv.file, farthest));
   }
   reports.push_back(
       centred == hand.position.rows
@@ -153,7 +155,7 @@ Demonstration read_keypoints_csv(const RecordingFiles& files) {
       hand.position(line - 2, point) = metres * read_point(csv, line, cells, columns, point);
     }
   }
-  judge(csv, hand, reports);
+  judge(csv, hand, files.conventions.judged, reports);
   demonstration.streams.hand = std::move(hand);
   return demonstration;
 }

@@ -56,6 +56,7 @@ std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file) {
   std::vector<ManifestEntry> entries;
   for (const config::ConfigNode& item : root["recordings"].items()) {
     ManifestEntry entry = defaults;
+    entry.manifest = file.string();
     config::FieldReader reader(item);
     reader.required("file", entry.file);
     reader("name", entry.name);

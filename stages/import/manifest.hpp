@@ -13,6 +13,7 @@ namespace morphe::imports {
 
 /// One line of a manifest. Paths are as written there joined to the manifest's folder.
 struct ManifestEntry {
+  std::string manifest;                                ///< that lists it; "" = none does
   std::string file, static_trial;                      ///< static: "" = none
   std::string glove, static_glove, glove_calibration;  ///< "" = none
   std::string name;    ///< "" = the file's name without its extension

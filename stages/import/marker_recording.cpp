@@ -8,6 +8,9 @@
 #include <set>
 
 #include "pipeline/motion/input_error.hpp"
+#include "stages/import/arm_names.hpp"
+#include "stages/import/body_guess.hpp"
+#include "stages/import/joints_of_points.hpp"
 #include "stages/import/rename.hpp"
 
 namespace morphe::imports {
@@ -37,21 +40,44 @@ void hide_points_at_origin(MarkerRecording& recording) {
   }
 }
 
+bool ever_seen(const MarkerStream& markers, std::size_t k) {
+  for (std::size_t i = 0; i < markers.time.size(); ++i) {
+    if (seen(markers.position(i, k))) return true;
+  }
+  return false;
+}
+
 void report_never_seen(MarkerRecording& recording) {
   const MarkerStream& markers = recording.markers;
   std::vector<std::string> never;
   for (std::size_t k = 0; k < markers.names.size(); ++k) {
-    bool once = false;
-    for (std::size_t i = 0; i < markers.time.size() && !once; ++i) {
-      once = seen(markers.position(i, k));
-    }
-    if (!once) never.push_back(markers.names[k]);
+    if (!ever_seen(markers, k)) never.push_back(markers.names[k]);
   }
   if (never.size() == markers.names.size()) {
     recording.reports.push_back("no marker was seen in any frame");
   } else if (!never.empty()) {
     recording.reports.push_back(fmt::format("never seen: {}", fmt::join(never, ", ")));
   }
+}
+
+/// Where joints are is seen in a static trial, or from landmarks in the recording itself.
+void report_no_static(Demonstration& demonstration) {
+  if (!demonstration.streams.markers || demonstration.streams.skeleton) return;
+  const MarkerStream& markers = *demonstration.streams.markers;
+  std::vector<std::string> parts;
+  for (std::size_t k = 0; k < markers.names.size(); ++k) {
+    if (ever_seen(markers, k)) parts.push_back(body_part(markers.names[k]));
+  }
+  const auto any = [&](std::string_view end) {
+    return std::ranges::any_of(parts, [&](const auto& part) { return part.ends_with(end); });
+  };
+  if (!any("upper arm") && !any("forearm")) return;
+  if (any("elbow, outer") && any("elbow, inner") && any("wrist, thumb") && any(" shoulder")) return;
+  demonstration.reports.push_back(
+      "no static trial: joint centres are taken where clusters turn about each other; in the "
+      "shipped "
+      "trials that put the shoulder 39 to 65 mm and elbow and wrist up to 25 mm elsewhere; give it "
+      "with --static or `static:`");
 }
 
 void bring_into_world(MarkerRecording& recording, const std::string& source,
@@ -64,22 +90,36 @@ void bring_into_world(MarkerRecording& recording, const std::string& source,
         "the file does not say its axes: '{}' point right, forward and up, as is usual", usual));
   }
   if (axes.empty()) {
-    throw InputError(
-        fmt::format("{}: axes: the file does not say which axes point right, forward and up; give "
-                    "--axes or `axes:` such as 'x y z'",
-                    source));
+    throw NotSaid("axes", fmt::format("{}: axes: the file does not say which axes point right, "
+                                      "forward and up; give --axes or `axes:` such as 'x y z'",
+                                      source));
   }
   const Eigen::Matrix3d turn = world_from_recorded(axes, source);
   for (Vec3& point : recording.markers.position.values) point = turn * point;
+  recording.axes = axes;
+}
+
+/// Says so where the body stands otherwise than the axes that nobody gave would have it.
+void doubt_axes(const RecordingFiles& files, const std::string& used, Demonstration& recorded) {
+  if (!files.conventions.axes.empty()) return;
+  const Guess guess = guess_axes(recorded_points(recorded.streams, files.hand));
+  const std::string as_used = "x y z";  // of the world, in which the points now are
+  if (guess.sure != Sureness::sure || guess.value == as_used) return;
+  const Eigen::Matrix3d world =
+      world_from_recorded(guess.value, "") * world_from_recorded(used, "");
+  recorded.reports.push_back(fmt::format(
+      "the body stands otherwise than these axes have it; --axes '{} {} {}' agrees with it ({})",
+      axis_word(world.row(0).transpose()), axis_word(world.row(1).transpose()),
+      axis_word(world.row(2).transpose()), guess.because));
 }
 
 void check_extent(const MarkerRecording& recording, const std::string& source) {
   const double apart = extent(recording.markers.position);
   const bool whole_hand = recording.markers.names.size() >= 3;
   if (apart > kRoom || (whole_hand && apart > 0 && apart < kHand)) {
-    throw InputError(fmt::format(
-        "{}: unit: the markers spread over {:.3g} m; give --unit or `unit:` if the file's is wrong",
-        source, apart));
+    throw NotSaid("unit", fmt::format("{}: unit: the markers spread over {:.3g} m; give --unit or "
+                                      "`unit:` if the file's is wrong",
+                                      source, apart));
   }
 }
 
@@ -90,7 +130,7 @@ MarkerRecording read_into_world(const std::filesystem::path& file, const Recordi
   MarkerRecording recording = read(file, files.conventions);
   hide_points_at_origin(recording);
   bring_into_world(recording, file.string(), files.conventions.axes, usual_axes);
-  check_extent(recording, file.string());
+  if (files.conventions.judged) check_extent(recording, file.string());
   return recording;
 }
 
@@ -116,8 +156,9 @@ double metres_of(const std::string& in_file, const Conventions& conventions,
                  const std::string& source, std::vector<std::string>& reports) {
   const std::string& unit = conventions.unit.empty() ? in_file : conventions.unit;
   if (unit.empty()) {
-    throw InputError(fmt::format(
-        "{}: unit: the file does not say it; give --unit or `unit:` such as mm", source));
+    throw NotSaid(
+        "unit", fmt::format("{}: unit: the file does not say it; give --unit or `unit:` such as mm",
+                            source));
   }
   if (!in_file.empty() && unit != in_file) {
     reports.push_back(
@@ -130,9 +171,11 @@ double rate_of(double in_file, const Conventions& conventions, const std::string
                std::vector<std::string>& reports) {
   const double rate_hz = conventions.rate_hz.value_or(in_file);
   if (!(rate_hz > 0) || !std::isfinite(rate_hz)) {
-    throw InputError(fmt::format(
-        "{}: rate: the file does not say it; give --rate or `rate_hz:` in frames a second",
-        source));
+    throw NotSaid(
+        "rate",
+        fmt::format(
+            "{}: rate: the file does not say it; give --rate or `rate_hz:` in frames a second",
+            source));
   }
   if (in_file > 0 && rate_hz != in_file) {
     reports.push_back(
@@ -155,6 +198,9 @@ Demonstration read_marker_recording(const RecordingFiles& files,
   report_never_seen(recording);
   demonstration.reports = recording.reports;
   demonstration.streams.markers = std::move(recording.markers);
+  take_joints(files.hand, demonstration);
+  doubt_axes(files, recording.axes, demonstration);
+  if (files.static_trial.empty()) report_no_static(demonstration);
   if (!files.static_trial.empty()) {
     report_never_seen(still);
     for (const std::string& report : still.reports) {

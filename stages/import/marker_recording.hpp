@@ -27,6 +27,7 @@ double rate_of(double in_file, const Conventions& conventions, const std::string
 /// exactly at the origin is how some programs write what was not seen: it becomes that. Markers
 /// that were never seen and such points are reported. InputError "FILE: unit: …" if the markers
 /// stand farther apart than in any room or nearer than on any hand, and for names that stand twice.
+/// Points that are called as joints become a skeleton (joints_of_points.hpp).
 Demonstration read_marker_recording(const RecordingFiles& files,
                                     MarkerRecording (*read)(const std::filesystem::path&,
                                                             const Conventions&),

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/motion/input_error.hpp"
+#include "stages/import/conventions.hpp"
 
 namespace morphe::imports {
 namespace {
@@ -15,8 +15,8 @@ constexpr double kFarthest_m = 1000, kMostTurned = 6 * M_PI, kLongest_s = 6 * 36
 void check_points(const std::string& file, const Table<Vec3>& position) {
   for (const Vec3& point : position.values) {
     if (!(point.cwiseAbs().maxCoeff() > kFarthest_m)) continue;
-    throw InputError(fmt::format("{}: unit: a point is {:.3g} m from the origin", file,
-                                 point.cwiseAbs().maxCoeff()));
+    throw NotSaid("unit", fmt::format("{}: unit: a point is {:.3g} m from the origin", file,
+                                      point.cwiseAbs().maxCoeff()));
   }
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "pipeline/motion/input_error.hpp"
+#include "stages/import/conventions.hpp"
 
 namespace morphe::imports {
 namespace {
@@ -15,16 +15,10 @@ constexpr double kNearAxis = 0.9659258262890683;  // cos 15 degrees
 constexpr double kLevel = 0.7;  // the shoulder line's horizontal share in the first frame, at least
 
 [[noreturn]] void ask(const std::string& file, const std::string& why) {
-  throw InputError(fmt::format(
-      "{}: axes: the file does not say which of its axes point right, forward and up, and {}; give "
-      "--axes or `axes:` such as 'x y z'",
-      file, why));
-}
-
-std::string axis_name(const Vec3& axis) {
-  Eigen::Index which = 0;
-  axis.cwiseAbs().maxCoeff(&which);
-  return fmt::format("{}{}", axis[which] < 0 ? "-" : "", "xyz"[which]);
+  throw NotSaid("axes", fmt::format("{}: axes: the file does not say which of its axes point "
+                                    "right, forward and up, and {}; give "
+                                    "--axes or `axes:` such as 'x y z'",
+                                    file, why));
 }
 
 /// The signed coordinate axis with the largest component along a direction.
@@ -78,7 +72,7 @@ Eigen::Matrix3d world_from_skeleton(const BodyStream& body, const std::vector<Ve
   }
   if (main_axis(recorded_trunk) != up) {
     ask(file, fmt::format("its rest skeleton stands along {}, but what was recorded along {}",
-                          axis_name(up), axis_name(main_axis(recorded_trunk))));
+                          axis_word(up), axis_word(main_axis(recorded_trunk))));
   }
   Vec3 line = rest[shoulders->right] - rest[shoulders->left];
   const bool by_hips = line.norm() == 0 && hips;
@@ -100,7 +94,7 @@ Eigen::Matrix3d world_from_skeleton(const BodyStream& body, const std::vector<Ve
       "axes were taken from the skeleton: '{} {} {}' point right, forward and up at rest, and all "
       "was turned by {:.1f} degrees about the vertical so that the subject faces Y in the first "
       "frame",
-      axis_name(right), axis_name(forward), axis_name(up), turn * 180 / M_PI));
+      axis_word(right), axis_word(forward), axis_word(up), turn * 180 / M_PI));
   return Eigen::AngleAxisd(turn, Vec3::UnitZ()).toRotationMatrix() * world;
 }
 

@@ -3,10 +3,13 @@
 
 namespace morphe::imports {
 
-std::size_t write_demonstrations(const ImportRequest& request, const std::filesystem::path& out) {
+std::size_t write_demonstrations(const ImportRequest& request, const std::filesystem::path& out,
+                                 const std::function<void(const Demonstration&)>& seen) {
   store::DemonstrationWriter writer(out);
-  const std::size_t count =
-      import_recordings(request, [&](Demonstration&& demonstration) { writer.add(demonstration); });
+  const std::size_t count = import_recordings(request, [&](Demonstration&& demonstration) {
+    writer.add(demonstration);
+    if (seen) seen(demonstration);
+  });
   writer.finish();
   return count;
 }

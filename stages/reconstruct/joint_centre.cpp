@@ -122,7 +122,8 @@ std::vector<Vec3> joint_centre(MarkerTrial& trial, const MarkerJoint& joint,
       motion.estimated.push_back(joint.name);
       motion.problems.push_back(fmt::format(
           "{}: taken where {} and {} turn about each other (to {:.1f} mm rms; {:.0f} mm in doubt "
-          "along the direction that is known least), for not all of {} were seen",
+          "along the direction that is known least), for not all of {} were seen; a static trial "
+          "shows them",
           joint.name, first.name, in_world ? "the world" : second.name, 1000 * pivot.residual_m,
           1000 * pivot.doubt_m, fmt::join(joint.landmarks, ", ")));
     }

@@ -6,6 +6,7 @@
 
 #include "pipeline/human/hand.hpp"
 #include "stages/reconstruct/arm_chain.hpp"
+#include "stages/reconstruct/gaps.hpp"
 #include "stages/reconstruct/hand_from_keypoints.hpp"
 #include "stages/reconstruct/streams.hpp"
 
@@ -97,6 +98,31 @@ Eigen::Matrix3d wrist_from_hand(const Joint& wrist, const Digits& digits, HumanM
   return hand_axes(to_fingers, to_thumb);
 }
 
+/// The hand's orientation in each frame where joints have none of their own, from the same points.
+std::vector<Quat> hand_from_points(const Joint& wrist, const Digits& digits, HumanMotion& motion) {
+  const Joint &index = digits[1][0], &middle = digits[2][0], &little = digits[4][0];
+  const Joint& thumb = digits[0][0].there() ? digits[0][0] : digits[0][1];
+  const bool knuckles = index.there() && little.there();
+  std::vector<Quat> world_from_hand(wrist.position.size(), unseen_rotation());
+  if (!knuckles && !(middle.there() && thumb.there())) {
+    motion.problems.push_back(
+        "the points show no knuckles of index and little finger: how the hand is turned is not "
+        "known");
+    return world_from_hand;
+  }
+  for (std::size_t i = 0; i < world_from_hand.size(); ++i) {
+    const Vec3& base = wrist.position[i];
+    const Vec3 to_fingers = middle.there()
+                                ? Vec3(middle.position[i] - base)
+                                : Vec3((index.position[i] + little.position[i]) / 2 - base);
+    const Vec3 to_thumb =
+        knuckles ? Vec3(index.position[i] - little.position[i]) : Vec3(thumb.position[i] - base);
+    const Eigen::Matrix3d axes = hand_axes(to_fingers, to_thumb);
+    if (axes.allFinite()) world_from_hand[i] = Quat(axes);
+  }
+  return world_from_hand;
+}
+
 /// Puts tips that stand on the joint before them where a last bone of usual length, straight at
 /// rest, would end: along the bone before it, turned as the last joint is.
 void estimate_tips(Digits& digits, HumanMotion& motion) {
@@ -169,6 +195,7 @@ HumanMotion motion_from_skeleton(const Demonstration& demonstration,
   const auto place = [&](const char* name, const Joint& joint, std::vector<Vec3>& centres) {
     if (joint.there()) {
       centres = on_clock(body.time, joint.position, clock, options);
+      note_unseen(name, centres, motion.problems);
     } else {
       motion.problems.push_back(fmt::format(
           "the skeleton has no joint called right_{0} (left_{0} of a left arm): map its "
@@ -191,8 +218,11 @@ HumanMotion motion_from_skeleton(const Demonstration& demonstration,
       digits[finger][joint] = find_joint(body, joint_name(finger, joint));
     }
   }
-  const Eigen::Matrix3d hand = wrist_from_hand(wrist, digits, motion);
-  if (hand.allFinite()) {
+  const bool turned = std::ranges::any_of(wrist.orientation, [](const Quat& q) { return seen(q); });
+  if (!turned) {
+    motion.wrist_orientation =
+        on_clock(body.time, hand_from_points(wrist, digits, motion), clock, options);
+  } else if (const auto hand = wrist_from_hand(wrist, digits, motion); hand.allFinite()) {
     std::vector<Quat> world_from_hand;
     for (const Quat& turn : wrist.orientation) world_from_hand.push_back(turn * Quat(hand));
     motion.wrist_orientation = on_clock(body.time, world_from_hand, clock, options);

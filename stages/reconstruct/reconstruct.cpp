@@ -45,7 +45,9 @@ HumanMotion reconstruct(const Demonstration& demonstration, const ReconstructOpt
     motion.problems.push_back("a left hand, mirrored at X = 0 into a right one");
     return motion;
   }
-  if (demonstration.streams.markers && !demonstration.streams.sensors) {
+  // Beside joints, markers are those of objects.
+  if (demonstration.streams.markers && !demonstration.streams.sensors &&
+      !demonstration.streams.skeleton) {
     return motion_from_markers(demonstration, options);
   }
   const auto& hand = demonstration.streams.hand;

@@ -9,7 +9,8 @@ from support import QUICK, RECORDINGS, REFERENCE, SOURCE, CommandCase, main, mor
 DEMONSTRATIONS = ["ADL001DR2", "ADL004DR2", "ADL006DR2", "ADL001FR1", "ADL001AR1"]
 
 ENTRY = ["name", "duration_s", "streams", "movements", "problems", "subject", "task", "hand",
-         "calibration", "objects", "rebuilt", "residuals", "estimated", "missing", "reports"]
+         "calibration", "objects", "rebuilt", "residuals", "estimated", "missing", "reports",
+         "points"]
 STREAM = ["name", "rate_hz", "seen", "begin_s", "duration_s", "columns", "gaps", "longest_gap_s",
           "longest_gap_of", "unseen"]
 PHASE = ["name", "begin_s", "end_s", "confidence", "begin_confidence", "end_confidence"]

@@ -95,7 +95,8 @@ TEST_F(C3d, PropulsionMatchesItsBytes) {
   }
   EXPECT_EQ(seen_points, 22316u);
   EXPECT_EQ(gaps, 234u);
-  EXPECT_THAT(d.reports, ElementsAre("never seen: Probe1, Probe2, Probe3, Probe4, Probe5, Probe6"));
+  EXPECT_THAT(d.reports, ElementsAre("never seen: Probe1, Probe2, Probe3, Probe4, Probe5, Probe6",
+                                     HasSubstr("no static trial: joint centres")));
 }
 
 TEST_F(C3d, MoreFramesThanAWordHolds) {
@@ -105,6 +106,21 @@ TEST_F(C3d, MoreFramesThanAWordHolds) {
   const Demonstration d = read(write(c3d), kC3d);
   EXPECT_EQ(d.streams.markers->time.size(), 70000u);
   EXPECT_EQ(d.streams.markers->time.back(), 699.99);
+}
+
+/// As OptiTrack's Motive writes it: nobody says where points begin.
+TEST_F(C3d, DataStartZeroIsBehindTheParameters) {
+  std::string text = three_frames().text();
+  const std::size_t header_word = 16, value = text.find("DATA_START") + 10 + 4;
+  for (const std::size_t at : {header_word, value}) text[at] = text[at + 1] = '\0';
+  const Demonstration d = read(RecordingFolder::write(text, "trial.c3d"), kC3d);
+  const Demonstration whole = read(write(three_frames()), kC3d);
+  EXPECT_EQ(d.streams.markers->position(2, 0), whole.streams.markers->position(2, 0));
+  EXPECT_EQ(d.streams.markers->time, whole.streams.markers->time);
+  EXPECT_THAT(d.reports, ElementsAre(HasSubstr("read from block 4, behind the parameters")));
+  text[512 + 2] = '\xff';  // 255 blocks of parameters, which the file does not have
+  EXPECT_THAT(error_of(RecordingFolder::write(text, "trial.c3d"), kC3d),
+              HasSubstr("trial.c3d: POINT:FRAMES: 3 frames from byte"));
 }
 
 TEST_F(C3d, LaterFirstFrameIsLater) {

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "pipeline/motion/demonstration.hpp"
+
+namespace morphe::imports {
+
+/// Points that are called as joints (right_shoulder, left_index_tip, …) are joints, not markers on
+/// the skin: they leave the markers for a skeleton without parents and orientations. All 21 points
+/// of the recorded hand without an arm become keypoints instead. Said in `reports`.
+void take_joints(Side hand, Demonstration& demonstration);
+
+}  // namespace morphe::imports
