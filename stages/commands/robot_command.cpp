@@ -15,6 +15,8 @@
 
 namespace morphe::commands {
 
+namespace fs = std::filesystem;
+
 Command robot_command(CLI::App& app) {
   struct Arguments {
     std::string file, svg, urdf;
@@ -37,7 +39,12 @@ Command robot_command(CLI::App& app) {
     if (arguments->file.empty()) throw InputError("robot: needs FILE, or setup");
     const robot::RobotDescription robot = read_robot(arguments->file);
     if (!arguments->svg.empty()) write_text(arguments->svg, describe::svg_of(robot.table));
-    if (!arguments->urdf.empty()) write_text(arguments->urdf, robot::urdf_of(robot.table));
+    std::vector<std::string> unknown;
+    if (!arguments->urdf.empty()) {
+      robot::WrittenUrdf urdf = robot::urdf_of(robot, fs::path(arguments->urdf).parent_path());
+      write_text(arguments->urdf, urdf.text);
+      unknown = std::move(urdf.unknown);
+    }
     if (arguments->samples > 0) {
       const describe::SelfCollision found =
           describe::sample_self_collision(robot.table, arguments->samples);
@@ -47,6 +54,9 @@ Command robot_command(CLI::App& app) {
     }
     fmt::print("{}",
                arguments->json ? describe::robot_json(robot) + "\n" : describe::robot_text(robot));
+    for (const std::string& sentence : unknown) {
+      if (!arguments->json) fmt::print("{}: {}\n", arguments->urdf, sentence);
+    }
     return 0;
   };
 }

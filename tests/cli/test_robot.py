@@ -64,7 +64,7 @@ class Shipped(CommandCase):
                 self.assertIn(f"\n{joint['name']} ", text)
             self.assertEqual(ElementTree.parse(svg).getroot().get("width"), "860")
             joints = ElementTree.parse(urdf).getroot().findall("joint")
-            turning = [j for j in joints if j.get("type") in ("revolute", "prismatic")]
+            turning = [j for j in joints if j.get("type") in ("revolute", "continuous", "prismatic")]
             self.assertEqual([j.get("name") for j in turning if j.find("mimic") is None],
                              [j["name"] for j in report["joints"]])
             self.assertEqual([j.get("name") for j in turning if j.find("mimic") is not None],

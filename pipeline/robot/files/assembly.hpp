@@ -45,9 +45,10 @@ struct Assembly {
   std::vector<double> lower, upper, velocity, acceleration, jerk;
   std::vector<Chain> chains;
   std::vector<std::filesystem::path> files;
-  std::string shoulder, palm;                      ///< frame names, "" = not named yet
-  std::vector<std::string> notes;                  ///< what was left out
-  std::map<std::string, int> links;                ///< of all URDFs: the frame that each is
+  std::string shoulder, palm;        ///< frame names, "" = not named yet
+  std::vector<std::string> notes;    ///< what was left out
+  std::map<std::string, int> links;  ///< of all URDFs: the frame that each is
+  std::vector<UrdfSource> urdfs;
   std::vector<std::array<int, 2>> allowed_frames;  ///< no capsule of one collides with the other's
   std::map<std::string, std::vector<std::string>> meshes;  ///< of a file: links with some left out
   std::vector<int> shaped;  ///< frames of links whose shapes were left out

@@ -225,8 +225,8 @@ RobotDescription loaded(const config::ConfigNode& root) {
   problems.throw_any();
   finish(assembly);
   problems.throw_any();
-  return {std::move(assembly.table), std::move(assembly.files), std::move(assembly.notes),
-          std::move(assembly.natural), std::move(assembly.links)};
+  return {std::move(assembly.table),   std::move(assembly.files), std::move(assembly.notes),
+          std::move(assembly.natural), std::move(assembly.links), std::move(assembly.urdfs)};
 }
 
 }  // namespace

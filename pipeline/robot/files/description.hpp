@@ -16,12 +16,20 @@ struct NaturalJoint {
   double value = 0;  ///< [rad or m]
 };
 
+/// A URDF of the robot, and the frames that its links are.
+struct UrdfSource {
+  std::filesystem::path file;
+  std::string prefix;                ///< of its names in the robot
+  std::map<std::string, int> links;  ///< by the file's own names
+};
+
 struct RobotDescription {
   RobotTable table;
   std::vector<std::filesystem::path> files;  ///< every file it was read from, the first one named
   std::vector<std::string> notes;            ///< "FILE:LINE: …": what of it was left out
   std::vector<NaturalJoint> natural;         ///< what a config's `map.natural` is by default
   std::map<std::string, int> links;          ///< of its URDFs: the frame that each is
+  std::vector<UrdfSource> urdfs;
 };
 
 /// Reads a robot description (docs/formats.md): DH chains, a URDF (with an SRDF), a generated arm

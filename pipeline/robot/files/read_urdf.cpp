@@ -260,6 +260,7 @@ struct Reader {
   void add_link(const std::string& link, int frame) {
     scope.links[scope.prefix + link] = frame;
     assembly.links[scope.prefix + link] = frame;
+    assembly.urdfs.back().links[link] = frame;
   }
 };
 
@@ -292,6 +293,7 @@ void read_urdf(Assembly& assembly, FileScope& scope, const config::ConfigNode& n
     if (reader.driven(joint)) problems.attempt([&] { reader.add_limits(joint); });
   }
   problems.throw_any();
+  assembly.urdfs.push_back({file, scope.prefix, {}});
   reader.add_link(reader.tree.root, reader.add_root_frame());
   for (const UrdfJoint& joint : reader.tree.joints) {
     reader.add_link(joint.child, reader.add_joint_frame(joint));

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "pipeline/motion/robot_table.hpp"
+#include "pipeline/robot/files/description.hpp"
 
 namespace morphe::robot {
 
@@ -13,5 +16,15 @@ namespace morphe::robot {
 /// again, all frames stand where they stood, within rounding. The robot must be one that
 /// load_robot() gives: the first frame of every joint turns by the joint's angle itself.
 std::string urdf_of(const RobotTable& robot);
+
+struct WrittenUrdf {
+  std::string text;
+  std::vector<std::string> unknown;  ///< a sentence each; the text holds them as a comment
+};
+
+/// The same with what the URDFs that the robot comes from say beyond motion, for a file in
+/// `folder`: names of links and joints, visuals, collision shapes (Morphe's capsules only where a
+/// link has none), inertias, efforts, dynamics. A URDF's root is the root, if all hangs on it.
+WrittenUrdf urdf_of(const RobotDescription& robot, const std::filesystem::path& folder);
 
 }  // namespace morphe::robot
