@@ -2,8 +2,8 @@
 """Holds the documents against the program and the sources.
 
   docs_test.py MORPHE            links, tables of keys, the list of commands; then runs what the
-                                 READMEs and the pages of the steps show, in a copy, and compares
-                                 what the READMEs say it prints
+                                 READMEs, the page of controllers and those of the steps show, in a copy, and compares
+                                 what is shown as printed
   docs_test.py MORPHE --still    without running these commands
   docs_test.py MORPHE --update   first rewrites keys and defaults of the tables from the sources (the
                                  meaning of a key stays with it; that of a new one has to be written),
@@ -17,7 +17,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-READMES = ("README.md", "outputs/README.md")
+TRIED = ("README.md", "outputs/README.md", "docs/robot_controllers.md")
 STEPS = sorted(path.relative_to(ROOT).as_posix() for path in (ROOT / "docs/steps").glob("*.md"))
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.M | re.S)
 # Printed figures may differ by this share, or by two of the last digit that is shown: on another
@@ -311,7 +311,7 @@ def wrong_examples(morphe, update):
         (folder / "build/release").mkdir(parents=True)
         (folder / "build/release/morphe").symlink_to(morphe)
         present, done_before = sorted(path.name for path in folder.iterdir()), {}
-        for readme in (*READMES, *STEPS):
+        for readme in (*TRIED, *STEPS):
             printed, document = "", text_of(readme)
             if readme in STEPS and [kind for kind, _ in FENCE.findall(document)].count("sh") != 1:
                 yield f"{readme}: should have one block of commands"

@@ -39,6 +39,13 @@ PartFile::~PartFile() {
   if (!committed_) std::filesystem::remove(part_, ignored);
 }
 
+void PartFile::write(const std::string& text) const {
+  std::ofstream stream(part_, std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream) throw InputError(fmt::format("{}: cannot be written", target_.string()));
+}
+
 void PartFile::commit() {
   sync(part_, *disk_);
   if (disk_->rename(part_.c_str(), target_.c_str()) != 0) fail(target_);
@@ -48,10 +55,7 @@ void PartFile::commit() {
 
 void write_whole(const std::filesystem::path& file, const std::string& text) {
   PartFile part(file);
-  std::ofstream stream(part.part(), std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw InputError(fmt::format("{}: cannot be written", file.string()));
+  part.write(text);
   part.commit();
 }
 

@@ -18,6 +18,8 @@ class PartFile {
 
   const std::filesystem::path& target() const { return target_; }
   const std::filesystem::path& part() const { return part_; }
+  /// The part file, of that text. InputError if it cannot be written.
+  void write(const std::string& text) const;
   /// The file must be closed. InputError if it cannot be brought to the disk or renamed.
   void commit();
 

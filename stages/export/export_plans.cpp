@@ -2,107 +2,192 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <iterator>
 
-#include "pipeline/files/part_file.hpp"
 #include "pipeline/motion/input_error.hpp"
 #include "pipeline/store/plan_file.hpp"
 #include "stages/export/robomimic.hpp"
 #include "stages/export/ros_trajectory.hpp"
+#include "stages/export/staged_files.hpp"
 #include "stages/export/trajectory_csv.hpp"
 
 namespace morphe::exports {
 namespace {
 
-/// What no controller may be given, whatever the file calls it; "" if it may.
-std::string what_is_wrong(const Trajectory& t) {
-  if (t.samples() < 2) return "the trajectory has fewer than two samples";
-  if (!t.position.allFinite() || !t.velocity.allFinite() || !t.acceleration.allFinite()) {
-    return "the trajectory holds what is no number";
-  }
-  for (std::size_t i = 0; i < t.samples(); ++i) {
-    const bool later = i == 0 ? std::isfinite(t.time[0]) : t.time[i] > t.time[i - 1];
-    if (!later || !std::isfinite(t.time[i])) return "the trajectory's time does not increase";
-    if (!(static_cast<std::size_t>(t.phase[i]) < count_of<PhaseKind>()))
-      return "the trajectory holds unknown phases";
-  }
-  return "";
+/// A format that writes a text of one motion and the joints of one group.
+struct TextFormat {
+  const char* name;
+  const char* ending;
+  std::string (*text_of)(const JointGroup&, const Trajectory&);
+};
+constexpr TextFormat kTextFormats[] = {
+    {"csv", ".csv", trajectory_csv},
+    {"ros", ".yaml", ros_trajectory_yaml},
+    {"ros-json", ".json", ros_trajectory_json},
+};
+constexpr const char* kRobomimic = "robomimic";
+
+struct Export {
+  const store::PlanReader& reader;
+  const ExportOptions& options;
+  StagedFiles files;
+  ExportIndex index;
+  bool ways = false;  ///< some plan has an approach or a retreat
+};
+
+/// As it was planned, of samples that stand at one rate.
+double own_rate_hz(const Trajectory& t) {
+  return std::round(1e6 * static_cast<double>(t.samples() - 1) / (t.time.back() - t.time[0])) / 1e6;
 }
 
-/// "" if a plan can be exported.
-std::string why_not(const Plan& plan) {
-  if (!plan.executable()) return fmt::format("{}: {}", name_of(plan.reason), plan.detail);
-  if (const std::string wrong = what_is_wrong(plan.trajectory); !wrong.empty()) return wrong;
-  for (const Trajectory* way : {&plan.approach, &plan.retreat}) {
-    const std::string wrong = way->samples() > 0 ? what_is_wrong(*way) : "";
-    if (!wrong.empty()) return (way == &plan.approach ? "approach: " : "retreat: ") + wrong;
+/// The plan's motions, entered in the index without files; none if it is left out.
+std::vector<PlanMotion> entered(Export& run, std::size_t i, const Plan& plan) {
+  const MotionOptions& options = run.options.motion;
+  PlanMotions found = motions_of(run.reader.robot(), plan, options);
+  if (!found.why.empty()) {
+    run.index.left_out.push_back({run.reader.plan_paths()[i], found.why});
+    return {};
   }
-  return "";
+  if (run.index.plans.empty()) {
+    run.index.rate_hz = options.rate_hz > 0 ? options.rate_hz : own_rate_hz(plan.trajectory);
+  }
+  run.ways = run.ways || plan.approach.samples() > 0 || plan.retreat.samples() > 0;
+  IndexedPlan& indexed = run.index.plans.emplace_back();
+  indexed.plan = run.reader.plan_paths()[i];
+  indexed.subject = plan.subject;
+  indexed.task = plan.task;
+  for (const PlanMotion& motion : found.motions) {
+    const Trajectory& t = motion.trajectory;
+    IndexedMotion& entry = indexed.motions.emplace_back();
+    entry.what = motion.what;
+    entry.duration_s = t.time.back() - t.time[0];
+    entry.points = t.samples();
+    if (options.rate_hz > 0) entry.limits = math::limit_report(run.reader.robot(), t);
+  }
+  return std::move(found.motions);
 }
 
-void export_texts(const store::PlanReader& reader, const std::filesystem::path& folder,
-                  const char* ending, std::string (*text_of)(const RobotTable&, const Trajectory&),
-                  ExportReport& report) {
-  const auto write = [&](const Plan& plan, const char* what, const Trajectory& trajectory) {
-    const std::string name =
-        fmt::format("{}_{:03}{}{}", plan.demonstration, plan.movement.index, what, ending);
-    files::write_whole(folder / name, text_of(reader.robot(), trajectory));
-    report.files.push_back(name);
-  };
-  for (std::size_t i = 0; i < reader.size(); ++i) {
-    const Plan plan = reader.read(i);
-    if (const std::string why = why_not(plan); !why.empty()) {
-      report.left_out.push_back({reader.plan_paths()[i], why});
-      continue;
+void export_texts(Export& run, const TextFormat& format) {
+  for (std::size_t i = 0; i < run.reader.size(); ++i) {
+    const Plan plan = run.reader.read(i);
+    const std::vector<PlanMotion> motions = entered(run, i, plan);
+    for (std::size_t m = 0; m < motions.size(); ++m) {
+      const std::string what = motions[m].what == "trajectory" ? "" : "_" + motions[m].what;
+      for (const JointGroup& group : run.index.groups) {
+        const std::string name =
+            fmt::format("{}_{:03}{}{}{}", plan.demonstration, plan.movement.index, what,
+                        group.name == "all" ? "" : "_" + group.name, format.ending);
+        run.files.add(name, format.text_of(group, of_group(motions[m].trajectory, group)));
+        run.index.plans.back().motions[m].files.push_back(name);
+      }
     }
-    write(plan, "", plan.trajectory);
-    if (plan.approach.samples() > 0) write(plan, "_approach", plan.approach);
-    if (plan.retreat.samples() > 0) write(plan, "_retreat", plan.retreat);
   }
 }
 
-void export_robomimic(const store::PlanReader& reader, const std::filesystem::path& folder,
-                      ExportReport& report) {
+void export_robomimic(Export& run) {
   // Twice through the file: whether all have a target must be known before the first is written.
+  const std::string name = "robomimic.hdf5";
   std::vector<std::size_t> chosen;
   bool target = true;
-  double rate_hz = 0;
-  for (std::size_t i = 0; i < reader.size(); ++i) {
-    const Plan plan = reader.read(i);
-    if (const std::string why = why_not(plan); !why.empty()) {
-      report.left_out.push_back({reader.plan_paths()[i], why});
-      continue;
-    }
-    const Trajectory& t = plan.trajectory;
-    if (chosen.empty())
-      rate_hz = static_cast<double>(t.samples() - 1) / (t.time.back() - t.time[0]);
+  for (std::size_t i = 0; i < run.reader.size(); ++i) {
+    const Plan plan = run.reader.read(i);
+    if (entered(run, i, plan).empty()) continue;
+    run.index.plans.back().motions.front().files.push_back(name);
     target = target && plan.grasp.sample >= 0;
     chosen.push_back(i);
   }
   if (chosen.empty()) return;
-  const std::string name = "robomimic.hdf5";
-  RobomimicWriter writer(folder / name,
-                         robomimic_header(reader.robot(), std::round(1e6 * rate_hz) / 1e6));
+  const RobotTable& robot = run.reader.robot();
+  RobomimicWriter writer(run.files.add(name), robomimic_header(robot, run.index.rate_hz));
   for (const std::size_t i : chosen) {
-    writer.add(robomimic_demo(reader.robot(), reader.read(i), target));
+    Plan plan = run.reader.read(i);
+    plan.trajectory =
+        std::move(motions_of(robot, plan, run.options.motion).motions.front().trajectory);
+    writer.add(robomimic_demo(robot, plan, target));
   }
   writer.finish();
-  report.files.push_back(name);
+}
+
+void check_robomimic(const ExportOptions& options) {
+  const auto refuse = [](const char* option, const char* why) {
+    throw InputError(fmt::format("--format robomimic: {}: leave {} out", why, option));
+  };
+  if (options.groups != std::vector<std::string>{"all"}) refuse("--group", "holds all joints");
+  if (options.motion.delay_s > 0) refuse("--delay", "a wait is no demonstration");
+  if (options.motion.approach == Ways::joined)
+    refuse("--approach", "approach and retreat are no demonstration");
+}
+
+void check_joined(const Export& run) {
+  if (run.options.motion.approach != Ways::joined || run.ways || run.index.plans.empty()) return;
+  throw InputError(
+      "--approach joined: no plan has an approach: plan with the section `approach` "
+      "(docs/steps/approach.md), or leave --approach out");
+}
+
+/// What quintics between resampled points use of the limits, if that is more than all.
+std::string remark_on_limits(const Export& run) {
+  constexpr double kRounding = 1e-6;
+  const IndexedPlan* at = nullptr;
+  const char* which = "";
+  math::LimitUse most{1 + kRounding, -1, -1};
+  for (const IndexedPlan& plan : run.index.plans) {
+    for (const IndexedMotion& motion : plan.motions) {
+      for (const auto& [name, use] : {std::pair{"velocity", &motion.limits.velocity},
+                                      std::pair{"acceleration", &motion.limits.acceleration},
+                                      std::pair{"jerk", &motion.limits.jerk}}) {
+        if (use->ratio <= most.ratio) continue;
+        most = *use;
+        which = name;
+        at = &plan;
+      }
+    }
+  }
+  if (!at) return "";
+  return fmt::format(
+      "at {:g} Hz a controller that joins the points by quintics uses up to {:.3g} times the {} "
+      "limit ({}, joint {}). The points lie on the certified curve; without --rate they are its "
+      "samples, and what such a controller runs is the curve itself",
+      run.options.motion.rate_hz, most.ratio, which, at->plan,
+      run.reader.robot().joint_names[static_cast<std::size_t>(most.joint)]);
 }
 
 }  // namespace
 
-std::vector<std::string> export_format_names() { return {"csv", "ros", "robomimic"}; }
+std::vector<std::string> export_format_names() {
+  std::vector<std::string> names;
+  for (const TextFormat& format : kTextFormats) names.push_back(format.name);
+  names.push_back(kRobomimic);
+  return names;
+}
 
-ExportReport export_plans(const std::filesystem::path& plans, const std::string& format,
-                          const std::filesystem::path& folder) {
+ExportReport export_plans(const std::filesystem::path& plans, const std::filesystem::path& folder,
+                          const ExportOptions& asked) {
+  ExportOptions options = asked;
+  const bool robomimic = options.format == kRobomimic;
+  if (robomimic) {
+    check_robomimic(options);
+    options.motion.approach = Ways::none;
+  }
   const store::PlanReader reader(plans);
-  ExportReport report;
-  if (format == "csv") export_texts(reader, folder, ".csv", trajectory_csv, report);
-  if (format == "ros") export_texts(reader, folder, ".yaml", ros_trajectory, report);
-  if (format == "robomimic") export_robomimic(reader, folder, report);
-  return report;
+  Export run{reader, options, StagedFiles(folder), {options.format, options.motion, 0, {}, {}, {}}};
+  for (const std::string& words : options.groups) {
+    const JointGroup group = joint_group(reader.robot(), words);
+    if (std::ranges::count(run.index.groups, group.name, &JointGroup::name) > 0) {
+      throw InputError(fmt::format("--group {}: there is a group '{}' already", words, group.name));
+    }
+    run.index.groups.push_back(group);
+  }
+  if (robomimic) export_robomimic(run);
+  for (const TextFormat& format : kTextFormats) {
+    if (options.format == format.name) export_texts(run, format);
+  }
+  check_joined(run);
+  run.files.add(fmt::format("index_{}.json", options.format),
+                index_json(run.index, reader.header(), reader.robot()));
+  run.files.commit(options.replace);
+  return {run.files.names(), run.index.left_out, remark_on_limits(run)};
 }
 
 }  // namespace morphe::exports

@@ -4,30 +4,39 @@
 #include <string>
 #include <vector>
 
+#include "stages/export/export_index.hpp"
+#include "stages/export/plan_motions.hpp"
+
 namespace morphe::exports {
 
-/// csv, ros, robomimic.
+/// csv, ros, ros-json, robomimic.
 std::vector<std::string> export_format_names();
 
+struct ExportOptions {
+  std::string format;
+  std::vector<std::string> groups = {"all"};  ///< as joint_group() takes them: a file each
+  MotionOptions motion;
+  bool replace = false;  ///< files that are there with other content
+};
+
 struct ExportReport {
-  std::vector<std::string> files;  ///< written, names inside the folder
-  struct Left {
-    std::string plan, why;
-  };
-  std::vector<Left> left_out;  ///< every other plan
+  std::vector<std::string> files;  ///< written, names inside the folder; the index is the last
+  std::vector<LeftOut> left_out;   ///< every other plan
+  std::string remark;              ///< what to know of the files, or ""
 };
 
 /// Writes what a plans.h5 holds of executable plans for others to read:
-/// - csv: <demonstration>_<000>.csv and, with an approach and a retreat, …_approach.csv and
-///   …_retreat.csv
-/// - ros: the same with .yaml, a JointTrajectory each
+/// - csv: <demonstration>_<000>.csv and, with an approach and a retreat apart, …_approach.csv and
+///   …_retreat.csv; of a group other than all: …_arm.csv, …_approach_arm.csv
+/// - ros, ros-json: the same with .yaml or .json, a JointTrajectory each
 /// - robomimic: robomimic.hdf5, all plans in one, without approach and retreat, which are no
 ///   demonstration; no file if no plan is executable
+/// and index_<format>.json, which lists them.
 ///
-/// The folder must exist. Each file appears whole, in place of an older one of its
-/// name; nothing else in the folder is touched. InputError if the plans cannot be read or the
-/// folder not be written.
-ExportReport export_plans(const std::filesystem::path& plans, const std::string& format,
-                          const std::filesystem::path& folder);
+/// The folder must exist. The files appear together, each whole; nothing else in the folder is
+/// touched. InputError if the plans cannot be read, the folder not be written, a file with other
+/// content is in the way and may not be replaced, or the options do not fit format or plans.
+ExportReport export_plans(const std::filesystem::path& plans, const std::filesystem::path& folder,
+                          const ExportOptions& asked);
 
 }  // namespace morphe::exports

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cassert>
 
-#include "pipeline/files/part_file.hpp"
 #include "pipeline/store/array_codec.hpp"
 #include "pipeline/store/hdf5_file.hpp"
 
@@ -32,9 +31,8 @@ std::vector<double> numbers(const JointVector& values) { return {values.begin(),
 
 }  // namespace
 
-// Members close in reverse order: groups, then the file, then what is left of it is removed.
+// Members close in reverse order: groups, then the file.
 struct RobomimicWriter::State {
-  files::PartFile part;
   JointVector offset, scale;
   store::Hdf5File file;
   store::Hdf5Group data;
@@ -42,15 +40,12 @@ struct RobomimicWriter::State {
   Eigen::Index total = 0;
 };
 
-RobomimicWriter::RobomimicWriter(const std::filesystem::path& path, const RobomimicHeader& header)
-    : state_(new State{files::PartFile(path),
-                       0.5 * (header.low + header.high),
-                       0.5 * (header.high - header.low),
-                       {},
-                       {}}) {
+RobomimicWriter::RobomimicWriter(const files::PartFile& part, const RobomimicHeader& header)
+    : state_(
+          new State{0.5 * (header.low + header.high), 0.5 * (header.high - header.low), {}, {}}) {
   State& s = *state_;
-  s.file = store::Hdf5File::create(s.part.part());
-  s.file.call_it(path);
+  s.file = store::Hdf5File::create(part.part());
+  s.file.call_it(part.target());
   s.data = s.file.root().create("data");
   s.data.set("env_args", header.env_args);
   s.data.set("action_names", header.action_names);
@@ -98,7 +93,6 @@ void RobomimicWriter::finish() {
   mask.write_strings("valid", valid_names);
   s.data = {};
   s.file.close();
-  s.part.commit();
 }
 
 std::vector<std::size_t> validation_demos(std::size_t count) {

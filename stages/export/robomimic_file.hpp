@@ -1,11 +1,11 @@
 #pragma once
 
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "pipeline/files/part_file.hpp"
 #include "pipeline/motion/geometry.hpp"
 
 namespace morphe::exports {
@@ -26,11 +26,11 @@ struct RobomimicHeader {
 };
 
 /// A dataset as robomimic reads it: /data/demo_0 … with @num_samples, actions, actions_abs, obs/,
-/// next_obs/, rewards and dones (1 at the last transition); /mask/train and /mask/valid. The file
-/// appears, whole and synced, with finish(); without it nothing is left behind.
+/// next_obs/, rewards and dones (1 at the last transition); /mask/train and /mask/valid. It is
+/// written as the part of a file that must outlive the writer, and is whole after finish().
 class RobomimicWriter {
  public:
-  RobomimicWriter(const std::filesystem::path& path, const RobomimicHeader& header);
+  RobomimicWriter(const files::PartFile& part, const RobomimicHeader& header);
   ~RobomimicWriter();
   void add(const RobomimicDemo& demo);
   void finish();

@@ -10,43 +10,86 @@
 namespace morphe::exports {
 namespace {
 
-/// A YAML string in double quotes; other control characters do not stand in names of joints.
+/// A string in double quotes, as YAML and JSON have it.
 std::string quoted(const std::string& name) {
   std::string text = "\"";
   for (const char c : name) {
+    if (static_cast<unsigned char>(c) < 0x20) {
+      fmt::format_to(std::back_inserter(text), "\\u{:04x}", static_cast<int>(c));
+      continue;
+    }
     if (c == '"' || c == '\\') text += '\\';
     text += c;
   }
   return text + "\"";
 }
 
-void add_row(const char* key, const JointRows& rows, Eigen::Index row, std::string& text) {
-  fmt::format_to(std::back_inserter(text), "    {}: [", key);
-  for (Eigen::Index j = 0; j < rows.cols(); ++j) {
-    fmt::format_to(std::back_inserter(text), "{}{:#.17g}", j > 0 ? ", " : "", rows(row, j));
+void add_number(double value, std::string& text) {
+  std::string digits = fmt::format("{}", value);
+  if (digits.find('.') == std::string::npos) {
+    digits.insert(std::min(digits.find('e'), digits.size()), ".0");
   }
-  text += "]\n";
+  text += digits;
 }
 
-}  // namespace
+/// The keys of a mapping in flow style: quoted in JSON.
+struct Keys {
+  const char* quote;
+  std::string operator()(const char* key) const { return fmt::format("{0}{1}{0}: ", quote, key); }
+};
 
-std::string ros_trajectory(const RobotTable& robot, const Trajectory& t) {
-  std::string text = "header:\n  stamp: {sec: 0, nanosec: 0}\n  frame_id: \"base\"\njoint_names:\n";
-  for (const std::string& joint : robot.joint_names) text += "  - " + quoted(joint) + "\n";
-  text += "points:\n";
+void add_row(const std::string& key, const JointRows& rows, Eigen::Index row, std::string& text) {
+  text += key + "[";
+  for (Eigen::Index j = 0; j < rows.cols(); ++j) {
+    if (j > 0) text += ", ";
+    add_number(rows(row, j), text);
+  }
+  text += "], ";
+}
+
+/// A line in flow style a point: `begin` before it, `end` behind all but the last.
+void add_points(const Trajectory& t, const Keys& key, const char* begin, const char* end,
+                std::string& text) {
   constexpr std::int64_t kSecond = 1'000'000'000;
   std::int64_t last_ns = -1;
   for (std::size_t i = 0; i < t.samples(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
-    text += "  -\n";
-    add_row("positions", t.position, row, text);
-    add_row("velocities", t.velocity, row, text);
-    add_row("accelerations", t.acceleration, row, text);
+    text += begin;
+    text += "{";
+    add_row(key("positions"), t.position, row, text);
+    add_row(key("velocities"), t.velocity, row, text);
+    add_row(key("accelerations"), t.acceleration, row, text);
     last_ns = std::max<std::int64_t>(last_ns + 1, std::llround(t.time[i] * kSecond));
-    fmt::format_to(std::back_inserter(text), "    time_from_start: {{sec: {}, nanosec: {}}}\n",
-                   last_ns / kSecond, last_ns % kSecond);
+    fmt::format_to(std::back_inserter(text), "{}{{{}{}, {}{}}}}}", key("time_from_start"),
+                   key("sec"), last_ns / kSecond, key("nanosec"), last_ns % kSecond);
+    if (i + 1 < t.samples()) text += end;
+    text += "\n";
   }
+}
+
+std::string joined_names(const JointGroup& group) {
+  std::string text;
+  for (const std::string& name : group.names) text += (text.empty() ? "" : ", ") + quoted(name);
   return text;
+}
+
+}  // namespace
+
+std::string ros_trajectory_yaml(const JointGroup& group, const Trajectory& t) {
+  std::string text = fmt::format(
+      "header: {{stamp: {{sec: 0, nanosec: 0}}, frame_id: \"base\"}}\njoint_names: [{}]\npoints:\n",
+      joined_names(group));
+  add_points(t, Keys{""}, "- ", "", text);
+  return text;
+}
+
+std::string ros_trajectory_json(const JointGroup& group, const Trajectory& t) {
+  std::string text = fmt::format(
+      "{{\"header\": {{\"stamp\": {{\"sec\": 0, \"nanosec\": 0}}, \"frame_id\": \"base\"}},\n"
+      "\"joint_names\": [{}],\n\"points\": [\n",
+      joined_names(group));
+  add_points(t, Keys{"\""}, "", ",", text);
+  return text + "]}\n";
 }
 
 }  // namespace morphe::exports

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <utility>
 
 namespace morphe::exports {
 namespace {
@@ -16,18 +17,21 @@ std::string cell(const std::string& text) {
 
 }  // namespace
 
-std::string trajectory_csv(const RobotTable& robot, const Trajectory& t) {
+std::string trajectory_csv(const JointGroup& group, const Trajectory& t) {
   std::string text = "time_s,demonstration_time_s,phase";
-  for (const char* what : {"position_rad", "velocity_rad_s", "acceleration_rad_s2"}) {
-    for (const std::string& joint : robot.joint_names) text += "," + cell(joint + "_" + what);
+  for (const auto& [what, per] :
+       {std::pair{"position", ""}, std::pair{"velocity", "_s"}, std::pair{"acceleration", "_s2"}}) {
+    for (std::size_t j = 0; j < group.names.size(); ++j) {
+      text += "," + cell(fmt::format("{}_{}_{}{}", group.names[j], what, group.units[j], per));
+    }
   }
   text += "\n";
   for (std::size_t i = 0; i < t.samples(); ++i) {
-    fmt::format_to(std::back_inserter(text), "{:.17g},{:.17g},{}", t.time[i],
-                   t.demonstration_time[i], name_of(t.phase[i]));
+    fmt::format_to(std::back_inserter(text), "{},{},{}", t.time[i], t.demonstration_time[i],
+                   name_of(t.phase[i]));
     for (const JointRows* rows : {&t.position, &t.velocity, &t.acceleration}) {
       for (const double value : rows->row(static_cast<Eigen::Index>(i))) {
-        fmt::format_to(std::back_inserter(text), ",{:.17g}", value);
+        fmt::format_to(std::back_inserter(text), ",{}", value);
       }
     }
     text += "\n";

@@ -44,15 +44,16 @@ def yaml_points(file):
     """Of a trajectory's YAML: frame, names of joints, {name: [T, n]}, seconds, nanoseconds."""
     text = file.read_text()
     head, points = text.split("points:\n")
-    assert head.startswith("header:\n  stamp: {sec: 0, nanosec: 0}\n"), head
-    frame, names = re.search(r'frame_id: "(.*)"', head).group(1), re.findall(r'^  - "(.*)"$', head, re.M)
+    start, names = re.fullmatch(r"(header: .*)\njoint_names: \[(.*)\]\n", head).groups()
+    frame = re.fullmatch(r'header: {stamp: {sec: 0, nanosec: 0}, frame_id: "(.*)"}', start).group(1)
+    names = re.findall(r'"([^"]*)"', names)
     found = {}
     for key in ("positions", "velocities", "accelerations"):
-        rows = [row.split(", ") for row in re.findall(rf"^    {key}: \[(.*)\]$", points, re.M)]
+        rows = [row.split(", ") for row in re.findall(rf"{key}: \[([^]]*)\]", points)]
         assert all(YAML_FLOAT.match(cell) for row in rows for cell in row)
         found[key] = np.array(rows, float)
-    clock = re.findall(r"^    time_from_start: \{sec: (\d+), nanosec: (\d+)\}$", points, re.M)
-    assert len(points.splitlines()) == 5 * len(clock)  # nothing but these five lines a point
+    clock = re.findall(r"^- {positions: .*, time_from_start: \{sec: (\d+), nanosec: (\d+)\}}$", points, re.M)
+    assert len(points.splitlines()) == len(clock)  # a line a point, and nothing else
     return frame, names, found, np.array(clock, int)
 
 
@@ -62,8 +63,8 @@ class Export(CommandCase):
         out = self.folder / folder
         printed = self.succeeds("export", PLANS, "--format", kind, "--out", out).stdout
         self.assertIn("ADL001AR1/001 left out: no_path: a wall is in the way\n", printed)
-        self.assertIn(", 1 plans left out\n", printed)
-        return {file.name: file for file in out.iterdir()}
+        self.assertIn(" and the index written, 1 plan left out\n", printed)
+        return {file.name: file for file in out.iterdir() if not file.name.startswith("index_")}
 
     def plan(self, path):
         file = h5py.File(PLANS)
@@ -116,7 +117,7 @@ class Export(CommandCase):
         except ImportError:
             self.skipTest("python3-yaml is not installed")
         text = self.exported("ros")["ADL001DR2_000.yaml"].read_text().splitlines()
-        message = yaml.safe_load("\n".join(text[:text.index("points:") + 1 + 5 * 20]))
+        message = yaml.safe_load("\n".join(text[:text.index("points:") + 1 + 20]))
         self.assertEqual(set(message), {"header", "joint_names", "points"})
         for point in message["points"]:
             self.assertEqual(set(point), {"positions", "velocities", "accelerations", "time_from_start"})
@@ -202,9 +203,12 @@ class Export(CommandCase):
             del file["plans/ADL001DR2"], file["plans/ADL001AR1/000"]
         for kind in ("csv", "ros", "robomimic"):
             out = self.folder / kind
-            self.assertIn("0 written, 1 plans left out",
+            self.assertIn("0 files and the index written, 1 plan left out",
                           self.succeeds("export", copy, "--format", kind, "--out", out).stdout)
-            self.assertEqual(list(out.iterdir()), [])
+            index = json.loads((out / f"index_{kind}.json").read_text())
+            self.assertEqual([file.name for file in out.iterdir()], [f"index_{kind}.json"])
+            self.assertEqual((index["plans"], index["left_out"]), (
+                [], [{"plan": "ADL001AR1/001", "why": "no_path: a wall is in the way"}]))
 
     def test_what_is_no_number_is_not_handed_on(self):
         copy = self.folder / "plans.h5"

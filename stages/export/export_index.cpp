@@ -1,0 +1,76 @@
+#include "stages/export/export_index.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace morphe::exports {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json limits_of(const JointVector& limits, const JointGroup& group) {
+  Json list = Json::array();
+  for (const int joint : group.joints) list.push_back(limits[joint]);
+  return list;
+}
+
+Json group_json(const JointGroup& group, const RobotTable& robot) {
+  return {{"joints", group.names},
+          {"units", group.units},
+          {"lower", limits_of(robot.lower, group)},
+          {"upper", limits_of(robot.upper, group)},
+          {"velocity", limits_of(robot.velocity, group)},
+          {"acceleration", limits_of(robot.acceleration, group)},
+          {"jerk", limits_of(robot.jerk, group)}};
+}
+
+Json motion_json(const IndexedMotion& motion, const ExportIndex& index) {
+  Json files = Json::object();
+  for (std::size_t g = 0; g < motion.files.size(); ++g) {
+    files[index.groups[g].name] = motion.files[g];
+  }
+  Json json = {{"motion", motion.what},
+               {"duration_s", motion.duration_s},
+               {"points", motion.points},
+               {"files", files}};
+  if (index.motion.rate_hz > 0) {
+    json["limit_use"] = {{"velocity", motion.limits.velocity.ratio},
+                         {"acceleration", motion.limits.acceleration.ratio},
+                         {"jerk", motion.limits.jerk.ratio}};
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string index_json(const ExportIndex& index, const PlanFileHeader& header,
+                       const RobotTable& robot) {
+  Json json = {{"format", index.format},
+               {"software", header.software},
+               {"config_sha256", header.config_sha256},
+               {"dataset_sha256", header.dataset_sha256},
+               {"robot", robot.name},
+               {"rate_hz", index.rate_hz},
+               {"resampled", index.motion.rate_hz > 0},
+               {"delay_s", index.motion.delay_s},
+               {"approach", name_of(index.motion.approach)}};
+  json["groups"] = Json::object();
+  for (const JointGroup& group : index.groups) {
+    json["groups"][group.name] = group_json(group, robot);
+  }
+  json["plans"] = Json::array();
+  for (const IndexedPlan& plan : index.plans) {
+    Json motions = Json::array();
+    for (const IndexedMotion& motion : plan.motions) motions.push_back(motion_json(motion, index));
+    json["plans"].push_back({{"plan", plan.plan},
+                             {"subject", plan.subject},
+                             {"task", plan.task},
+                             {"motions", motions}});
+  }
+  json["left_out"] = Json::array();
+  for (const LeftOut& left : index.left_out) {
+    json["left_out"].push_back({{"plan", left.plan}, {"why", left.why}});
+  }
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace morphe::exports

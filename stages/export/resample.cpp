@@ -1,0 +1,177 @@
+#include "stages/export/resample.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "pipeline/math/quintic.hpp"
+
+namespace morphe::exports {
+namespace {
+
+/// Of a step between samples: nearer to the end than this, a point is the end.
+constexpr double kSamePoint = 1e-6;
+/// How far one motion may begin from where another ends: what planning leaves [rad or m, per s, per
+/// s^2].
+constexpr std::array<double, 3> kMeets = {1e-6, 1e-5, 1e-3};
+
+constexpr std::array<JointRows Trajectory::*, 3> kRows = {
+    &Trajectory::position, &Trajectory::velocity, &Trajectory::acceleration};
+
+std::vector<double> times(double end_s, double rate_hz) {
+  std::vector<double> time;
+  for (std::size_t k = 0;; ++k) {
+    const double t = static_cast<double>(k) / rate_hz;
+    if (k > 0 && (end_s - t) * rate_hz < kSamePoint) break;
+    time.push_back(t);
+  }
+  time.push_back(end_s);
+  return time;
+}
+
+Trajectory with_rows(std::size_t samples, Eigen::Index joints) {
+  Trajectory t;
+  for (const auto rows : kRows) (t.*rows).resize(static_cast<Eigen::Index>(samples), joints);
+  return t;
+}
+
+/// Everything but the joints' rows, of one sample.
+void add_labels(const Trajectory& from, std::size_t sample, Trajectory& to) {
+  to.demonstration_time.push_back(from.demonstration_time[sample]);
+  to.phase.push_back(from.phase[sample]);
+  to.origin.push_back(from.origin[sample]);
+  to.clearance.push_back(from.clearance[sample]);
+}
+
+math::JointState state_of(const Trajectory& t, Eigen::Index sample, Eigen::Index joint) {
+  return {t.position(sample, joint), t.velocity(sample, joint), t.acceleration(sample, joint)};
+}
+
+math::JointState difference(const math::JointState& a, const math::JointState& b) {
+  return {a.position - b.position, a.velocity - b.velocity, a.acceleration - b.acceleration};
+}
+
+Eigen::Index last_of(const Trajectory& t) { return t.position.rows() - 1; }
+
+/// The motion moved by one quintic over the whole of it, which leaves one end where it is and takes
+/// the other exactly to a sample of another motion. A sum of quintics is one: nothing else changes.
+Trajectory moved_end(Trajectory t, bool begin, const Trajectory& to) {
+  const double duration = t.time.back() - t.time[0];
+  for (Eigen::Index joint = 0; joint < t.position.cols(); ++joint) {
+    const math::JointState gap =
+        begin ? difference(state_of(to, last_of(to), joint), state_of(t, 0, joint))
+              : difference(state_of(to, 0, joint), state_of(t, last_of(t), joint));
+    const math::QuinticPiece shift =
+        begin ? math::quintic_piece(gap, {}, duration) : math::quintic_piece({}, gap, duration);
+    for (std::size_t i = 0; i < t.samples(); ++i) {
+      for (std::size_t order = 0; order < kRows.size(); ++order) {
+        (t.*kRows[order])(static_cast<Eigen::Index>(i), joint) +=
+            math::value_at(shift, t.time[i] - t.time[0], static_cast<int>(order));
+      }
+    }
+  }
+  return t;
+}
+
+}  // namespace
+
+Trajectory ending_at(const Trajectory& way, const Trajectory& next) {
+  return moved_end(way, false, next);
+}
+
+Trajectory beginning_at(const Trajectory& way, const Trajectory& before) {
+  return moved_end(way, true, before);
+}
+
+Trajectory resampled(const Trajectory& from, double rate_hz) {
+  const std::vector<double> time = times(from.time.back() - from.time[0], rate_hz);
+  const std::size_t last = from.samples() - 2;  // piece
+  const Eigen::Index joints = from.position.cols();
+  Trajectory to = with_rows(time.size(), joints);
+  to.time = time;
+  std::size_t piece = 0;
+  for (std::size_t k = 0; k < time.size(); ++k) {
+    const double t = from.time[0] + time[k];
+    while (piece < last && from.time[piece + 1] <= t) ++piece;
+    const auto row = static_cast<Eigen::Index>(k);
+    const bool at_end = k + 1 == time.size();
+    const double into = t - from.time[piece];
+    for (Eigen::Index joint = 0; joint < joints; ++joint) {
+      const math::QuinticPiece quintic = math::quintic_piece(from, piece, joint);
+      for (std::size_t order = 0; order < kRows.size(); ++order) {
+        (to.*kRows[order])(row, joint) =
+            at_end ? (from.*kRows[order])(from.position.rows() - 1, joint)
+                   : math::value_at(quintic, into, static_cast<int>(order));
+      }
+    }
+    add_labels(from, at_end ? last + 1 : piece, to);
+    if (at_end) continue;
+    const double share = into / (from.time[piece + 1] - from.time[piece]);
+    to.demonstration_time.back() =
+        std::lerp(from.demonstration_time[piece], from.demonstration_time[piece + 1], share);
+  }
+  return to;
+}
+
+Trajectory delayed(const Trajectory& from, double delay_s) {
+  if (!(delay_s > 0)) return from;
+  Trajectory to = with_rows(from.samples() + 1, from.position.cols());
+  to.time.push_back(0);
+  add_labels(from, 0, to);
+  for (const auto rows : kRows) {
+    (to.*rows).row(0).setZero();
+    (to.*rows).bottomRows((from.*rows).rows()) = from.*rows;
+  }
+  to.position.row(0) = from.position.row(0);
+  for (std::size_t i = 0; i < from.samples(); ++i) {
+    to.time.push_back(delay_s + (from.time[i] - from.time[0]));
+    add_labels(from, i, to);
+  }
+  return to;
+}
+
+std::string why_not_delayed(const RobotTable& robot, const Trajectory& trajectory) {
+  Trajectory rest = with_rows(1, trajectory.position.cols());
+  for (const auto rows : kRows) (rest.*rows).setZero();
+  rest.position.row(0) = trajectory.position.row(0);
+  return why_not_joined(robot, rest, trajectory);
+}
+
+std::string why_not_joined(const RobotTable& robot, const Trajectory& first,
+                           const Trajectory& second) {
+  constexpr std::array<const char*, 3> kWhat = {"position", "velocity", "acceleration"};
+  for (std::size_t order = 0; order < kRows.size(); ++order) {
+    const JointRows& before = first.*kRows[order];
+    const JointRows& after = second.*kRows[order];
+    Eigen::Index joint = 0;
+    const double step = (after.row(0) - before.row(before.rows() - 1)).cwiseAbs().maxCoeff(&joint);
+    if (step <= kMeets[order]) continue;
+    return fmt::format("the {} of {} steps by {:.2g}", kWhat[order],
+                       robot.joint_names[static_cast<std::size_t>(joint)], step);
+  }
+  return "";
+}
+
+Trajectory joined(const Trajectory& first, const Trajectory& second) {
+  const std::size_t before = first.samples() - 1;
+  Trajectory both = with_rows(before + second.samples(), first.position.cols());
+  for (const auto rows : kRows) {
+    const JointRows& after = second.*rows;
+    (both.*rows).topRows(static_cast<Eigen::Index>(before)) =
+        (first.*rows).topRows(static_cast<Eigen::Index>(before));
+    (both.*rows).bottomRows(after.rows()) = after;
+  }
+  for (std::size_t i = 0; i < before; ++i) {
+    both.time.push_back(first.time[i]);
+    add_labels(first, i, both);
+  }
+  for (std::size_t i = 0; i < second.samples(); ++i) {
+    both.time.push_back(first.time.back() + (second.time[i] - second.time[0]));
+    add_labels(second, i, both);
+  }
+  return both;
+}
+
+}  // namespace morphe::exports

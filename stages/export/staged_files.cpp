@@ -1,0 +1,44 @@
+#include "stages/export/staged_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "pipeline/motion/input_error.hpp"
+
+namespace morphe::exports {
+namespace {
+
+bool same_bytes(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::ifstream first(a, std::ios::binary), second(b, std::ios::binary);
+  using Bytes = std::istreambuf_iterator<char>;
+  return first && second && std::equal(Bytes(first), Bytes(), Bytes(second), Bytes());
+}
+
+}  // namespace
+
+const files::PartFile& StagedFiles::add(const std::string& name) {
+  if (!taken_.insert(name).second) {
+    throw InputError(
+        fmt::format("{}: two plans would be written to it", (folder_ / name).string()));
+  }
+  names_.push_back(name);
+  return files_.emplace_back(folder_ / name);
+}
+
+void StagedFiles::add(const std::string& name, const std::string& text) { add(name).write(text); }
+
+void StagedFiles::commit(bool replace) {
+  for (const files::PartFile& file : files_) {
+    if (replace || !std::filesystem::exists(file.target())) continue;
+    if (same_bytes(file.part(), file.target())) continue;
+    throw InputError(
+        fmt::format("{}: is there already, with other content: give another --out, or --replace",
+                    file.target().string()));
+  }
+  for (files::PartFile& file : files_) file.commit();
+}
+
+}  // namespace morphe::exports
