@@ -250,6 +250,22 @@ def wrong_commands(morphe):
             yield f"docs/formats.md: morphe {name} {option}: is there, not planned"
 
 
+# --- messages that are quoted ----------------------------------------------------------------------
+
+QUOTED = re.compile(r"^\| (`+)(.+?)\1 \|", re.M)
+
+
+def wrong_messages(text):
+    """What docs/troubleshooting.md says that the program prints, but for the `…` of each case."""
+    sources = "".join(path.read_text(encoding="utf-8") for top in ("pipeline", "stages")
+                      for path in sorted((ROOT / top).rglob("*.cpp")))
+    sources = re.sub(r'"\s*\n\s*"', "", sources)  # literals that stand one after the other
+    for _, message in QUOTED.findall(text):
+        for part in filter(None, (piece.strip() for piece in message.split("…"))):
+            if part not in sources:
+                yield f"docs/troubleshooting.md: nothing prints '{part}'"
+
+
 # --- what READMEs and steps show -----------------------------------------------------------------------
 
 
@@ -373,6 +389,8 @@ def self_test():
     for shown, printed, same in LINES:
         if same_line(shown, printed) != same:
             yield f"'{shown}' and '{printed}' should {'be' if same else 'not be'} the same"
+    if not list(wrong_messages("| `no … prints such a thing` | |")):
+        yield "a message that nothing prints is not found"
     page = text_of("docs/steps/reconstruct.md")
     yield from wrong_tables("as it is", page)
     if with_keys(page) != page:
@@ -400,6 +418,7 @@ def main(arguments):
         for name in with_tables():
             (ROOT / name).write_text(with_keys(text_of(name)), encoding="utf-8")
     found = [*wrong_links(), *wrong_keys(), *wrong_commands(morphe)]
+    found += wrong_messages(text_of("docs/troubleshooting.md"))
     if "--still" not in arguments:
         found += wrong_examples(morphe, update)
     print("\n".join(found) or "the documents hold")
