@@ -74,7 +74,8 @@ struct RecordedWords {
 };
 
 /// Takes a name apart at signs, capitals and digits ("SUBJECT:" before it aside), and what is left
-/// into words of English, German and French and their usual short forms ("RELB", "upperarm_l").
+/// into words, those of several languages and their usual short forms ("RELB", "upperarm_l",
+/// "右ひじ").
 RecordedWords recorded_words_of(std::string_view name);
 
 }  // namespace morphe::imports

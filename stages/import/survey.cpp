@@ -65,7 +65,8 @@ std::string survey_text(const Survey& survey) {
   }
   const std::string unit = survey.unit.empty() ? "in the file's unit" : "in " + survey.unit;
   std::string text =
-      fmt::format("{}: {} points, {} rows", survey.file, survey.points.size(), survey.rows);
+      fmt::format("{}: {} point{}, {} row{}", survey.file, survey.points.size(),
+                  survey.points.size() == 1 ? "" : "s", survey.rows, survey.rows == 1 ? "" : "s");
   if (survey.rate_hz > 0) {
     text += fmt::format(", {:.4g} rows a second, {:.2f} s", survey.rate_hz, survey.duration_s);
   }

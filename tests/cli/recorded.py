@@ -81,6 +81,15 @@ def trc_text(recorded, unit):
     return "\n".join(lines) + "\n"
 
 
+def vicon_csv(recorded):
+    count = len(recorded.names)
+    lines = ["Trajectories", "100", ",," + ",".join(f"S:{name},," for name in recorded.names),
+             "Frame,Sub Frame" + ",X,Y,Z" * count, "," + ",mm" * 3 * count]
+    for i, points in enumerate(recorded.position):
+        lines.append(",".join([str(i + 1), "0", *cells_of(points, 1000)]))
+    return "\n".join(lines) + "\n"
+
+
 def qualisys_tsv(recorded):
     lines = [f"NO_OF_FRAMES\t{len(recorded.time)}", "NO_OF_CAMERAS\t8",
              f"NO_OF_MARKERS\t{len(recorded.names)}", "FREQUENCY\t100", "NO_OF_ANALOG\t0",

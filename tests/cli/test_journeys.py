@@ -8,7 +8,7 @@ import h5py
 import numpy as np
 
 from recorded import (JOINT_COLUMNS, Recorded, c3d_bytes, joints_of, point_csv, qualisys_tsv,
-                      recorded_from_csv, renamed_bvh, trc_text)
+                      recorded_from_csv, renamed_bvh, trc_text, vicon_csv)
 from support import MORPHE, RECORDINGS, SOURCE, CommandCase, main, morphe
 
 TRIAL, STATIC = RECORDINGS / "ADL001DR2.csv", RECORDINGS / "ADL001_static.csv"
@@ -127,6 +127,15 @@ class Markers(Journey):
         self.write_both(".trc", lambda t: trc_text(t.seen_as("x y z"), "mm"))
         printed = self.arrives("import", "reach.trc", "--out", "out.h5").stdout
         self.assertIn("no static trial: joint centres", printed)
+
+
+    def test_usual_axes_that_the_body_contradicts_are_said_to_be_so(self):
+        (self.folder / "turned.csv").write_text(vicon_csv(self.trial.seen_as("y -x z")))
+        printed = self.arrives("import", "turned.csv", "--out", "out.h5").stdout
+        self.assertIn("--axes 'y -x z' agrees with it", printed)
+        self.succeeds("import", self.folder / "turned.csv", "--axes", "y -x z", "--out",
+                      self.folder / "out.h5")
+        self.expect_markers(self.folder / "out.h5", self.trial)
 
 
 class OwnPoints(Journey):

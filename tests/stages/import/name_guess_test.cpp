@@ -123,6 +123,23 @@ TEST(NameGuess, SkeletonsOfFourPrograms) {
              "Bip01 R UpperArm", "Bip01 R Forearm", "Bip01 R Hand");
 }
 
+TEST(NameGuess, OtherLanguages) {
+  const Names japanese = joints({"上半身", "右肩", "右腕", "右ひじ", "右手首", "右人指１",
+                                 "右人指２", "右人指３", "右人指先"});
+  EXPECT_EQ(japanese, (Names{{"右腕", "right_shoulder"},
+                             {"右ひじ", "right_elbow"},
+                             {"右手首", "right_wrist"},
+                             {"右人指１", "right_index_mcp"},
+                             {"右人指２", "right_index_pip"},
+                             {"右人指３", "right_index_dip"},
+                             {"右人指先", "right_index_tip"}}));
+  EXPECT_EQ(points({"hombro izquierdo", "codo izquierdo", "muñeca izquierda", "pulgar izquierdo"}),
+            (Names{{"hombro izquierdo", "left_shoulder"},
+                   {"codo izquierdo", "left_elbow"},
+                   {"muñeca izquierda", "left_wrist"},
+                   {"pulgar izquierdo", "left_thumb_tip"}}));
+}
+
 TEST(NameGuess, FingersAreChainsWhateverTheirNumbers) {
   const Names hand =
       joints({"r_upper_arm", "r_forearm", "r_hand", "r_index_00", "r_index_01", "r_index_02",
