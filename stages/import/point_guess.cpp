@@ -91,7 +91,7 @@ PlacedPoint place_point(const std::string& name, Side recorded) {
   const RecordedWords w = recorded_words_of(name);
   const bool sided = w.has(left) || w.has(right);
   for (const BodyWord elsewhere : {head, neck, trunk, pelvis, clavicle, knee, ankle, foot, toe}) {
-    if (w.has(elsewhere)) return {};
+    if (w.has(elsewhere) && !w.has(hand)) return {};  // "back of the hand" is on an arm
   }
   if (w.strange && !sided && w.words.size() < 2) return {};  // "ring_stand"
   PlacedPoint placed{place_on_arm(w), false, ""};

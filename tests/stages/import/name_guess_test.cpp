@@ -45,8 +45,9 @@ TEST(RecordedWords, AreTakenApart) {
 }
 
 TEST(NameGuess, PointsOfJointsInSeveralTongues) {
-  const Names english = points({"Shoulder_R", "elbow R", "RightWrist", "R.thumb.tip", "r_index_tip",
-                                "right_index_knuckle", "cup", "ring_stand", "table_1"});
+  const Names english =
+      points({"Shoulder_R", "elbow R", "RightWrist", "R.thumb.tip", "r_index_tip",
+              "right_index_knuckle", "cup", "ring_stand", "table_1", "right_chest"});
   EXPECT_EQ(english, (Names{{"Shoulder_R", "right_shoulder"},
                             {"elbow R", "right_elbow"},
                             {"RightWrist", "right_wrist"},
