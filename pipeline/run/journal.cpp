@@ -116,6 +116,7 @@ void Journal::begin(
   set_about(database, "demonstrations", std::to_string(identity.demonstrations));
   set_about(database, "header", store::bytes_of(identity.header));
   set_about(database, "robot", store::bytes_of(identity.robot));
+  set_about(database, "dataset_key", identity.dataset_key);
   Statement keep(database, "INSERT OR IGNORE INTO configs VALUES(?, ?)");
   keep.bind(1, files::sha256(config)).bind(2, config).run();
   database.run("DELETE FROM wanted");
@@ -183,12 +184,18 @@ void Journal::commit() {
   state_->close_batch();
 }
 
+void Journal::each_result(const std::function<void(const std::string&)>& visit) const {
+  const std::lock_guard lock(state_->mutex);
+  Statement select(state_->database,
+                   "SELECT w.name FROM wanted w CROSS JOIN done d ON d.name = w.name "
+                   "WHERE d.error = '' ORDER BY w.position");
+  while (select.step()) visit(select.text(0));
+}
+
 void Journal::complete() {
   const std::lock_guard lock(state_->mutex);
   state_->open_batch();
   state_->database.run(
-      "DELETE FROM plans WHERE demonstration NOT IN (SELECT name FROM wanted);"
-      "DELETE FROM done WHERE name NOT IN (SELECT name FROM wanted);"
       "DELETE FROM configs WHERE sha256 NOT IN (SELECT config FROM done)"
       "  AND sha256 <> (SELECT CAST(value AS TEXT) FROM about WHERE key = 'config');");
   set_about(state_->database, "complete", "1");
@@ -206,6 +213,7 @@ RunIdentity Journal::identity() const {
   const Database& database = state_->database;
   RunIdentity identity;
   identity.software = about(database, "software");
+  identity.dataset_key = about(database, "dataset_key");
   identity.program = about(database, "program");
   identity.scene = about(database, "scene");
   identity.shard = parse_shard(about(database, "shard"));

@@ -44,6 +44,7 @@ struct RunIdentity {
   std::int64_t demonstrations = 0;  ///< of the whole dataset
   PlanFileHeader header;
   RobotTable robot;
+  std::string dataset_key;  ///< how the dataset was named
 };
 
 /// A place in the dataset.
@@ -78,7 +79,9 @@ class Journal {
   void add(const Finished& finished);  ///< replaces what is there; committed in batches
   void seen_in(const std::string& name, const std::string& dataset);
   void commit();
-  /// The run's results are written: what no longer belongs to it is dropped.
+  /// Demonstrations that the last run wanted and finished without fault, in its order.
+  void each_result(const std::function<void(const std::string&)>& visit) const;
+  /// The run's results are written.
   void complete();
 
   bool is_complete() const;

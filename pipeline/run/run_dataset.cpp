@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <set>
+
 #include "pipeline/files/sha256.hpp"
 #include "pipeline/motion/input_error.hpp"
 #include "pipeline/parallel/ordered_map.hpp"
@@ -82,6 +85,8 @@ class Run {
       if (shard.count > 1) frames.push_back(frames_of(name));
     });
     const std::vector<std::uint32_t> shard_of = share_out(frames, shard.count);
+    look_at_results_before();
+    request_.identity.dataset_key = request_.dataset_key;
     journal_.begin(request_.identity, request_.config, [&](const auto& want) {
       std::int64_t position = 0;
       reader_.each_name([&](const std::string& name) {
@@ -92,6 +97,53 @@ class Run {
       });
     });
     progress_.begin(journal_.wanted());
+  }
+
+  /// Whether those of another dataset would be replaced, and which demonstrations went.
+  void look_at_results_before() {
+    std::vector<std::string> before, gone;
+    journal_.each_result([&](const std::string& name) { before.push_back(name); });
+    if (before.empty()) return;
+    std::set<std::string> here;
+    reader_.each_name([&](const std::string& name) { here.insert(name); });
+    bool same = journal_.identity().dataset_key == request_.dataset_key;
+    for (const std::string& name : before) {
+      if (!here.contains(name)) {
+        gone.push_back(name);
+      } else {
+        same = same || is_unchanged(name);
+      }
+    }
+    const std::string folder = request_.plans.parent_path().string();
+    if (!same)
+      throw InputError(fmt::format(
+          "{}: holds plans of another dataset ({}), which would be replaced: give another --out, "
+          "or --fresh to replace them",
+          folder, some_of(before)));
+    if (gone.empty()) return;
+    progress_.line(fmt::format(
+        "{}: {} demonstration{} no longer in the dataset ({}): the plans leave plans.h5 and are "
+        "kept for when they come back",
+        folder, gone.size(), gone.size() == 1 ? " is" : "s are", some_of(gone)));
+  }
+
+  bool is_unchanged(const std::string& name) {
+    const std::optional<Finished> found = journal_.find(name);
+    if (found->dataset == dataset()) return true;
+    try {
+      return files::sha256(store::bytes_of(reader_.read(name))) == found->print.input;
+    } catch (const InputError&) {
+      return false;
+    }
+  }
+
+  static std::string some_of(const std::vector<std::string>& names) {
+    constexpr std::size_t kMost = 3;
+    const std::vector<std::string> first(
+        names.begin(), names.begin() + static_cast<std::ptrdiff_t>(std::min(kMost, names.size())));
+    return fmt::format(
+        "{}{}", fmt::join(first, ", "),
+        names.size() > kMost ? fmt::format(" and {} more", names.size() - kMost) : "");
   }
 
   /// One that is damaged has none, in every shard alike.

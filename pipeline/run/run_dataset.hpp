@@ -18,6 +18,7 @@ struct RunRequest {
   RunIdentity identity;  ///< run_dataset() fills in the dataset's hash and its demonstrations
   std::string config;    ///< effective config, but for the paths of files
   std::string expected_dataset;  ///< SHA-256 that the dataset must have, "" = any
+  std::string dataset_key;       ///< how the dataset was named; for the journal alone
   int jobs = 1;
   files::Disk* disk = &files::real_disk();  ///< for plans.h5
   bool explain = false;
@@ -34,9 +35,11 @@ struct RunResult {
 /// Plans what the journal does not hold yet of the dataset (of its shard), and writes plans.h5 from
 /// the journal meanwhile, in the order of the dataset; it takes its name when all is done. SIGINT
 /// and SIGTERM: what is in hand is finished and committed. A demonstration that cannot be read or
-/// planned is a failed one, and tried again the next time. InputError: none at all can be read; the
-/// dataset changes under the run; results cannot be written. Then what was finished is in the
-/// journal.
+/// planned is a failed one, and tried again the next time. What was finished of demonstrations that
+/// the dataset no longer has is told, leaves plans.h5 and stays in the journal. InputError: none at
+/// all can be read; the dataset changes under the run; results cannot be written; or the journal is
+/// another dataset's: one that was named otherwise, and no demonstration is the same. What was
+/// finished is in the journal.
 RunResult run_dataset(Journal& journal, RunRequest request, Progress& progress);
 
 }  // namespace morphe::run

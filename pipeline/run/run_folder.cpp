@@ -1,8 +1,11 @@
 #include "pipeline/run/run_folder.hpp"
 
+#include <fmt/format.h>
+
 #include <system_error>
 
 #include "pipeline/motion/input_error.hpp"
+#include "pipeline/store/hdf5_signature.hpp"
 
 namespace morphe::run {
 
@@ -12,7 +15,17 @@ RunFolder::RunFolder(const fs::path& path, const std::string& software, const Sh
                      bool fresh)
     : folder_(path),
       journal_was_there_(fs::exists(path / Journal::kFile)),
+      fresh_(fresh),
       journal_(Journal::write(path, software, shard, fresh)) {}
+
+void RunFolder::expect_own_plans() const {
+  const fs::path plans = folder_.path() / "plans.h5";
+  if (fresh_ || journal_was_there_ || !store::has_hdf5_signature(plans)) return;
+  throw InputError(
+      fmt::format("{}: is there without the journal of its run, and would be replaced: give "
+                  "another --out, or --fresh to replace it",
+                  plans.string()));
+}
 
 RunFolder::~RunFolder() {
   const bool keep = kept_ || something_is_finished();

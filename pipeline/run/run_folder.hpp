@@ -22,12 +22,15 @@ class RunFolder {
   const std::filesystem::path& path() const { return folder_.path(); }
   Journal& journal() { return *journal_; }
   void keep() { kept_ = true; }
+  /// InputError if there are plans without their journal, which a run would replace: a merge wrote
+  /// them, or somebody copied them.
+  void expect_own_plans() const;
 
  private:
   bool something_is_finished() const;
 
   OutputFolder folder_;
-  bool journal_was_there_, kept_ = false;
+  bool journal_was_there_, fresh_, kept_ = false;
   std::unique_ptr<Journal> journal_;
 };
 

@@ -7,7 +7,8 @@
 namespace morphe::commands {
 
 void add_import_options(CLI::App& app, imports::ImportRequest& request) {
-  app.add_option("--static", request.static_trial, "Recording of the static trial")
+  app.add_option("--static", request.static_trial,
+                 "Recording of the static trial (default: found among the recordings)")
       ->transform(input_file());
   app.add_option("--format", request.format,
                  "Format of the recordings (default: recognised by their content)")
@@ -20,6 +21,10 @@ void add_import_options(CLI::App& app, imports::ImportRequest& request) {
                  "Unit of lengths: m, cm, mm, in or metres per unit");
   app.add_option("--rate", request.conventions.rate_hz, "Frames per second")
       ->check(CLI::PositiveNumber);
+  app.add_option_function<std::string>(
+         "--hand", [&request](const std::string& hand) { request.hand = named<Side>(hand); },
+         "The hand that reaches: right or left (default: told from the motion)")
+      ->check(CLI::IsMember({"right", "left"}));
 }
 
 }  // namespace morphe::commands

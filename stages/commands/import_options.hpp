@@ -9,7 +9,7 @@ class App;
 namespace morphe::commands {
 
 /// What the command line says about recordings that are read: --static, --format, --names, --axes,
-/// --unit and --rate. `request` must outlive the parsing.
+/// --unit, --rate and --hand. `request` must outlive the parsing.
 void add_import_options(CLI::App& app, imports::ImportRequest& request);
 
 }  // namespace morphe::commands

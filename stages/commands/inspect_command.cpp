@@ -5,6 +5,7 @@
 
 #include "pipeline/store/demonstration_file.hpp"
 #include "stages/commands/commands.hpp"
+#include "stages/commands/dataset_input.hpp"
 #include "stages/commands/import_options.hpp"
 #include "stages/commands/input_file.hpp"
 #include "stages/commands/inspect_report.hpp"
@@ -25,16 +26,16 @@ bool is_one_recording(const std::filesystem::path& file) {
          !std::filesystem::is_directory(file);
 }
 
-/// Demonstrations of one file: imported ones, or recordings and manifests that are read first.
-void for_each(const imports::ImportRequest& request,
-              const std::function<void(Demonstration&&)>& sink) {
+/// Demonstrations of one file: imported ones, or recordings, folders and manifests that are read
+/// first; what was found in those.
+imports::Imported for_each(const imports::ImportRequest& request,
+                           const std::function<void(Demonstration&&)>& sink) {
   const std::filesystem::path& file = request.paths.front();
-  if (file.extension() != ".h5") {
-    imports::import_recordings(request, sink);
-    return;
-  }
+  if (std::filesystem::is_directory(file) || !is_demonstrations(file))
+    return imports::import_recordings(request, sink);
   const store::DemonstrationReader reader(file);
   for (std::size_t i = 0; i < reader.size(); ++i) sink(reader.read(i));
+  return {};
 }
 
 }  // namespace
@@ -46,7 +47,8 @@ Command inspect_command(CLI::App& app) {
     bool json = false, points = false;
   };
   const auto arguments = std::make_shared<Arguments>();
-  app.add_option("FILE", arguments->file, "demonstrations.h5, a recording or a manifest")
+  app.add_option("FILE", arguments->file,
+                 "demonstrations.h5, a recording, a folder of recordings or a manifest")
       ->required()
       ->transform(input_file());
   app.add_option("--config", arguments->config,
@@ -62,25 +64,26 @@ Command inspect_command(CLI::App& app) {
     std::vector<Inspection> all;
     const bool points = arguments->points || is_one_recording(arguments->file);
     std::size_t demonstrations = 0, movements = 0, usable = 0;
-    for_each(arguments->request, [&](Demonstration&& demonstration) {
-      Inspection inspection = inspect(demonstration, options);
-      ++demonstrations;
-      movements += inspection.movements.size();
-      usable += inspection.usable();
-      if (arguments->json) {
-        all.push_back(std::move(inspection));
-      } else {
-        fmt::print("{}", inspection_text(inspection));
-        if (points) fmt::print("{}", imports::survey_text(inspection.survey));
-      }
-    });
+    const imports::Imported imported =
+        for_each(arguments->request, [&](Demonstration&& demonstration) {
+          Inspection inspection = inspect(demonstration, options);
+          ++demonstrations;
+          movements += inspection.movements.size();
+          usable += inspection.usable();
+          if (arguments->json) {
+            all.push_back(std::move(inspection));
+          } else {
+            fmt::print("{}", inspection_text(inspection));
+            if (points) fmt::print("{}", imports::survey_text(inspection.survey));
+          }
+        });
     if (arguments->json) {
-      fmt::print("{}\n", inspections_json(all));
+      fmt::print("{}\n", inspections_json(all, imported.left_out));
     } else {
-      fmt::print("{}: {} demonstrations, {} movements, {} of them usable\n", arguments->file,
-                 demonstrations, movements, usable);
+      fmt::print("{}{}: {} demonstrations, {} movements, {} of them usable\n", found_text(imported),
+                 arguments->file, demonstrations, movements, usable);
     }
-    return 0;
+    return failed_in(imported) > 0 ? 1 : 0;
   };
 }
 

@@ -137,10 +137,16 @@ std::string inspection_text(const Inspection& i) {
   return text;
 }
 
-std::string inspections_json(const std::vector<Inspection>& inspections) {
+std::string inspections_json(const std::vector<Inspection>& inspections,
+                             const std::vector<imports::LeftOut>& left_out) {
   Json all = Json::array();
   for (const Inspection& inspection : inspections) all.push_back(json_of(inspection));
-  return Json{{"demonstrations", all}}.dump(2);
+  Json json{{"demonstrations", all}};
+  for (const imports::LeftOut& one : left_out) {
+    json["left_out"].push_back(
+        {{"file", one.file.string()}, {"why", one.why}, {"failed", one.failed}});
+  }
+  return json.dump(2);
 }
 
 }  // namespace morphe::commands

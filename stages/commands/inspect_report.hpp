@@ -8,6 +8,7 @@
 #include "pipeline/motion/human_motion.hpp"
 #include "pipeline/motion/movement.hpp"
 #include "pipeline/motion/stream_report.hpp"
+#include "stages/import/left_out.hpp"
 #include "stages/import/survey.hpp"
 #include "stages/reconstruct/reconstruct.hpp"
 #include "stages/segment/segment.hpp"
@@ -48,7 +49,8 @@ struct InspectOptions {
 Inspection inspect(const Demonstration& demonstration, const InspectOptions& options);
 
 std::string inspection_text(const Inspection& inspection);
-/// {"demonstrations": […]}
-std::string inspections_json(const std::vector<Inspection>& inspections);
+/// {"demonstrations": […]}, and "left_out": [{file, why, failed}] if something was.
+std::string inspections_json(const std::vector<Inspection>& inspections,
+                             const std::vector<imports::LeftOut>& left_out);
 
 }  // namespace morphe::commands

@@ -4,12 +4,13 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
-#include <thread>
 
 #include "pipeline/motion/input_error.hpp"
 #include "pipeline/store/demonstration_file.hpp"
 #include "stages/commands/commands.hpp"
+#include "stages/commands/dataset_input.hpp"
 #include "stages/commands/input_file.hpp"
+#include "stages/commands/jobs_option.hpp"
 #include "stages/commands/place_report.hpp"
 #include "stages/commands/text_file.hpp"
 #include "stages/import/import.hpp"
@@ -39,12 +40,13 @@ std::vector<Demonstration> read_dataset(const PlaceArguments& arguments,
   }
   if (!fs::exists(file)) throw InputError(fmt::format("{}: cannot be read", file.string()));
   std::vector<Demonstration> demonstrations;
-  if (file.extension() == ".yaml") {
+  if (fs::is_directory(file) || !is_demonstrations(file)) {
     imports::ImportRequest request;
     request.paths = {file};
-    imports::import_recordings(request, [&](Demonstration&& demonstration) {
-      demonstrations.push_back(std::move(demonstration));
-    });
+    const imports::Imported imported = imports::import_recordings(
+        request,
+        [&](Demonstration&& demonstration) { demonstrations.push_back(std::move(demonstration)); });
+    fmt::print(stderr, "{}", found_text(imported));
     return demonstrations;
   }
   const store::DemonstrationReader reader(file);
@@ -70,9 +72,7 @@ place::Kept kept(const std::string& list) {
 place::PlaceOptions options_of(const PlaceArguments& arguments, std::uint64_t seed) {
   place::PlaceOptions options = arguments.options;
   options.seed = seed;
-  options.jobs = arguments.jobs > 0
-                     ? arguments.jobs
-                     : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  options.jobs = threads_of(arguments.jobs);
   options.keep = kept(arguments.keep);
   options.mount = named<place::Mount>(arguments.mount).value();
   options.tilt_rad = arguments.tilt_deg * kDegree;
@@ -143,7 +143,8 @@ Command place_command(CLI::App& app) {
       ->required()
       ->transform(input_file());
   app.add_option("--dataset", arguments->dataset,
-                 "demonstrations.h5 or manifest of recordings to use instead of the config's")
+                 "Folder of recordings, recording, manifest or demonstrations.h5 to use instead of "
+                 "the config's")
       ->transform(input_file());
   app.add_option("--out", arguments->out,
                  "Config to write (YAML): it extends CONFIG by the best placement");
@@ -161,8 +162,7 @@ Command place_command(CLI::App& app) {
   app.add_option("--candidates", options.candidates, "Placements to map");
   app.add_option("--refined", options.refined, "Placements to improve");
   app.add_option("--planned", options.planned, "Placements to plan in full and print");
-  app.add_option("--jobs", arguments->jobs, "Number of threads (default: one per core)")
-      ->check(CLI::PositiveNumber);
+  add_jobs_option(app, arguments->jobs);
   app.add_option("--set", arguments->settings,
                  "KEY=VALUE: change a value of the config, such as seed=2")
       ->allow_extra_args(false);

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <thread>
 #include <utility>
 
 #include "pipeline/collision/certified.hpp"
@@ -16,7 +15,10 @@
 #include "pipeline/store/plan_file.hpp"
 #include "stages/commands/assumptions.hpp"
 #include "stages/commands/commands.hpp"
+#include "stages/commands/dataset_input.hpp"
+#include "stages/commands/import_options.hpp"
 #include "stages/commands/input_file.hpp"
+#include "stages/commands/jobs_option.hpp"
 #include "stages/commands/plan_report.hpp"
 #include "stages/commands/robots_report.hpp"
 #include "stages/import/import.hpp"
@@ -30,8 +32,9 @@ namespace {
 namespace fs = std::filesystem;
 
 struct RunArguments {
-  std::string config, from, dataset, out, shard = "1/1";
-  std::vector<std::string> settings;
+  std::string config, from, out, shard = "1/1";
+  std::vector<std::string> datasets, settings;
+  imports::ImportRequest recordings;  ///< what is said about those that are imported
   int jobs = 0;
   bool fresh = false, explain = false, strict = false, json = false, report = false;
 };
@@ -39,16 +42,12 @@ struct RunArguments {
 /// What a shell adds to the number of the signal that ended a program.
 constexpr int kStopped = 128;
 
-int jobs_of(const RunArguments& arguments) {
-  return arguments.jobs > 0 ? arguments.jobs
-                            : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
-
 /// Of several robots the config names the same one.
-fs::path dataset_of(const RunArguments& arguments, const planning::LoadedConfig& config) {
-  if (!arguments.dataset.empty()) return arguments.dataset;
+std::vector<fs::path> dataset_of(const RunArguments& arguments,
+                                 const planning::LoadedConfig& config) {
+  if (!arguments.datasets.empty()) return {arguments.datasets.begin(), arguments.datasets.end()};
   if (!arguments.from.empty()) throw InputError("--from: needs --dataset");
-  if (!config.dataset.empty()) return config.dataset;
+  if (!config.dataset.empty()) return {config.dataset};
   throw InputError(
       fmt::format("{}: dataset: is missing (and there is no --dataset)", arguments.config));
 }
@@ -74,8 +73,9 @@ std::vector<RobotRun> runs_of(const RunArguments& arguments, const std::string& 
       runs.push_back({robot.name, planning::run_config(std::move(robot.loaded)), nullptr, {}});
     }
   }
-  const fs::path named = dataset_of(arguments, runs.front().config.loaded);
-  if (!fs::exists(named)) throw InputError(fmt::format("{}: cannot be read", named.string()));
+  for (const fs::path& named : dataset_of(arguments, runs.front().config.loaded)) {
+    if (!fs::exists(named)) throw InputError(fmt::format("{}: cannot be read", named.string()));
+  }
   for (RobotRun& one : runs) {
     const fs::path folder =
         one.name.empty() ? fs::path(arguments.out) : arguments.out / fs::path(one.name);
@@ -84,21 +84,37 @@ std::vector<RobotRun> runs_of(const RunArguments& arguments, const std::string& 
   return runs;
 }
 
-/// The demonstrations.h5 of a run. A manifest of recordings is imported into the run's folder: the
-/// plans then belong to a file that lies beside them, and takes its name when they do.
+/// Whether manifests alone say what the dataset is.
+bool all_said(const std::vector<fs::path>& named) {
+  return std::ranges::all_of(named, [](const fs::path& path) {
+    return !fs::is_directory(path) && (path.extension() == ".yaml" || path.extension() == ".yml");
+  });
+}
+
+/// The demonstrations.h5 of a run. Recordings are imported into the run's folder: the plans then
+/// belong to a file that lies beside them, and takes its name when they do, with a manifest of what
+/// was found.
 class Dataset {
  public:
-  Dataset(const fs::path& named, const fs::path& folder) : file_(named) {
-    if (named.extension() != ".yaml") return;
+  Dataset(imports::ImportRequest request, const fs::path& folder)
+      : file_(request.paths.front()), manifest_(folder / "recordings.yaml") {
+    for (const fs::path& named : request.paths) {
+      key_ += fs::weakly_canonical(named).string() + "\n";
+      if (fs::is_directory(named) || !is_demonstrations(named)) continue;
+      if (request.paths.size() > 1)
+        throw InputError(fmt::format("{}: HDF5 stands alone as a dataset", named.string()));
+      return;
+    }
+    found_here_ = !all_said(request.paths);
+    if (found_here_) manifest_.check();
     published_ = folder / "demonstrations.h5";
     file_ = folder / "demonstrations.h5.new";
-    imports::ImportRequest request;
-    request.paths = {named};
+    request.results = folder;
     Assumptions assumptions;
-    imports::write_demonstrations(request, file_, [&](const Demonstration& demonstration) {
-      assumptions.add(demonstration);
-    });
-    fmt::print(stderr, "{}", assumptions.text());
+    imported_ = imports::write_demonstrations(
+        request, file_,
+        [&](const Demonstration& demonstration) { assumptions.add(demonstration); });
+    fmt::print(stderr, "{}{}", found_text(imported_), assumptions.text());
   }
   ~Dataset() {
     std::error_code ignored;
@@ -107,14 +123,21 @@ class Dataset {
   Dataset(const Dataset&) = delete;
   Dataset& operator=(const Dataset&) = delete;
   const fs::path& file() const { return file_; }
+  const std::string& key() const { return key_; }  ///< of how it was named
+  int failed() const { return failed_in(imported_); }
   void publish() {
     if (published_.empty()) return;
     fs::rename(file_, published_);
     file_ = std::exchange(published_, {});
+    if (found_here_) manifest_.write(imported_);
   }
 
  private:
   fs::path file_, published_;
+  std::string key_;
+  FoundManifest manifest_;
+  bool found_here_ = false;
+  imports::Imported imported_;
 };
 
 void print_table(const RobotRun& one) {
@@ -159,7 +182,8 @@ int plan_all(const RunArguments& arguments, const run::Shard& shard, Dataset& da
   request.identity.robot = robot;
   request.config = one.config.without_paths;
   request.expected_dataset = one.config.dataset_sha256;
-  request.jobs = jobs_of(arguments);
+  request.dataset_key = dataset.key();
+  request.jobs = threads_of(arguments.jobs);
   request.explain = arguments.explain;
   request.plan = [&](const Demonstration& demonstration) {
     return planning::plan_demonstration(planner, demonstration);
@@ -170,6 +194,8 @@ int plan_all(const RunArguments& arguments, const run::Shard& shard, Dataset& da
   const run::RunResult result = run::run_dataset(one.folder->journal(), request, progress);
   one.folder->keep();
   one.summary = result.summary;
+  one.summary.demonstrations += dataset.failed();
+  one.summary.failed += dataset.failed();
   return result.signal;
 }
 
@@ -200,7 +226,7 @@ void print_results(const RunArguments& arguments, const std::vector<RobotRun>& r
 /// DIR/report.html: every robot's plans side by side.
 void write_page(const RunArguments& arguments, const std::vector<RobotRun>& runs) {
   report::ReportRequest request;
-  request.jobs = jobs_of(arguments);
+  request.jobs = threads_of(arguments.jobs);
   for (const RobotRun& one : runs)
     request.runs.push_back(
         {one.plans(), one.name.empty() ? one.config.loaded.robot.name : one.name});
@@ -217,7 +243,10 @@ int execute(const RunArguments& arguments) {
   const std::string software = morphe::software();
   const run::Shard shard = run::parse_shard(arguments.shard);
   std::vector<RobotRun> runs = runs_of(arguments, software, shard);
-  Dataset dataset(dataset_of(arguments, runs.front().config.loaded), arguments.out);
+  imports::ImportRequest recordings = arguments.recordings;
+  recordings.paths = dataset_of(arguments, runs.front().config.loaded);
+  Dataset dataset(std::move(recordings), arguments.out);
+  for (const RobotRun& one : runs) one.folder->expect_own_plans();
   for (RobotRun& one : runs) {
     const int signal = plan_all(arguments, shard, dataset, one);
     if (signal != 0) return stopped(one, signal);
@@ -241,11 +270,13 @@ Command run_command(CLI::App& app) {
   app.add_option("--out", arguments->out,
                  "Folder for plans.h5; an unfinished run in it is continued")
       ->required();
-  app.add_option("--dataset", arguments->dataset,
-                 "demonstrations.h5 or manifest of recordings to use instead of the config's")
+  app.add_option("--dataset", arguments->datasets,
+                 "Folder of recordings, recording, manifest or demonstrations.h5 to use instead of "
+                 "the config's; may stand several times")
+      ->allow_extra_args(false)
       ->transform(input_file());
-  app.add_option("--jobs", arguments->jobs, "Number of threads (default: one per core)")
-      ->check(CLI::PositiveNumber);
+  add_import_options(app, arguments->recordings);
+  add_jobs_option(app, arguments->jobs);
   app.add_option("--set", arguments->settings,
                  "KEY=VALUE: change a value of the config, such as map.starts=64")
       ->allow_extra_args(false);

@@ -1,13 +1,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <memory>
-#include <thread>
 
 #include "pipeline/run/output_folder.hpp"
 #include "stages/commands/commands.hpp"
 #include "stages/commands/input_file.hpp"
+#include "stages/commands/jobs_option.hpp"
 #include "stages/study/results.hpp"
 
 namespace morphe::commands {
@@ -24,16 +23,13 @@ Command study_command(CLI::App& app) {
       ->transform(input_file());
   app.add_option("--out", arguments->out, "Folder for the results")->required();
   app.add_flag("--quick", arguments->quick, "Run the small version");
-  app.add_option("--jobs", arguments->jobs, "Number of threads (default: one per core)")
-      ->check(CLI::PositiveNumber);
+  add_jobs_option(app, arguments->jobs);
   return [arguments] {
     run::OutputFolder folder(arguments->out);
     study::StudyRun run;
     run.config = arguments->config;
     run.quick = arguments->quick;
-    run.jobs = arguments->jobs > 0
-                   ? arguments->jobs
-                   : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    run.jobs = threads_of(arguments->jobs);
     run.progress = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
     const study::StudyResult result = study::run_study(run);
     study::write_results(result, folder.path());

@@ -1,16 +1,15 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <thread>
 
 #include "pipeline/config/fields.hpp"
 #include "pipeline/parallel/ordered_map.hpp"
 #include "pipeline/store/demonstration_file.hpp"
 #include "stages/commands/commands.hpp"
 #include "stages/commands/input_file.hpp"
+#include "stages/commands/jobs_option.hpp"
 #include "stages/synthesize/synthesize.hpp"
 
 namespace morphe::commands {
@@ -56,8 +55,7 @@ int execute(const SynthesizeArguments& arguments) {
     truth.add(made.truth);
     recorded_s += made.truth.streams.sensors->time.back();
   };
-  const int cores = static_cast<int>(std::thread::hardware_concurrency());
-  parallel::run(map, std::max(1, arguments.jobs > 0 ? arguments.jobs : cores));
+  parallel::run(map, threads_of(arguments.jobs));
   recorded.finish();
   truth.finish();
   fmt::print("{}: {} demonstrations, {:.0f} s; truth in {}\n", arguments.out, arguments.count,
@@ -77,8 +75,7 @@ Command synthesize_command(CLI::App& app) {
   app.add_option("--count", arguments->count, "Number of demonstrations (default: 100)")
       ->check(CLI::PositiveNumber);
   app.add_option("--seed", arguments->seed, "Random seed (default: 1)");
-  app.add_option("--jobs", arguments->jobs, "Number of threads (default: one per core)")
-      ->check(CLI::PositiveNumber);
+  add_jobs_option(app, arguments->jobs);
   return [arguments] { return execute(*arguments); };
 }
 

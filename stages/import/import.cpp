@@ -4,12 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <fstream>
-#include <set>
 
+#include "stages/import/find_recordings.hpp"
 #include "stages/import/format.hpp"
 #include "stages/import/import_question.hpp"
 #include "stages/import/manifest.hpp"
 #include "stages/import/name_map.hpp"
+#include "stages/import/read_recording.hpp"
 
 namespace morphe::imports {
 
@@ -60,66 +61,64 @@ const RecordingFormat& format_of(const std::string& file, const std::string& wan
                        : fmt::format("{}: format: unknown '{}'; known: {}", file, wanted, known));
 }
 
-std::vector<ManifestEntry> entries_of(const ImportRequest& request) {
-  std::vector<ManifestEntry> entries;
-  for (const std::filesystem::path& path : request.paths) {
-    if (path.extension() == ".yaml" || path.extension() == ".yml") {
-      for (ManifestEntry& entry : read_manifest(path)) entries.push_back(std::move(entry));
-    } else {
-      ManifestEntry& entry = entries.emplace_back();
-      entry.file = path.string();
-      entry.static_trial = request.static_trial.string();
-      entry.conventions = request.conventions;
-    }
-  }
-  std::set<std::string> names;
-  for (ManifestEntry& entry : entries) {
-    if (!request.format.empty()) entry.format = request.format;
-    if (!request.names.empty()) entry.names = request.names.string();
-    if (entry.name.empty()) entry.name = std::filesystem::path(entry.file).stem().string();
-    if (entry.name.find('/') != std::string::npos || entry.name == "." || entry.name == "..") {
-      throw InputError(fmt::format("{}: name: '{}' cannot name a group", entry.file, entry.name));
-    }
-    if (!names.insert(entry.name).second) {
-      throw InputError(fmt::format("{}: name: '{}' stands twice", entry.file, entry.name));
-    }
-  }
-  return entries;
-}
-
 }  // namespace
 
-std::size_t import_recordings(const ImportRequest& request,
-                              const std::function<void(Demonstration&&)>& sink) {
-  const std::vector<ManifestEntry> entries = entries_of(request);
-  for (const ManifestEntry& entry : entries) {
-    const RecordingFormat& format = format_of(entry.file, entry.format);
-    if (format.name != "liberty-csv" && !(entry.glove + entry.static_glove).empty()) {
-      throw InputError(
-          fmt::format("{}: glove: only liberty-csv takes one, not {}", entry.file, format.name));
-    }
-    Demonstration demonstration = read_or_ask(
-        format,
-        {entry.file, entry.static_trial, entry.glove, entry.static_glove, entry.glove_calibration,
-         read_names(entry.names), entry.hand, entry.conventions},
-        entry.manifest);
-    for (const MarkerObject& object : entry.objects) {
-      add_marker_object(entry.file, object, demonstration);
-    }
-    demonstration.name = entry.name;
-    if (!entry.subject.empty()) demonstration.subject = entry.subject;
-    demonstration.task = entry.task;
-    demonstration.hand = entry.hand;
-    demonstration.source = entry.source;
-    demonstration.licence = entry.licence;
-    demonstration.upper_arm = entry.upper_arm;
-    demonstration.forearm = entry.forearm;
-    demonstration.hand_length = entry.hand_length;
-    demonstration.hand_breadth = entry.hand_breadth;
-    demonstration.labels = entry.labels;
-    sink(std::move(demonstration));
+const RecordingFormat* recognised_format(const std::filesystem::path& file) {
+  const std::string head = head_of(file);
+  for (const RecordingFormat& format : recording_formats()) {
+    if (format.recognises(head)) return &format;
   }
-  return entries.size();
+  return nullptr;
+}
+
+Demonstration read_recording(const ManifestEntry& entry) {
+  const RecordingFormat& format = format_of(entry.file, entry.format);
+  if (format.name != "liberty-csv" && !(entry.glove + entry.static_glove).empty()) {
+    throw InputError(
+        fmt::format("{}: glove: only liberty-csv takes one, not {}", entry.file, format.name));
+  }
+  Demonstration demonstration =
+      read_or_ask(format,
+                  {entry.file, entry.static_trial, entry.glove, entry.static_glove,
+                   entry.glove_calibration, read_names(entry.names), entry.hand, entry.conventions},
+                  entry.manifest);
+  for (const MarkerObject& object : entry.objects) {
+    add_marker_object(entry.file, object, demonstration);
+  }
+  demonstration.name = entry.name;
+  if (!entry.subject.empty()) demonstration.subject = entry.subject;
+  demonstration.task = entry.task;
+  demonstration.hand = entry.hand;
+  demonstration.source = entry.source;
+  demonstration.licence = entry.licence;
+  demonstration.upper_arm = entry.upper_arm;
+  demonstration.forearm = entry.forearm;
+  demonstration.hand_length = entry.hand_length;
+  demonstration.hand_breadth = entry.hand_breadth;
+  demonstration.labels = entry.labels;
+  demonstration.reports.insert(demonstration.reports.end(), entry.notes.begin(), entry.notes.end());
+  return demonstration;
+}
+
+Imported import_recordings(const ImportRequest& request,
+                           const std::function<void(Demonstration&&)>& sink) {
+  FoundRecordings found = find_recordings(request);
+  Imported imported;
+  imported.left_out = std::move(found.left_out);
+  for (ManifestEntry& entry : found.entries) {
+    Demonstration demonstration;
+    try {
+      demonstration = read_recording(entry);
+    } catch (const InputError& error) {
+      if (!found.of_folder) throw;
+      imported.left_out.push_back(unreadable(entry.file, error));
+      continue;
+    }
+    sink(std::move(demonstration));
+    imported.entries.push_back(std::move(entry));
+  }
+  expect_some(request, imported);
+  return imported;
 }
 
 }  // namespace morphe::imports

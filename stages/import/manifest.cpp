@@ -10,7 +10,11 @@
 namespace morphe::imports {
 namespace {
 
-void shared_fields(config::FieldReader& f, ManifestEntry& e) {
+namespace fs = std::filesystem;
+
+/// What may also stand at the top of a manifest, for all recordings.
+template <class Fields>
+void shared_fields(Fields& f, ManifestEntry& e) {
   f("static", e.static_trial);
   f("glove", e.glove);
   f("static_glove", e.static_glove);
@@ -32,17 +36,58 @@ void shared_fields(config::FieldReader& f, ManifestEntry& e) {
   f("objects", e.objects);
 }
 
+template <class Fields>
+void own_fields(Fields& f, ManifestEntry& e) {
+  f.required("file", e.file);
+  f("name", e.name);
+  shared_fields(f, e);
+  f("notes", e.notes);
+}
+
+template <class Fields>
+void label_fields(Fields& f, Label& label) {
+  f.required("phase", label.phase);
+  f.required("begin_s", label.begin_s);
+  f.required("end_s", label.end_s);
+}
+
 std::vector<Label> read_labels(const config::ConfigNode& node) {
   std::vector<Label> labels;
   for (const config::ConfigNode& item : node.items()) {
     Label& label = labels.emplace_back();
     config::FieldReader reader(item);
-    reader.required("phase", label.phase);
-    reader.required("begin_s", label.begin_s);
-    reader.required("end_s", label.end_s);
+    label_fields(reader, label);
     if (!(label.end_s > label.begin_s)) item.fail("must end after it begins");
   }
   return labels;
+}
+
+/// One of a list: the first key behind the dash.
+std::string list_item(const std::string& fields, std::size_t indent) {
+  std::string item = fields;
+  return item.replace(indent - 2, 1, "-");
+}
+
+/// Writes what an entry says; what it leaves to its file or a default is left out.
+struct SaidFields {
+  config::FieldWriter& out;
+
+  template <class T>
+  void operator()(const char* key, T& value) {
+    if constexpr (requires { value.empty(); }) {
+      if (value.empty()) return;
+    }
+    out(key, value);
+  }
+  template <class T>
+  void required(const char* key, T& value) {
+    out(key, value);
+  }
+};
+
+std::vector<std::string*> paths_of(ManifestEntry& entry) {
+  return {&entry.file,         &entry.static_trial,      &entry.glove,
+          &entry.static_glove, &entry.glove_calibration, &entry.names};
 }
 
 }  // namespace
@@ -58,18 +103,14 @@ std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file) {
     ManifestEntry entry = defaults;
     entry.manifest = file.string();
     config::FieldReader reader(item);
-    reader.required("file", entry.file);
-    reader("name", entry.name);
-    shared_fields(reader, entry);
+    own_fields(reader, entry);
     if (item.has("labels")) entry.labels = read_labels(item["labels"]);
     for (const auto& length :
          {entry.upper_arm, entry.forearm, entry.hand_length, entry.hand_breadth}) {
       if (length && *length <= 0) item.fail("lengths must be positive (metres)");
     }
-    entry.file = (file.parent_path() / entry.file).string();
-    for (std::string* other : {&entry.static_trial, &entry.glove, &entry.static_glove,
-                               &entry.glove_calibration, &entry.names}) {
-      if (!other->empty()) *other = (file.parent_path() / *other).string();
+    for (std::string* path : paths_of(entry)) {
+      if (!path->empty() || path == &entry.file) *path = (file.parent_path() / *path).string();
     }
     if (entry.conventions.rate_hz && !(*entry.conventions.rate_hz > 0)) {
       item.fail("rate_hz must be positive");
@@ -78,6 +119,27 @@ std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file) {
   }
   root.expect_all_read();
   return entries;
+}
+
+std::string manifest_text(std::vector<ManifestEntry> entries, const fs::path& folder) {
+  const fs::path here = fs::weakly_canonical(folder);
+  std::string text = "recordings:\n";
+  for (ManifestEntry& entry : entries) {
+    for (std::string* path : paths_of(entry)) {
+      if (!path->empty()) *path = fs::weakly_canonical(*path).lexically_relative(here).string();
+    }
+    config::FieldWriter writer("    ");
+    SaidFields said{writer};
+    own_fields(said, entry);
+    text += list_item(writer.text, 4);
+    if (!entry.labels.empty()) text += "    labels:\n";
+    for (Label& label : entry.labels) {
+      config::FieldWriter inner("        ");
+      label_fields(inner, label);
+      text += list_item(inner.text, 8);
+    }
+  }
+  return text;
 }
 
 }  // namespace morphe::imports

@@ -25,6 +25,7 @@ struct ManifestEntry {
   std::vector<Label> labels;          ///< phases that somebody marked
   std::vector<MarkerObject> objects;  ///< bodies that carry markers
   std::optional<double> upper_arm, forearm, hand_length, hand_breadth;  ///< [m]
+  std::vector<std::string> notes;  ///< what was assumed of it: joins what its importer reports
 };
 
 /// A manifest lists recordings and says what their files do not:
@@ -36,5 +37,8 @@ struct ManifestEntry {
 /// Throws InputError for a missing file key, an unknown key, a length that is not positive or a
 /// hand that is neither right nor left.
 std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file);
+
+/// The manifest in `folder` that read_manifest takes back to these entries.
+std::string manifest_text(std::vector<ManifestEntry> entries, const std::filesystem::path& folder);
 
 }  // namespace morphe::imports

@@ -3,15 +3,15 @@
 
 namespace morphe::imports {
 
-std::size_t write_demonstrations(const ImportRequest& request, const std::filesystem::path& out,
-                                 const std::function<void(const Demonstration&)>& seen) {
+Imported write_demonstrations(const ImportRequest& request, const std::filesystem::path& out,
+                              const std::function<void(const Demonstration&)>& seen) {
   store::DemonstrationWriter writer(out);
-  const std::size_t count = import_recordings(request, [&](Demonstration&& demonstration) {
+  Imported imported = import_recordings(request, [&](Demonstration&& demonstration) {
     writer.add(demonstration);
     if (seen) seen(demonstration);
   });
   writer.finish();
-  return count;
+  return imported;
 }
 
 }  // namespace morphe::imports

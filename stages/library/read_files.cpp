@@ -9,7 +9,7 @@ std::size_t import_recordings(const std::filesystem::path& recordings,
                               const std::filesystem::path& demonstrations) {
   imports::ImportRequest request;
   request.paths = {files::here_or_shipped(recordings)};
-  return imports::write_demonstrations(request, demonstrations);
+  return imports::write_demonstrations(request, demonstrations).entries.size();
 }
 
 RobotTable load_robot(const std::filesystem::path& description) {

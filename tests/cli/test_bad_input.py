@@ -352,7 +352,7 @@ class Usage(CommandCase):
                 self.refused_with_a_hint(*command, mentions="required")
 
     def test_jobs_that_are_none(self):
-        for jobs in ("0", "-1", "many"):
+        for jobs in ("-1", "1.5", "many"):
             with self.subTest(jobs):
                 self.refused_with_a_hint("run", "config.yaml", "--out", "out", "--jobs", jobs,
                                          mentions="--jobs")

@@ -88,8 +88,7 @@ TEST_F(ViconCsv, RealTrialsMatchTheirText) {
   std::vector<Demonstration> trials;
   ImportRequest request;
   request.paths = {kData / "recordings.yaml"};
-  EXPECT_EQ(import_recordings(request, [&](Demonstration&& d) { trials.push_back(std::move(d)); }),
-            5u);
+  import_recordings(request, [&](Demonstration&& d) { trials.push_back(std::move(d)); });
   ASSERT_EQ(trials.size(), 5u);
   const std::size_t frames[] = {890, 580, 638, 339, 410};
   const std::size_t still[] = {41, 30, 196, 41, 41};

@@ -1,0 +1,15 @@
+#include "pipeline/store/hdf5_signature.hpp"
+
+#include <fstream>
+#include <string_view>
+
+namespace morphe::store {
+
+bool has_hdf5_signature(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  char first[8] = {};
+  stream.read(first, sizeof first);
+  return std::string_view(first, sizeof first) == "\x89HDF\r\n\x1a\n";
+}
+
+}  // namespace morphe::store
