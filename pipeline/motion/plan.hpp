@@ -14,6 +14,7 @@
 #include "pipeline/motion/reason.hpp"
 #include "pipeline/motion/scene.hpp"
 #include "pipeline/motion/side.hpp"
+#include "pipeline/motion/world_frames.hpp"
 
 namespace morphe {
 
@@ -150,6 +151,7 @@ struct Plan {
   Tolerances tolerances;
   Goals goals;
   Scene scene;  ///< in the robot's base frame
+  WorldFrames world;
   Mapped mapped;
   std::vector<Finding> findings;  ///< also those that repair removed
   JointPath path;

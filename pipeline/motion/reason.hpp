@@ -28,8 +28,9 @@ enum class Reason : std::uint8_t {
   duration,  ///< the path cannot be followed in the time asked for
   no_approach,
   no_retreat,
+  no_frame,  ///< what an object of the scene stands on is not there
 };
-constexpr std::array<std::string_view, 18> names_of(Reason) {
+constexpr std::array<std::string_view, 19> names_of(Reason) {
   return {"",
           "unplanned",
           "no_movement",
@@ -47,7 +48,8 @@ constexpr std::array<std::string_view, 18> names_of(Reason) {
           "path",
           "duration",
           "no_approach",
-          "no_retreat"};
+          "no_retreat",
+          "no_frame"};
 }
 
 }  // namespace morphe

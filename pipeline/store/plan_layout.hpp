@@ -25,6 +25,14 @@ void lay_out_goals(Io& io, T& goals) {
 }
 
 template <class Io, class T>
+void lay_out_world(Io& io, T& world) {
+  io.dataset("recording", world.base_from_world, {"m", "base", ""});
+  io.dataset("table", world.base_from_table, {"m", "base", ""});
+  io.dataset("target", world.base_from_target, {"m", "base", ""});
+  io.dataset("shoulder", world.shoulder, {"m", "base", ""});
+}
+
+template <class Io, class T>
 void lay_out_mapped(Io& io, T& mapped) {
   io.dataset("position", mapped.position, of_joints());
   io.dataset("position_error", mapped.position_error, {"m", "", ""});
@@ -129,6 +137,8 @@ void lay_out_plan(Io& io, T& plan) {
     in.each(plan.scene.objects,
             [](Io& inner, auto& object) { lay_out_object(inner, object, "base"); });
   });
+  io.group_if(seen(plan.world.base_from_world), "world",
+              [&](Io& in) { lay_out_world(in, plan.world); });
   io.group("mapped", [&](Io& in) { lay_out_mapped(in, plan.mapped); });
   io.group("findings", [&](Io& in) { lay_out_findings(in, plan.findings); });
   io.group("path", [&](Io& in) {

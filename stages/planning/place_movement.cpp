@@ -70,6 +70,8 @@ PlacedMovement::PlacedMovement(const Planner& planner, const HumanMotion& motion
   const robot::Robot& robot = planner.robot;
   const Pose base_from_world = base_from_motion(planner, motion, movement, offset);
   scene = scene::move_scene(around, base_from_world);
+  const Vec3 shoulder = base_from_world * map::shoulder_at_begin(motion, movement);
+  frames = world_frames(scene, movement, base_from_world, shoulder);
   goals = map::make_goals(robot, motion, movement, base_from_world);
   if (config.map.free_offset.limit_m > 0) goals.free_offset = offset;
   known = mapping_scene(config, scene, movement);

@@ -22,6 +22,7 @@ struct PlacedMovement {
   PlacedMovement& operator=(const PlacedMovement&) = delete;
 
   Scene scene;
+  WorldFrames frames;
   Goals goals;
   Scene known;                      ///< the part of the scene that the mapping keeps clear of
   collision::CollisionWorld world;  ///< of `known`

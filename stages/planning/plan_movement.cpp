@@ -195,6 +195,7 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
   }
   PlacedMovement placed(planner, motion, plan.movement, around, offset);
   plan.scene = placed.scene;
+  plan.world = placed.frames;
   plan.goals = placed.goals;
   if (!grasp_seen(plan.goals, plan.movement)) {
     return fail(plan, {Reason::no_goal, "no fingertip was seen in the grasp"});

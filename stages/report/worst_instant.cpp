@@ -157,6 +157,8 @@ std::string advice_of(Reason reason) {
       return "another home posture (`approach.home`), or no section `approach`: the movement "
              "itself "
              "was planned";
+    case Reason::no_frame:
+      return "another `relative_to` for the object, or a `scene.table.height`";
     default:
       return kMoveBase;
   }

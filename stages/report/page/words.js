@@ -18,6 +18,7 @@ const kReasons = {
   duration: "The path cannot be followed in the time asked for.",
   no_approach: "There is no free way from the home posture to the first sample.",
   no_retreat: "There is no free way from the last sample back to the home posture.",
+  no_frame: "An object of the scene stands relative to something that is not there.",
 };
 
 export const reasonSentence = (reason) => (Object.hasOwn(kReasons, reason) ? kReasons[reason] : "");

@@ -37,6 +37,7 @@ TEST(Name, IsThatOfItsValue) {
   EXPECT_EQ(name_of(Reason::goal_in_collision), "goal_in_collision");
   EXPECT_EQ(name_of(Reason::smoothing), "smoothing");
   EXPECT_EQ(name_of(Reason::no_retreat), "no_retreat");
+  EXPECT_EQ(name_of(Reason::no_frame), "no_frame");
   EXPECT_EQ(name_of(HandKind::keypoints), "keypoints");
   EXPECT_EQ(name_of(Origin::resolved), "re-solved");
 }

@@ -130,6 +130,8 @@ with h5py.File(sys.argv[1]) as file:
                               "orientation": ((k + 1, 4), "f", "1", "base")}.items()},
         "scene/apple/vertices": ((4, 3), "f", "m", "object"),
         "scene/apple/triangles": ((2, 3), "i", "1", None),
+        **{f"world/{name}": ((4, 4), "f", "m", "base") for name in ("recording", "table", "target")},
+        "world/shoulder": ((3,), "f", "m", "base"),
         "grasp/object_pose": ((4, 4), "f", "m", "base"),
         "grasp/wrist_pose_in_object": ((4, 4), "f", "m", "object"),
         "grasp/tips_in_object": ((2, 3), "f", "m", "object"),

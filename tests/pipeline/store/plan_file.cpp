@@ -147,6 +147,10 @@ void expect_same(const Plan& a, const Plan& b) {
   EXPECT_SAME(tolerances.tracking);
   expect_same(a.goals, b.goals);
   store::expect_same(a.scene.objects, b.scene.objects);
+  EXPECT_SAME(world.base_from_world);
+  EXPECT_SAME(world.base_from_table);
+  EXPECT_SAME(world.base_from_target);
+  EXPECT_SAME(world.shoulder);
   EXPECT_SAME(mapped.position);
   EXPECT_SAME(mapped.position_error);
   EXPECT_SAME(mapped.orientation_error);

@@ -212,6 +212,7 @@ Plan full_plan(const std::string& demonstration, int movement) {
   plan.goals.estimated = {"ring", "little finger"};
   plan.goals.common_base_offset = number.point();
   plan.scene.objects = objects(number);
+  plan.world = {number.pose(), number.pose(), number.pose(), number.point()};
   plan.mapped.position = number.rows(4, 3);
   plan.mapped.position_error = number.rows(4, 2);
   plan.mapped.orientation_error = number.rows(4, 2);
