@@ -20,6 +20,9 @@ OTHERS = {
     ("stages/scene/scene_options.cpp", "table"): "the object that scene.table makes",
     ("stages/check/check_collisions.cpp", "table"): "the object that scene.table makes",
     ("stages/scene/scene_options.cpp", "mesh"): "a key of the config, which has convex beside it",
+    ("pipeline/robot/files/places.cpp", "base"): "the frame",
+    ("stages/commands/inspect_report.cpp", "shoulder"): "the joint",
+    ("stages/reconstruct/joint_centre.cpp", "shoulder"): "the joint",
     ("stages/study/obstacles.cpp", "object"): "a kind of obstacle",
     ("stages/study/obstacles.cpp", "reach"): "a kind of obstacle",
 }

@@ -72,6 +72,7 @@ PlacedMovement::PlacedMovement(const Planner& planner, const HumanMotion& motion
   scene = scene::move_scene(around, base_from_world);
   const Vec3 shoulder = base_from_world * map::shoulder_at_begin(motion, movement);
   frames = world_frames(scene, movement, base_from_world, shoulder);
+  nowhere = scene::add_relative_objects(config.scene, frames, movement.begin_s, scene);
   goals = map::make_goals(robot, motion, movement, base_from_world);
   if (config.map.free_offset.limit_m > 0) goals.free_offset = offset;
   known = mapping_scene(config, scene, movement);

@@ -23,6 +23,7 @@ struct PlacedMovement {
 
   Scene scene;
   WorldFrames frames;
+  std::string nowhere;  ///< a sentence: what an object stands on is not there; "" if all is
   Goals goals;
   Scene known;                      ///< the part of the scene that the mapping keeps clear of
   collision::CollisionWorld world;  ///< of `known`

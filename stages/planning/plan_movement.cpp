@@ -197,6 +197,7 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
   plan.scene = placed.scene;
   plan.world = placed.frames;
   plan.goals = placed.goals;
+  if (!placed.nowhere.empty()) return fail(plan, {Reason::no_frame, placed.nowhere});
   if (!grasp_seen(plan.goals, plan.movement)) {
     return fail(plan, {Reason::no_goal, "no fingertip was seen in the grasp"});
   }

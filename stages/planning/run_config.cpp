@@ -29,6 +29,7 @@ std::string scene_sha256(const scene::SceneOptions& scene) {
     for (const scene::ConfiguredObject& object : *objects)
       bytes += config::write_options(object) + store::bytes_of(object.mesh);
   }
+  if (scene.target.body) bytes += store::bytes_of(scene.target.body->mesh);
   return files::sha256(bytes);
 }
 

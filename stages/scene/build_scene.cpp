@@ -4,25 +4,11 @@
 #include <limits>
 #include <utility>
 
+#include "stages/scene/configured_body.hpp"
 #include "stages/scene/inferred.hpp"
 
 namespace morphe::scene {
 namespace {
-
-SceneObject body(const ConfiguredObject& configured, double time_s) {
-  SceneObject object = configured.mesh;
-  object.name = configured.name;
-  if (object.vertices.empty()) {
-    object.shape = named<Shape>(configured.shape).value_or(Shape::box);
-    object.size = configured.size;
-  }
-  object.time = {time_s};
-  object.position = {configured.position};
-  object.orientation = {Eigen::AngleAxisd(configured.rpy.z(), Vec3::UnitZ()) *
-                        Eigen::AngleAxisd(configured.rpy.y(), Vec3::UnitY()) *
-                        Eigen::AngleAxisd(configured.rpy.x(), Vec3::UnitX())};
-  return object;
-}
 
 /// Name of the recorded object whose centre is nearest to the seen tips at the end of the grasp.
 std::string nearest_object(const std::vector<SceneObject>& objects, const HumanMotion& motion,
@@ -50,7 +36,8 @@ Scene build_scene(const SceneOptions& options, const Demonstration& demonstratio
   Scene scene;
   for (const auto* list : {&options.objects, &options.file_objects}) {
     for (const ConfiguredObject& object : *list) {
-      scene.objects.push_back(body(object, movement.begin_s));
+      if (object.relative_to != Relative::world) continue;
+      scene.objects.push_back(configured_body(object, movement.begin_s));
     }
   }
   const std::optional<SceneObject> table = infer_table(options.table, motion, movement);
@@ -67,7 +54,9 @@ Scene build_scene(const SceneOptions& options, const Demonstration& demonstratio
     movement.target = nearest_object(demonstration.objects, motion, *grasp);
   }
   for (SceneObject& object : scene.objects) {
-    if (object.name == movement.target) set_carrying(movement, *grasp, object);
+    if (object.name != movement.target) continue;
+    set_carrying(movement, *grasp, object);
+    if (options.target.body) take_shape(*options.target.body, object);
   }
   if (!movement.target.empty()) return scene;
   const std::optional<SceneObject> target =

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pipeline/collision/mesh_solid.hpp"
@@ -11,20 +13,40 @@
 #include "pipeline/motion/human_motion.hpp"
 #include "pipeline/motion/movement.hpp"
 #include "pipeline/motion/scene.hpp"
+#include "pipeline/motion/world_frames.hpp"
 
 namespace morphe::scene {
 
-/// A fixed body of the world frame (X right, Y forward, Z up, origin as in the recording).
+/// What an object's place is given relative to, where it stands as the movement begins:
+///   world     the recording's frame: X right, Y forward, Z up, origin as in the recording
+///   table     centre of the table's top, its axes: those of the world, if it is inferred
+///   target    centre and axes of the object that is grasped
+///   shoulder  the person's, axes of the world
+///   base      the robot's base
+enum class Relative { world, table, target, shoulder, base };
+constexpr std::array<std::string_view, 5> names_of(Relative) {
+  return {"world", "table", "target", "shoulder", "base"};
+}
+
+/// Which point of an object is where its `position` says: its own origin (a shape's centre, what a
+/// file's numbers count from), or its foot, once it is turned: the middle of its extent in x and y,
+/// its lowest point in z.
+enum class Anchor { origin, foot };
+constexpr std::array<std::string_view, 2> names_of(Anchor) { return {"origin", "foot"}; }
+
+/// A fixed body.
 struct ConfiguredObject {
   std::string name;
-  std::string shape = "box";     ///< sphere | box | cylinder | capsule | convex | mesh
-  std::vector<double> size;      ///< sphere: r; box: x y z; cylinder, capsule: r, length [m]
-  std::string file;              ///< STL or OBJ of a mesh, relative to where it is named; convex:
-                                 ///< its hull
-  double scale = 1;              ///< of the file's numbers: 0.001 if they are mm
-  Vec3 position = Vec3::Zero();  ///< of its centre [m]
-  Vec3 rpy = Vec3::Zero();       ///< Rz(yaw) Ry(pitch) Rx(roll) [rad]
-  bool in_mapping = true;        ///< the mapping's clearance term knows it
+  std::string shape = "box";  ///< sphere | box | cylinder | capsule | convex | mesh
+  std::vector<double> size;   ///< sphere: r; box: x y z; cylinder, capsule: r, length [m]
+  std::string file;           ///< STL or OBJ of a mesh, relative to where it is named; convex:
+                              ///< its hull
+  double scale = 1;           ///< of the file's numbers: 0.001 if they are mm
+  Relative relative_to = Relative::world;  ///< the frame of position and rpy
+  Anchor anchor = Anchor::origin;          ///< the point that position is of
+  Vec3 position = Vec3::Zero();            ///< [m]
+  Vec3 rpy = Vec3::Zero();                 ///< Rz(yaw) Ry(pitch) Rx(roll) [rad]
+  bool in_mapping = true;                  ///< the mapping's clearance term knows it
 
   SceneObject mesh;  ///< what `file` holds, filled in by load_scene_files()
 };
@@ -35,6 +57,8 @@ void fields(Fields& f, ConfiguredObject& o) {
   f("size", o.size);
   f("file", o.file);
   f("scale", o.scale);
+  f("relative_to", o.relative_to);
+  f("anchor", o.anchor);
   f.required("position", o.position);
   f("rpy", o.rpy);
   f("in_mapping", o.in_mapping);
@@ -94,6 +118,31 @@ void fields(Fields& f, TargetMove& o) {
   f("rpy", o.rpy);
 }
 
+/// The shape of the target, where it is known. It stands on the table, between thumb and index tip
+/// at the grasp. A recorded target gets it too, in its recorded frame: held_at and rpy are for one
+/// that was not recorded.
+struct TargetBody {
+  std::string shape = "mesh";   ///< as of a ConfiguredObject
+  std::vector<double> size;     ///< likewise [m]
+  std::string file;             ///< likewise
+  double scale = 1;             ///< likewise
+  Vec3 rpy = Vec3::Zero();      ///< of its frame in the world, Rz(yaw) Ry(pitch) Rx(roll) [rad]
+  std::vector<double> held_at;  ///< x, y of the point of its own frame below the middle between the
+                                ///< tips; empty: the middle of its extent, once it is turned [m]
+
+  SceneObject mesh;  ///< what `file` holds, filled in by load_scene_files()
+};
+template <class Fields>
+void fields(Fields& f, TargetBody& o) {
+  f("shape", o.shape);
+  f("size", o.size);
+  f("file", o.file);
+  f("scale", o.scale);
+  f("rpy", o.rpy);
+  f("held_at", o.held_at);
+}
+std::string why_invalid(const TargetBody& body);
+
 /// What carries the target from its grasp to its release: thumb and index, or the palm.
 enum class Carrier { fingers, palm };
 constexpr std::array<std::string_view, 2> names_of(Carrier) { return {"fingers", "palm"}; }
@@ -110,6 +159,7 @@ struct TargetOptions {
   double min_radius = 0.015;              ///< [m]
   double max_radius = 0.060;              ///< [m]
   std::optional<double> radius;           ///< overrides what is inferred [m]
+  std::optional<TargetBody> body;         ///< its shape, instead of the cylinder
   Carrier carried = Carrier::fingers;     ///< from the grasp to its release
   TargetMove moved;                       ///< recorded or inferred, it stands elsewhere
   std::optional<TargetPlacement> placed;  ///< likewise
@@ -124,6 +174,7 @@ void fields(Fields& f, TargetOptions& o) {
   f("min_radius", o.min_radius);
   f("max_radius", o.max_radius);
   f("radius", o.radius);
+  f("body", o.body);
   f("carried", o.carried);
   f("moved", o.moved);
   f("placed", o.placed);
@@ -154,17 +205,22 @@ std::string why_invalid(const SceneOptions& options);
 /// that is none.
 void load_scene_files(SceneOptions& options, const config::ConfigNode& node);
 
-/// The bodies around one movement, in the world frame: configured objects, then "table", then
-/// recorded objects with their motion, then the inferred target. Sets `movement.target` if the
-/// movement has a grasp: to the recorded object that it names already, else to the recorded object
-/// nearest to the tips at the grasp, else to the inferred cylinder, else "" (tips not seen). The
-/// cylinder's attach_s and release_s span the carrying (end of the grasp to the end of the last
-/// transport); which robot frame carries it is the caller's business.
+/// The bodies around one movement, in the world frame: configured objects that are relative to the
+/// world, then "table", then recorded objects with their motion, then the inferred target. Sets
+/// `movement.target` if the movement has a grasp: to the recorded object that it names already,
+/// else to the recorded object nearest to the tips at the grasp, else to the inferred cylinder,
+/// else "" (tips not seen). The cylinder's attach_s and release_s span the carrying (end of the
+/// grasp to the end of the last transport); which robot frame carries it is the caller's business.
 Scene build_scene(const SceneOptions& options, const Demonstration& demonstration,
                   const HumanMotion& motion, Movement& movement);
 
 /// The same scene seen from another frame.
 Scene move_scene(const Scene& scene, const Pose& base_from_world);
+
+/// Adds the configured objects that are relative to something else than the world; all in the
+/// base's frame. Where that is not there: a sentence, which names the first such object; else "".
+std::string add_relative_objects(const SceneOptions& options, const WorldFrames& frames,
+                                 double time_s, Scene& scene);
 
 /// Names of the objects that the mapping keeps clear of: the table and the configured objects with
 /// `in_mapping`; never the target.

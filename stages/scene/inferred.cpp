@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "stages/scene/configured_body.hpp"
+
 namespace morphe::scene {
 namespace {
 
@@ -132,20 +134,48 @@ void set_carrying(const Movement& movement, const Phase& grasp, SceneObject& tar
   target.release_s = transport ? transport->end_s : std::max(movement.end_s, grasp.end_s);
 }
 
+namespace {
+
+double top_of(const SceneObject& table) { return table.position[0].z() + table.size[2] / 2; }
+
+/// Where the body's frame stands: on the foot, held_at below the middle between the tips.
+Vec3 standing_between(const TargetBody& body, const SceneObject& object, const Quat& turn,
+                      const Vec3& between, std::optional<double> foot) {
+  const Eigen::AlignedBox3d extent = extent_of(object, make_pose(Vec3::Zero(), turn));
+  const Vec3 held = body.held_at.empty() ? Vec3(extent.center())
+                                         : turn * Vec3(body.held_at[0], body.held_at[1], 0);
+  const double height = foot ? *foot - extent.min().z() : between.z() - extent.center().z();
+  return {between.x() - held.x(), between.y() - held.y(), height};
+}
+
+SceneObject standing_body(const TargetOptions& options, const Movement& movement,
+                          const Phase& grasp, const GraspTips& tips, const SceneObject* table) {
+  SceneObject target = fixed_body(options.name, Shape::mesh, {}, Vec3::Zero(), movement.begin_s);
+  take_shape(*options.body, target);
+  target.orientation = {turn_of(options.body->rpy)};
+  const std::optional<double> foot = table ? std::optional(top_of(*table)) : std::nullopt;
+  target.position = {standing_between(*options.body, target, target.orientation[0],
+                                      (tips.thumb + tips.index) / 2, foot)};
+  set_carrying(movement, grasp, target);
+  return target;
+}
+
+}  // namespace
+
 std::optional<SceneObject> infer_target(const TargetOptions& options, const HumanMotion& motion,
                                         const Movement& movement, const SceneObject* table) {
   const Phase* grasp = last_phase(movement, PhaseKind::grasp);
   if (!options.infer || !grasp) return std::nullopt;
   const GraspTips tips = tips_at_grasp(motion, *grasp);
   if (!seen(tips.thumb) || !seen(tips.index)) return std::nullopt;
+  if (options.body) return standing_body(options, movement, *grasp, tips, table);
   const double apart = (tips.thumb - tips.index).head<2>().norm();
   const double radius = options.radius ? *options.radius
                                        : std::clamp(apart / 2 - options.pad_depth,
                                                     options.min_radius, options.max_radius);
   const double highest = std::max(tips.thumb.z(), tips.index.z());
   const double middle = (tips.thumb.z() + tips.index.z()) / 2;
-  const double foot =
-      table ? table->position[0].z() + table->size[2] / 2 : middle - options.height / 2;
+  const double foot = table ? top_of(*table) : middle - options.height / 2;
   const double height = std::max(options.height, highest + options.rim - foot);
   const Vec3 between = (tips.thumb + tips.index) / 2;
   SceneObject target =

@@ -26,8 +26,8 @@ GraspTips tips_at_grasp(const HumanMotion& motion, const Phase& grasp);
 /// movement, if there is none).
 void set_carrying(const Movement& movement, const Phase& grasp, SceneObject& target);
 
-/// The cylinder between the tips, standing on `table` (without one: centred at their height).
-/// Nothing if a tip was not seen.
+/// The cylinder between the tips, or options.body, standing on `table` (without one: centred at
+/// their height). Nothing if a tip was not seen.
 std::optional<SceneObject> infer_target(const TargetOptions& options, const HumanMotion& motion,
                                         const Movement& movement, const SceneObject* table);
 

@@ -6,16 +6,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "stages/scene/configured_body.hpp"
 #include "stages/scene/inferred.hpp"
 
 namespace morphe::scene {
 namespace {
-
-Quat turn_of(const Vec3& rpy) {
-  return Quat(Eigen::AngleAxisd(rpy.z(), Vec3::UnitZ()) *
-              Eigen::AngleAxisd(rpy.y(), Vec3::UnitY()) *
-              Eigen::AngleAxisd(rpy.x(), Vec3::UnitX()));
-}
 
 /// Of a body about its centre, and with it.
 struct Shift {

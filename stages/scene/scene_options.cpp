@@ -18,34 +18,45 @@ void fields(Fields& f, SceneFile& o) {
   f.required("objects", o.objects);
 }
 
-/// No mesh is this long but one in mm.
-constexpr double kLargest_m = 20;
+/// A mesh that is longer, or shorter, is hardly in the unit that was thought: its scale is asked
+/// for.
+constexpr double kLargestObject_m = 5, kLargestTarget_m = 0.5, kSmallest_m = 0.0005;
+/// No place of a scene is farther from what it is relative to, but one in mm.
+constexpr double kFarthest_m = 20;
 
-double extent(const SceneObject& mesh) {
-  Vec3 low = mesh.vertices.front(), high = low;
-  for (const Vec3& vertex : mesh.vertices) {
-    low = low.cwiseMin(vertex);
-    high = high.cwiseMax(vertex);
+std::string unlikely_size(const std::string& file, const SceneObject& mesh, double scale,
+                          bool scale_given, double largest_m) {
+  const double long_m = extent_of(mesh, Pose::Identity()).sizes().maxCoeff();
+  if (!scale_given && long_m > largest_m) {
+    return fmt::format(
+        "{} is {:.4g} m long: give scale: 0.001 if its numbers are mm ({:.4g} m), scale: 0.0254 if "
+        "they are inches ({:.4g} m), scale: 1 if they are m",
+        file, long_m, 0.001 * long_m, 0.0254 * long_m);
   }
-  return (high - low).maxCoeff();
+  if (scale != 1 && long_m < kSmallest_m) {
+    return fmt::format("{} is {:.2g} mm long with scale: {}: leave scale out if its numbers are m",
+                       file, 1e3 * long_m, scale);
+  }
+  return "";
+}
+
+/// Options with shape, file, scale and mesh, read from `node`.
+template <class Options>
+void load_mesh_of(const config::ConfigNode& node, double largest_m, Options& options) {
+  if (options.file.empty()) return;
+  const config::ConfigNode file = node["file"];
+  std::string wrong = collision::load_mesh(file.folder() / options.file, options.scale,
+                                           options.shape == "convex", options.mesh);
+  if (wrong.empty()) {
+    wrong = unlikely_size(options.file, options.mesh, options.scale, node.has("scale"), largest_m);
+  }
+  if (!wrong.empty()) file.fail(wrong);
 }
 
 void load_meshes(const config::ConfigNode& list, std::vector<ConfiguredObject>& objects) {
   const std::vector<config::ConfigNode> nodes = list.items();
-  for (std::size_t k = 0; k < objects.size(); ++k) {
-    if (objects[k].file.empty()) continue;
-    const config::ConfigNode file = nodes[k]["file"];
-    const std::string wrong =
-        collision::load_mesh(file.folder() / objects[k].file, objects[k].scale,
-                             objects[k].shape == "convex", objects[k].mesh);
-    if (!wrong.empty()) file.fail(wrong);
-    const double extent_m = extent(objects[k].mesh);
-    if (extent_m > kLargest_m && !nodes[k].has("scale")) {
-      file.fail(fmt::format(
-          "{} is {:.4g} m long: say scale: 0.001 if its numbers are mm, scale: 1 if they are m",
-          objects[k].file, extent_m));
-    }
-  }
+  for (std::size_t k = 0; k < objects.size(); ++k)
+    load_mesh_of(nodes[k], kLargestObject_m, objects[k]);
 }
 
 /// A planning scene's objects as if they had been configured one by one.
@@ -74,11 +85,9 @@ std::size_t numbers_of(Shape shape) {
   }
 }
 
-}  // namespace
-
-std::string why_invalid(const ConfiguredObject& o) {
-  if (o.name.empty()) return "name: must not be empty";
-  if (o.name == "table") return "name: 'table' is the table of scene.table";
+/// Of shape, size, file and scale.
+template <class Options>
+std::string why_no_shape(const Options& o) {
   if (o.shape == "mesh" || o.shape == "convex") {
     if (o.file.empty()) return fmt::format("file: a {} needs one", o.shape);
     if (!o.size.empty()) return fmt::format("size: a {} has that of its file", o.shape);
@@ -98,6 +107,24 @@ std::string why_invalid(const ConfiguredObject& o) {
     if (!(length > 0)) return fmt::format("size: must be positive, not {}", length);
   }
   return "";
+}
+
+}  // namespace
+
+std::string why_invalid(const ConfiguredObject& o) {
+  if (o.name.empty()) return "name: must not be empty";
+  if (o.name == "table") return "name: 'table' is the table of scene.table";
+  if (const double far_m = o.position.norm(); far_m > kFarthest_m) {
+    return fmt::format("position: is {:.4g} m from the {}: positions are in m", far_m,
+                       name_of(o.relative_to));
+  }
+  return why_no_shape(o);
+}
+
+std::string why_invalid(const TargetBody& o) {
+  if (!o.held_at.empty() && o.held_at.size() != 2)
+    return fmt::format("held_at: needs x and y, not {} numbers", o.held_at.size());
+  return why_no_shape(o);
 }
 
 std::string why_invalid(const TableOptions& o) {
@@ -122,6 +149,7 @@ std::string why_invalid(const TargetOptions& o) {
   if (o.radius && !(*o.radius > 0)) {
     return fmt::format("radius: must be positive, not {}", *o.radius);
   }
+  if (o.radius && o.body) return "radius: the body has a size of its own";
   if (o.pad_depth < 0) return "pad_depth: must not be negative";
   if (o.rim < 0) return "rim: must not be negative";
   if (o.placed && (o.moved.position != Vec3::Zero() || o.moved.rpy != Vec3::Zero())) {
@@ -137,6 +165,12 @@ std::string why_invalid(const SceneOptions& o) {
     for (const ConfiguredObject& object : *list) {
       if (!names.insert(object.name).second) {
         return fmt::format("objects: the name '{}' is taken", object.name);
+      }
+      if (object.relative_to == Relative::table && !o.table.infer && !o.table.height) {
+        return fmt::format(
+            "objects: {} is relative_to: table, and table.infer: false: give "
+            "table.height, or another relative_to",
+            object.name);
       }
     }
   }
@@ -172,6 +206,10 @@ void load_scene_files(SceneOptions& options, const config::ConfigNode& node) {
   if (node.has("objects")) load_meshes(node["objects"], options.objects);
   load_file(options, node);
   options.meshes.clear();
+  if (options.target.body) {
+    load_mesh_of(node["target"]["body"], kLargestTarget_m, *options.target.body);
+    collision::make_ready(options.target.body->mesh, options.meshes);
+  }
   for (const auto* list : {&options.objects, &options.file_objects}) {
     for (const ConfiguredObject& object : *list) collision::make_ready(object.mesh, options.meshes);
   }

@@ -62,6 +62,31 @@ TEST(PlaceMovement, GoalsAndBodiesGoIntoTheBaseFrame) {
   EXPECT_EQ(placed.problem.frames(), of.motion.time.size());
 }
 
+/// What is relative to the base goes with it wherever an offset puts it; the world's stays behind.
+TEST(PlaceMovement, BodiesMayStandRelativeToTheBase) {
+  test::RobotDemonstration of;
+  of.config.scene.objects = {ball("post", {0.5, 0.6, 0.7}), ball("lamp", {-0.3, 0.2, 0.9})};
+  of.config.scene.objects[1].relative_to = scene::Relative::base;
+  const Scene around = scene_around(of.planner(), {}, of.motion, of.movement);
+  EXPECT_THAT(names_in(around), ElementsAre("post"));
+  const PlacedMovement here(of.planner(), of.motion, of.movement, around, Vec3::Zero());
+  const PlacedMovement there(of.planner(), of.motion, of.movement, around, Vec3(0.1, 0, 0));
+  EXPECT_EQ(here.nowhere, "");
+  EXPECT_THAT(names_in(here.scene), ElementsAre("post", "lamp"));
+  EXPECT_THAT(names_in(here.known), ElementsAre("post", "lamp"));
+  EXPECT_EQ(here.scene.objects[1].position[0], Vec3(-0.3, 0.2, 0.9));
+  EXPECT_EQ(there.scene.objects[1].position[0], Vec3(-0.3, 0.2, 0.9));
+  EXPECT_NEAR((here.scene.objects[0].position[0] - there.scene.objects[0].position[0]).norm(), 0.1,
+              1e-12);
+  const Vec3 shoulder = here.frames.base_from_world * of.motion.shoulder[0];
+  EXPECT_LT((here.frames.shoulder - shoulder).norm(), 1e-12);
+
+  of.config.scene.objects[1].relative_to = scene::Relative::table;
+  const PlacedMovement nowhere(of.planner(), of.motion, of.movement, around, Vec3::Zero());
+  EXPECT_EQ(nowhere.nowhere,
+            "lamp stands relative to the table, and there is none in this movement");
+}
+
 TEST(PlaceMovement, TheMappingKnowsTheTargetIfItIsToStayClearOfIt) {
   for (const bool clear : {false, true}) {
     test::RobotDemonstration of;

@@ -236,6 +236,44 @@ TEST(SceneOptions, WrittenOptionsReadBackTheSame) {
   EXPECT_EQ(config::write_options(read(written)), written);
 }
 
+/// Quarter turns, so that every position is known: the table's x is the base's y.
+TEST(RelativeObjects, StandInTheFrameThatTheyName) {
+  const Quat quarter(Eigen::AngleAxisd(90 * kDegree, Vec3::UnitZ()));
+  WorldFrames frames;
+  frames.base_from_world = make_pose(Vec3(1, 0, 0), quarter);
+  frames.base_from_table = make_pose(Vec3(0.5, 0.2, 0.7), quarter);
+  frames.base_from_target = make_pose(Vec3(0.4, 0.1, 0.8), Quat::Identity());
+  frames.shoulder = Vec3(0, 0, 1.2);
+  SceneOptions options = read(
+      "objects:\n"
+      "  - {name: a, shape: box, size: [0.2, 0.4, 0.1], relative_to: table, anchor: foot,"
+      " position: [0.1, 0, 0], rpy: [0, 0, 90 deg]}\n"
+      "  - {name: b, shape: sphere, size: [0.1], relative_to: target, position: [0.3, 0, 0]}\n"
+      "  - {name: c, shape: sphere, size: [0.1], relative_to: shoulder, position: [0.3, 0, 0]}\n"
+      "  - {name: d, shape: sphere, size: [0.1], relative_to: base, position: [0.3, 0, 0]}\n"
+      "  - {name: e, shape: sphere, size: [0.1], position: [0.3, 0, 0]}\n");
+  Scene scene;
+  EXPECT_EQ(add_relative_objects(options, frames, 5, scene), "");
+  ASSERT_THAT(names(scene), ElementsAre("a", "b", "c", "d"));
+  EXPECT_TRUE(object(scene, "a").position[0].isApprox(Vec3(0.5, 0.3, 0.75), 1e-12));
+  EXPECT_NEAR(angle_between(object(scene, "a").orientation[0], quarter * quarter), 0, 1e-7);
+  EXPECT_TRUE(object(scene, "b").position[0].isApprox(Vec3(0.7, 0.1, 0.8), 1e-12));
+  EXPECT_TRUE(object(scene, "c").position[0].isApprox(Vec3(0, 0.3, 1.2), 1e-12));
+  EXPECT_TRUE(object(scene, "d").position[0].isApprox(Vec3(0.3, 0, 0), 1e-12));
+
+  frames.base_from_target = unseen_pose();
+  EXPECT_EQ(add_relative_objects(options, frames, 5, scene),
+            "b stands relative to the target, and there is none in this movement");
+  EXPECT_THAT(error_of("table: {infer: false}\nobjects: [{name: a, shape: sphere, size: [1], "
+                       "relative_to: table, position: [0, 0, 0]}]"),
+              HasSubstr("a is relative_to: table, and table.infer: false"));
+}
+
+TEST(SceneOptions, PositionsInMillimetresAreNoticed) {
+  EXPECT_THAT(error_of("objects: [{name: a, shape: sphere, size: [0.1], position: [400, 0, 0]}]"),
+              HasSubstr("position: is 400 m from the world: positions are in m"));
+}
+
 TEST(SceneOptions, ErrorsNameFileLineAndKey) {
   const auto with = [](const std::string& body) {
     return "table: {infer: true}\nobjects:\n  - {name: a, position: [0, 0, 0], " + body + "}\n";
@@ -348,11 +386,73 @@ TEST_F(MeshFiles, MillimetresTakenForMetresAreNoticed) {
   const std::string file = write("pyramid.obj", kPyramid);  // 100 wide
   const std::string unscaled =
       "objects: [{name: a, shape: mesh, position: [0, 0, 0], file: " + file;
-  EXPECT_THAT(error_of(unscaled + "}]\n"),
-              testing::AllOf(testing::StartsWith("c.yaml:1: objects[0].file: "),
-                             HasSubstr("100 m long: say scale: 0.001")));
+  EXPECT_THAT(
+      error_of(unscaled + "}]\n"),
+      testing::AllOf(testing::StartsWith("c.yaml:1: objects[0].file: "),
+                     HasSubstr("100 m long: give scale: 0.001 if its numbers are mm (0.1 m)")));
   EXPECT_EQ(error_of(unscaled + ", scale: 1}]\n"), "");
   EXPECT_EQ(error_of(unscaled + ", scale: 0.01}]\n"), "");
+}
+
+TEST_F(MeshFiles, MetresTakenForMillimetresAreNoticed) {
+  const std::string text =
+      "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nv 0 0 0.1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  EXPECT_THAT(error_of(object_of("mesh", write("small.obj", text))),
+              HasSubstr("0.1 mm long with scale: 0.001: leave scale out"));
+}
+
+TEST_F(MeshFiles, AreTargetsThatStandWhereTheyAreHeld) {
+  Grasping g;
+  const std::string body = "target: {body: {file: " + write("pyramid.obj", kPyramid);
+  const SceneOptions options =
+      read(body + ", scale: 0.001, rpy: [0, 0, 90 deg]}}\ntable: {height: 0.01}\n");
+  const Scene scene = build_scene(options, {}, g.motion, g.movement);
+  EXPECT_EQ(g.movement.target, "cup");
+  const SceneObject& target = object(scene, "cup");
+  EXPECT_EQ(target.shape, Shape::mesh);
+  EXPECT_EQ(options.meshes.size(), 1u);
+  // Turned by a quarter its corner at the origin is the right one: x spans [-0.1, 0], y [0, 0.1].
+  EXPECT_TRUE(target.position[0].isApprox(Vec3(0.2 + 0.05, 0.3 - 0.05, 0.01), 1e-7));
+  EXPECT_EQ(target.attach_s, 6.5);
+
+  const SceneOptions held =
+      read(body + ", scale: 0.001, held_at: [0.1, 0]}}\ntable: {height: 0.01}\n");
+  Grasping again;
+  const Scene other = build_scene(held, {}, again.motion, again.movement);
+  EXPECT_TRUE(object(other, "cup").position[0].isApprox(Vec3(0.1, 0.3, 0.01), 1e-7));
+
+  EXPECT_THAT(error_of(body + "}}\n"),
+              testing::AllOf(testing::StartsWith("c.yaml:1: target.body.file: "),
+                             HasSubstr("100 m long: give scale: 0.001")));
+  EXPECT_THAT(error_of(body + ", scale: 0.001, held_at: [1]}}\n"),
+              HasSubstr("held_at: needs x and y"));
+  EXPECT_THAT(error_of("target: {body: {size: [1]}}"), HasSubstr("file: a mesh needs one"));
+  EXPECT_THAT(error_of("target: {radius: 0.1, body: {shape: sphere, size: [0.1]}}"),
+              HasSubstr("radius: the body has a size of its own"));
+}
+
+TEST_F(MeshFiles, GiveARecordedTargetItsShapeInItsFrame) {
+  Grasping g;
+  Demonstration recorded;
+  SceneObject box;
+  box.name = "box";
+  box.shape = Shape::box;
+  box.size = {0.1, 0.1, 0.1};
+  box.time = {5, 7};
+  box.position = {Vec3(0.2, 0.3, 0.05), Vec3(0.2, 0.3, 0.25)};
+  box.orientation.resize(2, Quat(Eigen::AngleAxisd(0.3, Vec3::UnitZ())));
+  recorded.objects = {box};
+  const SceneOptions options =
+      read("target: {body: {scale: 0.001, rpy: [0, 0, 1], file: " + write("pyramid.obj", kPyramid) +
+           "}}\n");
+  const Scene scene = build_scene(options, recorded, g.motion, g.movement);
+  EXPECT_EQ(g.movement.target, "box");
+  const SceneObject& target = object(scene, "box");
+  EXPECT_EQ(target.shape, Shape::mesh);
+  EXPECT_TRUE(target.size.empty());
+  EXPECT_EQ(target.vertices.size(), 5u);
+  EXPECT_EQ(target.position, box.position);
+  EXPECT_TRUE(target.orientation[0].isApprox(box.orientation[0]));
 }
 
 /// What a file leaves out where nothing fits through is closed, a wide opening is not.
