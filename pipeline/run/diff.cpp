@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "pipeline/run/config_changes.hpp"
+#include "pipeline/run/diff_place.hpp"
 #include "pipeline/store/hdf5_file.hpp"
 #include "pipeline/store/plan_file.hpp"
 
@@ -28,23 +29,30 @@ std::string text_of(const store::Hdf5Value& value) {
                                                                         : "'" + text + "'";
 }
 
-/// Of the same shape: how far apart, and how many are not there in one of them.
-void compare_numbers(const store::Hdf5Value& a, const store::Hdf5Value& b, Difference& found) {
-  std::size_t one_sided = 0;
+/// Of the same shape: how far apart, and how many are not there in one of them. Returns the index
+/// of the two that are farthest apart.
+std::size_t compare_numbers(const store::Hdf5Value& a, const store::Hdf5Value& b,
+                            Difference& found) {
+  std::size_t one_sided = 0, where = 0;
   for (std::size_t i = 0; i < a.numbers.size(); ++i) {
     const double x = a.numbers[i], y = b.numbers[i];
     if (same(x, y)) continue;
     if (std::isnan(x) != std::isnan(y)) {
       ++one_sided;
-    } else {
-      found.max_abs = std::max(found.max_abs.value_or(0), std::abs(x - y));
+    } else if (const double apart = std::abs(x - y); !found.max_abs || apart > *found.max_abs) {
+      found.max_abs = apart;
+      found.first = x;
+      found.second = y;
+      where = i;
     }
   }
   if (one_sided > 0) found.change = fmt::format("{} values are NaN in one file alone", one_sided);
+  return where;
 }
 
 class Comparison {
  public:
+  explicit Comparison(ColumnNames names) : names_(std::move(names)) {}
   DiffReport report;
 
   void compare_files(const store::Hdf5Group& a, const store::Hdf5Group& b) {
@@ -68,7 +76,7 @@ class Comparison {
         const store::Hdf5Group only = (in_a ? a : b).open(demonstration);
         only.each_child([&](const std::string& movement) {
           begin_plan(demonstration, movement);
-          add("", std::nullopt, in_a ? "only in the first" : "only in the second");
+          add("", in_a ? "only in the first" : "only in the second");
         });
       }
     });
@@ -91,12 +99,15 @@ class Comparison {
 
   void compare_member(const store::Hdf5Group& a, const store::Hdf5Group& b, const std::string& name,
                       bool in_a, bool in_b, const std::string& path) {
-    if (!in_a || !in_b)
-      return add(path, std::nullopt, in_a ? "only in the first" : "only in the second");
+    if (!in_a || !in_b) return add(path, in_a ? "only in the first" : "only in the second");
     const bool group = a.is_group(name);
-    if (group != b.is_group(name)) return add(path, std::nullopt, "a group in one file alone");
+    if (group != b.is_group(name)) return add(path, "a group in one file alone");
     if (!group) {
-      compare_values(a.value(name), b.value(name), path);
+      const store::Hdf5Value first = a.value(name);
+      compare_values(first, b.value(name), path, [&](std::size_t index, Difference& found) {
+        if (has_unit(a, name)) found.unit = a.value_of_attribute("unit", name.c_str()).texts.at(0);
+        if (!plan_.empty()) found.at = place_in(a, name, path, first.dims, index, names_);
+      });
       compare_attributes(a, b, name.c_str(), path + "/");
       return;
     }
@@ -116,38 +127,51 @@ class Comparison {
     for (const std::string& name : names) {
       const std::string path = below + "@" + name;
       if (!std::binary_search(of_a.begin(), of_a.end(), name)) {
-        add(path, std::nullopt, "only in the second");
+        add(path, "only in the second");
       } else if (!std::binary_search(of_b.begin(), of_b.end(), name)) {
-        add(path, std::nullopt, "only in the first");
+        add(path, "only in the first");
       } else {
-        compare_values(a.value_of_attribute(name, object), b.value_of_attribute(name, object),
-                       path);
+        compare_values(
+            a.value_of_attribute(name, object), b.value_of_attribute(name, object), path,
+            [&](std::size_t, Difference& found) { found.unit = unit_of_attribute(name); });
       }
     }
   }
 
-  void compare_values(const store::Hdf5Value& a, const store::Hdf5Value& b,
-                      const std::string& path) {
-    if (a.is_text != b.is_text) return add(path, std::nullopt, "texts in one file alone");
+  static bool has_unit(const store::Hdf5Group& group, const std::string& dataset) {
+    const std::vector<std::string> names = group.attributes(dataset.c_str());
+    return std::binary_search(names.begin(), names.end(), "unit") &&
+           group.value_of_attribute("unit", dataset.c_str()).is_text;
+  }
+
+  /// `tell(index, found)` adds unit and place of the two numbers that are farthest apart.
+  template <class Tell>
+  void compare_values(const store::Hdf5Value& a, const store::Hdf5Value& b, const std::string& path,
+                      const Tell& tell) {
+    if (a.is_text != b.is_text) return add(path, "texts in one file alone");
     if (a.dims != b.dims)
-      return add(path, std::nullopt,
+      return add(path,
                  fmt::format("shape [{}] -> [{}]", fmt::join(a.dims, ","), fmt::join(b.dims, ",")));
     if (a.is_text) {
       if (a.texts == b.texts) return;
       if (plan_.empty() && path == "@config")
-        return add(path, std::nullopt,
+        return add(path,
                    fmt::format("{}", fmt::join(config_changes(a.texts[0], b.texts[0]), ", ")));
-      return add(path, std::nullopt, fmt::format("{} -> {}", text_of(a), text_of(b)));
+      return add(path, fmt::format("{} -> {}", text_of(a), text_of(b)));
     }
     Difference found;
-    compare_numbers(a, b, found);
-    if (found.max_abs || !found.change.empty()) add(path, found.max_abs, found.change);
+    found.plan = plan_;
+    found.dataset = path;
+    const std::size_t index = compare_numbers(a, b, found);
+    if (found.max_abs) tell(index, found);
+    if (found.max_abs || !found.change.empty()) report.differences.push_back(std::move(found));
   }
 
-  void add(const std::string& dataset, std::optional<double> max_abs, const std::string& change) {
-    report.differences.push_back({plan_, dataset, max_abs, change});
+  void add(const std::string& dataset, const std::string& change) {
+    report.differences.push_back({plan_, dataset, {}, "", "", 0, 0, change});
   }
 
+  ColumnNames names_;
   std::string plan_;
 };
 
@@ -156,7 +180,7 @@ class Comparison {
 DiffReport diff_files(const std::filesystem::path& a, const std::filesystem::path& b) {
   const store::PlanReader format_of_a(a), format_of_b(b);
   const store::Hdf5File first = store::Hdf5File::open(a), second = store::Hdf5File::open(b);
-  Comparison comparison;
+  Comparison comparison(column_names(first.root()));
   comparison.compare_files(first.root(), second.root());
   return std::move(comparison.report);
 }

@@ -12,6 +12,9 @@ struct Difference {
   std::string plan;     ///< "<demonstration>/<movement>", "" for what belongs to the whole file
   std::string dataset;  ///< below the plan, or below the root; "" for the plan as a whole
   std::optional<double> max_abs;  ///< largest difference of two numbers that both are there
+  std::string unit;               ///< of max_abs, as the file says: "m", "rad or m/s"
+  std::string at;                 ///< where that is: "sample 31 (0.62 s), E1"
+  double first = 0, second = 0;   ///< the two numbers there
   std::string change;             ///< a few words, where that does not say it all
 };
 
@@ -23,9 +26,5 @@ struct DiffReport {
 /// Every attribute and every dataset of two plans.h5, bit for bit (any NaN equals any other). A
 /// plan of each is in memory at a time. InputError: not such files, or damaged.
 DiffReport diff_files(const std::filesystem::path& a, const std::filesystem::path& b);
-
-/// {equal, plans: [{plan, dataset, max_abs, change}]}
-std::string diff_json(const DiffReport& report);
-std::string diff_text(const DiffReport& report);
 
 }  // namespace morphe::run

@@ -15,6 +15,7 @@ Command diff_command(CLI::App& app);
 Command export_command(CLI::App& app);
 Command import_command(CLI::App& app);
 Command inspect_command(CLI::App& app);
+Command list_command(CLI::App& app);
 Command merge_command(CLI::App& app);
 Command place_command(CLI::App& app);
 Command report_command(CLI::App& app);

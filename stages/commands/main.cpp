@@ -20,7 +20,7 @@ struct Entry {
   morphe::commands::Command (*add)(CLI::App&);
 };
 
-constexpr std::array<Entry, 12> kCommands{{
+constexpr std::array<Entry, 13> kCommands{{
     {"diff", "Compare two plans.h5: which plans differ, and by how much",
      morphe::commands::diff_command},
     {"export", "Write executable plans as CSV, ROS or robomimic files",
@@ -28,6 +28,8 @@ constexpr std::array<Entry, 12> kCommands{{
     {"import", "Convert recordings into a demonstrations.h5", morphe::commands::import_command},
     {"inspect", "Show what a recording or demonstrations.h5 holds, and what cannot be used",
      morphe::commands::inspect_command},
+    {"list", "Print the table of a plans.h5: its plans, sorted or some of them",
+     morphe::commands::list_command},
     {"merge", "Join the shards of a run into one plans.h5", morphe::commands::merge_command},
     {"place", "Find where a robot's base should stand for a dataset",
      morphe::commands::place_command},

@@ -1,16 +1,17 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
-
-#include "pipeline/store/plan_file.hpp"
+#include <utility>
+#include <vector>
 
 namespace morphe::commands {
 
-/// A row a robot of one run: its plans together. Without a newline at the end.
+/// A row a robot of one run, of its name and plans.h5: all its plans together.
 ///   out of reach  share of the fingertips' goals
 ///   tips          of executable plans: the mean of their means, the largest of all
-///   upper arm, palm, tempo  medians over executable plans
-std::string robots_table_head();
-std::string robots_row(const std::string& name, const store::PlanReader& plans);
+///   humanlikeness A, upper arm, palm, tempo  medians over executable plans
+std::string robots_table(const std::vector<std::pair<std::string, std::filesystem::path>>& robots,
+                         std::size_t width);
 
 }  // namespace morphe::commands

@@ -12,7 +12,6 @@
 #include "pipeline/motion/version.hpp"
 #include "pipeline/run/run_dataset.hpp"
 #include "pipeline/run/run_folder.hpp"
-#include "pipeline/store/plan_file.hpp"
 #include "stages/commands/assumptions.hpp"
 #include "stages/commands/commands.hpp"
 #include "stages/commands/dataset_input.hpp"
@@ -21,6 +20,9 @@
 #include "stages/commands/jobs_option.hpp"
 #include "stages/commands/plan_report.hpp"
 #include "stages/commands/robots_report.hpp"
+#include "stages/commands/row_options.hpp"
+#include "stages/commands/text_table.hpp"
+#include "stages/commands/world_report.hpp"
 #include "stages/import/import.hpp"
 #include "stages/planning/plan_movement.hpp"
 #include "stages/planning/run_config.hpp"
@@ -37,6 +39,7 @@ struct RunArguments {
   imports::ImportRequest recordings;  ///< what is said about those that are imported
   int jobs = 0;
   bool fresh = false, explain = false, strict = false, json = false, report = false;
+  RowChoice choice;
 };
 
 /// What a shell adds to the number of the signal that ended a program.
@@ -140,18 +143,22 @@ class Dataset {
   imports::Imported imported_;
 };
 
-void print_table(const RobotRun& one) {
+/// The rows, of a large run only if some are chosen or sorted, and where things stand.
+void print_table(const RunArguments& arguments, const RobotRun& one) {
   const robot::Robot& robot = one.config.loaded.robot;
   constexpr int kMostRows = 1000;
-  if (one.summary.movements <= kMostRows) {
-    fmt::print("{}\n", plan_table_head());
-    one.folder->journal().each_row([](const std::string& rows) { fmt::print("{}\n", rows); });
-  }
-  const store::PlanReader written(one.plans());
-  if (written.size() > 0) {
-    const std::string base =
-        base_sentence(robot, one.config.loaded.options.placement, written.read(0));
-    if (!base.empty()) fmt::print("{}\n", base);
+  const RowChoice& choice = arguments.choice;
+  if (one.summary.movements <= kMostRows || !choice.sort.empty() || !choice.only.empty()) {
+    std::vector<PlanRow> rows;
+    one.folder->journal().each_row([&](const std::string& text) {
+      PlanRow row = row_from_text(text);
+      if (chosen(choice, row)) rows.push_back(std::move(row));
+    });
+    sort_rows(choice, rows);
+    const std::size_t width = terminal_width();
+    fmt::print("{}{}", plan_table(rows, width), world_text(robot.name, rows, width));
+    if (!choice.only.empty())
+      fmt::print("shown: {} of {} plans\n", rows.size(), one.summary.movements);
   }
   fmt::print("{}\n{}: {}\n", plan_table_foot(robot, one.summary), one.plans().string(),
              run::summary_text_for_people(one.summary));
@@ -188,7 +195,7 @@ int plan_all(const RunArguments& arguments, const run::Shard& shard, Dataset& da
   request.plan = [&](const Demonstration& demonstration) {
     return planning::plan_demonstration(planner, demonstration);
   };
-  request.rows = [&](const Plan& plan) { return plan_rows(robot, plan); };
+  request.rows = [&](const Plan& plan) { return row_text(row_of(robot, plan)); };
   request.publish = [&] { dataset.publish(); };
   run::Progress progress(arguments.json);
   const run::RunResult result = run::run_dataset(one.folder->journal(), request, progress);
@@ -211,16 +218,16 @@ void print_results(const RunArguments& arguments, const std::vector<RobotRun>& r
     if (several) fmt::print("{}\n", all.dump());
     return;
   }
-  std::string table = robots_table_head();
+  std::vector<std::pair<std::string, fs::path>> robots;
   for (const RobotRun& one : runs) {
     if (several) fmt::print("{}\n", one.name);
-    print_table(one);
+    print_table(arguments, one);
     if (several) {
       fmt::print("\n");
-      table += "\n" + robots_row(one.name, store::PlanReader(one.plans()));
+      robots.emplace_back(one.name, one.plans());
     }
   }
-  if (several) fmt::print("{}\n", table);
+  if (several) fmt::print("{}", robots_table(robots, terminal_width()));
 }
 
 /// DIR/report.html: every robot's plans side by side.
@@ -240,6 +247,7 @@ int execute(const RunArguments& arguments) {
     throw InputError("run: needs either CONFIG or --from");
   if (!arguments.from.empty() && !arguments.settings.empty())
     throw InputError("--set: does not go with --from");
+  check_choice(arguments.choice);
   const std::string software = morphe::software();
   const run::Shard shard = run::parse_shard(arguments.shard);
   std::vector<RobotRun> runs = runs_of(arguments, software, shard);
@@ -287,6 +295,7 @@ Command run_command(CLI::App& app) {
   app.add_flag("--explain", arguments->explain, "Say for each demonstration why it is planned");
   app.add_flag("--report", arguments->report,
                "Write DIR/report.html, too: a page that plays every plan");
+  add_row_options(app, arguments->choice);
   app.add_flag("--strict", arguments->strict, "Exit 1 if a movement is infeasible");
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] { return execute(*arguments); };

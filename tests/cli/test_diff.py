@@ -1,12 +1,19 @@
 """`morphe diff` finds every change made with h5py, and `morphe run --from` none: a plans.h5 is all that
 it takes to make it again."""
+import fcntl
+import os
+import pty
+import re
 import shutil
+import struct
+import subprocess
+import termios
 
 import h5py
 import numpy as np
 
 from many import COUNT, ManyCase
-from support import SOURCE, json, main, morphe, sha256
+from support import MORPHE, SOURCE, json, main, morphe, sha256
 
 
 class Diff(ManyCase):
@@ -32,6 +39,7 @@ class Diff(ManyCase):
     def test_equal(self):
         self.assertEqual(self.found(), {})
         self.assertRegex(self.diff().stdout, r"^equal: \d+ plans\n$")
+        self.assertEqual(self.diff("--all", "--sort", "tempo").returncode, 0)
 
     def test_a_runs_folder_stands_for_its_plans(self):
         for command in (["diff", self.plain, self.plain], ["verify", self.plain],
@@ -57,10 +65,70 @@ class Diff(ManyCase):
         key = ("synthetic_000002/000", "trajectory/position")
         self.assertEqual(list(found), [key])
         self.assertAlmostEqual(found[key][0], 0.25, 12)
-        text = self.diff()
+        text = self.diff("--all")
         self.assertEqual(text.returncode, 1)
-        self.assertIn("synthetic_000002/000 trajectory/position: by at most 0.25\n", text.stdout)
-        self.assertRegex(text.stdout, r"\n1 of \d+ plans differ\n$")
+        with h5py.File(self.plain / "plans.h5") as file:
+            time = file["plans/synthetic_000002/000/trajectory/time"][3]
+            value = file["plans/synthetic_000002/000/trajectory/position"][3, 2]
+            joint = file["robot/joint_names"].asstr()[2]
+        self.assertIn(f"synthetic_000002/000 trajectory/position: at most 0.25 rad ({value:.6g} -> "
+                      f"{value + 0.25:.6g}) at sample 3 ({time:.2f} s), {joint}\n", text.stdout)
+        self.assertRegex(text.stdout, r"\n\d+ plans in both, 1 of them differs\n")
+        self.assertNotIn("trajectory/position", self.diff().stdout)
+
+    def test_metres_are_printed_as_millimetres(self):
+        def change(file):
+            file["plans/synthetic_000002/000/goals/tip_position"][7, 0, 1] += 0.0125
+            plan = file["plans/synthetic_000001/000"]
+            plan["certificate"].attrs["clearance"] = plan["certificate"].attrs["clearance"] - 0.002
+        self.edit(change)
+        text = self.diff("--all").stdout
+        self.assertRegex(text, r"goals/tip_position: at most 12\.5 mm \(.* -> .*\) at frame 7 \(.* s\), \w+, y\n")
+        self.assertRegex(text, r"\nclearance +mm +(\S+ +){3}-2\.0 +synthetic_000001/000 ")
+        report = json.loads(self.diff("--json").stdout)
+        clearance = report["figures"]["clearance"]
+        self.assertEqual(clearance["plan"], "synthetic_000001/000")
+        self.assertAlmostEqual(clearance["largest"], -0.002, 12)
+        row, = [row for row in report["rows"] if row["plan"] == "synthetic_000001/000"]
+        self.assertAlmostEqual(row["second"]["clearance"] - row["first"]["clearance"], -0.002, 12)
+
+    def test_plans_that_are_no_longer_executable(self):
+        """A limit that no plan keeps: each is named with its reason."""
+        with h5py.File(self.plain / "plans.h5") as file:
+            executable = [f"{name}/{movement}" for name in file["plans"] for movement in file["plans"][name]
+                          if file["plans"][name][movement].attrs["status"] == b"executable"]
+        self.run_json("--set", "retime.mode=duration", "--set", "retime.duration_s=0.01")
+        shutil.copy(self.out / "plans.h5", self.other)
+        text = self.diff().stdout
+        self.assertIn("retime.mode human -> duration", text)
+        self.assertIn(f"\n{len(executable)} plans executable -> infeasible:\n", text)
+        for name in executable:
+            self.assertRegex(text, rf"\n  {name}: (executable|repaired) -> infeasible \(duration\)\n    duration: ")
+        report = json.loads(self.diff("--json").stdout)
+        self.assertEqual([row["plan"] for row in report["status"]], executable)
+        self.assertEqual(report["status"][0]["second"]["reason"], "duration")
+        self.assertEqual(report["figures"]["tempo"]["plans"], 0)
+
+    def test_a_weight_moves_humanlikeness_the_right_way(self):
+        self.run_json("--set", "map.humanlike_arm=100")
+        shutil.copy(self.out / "plans.h5", self.other)
+        report = json.loads(self.diff("--json").stdout)
+        self.assertEqual(report["config"], ["map.humanlike_arm 1 -> 100"])
+        a = report["figures"]["humanlikeness"]
+        self.assertLess(a["median_second"], a["median_first"])
+        with h5py.File(self.plain / "plans.h5") as one, h5py.File(self.other) as other:
+            for row in report["rows"]:
+                for side, file in ("first", one), ("second", other):
+                    stored = file["plans"][row["plan"]]["certificate"].attrs["humanlikeness_final"]
+                    if row[side]["humanlikeness"] is not None:
+                        self.assertEqual(row[side]["humanlikeness"], stored)
+        text = self.diff().stdout
+        self.assertRegex(text, r"\nhumanlikeness A +cm\^2 +\S+ +\S+ +-")
+
+        rows = self.diff("--only", "synthetic_000002/*").stdout.split("\nB - A", 1)[1]
+        self.assertIn("\nsynthetic_000002/000 ", rows)
+        self.assertNotIn("synthetic_000001", rows)
+        self.refuses(self.diff("--sort", "speed"), "--sort", "'speed' is none of name, mapped,")
 
     def test_the_last_bit_and_the_sign_of_zero(self):
         def change(file):
@@ -118,6 +186,76 @@ class Diff(ManyCase):
         self.refuses(morphe("diff", self.other, self.plain / "plans.h5"), self.other)
         self.other.unlink()
         self.refuses(self.diff(), self.other)
+
+
+class Table(ManyCase):
+    """The table of `run` and `list`."""
+
+    def rows(self, text):
+        return re.findall(r"^(\S+/\d{3}) +(\w+) +(.*)$", text, re.M)
+
+    def test_list_prints_what_run_printed(self):
+        printed = self.succeeds(*self.command(self.out)).stdout
+        listed = self.succeeds("list", self.out).stdout
+        self.assertEqual(self.rows(printed), self.rows(listed))
+        with h5py.File(self.out / "plans.h5") as file:
+            plans = [f"{name}/{movement}" for name in file["plans"] for movement in file["plans"][name]]
+            column = listed.splitlines()[0].split().index("tempo") - len(listed.splitlines()[0].split())
+            for name, status, values in self.rows(listed):
+                tempo = file["plans"][name]["certificate"].attrs["tempo"]
+                self.assertEqual(values.split()[column], "-" if np.isnan(tempo) else f"{tempo:.2f}")
+        self.assertEqual([name for name, *_ in self.rows(listed)], plans)
+
+    def test_sort_and_only(self):
+        listed = self.rows(self.succeeds("list", self.plain).stdout)
+        tempos = [values.split()[-1] for _, _, values in self.rows(
+            self.succeeds("list", self.plain, "--sort", "tempo").stdout)]
+        known = [float(tempo) for tempo in tempos if tempo != "-"]
+        self.assertEqual(known, sorted(known, reverse=True))
+        self.assertNotIn("-", tempos[:len(known)])
+        self.assertEqual(len(tempos), len(listed))
+        some = self.succeeds("list", self.plain, "--only", "synthetic_00000[0-9]").stdout
+        self.assertEqual(self.rows(some), [])
+        some = self.succeeds("list", self.plain, "--only", "synthetic_00000?", "--only", "executable").stdout
+        self.assertEqual([row[0] for row in self.rows(some)],
+                         [name for name, status, _ in listed if name < "synthetic_00001" and status != "infeasible"])
+        ran = self.succeeds(*self.command(self.out, "--only", "synthetic_000003")).stdout
+        self.assertEqual({name[:16] for name, *_ in self.rows(ran)}, {"synthetic_000003"})
+        self.refuses(morphe(*self.command(self.folder / "no", "--sort", "speed")), "--sort", "'speed' is none of")
+        self.assertFalse((self.folder / "no").exists())
+
+    def test_long_names_keep_the_columns(self):
+        long = "a name " + 60 * "é"
+        copy = self.folder / "long.h5"
+        shutil.copy(self.plain / "plans.h5", copy)
+        with h5py.File(copy, "r+") as file:
+            file.move("plans/synthetic_000002", f"plans/{long}")
+        lines = self.succeeds("list", copy).stdout.splitlines()
+        rows = [line for line in lines if re.search(r"/\d{3} ", line)]
+        self.assertTrue([row for row in rows if row.startswith(long + "/000  ")])
+        self.assertEqual({len(row) for row in rows if " executable " in row}, {len(rows[0])})
+        for width in (80, 60, 40):
+            narrow = self.in_a_terminal(width, "list", copy)
+            self.assertLessEqual(max(len(line) for line in narrow.splitlines()), width)
+            self.assertIn("too narrow for:", narrow)
+
+    def in_a_terminal(self, width, *arguments):
+        master, slave = pty.openpty()
+        fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 50, width, 0, 0))
+        process = subprocess.Popen([MORPHE, *map(str, arguments)], stdout=slave, stdin=slave)
+        os.close(slave)
+        out = b""
+        while True:
+            try:
+                part = os.read(master, 65536)
+            except OSError:
+                break
+            if not part:
+                break
+            out += part
+        process.wait()
+        os.close(master)
+        return out.decode().replace("\r\n", "\n")
 
 
 class From(ManyCase):
