@@ -17,7 +17,7 @@ int main(int argc, char** argv) try {
   for (std::size_t k = 0; k < file.size(); ++k) {
     const morphe::Plan plan = file.read(k);  // one at a time: a file may hold very many
     std::printf("%s: ", file.plan_paths()[k].c_str());
-    if (!plan.executable()) {
+    if (!plan.has_trajectory()) {
       std::printf("%s: %s\n", std::string(name_of(plan.reason)).c_str(), plan.detail.c_str());
       continue;
     }

@@ -418,11 +418,30 @@ def check_certificate(plan, found, report):
         if not good and not (np.isnan(value) and np.isnan(stored[name])):
             report.add("certificate", name, stored[name], value)
 
+def check_status(plan, status, farthest, report):
+    """What is called executable reaches what it allows; files of earlier versions do not say what that is."""
+    if "out_of_reach_share" not in plan.attrs:
+        return
+    asked = np.isfinite(plan["goals/tip_position"][()]).all(axis=2)
+    out = plan["goals/reachable"][()] == 0
+    share = (asked & out).sum() / asked.sum() if asked.any() else 0
+    most, tip = plan.attrs["out_of_reach_share"], plan.attrs["farthest_tip"]
+    too_many, far = share > most or share == 1, farthest > tip
+    if status == "approximate":
+        if not too_many and not far:
+            report.add("status", "approximate", share, most)
+        return
+    if too_many:
+        report.add("status", "out_of_reach_share", share, most)
+    if far:
+        report.add("status", "farthest_tip", farthest, tip)
+
 def check_plan(robot, path, plan):
     report = Report(path)
-    executable, moves = text(plan.attrs["status"]) == "executable", "trajectory" in plan
-    if executable != moves or executable != (text(plan.attrs["reason"]) == ""):
-        report.add("structure", "trajectory", moves, executable)
+    status, moves = text(plan.attrs["status"]), "trajectory" in plan
+    should = status in ("executable", "approximate")
+    if should != moves or should != (text(plan.attrs["reason"]) == ""):
+        report.add("structure", "trajectory", moves, should)
     for name, body in plan["scene"].items() if moves else ():
         corners = (body["vertices"], body["triangles"]) if text(body.attrs["shape"]) == "mesh" else ()
         if any(len(rows) == 0 or not np.isfinite(rows[()]).all() for rows in corners):
@@ -437,6 +456,7 @@ def check_plan(robot, path, plan):
     found = check_limits(robot, motion, report)
     found.update(check_tracking(robot, plan, motion, phases, report))
     found.update(smoothness_of(robot, plan["goals"], motion))
+    check_status(plan, status, found["position_error_max"], report)
     mapped = plan["mapped/humanlikeness"][()]
     found["humanlikeness_mapped"] = largest_and_mean(mapped[:, :1])[1]
     found["clearance"] = check_contacts(robot, plan, motion, phases, report)
@@ -458,7 +478,7 @@ def main():
     parser.add_argument("file")
     parser.add_argument("--json", action="store_true")
     options = parser.parse_args()
-    result = dict(executable=0, infeasible=0, violations=[])
+    result = dict(executable=0, approximate=0, infeasible=0, violations=[])
     try:
         with h5py.File(options.file, "r") as file:
             robot = Robot(file["robot"])
@@ -475,7 +495,7 @@ def main():
         for row in result["violations"]:
             print("{plan}: sample {sample} ({time_s:.4f} s): {cause} {subject}: {value:.6g}, "
                   "limit {limit:.6g}".format(**row))
-        print("{executable} executable, {infeasible} infeasible".format(**result))
+        print("{executable} executable, {approximate} approximate, {infeasible} infeasible".format(**result))
     return 1 if result["violations"] else 0
 
 if __name__ == "__main__":

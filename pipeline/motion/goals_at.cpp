@@ -33,4 +33,14 @@ Vec3 point_at(const std::vector<Vec3>& points, const GoalTime& at) {
   return (1 - at.share) * points[at.before] + at.share * points[at.after];
 }
 
+GoalCount count_goals(const Goals& goals) {
+  GoalCount count;
+  for (std::size_t k = 0; k < goals.tip_position.values.size(); ++k) {
+    if (!seen(goals.tip_position.values[k])) continue;
+    ++count.all;
+    count.out_of_reach += goals.reachable.values[k] == 0 ? 1U : 0U;
+  }
+  return count;
+}
+
 }  // namespace morphe

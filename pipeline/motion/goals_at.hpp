@@ -21,4 +21,13 @@ Quat tip_orientation_goal_at(const Goals& goals, std::size_t tip, double time_s)
 /// Of a column of the goals, as elbow_position; not seen if it is empty.
 Vec3 point_at(const std::vector<Vec3>& points, const GoalTime& at);
 
+/// Fingertip goals of all frames, and how many of them are out of reach.
+struct GoalCount {
+  std::size_t all = 0, out_of_reach = 0;
+  double share_out_of_reach() const {
+    return all > 0 ? static_cast<double>(out_of_reach) / static_cast<double>(all) : 0;
+  }
+};
+GoalCount count_goals(const Goals& goals);
+
 }  // namespace morphe

@@ -12,6 +12,7 @@
 #include "pipeline/motion/movement.hpp"
 #include "pipeline/motion/named.hpp"
 #include "pipeline/motion/reason.hpp"
+#include "pipeline/motion/repair_step.hpp"
 #include "pipeline/motion/scene.hpp"
 #include "pipeline/motion/side.hpp"
 #include "pipeline/motion/world_frames.hpp"
@@ -138,7 +139,17 @@ struct Tolerances {
   double contact_depth = 0.005;   ///< allowed penetration of the target [m]
   double tracking_grasp = 0.005;  ///< tips from their goals in grasp and hold [m]
   double tracking = 0.020;        ///< elsewhere [m]
+  /// A plan of which more goals are out of reach, or a tip farther from its goal, is approximate.
+  double out_of_reach_share = 0.5;  ///< of all fingertip goals, below 1
+  double farthest_tip = 0.05;       ///< [m]
 };
+
+/// `executable`: runs, and reaches its goals. `approximate`: runs, and comes only as near to them
+/// as it can. `infeasible`: nothing to run, there is a reason.
+enum class Status : std::uint8_t { executable, approximate, infeasible };
+constexpr std::array<std::string_view, 3> names_of(Status) {
+  return {"executable", "approximate", "infeasible"};
+}
 
 /// A movement and all that became of it. Every movement of every demonstration ends as one.
 struct Plan {
@@ -146,22 +157,32 @@ struct Plan {
   std::string subject, task;
   Side hand = Side::right;
   Movement movement;
-  Reason reason = Reason::unplanned;  ///< none: executable
-  std::string detail;                 ///< a sentence
+  Reason reason = Reason::unplanned;  ///< none: there is a trajectory
+  /// The trajectory moves as the person did, but too many goals are out of reach, or tips too far
+  /// from theirs, to say that it does what the person did (Tolerances).
+  bool approximate = false;
+  std::string detail;  ///< a sentence
   Tolerances tolerances;
   Goals goals;
   Scene scene;  ///< in the robot's base frame
   WorldFrames world;
   Mapped mapped;
-  std::vector<Finding> findings;  ///< also those that repair removed
+  std::vector<Finding> findings;   ///< of the mapped path: also those that repair removed
+  std::vector<RepairStep> repair;  ///< in order; empty if the mapped path had no finding
+  std::vector<Finding> remaining;  ///< of `path`: what repair has left
   JointPath path;
   Grasp grasp;
-  Trajectory trajectory;  ///< empty unless executable
+  Trajectory trajectory;  ///< empty if infeasible
   Trajectory approach;    ///< from home to the first sample, empty unless asked for
   Trajectory retreat;     ///< from the last sample back home, likewise
   Certificate certificate;
 
-  bool executable() const { return reason == Reason::none; }
+  Status status() const {
+    if (reason != Reason::none) return Status::infeasible;
+    return approximate ? Status::approximate : Status::executable;
+  }
+  bool executable() const { return status() == Status::executable; }
+  bool has_trajectory() const { return status() != Status::infeasible; }
 };
 
 /// What a plans.h5 says of itself as a whole.

@@ -31,13 +31,19 @@ BatchSummary summary_of(const DemonstrationOutcome& outcome) {
   summary.failed = outcome.error.empty() ? 0 : 1;
   for (const Plan& plan : outcome.plans) {
     ++summary.movements;
-    if (plan.executable()) {
-      ++summary.executable;
-    } else {
-      ++summary.infeasible;
-      ++summary.reasons[std::string(name_of(plan.reason))];
+    switch (plan.status()) {
+      case Status::executable:
+        ++summary.executable;
+        summary.repaired += plan.certificate.repaired ? 1 : 0;
+        break;
+      case Status::approximate:
+        ++summary.approximate;
+        break;
+      case Status::infeasible:
+        ++summary.infeasible;
+        ++summary.reasons[std::string(name_of(plan.reason))];
+        break;
     }
-    if (plan.certificate.repaired) ++summary.repaired;
     count_goals(plan, summary);
   }
   summary.stage_seconds = outcome.stage_seconds;
@@ -48,6 +54,7 @@ void add(const BatchSummary& more, BatchSummary& sum) {
   sum.demonstrations += more.demonstrations;
   sum.movements += more.movements;
   sum.executable += more.executable;
+  sum.approximate += more.approximate;
   sum.infeasible += more.infeasible;
   sum.repaired += more.repaired;
   sum.failed += more.failed;
@@ -91,10 +98,12 @@ std::string summary_text_for_people(const BatchSummary& summary) {
   for (const auto& [reason, count] : summary.reasons)
     reasons += fmt::format("{}{} {}", reasons.empty() ? " (" : ", ", reason, count);
   if (!reasons.empty()) reasons += ")";
+  const std::string approximate =
+      summary.approximate > 0 ? fmt::format("{} approximate, ", summary.approximate) : "";
   std::string text =
-      fmt::format("{} demonstrations, {} movements: {} executable ({} repaired), {} infeasible{}",
+      fmt::format("{} demonstrations, {} movements: {} executable ({} repaired), {}{} infeasible{}",
                   summary.demonstrations, summary.movements, summary.executable, summary.repaired,
-                  summary.infeasible, reasons);
+                  approximate, summary.infeasible, reasons);
   if (summary.failed > 0) text += fmt::format(", {} failed", summary.failed);
   if (summary.reused > 0) text += fmt::format("; {} finished before", summary.reused);
   return text;
@@ -104,6 +113,7 @@ std::string summary_json(const BatchSummary& summary) {
   const nlohmann::ordered_json json{{"demonstrations", summary.demonstrations},
                                     {"movements", summary.movements},
                                     {"executable", summary.executable},
+                                    {"approximate", summary.approximate},
                                     {"infeasible", summary.infeasible},
                                     {"repaired", summary.repaired},
                                     {"failed", summary.failed},

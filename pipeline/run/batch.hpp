@@ -22,7 +22,8 @@ struct DemonstrationOutcome {
 
 /// Counts over a run, as `morphe run --json` prints them.
 struct BatchSummary {
-  int demonstrations = 0, movements = 0, executable = 0, infeasible = 0, repaired = 0, failed = 0;
+  int demonstrations = 0, movements = 0, executable = 0, approximate = 0, infeasible = 0;
+  int repaired = 0, failed = 0;
   std::map<std::string, int> reasons;  ///< of infeasible movements
   std::map<std::string, double> stage_seconds;
   std::int64_t goals = 0, out_of_reach = 0;  ///< of fingertips, over all frames that were mapped
@@ -47,7 +48,8 @@ DemonstrationOutcome attempt(const std::function<DemonstrationOutcome(const Demo
 /// demonstration a failed one; the run goes on.
 BatchSummary run_batch(const Batch& batch, int jobs);
 
-/// "5 demonstrations, 5 movements: 4 executable (1 repaired), 1 infeasible (no_goal 1)".
+/// "5 demonstrations, 5 movements: 4 executable (1 repaired), 1 infeasible (no_goal 1)"; those that
+/// are approximate, if any, stand between the two.
 std::string summary_text_for_people(const BatchSummary& summary);
 /// As docs/formats.md says: what `--json` prints.
 std::string summary_json(const BatchSummary& summary);

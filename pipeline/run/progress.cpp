@@ -27,8 +27,9 @@ std::string progress_text(const BatchSummary& sum, std::int64_t total, double el
                       : fmt::format(", {:.1f} a minute", 60 * rate);
     text += fmt::format(", {} left", duration_text(left_s));
   }
-  text += fmt::format(": {} executable ({} repaired), {} infeasible", sum.executable, sum.repaired,
-                      sum.infeasible);
+  text += fmt::format(": {} executable ({} repaired), ", sum.executable, sum.repaired);
+  if (sum.approximate > 0) text += fmt::format("{} approximate, ", sum.approximate);
+  text += fmt::format("{} infeasible", sum.infeasible);
   return sum.failed > 0 ? text + fmt::format(", {} failed", sum.failed) : text;
 }
 

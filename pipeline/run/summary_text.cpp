@@ -10,6 +10,7 @@ std::string summary_text(const BatchSummary& s) {
   return nlohmann::json{{"demonstrations", s.demonstrations},
                         {"movements", s.movements},
                         {"executable", s.executable},
+                        {"approximate", s.approximate},
                         {"infeasible", s.infeasible},
                         {"repaired", s.repaired},
                         {"failed", s.failed},
@@ -27,6 +28,7 @@ BatchSummary summary_from_text(const std::string& text) {
     json.at("demonstrations").get_to(s.demonstrations);
     json.at("movements").get_to(s.movements);
     json.at("executable").get_to(s.executable);
+    s.approximate = json.value("approximate", 0);  // none in journals of earlier versions
     json.at("infeasible").get_to(s.infeasible);
     json.at("repaired").get_to(s.repaired);
     json.at("failed").get_to(s.failed);

@@ -231,9 +231,9 @@ std::string inconsistency(const RobotTable& robot) {
 
 std::string inconsistency(const Plan& plan, const RobotTable& robot) {
   Faults faults;
-  faults.require(plan.executable() == (plan.trajectory.samples() > 0), "trajectory",
-                 plan.executable() ? "has no sample, but the plan is executable"
-                                   : "is there, but the plan is infeasible");
+  faults.require(plan.has_trajectory() == (plan.trajectory.samples() > 0), "trajectory",
+                 plan.has_trajectory() ? "has no sample, but the plan is executable"
+                                       : "is there, but the plan is infeasible");
   faults.take(faults_of(plan.goals, robot.tips.size()));
   for (const SceneObject& object : plan.scene.objects) faults.take(faults_of(object, "scene/"));
   faults.take(faults_of(plan.mapped, plan.goals.frames(), robot));
@@ -242,7 +242,7 @@ std::string inconsistency(const Plan& plan, const RobotTable& robot) {
   faults.take(faults_of(plan.approach, "approach/", robot.joints()));
   faults.take(faults_of(plan.retreat, "retreat/", robot.joints()));
   const std::size_t samples =
-      plan.executable() ? plan.trajectory.samples() : plan.path.demonstration_time.size();
+      plan.has_trajectory() ? plan.trajectory.samples() : plan.path.demonstration_time.size();
   if (plan.grasp.sample >= 0) faults.take(faults_of(plan.grasp, samples, robot));
   return faults.first;
 }

@@ -102,6 +102,7 @@ class LayoutWriter {
     group_.set(name, std::vector<double>{value.x(), value.y(), value.z()});
   }
   void maybe(const char* name, const std::string& value) { group_.set(name, value); }
+  void maybe(const char* name, double value) { group_.set(name, value); }
   template <class T>
   void maybe(const char* name, const std::optional<T>& value) {
     if (value) attribute(name, *value);
@@ -204,6 +205,9 @@ class LayoutReader {
     ItemCodec<Vec3>::decode(values.data(), value);
   }
   void maybe(const char* name, std::string& value) {
+    if (group_.has_attribute(name)) group_.get(name, value);
+  }
+  void maybe(const char* name, double& value) {
     if (group_.has_attribute(name)) group_.get(name, value);
   }
   template <class T>

@@ -53,6 +53,21 @@ void lay_out_findings(Io& io, T& findings) {
 }
 
 template <class Io, class T>
+void lay_out_repair(Io& io, T& steps) {
+  io.column("level", steps, &RepairStep::level, {"1", "", "0=rung,1=attempt"});
+  io.column("name", steps, &RepairStep::name, {});
+  io.column("begin_s", steps, &RepairStep::begin_s, {"s", "", ""});
+  io.column("end_s", steps, &RepairStep::end_s, {"s", "", ""});
+  io.column("change", steps, &RepairStep::change, of_joints());
+  io.column("findings", steps, &RepairStep::findings, {"1", "", ""});
+  io.column("collisions", steps, &RepairStep::collisions, {"m", "", ""});
+  io.column("others", steps, &RepairStep::others, {"m or rad", "", ""});
+  io.column("worst", steps, &RepairStep::worst, {});
+  io.column("kept", steps, &RepairStep::kept, {"1", "", "0=no,1=yes"});
+  io.column("ended", steps, &RepairStep::ended, {});
+}
+
+template <class Io, class T>
 void lay_out_grasp(Io& io, T& grasp) {
   io.attribute("sample", grasp.sample);
   io.dataset("object_pose", grasp.base_from_object, {"m", "base", ""});
@@ -99,17 +114,18 @@ void lay_out_certificate(Io& io, T& certificate) {
   io.names_if_any("unchecked_links", certificate.unchecked_links);
 }
 
-/// "executable" exactly if there is no reason; reading refuses a file that says otherwise.
+/// "executable" or "approximate" exactly if there is no reason; reading refuses a file that says
+/// otherwise.
 template <class Io, class T>
 void lay_out_status(Io& io, T& plan) {
   io.attribute("reason", plan.reason);
   io.attribute("detail", plan.detail);
-  const std::string expected = plan.executable() ? "executable" : "infeasible";
-  std::string status = expected;
+  Status status = plan.status();
   io.attribute("status", status);
-  if (status != expected)
-    io.here().fail(
-        fmt::format("@status is '{}' with the @reason '{}'", status, name_of(plan.reason)));
+  if constexpr (Io::reading) plan.approximate = status == Status::approximate;
+  if (status != plan.status())
+    io.here().fail(fmt::format("@status is '{}' with the @reason '{}'", name_of(status),
+                               name_of(plan.reason)));
 }
 
 /// /plans/<demonstration>/<movement> of docs/formats.md.
@@ -126,6 +142,11 @@ void lay_out_plan(Io& io, T& plan) {
   io.attribute("contact_depth", plan.tolerances.contact_depth);
   io.attribute("tracking_grasp", plan.tolerances.tracking_grasp);
   io.attribute("tracking", plan.tolerances.tracking);
+  if constexpr (Io::reading) {  // files of earlier versions say nothing of it
+    plan.tolerances.out_of_reach_share = plan.tolerances.farthest_tip = kNotSeen;
+  }
+  io.maybe("out_of_reach_share", plan.tolerances.out_of_reach_share);
+  io.maybe("farthest_tip", plan.tolerances.farthest_tip);
   io.group("goals", [&](Io& in) { lay_out_goals(in, plan.goals); });
   io.group("phases", [&](Io& in) {
     in.column("name", plan.movement.phases, &Phase::kind, {});
@@ -141,13 +162,16 @@ void lay_out_plan(Io& io, T& plan) {
               [&](Io& in) { lay_out_world(in, plan.world); });
   io.group("mapped", [&](Io& in) { lay_out_mapped(in, plan.mapped); });
   io.group("findings", [&](Io& in) { lay_out_findings(in, plan.findings); });
+  io.group_if(!plan.repair.empty(), "repair", [&](Io& in) { lay_out_repair(in, plan.repair); });
+  io.group_if(!plan.remaining.empty(), "remaining",
+              [&](Io& in) { lay_out_findings(in, plan.remaining); });
   io.group("path", [&](Io& in) {
     in.dataset("position", plan.path.position, of_joints());
     in.dataset("origin", plan.path.origin, {"1", "", meaning<Origin>()});
     in.dataset("demonstration_time", plan.path.demonstration_time, {"s", "", ""});
   });
   io.group_if(plan.grasp.sample >= 0, "grasp", [&](Io& in) { lay_out_grasp(in, plan.grasp); });
-  io.group_if(plan.executable(), "trajectory",
+  io.group_if(plan.has_trajectory(), "trajectory",
               [&](Io& in) { lay_out_trajectory(in, plan.trajectory); });
   io.group_if(plan.approach.samples() > 0, "approach",
               [&](Io& in) { lay_out_trajectory(in, plan.approach); });

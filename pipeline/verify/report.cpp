@@ -29,8 +29,9 @@ std::string number(double value) {
 }  // namespace
 
 std::string verify_json(const VerifyReport& report) {
-  std::string out = fmt::format("{{\"executable\": {}, \"infeasible\": {}, \"violations\": [",
-                                report.executable, report.infeasible);
+  std::string out = fmt::format(
+      "{{\"executable\": {}, \"approximate\": {}, \"infeasible\": {}, \"violations\": [",
+      report.executable, report.approximate, report.infeasible);
   const char* separator = "";
   for (const Violation& v : report.violations) {
     out += fmt::format(
@@ -52,8 +53,10 @@ std::string verify_text(const VerifyReport& report) {
     out += fmt::format("{}: {}: {} {}: {:.6g}, limit {:.6g}\n", v.plan, where, v.cause, v.subject,
                        v.value, v.limit);
   }
-  return out + fmt::format("{} executable, {} infeasible, {} violations\n", report.executable,
-                           report.infeasible, report.violations.size());
+  const std::string approximate =
+      report.approximate > 0 ? fmt::format("{} approximate, ", report.approximate) : "";
+  return out + fmt::format("{} executable, {}{} infeasible, {} violations\n", report.executable,
+                           approximate, report.infeasible, report.violations.size());
 }
 
 }  // namespace morphe::verify

@@ -143,11 +143,11 @@ void judge_coverage(const Plan& plan, ViolationRuns& runs) {
 
 bool judge_structure(const RobotTable& robot, const Plan& plan, ViolationRuns& runs) {
   const bool empty = plan.trajectory.samples() == 0;
-  if (plan.executable() == empty) {
+  if (plan.has_trajectory() == empty) {
     runs.note_plan("structure", "trajectory", static_cast<double>(plan.trajectory.samples()), 0);
     return false;
   }
-  if (!plan.executable()) return false;
+  if (!plan.has_trajectory()) return false;
   if (const char* fault = robot_fault(robot)) {
     runs.note_plan("structure", fault, kNotSeen, kNotSeen);
     return false;

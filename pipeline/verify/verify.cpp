@@ -2,6 +2,7 @@
 
 #include "pipeline/verify/certificate.hpp"
 #include "pipeline/verify/contact.hpp"
+#include "pipeline/verify/status.hpp"
 #include "pipeline/verify/structure.hpp"
 #include "pipeline/verify/tracking.hpp"
 
@@ -36,6 +37,7 @@ std::vector<Violation> verify_plan(const RobotTable& robot, const std::string& p
   judge_rest(robot, plan.trajectory, runs);
   const LimitUse use = judge_limits(robot, curve, runs);
   judge_tracking(robot, plan, runs);
+  judge_status(robot, plan, runs);
   const double clearance = judge_contacts(robot, plan, curve, runs);
   judge_certificate(robot, plan, curve, use, clearance, runs);
   std::vector<Violation> violations = runs.finish();

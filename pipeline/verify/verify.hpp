@@ -23,6 +23,10 @@ namespace morphe::verify {
 /// tracking     tip                      m from its goal; tolerance of the plan at that phase
 /// self         capsule/capsule          m of clearance; clearance required, tolerance 1e-6 m
 /// object       capsule/object           the same
+/// status       what was allowed         share of goals out of reach, or m of a tip from its goal,
+/// of
+///                                       a plan that is not called by the right name; what it
+///                                       allows
 /// certificate  attribute                what is stored; what was recomputed
 struct Violation {
   std::string plan;
@@ -33,7 +37,7 @@ struct Violation {
 };
 
 struct VerifyReport {
-  int executable = 0, infeasible = 0;  ///< plans, as the file has them
+  int executable = 0, approximate = 0, infeasible = 0;  ///< plans, as the file has them
   std::vector<Violation> violations;
 };
 
@@ -49,8 +53,8 @@ MORPHE_EXPORT std::vector<Violation> verify_plan(const RobotTable& robot,
 /// Every plan of a plans.h5. Throws InputError if the file cannot be read.
 MORPHE_EXPORT VerifyReport verify_file(const std::filesystem::path& file);
 
-/// {executable, infeasible, violations: [{plan, sample, time_s, cause, subject, value, limit}]};
-/// a number that is not finite is null.
+/// {executable, approximate, infeasible, violations: [{plan, sample, time_s, cause, subject, value,
+/// limit}]}; a number that is not finite is null.
 MORPHE_EXPORT std::string verify_json(const VerifyReport& report);
 
 /// A line per violation, then the sum.

@@ -8,7 +8,10 @@ VerifyReport verify_file(const std::filesystem::path& file) {
   VerifyReport report;
   for (std::size_t i = 0; i < reader.plan_paths().size(); ++i) {
     const Plan plan = reader.read(i);
-    ++(plan.executable() ? report.executable : report.infeasible);
+    const Status status = plan.status();
+    ++(status == Status::executable    ? report.executable
+       : status == Status::approximate ? report.approximate
+                                       : report.infeasible);
     const std::vector<Violation> found = verify_plan(reader.robot(), reader.plan_paths()[i], plan);
     report.violations.insert(report.violations.end(), found.begin(), found.end());
   }

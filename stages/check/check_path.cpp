@@ -32,12 +32,6 @@ void check_limits(const RobotTable& robot, const JointPath& path, FindingRows& r
   }
 }
 
-/// Samples beside the grasp count to it: some of the motion between does.
-bool grasps_around(const Movement& movement, const std::vector<double>& time, std::size_t k) {
-  return grasping_at(movement, time[k]) || (k > 0 && grasping_at(movement, time[k - 1])) ||
-         (k + 1 < time.size() && grasping_at(movement, time[k + 1]));
-}
-
 void check_tracking(const RobotTable& robot, const Goals& goals, const Movement& movement,
                     const JointPath& path, const Tolerances& tolerances, FindingRows& rows) {
   if (goals.frames() == 0) return;
@@ -99,11 +93,19 @@ void check_jumps(const RobotTable& robot, const JointPath& path, double jump_ste
 
 }  // namespace
 
+bool grasps_around(const Movement& movement, const std::vector<double>& time, std::size_t k) {
+  return grasping_at(movement, time[k]) || (k > 0 && grasping_at(movement, time[k - 1])) ||
+         (k + 1 < time.size() && grasping_at(movement, time[k + 1]));
+}
+
 std::string why_invalid(const CheckOptions& options) {
   const Tolerances& t = options.tolerances;
   if (!(t.margin >= 0)) return "margin must not be negative";
   if (!(t.contact_depth >= 0)) return "contact_depth must not be negative";
   if (!(t.tracking_grasp > 0 && t.tracking > 0)) return "tracking tolerances must be positive";
+  if (!(t.out_of_reach_share >= 0 && t.out_of_reach_share < 1))
+    return "out_of_reach_share must be at least 0 and below 1";
+  if (!(t.farthest_tip > 0)) return "farthest_tip must be positive";
   if (!(options.jump_step > 0)) return "jump_step must be positive";
   return "";
 }

@@ -26,10 +26,16 @@ void fields(Fields& f, CheckOptions& o) {
   f("contact_depth", o.tolerances.contact_depth);
   f("tracking_grasp", o.tolerances.tracking_grasp);
   f("tracking", o.tolerances.tracking);
+  f("out_of_reach_share", o.tolerances.out_of_reach_share);
+  f("farthest_tip", o.tolerances.farthest_tip);
   f("engine", o.engine);
   f("jump_step", o.jump_step);
 }
 std::string why_invalid(const CheckOptions& options);
+
+/// Whether sample k of a path counts to grasp and hold, and its tips by the tighter tolerance:
+/// samples beside the grasp do, as some of the motion between does.
+bool grasps_around(const Movement& movement, const std::vector<double>& time, std::size_t k);
 
 /// Everything that keeps a path from being executed, one finding for each cause and pair of names
 /// in a row of samples, ordered by begin, then cause and names. Empty = free. Times are the path's

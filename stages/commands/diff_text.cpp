@@ -36,7 +36,7 @@ bool shows(const PlanPair& pair) {
 }
 
 std::string outcome(const PlanRow& row) {
-  return row.executable() ? row.status : fmt::format("{} ({})", row.status, row.reason);
+  return row.reason.empty() ? row.status : fmt::format("{} ({})", row.status, row.reason);
 }
 
 std::set<std::string> differing_plans(const PlanDiff& diff) {
@@ -65,7 +65,7 @@ std::string counts_text(const PlanDiff& diff, const std::set<std::string>& diffe
   return text;
 }
 
-/// executable -> infeasible and so on: how many, then each with its reason.
+/// No longer executable, executable now, and the rest: how many, then each with its reason.
 std::string status_text(const std::vector<PlanPair>& pairs, std::size_t width) {
   std::string worse, better, other;
   std::size_t lost = 0, won = 0, changed = 0;
@@ -80,8 +80,8 @@ std::string status_text(const std::vector<PlanPair>& pairs, std::size_t width) {
     ++(was && !is ? lost : is && !was ? won : changed);
   }
   std::string text;
-  if (lost > 0) text += fmt::format("{} executable -> infeasible:\n{}", plans(lost), worse);
-  if (won > 0) text += fmt::format("{} infeasible -> executable:\n{}", plans(won), better);
+  if (lost > 0) text += fmt::format("{} no longer executable:\n{}", plans(lost), worse);
+  if (won > 0) text += fmt::format("{} executable now:\n{}", plans(won), better);
   if (changed > 0)
     text += fmt::format("{} otherwise of another status:\n{}", plans(changed), other);
   return text;

@@ -52,7 +52,7 @@ std::string finding_line(const Finding& finding) {
 
 std::vector<std::string> lines_of(const Plan& plan) {
   std::vector<std::string> lines;
-  if (!plan.executable()) {
+  if (!plan.has_trajectory()) {
     const bool said = plan.detail.starts_with(fmt::format("{}:", name_of(plan.reason)));
     lines.push_back(said ? plan.detail : fmt::format("{}: {}", name_of(plan.reason), plan.detail));
   } else if (!plan.detail.empty()) {
@@ -107,9 +107,7 @@ constexpr std::array<FigureColumn, 10> kColumns{{{"mapped", "mapped", "tips mm",
 PlanRow row_of(const RobotTable& robot, const Plan& plan) {
   PlanRow row;
   row.name = fmt::format("{}/{:03}", plan.demonstration, plan.movement.index);
-  row.status = !plan.executable()          ? "infeasible"
-               : plan.certificate.repaired ? "repaired"
-                                           : "executable";
+  row.status = plan.executable() && plan.certificate.repaired ? "repaired" : name_of(plan.status());
   row.reason = name_of(plan.reason);
   row.figures = figures_of(robot, plan);
   row.lines = lines_of(plan);

@@ -11,8 +11,8 @@ namespace morphe::commands {
 /// What tables say of a plan.
 struct PlanRow {
   std::string name;    ///< "<demonstration>/<000>"
-  std::string status;  ///< executable, repaired (and executable) or infeasible
-  std::string reason;  ///< its code, "" if executable
+  std::string status;  ///< executable, repaired (and executable), approximate or infeasible
+  std::string reason;  ///< its code, "" unless infeasible
   FigureValues figures{};
   std::vector<std::string> lines;              ///< why it is infeasible, notes, findings
   WorldFrames world;                           ///< where things stand

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/motion/goals_at.hpp"
 #include "pipeline/store/plan_file.hpp"
 #include "stages/commands/plan_figures.hpp"
 #include "stages/commands/text_table.hpp"
@@ -26,28 +27,28 @@ std::string median(const std::vector<FigureValues>& all, std::string_view key) {
 }
 
 TextTable::Row robot_row(const std::string& name, const store::PlanReader& plans) {
-  double goals = 0, out_of_reach = 0, tips_m = 0, tips_max_m = kNotSeen;
-  int repaired = 0;
-  std::vector<FigureValues> executable;
+  GoalCount goals;
+  double tips_m = 0, tips_max_m = kNotSeen;
+  int executable = 0, repaired = 0;
+  std::vector<FigureValues> moving;  // with a trajectory
   for (std::size_t k = 0; k < plans.size(); ++k) {
     const Plan plan = plans.read(k);
-    for (std::size_t i = 0; i < plan.goals.tip_position.values.size(); ++i) {
-      if (!seen(plan.goals.tip_position.values[i])) continue;
-      goals += 1;
-      out_of_reach += plan.goals.reachable.values[i] == 0 ? 1 : 0;
-    }
-    if (!plan.executable()) continue;
+    const GoalCount count = count_goals(plan.goals);
+    goals.all += count.all;
+    goals.out_of_reach += count.out_of_reach;
+    if (!plan.has_trajectory()) continue;
+    executable += plan.executable() ? 1 : 0;
     repaired += plan.certificate.repaired ? 1 : 0;
     tips_m += plan.certificate.position_error_mean;
     tips_max_m = std::fmax(tips_max_m, plan.certificate.position_error_max);
-    executable.push_back(figures_of(plans.robot(), plan));
+    moving.push_back(figures_of(plans.robot(), plan));
   }
   return {
-      {name, fmt::format("{} of {}", executable.size(), plans.size()), fmt::format("{}", repaired),
-       decimal(100 * out_of_reach / goals, 1),
-       decimal(1e3 * tips_m / static_cast<double>(executable.size()), 2),
-       decimal(1e3 * tips_max_m, 2), median(executable, "humanlikeness"),
-       median(executable, "upper_arm"), median(executable, "palm"), median(executable, "tempo")},
+      {name, fmt::format("{} of {}", executable, plans.size()), fmt::format("{}", repaired),
+       decimal(100 * static_cast<double>(goals.out_of_reach) / static_cast<double>(goals.all), 1),
+       decimal(1e3 * tips_m / static_cast<double>(moving.size()), 2), decimal(1e3 * tips_max_m, 2),
+       median(moving, "humanlikeness"), median(moving, "upper_arm"), median(moving, "palm"),
+       median(moving, "tempo")},
       {}};
 }
 

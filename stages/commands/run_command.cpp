@@ -265,7 +265,9 @@ int execute(const RunArguments& arguments) {
     return std::ranges::any_of(runs, [&](const RobotRun& one) { return one.summary.*count > 0; });
   };
   if (any(&run::BatchSummary::failed)) return 1;
-  return arguments.strict && any(&run::BatchSummary::infeasible) ? 1 : 0;
+  const bool all_executable =
+      !any(&run::BatchSummary::infeasible) && !any(&run::BatchSummary::approximate);
+  return arguments.strict && !all_executable ? 1 : 0;
 }
 
 }  // namespace
@@ -296,7 +298,7 @@ Command run_command(CLI::App& app) {
   app.add_flag("--report", arguments->report,
                "Write DIR/report.html, too: a page that plays every plan");
   add_row_options(app, arguments->choice);
-  app.add_flag("--strict", arguments->strict, "Exit 1 if a movement is infeasible");
+  app.add_flag("--strict", arguments->strict, "Exit 1 unless every movement is executable");
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] { return execute(*arguments); };
 }

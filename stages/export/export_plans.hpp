@@ -25,12 +25,12 @@ struct ExportReport {
   std::string remark;              ///< what to know of the files, or ""
 };
 
-/// Writes what a plans.h5 holds of executable plans for others to read:
+/// Writes what a plans.h5 holds of plans with a trajectory for others to read:
 /// - csv: <demonstration>_<000>.csv and, with an approach and a retreat apart, …_approach.csv and
 ///   …_retreat.csv; of a group other than all: …_arm.csv, …_approach_arm.csv
 /// - ros, ros-json: the same with .yaml or .json, a JointTrajectory each
 /// - robomimic: robomimic.hdf5, all plans in one, without approach and retreat, which are no
-///   demonstration; no file if no plan is executable
+///   demonstration; no file if no plan has a trajectory
 /// and index_<format>.json, which lists them.
 ///
 /// The folder must exist. The files appear together, each whole; nothing else in the folder is

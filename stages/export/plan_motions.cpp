@@ -26,7 +26,7 @@ std::string what_is_wrong(const Trajectory& t) {
 
 /// "" if a plan can be exported.
 std::string why_not(const Plan& plan) {
-  if (!plan.executable()) return fmt::format("{}: {}", name_of(plan.reason), plan.detail);
+  if (!plan.has_trajectory()) return fmt::format("{}: {}", name_of(plan.reason), plan.detail);
   if (const std::string wrong = what_is_wrong(plan.trajectory); !wrong.empty()) return wrong;
   for (const Trajectory* way : {&plan.approach, &plan.retreat}) {
     const std::string wrong = way->samples() > 0 ? what_is_wrong(*way) : "";

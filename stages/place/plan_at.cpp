@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/motion/goals_at.hpp"
 #include "pipeline/parallel/for_each.hpp"
 #include "stages/place/place.hpp"
 #include "stages/place/reach.hpp"
@@ -15,16 +16,6 @@ struct OneMovement {
   double tip_error_max_m = kNotSeen;
 };
 
-double share_out_of_reach(const Goals& goals) {
-  int asked = 0, out = 0;
-  for (std::size_t k = 0; k < goals.tip_position.values.size(); ++k) {
-    if (!seen(goals.tip_position.values[k])) continue;
-    ++asked;
-    out += goals.reachable.values[k] == 0 ? 1 : 0;
-  }
-  return asked > 0 ? static_cast<double>(out) / asked : 0;
-}
-
 OneMovement plan_one(const planning::Planner& planner, const Trial& trial) {
   planning::StageSeconds ignored;
   const planning::Rebuilt& rebuilt = *trial.rebuilt;
@@ -37,10 +28,10 @@ OneMovement plan_one(const planning::Planner& planner, const Trial& trial) {
     const planning::PlacedMovement placed(planner, trial.motion, trial.movement, trial.around,
                                           plan.goals.free_offset.value_or(Vec3::Zero()));
     one.measures = measure(placed.problem, plan.mapped.position);
-    one.measures.out_of_reach = share_out_of_reach(plan.goals);
-    one.measures.colliding = one.executable ? 0 : 1;
+    one.measures.out_of_reach = count_goals(plan.goals).share_out_of_reach();
+    one.measures.colliding = plan.has_trajectory() ? 0 : 1;
   }
-  if (one.executable) {
+  if (plan.has_trajectory()) {
     one.measures.depth_m = 0;
     one.measures.speed = plan.certificate.tempo;
     one.tip_error_max_m = plan.certificate.position_error_max;

@@ -112,7 +112,7 @@ repair::Made stop_at_dead_end(const map::MappingProblem& problem, const repair::
                               const repair::Check& check, const map::MapOptions& options,
                               std::uint64_t seed, std::vector<Hold>& holds) {
   const std::optional<DeadEnd> end = find_dead_end(problem, best, check, options, seed, holds);
-  if (!end) return {best};
+  if (!end) return {best, {}, false, "none: single postures are free wherever it looked"};
   const std::string detail = fmt::format("the best of {} postures for {:.3f} s has {}", end->tried,
                                          end->time_s, repair::sentence(end->nearest));
   return {best, {end->reason, detail}, true};

@@ -12,6 +12,7 @@
 #include "pipeline/robot/hand_bones.hpp"
 #include "stages/certify/certify.hpp"
 #include "stages/certify/grasp.hpp"
+#include "stages/certify/only_near.hpp"
 #include "stages/map/map_movement.hpp"
 #include "stages/planning/approach.hpp"
 #include "stages/planning/place_movement.hpp"
@@ -48,6 +49,7 @@ Plan begin_plan(const Demonstration& demonstration, const Movement& movement,
 Plan fail(Plan plan, Refusal refusal) {
   plan.reason = refusal.reason;
   plan.detail = std::move(refusal.detail);
+  plan.approximate = false;
   plan.trajectory = plan.approach = plan.retreat = {};
   return plan;
 }
@@ -162,7 +164,7 @@ void finish(const Planner& planner, const collision::CollisionWorld& world, Plan
     }
     plan.reason = reason;
     plan.detail = certified.refusal.detail;
-    if (!plan.executable()) plan.trajectory = {};
+    if (reason != Reason::none) plan.trajectory = {};
     return;
   }
 }
@@ -216,25 +218,30 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
     return check::check_path(world, plan.goals, plan.movement, plan.path, config.check);
   });
   if (!plan.findings.empty()) {
-    const Outcome<repair::RepairResult> repaired = timed(seconds, "repair", [&] {
+    Outcome<repair::RepairResult> repaired = timed(seconds, "repair", [&] {
       return repair_movement(planner, placed, world, plan, mapped, seed);
     });
-    plan.path = repaired.value.path;
+    plan.path = std::move(repaired.value.path);
+    plan.repair = std::move(repaired.value.steps);
+    plan.remaining = std::move(repaired.value.remaining);
     plan.certificate.repaired = repaired.value.repaired;
     if (repaired.refusal) return fail(plan, repaired.refusal);
   }
   finish(planner, world, plan, seconds);
-  if (plan.executable()) {
+  if (plan.has_trajectory()) {
+    const std::string only_near = certify::only_near(plan.goals, plan.tolerances, plan.certificate);
+    plan.approximate = !only_near.empty();
     if (config.approach) {
       const Refusal refused = timed(
           seconds, "approach", [&] { return add_approach(planner, *config.approach, seed, plan); });
       if (refused) return fail(plan, refused);
     }
     plan.grasp = certify::find_grasp(robot, plan.scene, plan.movement, plan.trajectory);
-    plan.detail = warnings(world, plan.goals, plan.movement, motion, plan.trajectory,
-                           config.retime.mode == retime::Tempo::kept);
+    plan.detail = only_near;
     for (const std::string& sentence :
-         {not_humanlike(plan.certificate), unchecked_sentence(robot.unchecked_links)}) {
+         {warnings(world, plan.goals, plan.movement, motion, plan.trajectory,
+                   config.retime.mode == retime::Tempo::kept),
+          not_humanlike(plan.certificate), unchecked_sentence(robot.unchecked_links)}) {
       if (!sentence.empty()) plan.detail += (plan.detail.empty() ? "" : "; ") + sentence;
     }
   }

@@ -19,7 +19,7 @@ std::vector<Plan> plan_parts(const Planner& planner, const Demonstration& demons
       [&](const Movement& part, const std::optional<Vec3>& offset) {
         Plan whole = plan_movement(planner, demonstration, recorded, part, seconds, offset);
         const bool mapped = whole.mapped.position.rows() > 0;
-        if (whole.executable() || !mapped || part.end_s - part.begin_s < 2 * options.least_s) {
+        if (whole.has_trajectory() || !mapped || part.end_s - part.begin_s < 2 * options.least_s) {
           parts.push_back(std::move(whole));
           return;
         }

@@ -1,6 +1,9 @@
 #include "stages/planning/re_solve.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "stages/map/resolve_path.hpp"
@@ -16,11 +19,15 @@ using repair::Rung;
 constexpr double kSoonSeen = 100;  ///< whether a path gets free is: values this much less exactly
 
 /// `exactly`: twice the iterations, to the values that the options ask for.
-Rung re_solved(const ReSolving& solving, const Firmness& firmness, bool exactly = false) {
-  return [solving, firmness, exactly](const Checked& best) {
+Rung re_solved(const ReSolving& solving, std::string name, const Firmness& firmness,
+               bool exactly = false) {
+  const auto make = [solving, firmness, exactly](const Checked& best) {
     Made made{best};
     const bool tips_alone = std::ranges::none_of(best.findings, is_collision, &Finding::cause);
-    if (tips_alone && firmness.band_share == 1) return made;
+    if (tips_alone && firmness.band_share == 1) {
+      made.ended = "not tried: no collision to keep clear of";
+      return made;
+    }
     map::MapOptions options = solving.options;
     if (exactly) options.movement.iterations *= 2;
     if (!exactly) options.movement.relative_value *= kSoonSeen;
@@ -29,28 +36,33 @@ Rung re_solved(const ReSolving& solving, const Firmness& firmness, bool exactly 
     made.checked.findings = solving.check(made.checked.path);
     return made;
   };
+  return {std::move(name), make};
 }
 
 /// Several rungs as one.
-Rung one_of(std::vector<Rung> rungs) {
-  return [rungs = std::move(rungs)](const Checked& best) { return repair::climb(rungs, best); };
+Rung one_of(std::string name, std::vector<Rung> rungs) {
+  return {std::move(name),
+          [rungs = std::move(rungs)](const Checked& best) { return repair::climb(rungs, best); }};
 }
 
 }  // namespace
 
 Rung gently(const ReSolving& solving) {
-  return one_of({re_solved(solving, {10}), re_solved(solving, {100})});
+  return one_of("re-solve gently", {re_solved(solving, "clearance 10 times as heavy", {10}),
+                                    re_solved(solving, "100 times", {100})});
 }
 
 Rung firmly(const ReSolving& solving) {
-  return one_of({re_solved(solving, {1000}), re_solved(solving, {10000, 0.2}),
-                 re_solved(solving, kFirmest, true)});
+  return one_of("re-solve firmly", {re_solved(solving, "clearance 1000 times as heavy", {1000}),
+                                    re_solved(solving, "10000 times, just free", {10000, 0.2}),
+                                    re_solved(solving, "tips and freedom alone", kFirmest, true)});
 }
 
 Rung candidates(const ReSolving& solving, const std::vector<JointRows>& courses,
                 std::vector<Rung> rungs) {
-  return [solving, &courses, rungs = std::move(rungs)](const Checked& from) {
+  const auto make = [solving, &courses, rungs = std::move(rungs)](const Checked& from) {
     Made best{from};
+    std::vector<RepairStep> steps;
     for (const JointRows& course : courses) {
       if (best.checked.findings.empty()) break;
       Checked other{from.path, {}};
@@ -58,10 +70,16 @@ Rung candidates(const ReSolving& solving, const std::vector<JointRows>& courses,
       std::ranges::fill(other.path.origin, Origin::resolved);
       other.findings = solving.check(other.path);
       Made made = repair::climb(rungs, std::move(other));
-      if (repair::less_bad(made.checked.findings, best.checked.findings)) best = std::move(made);
+      const bool nearer = repair::less_bad(made.checked.findings, best.checked.findings);
+      steps.push_back(repair::step_of(fmt::format("candidate {}", steps.size() + 1), best.checked,
+                                      made, nearer));
+      if (nearer) best = std::move(made);
     }
+    best.steps = std::move(steps);
+    if (courses.empty()) best.ended = "the mapping kept no other course";
     return best;
   };
+  return {"other courses of the mapping", make};
 }
 
 }  // namespace morphe::planning

@@ -44,21 +44,22 @@ Outcome<repair::RepairResult> repair_movement(const Planner& planner, const Plac
                      seed);
   repair::Surroundings around{world, config.repair, seed, with_room, {}};
 
-  const Rung a_detour = [&](const Checked& best) { return repair::detour(around, best); };
+  const Rung a_detour{"detour", [&](const Checked& best) { return repair::detour(around, best); }};
   std::vector<Rung> ladder{a_detour};
   if (config.repair.method == repair::Method::humanlike) {
     around.win_back = {gently(solving), repair::if_nearly_free(firmly(solving))};
-    const Rung unless_a_dead_end = [&](const Checked& best) {
-      const bool tips_count = config.map.mode != map::MapMode::joint_to_joint;
-      if (!tips_count) return repair::Made{best};
-      return stop_at_dead_end(whole, best, check, config.map, seed, holds);
-    };
-    const Rung a_detour_from_the_mapped_path = [&](const Checked& best) {
-      return repair::detour_from(start, around, best);
-    };
-    const Rung other_courses = [&](const Checked& best) {
-      return repair::other_courses(around, std::ref(courses), best);
-    };
+    const Rung unless_a_dead_end{
+        "look for a dead end", [&](const Checked& best) {
+          const bool tips_count = config.map.mode != map::MapMode::joint_to_joint;
+          if (!tips_count) return repair::Made{best, {}, false, "not tried: no goals of tips"};
+          return stop_at_dead_end(whole, best, check, config.map, seed, holds);
+        }};
+    const Rung a_detour_from_the_mapped_path{
+        "detour from the mapped path",
+        [&](const Checked& best) { return repair::detour_from(start, around, best); }};
+    const Rung other_courses{"other courses through the whole scene", [&](const Checked& best) {
+                               return repair::other_courses(around, std::ref(courses), best);
+                             }};
     ladder = {
         gently(solving), unless_a_dead_end,
         firmly(solving), candidates(solving, mapped.candidates, around.win_back),
@@ -68,7 +69,7 @@ Outcome<repair::RepairResult> repair_movement(const Planner& planner, const Plac
   }
   Outcome<repair::RepairResult> repaired = repair::repair_path(ladder, start, config.repair);
   if (repaired.refusal && check(repaired.value.path).empty()) {
-    return {{std::move(repaired.value.path), true, {}}, {}};
+    return {{std::move(repaired.value.path), true, {}, std::move(repaired.value.steps)}, {}};
   }
   return repaired;
 }

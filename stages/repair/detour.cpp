@@ -12,6 +12,8 @@
 namespace morphe::repair {
 namespace {
 
+constexpr const char* kNoWay = "no way was found, or no free sample to begin or end one at";
+
 bool collides(const std::vector<Finding>& findings) {
   return std::ranges::any_of(findings, is_collision, &Finding::cause);
 }
@@ -80,7 +82,10 @@ Refusal end_in_collision(const collision::CollisionWorld& world, const JointPath
 
 Made detour(const Surroundings& around, const Checked& from) {
   Made made{from};
-  if (!collides(from.findings)) return made;
+  if (!collides(from.findings)) {
+    made.ended = "nothing is in the way";
+    return made;
+  }
   collision::CollisionWorld world =
       around.world;  // what the hand carries moves as this path takes it
   collision::carry_target(from.path.demonstration_time, from.path.position, world);
@@ -90,21 +95,29 @@ Made detour(const Surroundings& around, const Checked& from) {
   for (int attempt = 0; attempt < around.options.attempts && !best.findings.empty(); ++attempt) {
     // A detour that is free but worse in other ways is planned again from where it began.
     Checked candidate = collides(best.findings) ? best : from;
-    if (!plan_around(around, world, attempt, candidate)) continue;
+    const std::string name = fmt::format("attempt {}", attempt + 1);
+    if (!plan_around(around, world, attempt, candidate)) {
+      made.steps.push_back(step_of(name, candidate, {candidate, {}, false, kNoWay}, false));
+      continue;
+    }
     candidate.findings = around.check(candidate.path);
     // A detour costs tracking; the mapping may win it back from where the detour leads.
     const std::vector<Origin> origin = candidate.path.origin;
     candidate = climb(around.win_back, std::move(candidate)).checked;
     for (std::size_t k = 0; k < origin.size(); ++k)
       if (origin[k] == Origin::planned) candidate.path.origin[k] = Origin::planned;
-    if (less_bad(candidate.findings, best.findings)) best = std::move(candidate);
+    const bool nearer = less_bad(candidate.findings, best.findings);
+    made.steps.push_back(step_of(name, best, {candidate}, nearer));
+    if (nearer) best = std::move(candidate);
   }
   return made;
 }
 
 Made detour_from(const Checked& mapped, const Surroundings& around, const Checked& best) {
-  if (collides(best.findings)) return {best};
-  return {detour(around, mapped).checked};
+  if (collides(best.findings)) return {best, {}, false, "not tried: the path collides as it is"};
+  Made made = detour(around, mapped);
+  made.refusal = {};
+  return made;
 }
 
 }  // namespace morphe::repair

@@ -29,15 +29,23 @@ bool nearly_free(const std::vector<Finding>& findings);
 /// What a rung made of the best path so far: another one, or the same.
 struct Made {
   Checked checked;
-  Refusal refusal = {};  ///< what stopped the rung
-  bool last = false;     ///< no other rung can help
+  Refusal refusal = {};                ///< what stopped the rung
+  bool last = false;                   ///< no other rung can help
+  std::string ended = {};              ///< why it went no further
+  std::vector<RepairStep> steps = {};  ///< its attempts
 };
 
 /// One way to change a path. It depends on the path alone.
-using Rung = std::function<Made(const Checked& best)>;
+struct Rung {
+  std::string name;
+  std::function<Made(const Checked& best)> make;
+};
+
+/// What an attempt named so made of a path, for the plan's record.
+RepairStep step_of(std::string name, const Checked& from, const Made& made, bool kept);
 
 /// The rungs one after the other, as long as something is wrong: what a rung made is kept if it is
-/// less bad.
+/// less bad. The steps of what comes back are all rungs, each with its attempts below it.
 Made climb(const std::vector<Rung>& ladder, Checked start);
 
 /// The rung for paths that are nearly free, for no others.
@@ -47,6 +55,7 @@ struct RepairResult {
   JointPath path;
   bool repaired = false;           ///< the path has changed, and is free now
   std::vector<Finding> remaining;  ///< what is still wrong with `path`
+  std::vector<RepairStep> steps;
 };
 
 /// Climbs, and says what is left: what stopped a rung, or the worst finding, collisions first.

@@ -233,9 +233,8 @@ std::string filmstrip(const robot::Robot& robot, const Plan& plan, const std::st
   const Frame frame = frame_of(eye, sceneries);
   const double charts = kTop + kPanelHeight + kCaption;
   Svg svg(kWidth, charts + kChartHeight, fmt::format("{} by {}", plan_path, robot.name));
-  std::string head = fmt::format("{}, {}: {}", plan_path, robot.name,
-                                 plan.executable() ? "executable" : "infeasible");
-  if (!plan.executable()) head += fmt::format(" ({})", name_of(plan.reason));
+  std::string head = fmt::format("{}, {}: {}", plan_path, robot.name, name_of(plan.status()));
+  if (!plan.has_trajectory()) head += fmt::format(" ({})", name_of(plan.reason));
   svg.text({6, 18}, 14, "start", head);
   svg.text({kWidth - 170, 18}, 12, "end", "robot", Colours::kRobot);
   svg.text({kWidth - 110, 18}, 12, "end", "person", Colours::kPerson);

@@ -29,7 +29,7 @@ std::vector<ShownMotion> motions_of(const robot::Robot& robot, const Plan& plan)
   collision::CollisionWorld world =
       collision::make_world(robot, plan.scene, plan.movement, plan.tolerances);
   std::vector<ShownMotion> motions;
-  if (plan.executable()) {
+  if (plan.has_trajectory()) {
     collision::carry_target(plan.trajectory.demonstration_time, plan.trajectory.position, world);
     const auto add = [&](const char* name, const Trajectory& trajectory, bool follows) {
       if (trajectory.samples() > 0)
@@ -66,7 +66,7 @@ PlanView view_of(const robot::Robot& robot, const std::optional<Eigen::Matrix3d>
       -(view.world_from_base.linear() * first_shoulder(plan.goals));
   view.motions = motions_of(robot, plan);
   view.human_speed = human_speed_of(plan.goals);
-  if (!plan.executable()) {
+  if (!plan.has_trajectory()) {
     view.worst = worst_instant(robot, plan, view.motions);
     view.advice = advice_for(robot, plan, view.motions);
   }

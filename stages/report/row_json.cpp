@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "pipeline/motion/goals_at.hpp"
 #include "pipeline/store/plan_layout.hpp"
 #include "stages/report/numbers_json.hpp"
 
@@ -26,20 +27,6 @@ struct JsonAttributes {
     if (!names.empty()) json[name] = names;
   }
 };
-
-struct GoalCount {
-  std::size_t all = 0, out_of_reach = 0;
-};
-
-GoalCount count_goals(const Goals& goals) {
-  GoalCount count;
-  for (std::size_t i = 0; i < goals.tip_position.values.size(); ++i) {
-    if (!seen(goals.tip_position.values[i])) continue;
-    ++count.all;
-    count.out_of_reach += goals.reachable.values[i] == 0 ? 1U : 0U;
-  }
-  return count;
-}
 
 std::vector<bool> sliding_joints(const RobotTable& robot) {
   std::vector<bool> slides(robot.joints(), false), known(robot.joints(), false);
@@ -73,11 +60,11 @@ Json joints_json(const RobotTable& robot) {
 Json row_json(const RobotTable& robot, const Plan& plan, const std::string& path) {
   const GoalCount goals = count_goals(plan.goals);
   JsonAttributes certificate;
-  if (plan.executable()) store::lay_out_certificate(certificate, plan.certificate);
+  if (plan.has_trajectory()) store::lay_out_certificate(certificate, plan.certificate);
   const bool timed = plan.trajectory.samples() > 0;
   Json row;
   row["plan"] = path;
-  row["status"] = plan.executable() ? "executable" : "infeasible";
+  row["status"] = name_of(plan.status());
   row["reason"] = name_of(plan.reason);
   row["detail"] = plan.detail;
   row["subject"] = plan.subject;

@@ -7,18 +7,14 @@
 #include <cmath>
 #include <numeric>
 
+#include "pipeline/motion/goals_at.hpp"
+
 namespace morphe::report {
 namespace {
 
 double out_of_reach_share(const Plan& plan) {
-  const Goals& goals = plan.goals;
-  double count = 0, out = 0;
-  for (std::size_t i = 0; i < goals.tip_position.values.size(); ++i) {
-    if (!seen(goals.tip_position.values[i])) continue;
-    count += 1;
-    out += goals.reachable.values[i] == 0 ? 1 : 0;
-  }
-  return count > 0 ? out / count : kNotSeen;
+  const GoalCount count = count_goals(plan.goals);
+  return count.all > 0 ? count.share_out_of_reach() : kNotSeen;
 }
 
 /// The more, the worse.
@@ -88,7 +84,7 @@ Selected select_plans(const store::PlanReader& reader, const Selection& selectio
     if (!selection.pattern.empty() && !matches(reader.plan_paths()[i], selection.pattern)) continue;
     if (look_inside) {
       const Plan plan = reader.read(i);
-      if (selection.failed && plan.executable()) continue;
+      if (selection.failed && plan.has_trajectory()) continue;
       if (selection.worst > 0) badness.push_back(by->of(plan));
     }
     selected.plans.push_back(i);

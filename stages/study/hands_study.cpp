@@ -151,20 +151,20 @@ void study_hand(const StudiedHand& hand, const Demonstration& demonstration,
   own.emplace_back("method", "Morphe");
   add_rows(score_hand(robot, course, options.near_m), own, true, hand, robot.joints(),
            course.time.size(), result);
-  double executable_s = 0, whole_s = 0, tempo_s = 0;
+  double with_trajectory_s = 0, whole_s = 0, tempo_s = 0;
   for (const Plan& plan : outcome.plans) {
     const double span = plan.movement.end_s - plan.movement.begin_s;
     whole_s += span;
-    if (!plan.executable()) continue;
-    executable_s += span;
+    if (!plan.has_trajectory()) continue;
+    with_trajectory_s += span;
     tempo_s += plan.trajectory.time.back();
   }
   const auto row = [&](const char* metric, const char* unit, double value) {
     result.rows.push_back(row_of(own, metric, unit, value, outcome.plans.size()));
   };
   row("human's hand made larger", "1", outcome.plans.front().goals.hand_scale);
-  row("share of the recording that is executable", "1", executable_s / whole_s);
-  row("tempo of what is executable", "1", executable_s > 0 ? tempo_s / executable_s : kNotSeen);
+  row("share of the recording with a trajectory", "1", with_trajectory_s / whole_s);
+  row("tempo of what has one", "1", with_trajectory_s > 0 ? tempo_s / with_trajectory_s : kNotSeen);
   const auto mapping = outcome.stage_seconds.find("map");
   if (mapping != outcome.stage_seconds.end()) {
     timed_row(own, "frames a second, mapping", course.time.size(), mapping->second, result);

@@ -104,9 +104,8 @@ Plan repair_plainly(const planning::LoadedConfig& loaded, const Plan& undisturbe
   };
   const repair::Surroundings around{world, loaded.options.repair, seed, check, {}};
   const repair::Checked start{plan.path, check(plan.path)};
-  const repair::Rung a_detour = [&](const repair::Checked& best) {
-    return repair::detour(around, best);
-  };
+  const repair::Rung a_detour{
+      "detour", [&](const repair::Checked& best) { return repair::detour(around, best); }};
   const Outcome<repair::RepairResult> repaired =
       repair::repair_path({a_detour}, start, loaded.options.repair);
   plan.path = repaired.value.path;

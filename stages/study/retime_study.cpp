@@ -153,7 +153,7 @@ void trials(const RetimeStudyOptions& options, const StudyRun& study, StudyResul
   imports::import_recordings(request, [&](Demonstration&& demonstration) {
     if (recordings++ >= (study.quick ? options.quick_trials : options.trials)) return;
     for (const Plan& plan : planning::plan_demonstration(planner, demonstration).plans) {
-      if (!plan.executable()) continue;
+      if (!plan.has_trajectory()) continue;
       const auto row = [&](const char* robot, const char* metric, double value) -> StudyRow& {
         const Case of = {{"trial", demonstration.name}, {"limits", robot}};
         result.rows.push_back(row_of(of, metric, "1", value, 1));

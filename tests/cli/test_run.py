@@ -39,12 +39,13 @@ class ShippedSample(unittest.TestCase):
 
     def test_prints_a_summary_as_json_and_nothing_else(self):
         summary = json.loads(self.result.stdout)
-        self.assertEqual(list(summary), ["demonstrations", "movements", "executable", "infeasible",
-                                         "repaired", "failed", "reasons", "stage_seconds", "reused"])
+        self.assertEqual(list(summary), ["demonstrations", "movements", "executable", "approximate",
+                                         "infeasible", "repaired", "failed", "reasons", "stage_seconds", "reused"])
         self.assertEqual(summary["demonstrations"], len(DEMONSTRATIONS))
         self.assertEqual(summary["movements"], len(self.plans))
         self.assertEqual(summary["executable"], len(self.moving()))
         self.assertEqual(summary["infeasible"], sum(summary["reasons"].values()))
+        self.assertEqual(summary["approximate"], 0)
         self.assertEqual(summary["executable"] + summary["infeasible"], summary["movements"])
         self.assertEqual(summary["failed"], 0)
 
@@ -169,7 +170,7 @@ class ShippedSample(unittest.TestCase):
         for result in (verdict, other):
             self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
             self.assertEqual(json.loads(result.stdout),
-                             {"executable": len(self.moving()),
+                             {"executable": len(self.moving()), "approximate": 0,
                               "infeasible": len(self.plans) - len(self.moving()), "violations": []})
 
 

@@ -97,6 +97,24 @@ class Damaged(CommandCase):
         self.assertGreaterEqual(worst["value"], limit + 0.01 - 1e-9)
         self.assertAlmostEqual(worst["limit"], limit)
 
+    def test_a_plan_out_of_reach_that_is_called_executable(self):
+        file, plan = self.edited()
+        plan["goals/reachable"][...] = 0
+        plan.attrs["tracking"] = plan.attrs["tracking_grasp"] = 10.0  # whatever it allows
+        share, = self.found(file, "status", "out_of_reach_share")
+        self.assertEqual((share["value"], share["limit"]), (1, 0.5))
+
+    def test_a_tip_too_far_away_for_what_it_is_called(self):
+        file, plan = self.edited()
+        plan.attrs["farthest_tip"] = largest = 0.5 * plan["certificate"].attrs["position_error_max"]
+        tip, = self.found(file, "status", "farthest_tip")
+        self.assertAlmostEqual(tip["value"], 2 * largest)
+
+    def test_an_executable_plan_that_is_called_approximate(self):
+        file, plan = self.edited()
+        plan.attrs["status"] = np.bytes_("approximate")
+        self.found(file, "status", "approximate")
+
     def test_a_joint_below_its_limit(self):
         file, plan = self.edited()
         limit, name = file["robot/lower"][0], file["robot/joint_names"].asstr()[0]

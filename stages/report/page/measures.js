@@ -11,7 +11,7 @@ function certifiedMeasure(id, attribute, short, title, unit, siUnit, factor) {
   return { id, short, title, unit, siUnit, factor, source: attribute, of: certified(attribute) };
 }
 
-// Absent: not executable; null: does not apply.
+// Absent: infeasible; null: does not apply.
 export const measures = [
   {
     id: "duration", short: "Duration", title: "Duration of the trajectory", unit: "s", siUnit: "s",
@@ -72,7 +72,7 @@ export function measureText(measure, value) {
 }
 
 export const whyMissing = (measure, row) => measure.missing ??
-    (measure.of(row) === undefined ? "not executable" : "does not apply");
+    (measure.of(row) === undefined ? "infeasible" : "does not apply");
 
 const wholeTitle = (measure, row) => `${measure.source} = ${measure.of(row)} ${measure.siUnit}`.trim();
 

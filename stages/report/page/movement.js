@@ -85,7 +85,7 @@ function titleOf(row) {
 }
 
 function reasonOf(plan, row) {
-  if (row.status === "executable") return row.detail ? [build("p", {}, plainText(row.detail))] : [];
+  if (row.status !== "infeasible") return row.detail ? [build("p", {}, plainText(row.detail))] : [];
   const parts = [build("p", {}, build("b", {}, row.reason), ": ", reasonSentence(row.reason)),
                  build("p", {}, plainText(row.detail))];
   if (plan.worst) {

@@ -39,15 +39,26 @@ def frames(f, m, n):
     }
 
 
+def findings_of(group, count):
+    return {**{f"{group}/{d}": ((count,), "f", "s", None) for d in ("begin_s", "end_s")},
+            **{f"{group}/{d}": ((count,), "S", "", None) for d in ("cause", "first", "second")},
+            f"{group}/depth": ((count,), "f", "m or rad", None)}
+
+
+def repair(steps):
+    return {f"repair/{name}": ((steps,), kind, unit, None) for name, kind, unit in [
+        ("level", "i", "1"), ("name", "S", ""), ("begin_s", "f", "s"), ("end_s", "f", "s"),
+        ("change", "f", "rad or m"), ("findings", "i", "1"), ("collisions", "f", "m"),
+        ("others", "f", "m or rad"), ("worst", "S", ""), ("kept", "u", "1"), ("ended", "S", "")]}
+
+
 def rows(phases, findings, waypoints, joints, estimated):
     return {
         "goals/estimated": ((estimated,), "S", "", None),
         "phases/name": ((phases,), "S", "", None),
         **{f"phases/{d}": ((phases,), "f", "s", None) for d in ("begin_s", "end_s")},
         "phases/confidence": ((phases,), "f", "1", None),
-        **{f"findings/{d}": ((findings,), "f", "s", None) for d in ("begin_s", "end_s")},
-        **{f"findings/{d}": ((findings,), "S", "", None) for d in ("cause", "first", "second")},
-        "findings/depth": ((findings,), "f", "m or rad", None),
+        **findings_of("findings", findings),
         "path/position": ((waypoints, joints), "f", "rad or m", None),
         "path/origin": ((waypoints,), "u", "1", None),
         "path/demonstration_time": ((waypoints,), "f", "s", None),
@@ -55,7 +66,7 @@ def rows(phases, findings, waypoints, joints, estimated):
 
 
 PLAN_ATTRIBUTES = ["status", "reason", "detail", "subject", "task", "hand", "start_s", "end_s",
-                   "target", "margin", "contact_depth", "tracking_grasp", "tracking"]
+                   "target", "margin", "contact_depth", "tracking_grasp", "tracking", "out_of_reach_share", "farthest_tip"]
 CERTIFICATE = ["position_margin", "velocity_ratio", "acceleration_ratio", "jerk_ratio", "clearance",
                "position_error_max", "position_error_mean", "position_error_grasp",
                "orientation_error_max", "upper_arm_error_mean", "upper_arm_error_max", "natural_posture_error", "tempo",
@@ -124,6 +135,7 @@ with h5py.File(sys.argv[1]) as file:
     shapes(full, {
         **frames(4, 2, 3), **rows(2, 2, 5, 3, 2), **trajectory("trajectory", 6),
         **trajectory("approach", 2), **trajectory("retreat", 3),
+        **repair(2), **findings_of("remaining", 1),
         **{f"scene/{name}/{data}": what for k, name in enumerate(scene)
            for data, what in {"time": ((k + 1,), "f", "s", None),
                               "position": ((k + 1, 3), "f", "m", "base"),
@@ -141,7 +153,7 @@ with h5py.File(sys.argv[1]) as file:
     })
     assert text(full.attrs["status"]) == "executable" and text(full.attrs["reason"]) == ""
     assert (full.attrs["start_s"], full.attrs["end_s"], text(full.attrs["target"])) == (0.5, 2.75, "cup")
-    assert [full.attrs[name] for name in PLAN_ATTRIBUTES[-4:]] == [0.002, 0.004, 0.006, 0.03]
+    assert [full.attrs[name] for name in PLAN_ATTRIBUTES[-6:]] == [0.002, 0.004, 0.006, 0.03, 0.25, 0.04]
     assert full["grasp"].attrs["sample"] == 2
     assert full["certificate"].attrs["repaired"] == 1
     assert np.isnan(full["certificate"].attrs["orientation_error_max"])
@@ -149,6 +161,8 @@ with h5py.File(sys.argv[1]) as file:
     assert list(full["trajectory/phase"]) == [1, 2, 3, 4, 5, 6]
     assert list(full["path/origin"]) == [2, 1, 0, 0, 2]
     assert list(full["findings/cause"].asstr()) == ["object", "limit"]
+    assert list(full["repair/name"].asstr()) == ["detour", "attempt 1"] and list(full["repair/kept"]) == [1, 0]
+    assert list(full["remaining/first"].asstr()) == ["index_tip"]
     assert text(full["scene/cup"].attrs["attached_frame"]) == "palm"
     assert full["scene/cup"].attrs["attach_s"] == 1.25
     assert full["goals"].attrs["common_base_offset"].shape == (3,)

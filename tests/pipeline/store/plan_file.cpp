@@ -123,6 +123,35 @@ void expect_same(const Certificate& a, const Certificate& b) {
   EXPECT_SAME(repaired);
 }
 
+void expect_same(const Finding& a, const Finding& b) {
+  EXPECT_SAME(begin_s);
+  EXPECT_SAME(end_s);
+  EXPECT_SAME(cause);
+  EXPECT_SAME(first);
+  EXPECT_SAME(second);
+  EXPECT_SAME(depth);
+}
+
+void expect_same(const RepairStep& a, const RepairStep& b) {
+  EXPECT_SAME(level);
+  EXPECT_SAME(name);
+  EXPECT_SAME(begin_s);
+  EXPECT_SAME(end_s);
+  EXPECT_SAME(change);
+  EXPECT_SAME(findings);
+  EXPECT_SAME(collisions);
+  EXPECT_SAME(others);
+  EXPECT_SAME(worst);
+  EXPECT_SAME(kept);
+  EXPECT_SAME(ended);
+}
+
+template <class Row>
+void expect_same(const std::vector<Row>& a, const std::vector<Row>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) expect_same(a[i], b[i]);
+}
+
 void expect_same(const Plan& a, const Plan& b) {
   EXPECT_SAME(demonstration);
   EXPECT_SAME(subject);
@@ -145,6 +174,9 @@ void expect_same(const Plan& a, const Plan& b) {
   EXPECT_SAME(tolerances.contact_depth);
   EXPECT_SAME(tolerances.tracking_grasp);
   EXPECT_SAME(tolerances.tracking);
+  EXPECT_SAME(tolerances.out_of_reach_share);
+  EXPECT_SAME(tolerances.farthest_tip);
+  EXPECT_SAME(approximate);
   expect_same(a.goals, b.goals);
   store::expect_same(a.scene.objects, b.scene.objects);
   EXPECT_SAME(world.base_from_world);
@@ -157,15 +189,9 @@ void expect_same(const Plan& a, const Plan& b) {
   EXPECT_SAME(mapped.objective);
   EXPECT_SAME(mapped.humanlikeness);
   EXPECT_SAME(mapped.status);
-  ASSERT_EQ(a.findings.size(), b.findings.size());
-  for (std::size_t i = 0; i < a.findings.size(); ++i) {
-    EXPECT_SAME(findings[i].begin_s);
-    EXPECT_SAME(findings[i].end_s);
-    EXPECT_SAME(findings[i].cause);
-    EXPECT_SAME(findings[i].first);
-    EXPECT_SAME(findings[i].second);
-    EXPECT_SAME(findings[i].depth);
-  }
+  expect_same(a.findings, b.findings);
+  expect_same(a.remaining, b.remaining);
+  expect_same(a.repair, b.repair);
   EXPECT_SAME(path.position);
   EXPECT_SAME(path.origin);
   EXPECT_SAME(path.demonstration_time);
@@ -189,7 +215,8 @@ void write_plans(const std::filesystem::path& file, const std::vector<Plan>& pla
 
 TEST(PlanFile, ReturnsEveryFieldBitForBit) {
   const auto file = fresh_file("plans.h5");
-  const std::vector<Plan> plans{full_plan("zz", 0), infeasible_plan("zz", 1), full_plan("aa", 0)};
+  std::vector<Plan> plans{full_plan("zz", 0), infeasible_plan("zz", 1), full_plan("aa", 0)};
+  plans.back().approximate = true;
   write_plans(file, plans);
   const PlanReader reader(file);
   EXPECT_THAT(reader.plan_paths(), ElementsAre("zz/000", "zz/001", "aa/000"));

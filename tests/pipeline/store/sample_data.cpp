@@ -198,7 +198,7 @@ Plan full_plan(const std::string& demonstration, int movement) {
                    "cup"};
   plan.reason = Reason::none;
   plan.detail = "It holds.";
-  plan.tolerances = {0.002, 0.004, 0.006, 0.03};
+  plan.tolerances = {0.002, 0.004, 0.006, 0.03, 0.25, 0.04};
   plan.goals.time = number.many(4);
   plan.goals.tip_position = number.points(4, 2);
   plan.goals.tip_orientation = number.rotations(4, 2);
@@ -222,6 +222,10 @@ Plan full_plan(const std::string& demonstration, int movement) {
                         FrameStatus::met};
   plan.findings = {{0.6, 0.7, Cause::object, "finger", "table", 0.01},
                    {0.8, 0.9, Cause::limit, "E1", "", 0.02}};
+  plan.repair = {{0, "detour", 0.55, 0.75, 0.3, 1, 0, 0.002, "tracking: index_tip", true, ""},
+                 {1, "attempt 1", kNotSeen, kNotSeen, 0, 2, 0.01, 0.02, "object: finger", false,
+                  "no way was found"}};
+  plan.remaining = {{0.65, 0.7, Cause::tracking, "index_tip", "", 0.002}};
   plan.path.position = number.rows(5, 3);
   plan.path.origin = {Origin::planned, Origin::resolved, Origin::mapped, Origin::mapped,
                       Origin::planned};

@@ -391,18 +391,71 @@ TEST(VerifyPlan, JudgesTheRetreatToo) {
   EXPECT_EQ(found[0].subject, "retreat");
 }
 
+TEST(VerifyPlan, APlanOfWhichEveryGoalIsOutOfReachIsNotExecutable) {
+  Plan plan = planar::plan();
+  for (std::uint8_t& reachable : plan.goals.reachable.values) reachable = 0;
+  plan.tolerances.tracking = plan.tolerances.tracking_grasp = 10;  // whatever it allows
+  plan.tolerances.out_of_reach_share = 1;  // not even this: a config cannot say it
+  const auto found = of("status", verify(plan));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].subject, "out_of_reach_share");
+  EXPECT_EQ(found[0].value, 1);
+  plan.approximate = true;
+  EXPECT_TRUE(verify(plan).empty());
+}
+
+TEST(VerifyPlan, AShareOfGoalsOutOfReachIsCountedOverThoseThatWereSeen) {
+  Plan plan = planar::plan();
+  std::size_t seen = 0;
+  for (std::size_t f = 0; f < plan.goals.frames(); ++f)
+    seen += morphe::seen(plan.goals.tip_position(f, 1));
+  const std::size_t out = seen / 2 + 1;
+  for (std::size_t f = 0; f < out; ++f) plan.goals.reachable(f, 1) = 0;
+  const auto found = of("status", verify(plan));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_DOUBLE_EQ(found[0].value, static_cast<double>(out) / static_cast<double>(seen));
+  EXPECT_EQ(found[0].limit, 0.5);
+  plan.tolerances.out_of_reach_share = 0.75;
+  EXPECT_TRUE(verify(plan).empty());
+}
+
+TEST(VerifyPlan, ATipFartherThanThePlanAllowsMakesItApproximate) {
+  Plan plan = planar::plan();
+  plan.tolerances.farthest_tip = 0.9 * plan.certificate.position_error_max;
+  const auto found = of("status", verify(plan));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].subject, "farthest_tip");
+  EXPECT_NEAR(found[0].value, plan.certificate.position_error_max, 1e-9);
+  plan.approximate = true;
+  EXPECT_TRUE(verify(plan).empty());
+}
+
+TEST(VerifyPlan, APlanThatReachesItsGoalsIsNotApproximate) {
+  Plan plan = planar::plan();
+  plan.approximate = true;
+  ASSERT_EQ(of("status", verify(plan)).size(), 1u);
+  plan.tolerances.out_of_reach_share = plan.tolerances.farthest_tip = kNotSeen;  // an earlier file
+  EXPECT_TRUE(of("status", verify(plan)).empty());
+}
+
 TEST(VerifyReport, IsWrittenAsTheDocumentsSay) {
-  VerifyReport report{2, 1, {}};
-  EXPECT_EQ(verify_json(report), "{\"executable\": 2, \"infeasible\": 1, \"violations\": []}\n");
+  VerifyReport report{2, 3, 1, {}};
+  EXPECT_EQ(verify_json(report),
+            "{\"executable\": 2, \"approximate\": 3, \"infeasible\": 1, \"violations\": []}\n");
   report.violations = {{"a\"b/000", 7, 0.014, "jerk", "S1", 31.5, 31},
                        {"c/001", -1, 0, "certificate", "tempo", kNotSeen, 1.25}};
   EXPECT_EQ(verify_json(report),
-            "{\"executable\": 2, \"infeasible\": 1, \"violations\": [\n"
+            "{\"executable\": 2, \"approximate\": 3, \"infeasible\": 1, \"violations\": [\n"
             "  {\"plan\": \"a\\\"b/000\", \"sample\": 7, \"time_s\": 0.014, \"cause\": \"jerk\", "
             "\"subject\": \"S1\", \"value\": 31.5, \"limit\": 31},\n"
             "  {\"plan\": \"c/001\", \"sample\": -1, \"time_s\": 0, \"cause\": \"certificate\", "
             "\"subject\": \"tempo\", \"value\": null, \"limit\": 1.25}\n]}\n");
   EXPECT_THAT(verify_text(report), testing::HasSubstr("sample 7 (0.0140 s): jerk S1: 31.5"));
+  EXPECT_THAT(verify_text(report),
+              testing::EndsWith("2 executable, 3 approximate, 1 infeasible, 2 violations\n"));
+  report.approximate = 0;
+  EXPECT_THAT(verify_text(report),
+              testing::EndsWith("\n2 executable, 1 infeasible, 2 violations\n"));
 }
 
 }  // namespace

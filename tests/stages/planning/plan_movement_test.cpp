@@ -106,6 +106,21 @@ TEST(PlanMovement, GoalsThatNoArmReachesAreNotMarkedAsReachable) {
   }
 }
 
+TEST(PlanMovement, WhatReachesNoGoalIsNeverExecutableWhateverTrackingAllows) {
+  test::RobotDemonstration of;
+  of.config.map.starts = 4;
+  of.config.map.reachable_starts = 4;
+  for (Vec3& tip : of.motion.tip.values) tip += Vec3(1.5, 0, 0);
+  of.config.check.tolerances.tracking = of.config.check.tolerances.tracking_grasp = 100;
+  of.config.check.tolerances.out_of_reach_share = 0.99;
+  of.config.check.tolerances.farthest_tip = 100;
+  const Plan plan = plan_of(of);
+  EXPECT_NE(plan.status(), Status::executable);
+  if (plan.has_trajectory()) {
+    EXPECT_THAT(plan.detail, HasSubstr("approximate: "));
+  }
+}
+
 TEST(PlanMovement, NothingToPlanWith) {
   test::RobotDemonstration of;
   const std::vector<Vec3> shoulder = of.motion.shoulder;

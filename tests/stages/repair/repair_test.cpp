@@ -22,10 +22,10 @@ using ::testing::HasSubstr;
 using Change = std::function<JointPath(const JointPath&, const std::vector<Finding>&)>;
 
 Rung rung(const Check& check, const Change& change) {
-  return [=](const Checked& best) {
-    const JointPath path = change(best.path, best.findings);
-    return Made{{path, check(path)}};
-  };
+  return {"change", [=](const Checked& best) {
+            const JointPath path = change(best.path, best.findings);
+            return Made{{path, check(path)}};
+          }};
 }
 
 /// A ladder without a mapping: what `resolve` gives, detours, and other courses.
@@ -41,9 +41,12 @@ struct Repair {
     if (resolve) around.win_back = {rung(check, resolve)};
     const Checked start{path, check(path)};
     std::vector<Rung> ladder = around.win_back;
-    ladder.push_back([&](const Checked& best) { return detour(around, best); });
-    ladder.push_back([&](const Checked& best) { return detour_from(start, around, best); });
-    if (next) ladder.push_back([&](const Checked& b) { return other_courses(around, next, b); });
+    const auto add = [&](const char* name, const auto& make) { ladder.push_back({name, make}); };
+    add("detour", [&](const Checked& best) { return detour(around, best); });
+    add("from the mapped path",
+        [&](const Checked& best) { return detour_from(start, around, best); });
+    if (next)
+      add("courses", [&](const Checked& best) { return other_courses(around, next, best); });
     return repair_path(ladder, start, options);
   }
 };

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "pipeline/motion/robot_table.hpp"
+#include "pipeline/verify/violation_runs.hpp"
+
+namespace morphe::verify {
+
+/// Notes `status` for a plan with a trajectory that is called executable although more of its goals
+/// are out of reach than it allows, or a tip farther from its goal at a sample; and for one that is
+/// called approximate although neither is so. What is in reach is taken from the file. Files that
+/// do not say what they allow are not judged.
+void judge_status(const RobotTable& robot, const Plan& plan, ViolationRuns& runs);
+
+}  // namespace morphe::verify
