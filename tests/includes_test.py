@@ -23,9 +23,10 @@ PACKAGED = re.compile(r"(.*/.*|\w+\.hpp|hdf5\.h|H5\w+\.h|sqlite3\.h|zlib\.h|tiny
 SYSTEM = re.compile(r"(sys|linux|gnu|sanitizer)/")
 
 # Made of steps; only they may include planning, and only from here do arrows lead to run and verify.
-MADE_OF_STEPS = ("stages/planning", "stages/report", "stages/place", "stages/study", "stages/library", "stages/commands")
+MADE_OF_STEPS = ("stages/planning", "stages/explain", "stages/report", "stages/place", "stages/study", "stages/library", "stages/commands")
 INCLUDED_BY = {
-    "stages/planning": {"stages/place", "stages/study", "stages/library", "stages/commands"},
+    "stages/planning": {"stages/explain", "stages/place", "stages/study", "stages/library", "stages/commands"},
+    "stages/explain": {"stages/report", "stages/commands"},
     "stages/report": {"stages/commands"},
     "stages/place": {"stages/commands"},
     "stages/study": {"stages/commands"},

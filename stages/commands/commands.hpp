@@ -12,6 +12,7 @@ namespace morphe::commands {
 /// are parsed. The result is the exit code; InputError is caught in main.
 using Command = std::function<int()>;
 Command diff_command(CLI::App& app);
+Command explain_command(CLI::App& app);
 Command export_command(CLI::App& app);
 Command import_command(CLI::App& app);
 Command inspect_command(CLI::App& app);

@@ -23,9 +23,10 @@ Command list_command(CLI::App& app) {
   return [arguments] {
     check_choice(arguments->choice);
     const store::PlanReader plans(plans_file(arguments->file));
+    const robot::Robot robot(plans.robot());
     std::vector<PlanRow> rows;
     for (std::size_t k = 0; k < plans.size(); ++k) {
-      PlanRow row = row_of(plans.robot(), plans.read(k));
+      PlanRow row = row_of(robot, plans.read(k));
       if (chosen(arguments->choice, row)) rows.push_back(std::move(row));
     }
     const std::size_t shown = rows.size(), width = terminal_width();

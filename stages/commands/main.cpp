@@ -20,9 +20,11 @@ struct Entry {
   morphe::commands::Command (*add)(CLI::App&);
 };
 
-constexpr std::array<Entry, 13> kCommands{{
+constexpr std::array<Entry, 14> kCommands{{
     {"diff", "Compare two plans.h5: which plans differ, and by how much",
      morphe::commands::diff_command},
+    {"explain", "Tell what became of a movement, and what to try where it is infeasible",
+     morphe::commands::explain_command},
     {"export", "Write executable plans as CSV, ROS or robomimic files",
      morphe::commands::export_command},
     {"import", "Convert recordings into a demonstrations.h5", morphe::commands::import_command},

@@ -12,9 +12,9 @@ namespace morphe::commands {
 namespace {
 
 /// Of what cannot be read as a plan the row says why; its datasets are compared nevertheless.
-PlanRow row_in(const store::PlanReader& plans, std::size_t index) {
+PlanRow row_in(const store::PlanReader& plans, const robot::Robot& robot, std::size_t index) {
   try {
-    return row_of(plans.robot(), plans.read(index));
+    return row_of(robot, plans.read(index));
   } catch (const InputError& error) {
     PlanRow row;
     row.name = plans.plan_paths()[index];
@@ -26,18 +26,19 @@ PlanRow row_in(const store::PlanReader& plans, std::size_t index) {
 }
 
 std::vector<PlanPair> pairs_of(const store::PlanReader& first, const store::PlanReader& second) {
+  const robot::Robot robot_of_first(first.robot()), robot_of_second(second.robot());
   std::vector<PlanPair> pairs;
   std::map<std::string, std::size_t> at;
   for (std::size_t k = 0; k < first.size(); ++k) {
     at[first.plan_paths()[k]] = pairs.size();
-    pairs.push_back({first.plan_paths()[k], row_in(first, k), {}});
+    pairs.push_back({first.plan_paths()[k], row_in(first, robot_of_first, k), {}});
   }
   for (std::size_t k = 0; k < second.size(); ++k) {
     const std::string& name = second.plan_paths()[k];
     const auto found = at.find(name);
     PlanPair& pair =
         found == at.end() ? pairs.emplace_back(PlanPair{name, {}, {}}) : pairs[found->second];
-    pair.second = row_in(second, k);
+    pair.second = row_in(second, robot_of_second, k);
   }
   return pairs;
 }

@@ -10,6 +10,7 @@
 #include "pipeline/motion/input_error.hpp"
 #include "stages/commands/scene_remarks.hpp"
 #include "stages/commands/text_table.hpp"
+#include "stages/explain/advice.hpp"
 #include "stages/report/selection.hpp"
 
 namespace morphe::commands {
@@ -50,11 +51,13 @@ std::string finding_line(const Finding& finding) {
                            : fmt::format("{:.1f} mm", 1e3 * finding.depth));
 }
 
-std::vector<std::string> lines_of(const Plan& plan) {
+std::vector<std::string> lines_of(const robot::Robot& robot, const Plan& plan) {
   std::vector<std::string> lines;
   if (!plan.has_trajectory()) {
     const bool said = plan.detail.starts_with(fmt::format("{}:", name_of(plan.reason)));
     lines.push_back(said ? plan.detail : fmt::format("{}: {}", name_of(plan.reason), plan.detail));
+    for (const explain::Advice& advice : explain::advice_for(robot, plan))
+      lines.push_back("try: " + explain::text_of(advice));
   } else if (!plan.detail.empty()) {
     lines.push_back("note: " + plan.detail);
   }
@@ -104,13 +107,13 @@ constexpr std::array<FigureColumn, 10> kColumns{{{"mapped", "mapped", "tips mm",
 
 }  // namespace
 
-PlanRow row_of(const RobotTable& robot, const Plan& plan) {
+PlanRow row_of(const robot::Robot& robot, const Plan& plan) {
   PlanRow row;
   row.name = fmt::format("{}/{:03}", plan.demonstration, plan.movement.index);
   row.status = plan.executable() && plan.certificate.repaired ? "repaired" : name_of(plan.status());
   row.reason = name_of(plan.reason);
   row.figures = figures_of(robot, plan);
-  row.lines = lines_of(plan);
+  row.lines = lines_of(robot, plan);
   row.world = plan.world;
   row.remarks = scene_remarks(plan);
   return row;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/robot/robot.hpp"
 #include "stages/commands/plan_figures.hpp"
 
 namespace morphe::commands {
@@ -14,13 +15,13 @@ struct PlanRow {
   std::string status;  ///< executable, repaired (and executable), approximate or infeasible
   std::string reason;  ///< its code, "" unless infeasible
   FigureValues figures{};
-  std::vector<std::string> lines;              ///< why it is infeasible, notes, findings
-  WorldFrames world;                           ///< where things stand
+  std::vector<std::string> lines;  ///< why it is infeasible, what to try, notes, findings
+  WorldFrames world;               ///< where things stand
   std::map<std::string, std::string> remarks;  ///< scene_remarks()
 
   bool executable() const { return status == "executable" || status == "repaired"; }
 };
-PlanRow row_of(const RobotTable& robot, const Plan& plan);
+PlanRow row_of(const robot::Robot& robot, const Plan& plan);
 
 /// As a run's journal keeps it: one line. Bit for bit the same when read back.
 std::string row_text(const PlanRow& row);

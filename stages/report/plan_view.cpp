@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "stages/certify/smoothness.hpp"
+#include "stages/explain/advice.hpp"
 #include "stages/report/shown_motion.hpp"
 #include "stages/report/worst_instant.hpp"
 
@@ -68,7 +69,8 @@ PlanView view_of(const robot::Robot& robot, const std::optional<Eigen::Matrix3d>
   view.human_speed = human_speed_of(plan.goals);
   if (!plan.has_trajectory()) {
     view.worst = worst_instant(robot, plan, view.motions);
-    view.advice = advice_for(robot, plan, view.motions);
+    for (const explain::Advice& advice : explain::advice_for(robot, plan))
+      view.advice.push_back(explain::text_of(advice));
   }
   return view;
 }

@@ -57,7 +57,7 @@ struct PlanView {
   std::vector<ShownMotion> motions;  ///< in the order in which they are played
   std::vector<double> human_speed;   ///< [F] mean of the goal tips' speeds [m/s]; NaN: unknown
   std::optional<WorstInstant> worst;
-  std::vector<std::string> advice;  ///< of an infeasible plan: what would have to change
+  std::vector<std::string> advice;  ///< of an infeasible plan: what to try
 };
 
 /// `world_from_base` as the file's config has it; none: unknown.

@@ -106,64 +106,6 @@ std::string finding_sentence(const Finding& finding) {
                      finding.cause == Cause::jump || finding.cause == Cause::limit ? "rad" : "m");
 }
 
-constexpr const char* kMoveBase =
-    "another place of the base: `morphe place` looks for one with fewer contacts and more reach";
-
-std::string contact_advice(const collision::PairSeparation& pair) {
-  const double distance = pair.separation.distance;
-  if (pair.required < 0) {
-    return fmt::format("`check.contact_depth` of at least {:.4f} (now {:.4f}) allows this contact",
-                       std::ceil(-1e4 * distance) / 1e4, -pair.required);
-  }
-  if (distance > 0) {
-    return fmt::format("`check.margin` of at most {:.4f} (now {:.4f}) allows this distance",
-                       std::floor(1e4 * distance) / 1e4, pair.required);
-  }
-  return "no tolerance allows an overlap of these two: their shapes, the scene or the place of the "
-         "base would have to change";
-}
-
-std::string out_of_reach_advice(const Plan& plan) {
-  const Goals& goals = plan.goals;
-  std::size_t count = 0, out = 0;
-  for (std::size_t i = 0; i < goals.tip_position.values.size(); ++i) {
-    if (!seen(goals.tip_position.values[i])) continue;
-    ++count;
-    out += goals.reachable.values[i] == 0 ? 1U : 0U;
-  }
-  if (out == 0) return "";
-  return fmt::format("{} of {} fingertip goals are out of reach from where the base stands: {}",
-                     out, count, kMoveBase);
-}
-
-std::string advice_of(Reason reason) {
-  switch (reason) {
-    case Reason::no_movement:
-      return "the recording has to hold a whole reach, from rest to rest: see what "
-             "`morphe inspect` finds in it";
-    case Reason::no_shoulder:
-      return "the shoulder has to be seen at least once: markers or sensors of shoulder, elbow and "
-             "wrist";
-    case Reason::no_goal:
-      return "at least one fingertip has to be seen while the hand grasps";
-    case Reason::limit:
-      return "limits that the joint can keep, or a place of the base where it has more room";
-    case Reason::jump:
-      return "a higher `check.jump_step`, or a `map` that keeps the posture nearer to the last one";
-    case Reason::duration:
-      return "a longer `retime.duration_s`, or `retime.mode: human`";
-    case Reason::no_approach:
-    case Reason::no_retreat:
-      return "another home posture (`approach.home`), or no section `approach`: the movement "
-             "itself "
-             "was planned";
-    case Reason::no_frame:
-      return "another `relative_to` for the object, or a `scene.table.height`";
-    default:
-      return kMoveBase;
-  }
-}
-
 }  // namespace
 
 std::optional<WorstInstant> worst_instant(const robot::Robot& robot, const Plan& plan,
@@ -179,28 +121,6 @@ std::optional<WorstInstant> worst_instant(const robot::Robot& robot, const Plan&
   if (const Finding* finding = deepest_finding(plan))
     return WorstInstant{0.5 * (finding->begin_s + finding->end_s), finding_sentence(*finding)};
   return std::nullopt;
-}
-
-std::vector<std::string> advice_for(const robot::Robot& robot, const Plan& plan,
-                                    const std::vector<ShownMotion>& motions) {
-  std::vector<std::string> advice;
-  if (is_about_contact(plan.reason)) {
-    if (const auto contact = worst_contact(motions))
-      advice.push_back(contact_advice(contact->pair));
-  }
-  if (is_about_tips(plan.reason)) {
-    if (const auto miss = worst_miss(plan, motions)) {
-      advice.push_back(fmt::format("`check.{}` of at least {:.4f} (now {:.4f}) allows {} here",
-                                   miss->grasping ? "tracking_grasp" : "tracking",
-                                   std::ceil(1e4 * miss->error) / 1e4, miss->tolerance,
-                                   robot.tips[miss->tip].name));
-    }
-  }
-  const std::string reach = out_of_reach_advice(plan);
-  if (!reach.empty()) advice.push_back(reach);
-  const std::string general = advice_of(plan.reason);
-  if (reach.empty() || general != kMoveBase) advice.push_back(general);
-  return advice;
 }
 
 }  // namespace morphe::report

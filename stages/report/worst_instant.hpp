@@ -10,8 +10,4 @@ namespace morphe::report {
 std::optional<WorstInstant> worst_instant(const robot::Robot& robot, const Plan& plan,
                                           const std::vector<ShownMotion>& motions);
 
-/// What would have to change, from the case's own numbers; at least one sentence.
-std::vector<std::string> advice_for(const robot::Robot& robot, const Plan& plan,
-                                    const std::vector<ShownMotion>& motions);
-
 }  // namespace morphe::report

@@ -11,6 +11,7 @@
 #include "pipeline/motion/input_error.hpp"
 #include "pipeline/motion/version.hpp"
 #include "pipeline/parallel/ordered_map.hpp"
+#include "stages/explain/reason_words.hpp"
 #include "stages/report/json_text.hpp"
 #include "stages/report/opened_run.hpp"
 #include "stages/report/page_files.hpp"
@@ -181,6 +182,10 @@ ReportSummary write_report(const ReportRequest& request, const fs::path& file) {
   const std::vector<OpenedRun> runs = open_runs(request);
   ReportSummary summary;
   Json report = {{"software", software()}, {"angle_error", Steps::kAngle / 2}, {"hz", kShownHz}};
+  for (std::size_t k = 1; k < count_of<Reason>(); ++k) {
+    const auto reason = static_cast<Reason>(k);
+    report["reasons"][std::string(name_of(reason))] = explain::sentence_of(reason);
+  }
   report["runs"] = Json::array();
   std::vector<NamedBlock> robot_blocks;
   for (std::size_t r = 0; r < runs.size(); ++r) {

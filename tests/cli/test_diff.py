@@ -101,7 +101,7 @@ class Diff(ManyCase):
         shutil.copy(self.out / "plans.h5", self.other)
         text = self.diff().stdout
         self.assertIn("retime.mode human -> duration", text)
-        self.assertIn(f"\n{len(executable)} plans executable -> infeasible:\n", text)
+        self.assertIn(f"\n{len(executable)} plans no longer executable:\n", text)
         for name in executable:
             self.assertRegex(text, rf"\n  {name}: (executable|repaired) -> infeasible \(duration\)\n    duration: ")
         report = json.loads(self.diff("--json").stdout)

@@ -169,7 +169,7 @@ class ReportPage(unittest.TestCase):
     def test_an_infeasible_movement_opens_at_its_worst_instant(self):
         self.open(self.fr3 / "report.html", "#ADL006DR2/000")
         reason = self.text(".reason")
-        for words in ("goal_in_collision", "Worst instant", "What would have to change"):
+        for words in ("goal_in_collision", "Worst instant", "What to try"):
             self.assertIn(words, reason)
         worst = self.time()
         self.at(0)

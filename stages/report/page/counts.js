@@ -1,10 +1,10 @@
 // How many plans of each status and reason, as buttons that select; of several runs a line each, and
 // what their plans measure in the median.
-import { report, rows } from "./data.js";
+import { reasonSentence, report, rows } from "./data.js";
 import { build, buildButton, buildName, runClass } from "./elements.js";
 import { filter, passing, setFilter } from "./filter.js";
 import { buildFigure, measures, valuesOf } from "./measures.js";
-import { counted, medianOf, reasonSentence } from "./words.js";
+import { counted, medianOf } from "./words.js";
 
 const tally = (of) => {
   const counts = new Map();

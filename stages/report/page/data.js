@@ -5,6 +5,9 @@ const jsonOf = (id) => JSON.parse(document.getElementById(id).textContent);
 export const report = jsonOf("report");
 export const rows = jsonOf("rows");
 
+// What a reason means, as a sentence.
+export const reasonSentence = (reason) => (Object.hasOwn(report.reasons, reason) ? report.reasons[reason] : "");
+
 // Values of a table, row by row, from the bytes of its columns.
 function decodeTable(bytes, { array: [rowCount, columnCount], step, at }) {
   const values = new Float64Array(rowCount * columnCount);

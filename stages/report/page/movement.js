@@ -1,5 +1,5 @@
 // A movement's page: 3D view, clock and plots side by side, what is wrong below.
-import { at, loadBlock, report, rows } from "./data.js";
+import { at, loadBlock, reasonSentence, report, rows } from "./data.js";
 import { build, buildButton, buildName, buildStatus } from "./elements.js";
 import { measureText, measures, shownValue } from "./measures.js";
 import { clips, clockRange, isGoalMotion, stateAt, timeOfDemonstration } from "./player.js";
@@ -9,7 +9,7 @@ import { createScene } from "./scene.js";
 import { plotsOf } from "./series.js";
 import { addressOf, on, pick, setTime, state } from "./state.js";
 import { bandsOf, createTimeline } from "./timeline.js";
-import { plainText, reasonSentence } from "./words.js";
+import { plainText } from "./words.js";
 
 const kViews = ["front", "side", "top", "eyes", "fit"];
 const kOptions = [["person", "person", true], ["goals", "goals", true], ["capsules", "capsules", true],
@@ -94,7 +94,7 @@ function reasonOf(plan, row) {
         buildButton("show it", {}, () => setTime(time))));
   }
   if (plan.advice.length > 0) {
-    parts.push(build("p", {}, "What would have to change:"),
+    parts.push(build("p", {}, "What to try:"),
                build("ul", {}, ...plan.advice.map((sentence) => build("li", {}, plainText(sentence)))));
   }
   if (plan.motions.length === 0) parts.push(build("p", {}, "Nothing was planned: the person alone is shown."));

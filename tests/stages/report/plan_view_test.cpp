@@ -111,7 +111,6 @@ TEST(ViewOf, AnInfeasiblePlanShowsItsPathAndTheWorstInstant) {
   ASSERT_TRUE(view.worst.has_value());
   EXPECT_NEAR(view.worst->demonstration_s, 6, 1e-9);
   EXPECT_EQ(view.worst->sentence, "forearm and ball overlap by 20.00 mm; 1.00 mm is asked for");
-  EXPECT_THAT(view.advice, testing::Contains(testing::HasSubstr("no tolerance allows")));
   EXPECT_FALSE(view.motions[0].touching.empty());
 }
 
@@ -122,9 +121,8 @@ TEST(ViewOf, AMissedGoalSaysWhatWouldPass) {
   EXPECT_NEAR(view.worst->demonstration_s, 7, 1e-9);
   const double error = std::hypot(2 * std::hypot(0.55, 0.04) * std::sin(kAngle / 2), 0.003);
   EXPECT_THAT(view.worst->sentence, testing::HasSubstr("5.00 mm is allowed in grasp and hold"));
-  ASSERT_FALSE(view.advice.empty());
-  EXPECT_THAT(view.advice[0], testing::StartsWith("`check.tracking_grasp` of at least " +
-                                                  std::to_string(error).substr(0, 4)));
+  EXPECT_THAT(view.advice, testing::Contains(testing::HasSubstr(
+                               "check.tracking_grasp=" + std::to_string(error).substr(0, 4))));
 }
 
 TEST(ViewOf, AMovementWithoutAnythingHasNoMotion) {

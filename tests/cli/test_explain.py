@@ -1,0 +1,89 @@
+"""`morphe explain`: an infeasible movement's story, and what it advises holds when it is tried."""
+import json
+
+import h5py
+import support
+from support import MORPHE, SOURCE, morphe  # noqa: F401
+
+# A cup that stands too far away for the robot: the person reaches it, the robot does not.
+AWAY = ("--set", "placement.shoulder_offset=[0.1, -0.55, 0.3]")
+
+
+class Explain(support.CommandCase):
+    @classmethod
+    def setUpClass(cls):
+        holder = support.temporary_folder()
+        cls.addClassCleanup(holder.cleanup)
+        cls.shared = support.Path(holder.name).resolve()
+        manifest = support.write_two_recordings(cls.shared)
+        cls.run_folder = cls.shared / "away"
+        result = morphe("run", support.REFERENCE, "--dataset", manifest, "--out", cls.run_folder,
+                        *support.QUICK, *AWAY)
+        assert result.returncode == 0, result.stderr
+        cls.table = result.stdout
+
+    def test_the_table_says_what_to_try(self):
+        self.assertIn("infeasible", self.table)
+        self.assertIn("try: ", self.table)
+
+    def test_a_story_has_every_step(self):
+        said = self.succeeds("explain", self.run_folder).stdout
+        for step in ("segmentation", "mapping", "found", "repair", "left", "time law", "certificate", "took", "try"):
+            self.assertIn(f"\n  {step} ", said)
+        self.assertIn("re-solve gently", said)
+
+    def test_courses_of_repair_are_stored(self):
+        with h5py.File(self.run_folder / "plans.h5") as file:
+            plans = [plan for name in file["plans"] for plan in file["plans"][name].values()
+                     if len(plan["findings/cause"]) > 0]
+            self.assertTrue(plans)
+            for plan in plans:
+                names = list(plan["repair/name"].asstr())
+                self.assertEqual(names[0], "re-solve gently")
+                self.assertEqual(plan["repair/level"][0], 0)
+                self.assertTrue(set(plan["repair/level"]) <= {0, 1})
+                last = plan["repair/findings"][()][plan["repair/kept"][()] == 1]
+                left = len(plan["remaining/cause"]) if "remaining" in plan else 0
+                if len(last):
+                    self.assertEqual(last[-1], left)
+
+    def test_advice_is_settings_that_the_program_takes(self):
+        told = self.json_of("explain", self.run_folder)["plans"]
+        self.assertTrue(told)
+        for plan in told:
+            self.assertEqual(plan["status"], "infeasible")
+            self.assertGreaterEqual(len(plan["advice"]), 1)
+            for advice in plan["advice"]:
+                self.assertIn(advice["effect"], ("solves", "accepts", "assumes", "changes"))
+                self.assertEqual(advice["effect"] == "changes", advice["settings"] == [])
+                self.assertNotIn("tried", advice)
+
+    def test_what_is_tried_is_what_a_run_gives(self):
+        told = self.json_of("explain", self.run_folder, "--try")["plans"]
+        tried = [(plan["plan"], advice) for plan in told for advice in plan["advice"] if "tried" in advice]
+        self.assertTrue(tried)
+        name, advice = next(((name, advice) for name, advice in tried
+                             if advice["tried"]["status"] == "executable"), tried[0])
+        again = self.folder / "again"
+        settings = [word for one in advice["settings"] for word in ("--set", one)]
+        self.succeeds("run", support.REFERENCE, "--dataset", self.run_folder / "demonstrations.h5",
+                      "--out", again, *support.QUICK, *AWAY, *settings)
+        with h5py.File(again / "plans.h5") as file:
+            self.assertEqual(file["plans"][name].attrs["status"].decode(), advice["tried"]["status"])
+
+    def test_one_plan_by_its_name(self):
+        with h5py.File(self.run_folder / "plans.h5") as file:
+            name = next(iter(file["plans"]))
+        said = self.succeeds("explain", self.run_folder, f"{name}/000").stdout
+        self.assertTrue(said.startswith(f"{name}/000: "))
+        self.assertEqual(self.succeeds("explain", self.run_folder / "plans.h5", name).stdout, said)
+
+    def test_wrong_names(self):
+        self.refuses(morphe("explain", self.run_folder, "nobody/000"), self.run_folder, "'nobody/000'", "DEMONSTRATION/000")
+        self.refuses(morphe("explain", self.folder), self.folder, "plans.h5")
+        other = self.folder / "other.h5"
+        other.write_bytes((self.run_folder / "demonstrations.h5").read_bytes() + b"\0")
+        self.refuses(morphe("explain", self.run_folder, "--try", "--dataset", other), "explain --try", "was planned from")
+
+
+support.main()
