@@ -168,7 +168,7 @@ void check_choice(const RowChoice& choice) {
 bool chosen(const RowChoice& choice, const PlanRow& row) {
   const std::string demonstration = row.name.substr(0, row.name.rfind('/'));
   return std::ranges::all_of(choice.only, [&](const std::string& word) {
-    return word == row.status || (word == "executable" && row.executable()) ||
+    return word == row.status || (word == name_of(Status::executable) && row.executable()) ||
            (!row.reason.empty() && word == row.reason) || report::matches(row.name, word) ||
            report::matches(demonstration, word);
   });

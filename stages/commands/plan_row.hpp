@@ -19,7 +19,7 @@ struct PlanRow {
   WorldFrames world;               ///< where things stand
   std::map<std::string, std::string> remarks;  ///< scene_remarks()
 
-  bool executable() const { return status == "executable" || status == "repaired"; }
+  bool executable() const { return status == name_of(Status::executable) || status == "repaired"; }
 };
 PlanRow row_of(const robot::Robot& robot, const Plan& plan);
 
