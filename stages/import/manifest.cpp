@@ -45,7 +45,7 @@ void own_fields(Fields& f, ManifestEntry& e) {
 }
 
 template <class Fields>
-void label_fields(Fields& f, Label& label) {
+void label_keys(Fields& f, Label& label) {
   f.required("phase", label.phase);
   f.required("begin_s", label.begin_s);
   f.required("end_s", label.end_s);
@@ -56,7 +56,7 @@ std::vector<Label> read_labels(const config::ConfigNode& node) {
   for (const config::ConfigNode& item : node.items()) {
     Label& label = labels.emplace_back();
     config::FieldReader reader(item);
-    label_fields(reader, label);
+    label_keys(reader, label);
     if (!(label.end_s > label.begin_s)) item.fail("must end after it begins");
   }
   return labels;
@@ -135,7 +135,7 @@ std::string manifest_text(std::vector<ManifestEntry> entries, const fs::path& fo
     if (!entry.labels.empty()) text += "    labels:\n";
     for (Label& label : entry.labels) {
       config::FieldWriter inner("        ");
-      label_fields(inner, label);
+      label_keys(inner, label);
       text += list_item(inner.text, 8);
     }
   }
