@@ -37,6 +37,7 @@ install(FILES pipeline/store/demonstration_file.hpp pipeline/store/plan_file.hpp
 install(FILES pipeline/verify/verify.hpp DESTINATION include/morphe/pipeline/verify)
 # Where pipeline/files/shipped.hpp looks, from bin and from lib.
 install(DIRECTORY configs datasets DESTINATION share/morphe)
+install(FILES stages/commands/completion.bash DESTINATION share/bash-completion/completions RENAME morphe)
 install(FILES LICENSE DESTINATION share/doc/morphe RENAME copyright)
 
 # cpack: one package for Debian with all of this. What it needs is read off the files themselves.

@@ -234,8 +234,13 @@ def synopsis(block):
     return found
 
 
+def help_of(*command):
+    """Without its examples."""
+    return run([*command, "--help"], ROOT).stdout.partition("Examples:")[0]
+
+
 def subcommands(*command):
-    listed = run([*command, "--help"], ROOT).stdout.partition("Subcommands:")[2]
+    listed = help_of(*command).partition("Subcommands:")[2]
     return set(re.findall(r"^  (\w+)", listed, re.M))
 
 
@@ -247,7 +252,7 @@ def wrong_commands(morphe):
     for name in sorted(commands ^ set(present)):
         yield f"docs/formats.md: morphe {name}: " + ("is not listed" if name in commands else "does not exist")
     for name in sorted(commands & set(present)):
-        real = options_in(run([morphe, *name.split(), "--help"], ROOT).stdout)
+        real = options_in(help_of(morphe, *name.split()))
         for option in sorted(real ^ present[name]):
             yield f"docs/formats.md: morphe {name} {option}: " + (
                 "is not listed" if option in real else "does not exist")

@@ -21,10 +21,10 @@ namespace morphe::config {
 ///     void fields(Fields& f, SegmentOptions& o) { f("onset_share", o.onset_share); }
 ///     std::string why_invalid(const SegmentOptions& o);   // optional: "" or what is wrong
 ///
-/// read_options(node, options) leaves defaults where a key is absent; write_options gives YAML that
-/// read_options takes back to the same values. Supported: bool, int, std::uint64_t, double,
-/// std::string, Vec3, named enumerations, vectors and optionals of these, and structs with fields()
-/// of their own.
+/// read_options(node, options) leaves defaults where a key is absent and throws one InputError of
+/// all that is wrong, a line each; write_options gives YAML that read_options takes back to the
+/// same values. Supported: bool, int, std::uint64_t, double, std::string, Vec3, named enumerations,
+/// vectors and optionals of these, and structs with fields() of their own.
 class FieldReader;
 class FieldWriter;
 
@@ -39,21 +39,37 @@ concept HasWhyInvalid = requires(const T& options) {
 
 template <class Options>
 void read_options(const ConfigNode& node, Options& options);
+/// The same for a whole document: a key that is none of theirs is wrong, too.
+template <class Options>
+void read_document(const ConfigNode& node, Options& options);
 template <class Options>
 std::string write_options(const Options& options);
 
+/// Adds what is wrong to `problems` and goes on with the next key.
 class FieldReader {
  public:
-  explicit FieldReader(ConfigNode node) : node_(std::move(node)) {}
+  FieldReader(ConfigNode node, Problems& problems) : node_(std::move(node)), problems_(problems) {}
 
   template <class T>
   void operator()(const char* key, T& value) {
-    if (node_.has(key)) read(node_[key], value);
+    if (node_.has(key)) required(key, value);
   }
   /// A key without a default.
   template <class T>
   void required(const char* key, T& value) {
-    read(node_[key], value);
+    problems_.attempt([&] { read(node_[key], value); });
+  }
+  template <HasFields T>
+  void read(const ConfigNode& n, T& value) {
+    n.expect_map();
+    Problems own;
+    FieldReader reader(n, own);
+    fields(reader, value);
+    if constexpr (HasWhyInvalid<T>) {
+      const std::string wrong = own.none() ? why_invalid(value) : "";
+      if (!wrong.empty()) own.attempt([&] { n.fail_below(wrong); });
+    }
+    problems_.add(own);
   }
 
  private:
@@ -81,20 +97,19 @@ class FieldReader {
     value = *known;
   }
   template <class T>
-  static void read(const ConfigNode& n, std::vector<T>& values) {
+  void read(const ConfigNode& n, std::vector<T>& values) {
     values.clear();
-    for (const ConfigNode& item : n.items()) read(item, values.emplace_back());
+    for (const ConfigNode& item : n.items()) {
+      problems_.attempt([&] { read(item, values.emplace_back()); });
+    }
   }
   template <class T>
-  static void read(const ConfigNode& n, std::optional<T>& value) {
+  void read(const ConfigNode& n, std::optional<T>& value) {
     read(n, value.emplace());
-  }
-  template <HasFields T>
-  static void read(const ConfigNode& n, T& value) {
-    read_options(n, value);
   }
 
   ConfigNode node_;
+  Problems& problems_;
 };
 
 class FieldWriter {
@@ -161,12 +176,17 @@ class FieldWriter {
 
 template <class Options>
 void read_options(const ConfigNode& node, Options& options) {
-  if (!node.is_map()) node.fail("must be a mapping of keys to values");
-  FieldReader reader(node);
-  fields(reader, options);
-  if constexpr (HasWhyInvalid<Options>) {
-    if (const std::string wrong = why_invalid(options); !wrong.empty()) node.fail(wrong);
-  }
+  Problems problems;
+  problems.attempt([&] { FieldReader(node, problems).read(node, options); });
+  problems.throw_any();
+}
+
+template <class Options>
+void read_document(const ConfigNode& node, Options& options) {
+  Problems problems;
+  problems.attempt([&] { FieldReader(node, problems).read(node, options); });
+  node.add_unread(problems);
+  problems.throw_any();
 }
 
 template <class Options>

@@ -8,7 +8,10 @@
 #include <cmath>
 #include <fstream>
 #include <numbers>
+#include <set>
 #include <sstream>
+
+#include "pipeline/config/did_you_mean.hpp"
 
 namespace morphe::config {
 
@@ -20,12 +23,27 @@ struct ConfigNode::Value {
   std::string origin;  ///< "FILE:LINE" or "--set a.b"
   int line = 0;
   bool read = false;
+  std::set<std::string, std::less<>> asked;  ///< keys that somebody looked for
 
   Value* find(std::string_view key) const {
     for (const auto& [name, child] : children) {
       if (name == key) return child.get();
     }
     return nullptr;
+  }
+
+  void mark_all_read() {
+    read = true;
+    for (const auto& entry : children) entry.second->mark_all_read();
+  }
+
+  /// Names of children that nobody has asked for.
+  std::vector<std::string> strangers() const {
+    std::vector<std::string> names;
+    for (const auto& entry : children) {
+      if (!asked.contains(entry.first)) names.push_back(entry.first);
+    }
+    return names;
   }
 
   std::unique_ptr<Value> clone() const {
@@ -100,7 +118,7 @@ std::string join(const std::string& path, std::string_view key) {
 ConfigNode ConfigNode::load(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream || std::filesystem::is_directory(file)) {
-    throw InputError(fmt::format("{}: cannot be read", file.string()));
+    throw InputError(fmt::format("{}: cannot be read{}", file.string(), did_you_mean_file(file)));
   }
   std::stringstream text;
   text << stream.rdbuf();
@@ -130,7 +148,9 @@ bool ConfigNode::is_map() const { return value_->kind == Value::Kind::map; }
 bool ConfigNode::is_list() const { return value_->kind == Value::Kind::list; }
 bool ConfigNode::is_scalar() const { return value_->kind == Value::Kind::scalar; }
 bool ConfigNode::has(std::string_view key) const {
-  Value* child = is_map() ? value_->find(key) : nullptr;
+  if (!is_map()) return false;
+  value_->asked.emplace(key);
+  Value* child = value_->find(key);
   if (!child) return false;
   if (child->kind == Value::Kind::empty) child->read = true;  // "key:" alone asks for the default
   return child->kind != Value::Kind::empty;
@@ -143,17 +163,21 @@ std::vector<std::string> ConfigNode::keys() const {
 }
 
 ConfigNode ConfigNode::operator[](std::string_view key) const {
-  if (!is_map()) fail("must be a mapping of keys to values");
+  expect_map();
+  value_->asked.emplace(key);
   Value* child = value_->find(key);
   if (!child) {
-    throw InputError(fmt::format("{}: {}: is missing", value_->origin, join(key_, key)));
+    const std::string stranger = nearest_word(key, value_->strangers());
+    throw InputError(
+        fmt::format("{}: {}: is missing{}", value_->origin, join(key_, key),
+                    stranger.empty() ? "" : fmt::format("; is '{}' meant for it?", stranger)));
   }
   child->read = true;
   return {document_, child, join(key_, key)};
 }
 
 std::vector<ConfigNode> ConfigNode::items() const {
-  if (!is_list()) fail("must be a list");
+  if (!is_list()) fail_shape("must be a list");
   std::vector<ConfigNode> nodes;
   for (std::size_t i = 0; i < value_->children.size(); ++i) {
     nodes.push_back(
@@ -163,7 +187,7 @@ std::vector<ConfigNode> ConfigNode::items() const {
 }
 
 std::string ConfigNode::text() const {
-  if (!is_scalar()) fail("must be a single value");
+  if (!is_scalar()) fail_shape("must be a single value");
   return value_->scalar;
 }
 
@@ -273,19 +297,43 @@ ConfigNode ConfigNode::detached() const {
   return {std::move(document), root, key_};
 }
 
-void ConfigNode::expect_all_read() const {
-  const auto visit = [](const auto& self, const Value& value, const std::string& path) -> void {
+void ConfigNode::add_unread(Problems& problems) const {
+  const auto visit = [&](const auto& self, const Value& value, const std::string& path) -> void {
     for (std::size_t i = 0; i < value.children.size(); ++i) {
       const auto& [key, child] = value.children[i];
       const bool in_map = value.kind == Value::Kind::map;
       const std::string child_path = in_map ? join(path, key) : fmt::format("{}[{}]", path, i);
       if (in_map && !child->read) {
-        throw InputError(fmt::format("{}: {}: unknown key", child->origin, child_path));
+        problems.add(fmt::format("{}: {}: unknown key{}", child->origin, child_path,
+                                 did_you_mean(key, {value.asked.begin(), value.asked.end()})));
+      } else {
+        self(self, *child, child_path);
       }
-      self(self, *child, child_path);
     }
   };
   visit(visit, *document_->root, value_ == document_->root.get() ? key_ : "");
+}
+
+void ConfigNode::expect_all_read() const {
+  Problems problems;
+  add_unread(problems);
+  problems.throw_any();
+}
+
+void ConfigNode::expect_map() const {
+  if (!is_map()) fail_shape("must be a mapping of keys to values");
+}
+
+void ConfigNode::fail_shape(const std::string& message) const {
+  value_->mark_all_read();
+  fail(message);
+}
+
+void ConfigNode::fail_below(const std::string& message) const {
+  const std::size_t end = message.find_first_of(": ");
+  const std::string key = message.substr(0, end);
+  if (end == std::string::npos || !is_map() || !has(key)) fail(message);
+  (*this)[key].fail(message.substr(message.find_first_not_of(": ", end)));
 }
 
 void ConfigNode::fail(const std::string& message) const {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "pipeline/config/problems.hpp"
 #include "pipeline/motion/geometry.hpp"
 #include "pipeline/motion/input_error.hpp"
 
@@ -48,9 +49,16 @@ class ConfigNode {
   void erase(std::string_view key);
   /// A copy of this value as a document of its own: its keys are read anew.
   ConfigNode detached() const;
-  /// Throws for the first key of this document that nobody has read.
+  /// The keys of this document that nobody has read, each with the one that it was probably meant
+  /// to be: of those that were asked for in its place.
+  void add_unread(Problems& problems) const;
+  /// Throws if there are any.
   void expect_all_read() const;
+  void expect_map() const;  ///< throws if it is none
   [[noreturn]] void fail(const std::string& message) const;
+  /// The same for a message that may begin with the name of a key of this map ("step_s must be
+  /// positive"): then it is told of that key, with its line.
+  [[noreturn]] void fail_below(const std::string& message) const;
 
   std::filesystem::path file() const;    ///< as given to load()
   std::filesystem::path folder() const;  ///< of the file this value stands in: paths start there
@@ -62,6 +70,8 @@ class ConfigNode {
   struct Document;
   ConfigNode(std::shared_ptr<Document> document, Value* value, std::string key)
       : document_(std::move(document)), value_(value), key_(std::move(key)) {}
+  /// A value of another shape than was asked for: what is below it is not told as well.
+  [[noreturn]] void fail_shape(const std::string& message) const;
 
   std::shared_ptr<Document> document_;
   Value* value_ = nullptr;  ///< owned by document_

@@ -11,6 +11,10 @@ void Problems::add(const std::string& line) {
   if (std::ranges::find(lines_, line) == lines_.end()) lines_.push_back(line);
 }
 
+void Problems::add(const Problems& more) {
+  for (const std::string& line : more.lines_) add(line);
+}
+
 void Problems::throw_any() const {
   constexpr std::size_t kMost = 20;
   if (lines_.empty()) return;

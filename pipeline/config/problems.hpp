@@ -23,6 +23,7 @@ class Problems {
   }
   /// One line more, if nobody said it before.
   void add(const std::string& line);
+  void add(const Problems& more);
   bool none() const { return lines_.empty(); }
   /// Throws one InputError of all lines, in the order in which they came (of more than 20 the rest
   /// is counted); nothing if there are none.

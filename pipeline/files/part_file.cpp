@@ -32,7 +32,10 @@ void sync(const std::filesystem::path& path, Disk& disk) {
 }  // namespace
 
 PartFile::PartFile(std::filesystem::path target, Disk& disk)
-    : target_(std::move(target)), part_(target_.string() + ".part"), disk_(&disk) {}
+    : target_(std::move(target)),
+      part_(target_.string() + ".part"),
+      unfinished_(part_),
+      disk_(&disk) {}
 
 PartFile::~PartFile() {
   std::error_code ignored;

@@ -4,11 +4,13 @@
 #include <string>
 
 #include "pipeline/files/disk.hpp"
+#include "pipeline/files/unfinished.hpp"
 
 namespace morphe::files {
 
 /// A file that appears under its name only when it is whole: written beside it as "<name>.part",
-/// then synced and renamed. Removed again if commit() is never reached.
+/// then synced and renamed. Removed again if commit() is never reached, also when a signal ends the
+/// process.
 class PartFile {
  public:
   explicit PartFile(std::filesystem::path target, Disk& disk = real_disk());
@@ -25,6 +27,7 @@ class PartFile {
 
  private:
   std::filesystem::path target_, part_;
+  Unfinished unfinished_;
   Disk* disk_;
   bool committed_ = false;
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "pipeline/motion/counted.hpp"
 #include "pipeline/parallel/ordered_map.hpp"
 
 namespace morphe::run {
@@ -100,12 +101,20 @@ std::string summary_text_for_people(const BatchSummary& summary) {
   if (!reasons.empty()) reasons += ")";
   const std::string approximate =
       summary.approximate > 0 ? fmt::format("{} approximate, ", summary.approximate) : "";
-  std::string text =
-      fmt::format("{} demonstrations, {} movements: {} executable ({} repaired), {}{} infeasible{}",
-                  summary.demonstrations, summary.movements, summary.executable, summary.repaired,
-                  approximate, summary.infeasible, reasons);
+  std::string text = fmt::format("{}, {}: {} executable ({} repaired), {}{} infeasible{}",
+                                 counted(summary.demonstrations, "demonstration"),
+                                 counted(summary.movements, "movement"), summary.executable,
+                                 summary.repaired, approximate, summary.infeasible, reasons);
   if (summary.failed > 0) text += fmt::format(", {} failed", summary.failed);
   if (summary.reused > 0) text += fmt::format("; {} finished before", summary.reused);
+  return text;
+}
+
+std::string stage_seconds_text(const BatchSummary& summary) {
+  std::string text;
+  for (const auto& [stage, seconds] : summary.stage_seconds)
+    text += fmt::format("{}{} {:.2f} s", text.empty() ? "steps, over all threads: " : ", ", stage,
+                        seconds);
   return text;
 }
 

@@ -51,6 +51,8 @@ BatchSummary run_batch(const Batch& batch, int jobs);
 /// "5 demonstrations, 5 movements: 4 executable (1 repaired), 1 infeasible (no_goal 1)"; those that
 /// are approximate, if any, stand between the two.
 std::string summary_text_for_people(const BatchSummary& summary);
+/// "steps, over all threads: map 3.45 s, reconstruct 0.12 s", "" if nothing was planned.
+std::string stage_seconds_text(const BatchSummary& summary);
 /// As docs/formats.md says: what `--json` prints.
 std::string summary_json(const BatchSummary& summary);
 

@@ -10,6 +10,7 @@
 #include <queue>
 #include <utility>
 
+#include "pipeline/motion/counted.hpp"
 #include "pipeline/motion/input_error.hpp"
 #include "pipeline/run/config_changes.hpp"
 #include "pipeline/run/journal.hpp"
@@ -79,8 +80,9 @@ void check(const std::vector<OpenShard>& shards, const RunIdentity& first) {
       continue;
     } else if (!shard.journal->is_complete()) {
       const std::int64_t left = shard.journal->unfinished();
-      complaints.add(fmt::format("{}: shard {} is not finished: {} of {} demonstrations are left",
-                                 name, shard_text(shard.shard), left, shard.journal->wanted()));
+      complaints.add(fmt::format("{}: shard {} is not finished: {} of {} are left", name,
+                                 shard_text(shard.shard), left,
+                                 counted(shard.journal->wanted(), "demonstration")));
     }
     const auto [place, is_new] = found.emplace(shard.shard.index, shard.folder);
     if (!is_new)

@@ -1,31 +1,29 @@
 #include "pipeline/run/progress.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "pipeline/motion/counted.hpp"
 
 namespace morphe::run {
 namespace {
 
-std::string duration_text(double seconds) {
-  if (seconds < 90) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
-  return fmt::format("{:.1f} h", seconds / 3600);
+double seconds_since(std::chrono::steady_clock::time_point then) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
 }
 
 }  // namespace
 
-std::string progress_text(const BatchSummary& sum, std::int64_t total, double elapsed_s) {
+std::string progress_text(const BatchSummary& sum, std::int64_t total, const WorkSoFar& work) {
   std::string text = fmt::format("{} of {}", sum.demonstrations, total);
-  const double done_now = sum.demonstrations - sum.reused;
-  if (done_now > 0 && elapsed_s > 0) {
-    const double rate = done_now / elapsed_s;
-    const double left_s = static_cast<double>(total - sum.demonstrations) / rate;
+  const double each_s = seconds_each(work);
+  if (std::isfinite(each_s) && each_s > 0) {
+    const double rate = work.jobs / each_s;
     text += rate >= 1 ? fmt::format(", {:.1f} a second", rate)
                       : fmt::format(", {:.1f} a minute", 60 * rate);
-    text += fmt::format(", {} left", duration_text(left_s));
+    text += fmt::format(", {} left", duration_text(time_left_s(work)));
   }
   text += fmt::format(": {} executable ({} repaired), ", sum.executable, sum.repaired);
   if (sum.approximate > 0) text += fmt::format("{} approximate, ", sum.approximate);
@@ -33,17 +31,45 @@ std::string progress_text(const BatchSummary& sum, std::int64_t total, double el
   return sum.failed > 0 ? text + fmt::format(", {} failed", sum.failed) : text;
 }
 
-Progress::Progress(bool quiet)
-    : quiet_(quiet), terminal_(::isatty(::fileno(stderr)) == 1), begin_(Clock::now()) {}
+Progress::Progress(Detail detail) : detail_(detail) {
+  if (detail_ == Detail::nothing || !status_.on_terminal()) return;
+  ticking_ = std::thread([this] {
+    std::unique_lock lock(mutex_);
+    while (!ended_.wait_for(lock, std::chrono::seconds(1), [this] { return end_; })) show(true);
+  });
+}
 
-Progress::~Progress() { clear(); }
+Progress::~Progress() {
+  {
+    const std::lock_guard lock(mutex_);
+    end_ = true;
+  }
+  ended_.notify_all();
+  if (ticking_.joinable()) ticking_.join();
+}
 
-void Progress::begin(std::int64_t total) {
+void Progress::begin(std::int64_t total, int jobs) {
+  const std::lock_guard lock(mutex_);
   total_ = total;
-  begin_ = Clock::now();
+  work_.jobs = jobs;
+  show(true);
+}
+
+void Progress::takes_in_hand(const std::string& demonstration) {
+  const std::lock_guard lock(mutex_);
+  in_hand_[demonstration] = Clock::now();
+}
+
+void Progress::has_finished(const std::string& demonstration) {
+  const std::lock_guard lock(mutex_);
+  const auto one = in_hand_.find(demonstration);
+  work_.finished_s += seconds_since(one->second);
+  ++work_.finished;
+  in_hand_.erase(one);
 }
 
 void Progress::reused(const BatchSummary& summary) {
+  const std::lock_guard lock(mutex_);
   add(summary, sum_);
   ++sum_.reused;
   show(false);
@@ -51,36 +77,55 @@ void Progress::reused(const BatchSummary& summary) {
 
 void Progress::done(const std::string& demonstration, const BatchSummary& summary,
                     const std::string& error) {
+  const std::lock_guard lock(mutex_);
   add(summary, sum_);
-  if (!quiet_ && !terminal_) {
-    fmt::print(stderr, "[{}/{}] {}: {}\n", sum_.demonstrations, total_, demonstration,
-               error.empty() ? fmt::format("{} movements", summary.movements) : error);
-  } else if (!quiet_ && !error.empty()) {
-    line(fmt::format("{}: {}", demonstration, error));
+  const bool each = !status_.on_terminal() || detail_ == Detail::everything;
+  if (detail_ != Detail::nothing && (each || !error.empty())) {
+    status_.print(fmt::format("[{}/{}] {}: {}", sum_.demonstrations, total_, demonstration,
+                              error.empty() ? counted(summary.movements, "movement") : error));
   }
   show(sum_.demonstrations == total_);
 }
 
-void Progress::line(const std::string& text) {
-  clear();
-  fmt::print(stderr, "{}\n", text);
+void Progress::line(const std::string& text) { status_.print(text); }
+
+void Progress::stopping() {
+  status_.print("finishing what is in hand; again to stop now (what is finished is kept)");
+  const std::lock_guard lock(mutex_);
+  stopping_ = true;
+}
+
+BatchSummary Progress::so_far() const {
+  const std::lock_guard lock(mutex_);
+  return sum_;
 }
 
 void Progress::show(bool now) {
   constexpr std::chrono::milliseconds kLeastPause{100};
-  if (quiet_ || !terminal_ || (!now && Clock::now() - last_shown_ < kLeastPause)) return;
+  if (detail_ == Detail::nothing || !status_.on_terminal()) return;
+  if (!now && Clock::now() - last_shown_ < kLeastPause) return;
   last_shown_ = Clock::now();
-  const double elapsed_s = std::chrono::duration<double>(last_shown_ - begin_).count();
-  fmt::print(stderr, "\r\033[K{}", progress_text(sum_, total_, elapsed_s));
-  std::fflush(stderr);
-  shown_ = true;
+  status_.show(text());
 }
 
-void Progress::clear() {
-  if (!shown_) return;
-  fmt::print(stderr, "\r\033[K");
-  std::fflush(stderr);
-  shown_ = false;
+std::string Progress::text() const {
+  constexpr double kLong_s = 3;
+  WorkSoFar work = work_;
+  std::string longest;
+  double longest_s = 0;
+  for (const auto& [name, begun] : in_hand_) {
+    work.ages_s.push_back(seconds_since(begun));
+    if (work.ages_s.back() <= longest_s) continue;
+    longest_s = work.ages_s.back();
+    longest = name;
+  }
+  const auto in_hand = static_cast<std::int64_t>(in_hand_.size());
+  work.waiting =
+      stopping_ ? 0 : std::max<std::int64_t>(0, total_ - sum_.reused - work.finished - in_hand);
+  std::string text = stopping_ ? "finishing what is in hand: " : "";
+  text += progress_text(sum_, total_, work);
+  if (longest_s < kLong_s) return text;
+  return text + fmt::format("; {} for {}", longest, duration_text(longest_s));
 }
 
 }  // namespace morphe::run

@@ -30,7 +30,7 @@ struct Task {
 
 /// Nothing, if the run was stopped before this one began.
 struct Done {
-  Finished finished;  ///< without its plans if it was so before
+  Finished finished;  ///< in the journal; here without its plans
   std::string why;    ///< it was planned, "" if it was finished before
 };
 
@@ -96,7 +96,7 @@ class Run {
         ++position;
       });
     });
-    progress_.begin(journal_.wanted());
+    progress_.begin(journal_.wanted(), request_.jobs);
   }
 
   /// Whether those of another dataset would be replaced, and which demonstrations went.
@@ -216,9 +216,23 @@ class Run {
   std::unique_ptr<Done> work(const Task& task) {
     auto done = std::make_unique<Done>();
     if (stop_.seen() != 0) return done;
-    done->finished = task.before ? *task.before : plan(task);
     done->why = task.why;
+    if (task.before) {
+      done->finished = *task.before;
+      return done;
+    }
+    progress_.takes_in_hand(task.demonstration.name);
+    done->finished = plan(task);
+    progress_.has_finished(task.demonstration.name);
+    keep(done->finished);
     return done;
+  }
+
+  /// At once, not when its turn comes to be written: one before it may take long, and be stopped.
+  void keep(Finished& finished) {
+    journal_.add(finished);
+    finished.plans.clear();
+    if (stop_.seen() != 0) journal_.commit();
   }
 
   /// What could be written, or why not.
@@ -252,7 +266,6 @@ class Run {
       progress_.reused(finished.summary);
     } else {
       if (request_.explain) progress_.line(fmt::format("{}: {}", finished.name, done.why));
-      journal_.add(finished);
       progress_.done(finished.name, finished.summary, finished.error);
     }
     write_plans(journal_, finished.name, *writer_);
@@ -272,6 +285,12 @@ class Run {
     }
   }
 
+  /// A signal came: it is said at once, and what is finished is safe from the next one.
+  void stop() {
+    progress_.stopping();
+    keep_what_is_done();
+  }
+
   const std::string& dataset() const { return request_.identity.header.dataset_sha256; }
 
   Journal& journal_;
@@ -279,10 +298,10 @@ class Run {
   Progress& progress_;
   store::DemonstrationReader reader_;
   std::optional<store::PlanWriter> writer_;
-  StopSignal stop_;
   Fingerprint print_;  ///< of this run; the input is each demonstration's own
   std::int64_t readable_ = 0;
   std::string first_unreadable_, explained_, changes_;
+  StopSignal stop_{[this] { stop(); }};  // the last: it calls what stands above
 };
 
 }  // namespace

@@ -33,13 +33,13 @@ struct RunResult {
 };
 
 /// Plans what the journal does not hold yet of the dataset (of its shard), and writes plans.h5 from
-/// the journal meanwhile, in the order of the dataset; it takes its name when all is done. SIGINT
-/// and SIGTERM: what is in hand is finished and committed. A demonstration that cannot be read or
-/// planned is a failed one, and tried again the next time. What was finished of demonstrations that
-/// the dataset no longer has is told, leaves plans.h5 and stays in the journal. InputError: none at
-/// all can be read; the dataset changes under the run; results cannot be written; or the journal is
-/// another dataset's: one that was named otherwise, and no demonstration is the same. What was
-/// finished is in the journal.
+/// the journal meanwhile, in the order of the dataset; it takes its name when all is done. A
+/// signal (StopSignal): what is in hand is finished and committed. A demonstration that cannot be
+/// read or planned is a failed one, and tried again the next time. What was finished of
+/// demonstrations that the dataset no longer has is told, leaves plans.h5 and stays in the journal.
+/// InputError: none at all can be read; the dataset changes under the run; results cannot be
+/// written; or the journal is another dataset's: one that was named otherwise, and no demonstration
+/// is the same. What was finished is in the journal.
 RunResult run_dataset(Journal& journal, RunRequest request, Progress& progress);
 
 }  // namespace morphe::run

@@ -1,26 +1,37 @@
 #pragma once
 
 #include <atomic>
-#include <csignal>
+#include <functional>
+#include <thread>
 
 namespace morphe::run {
 
-/// While it lives, the first SIGINT or SIGTERM does not end the process but is waiting here; after
-/// it was seen, the next one ends the process as usual. Signals that were ignored stay ignored. For
-/// this thread and those it starts.
+/// From here on a thread waits for SIGINT and SIGTERM, those that are not ignored. To be called
+/// once, before any other thread is started. A signal is the process's, so what becomes of it is:
+/// it ends the process, as if nobody had waited, but first takes away what is unfinished
+/// (files::Unfinished). A StopSignal is told first.
+void watch_stop_signals();
+
+/// While it lives, the first signal does not end the process but is told here: work that is in hand
+/// can be finished. The next one ends it at once, but for at most 0.3 s in which what was told is
+/// answered. One at a time; nothing happens without
+/// watch_stop_signals().
 class StopSignal {
  public:
-  StopSignal();
+  /// `told` is called when the first comes, on a thread of its own.
+  explicit StopSignal(std::function<void()> told);
   ~StopSignal();
   StopSignal(const StopSignal&) = delete;
   StopSignal& operator=(const StopSignal&) = delete;
   /// Number of the signal that came, 0: none yet. From any thread.
-  int seen();
+  int seen() const { return seen_; }
 
  private:
-  sigset_t before_{}, waited_for_{};
-  int descriptor_ = -1;
+  friend void take_stop_signal(int signal);
+  std::function<void()> told_;
+  std::thread telling_;
   std::atomic<int> seen_ = 0;
+  std::atomic<bool> answered_ = false;
 };
 
 }  // namespace morphe::run

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "pipeline/motion/counted.hpp"
 #include "pipeline/verify/verify.hpp"
 
 namespace morphe::verify {
@@ -55,8 +56,8 @@ std::string verify_text(const VerifyReport& report) {
   }
   const std::string approximate =
       report.approximate > 0 ? fmt::format("{} approximate, ", report.approximate) : "";
-  return out + fmt::format("{} executable, {}{} infeasible, {} violations\n", report.executable,
-                           approximate, report.infeasible, report.violations.size());
+  return out + fmt::format("{} executable, {}{} infeasible, {}\n", report.executable, approximate,
+                           report.infeasible, counted(report.violations.size(), "violation"));
 }
 
 }  // namespace morphe::verify

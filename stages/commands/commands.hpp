@@ -12,6 +12,7 @@ namespace morphe::commands {
 /// are parsed. The result is the exit code; InputError is caught in main.
 using Command = std::function<int()>;
 Command diff_command(CLI::App& app);
+Command doctor_command(CLI::App& app);
 Command explain_command(CLI::App& app);
 Command export_command(CLI::App& app);
 Command import_command(CLI::App& app);
@@ -22,6 +23,7 @@ Command place_command(CLI::App& app);
 Command report_command(CLI::App& app);
 Command robot_command(CLI::App& app);
 Command run_command(CLI::App& app);
+Command schema_command(CLI::App& app);
 Command synthesize_command(CLI::App& app);
 Command study_command(CLI::App& app);
 Command verify_command(CLI::App& app);

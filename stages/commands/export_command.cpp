@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "pipeline/motion/counted.hpp"
 #include "pipeline/motion/input_error.hpp"
 #include "pipeline/run/output_folder.hpp"
 #include "stages/commands/commands.hpp"

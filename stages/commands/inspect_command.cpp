@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "pipeline/motion/counted.hpp"
 #include "pipeline/store/demonstration_file.hpp"
 #include "stages/commands/commands.hpp"
 #include "stages/commands/dataset_input.hpp"
@@ -80,8 +81,8 @@ Command inspect_command(CLI::App& app) {
     if (arguments->json) {
       fmt::print("{}\n", inspections_json(all, imported.left_out));
     } else {
-      fmt::print("{}{}: {} demonstrations, {} movements, {} of them usable\n", found_text(imported),
-                 arguments->file, demonstrations, movements, usable);
+      fmt::print("{}{}: {}, {}, {} of them usable\n", found_text(imported), arguments->file,
+                 counted(demonstrations, "demonstration"), counted(movements, "movement"), usable);
     }
     return failed_in(imported) > 0 ? 1 : 0;
   };

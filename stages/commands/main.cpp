@@ -5,12 +5,16 @@
 #include <array>
 #include <csignal>
 #include <cstdio>
-#include <string_view>
+#include <string>
+#include <vector>
 
 #include "pipeline/motion/input_error.hpp"
 #include "pipeline/motion/version.hpp"
+#include "pipeline/run/stop_signal.hpp"
 #include "stages/commands/commands.hpp"
+#include "stages/commands/examples.hpp"
 #include "stages/commands/paste.hpp"
+#include "stages/commands/suggestions.hpp"
 
 namespace {
 
@@ -20,9 +24,11 @@ struct Entry {
   morphe::commands::Command (*add)(CLI::App&);
 };
 
-constexpr std::array<Entry, 14> kCommands{{
+constexpr std::array<Entry, 16> kCommands{{
     {"diff", "Compare two plans.h5: which plans differ, and by how much",
      morphe::commands::diff_command},
+    {"doctor", "Look whether everything is there that Morphe needs",
+     morphe::commands::doctor_command},
     {"explain", "Tell what became of a movement, and what to try where it is infeasible",
      morphe::commands::explain_command},
     {"export", "Write executable plans as CSV, ROS or robomimic files",
@@ -39,6 +45,8 @@ constexpr std::array<Entry, 14> kCommands{{
      morphe::commands::report_command},
     {"robot", "Check, print and draw a robot description", morphe::commands::robot_command},
     {"run", "Plan recorded demonstrations: write DIR/plans.h5", morphe::commands::run_command},
+    {"schema", "Print the JSON schema of a kind of YAML file, for editors",
+     morphe::commands::schema_command},
     {"synthesize", "Generate recordings with known ground truth",
      morphe::commands::synthesize_command},
     {"study", "Run a study: write its figures to DIR/results.json",
@@ -58,8 +66,26 @@ bool machine_suffices() {
 #endif
 }
 
-bool is_command(std::string_view word) {
-  return std::ranges::any_of(kCommands, [&](const Entry& entry) { return word == entry.name; });
+/// Below each --help: examples.
+void add_examples(CLI::App& app, const std::string& before) {
+  for (CLI::App* const command : app.get_subcommands({})) {
+    const std::string name = before + command->get_name();
+    command->footer(morphe::commands::examples_of(name));
+    add_examples(*command, name + " ");
+  }
+}
+
+int say(const std::string& wrong, const std::string& command) {
+  fmt::print(stderr, "{}\nmorphe {}--help says more.\n", wrong, command);
+  return kBadInput;
+}
+
+/// `morphe --complete WORD…`, for the shell.
+int complete(const CLI::App& app, int argc, char** argv) {
+  const std::vector<std::string> words(argv + 2, argv + argc);
+  for (const std::string& word : morphe::commands::completions(app, words))
+    fmt::print("{}\n", word);
+  return 0;
 }
 
 }  // namespace
@@ -69,6 +95,7 @@ int main(int argc, char** argv) {
     std::fputs("morphe: built for processors with AVX2 and FMA (see MORPHE_ARCH)\n", stderr);
     return kBadInput;
   }
+  morphe::run::watch_stop_signals();
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is an error to be told, like a full disk
   CLI::App app(
       "Morphe turns recorded human reaches and grasps into executable robot trajectories.\n"
@@ -81,11 +108,13 @@ int main(int argc, char** argv) {
     commands[i] =
         kCommands[i].add(*app.add_subcommand(kCommands[i].name, kCommands[i].description));
   }
-  if (const std::string_view word = argc > 1 ? argv[1] : ""; !word.empty() && word[0] != '-') {
-    if (!is_command(word)) {
-      fmt::print(stderr, "There is no command '{}'\nRun with --help for more information.\n", word);
-      return kBadInput;
-    }
+  add_examples(app, "");
+  const std::string first = argc > 1 ? argv[1] : "";
+  if (first == "--complete") return complete(app, argc, argv);
+  if (!first.empty() && first[0] != '-') {
+    const std::vector<std::string> names = morphe::commands::command_names(app);
+    if (std::ranges::find(names, first) == names.end())
+      return say(morphe::commands::unknown_command(app, first), "");
   }
   try {
     app.parse(argc, argv);
@@ -93,6 +122,9 @@ int main(int argc, char** argv) {
       if (app.got_subcommand(kCommands[i].name)) return commands[i]();
     }
   } catch (const CLI::ParseError& error) {
+    const std::string unknown = morphe::commands::unknown_options(app);
+    if (error.get_exit_code() != 0 && !unknown.empty())
+      return say(unknown.substr(0, unknown.size() - 1), first + " ");
     return app.exit(error) == 0 ? 0 : kBadInput;
   } catch (const morphe::imports::ImportQuestion& question) {
     fmt::print(stderr, "{}\n{}", question.what(),

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 
 #include "pipeline/motion/input_error.hpp"
+#include "pipeline/run/status_line.hpp"
 #include "pipeline/store/demonstration_file.hpp"
 #include "stages/commands/commands.hpp"
 #include "stages/commands/dataset_input.hpp"
@@ -28,7 +28,7 @@ struct PlaceArguments {
   place::PlaceOptions options;
   double tilt_deg = 0;
   int jobs = 0;
-  bool json = false;
+  bool quiet = false, json = false;
 };
 
 std::vector<Demonstration> read_dataset(const PlaceArguments& arguments,
@@ -82,15 +82,13 @@ place::PlaceOptions options_of(const PlaceArguments& arguments, std::uint64_t se
   return options;
 }
 
-/// On standard error: one line that changes on a terminal, otherwise one for each tenth.
-place::Report progress(bool quiet) {
-  return [quiet, terminal = isatty(STDERR_FILENO) != 0](const std::string& what, int done, int of) {
+/// A line that changes on a terminal, otherwise one for each tenth.
+place::Report progress(bool quiet, run::StatusLine& status) {
+  return [quiet, &status](const std::string& what, int done, int of) {
     if (quiet) return;
-    if (terminal) {
-      fmt::print(stderr, "\r\033[Kplace: {} {} of {}{}", what, done, of, done == of ? "\n" : "");
-    } else if (done * 10 / of != (done - 1) * 10 / of) {
-      fmt::print(stderr, "place: {} {} of {}\n", what, done, of);
-    }
+    const std::string text = fmt::format("place: {} {} of {}", what, done, of);
+    if (status.on_terminal()) return status.show(text);
+    if (done * 10 / of != (done - 1) * 10 / of) status.print(text);
   };
 }
 
@@ -109,7 +107,8 @@ int execute(const PlaceArguments& arguments) {
   const planning::Planner planner{config.options, config.robot};
   const std::vector<place::Trial> trials =
       place::make_trials(planner, read_dataset(arguments, config), options);
-  const place::Report report = progress(arguments.json);
+  run::StatusLine status;
+  const place::Report report = progress(arguments.json || arguments.quiet, status);
   const std::vector<place::Found> found = place::place(planner, trials, options, report);
   const place::Found given =
       place::plan_at(planner, trials, config.options.placement, options.jobs);
@@ -118,6 +117,7 @@ int execute(const PlaceArguments& arguments) {
     write_text(arguments.map,
                place::svg_of(place::reach_map(planner, trials, found.front(), options, report)));
   }
+  status.clear();
   if (arguments.json) {
     fmt::print("{}\n", place_json(given, found));
     return 0;
@@ -166,6 +166,7 @@ Command place_command(CLI::App& app) {
   app.add_option("--set", arguments->settings,
                  "KEY=VALUE: change a value of the config, such as seed=2")
       ->allow_extra_args(false);
+  app.add_flag("--quiet", arguments->quiet, "No progress");
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] { return execute(*arguments); };
 }

@@ -6,6 +6,7 @@
 #include <set>
 #include <thread>
 
+#include "pipeline/motion/counted.hpp"
 #include "pipeline/motion/input_error.hpp"
 #include "pipeline/run/output_folder.hpp"
 #include "stages/commands/commands.hpp"
@@ -70,7 +71,7 @@ int execute(ReportArguments& arguments) {
   if (!arguments.out.empty()) {
     const report::ReportSummary summary = report::write_report(request, arguments.out);
     for (const std::string& note : summary.notes) fmt::print("{}\n", note);
-    fmt::print("{}: {} plans, {:.1f} MB\n", arguments.out, summary.shown,
+    fmt::print("{}: {}, {:.1f} MB\n", arguments.out, counted(summary.shown, "plan"),
                1e-6 * static_cast<double>(fs::file_size(arguments.out)));
   }
   if (!arguments.svg.empty()) {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <sstream>
 
+#include "pipeline/motion/counted.hpp"
 #include "pipeline/motion/input_error.hpp"
 #include "stages/commands/input_file.hpp"
 #include "stages/commands/text_file.hpp"
@@ -59,8 +60,9 @@ void finish(const setup::SetupResult& result, const fs::path& out) {
   for (const std::string& note : result.notes) fmt::print("note: {}\n", note);
   for (const std::string& remark : describe::remarks(robot)) fmt::print("note: {}\n", remark);
   for (const std::string& check : result.to_check) fmt::print("check: {}\n", check);
-  fmt::print("{}: {} joints, {} tips, {} capsules; {}\n", out.string(), robot.table.joints(),
-             robot.table.tips.size(), robot.table.capsules.size(), picture.string());
+  fmt::print("{}: {}, {}, {}; {}\n", out.string(), counted(robot.table.joints(), "joint"),
+             counted(robot.table.tips.size(), "tip"),
+             counted(robot.table.capsules.size(), "capsule"), picture.string());
 }
 
 setup::SetupRequest request_for(const SetupArguments& arguments, const fs::path& urdf,

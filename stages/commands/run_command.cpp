@@ -9,6 +9,7 @@
 
 #include "pipeline/collision/certified.hpp"
 #include "pipeline/files/sha256.hpp"
+#include "pipeline/motion/counted.hpp"
 #include "pipeline/motion/version.hpp"
 #include "pipeline/run/run_dataset.hpp"
 #include "pipeline/run/run_folder.hpp"
@@ -39,11 +40,17 @@ struct RunArguments {
   imports::ImportRequest recordings;  ///< what is said about those that are imported
   int jobs = 0;
   bool fresh = false, explain = false, strict = false, json = false, report = false;
+  bool quiet = false, verbose = false;
   RowChoice choice;
 };
 
 /// What a shell adds to the number of the signal that ended a program.
 constexpr int kStopped = 128;
+
+run::Detail detail_of(const RunArguments& arguments) {
+  if (arguments.verbose) return run::Detail::everything;
+  return arguments.json || arguments.quiet ? run::Detail::nothing : run::Detail::usual;
+}
 
 /// Of several robots the config names the same one.
 std::vector<fs::path> dataset_of(const RunArguments& arguments,
@@ -143,10 +150,15 @@ class Dataset {
   imports::Imported imported_;
 };
 
-/// The rows, of a large run only if some are chosen or sorted, and where things stand.
+/// The summary alone if it is to be quiet; else the rows, of a large run only if some are chosen or
+/// sorted, and where things stand.
 void print_table(const RunArguments& arguments, const RobotRun& one) {
   const robot::Robot& robot = one.config.loaded.robot;
   constexpr int kMostRows = 1000;
+  if (arguments.quiet) {
+    fmt::print("{}: {}\n", one.plans().string(), run::summary_text_for_people(one.summary));
+    return;
+  }
   const RowChoice& choice = arguments.choice;
   if (one.summary.movements <= kMostRows || !choice.sort.empty() || !choice.only.empty()) {
     std::vector<PlanRow> rows;
@@ -166,10 +178,9 @@ void print_table(const RunArguments& arguments, const RobotRun& one) {
 
 int stopped(const RobotRun& one, int signal) {
   fmt::print(stderr,
-             "{}: stopped by {}: {} of {} demonstrations are finished and kept; the same command "
-             "goes on from here\n",
+             "{}: stopped by {}: {} of {} finished and kept; the same command goes on from here\n",
              one.folder->path().string(), signal == SIGINT ? "SIGINT" : "SIGTERM",
-             one.summary.demonstrations, one.folder->journal().wanted());
+             one.summary.demonstrations, counted(one.folder->journal().wanted(), "demonstration"));
   return kStopped + signal;
 }
 
@@ -191,13 +202,13 @@ int plan_all(const RunArguments& arguments, const run::Shard& shard, Dataset& da
   request.expected_dataset = one.config.dataset_sha256;
   request.dataset_key = dataset.key();
   request.jobs = threads_of(arguments.jobs);
-  request.explain = arguments.explain;
+  request.explain = arguments.explain || arguments.verbose;
   request.plan = [&](const Demonstration& demonstration) {
     return planning::plan_demonstration(planner, demonstration);
   };
   request.rows = [&](const Plan& plan) { return row_text(row_of(robot, plan)); };
   request.publish = [&] { dataset.publish(); };
-  run::Progress progress(arguments.json);
+  run::Progress progress(detail_of(arguments));
   const run::RunResult result = run::run_dataset(one.folder->journal(), request, progress);
   one.folder->keep();
   one.summary = result.summary;
@@ -222,6 +233,7 @@ void print_results(const RunArguments& arguments, const std::vector<RobotRun>& r
   for (const RobotRun& one : runs) {
     if (several) fmt::print("{}\n", one.name);
     print_table(arguments, one);
+    if (arguments.verbose) fmt::print("{}\n", run::stage_seconds_text(one.summary));
     if (several) {
       fmt::print("\n");
       robots.emplace_back(one.name, one.plans());
@@ -239,7 +251,8 @@ void write_page(const RunArguments& arguments, const std::vector<RobotRun>& runs
         {one.plans(), one.name.empty() ? one.config.loaded.robot.name : one.name});
   const fs::path page = fs::path(arguments.out) / "report.html";
   report::write_report(request, page);
-  if (!arguments.json) fmt::print("{}: to be opened in a browser\n", page.string());
+  if (!arguments.json && !arguments.quiet)
+    fmt::print("{}: to be opened in a browser\n", page.string());
 }
 
 int execute(const RunArguments& arguments) {
@@ -294,6 +307,11 @@ Command run_command(CLI::App& app) {
                  "I/N: plan part I of N of the dataset; slurm: the part of this array task");
   app.add_flag("--fresh", arguments->fresh,
                "Plan everything anew, including what an earlier run in the folder finished");
+  app.add_flag("--quiet", arguments->quiet, "No progress and no table, the summary alone");
+  app.add_flag("--verbose", arguments->verbose,
+               "A line for each demonstration, also on a terminal, with why it is planned; at the "
+               "end the seconds that each step took")
+      ->excludes("--quiet");
   app.add_flag("--explain", arguments->explain, "Say for each demonstration why it is planned");
   app.add_flag("--report", arguments->report,
                "Write DIR/report.html, too: a page that plays every plan");

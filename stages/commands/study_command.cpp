@@ -14,7 +14,7 @@ namespace morphe::commands {
 Command study_command(CLI::App& app) {
   struct Arguments {
     std::string config, out;
-    bool quick = false;
+    bool quick = false, quiet = false;
     int jobs = 0;
   };
   const auto arguments = std::make_shared<Arguments>();
@@ -23,6 +23,7 @@ Command study_command(CLI::App& app) {
       ->transform(input_file());
   app.add_option("--out", arguments->out, "Folder for the results")->required();
   app.add_flag("--quick", arguments->quick, "Run the small version");
+  app.add_flag("--quiet", arguments->quiet, "No progress");
   add_jobs_option(app, arguments->jobs);
   return [arguments] {
     run::OutputFolder folder(arguments->out);
@@ -30,7 +31,9 @@ Command study_command(CLI::App& app) {
     run.config = arguments->config;
     run.quick = arguments->quick;
     run.jobs = threads_of(arguments->jobs);
-    run.progress = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+    run.progress = [quiet = arguments->quiet](const std::string& line) {
+      if (!quiet) fmt::print(stderr, "{}\n", line);
+    };
     const study::StudyResult result = study::run_study(run);
     study::write_results(result, folder.path());
     folder.keep();

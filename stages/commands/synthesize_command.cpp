@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "pipeline/config/fields.hpp"
+#include "pipeline/motion/counted.hpp"
 #include "pipeline/parallel/ordered_map.hpp"
 #include "pipeline/store/demonstration_file.hpp"
 #include "stages/commands/commands.hpp"
@@ -27,8 +28,7 @@ struct SynthesizeArguments {
 synthesize::SynthesizeOptions load_options(const std::string& file) {
   const config::ConfigNode node = config::ConfigNode::load(file);
   synthesize::SynthesizeOptions options;
-  config::read_options(node, options);
-  node.expect_all_read();
+  config::read_document(node, options);
   return options;
 }
 
@@ -58,8 +58,9 @@ int execute(const SynthesizeArguments& arguments) {
   parallel::run(map, threads_of(arguments.jobs));
   recorded.finish();
   truth.finish();
-  fmt::print("{}: {} demonstrations, {:.0f} s; truth in {}\n", arguments.out, arguments.count,
-             recorded_s, truth_beside(arguments.out).string());
+  fmt::print("{}: {}, {:.0f} s; truth in {}\n", arguments.out,
+             counted(arguments.count, "demonstration"), recorded_s,
+             truth_beside(arguments.out).string());
   return 0;
 }
 

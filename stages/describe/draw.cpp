@@ -8,6 +8,7 @@
 
 #include "pipeline/files/markup.hpp"
 #include "pipeline/math/convex_polygon.hpp"
+#include "pipeline/motion/counted.hpp"
 #include "pipeline/robot/forward.hpp"
 
 namespace morphe::describe {
@@ -160,8 +161,8 @@ std::string svg_of(const RobotTable& robot, const Outlines& outlines) {
   const double scale = (kPanel - 2 * kRoom) / std::max(extent, 1e-6);
   const double width = 2 * kPanel, height = kTitle + 2 * kPanel + kFoot;
   std::string svg = files::svg_begin(width, height, 13);
-  svg += fmt::format("<text x=\"{:.0f}\" y=\"28\" font-size=\"17\">{}: {} joints</text>\n", kRoom,
-                     files::xml_escaped(robot.name), robot.joints());
+  svg += fmt::format("<text x=\"{:.0f}\" y=\"28\" font-size=\"17\">{}: {}</text>\n", kRoom,
+                     files::xml_escaped(robot.name), counted(robot.joints(), "joint"));
   for (std::size_t row = 0; row < postures.size(); ++row) {
     for (const Eigen::Index across : {1, 0}) {
       svg += Panel{robot,

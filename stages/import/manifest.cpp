@@ -51,13 +51,13 @@ void label_keys(Fields& f, Label& label) {
   f.required("end_s", label.end_s);
 }
 
-std::vector<Label> read_labels(const config::ConfigNode& node) {
+std::vector<Label> read_labels(const config::ConfigNode& node, config::Problems& problems) {
   std::vector<Label> labels;
   for (const config::ConfigNode& item : node.items()) {
     Label& label = labels.emplace_back();
-    config::FieldReader reader(item);
+    config::FieldReader reader(item, problems);
     label_keys(reader, label);
-    if (!(label.end_s > label.begin_s)) item.fail("must end after it begins");
+    if (problems.none() && !(label.end_s > label.begin_s)) item.fail("must end after it begins");
   }
   return labels;
 }
@@ -96,15 +96,16 @@ std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file) {
   const config::ConfigNode root = config::ConfigNode::load(file);
   if (!root.is_map()) root.fail("must be a mapping of keys to values");
   ManifestEntry defaults;
-  config::FieldReader root_reader(root);
+  config::Problems problems;
+  config::FieldReader root_reader(root, problems);
   shared_fields(root_reader, defaults);
   std::vector<ManifestEntry> entries;
   for (const config::ConfigNode& item : root["recordings"].items()) {
     ManifestEntry entry = defaults;
     entry.manifest = file.string();
-    config::FieldReader reader(item);
+    config::FieldReader reader(item, problems);
     own_fields(reader, entry);
-    if (item.has("labels")) entry.labels = read_labels(item["labels"]);
+    if (item.has("labels")) entry.labels = read_labels(item["labels"], problems);
     for (const auto& length :
          {entry.upper_arm, entry.forearm, entry.hand_length, entry.hand_breadth}) {
       if (length && *length <= 0) item.fail("lengths must be positive (metres)");
@@ -117,7 +118,8 @@ std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file) {
     }
     entries.push_back(std::move(entry));
   }
-  root.expect_all_read();
+  root.add_unread(problems);
+  problems.throw_any();
   return entries;
 }
 
@@ -140,6 +142,23 @@ std::string manifest_text(std::vector<ManifestEntry> entries, const fs::path& fo
     }
   }
   return text;
+}
+
+config::Schema manifest_schema(const config::Meanings& meanings) {
+  constexpr const char* kTable = "ManifestEntry";
+  ManifestEntry entry;
+  Label label;
+  config::FieldSchema all(kTable, meanings, false, {}), own(kTable, meanings, false, {}),
+      labels(kTable, meanings, false, {});
+  shared_fields(all, entry);
+  own_fields(own, entry);
+  label_keys(labels, label);
+  config::Schema recording = own.schema();
+  recording["properties"]["labels"] = config::list_schema(labels.schema());
+  config::Schema schema = all.schema();
+  schema["properties"]["recordings"] = config::list_schema(recording);
+  schema["required"] = config::Schema::array({"recordings"});
+  return schema;
 }
 
 }  // namespace morphe::imports

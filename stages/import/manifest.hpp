@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/config/schema.hpp"
 #include "pipeline/motion/demonstration.hpp"
 #include "stages/import/conventions.hpp"
 #include "stages/import/marker_objects.hpp"
@@ -40,5 +41,8 @@ std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file);
 
 /// The manifest in `folder` that read_manifest takes back to these entries.
 std::string manifest_text(std::vector<ManifestEntry> entries, const std::filesystem::path& folder);
+
+/// What a manifest may hold.
+config::Schema manifest_schema(const config::Meanings& meanings);
 
 }  // namespace morphe::imports

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "pipeline/math/rigid.hpp"
+#include "pipeline/motion/counted.hpp"
 #include "pipeline/motion/input_error.hpp"
 
 namespace morphe::imports {
@@ -162,8 +163,9 @@ void add_marker_object(const std::string& file, const MarkerObject& object,
     squares += residual * residual;
   }
   const auto poses = static_cast<double>(body.time.size());
-  std::string report = fmt::format("{}: from {} markers, rigid within {:.1f} mm (root mean square)",
-                                   object.name, columns.size(), 1000 * std::sqrt(squares / poses));
+  std::string report =
+      fmt::format("{}: from {}, rigid within {:.1f} mm (root mean square)", object.name,
+                  counted(columns.size(), "marker"), 1000 * std::sqrt(squares / poses));
   if (body.time.size() < frames.size()) {
     report += fmt::format("; not seen in {} of {} frames", frames.size() - body.time.size(),
                           frames.size());

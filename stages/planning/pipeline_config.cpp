@@ -140,8 +140,7 @@ LoadedConfig load(config::ConfigNode node, const Paths& files,
     node.set(setting.substr(0, equals), setting.substr(equals + 1));
   }
   LoadedConfig loaded;
-  config::read_options(node, loaded.options);
-  node.expect_all_read();
+  config::read_document(node, loaded.options);
   bring_terms(node, terms, loaded.options.map);
 
   const robot::RobotDescription robot =

@@ -94,8 +94,7 @@ RunConfig stored_config(const fs::path& plans) {
   const PlanFileHeader& header = reader.header();
   LoadedConfig loaded;
   config::ConfigNode node = config::ConfigNode::parse(header.config, plans.string() + ":/@config");
-  config::read_options(node, loaded.options);
-  node.expect_all_read();
+  config::read_document(node, loaded.options);
   loaded.robot = robot::Robot(reader.robot());
   loaded.inputs = header.inputs;
   loaded.effective = header.config;

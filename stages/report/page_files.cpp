@@ -10,9 +10,9 @@ struct MorphePageFile {
   const char* begin;
   const char* end;
 };
-// page_files.S, which CMake writes.
+// morphe_page_files.S, which CMake writes (cmake/embed.cmake).
 extern const MorphePageFile morphe_page_files[];
-extern const std::size_t morphe_page_file_count;
+extern const std::size_t morphe_page_files_count;
 }
 
 namespace morphe::report {
@@ -31,7 +31,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
 }  // namespace
 
 std::string_view page_file(std::string_view name) {
-  for (std::size_t i = 0; i < morphe_page_file_count; ++i) {
+  for (std::size_t i = 0; i < morphe_page_files_count; ++i) {
     const MorphePageFile& file = morphe_page_files[i];
     if (name == file.name) return {file.begin, static_cast<std::size_t>(file.end - file.begin)};
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "pipeline/motion/counted.hpp"
 #include "pipeline/motion/goals_at.hpp"
 
 namespace morphe::report {
@@ -55,7 +56,8 @@ std::string left_out_sentence(const Selection& selection, std::size_t all, std::
   if (what != "those" && (!selection.pattern.empty() || selection.failed)) what += " of those";
   if (!selection.pattern.empty()) what += fmt::format(" called {}", selection.pattern);
   if (selection.failed) what += " that are infeasible";
-  return fmt::format("{} of {} plans are left out: shown are {}", all - shown, all, what);
+  return fmt::format("{} of {} are left out: shown are {}", all - shown, counted(all, "plan"),
+                     what);
 }
 
 }  // namespace

@@ -4,8 +4,10 @@
 
 #include "pipeline/collision/mesh_file.hpp"
 #include "pipeline/config/fields.hpp"
+#include "pipeline/motion/counted.hpp"
 #include "pipeline/moveit/problem.hpp"
 #include "stages/scene/build_scene.hpp"
+#include "stages/scene/scene_schema.hpp"
 
 namespace morphe::scene {
 namespace {
@@ -100,8 +102,8 @@ std::string why_no_shape(const Options& o) {
   }
   if (!o.file.empty()) return fmt::format("file: a {} has none", o.shape);
   if (o.size.size() != numbers_of(*shape)) {
-    return fmt::format("size: a {} needs {} numbers, not {}", o.shape, numbers_of(*shape),
-                       o.size.size());
+    return fmt::format("size: a {} needs {}, not {}", o.shape,
+                       counted(numbers_of(*shape), "number"), o.size.size());
   }
   for (const double length : o.size) {
     if (!(length > 0)) return fmt::format("size: must be positive, not {}", length);
@@ -110,6 +112,10 @@ std::string why_no_shape(const Options& o) {
 }
 
 }  // namespace
+
+config::Schema scene_schema(const config::Meanings& meanings) {
+  return config::schema_of<SceneFile>(meanings);
+}
 
 std::string why_invalid(const ConfiguredObject& o) {
   if (o.name.empty()) return "name: must not be empty";
@@ -192,8 +198,7 @@ void load_file(SceneOptions& options, const config::ConfigNode& node) {
     }
   } else {
     SceneFile file;
-    config::read_options(root, file);
-    root.expect_all_read();
+    config::read_document(root, file);
     load_meshes(root["objects"], file.objects);
     options.file_objects = std::move(file.objects);
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "pipeline/motion/counted.hpp"
 #include "pipeline/motion/human_motion.hpp"
 #include "pipeline/motion/input_error.hpp"
 #include "pipeline/robot/files/description.hpp"
@@ -287,7 +288,8 @@ void tell_what_to_check(const Found& found, const std::vector<JointLimits>& limi
     check.push_back("wrist: no two of the last axes meet");
   const auto assumed = std::ranges::count(limits, Sure::assumed, &JointLimits::sure);
   if (assumed > 0)
-    check.push_back(fmt::format("acceleration and jerk of {} joints are assumed", assumed));
+    check.push_back(fmt::format("acceleration and jerk of {} assumed",
+                                counted(assumed, "joint is", "joints are")));
   std::vector<std::string> beyond;
   for (const Pad& pad : found.pads) {
     if (pad.beyond_shapes) beyond.push_back(found.link(pad.frame));

@@ -191,8 +191,7 @@ std::string why_invalid(const HandsStudyOptions& options) {
 
 StudyResult hands_study(const config::ConfigNode& config, const StudyRun& run) {
   HandsStudyOptions options;
-  config::read_options(config, options);
-  config.expect_all_read();
+  config::read_document(config, options);
   if (run.quick) {
     const auto most = static_cast<std::size_t>(options.quick_robots);
     options.robots.resize(std::min(options.robots.size(), most));

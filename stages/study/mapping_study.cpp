@@ -38,8 +38,7 @@ std::vector<Demonstration> recordings_of(const MappingSet& set, const StudyRun& 
   }
   synthesize::SynthesizeOptions synthetic;
   const config::ConfigNode node = config::ConfigNode::load(folder / set.synthetic);
-  config::read_options(node, synthetic);
-  node.expect_all_read();
+  config::read_document(node, synthetic);
   for (std::size_t i = 0; i < count; ++i) {
     all.push_back(synthesize::synthesize(synthetic, set.seed, i).recorded);
   }
@@ -221,8 +220,7 @@ std::string why_invalid(const MappingStudyOptions& o) {
 
 StudyResult mapping_study(const config::ConfigNode& config, const StudyRun& run) {
   MappingStudyOptions options;
-  config::read_options(config, options);
-  config.expect_all_read();
+  config::read_document(config, options);
   StudyResult result;
   for (const MappingSet& set : options.sets) {
     const std::vector<Demonstration> recordings = recordings_of(set, run);

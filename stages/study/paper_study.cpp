@@ -39,8 +39,7 @@ std::string why_invalid(const PaperStudyOptions& o) {
 StudyResult paper_study(const config::ConfigNode& config, const StudyRun& run) {
   PaperContext context;
   PaperStudyOptions& options = context.options;
-  config::read_options(config, options);
-  config.expect_all_read();
+  config::read_document(config, options);
   const std::filesystem::path folder = run.config.parent_path();
   const double step_s = run.quick ? options.quick_step_s : options.step_s;
   context.robots = folder / options.robots;

@@ -10,8 +10,7 @@ std::string why_invalid(const SyntheticSet& o) {
 StudyResult recordings_study(const config::ConfigNode& config, const StudyRun& run) {
   ScoreOptions options;
   options.folder = run.config.parent_path();
-  config::read_options(config, static_cast<RecordingsStudyOptions&>(options));
-  config.expect_all_read();
+  config::read_document(config, static_cast<RecordingsStudyOptions&>(options));
   StudyResult result;
   for (const RealSet& set : options.real) score_real(options, set, run, result);
   Plot errors;

@@ -84,13 +84,11 @@ std::string why_invalid(const RepairStudyOptions& o) {
 
 StudyResult repair_study(const config::ConfigNode& config, const StudyRun& run) {
   RepairStudyOptions options;
-  config::read_options(config, options);
-  config.expect_all_read();
+  config::read_document(config, options);
   const std::filesystem::path folder = run.config.parent_path();
   RepairStudy study{options, folder / options.pipeline, {}};
   const config::ConfigNode node = config::ConfigNode::load(folder / options.synthetic);
-  config::read_options(node, study.synthetic);
-  node.expect_all_read();
+  config::read_document(node, study.synthetic);
 
   std::vector<planning::LoadedConfig> variants, long_searches;
   for (const StudyVariant& variant : options.variants) {

@@ -189,8 +189,7 @@ std::string why_invalid(const RetimeStudyOptions& o) {
 
 StudyResult retime_study(const config::ConfigNode& config, const StudyRun& run) {
   RetimeStudyOptions options;
-  config::read_options(config, options);
-  config.expect_all_read();
+  config::read_document(config, options);
   StudyResult result;
   random_paths(options, run, result);
   optimum(options, run, result);

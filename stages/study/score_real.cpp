@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pipeline/math/statistics.hpp"
+#include "pipeline/motion/counted.hpp"
 #include "pipeline/motion/stream_report.hpp"
 #include "stages/import/import.hpp"
 #include "stages/reconstruct/mirror.hpp"
@@ -137,7 +138,7 @@ void score_real(const ScoreOptions& options, const RealSet& set, const StudyRun&
   import.timed = rebuild.timed = true;
   result.rows.push_back(import);
   result.rows.push_back(rebuild);
-  run.progress(fmt::format("{}: {} recordings", set.name, recordings));
+  run.progress(fmt::format("{}: {}", set.name, counted(recordings, "recording")));
 }
 
 }  // namespace morphe::study

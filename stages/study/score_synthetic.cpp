@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "pipeline/math/statistics.hpp"
+#include "pipeline/motion/counted.hpp"
 #include "pipeline/motion/stream_report.hpp"
 #include "pipeline/parallel/ordered_map.hpp"
 #include "stages/reconstruct/mirror.hpp"
@@ -49,8 +50,7 @@ Judgement sum_of(const ScoreOptions& options, const SyntheticSet& set, const Stu
     node.set(setting.substr(0, equals), setting.substr(equals + 1));
   }
   synthesize::SynthesizeOptions synthetic;
-  config::read_options(node, synthetic);
-  node.expect_all_read();
+  config::read_document(node, synthetic);
 
   const auto count = static_cast<std::size_t>(run.quick ? set.quick_count : set.count);
   Judgement sum;
@@ -157,8 +157,8 @@ void score_synthetic(const ScoreOptions& options, const SyntheticSet& set, const
     line.y.push_back(percent);
   }
   errors.lines.push_back(std::move(line));
-  run.progress(
-      fmt::format("{}: {} movements labelled, {} found", set.name, score.labelled, score.found));
+  run.progress(fmt::format("{}: {} labelled, {} found", set.name,
+                           counted(score.labelled, "movement"), score.found));
 }
 
 }  // namespace morphe::study

@@ -1,10 +1,17 @@
 #include "stages/study/study.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 
-#include "pipeline/config/node.hpp"
+#include "pipeline/config/did_you_mean.hpp"
+#include "stages/study/hands_options.hpp"
+#include "stages/study/mapping_options.hpp"
+#include "stages/study/paper_options.hpp"
+#include "stages/study/recordings_options.hpp"
+#include "stages/study/repair_options.hpp"
+#include "stages/study/retime_options.hpp"
 
 namespace morphe::study {
 namespace {
@@ -12,14 +19,16 @@ namespace {
 struct Entry {
   const char* name;
   StudyResult (*run)(const config::ConfigNode&, const StudyRun&);
+  config::Schema (*schema)(const config::Meanings&, bool);
 };
 
-constexpr std::array<Entry, 6> kStudies{{{"recordings", recordings_study},
-                                         {"paper", paper_study},
-                                         {"mapping", mapping_study},
-                                         {"repair", repair_study},
-                                         {"retime", retime_study},
-                                         {"hands", hands_study}}};
+constexpr std::array<Entry, 6> kStudies{
+    {{"recordings", recordings_study, config::schema_of<RecordingsStudyOptions>},
+     {"paper", paper_study, config::schema_of<PaperStudyOptions>},
+     {"mapping", mapping_study, config::schema_of<MappingStudyOptions>},
+     {"repair", repair_study, config::schema_of<RepairStudyOptions>},
+     {"retime", retime_study, config::schema_of<RetimeStudyOptions>},
+     {"hands", hands_study, config::schema_of<HandsStudyOptions>}}};
 
 }  // namespace
 
@@ -32,9 +41,24 @@ StudyResult run_study(const StudyRun& run) {
     result.study = entry.name;
     return result;
   }
-  std::string known;
-  for (const Entry& entry : kStudies) known += fmt::format(" {}", entry.name);
-  name.fail(fmt::format("there is no study '{}'; known:{}", name.text(), known));
+  std::vector<std::string> known;
+  for (const Entry& entry : kStudies) known.emplace_back(entry.name);
+  const std::string meant = config::did_you_mean(name.text(), known);
+  name.fail(
+      fmt::format("there is no study '{}'{}", name.text(),
+                  meant.empty() ? fmt::format("; there are {}", fmt::join(known, ", ")) : meant));
+}
+
+config::Schema study_schema(const config::Meanings& meanings) {
+  std::vector<std::string> names;
+  config::Schema schema{{"type", "object"}, {"required", {"study"}}};
+  for (const Entry& entry : kStudies) {
+    names.emplace_back(entry.name);
+    const config::Schema is_it{{"properties", {{"study", {{"const", entry.name}}}}}};
+    schema["allOf"].push_back({{"if", is_it}, {"then", entry.schema(meanings, false)}});
+  }
+  schema["properties"]["study"] = config::choice_schema(names);
+  return schema;
 }
 
 StudyRow row_of(const Case& of, const std::string& metric, const std::string& unit, double ours,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pipeline/config/node.hpp"
+#include "pipeline/config/schema.hpp"
 #include "pipeline/motion/geometry.hpp"
 #include "stages/study/plot.hpp"
 
@@ -48,6 +49,9 @@ struct StudyRun {
 /// Runs the study that the config's key `study` names. InputError for a bad config. The rows that
 /// are not timed depend on config and inputs alone, not on the number of jobs.
 StudyResult run_study(const StudyRun& run);
+
+/// What the config of a study may hold, by what its key `study` says.
+config::Schema study_schema(const config::Meanings& meanings);
 
 /// Movements and boundaries, and what is rebuilt, against annotations and synthetic truth.
 StudyResult recordings_study(const config::ConfigNode& config, const StudyRun& run);

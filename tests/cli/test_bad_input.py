@@ -207,11 +207,11 @@ class Scenes(RunCase):
 
     def test_negative_size(self):
         replace(self.scene, r"0\.06", "-0.06")
-        self.run_refuses(self.at("name: bowl"), "objects[0]: size: must be positive, not -0.06")
+        self.run_refuses(self.at("size:"), "objects[0].size: must be positive, not -0.06")
 
     def test_wrong_number_of_sizes(self):
         replace(self.scene, r"\[0\.05, 0\.06\]", "[0.05]")
-        self.run_refuses(self.at("name: bowl"), "objects[0]: size: a cylinder needs 2 numbers")
+        self.run_refuses(self.at("size:"), "objects[0].size: a cylinder needs 2 numbers")
 
     def test_unknown_key(self):
         self.scene.write_text(SCENE + "    colour: red\n")

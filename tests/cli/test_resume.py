@@ -222,7 +222,7 @@ class Ended(ManyCase):
                 self.assertEqual((process.returncode, output), (code, ""), errors)
                 last = errors.splitlines()[-1]
                 done = re.fullmatch(rf"{self.out}: stopped by {number.name}: (\d+) of {COUNT} "
-                                    "demonstrations are finished and kept; the same command goes on "
+                                    "demonstrations finished and kept; the same command goes on "
                                     "from here", last)
                 self.assertTrue(done, last)
                 self.assertEqual(os.listdir(self.out), ["journal.sqlite"])

@@ -7,6 +7,7 @@
 
 #include "pipeline/motion/human_motion.hpp"
 #include "pipeline/robot/files/assembly.hpp"
+#include "pipeline/robot/files/robot_schema.hpp"
 
 namespace morphe::robot {
 namespace {
@@ -181,6 +182,7 @@ FileScope read_description(const config::ConfigNode& root, const Anchor& base,
   assembly.files.push_back(root.file());
   FileScope scope{base, prefix, assembly.table.capsules.size()};
   const auto attempt = [&](const auto& step) { assembly.problems.attempt(step); };
+  config::add_strangers(root, robot_schema(), assembly.problems);
   const std::string name = root["name"].text();
   if (root.has("parts")) {
     for (const config::ConfigNode& part : root["parts"].items()) read_part(assembly, scope, part);

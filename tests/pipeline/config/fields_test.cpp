@@ -63,8 +63,7 @@ template <class T>
 T read(const std::string& text) {
   const ConfigNode root = ConfigNode::parse(text, "o.yaml");
   T options;
-  read_options(root, options);
-  root.expect_all_read();
+  read_document(root, options);
   return options;
 }
 
@@ -121,11 +120,41 @@ TEST(Fields, ErrorsNameFileLineAndKey) {
   EXPECT_EQ(error_of<Options>("count: 5000000000"), "o.yaml:1: count: is out of range: 5000000000");
   EXPECT_EQ(error_of<Options>("seed: -1"),
             "o.yaml:1: seed: must be a whole number from 0 to 2^64 - 1, not '-1'");
-  EXPECT_EQ(error_of<Strict>("other: 1"), "o.yaml:1: needed: is missing");
+  EXPECT_EQ(error_of<Strict>("{}"), "o.yaml:1: needed: is missing");
 }
 
-TEST(Fields, ChecksAreReportedWithTheSection) {
-  EXPECT_EQ(error_of<Options>("count: -1"), "o.yaml:1: count must not be negative");
+TEST(Fields, AllThatIsWrongIsToldAtOnce) {
+  EXPECT_EQ(error_of<Options>("cuont: 1\non: 1\ninner: {x: far, nmaes: []}\nlist:\n"
+                              "  - {x: 1, z: 2}\n  - 5\n  - {names: {a: {b: 1}}}\npoint: [1, 2]\n"),
+            "o.yaml:2: on: must be true or false, not '1'\n"
+            "o.yaml:8: point: must have 3 numbers, not 2\n"
+            "o.yaml:3: inner.x: must be a number, not 'far'\n"
+            "o.yaml:6: list[1]: must be a mapping of keys to values\n"
+            "o.yaml:7: list[2].names: must be a list\n"
+            "o.yaml:1: cuont: unknown key; did you mean 'count'?\n"
+            "o.yaml:3: inner.nmaes: unknown key; did you mean 'names'?\n"
+            "o.yaml:5: list[0].z: unknown key");
+  EXPECT_EQ(error_of<Strict>("neded: 1"),
+            "o.yaml:1: needed: is missing; is 'neded' meant for it?\n"
+            "o.yaml:1: neded: unknown key; did you mean 'needed'?");
+}
+
+TEST(Fields, AMessageThatBeginsWithAKeyIsToldOfIt) {
+  EXPECT_EQ(error_of<Options>("on: true\ncount: -1"), "o.yaml:2: count: must not be negative");
+}
+
+TEST(Fields, OneThatDoesNotIsToldOfTheSection) {
+  const ConfigNode root = ConfigNode::parse("a:\n  b: 1", "o.yaml");
+  EXPECT_THROW(
+      {
+        try {
+          root["a"].fail_below("c must be positive");
+        } catch (const InputError& error) {
+          EXPECT_STREQ(error.what(), "o.yaml:2: a: c must be positive");
+          throw;
+        }
+      },
+      InputError);
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ class RunDataset : public testing::Test {
     };
     request.rows = [](const Plan& plan) { return plan.demonstration; };
     request.publish = [] {};
-    Progress progress(true);
+    Progress progress(Detail::nothing);
     return run_dataset(*journal, request, progress);
   }
 

@@ -280,7 +280,7 @@ TEST(SceneOptions, ErrorsNameFileLineAndKey) {
   };
   EXPECT_EQ(error_of(with("shape: box, size: [1, 1, 1]")), "");
   EXPECT_THAT(error_of(with("shape: cone, size: [1]")),
-              testing::StartsWith("c.yaml:3: objects[0]: shape: must be sphere, box, "));
+              testing::StartsWith("c.yaml:3: objects[0].shape: must be sphere, box, "));
   EXPECT_THAT(error_of(with("shape: mesh")),
               testing::StartsWith("c.yaml:3: objects[0]: file: a mesh needs one"));
   EXPECT_THAT(error_of(with("shape: mesh, file: nowhere.stl")),
@@ -289,12 +289,12 @@ TEST(SceneOptions, ErrorsNameFileLineAndKey) {
   EXPECT_THAT(error_of(with("shape: convex, file: a.stl, scale: 0")), HasSubstr("scale"));
   EXPECT_THAT(error_of(with("shape: sphere, size: [1], file: a.stl")), HasSubstr("has none"));
   EXPECT_THAT(error_of(with("shape: box, size: [1, -1, 1]")),
-              testing::StartsWith("c.yaml:3: objects[0]: size: must be positive"));
+              testing::StartsWith("c.yaml:3: objects[0].size: must be positive"));
   EXPECT_THAT(error_of(with("shape: sphere, size: [1, 1]")),
-              testing::StartsWith("c.yaml:3: objects[0]: size: a sphere needs 1 numbers"));
+              testing::StartsWith("c.yaml:3: objects[0].size: a sphere needs 1 number,"));
   EXPECT_THAT(error_of(with("shape: box")), HasSubstr("size"));
   EXPECT_THAT(error_of("target: {max_radius: 0.001}"), HasSubstr("max_radius"));
-  EXPECT_THAT(error_of("table: {thickness: 0}"), HasSubstr("c.yaml:1: table: thickness"));
+  EXPECT_THAT(error_of("table: {thickness: 0}"), HasSubstr("c.yaml:1: table.thickness"));
   EXPECT_THAT(error_of("objects: [{name: cup, shape: sphere, size: [1], position: [0, 0, 0]}]"),
               HasSubstr("the name 'cup' is taken"));
   EXPECT_THAT(error_of("tabel: {}"), HasSubstr("tabel"));

@@ -195,8 +195,7 @@ TEST(SyntheticConfig, WhatIsWrongIsSaidWithItsPlace) {
     const config::ConfigNode node = config::ConfigNode::parse(text, "c.yaml");
     SynthesizeOptions options;
     try {
-      config::read_options(node, options);
-      node.expect_all_read();
+      config::read_document(node, options);
     } catch (const InputError& error) {
       return error.what();
     }

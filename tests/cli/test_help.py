@@ -1,0 +1,153 @@
+"""What the program says to who does not know it: examples that work, words that were meant, what the
+shell completes, and whether everything is there."""
+import os
+import re
+import subprocess
+
+from support import MORPHE, SOURCE, CommandCase, main, morphe
+
+COMMANDS = re.findall(r"^  (\w+) ", morphe("--help").stdout.partition("Subcommands:")[2], re.M)
+# The order in which the examples find what they need. What searches for long is made short: it is the
+# command line that is tried here.
+ORDER = ("run", "verify", "diff", "list", "report", "export", "import", "inspect", "merge", "robot", "robot setup", "synthesize",
+         "place", "study", "schema", "doctor")
+SHORT = [word for key in ("map.starts=1", "map.key_frames=1", "map.candidates=1", "map.coarse_step_s=0.2", "map.reachable_starts=1",
+                          "repair.searches=0") for word in ("--set", key)]
+SHORTER = {"run": SHORT, "place": [*SHORT, "--trials", 1, "--candidates", 8, "--refined", 2, "--planned", 1]}
+PARSED_ONLY = ("study",)  # tests/cli/test_study.py runs studies
+
+
+def examples(command):
+    """Joined where --help broke a line."""
+    return re.findall(r"^  morphe (.*)$", morphe(*command.split(), "--help").stdout.partition("Examples:")[2], re.M)
+
+
+class Examples(CommandCase):
+    def test_every_command_has_some(self):
+        for command in COMMANDS:
+            self.assertTrue(examples(command), f"{command} has no example")
+            self.assertIn(command, ORDER)
+
+    def test_they_work(self):
+        for shared in ("configs", "datasets"):
+            os.symlink(SOURCE / shared, self.folder / shared)
+        (self.folder / "outputs").mkdir()
+        for command in ORDER:
+            if command in PARSED_ONLY:
+                continue
+            for example in examples(command):
+                words = example.split()
+                shorter = SHORTER.get(words[0], ()) if "--from" not in words else ()
+                done = morphe(*words, *shorter, cwd=self.folder)
+                self.assertEqual(done.returncode, 0, f"morphe {example}\n{done.stderr}")
+
+
+class Meant(CommandCase):
+    def said(self, *arguments):
+        result = morphe(*arguments, cwd=self.folder)
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        return result.stderr
+
+    def test_commands(self):
+        self.assertEqual(self.said("rnu"), "there is no command 'rnu'; did you mean 'run'?\n"
+                         "morphe --help says more.\n")
+        self.assertIn("did you mean 'synthesize'?", self.said("synthesise", "x"))
+        self.assertIn("there is no command 'frobnicate'; there are ", self.said("frobnicate"))
+
+    def test_options(self):
+        self.assertEqual(self.said("run", "c.yaml", "--out", "o", "--jbos", "3"),
+                         "run: there is no option --jbos; did you mean '--jobs'?\n"
+                         "morphe run --help says more.\n")
+        said = self.said("run", "--outt", "o", "--freshly=1", "--nonsense")
+        self.assertIn("--outt; did you mean '--out'?\n", said)
+        self.assertIn("--nonsense\n", said)
+
+    def test_files(self):
+        config = self.folder / "pipeline.yaml"
+        config.write_text("robot: {file: pa01.yaml}\n")
+        (self.folder / "pa10.yaml").write_text("name: x\n")
+        said = self.said("run", "pipelin.yaml", "--out", "o", "--dataset", "x.h5")
+        self.assertIn("pipelin.yaml: cannot be read; did you mean 'pipeline.yaml'?", said)
+        self.assertIn("pa01.yaml: cannot be read; did you mean ", self.said("run", config, "--out", "o"))
+        self.assertFalse((self.folder / "o").exists())
+
+    def test_keys_all_at_once(self):
+        config = self.folder / "c.yaml"
+        config.write_text("robto: {file: x}\nmap:\n  strats: 3\n  starts: many\n  mode: humanlik\nsede: 2\ncheck: {marginn: 1}\n")
+        self.assertEqual(self.said("run", config, "--out", "o").splitlines(), [
+            f"{config}:1: robot: is missing; is 'robto' meant for it?",
+            f"{config}:5: map.mode: must be humanlike, joint_to_joint, inverse_kinematics or fingertip_only, not 'humanlik'",
+            f"{config}:4: map.starts: must be a whole number, not 'many'",
+            f"{config}:1: robto: unknown key; did you mean 'robot'?",
+            f"{config}:3: map.strats: unknown key; did you mean 'starts'?",
+            f"{config}:6: sede: unknown key; did you mean 'seed'?",
+            f"{config}:7: check.marginn: unknown key; did you mean 'margin'?"])
+
+    def test_keys_of_a_robot_all_at_once(self):
+        robot = self.folder / "r.yaml"
+        robot.write_text((SOURCE / "configs/robots/pa10.yaml").read_text()
+                         .replace("chains:", "chians:").replace("tips:", "tisp:"))
+        said = self.said("robot", robot)
+        self.assertIn("chians: unknown key; did you mean 'chains'?\n", said)
+        self.assertIn("tisp: unknown key; did you mean 'tips'?\n", said)
+
+    def test_studies_and_schemas(self):
+        study = self.folder / "s.yaml"
+        study.write_text("study: retim\n")
+        self.assertIn("s.yaml:1: study: there is no study 'retim'; did you mean 'retime'?",
+                      self.said("study", study, "--out", "o"))
+        self.assertIn("did you mean 'robot'?", self.said("schema", "robto"))
+
+
+class Completed(CommandCase):
+    def complete(self, line, path=os.environ["PATH"]):
+        """What bash would offer after a tab at the end of the line."""
+        script = (f'source "{SOURCE}/stages/commands/completion.bash"\n'
+                  'read -ra COMP_WORDS <<<"$LINE"\n[[ $LINE == *" " ]] && COMP_WORDS+=("")\n'
+                  'COMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_morphe\nprintf "%s\\n" "${COMPREPLY[@]}"')
+        done = subprocess.run(["bash", "-c", script], capture_output=True, text=True, cwd=self.folder,
+                              env={**os.environ, "LINE": line, "PATH": f"{MORPHE.parent}:{path}"})
+        self.assertEqual(done.stderr, "")
+        return done.stdout.split()
+
+    def test_commands_options_and_files(self):
+        (self.folder / "results").mkdir()
+        (self.folder / "reached.yaml").write_text("")
+        self.assertEqual(sorted(self.complete("morphe ")), sorted(COMMANDS))
+        self.assertEqual(self.complete("morphe re"), ["report"])
+        self.assertEqual(self.complete("morphe run --s"), ["--set", "--shard", "--strict"])
+        self.assertEqual(self.complete("morphe robot s"), ["setup"])
+        self.assertEqual(sorted(self.complete("morphe run re")), ["reached.yaml", "results"])
+        self.assertEqual(sorted(self.complete("morphe run --out re")), ["reached.yaml", "results"])
+
+
+class Doctor(CommandCase):
+    def test_all_is_well_here(self):
+        report = self.json_of("doctor")
+        self.assertTrue(report["fit"])
+        found = {one["what"]: one for one in report["findings"]}
+        self.assertEqual(found["version"]["found"], morphe("--version").stdout.strip())
+        self.assertIn("HDF5", found["built with"]["found"])
+        self.assertRegex(found["cores"]["found"], r"^\d+ cores?")
+        self.assertIn(" version ", self.succeeds("doctor", cwd=self.folder).stdout)
+        self.assertEqual(os.listdir(self.folder), [])
+
+    def test_the_shipped_files_are_found_where_they_are(self):
+        found = {one["what"]: one for one in self.json_of_in(SOURCE)["findings"]}
+        self.assertEqual(found["shipped files"]["state"], "fine")
+        found = {one["what"]: one for one in self.json_of_in(self.folder)["findings"]}
+        self.assertEqual(found["shipped files"]["state"], "note")
+
+    def json_of_in(self, folder):
+        import json
+        return json.loads(morphe("doctor", "--json", cwd=folder).stdout)
+
+    def test_a_folder_that_cannot_be_written(self):
+        result = morphe("doctor", cwd="/proc")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("WRONG  this folder", result.stdout)
+        self.assertIn("-> work in a folder in which you may write", result.stdout)
+
+
+if __name__ == "__main__":
+    main()
