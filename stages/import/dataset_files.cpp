@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <fstream>
+#include <optional>
 #include <set>
 #include <system_error>
 
 #include "pipeline/store/hdf5_signature.hpp"
 #include "stages/import/folder_files.hpp"
+#include "stages/import/import_question.hpp"
 #include "stages/import/name_words.hpp"
 #include "stages/import/read_recording.hpp"
 
@@ -206,6 +208,7 @@ std::vector<DatasetFile> dataset_files(const ImportRequest& request,
     for (std::size_t k = entries_before; k < entries.size(); ++k) entries[k].path = given;
     for (std::size_t k = files_before; k < files.size(); ++k) files[k].given = given;
   }
+  std::optional<ImportQuestion> open;  // asked of the whole folder where none of it can be read
   for (DatasetFile& file : files) {
     try {
       look_into(request, file);
@@ -216,10 +219,13 @@ std::vector<DatasetFile> dataset_files(const ImportRequest& request,
         read.push_back(std::move(file));
         continue;
       }
+      const auto* const question = dynamic_cast<const ImportQuestion*>(&fault);
+      if (question != nullptr && !open) open = *question;
       left_out.push_back(unreadable(file.path, fault));
       if (file.sketch.format == "point-csv") tables.push_back(left_out.size() - 1);
     }
   }
+  if (read.empty() && entries.empty() && open) throw ImportQuestion(*open);
   for (const std::size_t k : tables) left_out[k].failed = read.empty();
   return read;
 }

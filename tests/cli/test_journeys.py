@@ -257,6 +257,17 @@ class Wrong(Journey):
         self.assertIn("--unit mm", self.said)
         self.assertNotIn("--unit m ", self.said.split("to paste:")[1])
 
+    def test_a_folder_is_asked_once_for_all_of_it(self):
+        trial, still = recorded_from_csv(TRIAL), recorded_from_csv(STATIC)
+        (self.folder / "lab/P1").mkdir(parents=True)
+        for name, truth in (("reach.trc", trial), ("static.trc", still)):
+            (self.folder / "lab/P1" / name).write_text(trc_text(truth.seen_as("z x y"), "mm"))
+        self.arrives("import", "lab", "--out", "out.h5")
+        self.assertEqual(self.tries, 2)
+        names, position, _ = self.stream_of(self.folder / "out.h5", "markers")
+        np.testing.assert_allclose(position[:, names.index("RFTP")],
+                                   trial.position[:, trial.names.index("RFTP")], atol=1e-6)
+
     def test_a_manifest_is_told_what_to_add(self):
         truth = joints_of(recorded_from_csv(TRIAL), recorded_from_csv(STATIC))
         (self.folder / "reach.csv").write_text(point_csv(truth.seen_as("z x y"), metres=0.001, time="t"))
