@@ -14,10 +14,13 @@ namespace morphe::explain {
 namespace {
 
 constexpr double kMm = 1e3;
-constexpr double kRoom_m = 3e-4;  ///< smoothing and certificate take up to this much
+constexpr double kRoom_m = 3e-4;     ///< smoothing and certificate take up to this much
+constexpr double kOtherPath = 0.05;  ///< with another tolerance repair may end with another path
 
 /// A tolerance that lets an error pass, to half a millimetre.
-double tolerance_for(double error_m) { return std::ceil(2e3 * (error_m + kRoom_m)) / 2e3; }
+double tolerance_for(double error_m) {
+  return std::ceil(2e3 * ((1 + kOtherPath) * error_m + kRoom_m)) / 2e3;
+}
 
 std::string words_of(const Miss& miss) {
   return fmt::format("{} is {:.1f} mm from its goal at {:.2f} s{}, {:.1f} allowed", miss.tip,
@@ -187,7 +190,9 @@ std::vector<Advice> advice_for(const robot::Robot& robot, const Plan& plan) {
       add_reach(plan, advice);
     }
     if (!shortfall.contacts.empty()) add_detours(advice);
-    if (!shortfall.empty()) add_effort(advice);
+    const bool dead_end =
+        plan.reason == Reason::unreachable || plan.reason == Reason::goal_in_collision;
+    if (!shortfall.empty() && !dead_end) add_effort(advice);  // a dead end stays one
     add_acceptance(plan, shortfall, advice);
   }
   add_for_reason(plan, advice);

@@ -1,5 +1,6 @@
 #include "stages/report/plan_view.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -121,8 +122,8 @@ TEST(ViewOf, AMissedGoalSaysWhatWouldPass) {
   EXPECT_NEAR(view.worst->demonstration_s, 7, 1e-9);
   const double error = std::hypot(2 * std::hypot(0.55, 0.04) * std::sin(kAngle / 2), 0.003);
   EXPECT_THAT(view.worst->sentence, testing::HasSubstr("5.00 mm is allowed in grasp and hold"));
-  EXPECT_THAT(view.advice, testing::Contains(testing::HasSubstr(
-                               "check.tracking_grasp=" + std::to_string(error).substr(0, 4))));
+  EXPECT_THAT(view.advice, testing::Contains(testing::HasSubstr(fmt::format(
+                               "{:.1f} mm from its goal at 7.00 s in the grasp", 1e3 * error))));
 }
 
 TEST(ViewOf, AMovementWithoutAnythingHasNoMotion) {
@@ -131,7 +132,9 @@ TEST(ViewOf, AMovementWithoutAnythingHasNoMotion) {
   const PlanView view = view_of(arm(), std::nullopt, plan);
   EXPECT_TRUE(view.motions.empty());
   EXPECT_FALSE(view.worst.has_value());
-  EXPECT_EQ(view.advice.size(), 1u);
+  ASSERT_EQ(view.advice.size(), 2u);
+  EXPECT_THAT(view.advice[0], testing::HasSubstr("morphe inspect"));
+  EXPECT_THAT(view.advice[1], testing::HasSubstr("--set segment.whole=true"));
 }
 
 }  // namespace
