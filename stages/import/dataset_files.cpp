@@ -162,9 +162,29 @@ Demonstration read_with_names(const ImportRequest& request, DatasetFile& file) {
     return read_file(request, file);
   } catch (const InputError&) {
     file.names.clear();
+  }
+  try {
     Demonstration demonstration = read_file(request, file);
     if (!file.in_folder) file.names = request.names.string();
     return demonstration;
+  } catch (const ImportQuestion& question) {
+    if (!question.without_names) throw;
+    file.names = request.names.string();  // the rest of them may be its static trial's
+    return *question.without_names;
+  }
+}
+
+/// Keeps the first question, and of the others what they propose for further names.
+void keep_question(const ImportQuestion& question, std::optional<ImportQuestion>& open) {
+  if (!open) {
+    open = question;
+    return;
+  }
+  for (const auto& name : question.proposal.names) {
+    const bool there = std::ranges::any_of(open->proposal.names, [&](const auto& other) {
+      return other.first == name.first || other.second == name.second;
+    });
+    if (!there) open->proposal.names.push_back(name);
   }
 }
 
@@ -220,7 +240,7 @@ std::vector<DatasetFile> dataset_files(const ImportRequest& request,
         continue;
       }
       const auto* const question = dynamic_cast<const ImportQuestion*>(&fault);
-      if (question != nullptr && !open) open = *question;
+      if (question != nullptr) keep_question(*question, open);
       left_out.push_back(unreadable(file.path, fault));
       if (file.sketch.format == "point-csv") tables.push_back(left_out.size() - 1);
     }

@@ -141,7 +141,7 @@ void answer_all(const RecordingFormat& format, RecordingFiles files, Answers& an
 
 [[noreturn]] void ask_all(const RecordingFormat& format, const RecordingFiles& files,
                           const std::string& manifest, const Demonstration& seen,
-                          const GuessedNames& names) {
+                          const GuessedNames& names, bool whole) {
   RecordingFiles named = files;
   Answers answers;
   if (!names.empty()) {
@@ -167,6 +167,7 @@ void answer_all(const RecordingFormat& format, RecordingFiles files, Answers& an
   question.survey = survey_text(survey);
   question.names_open = has_names(seen) && files.renamed.empty() &&
                         !are_an_arm(joined(known_of(names_in(seen, files.hand)), names));
+  if (whole && answers.proposal.conventions.empty()) question.without_names = seen;
   question.proposal = std::move(answers.proposal);
   throw question;
 }
@@ -209,7 +210,7 @@ Demonstration read_or_ask(const RecordingFormat& format, const RecordingFiles& f
     guessed = guess_names(seen, known, files.hand);
   }
   if (read && !are_an_arm(joined(known, guessed))) return std::move(*read);
-  ask_all(format, files, manifest, seen, guessed);
+  ask_all(format, files, manifest, seen, guessed, read.has_value());
 }
 
 }  // namespace morphe::imports

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,9 +20,10 @@ struct Proposal {
 struct ImportQuestion : InputError {
   ImportQuestion(const std::string& message) : InputError(message) {}
   std::string file;
-  std::string manifest;     ///< that lists it; "" = given directly
-  std::string survey;       ///< lines that show what the file holds and what it was taken for
-  Proposal proposal;        ///< was tried: with it the recording is read
+  std::string manifest;  ///< that lists it; "" = given directly
+  std::string survey;    ///< lines that show what the file holds and what it was taken for
+  Proposal proposal;     ///< was tried: with it the recording is read
+  std::optional<Demonstration> without_names;  ///< what was read, if names alone are open
   bool names_open = false;  ///< no name is known, and none of an arm could be proposed
 };
 
