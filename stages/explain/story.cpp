@@ -113,7 +113,15 @@ std::string change_of(const RepairStep& step) {
                      step.change);
 }
 
-std::string repairs(const std::vector<RepairStep>& steps) {
+/// Files of earlier versions do not say what repair did.
+bool says_nothing_of_repair(const Plan& plan) {
+  return plan.repair.empty() && !plan.findings.empty();
+}
+
+std::string repairs(const Plan& plan) {
+  const std::vector<RepairStep>& steps = plan.repair;
+  if (says_nothing_of_repair(plan))
+    return line("repair", "not in this file: it is of an earlier version");
   if (steps.empty()) return line("repair", "nothing to repair");
   std::string text;
   for (const RepairStep& step : steps) {
@@ -150,7 +158,8 @@ std::string certificate(const Certificate& c) {
 
 std::string timing(const Plan& plan) {
   if (!plan.has_trajectory()) {
-    const bool free = plan.path.position.rows() > 0 && plan.remaining.empty();
+    const bool free =
+        plan.path.position.rows() > 0 && plan.remaining.empty() && !says_nothing_of_repair(plan);
     return line("time law", free ? "the path is free; what came of it is the reason above"
                                  : "not reached: the path is not free");
   }
@@ -172,7 +181,7 @@ std::string story_of(const RobotTable& robot, const Plan& plan) {
   text += segmentation(plan.movement) + mapping(robot, plan);
   if (plan.mapped.position.rows() == 0) return text;
   text += list_of("found", plan.findings, "nothing wrong with the mapped path");
-  text += repairs(plan.repair);
+  text += repairs(plan);
   if (!plan.remaining.empty()) text += list_of("left", plan.remaining, "");
   return text + timing(plan) + certificate(plan.certificate);
 }
