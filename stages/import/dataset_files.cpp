@@ -11,6 +11,7 @@
 #include "pipeline/store/hdf5_signature.hpp"
 #include "stages/import/folder_files.hpp"
 #include "stages/import/import_question.hpp"
+#include "stages/import/name_map.hpp"
 #include "stages/import/name_words.hpp"
 #include "stages/import/read_recording.hpp"
 
@@ -153,6 +154,14 @@ Demonstration read_file(const ImportRequest& request, const DatasetFile& file) {
   return read_recording(entry);
 }
 
+/// Recordings are told to belong together by the names of their points.
+void rename_those_there(const NameMap& names, Demonstration& demonstration) {
+  if (!demonstration.streams.markers) return;
+  for (std::string& name : demonstration.streams.markers->names) {
+    if (const auto found = names.find(name); found != names.end()) name = found->second;
+  }
+}
+
 /// Names that are given for a folder are meant for the files that have them; of a recording given
 /// directly, its static trial may have some.
 Demonstration read_with_names(const ImportRequest& request, DatasetFile& file) {
@@ -170,7 +179,9 @@ Demonstration read_with_names(const ImportRequest& request, DatasetFile& file) {
   } catch (const ImportQuestion& question) {
     if (!question.without_names) throw;
     file.names = request.names.string();  // the rest of them may be its static trial's
-    return *question.without_names;
+    Demonstration demonstration = *question.without_names;
+    rename_those_there(read_names(request.names), demonstration);
+    return demonstration;
   }
 }
 
