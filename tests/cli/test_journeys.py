@@ -9,7 +9,7 @@ import numpy as np
 
 from recorded import (JOINT_COLUMNS, Recorded, c3d_bytes, joints_of, point_csv, qualisys_tsv,
                       recorded_from_csv, renamed_bvh, trc_text, vicon_csv)
-from support import MORPHE, RECORDINGS, SOURCE, CommandCase, main, morphe
+from support import MORPHE, QUICK, RECORDINGS, REFERENCE, SOURCE, CommandCase, main, morphe
 
 TRIAL, STATIC = RECORDINGS / "ADL001DR2.csv", RECORDINGS / "ADL001_static.csv"
 
@@ -174,6 +174,15 @@ class OwnPoints(Journey):
         self.assertEqual([p["taken_for"] for p in entry["points"]],
                          [n.replace("_", " ") for n in self.truth.names])
         self.assertEqual(len(entry["movements"]), 1)
+
+    def test_from_a_table_of_points_to_an_executable_plan(self):
+        (self.folder / "reach.csv").write_text(
+            point_csv(self.truth.called(lambda n: n.removeprefix("right_")).seen_as("z x y"),
+                      metres=0.01, time="t"))
+        printed = self.arrives("run", REFERENCE, "--dataset", "reach.csv", "--out", "out",
+                               *QUICK).stdout
+        self.assertEqual(self.tries, 2)
+        self.assertIn("1 executable", printed)
 
     def test_inspect_asks_in_the_same_words(self):
         text = point_csv(self.truth.seen_as("y z x"), metres=0.01, time="t")
