@@ -112,7 +112,9 @@ std::string found_text(const Imported& imported) {
                      "which hand reaches is not told: the right one is assumed") +
          people_text(imported, "its name is that of a static trial",
                      "called a static trial, but moving: taken as a demonstration") +
-         left_out_text(imported.left_out);
+         left_out_text(imported.left_out) +
+         (failed_in(imported) > 0 ? "morphe inspect FILE shows what such a file holds and lacks\n"
+                                  : "");
 }
 
 int failed_in(const Imported& imported) {

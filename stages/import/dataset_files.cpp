@@ -257,7 +257,13 @@ std::vector<DatasetFile> dataset_files(const ImportRequest& request,
     }
   }
   if (read.empty() && entries.empty() && open) throw ImportQuestion(*open);
-  for (const std::size_t k : tables) left_out[k].failed = read.empty();
+  for (const std::size_t k : tables) {
+    if (read.empty()) continue;
+    std::string& why = left_out[k].why;
+    why = "not a recording as it stands: " +
+          why.substr(std::min(why.find_first_not_of("0123456789: "), why.size()));
+    left_out[k].failed = false;
+  }
   return read;
 }
 

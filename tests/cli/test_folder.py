@@ -154,7 +154,7 @@ class WhatElseLiesThere(FolderCase):
         found, said = self.imported()
         self.assertEqual(found, {"a": (1, None), "other_a": (2, None)})
         for what in ("copy/b.csv: has the bytes of a.csv", ".c.csv: hidden", ".git: hidden",
-                     "ADL001FR1angles.csv: ", "inverse_kin.mot: joint angles alone",
+                     "ADL001FR1angles.csv: not a recording", "inverse_kin.mot: joint angles alone",
                      "old.h5: an HDF5 file"):
             self.assertIn(f"left out: {self.lab}/{what}", said)
 
@@ -170,6 +170,7 @@ class WhatElseLiesThere(FolderCase):
         found, said = self.imported(code=1)
         self.assertEqual(list(found), ["good"])
         self.assertRegex(said, f"cannot be read: {self.lab}/bad.csv:\\d+: ")
+        self.assertIn("morphe inspect FILE", said)
 
     def test_nothing_that_can_be_read(self):
         self.refuses(morphe("import", self.lab, "--out", self.file), self.lab, "no recording")
