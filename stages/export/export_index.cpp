@@ -62,6 +62,7 @@ std::string index_json(const ExportIndex& index, const PlanFileHeader& header,
     Json motions = Json::array();
     for (const IndexedMotion& motion : plan.motions) motions.push_back(motion_json(motion, index));
     json["plans"].push_back({{"plan", plan.plan},
+                             {"status", name_of(plan.status)},
                              {"subject", plan.subject},
                              {"task", plan.task},
                              {"motions", motions}});

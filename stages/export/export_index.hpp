@@ -20,7 +20,8 @@ struct IndexedMotion {
 };
 
 struct IndexedPlan {
-  std::string plan;  ///< <demonstration>/<000>
+  std::string plan;                    ///< <demonstration>/<000>
+  Status status = Status::executable;  ///< or approximate
   std::string subject, task;
   std::vector<IndexedMotion> motions;
 };

@@ -55,6 +55,7 @@ std::vector<PlanMotion> entered(Export& run, std::size_t i, const Plan& plan) {
   run.ways = run.ways || plan.approach.samples() > 0 || plan.retreat.samples() > 0;
   IndexedPlan& indexed = run.index.plans.emplace_back();
   indexed.plan = run.reader.plan_paths()[i];
+  indexed.status = plan.status();
   indexed.subject = plan.subject;
   indexed.task = plan.task;
   for (const PlanMotion& motion : found.motions) {

@@ -61,6 +61,7 @@ RobomimicDemo robomimic_demo(const RobotTable& robot, const Plan& plan, bool tar
   RobomimicDemo demo{fmt::format("{}/{:03}", plan.demonstration, plan.movement.index),
                      plan.subject,
                      plan.task,
+                     std::string(name_of(plan.status())),
                      t.position.bottomRows(samples - 1),
                      {{"joint_positions", t.position},
                       {"joint_velocities", t.velocity},

@@ -63,6 +63,7 @@ void RobomimicWriter::add(const RobomimicDemo& demo) {
   group.set("plan", demo.plan);
   group.set("subject", demo.subject);
   group.set("task", demo.task);
+  group.set("status", demo.status);
   write(group, "actions", scaled(demo.actions, s.offset, s.scale));
   write(group, "actions_abs", demo.actions);
   const store::Hdf5Group obs = group.create("obs"), next_obs = group.create("next_obs");

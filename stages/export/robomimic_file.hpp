@@ -13,6 +13,7 @@ namespace morphe::exports {
 /// N transitions of one motion: observation k, action k, observation k + 1.
 struct RobomimicDemo {
   std::string plan, subject, task;
+  std::string status;                                           ///< executable or approximate
   JointRows actions;                                            ///< [N, n], not scaled
   std::vector<std::pair<std::string, JointRows>> observations;  ///< each [N + 1, …]
 };

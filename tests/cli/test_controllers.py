@@ -189,7 +189,7 @@ class Controllers(CommandCase):
             values = sum((group[name] for group in index["groups"].values()), [])
             np.testing.assert_array_equal(values, file["robot"][name][()])
         (plan,) = index["plans"]
-        self.assertEqual((plan["plan"], index["left_out"]), ("ADL001DR2/000", []))
+        self.assertEqual((plan["plan"], plan["status"], index["left_out"]), ("ADL001DR2/000", "executable", []))
         self.assertEqual([motion["motion"] for motion in plan["motions"]], ["approach", "trajectory", "retreat"])
         listed = {"index_csv.json"}
         for motion in plan["motions"]:

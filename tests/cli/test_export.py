@@ -210,6 +210,21 @@ class Export(CommandCase):
             self.assertEqual((index["plans"], index["left_out"]), (
                 [], [{"plan": "ADL001AR1/001", "why": "no_path: a wall is in the way"}]))
 
+    def test_a_script_can_tell_approximate_plans(self):
+        copy = self.folder / "plans.h5"
+        shutil.copy(PLANS, copy)
+        with h5py.File(copy, "r+") as file:
+            file["plans"][FIRST].attrs["status"] = "approximate"
+        self.succeeds("export", copy, "--format", "csv", "--out", self.folder / "csv")
+        index = json.loads((self.folder / "csv/index_csv.json").read_text())
+        self.assertEqual({plan["plan"]: plan["status"] for plan in index["plans"]},
+                         {FIRST: "approximate", SECOND: "executable"})
+        self.succeeds("export", copy, "--format", "robomimic", "--out", self.folder / "robomimic")
+        with h5py.File(self.folder / "robomimic/robomimic.hdf5") as file:
+            self.assertEqual({formats.text(demo.attrs["plan"]): formats.text(demo.attrs["status"])
+                              for demo in file["data"].values()},
+                             {FIRST: "approximate", SECOND: "executable"})
+
     def test_what_is_no_number_is_not_handed_on(self):
         copy = self.folder / "plans.h5"
         shutil.copy(PLANS, copy)
