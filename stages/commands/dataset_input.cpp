@@ -11,6 +11,7 @@
 
 #include "pipeline/files/part_file.hpp"
 #include "pipeline/files/sha256.hpp"
+#include "pipeline/motion/counted.hpp"
 #include "pipeline/motion/input_error.hpp"
 #include "pipeline/store/hdf5_signature.hpp"
 
@@ -23,11 +24,6 @@ using imports::LeftOut;
 
 constexpr std::string_view kMark = "# morphe ";
 constexpr std::size_t kMostOfOneReason = 8, kShown = 3;
-
-/// "2 recordings", "1 recording".
-std::string counted(std::size_t count, const std::string& what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
 
 std::string left_out_text(const std::vector<LeftOut>& left_out) {
   std::map<std::string, std::size_t> count, shown;

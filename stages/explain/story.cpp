@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "pipeline/motion/counted.hpp"
 #include "pipeline/motion/goals_at.hpp"
 #include "stages/explain/reason_words.hpp"
 #include "stages/planning/palm_error.hpp"
@@ -18,11 +19,6 @@ constexpr double kInMm = 1e3;
 
 std::string line(std::string_view step, const std::string& text) {
   return fmt::format("  {:<13} {}\n", step, text);
-}
-
-/// "3 findings", "1 finding".
-std::string counted(std::size_t count, const char* one) {
-  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
 std::string segmentation(const Movement& movement) {
