@@ -106,15 +106,16 @@ std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file) {
     config::FieldReader reader(item, problems);
     own_fields(reader, entry);
     if (item.has("labels")) entry.labels = read_labels(item["labels"], problems);
-    for (const auto& length :
-         {entry.upper_arm, entry.forearm, entry.hand_length, entry.hand_breadth}) {
-      if (length && *length <= 0) item.fail("lengths must be positive (metres)");
+    for (const auto& [key, value] : {std::pair("upper_arm", entry.upper_arm),
+                                     {"forearm", entry.forearm},
+                                     {"hand_length", entry.hand_length},
+                                     {"hand_breadth", entry.hand_breadth},
+                                     {"rate_hz", entry.conventions.rate_hz}}) {
+      if (problems.none() && value && !(*value > 0))
+        (item.has(key) ? item : root)[key].fail("must be positive");
     }
     for (std::string* path : paths_of(entry)) {
       if (!path->empty() || path == &entry.file) *path = (file.parent_path() / *path).string();
-    }
-    if (entry.conventions.rate_hz && !(*entry.conventions.rate_hz > 0)) {
-      item.fail("rate_hz must be positive");
     }
     entries.push_back(std::move(entry));
   }
