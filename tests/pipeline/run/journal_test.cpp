@@ -98,7 +98,7 @@ TEST_F(JournalTest, GoesThroughWhatIsWantedInOrder) {
   EXPECT_EQ(journal->summary().movements, 4);
 }
 
-TEST_F(JournalTest, DropsWhatNoLongerBelongsToTheRunWhenItIsComplete) {
+TEST_F(JournalTest, KeepsWhatTheDatasetNoLongerHasButDoesNotCountIt) {
   const auto journal = open();
   begin(*journal);
   journal->add(finished("gone", "x"));
@@ -106,7 +106,9 @@ TEST_F(JournalTest, DropsWhatNoLongerBelongsToTheRunWhenItIsComplete) {
   EXPECT_FALSE(journal->is_complete());
   journal->complete();
   EXPECT_TRUE(journal->is_complete());
-  EXPECT_FALSE(journal->find("gone"));
+  EXPECT_TRUE(journal->find("gone"));
+  EXPECT_EQ(journal->summary().demonstrations, 0);
+  journal->each_result([](const std::string& name) { ADD_FAILURE() << name; });
   EXPECT_FALSE(fs::exists(folder / "journal.sqlite-wal"));
 }
 
