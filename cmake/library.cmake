@@ -32,7 +32,8 @@ install(FILES ${CMAKE_BINARY_DIR}/MorpheConfig.cmake ${CMAKE_BINARY_DIR}/MorpheC
   DESTINATION ${config_folder})
 install(FILES stages/library/morphe.hpp DESTINATION include/morphe)
 install(DIRECTORY pipeline/motion DESTINATION include/morphe/pipeline FILES_MATCHING PATTERN *.hpp
-  PATTERN goals_at.hpp EXCLUDE)  # functions of Eigen's types, which would have to be shown
+  # functions of Eigen's types, which would have to be shown
+  PATTERN goals_at.hpp EXCLUDE PATTERN extent.hpp EXCLUDE PATTERN find_world_frames.hpp EXCLUDE)
 install(FILES pipeline/store/demonstration_file.hpp pipeline/store/plan_file.hpp DESTINATION include/morphe/pipeline/store)
 install(FILES pipeline/verify/verify.hpp DESTINATION include/morphe/pipeline/verify)
 # Where pipeline/files/shipped.hpp looks, from bin and from lib.

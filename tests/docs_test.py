@@ -18,6 +18,7 @@ import sys
 import tempfile
 
 import h5py
+import yaml
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TRIED = ("README.md", "outputs/README.md", "docs/tour.md", "docs/robot_controllers.md")
@@ -363,9 +364,15 @@ def wrong_examples(morphe, update):
                         yield f"{readme}: the Python example: {done.stderr.strip() or 'prints nothing'}"
                 elif kind == "text" and update:
                     lines = "".join(line.rstrip() + "\n" for line in printed.splitlines())
-                    (ROOT / readme).write_text(document.replace(block, lines), encoding="utf-8")
+                    document = document.replace(f"```text\n{block}```", f"```text\n{lines}```", 1)
+                    (ROOT / readme).write_text(document, encoding="utf-8")
                 elif kind == "text":
                     yield from wrong_output(readme, block, printed, shown_by_such_a_build(folder))
+                elif kind == "yaml":
+                    try:
+                        yaml.safe_load(block)
+                    except yaml.YAMLError as error:
+                        yield f"{readme}: this is no YAML: {error}"
                 elif kind:  # without a kind it is a drawing
                     yield f"{readme}: a block of kind '{kind}' that nobody tries"
         for name in sorted(path.name for path in folder.iterdir()):

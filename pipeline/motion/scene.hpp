@@ -37,10 +37,6 @@ struct Scene {
   std::vector<SceneObject> objects;
 };
 
-/// The smallest box along a frame's axes that holds an object; `frame_from_object` places it there.
-MORPHE_EXPORT Eigen::AlignedBox3d extent_of(const SceneObject& object,
-                                            const Pose& frame_from_object);
-
 /// The first object of that name, null if there is none.
 MORPHE_EXPORT const SceneObject* object_named(const std::vector<SceneObject>& objects,
                                               const std::string& name);

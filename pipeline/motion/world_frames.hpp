@@ -1,10 +1,6 @@
 #pragma once
 
-#include <optional>
-
 #include "pipeline/motion/geometry.hpp"
-#include "pipeline/motion/movement.hpp"
-#include "pipeline/motion/scene.hpp"
 
 namespace morphe {
 
@@ -23,13 +19,5 @@ struct WorldFrames {
   Pose base_from_target = unseen_pose();  ///< the target's centre and axes
   Vec3 shoulder = unseen_point();         ///< the person's own, where it was recorded [m]
 };
-
-/// Centre of the top of a box, with its axes. Nothing for another shape.
-MORPHE_EXPORT std::optional<Pose> top_of_box(const SceneObject& box, double time_s);
-
-/// Of a scene in the base's frame: its object "table" and what `movement.target` names, both at
-/// the movement's begin.
-MORPHE_EXPORT WorldFrames world_frames(const Scene& scene, const Movement& movement,
-                                       const Pose& base_from_world, const Vec3& shoulder_in_base);
 
 }  // namespace morphe

@@ -1,4 +1,5 @@
 #include "stages/commands/scene_remarks.hpp"
+#include "pipeline/motion/extent.hpp"
 
 #include <fmt/format.h>
 

@@ -106,7 +106,8 @@ std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file) {
     config::FieldReader reader(item, problems);
     own_fields(reader, entry);
     if (item.has("labels")) entry.labels = read_labels(item["labels"], problems);
-    for (const auto& [key, value] : {std::pair("upper_arm", entry.upper_arm),
+    using Positive = std::pair<const char*, std::optional<double>>;
+    for (const auto& [key, value] : {Positive{"upper_arm", entry.upper_arm},
                                      {"forearm", entry.forearm},
                                      {"hand_length", entry.hand_length},
                                      {"hand_breadth", entry.hand_breadth},

@@ -1,4 +1,5 @@
 #include "stages/planning/place_movement.hpp"
+#include "pipeline/motion/find_world_frames.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,5 @@
 #include "stages/scene/configured_body.hpp"
+#include "pipeline/motion/extent.hpp"
 
 #include <fmt/format.h>
 

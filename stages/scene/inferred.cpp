@@ -1,4 +1,5 @@
 #include "stages/scene/inferred.hpp"
+#include "pipeline/motion/extent.hpp"
 
 #include <algorithm>
 #include <cmath>

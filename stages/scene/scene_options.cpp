@@ -5,6 +5,7 @@
 #include "pipeline/collision/mesh_file.hpp"
 #include "pipeline/config/fields.hpp"
 #include "pipeline/motion/counted.hpp"
+#include "pipeline/motion/extent.hpp"
 #include "pipeline/moveit/problem.hpp"
 #include "stages/scene/build_scene.hpp"
 #include "stages/scene/scene_schema.hpp"

@@ -115,7 +115,7 @@ class Completed(CommandCase):
         (self.folder / "reached.yaml").write_text("")
         self.assertEqual(sorted(self.complete("morphe ")), sorted(COMMANDS))
         self.assertEqual(self.complete("morphe re"), ["report"])
-        self.assertEqual(self.complete("morphe run --s"), ["--set", "--shard", "--strict"])
+        self.assertEqual(self.complete("morphe run --s"), ["--set", "--shard", "--sort", "--static", "--strict"])
         self.assertEqual(self.complete("morphe robot s"), ["setup"])
         self.assertEqual(sorted(self.complete("morphe run re")), ["reached.yaml", "results"])
         self.assertEqual(sorted(self.complete("morphe run --out re")), ["reached.yaml", "results"])

@@ -82,7 +82,7 @@ class Synthesize(CommandCase):
     def test_bad_configs_name_their_place(self):
         out = self.folder / "out.h5"
         for text, needle, key in (
-                ("glove:\n  noise: -1\n", "noise", "glove: noise"),
+                ("glove:\n  noise: -1\n", "noise", "glove.noise"),
                 ("movements:\n  rest_s: 1\n", "rest_s", "movements.rest_s"),
                 ("movements:\n  kinds:\n    straight: 1\n", "straight", "movements.kinds.straight"),
                 ("hand: 3\n", "hand", "hand")):

@@ -1,4 +1,5 @@
 #include "pipeline/motion/scene.hpp"
+#include "pipeline/motion/extent.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 #include "pipeline/motion/world_frames.hpp"
+#include "pipeline/motion/find_world_frames.hpp"
 
 #include <gtest/gtest.h>
 

@@ -68,7 +68,8 @@ TEST_F(PipelineConfigFiles, TheEffectiveConfigIsAConfigThatGivesItselfBack) {
 
 TEST_F(PipelineConfigFiles, MistakesNameFileLineAndKey) {
   const auto wrong = [&](const std::string& text) { return error(write("c.yaml", robot + text)); };
-  EXPECT_THAT(wrong("map: {start: 9}\n"), EndsWith("c.yaml:2: map.start: unknown key"));
+  EXPECT_THAT(wrong("map: {start: 9}\n"),
+              EndsWith("c.yaml:2: map.start: unknown key; did you mean 'starts'?"));
   EXPECT_THAT(wrong("map:\n  mode: human\n"), HasSubstr("c.yaml:3: map.mode: must be humanlike, "));
   EXPECT_THAT(wrong("map: {tip_position: -1}\n"), HasSubstr("weights must not be negative"));
   EXPECT_THAT(wrong("map:\n  natural:\n    - {joint: nose}\n"),

@@ -202,9 +202,9 @@ TEST(SyntheticConfig, WhatIsWrongIsSaidWithItsPlace) {
     return "";
   };
   EXPECT_EQ(message("glove:\n  noise: 1 deg\n"), "");
-  EXPECT_THAT(message("glove:\n  noise: -1\n"), testing::StartsWith("c.yaml:2: glove: noise: "));
+  EXPECT_THAT(message("glove:\n  noise: -1\n"), testing::StartsWith("c.yaml:2: glove.noise: "));
   EXPECT_THAT(message("movements:\n  reach_s: [1, 0.5]\n"),
-              testing::StartsWith("c.yaml:2: movements: reach_s: must be [from, to]"));
+              testing::StartsWith("c.yaml:2: movements.reach_s: must be [from, to]"));
   EXPECT_THAT(message("movements: {rest_s: [1]}\n"), testing::HasSubstr("rest_s: must be"));
   EXPECT_THAT(message("movements: {per_recording: [1, 2.5]}\n"),
               testing::HasSubstr("must be whole numbers"));

@@ -1,4 +1,4 @@
-#include "pipeline/motion/world_frames.hpp"
+#include "pipeline/motion/find_world_frames.hpp"
 
 namespace morphe {
 

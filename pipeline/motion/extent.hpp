@@ -1,0 +1,10 @@
+#pragma once
+
+#include "pipeline/motion/scene.hpp"
+
+namespace morphe {
+
+/// The smallest box along a frame's axes that holds an object; `frame_from_object` places it there.
+Eigen::AlignedBox3d extent_of(const SceneObject& object, const Pose& frame_from_object);
+
+}  // namespace morphe
