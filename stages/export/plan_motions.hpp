@@ -27,7 +27,8 @@ struct PlanMotion {
   Trajectory trajectory;
 };
 
-/// The motions of a plan with a trajectory in the order in which they are run, or why there are none.
+/// The motions of a plan with a trajectory in the order in which they are run, or why there are
+/// none.
 struct PlanMotions {
   std::vector<PlanMotion> motions;
   std::string why;
