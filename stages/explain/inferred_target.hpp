@@ -4,6 +4,7 @@
 #include <string>
 
 #include "pipeline/motion/plan.hpp"
+#include "pipeline/motion/robot_table.hpp"
 #include "stages/scene/build_scene.hpp"
 
 namespace morphe::explain {
