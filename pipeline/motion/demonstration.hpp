@@ -19,13 +19,16 @@ struct MarkerStream {
 
 /// Tracked bodies: `sensors` (Liberty: shoulder, elbow, wrist) or a `skeleton`, whose joints of the
 /// arm are called right_shoulder, right_elbow, right_wrist, right_index_mcp, _pip, _dip, _tip
-/// (thumb: _cmc, _mcp, _ip, _tip) and left_… once the names of the recording are mapped to ours.
+/// (thumb: _cmc, _mcp, _ip, _tip) and left_… once the names of the recording are mapped to ours;
+/// right_hand and left_hand stand at the wrist, turned as HumanMotion's hand frame.
 struct BodyStream {
   std::vector<std::string> names;    ///< [S]
   std::vector<std::string> parents;  ///< [S] skeleton only, "" = root
   std::vector<double> time;          ///< [N] [s]
   Table<Vec3> position;              ///< [N, S] [m]
   Table<Quat> orientation;           ///< [N, S]
+  Table<double> confidence = {};     ///< [N, S] 0 to 1 as the tracker gave it, or no rows
+  bool rebuilt = false;              ///< joints of a motion that was rebuilt: nothing is filtered
 };
 
 struct AngleStream {

@@ -15,6 +15,7 @@ enum class Reason : std::uint8_t {
   no_movement,         ///< no complete reach in the demonstration
   no_shoulder,         ///< the shoulder was never seen
   no_goal,             ///< no fingertip was seen in the grasp
+  not_human,           ///< no human arm could have been where the rebuilt one is
   start_in_collision,  ///< the first sample, in every posture that was found
   goal_in_collision,   ///< the last sample, or a time at which every posture collides
   unreachable,         ///< a time for which no posture holds the goals, obstacles or not
@@ -30,12 +31,13 @@ enum class Reason : std::uint8_t {
   no_retreat,
   no_frame,  ///< what an object of the scene stands on is not there
 };
-constexpr std::array<std::string_view, 19> names_of(Reason) {
+constexpr std::array<std::string_view, 20> names_of(Reason) {
   return {"",
           "unplanned",
           "no_movement",
           "no_shoulder",
           "no_goal",
+          "not_human",
           "start_in_collision",
           "goal_in_collision",
           "unreachable",

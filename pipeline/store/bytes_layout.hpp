@@ -39,6 +39,10 @@ class BytesWriter {
     for (const std::size_t dim : array.dims) put(dim);
     put_raw(array.values.data(), array.values.size() * sizeof(array.values[0]));
   }
+  template <class T>
+  void dataset_if(bool present, const char* name, const T& values, const Tags& tags) {
+    if (present) dataset(name, values, tags);
+  }
   void names(const char* name, const std::vector<std::string>& values) { attribute(name, values); }
   void names_if_any(const char* name, const std::vector<std::string>& values) {
     if (!values.empty()) names(name, values);
@@ -58,6 +62,9 @@ class BytesWriter {
   void attribute(const char* name, const T& value) {
     begin(name);
     put_item(value);
+  }
+  void maybe_true(const char* name, bool value) {
+    if (value) attribute(name, value);
   }
   template <class T>
   void maybe(const char* name, const T& value) {
@@ -140,6 +147,10 @@ class BytesReader {
     take_raw(array.values.data(), count * sizeof(array.values[0]));
     Codec::decode(array, values);
   }
+  template <class T>
+  void dataset_if(bool, const char* name, T& values, const Tags& tags) {
+    if (comes(name)) dataset(name, values, tags);
+  }
   void names(const char* name, std::vector<std::string>& values) { attribute(name, values); }
   void names_if_any(const char* name, std::vector<std::string>& values) { maybe(name, values); }
   template <class Row, class Member>
@@ -158,6 +169,7 @@ class BytesReader {
     expect(name);
     take_item(value);
   }
+  void maybe_true(const char* name, bool& value) { maybe(name, value); }
   template <class T>
   void maybe(const char* name, T& value) {
     if (comes(name)) attribute(name, value);

@@ -66,6 +66,9 @@ Faults faults_of(const BodyStream& bodies, const std::string& path, bool parents
   if (parents) faults.length("@parents", bodies.parents.size(), bodies.names.size());
   faults.table("position", bodies.position, bodies.time.size(), bodies.names.size());
   faults.table("orientation", bodies.orientation, bodies.time.size(), bodies.names.size());
+  if (bodies.confidence.rows > 0) {
+    faults.table("confidence", bodies.confidence, bodies.time.size(), bodies.names.size());
+  }
   return faults;
 }
 

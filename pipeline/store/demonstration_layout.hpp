@@ -32,10 +32,12 @@ void lay_out_streams(Io& io, T& streams) {
     in.dataset("time", stream.time, {"s", "", ""});
     in.dataset("position", stream.position, {"m", world, ""});
     in.dataset("orientation", stream.orientation, {"1", world, ""});
+    in.dataset_if(stream.confidence.rows > 0, "confidence", stream.confidence, {"1", "", ""});
   };
   lay_out_stream(io, "sensors", streams.sensors, bodies);
   lay_out_stream(io, "skeleton", streams.skeleton, [&](Io& in, auto& stream) {
     in.attribute("parents", stream.parents);
+    in.maybe_true("rebuilt", stream.rebuilt);
     bodies(in, stream);
   });
   lay_out_stream(io, "arm_angles", streams.arm_angles, [&](Io& in, auto& stream) {

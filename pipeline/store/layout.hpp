@@ -61,6 +61,10 @@ class LayoutWriter {
     group_.write(name, ArrayCodec<T>::encode(values));
     tag(name, tags);
   }
+  template <class T>
+  void dataset_if(bool present, const char* name, const T& values, const Tags& tags) {
+    if (present) dataset(name, values, tags);
+  }
   void names(const char* name, const std::vector<std::string>& values) {
     group_.write_strings(name, values);
     tag(name, {});
@@ -100,6 +104,10 @@ class LayoutWriter {
   void attribute(const char* name, bool value) { group_.set(name, std::uint8_t{value}); }
   void attribute(const char* name, const Vec3& value) {
     group_.set(name, std::vector<double>{value.x(), value.y(), value.z()});
+  }
+  /// An attribute that is not there where it is false.
+  void maybe_true(const char* name, bool value) {
+    if (value) attribute(name, value);
   }
   void maybe(const char* name, const std::string& value) { group_.set(name, value); }
   void maybe(const char* name, double value) { group_.set(name, value); }
@@ -154,6 +162,10 @@ class LayoutReader {
     using Codec = ArrayCodec<T>;
     Codec::decode(group_.read<typename Codec::Scalar>(name, Codec::shape()), values);
   }
+  template <class T>
+  void dataset_if(bool, const char* name, T& values, const Tags& tags) {
+    if (group_.has(name)) dataset(name, values, tags);
+  }
   void names(const char* name, std::vector<std::string>& values) {
     values = group_.read_strings(name);
   }
@@ -203,6 +215,9 @@ class LayoutReader {
     group_.get(name, values);
     if (values.size() != 3) group_.fail(fmt::format("@{} does not hold 3 numbers", name));
     ItemCodec<Vec3>::decode(values.data(), value);
+  }
+  void maybe_true(const char* name, bool& value) {
+    if (group_.has_attribute(name)) attribute(name, value);
   }
   void maybe(const char* name, std::string& value) {
     if (group_.has_attribute(name)) group_.get(name, value);
