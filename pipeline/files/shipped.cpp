@@ -24,12 +24,13 @@ fs::path this_module() {
   return fs::canonical(*map->l_name ? map->l_name : "/proc/self/exe", ignored);
 }
 
-/// PREFIX/bin/morphe and PREFIX/lib/libmorphe.so, or lib/x86_64-linux-gnu, -> PREFIX/share/morphe.
+/// PREFIX/bin/morphe and PREFIX/lib/libmorphe.so, or lib/x86_64-linux-gnu, -> PREFIX/share/morphe;
+/// SOURCES/build/release/morphe -> SOURCES.
 fs::path shipped_folder() {
   const fs::path beside = this_module().parent_path();
-  for (const fs::path& prefix : {beside.parent_path(), beside.parent_path().parent_path()}) {
-    fs::path folder = prefix / "share/morphe";
-    if (fs::is_directory(folder)) return folder;
+  const fs::path above = beside.parent_path(), top = above.parent_path();
+  for (const fs::path& folder : {above / "share/morphe", top / "share/morphe", top}) {
+    if (fs::is_directory(folder / "configs/pipelines")) return folder;
   }
   return {};
 }

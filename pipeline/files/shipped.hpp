@@ -5,8 +5,9 @@
 namespace morphe::files {
 
 /// The file that a user names: as it is named if it is there; otherwise the one of that name among
-/// the installed ones, below share/morphe beside the bin or lib folder of what runs this; as it is
-/// named if Morphe was not installed. InputError if it is in neither place.
+/// those that come with Morphe: the installed ones, below share/morphe beside the bin or lib folder
+/// of what runs this, or the sources above its build folder; as it is named if there are none.
+/// InputError if it is in neither place.
 std::filesystem::path here_or_shipped(const std::filesystem::path& named);
 
 /// The same with the folder that holds the installed files, "" if there is none.

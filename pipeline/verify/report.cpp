@@ -23,6 +23,12 @@ std::string quoted(const std::string& text) {
   return out + '"';
 }
 
+/// Lengths in mm, all else as it is stored.
+std::string with_unit(double value, const std::string& unit) {
+  if (unit == "m") return fmt::format("{:.6g} mm", 1000 * value);
+  return fmt::format("{:.6g}{}{}", value, unit.empty() ? "" : " ", unit);
+}
+
 std::string number(double value) {
   return std::isfinite(value) ? fmt::format("{}", value) : "null";
 }
@@ -37,9 +43,9 @@ std::string verify_json(const VerifyReport& report) {
   for (const Violation& v : report.violations) {
     out += fmt::format(
         "{}\n  {{\"plan\": {}, \"sample\": {}, \"time_s\": {}, \"cause\": {}, \"subject\": {}, "
-        "\"value\": {}, \"limit\": {}}}",
+        "\"value\": {}, \"limit\": {}, \"unit\": {}}}",
         separator, quoted(v.plan), v.sample, number(v.time_s), quoted(v.cause), quoted(v.subject),
-        number(v.value), number(v.limit));
+        number(v.value), number(v.limit), quoted(v.unit));
     separator = ",";
   }
   return out + (report.violations.empty() ? "]}\n" : "\n]}\n");
@@ -51,8 +57,11 @@ std::string verify_text(const VerifyReport& report) {
     const std::string where = v.sample < 0
                                   ? std::string("plan")
                                   : fmt::format("sample {} ({:.4f} s)", v.sample, v.time_s);
-    out += fmt::format("{}: {}: {} {}: {:.6g}, limit {:.6g}\n", v.plan, where, v.cause, v.subject,
-                       v.value, v.limit);
+    out += fmt::format("{}: {}: {} {}", v.plan, where, v.cause, v.subject);
+    if (!std::isnan(v.limit)) {
+      out += fmt::format(": {}, limit {}", with_unit(v.value, v.unit), with_unit(v.limit, v.unit));
+    }
+    out += '\n';
   }
   const std::string approximate =
       report.approximate > 0 ? fmt::format("{} approximate, ", report.approximate) : "";

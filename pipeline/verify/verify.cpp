@@ -5,6 +5,7 @@
 #include "pipeline/verify/status.hpp"
 #include "pipeline/verify/structure.hpp"
 #include "pipeline/verify/tracking.hpp"
+#include "pipeline/verify/violation_unit.hpp"
 
 namespace morphe::verify {
 namespace {
@@ -27,10 +28,8 @@ std::vector<Violation> verify_transfer(const RobotTable& robot, const std::strin
   return runs.finish();
 }
 
-}  // namespace
-
-std::vector<Violation> verify_plan(const RobotTable& robot, const std::string& plan_path,
-                                   const Plan& plan) {
+std::vector<Violation> judged(const RobotTable& robot, const std::string& plan_path,
+                              const Plan& plan) {
   ViolationRuns runs(plan_path);
   if (!judge_structure(robot, plan, runs)) return runs.finish();
   const Curve curve = make_curve(plan.trajectory);
@@ -43,6 +42,15 @@ std::vector<Violation> verify_plan(const RobotTable& robot, const std::string& p
   std::vector<Violation> violations = runs.finish();
   append(violations, verify_transfer(robot, plan_path + "/approach", plan, plan.approach, true));
   append(violations, verify_transfer(robot, plan_path + "/retreat", plan, plan.retreat, false));
+  return violations;
+}
+
+}  // namespace
+
+std::vector<Violation> verify_plan(const RobotTable& robot, const std::string& plan_path,
+                                   const Plan& plan) {
+  std::vector<Violation> violations = judged(robot, plan_path, plan);
+  for (Violation& violation : violations) violation.unit = unit_of(robot, violation);
   return violations;
 }
 

@@ -24,9 +24,7 @@ namespace morphe::verify {
 /// self         capsule/capsule          m of clearance; clearance required, tolerance 1e-6 m
 /// object       capsule/object           the same
 /// status       what was allowed         share of goals out of reach, or m of a tip from its goal,
-/// of
-///                                       a plan that is not called by the right name; what it
-///                                       allows
+///                                       of a plan called by the wrong name; what it allows
 /// certificate  attribute                what is stored; what was recomputed
 struct Violation {
   std::string plan;
@@ -34,6 +32,7 @@ struct Violation {
   double time_s = 0;  ///< on the trajectory's clock
   std::string cause, subject;
   double value = 0, limit = 0;
+  std::string unit;  ///< of both; "" of a count, a share or a ratio
 };
 
 struct VerifyReport {
@@ -54,7 +53,7 @@ MORPHE_EXPORT std::vector<Violation> verify_plan(const RobotTable& robot,
 MORPHE_EXPORT VerifyReport verify_file(const std::filesystem::path& file);
 
 /// {executable, approximate, infeasible, violations: [{plan, sample, time_s, cause, subject, value,
-/// limit}]}; a number that is not finite is null.
+/// limit, unit}]}; a number that is not finite is null.
 MORPHE_EXPORT std::string verify_json(const VerifyReport& report);
 
 /// A line per violation, then the sum.

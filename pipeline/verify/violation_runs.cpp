@@ -7,7 +7,7 @@ namespace morphe::verify {
 
 void ViolationRuns::note(const std::string& cause, const std::string& subject,
                          const CurvePoint& place, double value, double limit, double excess) {
-  const Violation here{plan_, place.sample, place.time_s, cause, subject, value, limit};
+  const Violation here{plan_, place.sample, place.time_s, cause, subject, value, limit, {}};
   const auto [entry, fresh] = open_.try_emplace({cause, subject}, Run{here, excess, place.step});
   if (fresh) return;
   Run& run = entry->second;
@@ -25,7 +25,7 @@ void ViolationRuns::note(const std::string& cause, const std::string& subject,
 
 void ViolationRuns::note_plan(const std::string& cause, const std::string& subject, double value,
                               double limit) {
-  closed_.push_back({plan_, -1, 0, cause, subject, value, limit});
+  closed_.push_back({plan_, -1, 0, cause, subject, value, limit, {}});
 }
 
 std::vector<Violation> ViolationRuns::finish() {

@@ -204,7 +204,7 @@ class WhatElseLiesThere(FolderCase):
             shutil.copy(SOURCE / "datasets" / name, self.lab)
         self.put("P1/FR1.csv", recording("ADL001FR1", "A", 1))
         # from here, since what is not installed finds configs/names in the current folder
-        result = morphe("inspect", self.lab, "--axes", "y -x z", "--json", cwd=SOURCE)
+        result = morphe("inspect", self.lab, "--axes", "y -x z", "--json")
         self.assertEqual(result.returncode, 0, result.stderr)
         for name in ("markers", "markers_trc", "door_demo_06", "P1_FR1"):
             self.assertIn(f'"name": "{name}"', result.stdout)

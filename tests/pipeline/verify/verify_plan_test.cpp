@@ -442,20 +442,26 @@ TEST(VerifyReport, IsWrittenAsTheDocumentsSay) {
   VerifyReport report{2, 3, 1, {}};
   EXPECT_EQ(verify_json(report),
             "{\"executable\": 2, \"approximate\": 3, \"infeasible\": 1, \"violations\": []}\n");
-  report.violations = {{"a\"b/000", 7, 0.014, "jerk", "S1", 31.5, 31},
-                       {"c/001", -1, 0, "certificate", "tempo", kNotSeen, 1.25}};
-  EXPECT_EQ(verify_json(report),
-            "{\"executable\": 2, \"approximate\": 3, \"infeasible\": 1, \"violations\": [\n"
-            "  {\"plan\": \"a\\\"b/000\", \"sample\": 7, \"time_s\": 0.014, \"cause\": \"jerk\", "
-            "\"subject\": \"S1\", \"value\": 31.5, \"limit\": 31},\n"
-            "  {\"plan\": \"c/001\", \"sample\": -1, \"time_s\": 0, \"cause\": \"certificate\", "
-            "\"subject\": \"tempo\", \"value\": null, \"limit\": 1.25}\n]}\n");
-  EXPECT_THAT(verify_text(report), testing::HasSubstr("sample 7 (0.0140 s): jerk S1: 31.5"));
+  report.violations = {{"a\"b/000", 7, 0.014, "jerk", "S1", 31.5, 31, "rad/s^3"},
+                       {"a\"b/000", 8, 0.016, "tracking", "thumb", 0.012, 0.01, "m"},
+                       {"c/001", -1, 0, "certificate", "tempo", kNotSeen, 1.25, ""}};
+  EXPECT_EQ(
+      verify_json(report),
+      "{\"executable\": 2, \"approximate\": 3, \"infeasible\": 1, \"violations\": [\n"
+      "  {\"plan\": \"a\\\"b/000\", \"sample\": 7, \"time_s\": 0.014, \"cause\": \"jerk\", "
+      "\"subject\": \"S1\", \"value\": 31.5, \"limit\": 31, \"unit\": \"rad/s^3\"},\n"
+      "  {\"plan\": \"a\\\"b/000\", \"sample\": 8, \"time_s\": 0.016, \"cause\": \"tracking\", "
+      "\"subject\": \"thumb\", \"value\": 0.012, \"limit\": 0.01, \"unit\": \"m\"},\n"
+      "  {\"plan\": \"c/001\", \"sample\": -1, \"time_s\": 0, \"cause\": \"certificate\", "
+      "\"subject\": \"tempo\", \"value\": null, \"limit\": 1.25, \"unit\": \"\"}\n]}\n");
   EXPECT_THAT(verify_text(report),
-              testing::EndsWith("2 executable, 3 approximate, 1 infeasible, 2 violations\n"));
+              testing::HasSubstr("sample 7 (0.0140 s): jerk S1: 31.5 rad/s^3, limit 31 rad/s^3\n"));
+  EXPECT_THAT(verify_text(report), testing::HasSubstr("tracking thumb: 12 mm, limit 10 mm\n"));
+  EXPECT_THAT(verify_text(report),
+              testing::EndsWith("2 executable, 3 approximate, 1 infeasible, 3 violations\n"));
   report.approximate = 0;
   EXPECT_THAT(verify_text(report),
-              testing::EndsWith("\n2 executable, 1 infeasible, 2 violations\n"));
+              testing::EndsWith("\n2 executable, 1 infeasible, 3 violations\n"));
 }
 
 }  // namespace

@@ -1,0 +1,52 @@
+#include "pipeline/verify/violation_unit.hpp"
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+
+namespace morphe::verify {
+namespace {
+
+using Units = std::map<std::string_view, std::string_view, std::less<>>;
+
+std::string unit_in(const Units& units, std::string_view name) {
+  const auto found = units.find(name);
+  return found == units.end() ? "" : std::string(found->second);
+}
+
+/// Of a joint, or of a coupled frame that is judged by its own limits.
+bool is_sliding(const RobotTable& robot, const std::string& subject) {
+  return std::ranges::any_of(robot.frames, [&](const RobotTable::Frame& frame) {
+    const bool named =
+        frame.name == subject ||
+        (frame.joint >= 0 && robot.joint_names[static_cast<std::size_t>(frame.joint)] == subject);
+    return named && frame.slides;
+  });
+}
+
+}  // namespace
+
+std::string unit_of(const RobotTable& robot, const Violation& violation) {
+  static const Units of_joint = {{"position", ""},
+                                 {"velocity", "/s"},
+                                 {"acceleration", "/s^2"},
+                                 {"jerk", "/s^3"},
+                                 {"rest", "/s or /s^2"}};
+  static const Units of_cause = {{"tracking", "m"}, {"self", "m"}, {"object", "m"}, {"time", "s"}};
+  static const Units of_subject = {
+      {"farthest_tip", "m"},           {"clearance", "m"},
+      {"position_error_max", "m"},     {"position_error_mean", "m"},
+      {"position_error_grasp", "m"},   {"orientation_error_max", "rad"},
+      {"upper_arm_error_mean", "rad"}, {"upper_arm_error_max", "rad"},
+      {"humanlikeness_mapped", "m^2"}, {"humanlikeness_final", "m^2"}};
+  const auto joint = of_joint.find(violation.cause);
+  if (joint != of_joint.end()) {
+    return (is_sliding(robot, violation.subject) ? "m" : "rad") + std::string(joint->second);
+  }
+  if (violation.cause == "status" || violation.cause == "certificate") {
+    return unit_in(of_subject, violation.subject);
+  }
+  return unit_in(of_cause, violation.cause);
+}
+
+}  // namespace morphe::verify
