@@ -83,9 +83,10 @@ class Installed(unittest.TestCase):
         self.assertEqual(run(program, "--version", cwd=self.elsewhere).strip(), f"morphe {VERSION}")
         run(program, "run", CONFIG, "--out", "by_program", cwd=self.elsewhere)
         self.assertEqual((self.elsewhere / "by_program/plans.h5").read_bytes(), self.reference)
-        refused = run(program, "run", "configs/none.yaml", "--out", "none", cwd=self.elsewhere, exit_code=2)
-        self.assertIn(str(self.prefix / "share/morphe"), refused)
-        self.assertTrue(refused.startswith("configs/none.yaml: "), refused)
+        near = str(CONFIG).replace("pa10", "pa1O")
+        refused = run(program, "run", near, "--out", "none", cwd=self.elsewhere, exit_code=2)
+        self.assertTrue(refused.startswith(f"{self.prefix}/share/morphe/{near}: cannot be read"), refused)
+        self.assertIn(f"did you mean '{self.prefix}/share/morphe/{CONFIG}'?", refused)
 
     def check_outside_project(self):
         program = self.build_outside_project()

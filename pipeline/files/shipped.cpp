@@ -1,10 +1,7 @@
 #include "pipeline/files/shipped.hpp"
 
 #include <dlfcn.h>
-#include <fmt/format.h>
 #include <link.h>
-
-#include "pipeline/motion/input_error.hpp"
 
 namespace morphe::files {
 namespace {
@@ -39,9 +36,9 @@ fs::path shipped_folder() {
 
 fs::path here_or_shipped(const fs::path& named, const fs::path& shipped) {
   if (shipped.empty() || named.empty() || named.is_absolute() || fs::exists(named)) return named;
-  if (fs::exists(shipped / named)) return shipped / named;
-  throw InputError(fmt::format("{}: cannot be read: it is neither here nor in {}", named.string(),
-                               shipped.string()));
+  const fs::path folder = named.parent_path();
+  const bool only_there = !folder.empty() && !fs::exists(folder) && fs::exists(shipped / folder);
+  return only_there || fs::exists(shipped / named) ? shipped / named : named;
 }
 
 fs::path here_or_shipped(const fs::path& named) { return here_or_shipped(named, shipped_folder()); }

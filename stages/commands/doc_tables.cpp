@@ -3,14 +3,11 @@
 #include <cstddef>
 #include <vector>
 
+#include "pipeline/files/embedded.hpp"
+
 extern "C" {
-struct MorpheDocPage {
-  const char* name;
-  const char* begin;
-  const char* end;
-};
-// morphe_doc_pages.S, which CMake writes (cmake/embed.cmake).
-extern const MorpheDocPage morphe_doc_pages[];
+// morphe_doc_pages.S
+extern const morphe::files::EmbeddedFile morphe_doc_pages[];
 extern const std::size_t morphe_doc_pages_count;
 }
 
@@ -74,8 +71,7 @@ void add_doc_tables(std::string_view page, DocTables& tables) {
 DocTables doc_tables() {
   DocTables tables;
   for (std::size_t i = 0; i < morphe_doc_pages_count; ++i) {
-    const MorpheDocPage& page = morphe_doc_pages[i];
-    add_doc_tables({page.begin, static_cast<std::size_t>(page.end - page.begin)}, tables);
+    add_doc_tables(morphe_doc_pages[i].text(), tables);
   }
   return tables;
 }

@@ -154,6 +154,14 @@ MarkerRecording read_point_file(const std::filesystem::path& file, const Convent
   return recording;
 }
 
+/// A table of other things may hold three columns that look like a point: angles of a shoulder
+/// blade called Scap_X, Scap_Y, Scap_Z.
+bool is_about_points(const PointHeader& header) {
+  constexpr std::size_t kBesideOne = 4;  // a rotation
+  return header.points.size() > 1 ||
+         (header.points.size() == 1 && header.left_out.size() <= kBesideOne);
+}
+
 }  // namespace
 
 bool recognises_point_csv(std::string_view head) {
@@ -167,7 +175,7 @@ bool recognises_point_csv(std::string_view head) {
     if (text.lines.back().empty()) text.lines.pop_back();
   }
   try {
-    return !read_point_header(text).points.empty();
+    return is_about_points(read_point_header(text));
   } catch (const InputError&) {
     return true;  // a header of points, with something wrong in it
   }

@@ -4,14 +4,11 @@
 #include <cassert>
 #include <cstddef>
 
+#include "pipeline/files/embedded.hpp"
+
 extern "C" {
-struct MorphePageFile {
-  const char* name;
-  const char* begin;
-  const char* end;
-};
-// morphe_page_files.S, which CMake writes (cmake/embed.cmake).
-extern const MorphePageFile morphe_page_files[];
+// morphe_page_files.S
+extern const morphe::files::EmbeddedFile morphe_page_files[];
 extern const std::size_t morphe_page_files_count;
 }
 
@@ -32,8 +29,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
 
 std::string_view page_file(std::string_view name) {
   for (std::size_t i = 0; i < morphe_page_files_count; ++i) {
-    const MorphePageFile& file = morphe_page_files[i];
-    if (name == file.name) return {file.begin, static_cast<std::size_t>(file.end - file.begin)};
+    if (name == morphe_page_files[i].name) return morphe_page_files[i].text();
   }
   assert(false && "no such file of the page");
   return {};

@@ -133,10 +133,10 @@ class Doctor(CommandCase):
         self.assertEqual(os.listdir(self.folder), [])
 
     def test_the_shipped_files_are_found_where_they_are(self):
-        found = {one["what"]: one for one in self.json_of_in(SOURCE)["findings"]}
-        self.assertEqual(found["shipped files"]["state"], "fine")
-        found = {one["what"]: one for one in self.json_of_in(self.folder)["findings"]}
-        self.assertEqual(found["shipped files"]["state"], "note")
+        for place in (SOURCE, self.folder):
+            found = {one["what"]: one for one in self.json_of_in(place)["findings"]}
+            self.assertEqual(found["shipped files"]["state"], "fine", place)
+            self.assertIn(str(SOURCE / "configs"), found["shipped files"]["found"])
 
     def json_of_in(self, folder):
         import json

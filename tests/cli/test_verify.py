@@ -69,12 +69,12 @@ class Damaged(CommandCase):
         file.close()
         own = morphe("verify", self.copy, "--json")
         other = python_verify(self.copy)
-        for result in (own, other):
+        for result, keys in ((own, [*KEYS, "unit"]), (other, KEYS)):
             self.assertEqual(result.returncode, 1, result.stdout[:500] + result.stderr)
             violations = json.loads(result.stdout)["violations"]
             self.assertEqual({row["plan"] for row in violations}, {PLAN})
             for row in violations:
-                self.assertEqual(sorted(row), sorted(KEYS))
+                self.assertEqual(sorted(row), sorted(keys))
             rows = [row for row in violations
                     if row["cause"] == cause and subject in row["subject"]]
             self.assertTrue(rows, violations)

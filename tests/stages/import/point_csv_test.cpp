@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "stages/import/format.hpp"
 #include "tests/stages/import/recording_folder.hpp"
 
 namespace morphe::imports {
@@ -134,6 +135,15 @@ TEST_F(PointCsv, EveryDamageHasItsLineAndColumn) {
   EXPECT_THAT(error_of(write(head + "0,1,2,3\n0.01,1,2,3\n"), kUpright), HasSubstr(": unit: "));
   EXPECT_THAT(error_of(write("A_x,A_y,A_z\n1,2,3\n1,2,3\n"), {"x y z", "m", {}}),
               HasSubstr(": rate: "));
+}
+
+TEST_F(PointCsv, AnglesOfWhichThreeLookLikeAPointAreNoRecording) {
+  EXPECT_FALSE(
+      recognises_point_csv("Finger Velocity,Scap_X,Scap_Y,Scap_Z,abduction,flexion,rotation,"
+                           "elbow,pronation\n0.8,-14.5,-23.4,10.9,-28.7,-38.3,-25.9,79,-18\n"));
+  EXPECT_TRUE(
+      recognises_point_csv("time,wrist_x,wrist_y,wrist_z,wrist_qx,wrist_qy,wrist_qz,wrist_qw\n"
+                           "0,1,2,3,0,0,0,1\n"));
 }
 
 }  // namespace
