@@ -17,6 +17,13 @@ void add_import_options(CLI::App& app, imports::ImportRequest& request) {
       ->transform(input_file());
   app.add_option("--axes", request.conventions.axes,
                  "Recorded axes that point right, forward and up, such as 'x y z'");
+  app.add_option_function<std::string>(
+         "--forward",
+         [&request](const std::string& by) {
+           request.conventions.forward = *named<imports::ForwardBy>(by);
+         },
+         "What says which way the person faces: body (default) or axes, as they were recorded")
+      ->check(CLI::IsMember({"body", "axes"}));
   app.add_option("--unit", request.conventions.unit,
                  "Unit of lengths: m, cm, mm, in or metres per unit");
   app.add_option("--rate", request.conventions.rate_hz, "Frames per second")

@@ -46,8 +46,12 @@ void inspect_rebuilt(const HumanMotion& motion, Inspection& inspection) {
   }
 }
 
-/// Shares the reasons of plans.h5: no_shoulder and no_goal.
-std::string why_unusable(const HumanMotion& motion, const Movement& movement) {
+/// Shares the reasons of plans.h5: no_shoulder, no_goal and not_human.
+std::string why_unusable(const HumanMotion& motion, const Movement& movement,
+                         const reconstruct::HumanOptions& human) {
+  if (const Refusal refusal = reconstruct::refuse_inhuman(motion, human)) {
+    return fmt::format("{}: {}", name_of(refusal.reason), refusal.detail);
+  }
   bool shoulder = false, tip = false;
   for (std::size_t i = 0; i < motion.time.size(); ++i) {
     if (motion.time[i] < movement.begin_s || motion.time[i] > movement.end_s) continue;
@@ -86,7 +90,7 @@ Inspection inspect(const Demonstration& demonstration, const InspectOptions& opt
   result.estimated = motion.estimated;
   for (Movement& movement : segment::segment(
            motion, options.segment, reconstruct::objects_beside(demonstration, Side::right))) {
-    std::string unusable = why_unusable(motion, movement);
+    std::string unusable = why_unusable(motion, movement, options.human);
     result.movements.push_back({std::move(movement), std::move(unusable)});
   }
   result.reports = demonstration.reports;

@@ -143,6 +143,14 @@ void add_for_reason(const Plan& plan, std::vector<Advice>& advice) {
           "the shoulder has to be seen at least once: markers or sensors of shoulder, elbow and "
           "wrist");
       break;
+    case Reason::not_human:
+      change(
+          "`morphe inspect` says what the body shows: look at the axes (`axes`, `forward`), at the "
+          "hand that was taken, and whether names of left and right are swapped");
+      advice.push_back({Effect::accepts,
+                        {"human.beyond_limits_m=1"},
+                        "the arm is followed as it was rebuilt, human or not"});
+      break;
     case Reason::no_goal:
       change(
           "at least one fingertip has to be seen while the hand grasps, and five frames of the "

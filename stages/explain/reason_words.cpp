@@ -11,6 +11,7 @@ std::string_view sentence_of(Reason reason) {
       "The demonstration has no complete reach, or it could not be rebuilt.",
       "The person's shoulder was not seen in the whole movement.",
       "No fingertip was seen, or the movement has fewer than five frames.",
+      "No person's arm could have been where the rebuilt one is.",
       "The robot touches something at the first sample, in every posture found.",
       "At some time every posture found that holds the goals touches something.",
       "At some time no posture found holds the goals, obstacles or not.",

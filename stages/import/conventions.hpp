@@ -1,12 +1,21 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "pipeline/motion/geometry.hpp"
 #include "pipeline/motion/input_error.hpp"
+#include "pipeline/motion/named.hpp"
 
 namespace morphe::imports {
+
+/// What decides which way is forward: the body, whatever the axes were recorded as, or the axes.
+enum class ForwardBy : std::uint8_t { body, axes };
+constexpr std::array<std::string_view, 2> names_of(ForwardBy) { return {"body", "axes"}; }
 
 /// What a recording's file may leave unsaid, from the command line or a manifest.
 struct Conventions {
@@ -15,6 +24,7 @@ struct Conventions {
   std::string unit;               ///< of lengths: m, cm, mm, in, or metres per unit as a number
   std::optional<double> rate_hz;  ///< frames a second
   bool judged = true;  ///< sizes must be a person's; not so while a recording is looked at
+  ForwardBy forward = ForwardBy::body;  ///< facing.hpp
 };
 
 /// Something that neither the file nor Conventions says, or says such that it cannot be right.

@@ -54,6 +54,13 @@ struct FolderManifest {
   std::set<fs::path> uses;  ///< without links
 };
 
+/// What a request says of a manifest's recordings.
+void override_entry(const ImportRequest& request, ManifestEntry& entry) {
+  if (!request.format.empty()) entry.format = request.format;
+  if (!request.names.empty()) entry.names = request.names.string();
+  if (request.conventions.forward == ForwardBy::axes) entry.conventions.forward = ForwardBy::axes;
+}
+
 FolderManifest read_folder_manifest(const ImportRequest& request, const DatasetFile& manifest,
                                     std::vector<NamedEntry>& entries) {
   FolderManifest read{manifest.path, {}};
@@ -62,8 +69,7 @@ FolderManifest read_folder_manifest(const ImportRequest& request, const DatasetF
                                     entry.glove_calibration, entry.names}) {
       if (!used.empty()) read.uses.insert(fs::weakly_canonical(used));
     }
-    if (!request.format.empty()) entry.format = request.format;
-    if (!request.names.empty()) entry.names = request.names.string();
+    override_entry(request, entry);
     const std::string name = entry.name.empty() ? fs::path(entry.file).stem().string() : entry.name;
     const std::vector<std::string>& folders = manifest.sketch.folders;
     entries.push_back(
@@ -229,8 +235,7 @@ std::vector<DatasetFile> dataset_files(const ImportRequest& request,
       add_folder(request, folder, above, entries, files, left_out);
     } else if (is_yaml(path)) {
       for (ManifestEntry& entry : read_manifest(path)) {
-        if (!request.format.empty()) entry.format = request.format;
-        if (!request.names.empty()) entry.names = request.names.string();
+        override_entry(request, entry);
         entries.push_back({std::move(entry), {}});
       }
     } else {

@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "stages/import/facing.hpp"
 #include "stages/import/find_recordings.hpp"
 #include "stages/import/format.hpp"
 #include "stages/import/import_question.hpp"
@@ -96,6 +97,7 @@ Demonstration read_recording(const ManifestEntry& entry) {
   demonstration.hand_length = entry.hand_length;
   demonstration.hand_breadth = entry.hand_breadth;
   demonstration.labels = entry.labels;
+  face_forward(entry.conventions, demonstration);
   demonstration.reports.insert(demonstration.reports.end(), entry.notes.begin(), entry.notes.end());
   return demonstration;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <type_traits>
 
 #include "pipeline/config/fields.hpp"
 #include "pipeline/motion/movement.hpp"
@@ -22,6 +23,7 @@ void shared_fields(Fields& f, ManifestEntry& e) {
   f("format", e.format);
   f("names", e.names);
   f("axes", e.conventions.axes);
+  f("forward", e.conventions.forward);
   f("unit", e.conventions.unit);
   f("rate_hz", e.conventions.rate_hz);
   f("subject", e.subject);
@@ -76,6 +78,9 @@ struct SaidFields {
   void operator()(const char* key, T& value) {
     if constexpr (requires { value.empty(); }) {
       if (value.empty()) return;
+    }
+    if constexpr (std::is_same_v<T, ForwardBy>) {
+      if (value == ForwardBy::body) return;
     }
     out(key, value);
   }

@@ -9,7 +9,6 @@
 
 #include "pipeline/motion/input_error.hpp"
 #include "stages/import/arm_names.hpp"
-#include "stages/import/body_guess.hpp"
 #include "stages/import/joints_of_points.hpp"
 #include "stages/import/rename.hpp"
 
@@ -99,20 +98,6 @@ void bring_into_world(MarkerRecording& recording, const std::string& source,
   recording.axes = axes;
 }
 
-/// Says so where the body stands otherwise than the axes that nobody gave would have it.
-void doubt_axes(const RecordingFiles& files, const std::string& used, Demonstration& recorded) {
-  if (!files.conventions.axes.empty()) return;
-  const Guess guess = guess_axes(recorded_points(recorded.streams, files.hand));
-  const std::string as_used = "x y z";  // of the world, in which the points now are
-  if (guess.sure != Sureness::sure || guess.value == as_used) return;
-  const Eigen::Matrix3d world =
-      world_from_recorded(guess.value, "") * world_from_recorded(used, "");
-  recorded.reports.push_back(fmt::format(
-      "the body stands otherwise than these axes have it; --axes '{} {} {}' agrees with it ({})",
-      axis_word(world.row(0).transpose()), axis_word(world.row(1).transpose()),
-      axis_word(world.row(2).transpose()), guess.because));
-}
-
 void check_extent(const MarkerRecording& recording, const std::string& source) {
   const double apart = extent(recording.markers.position);
   const bool whole_hand = recording.markers.names.size() >= 3;
@@ -199,7 +184,6 @@ Demonstration read_marker_recording(const RecordingFiles& files,
   demonstration.reports = recording.reports;
   demonstration.streams.markers = std::move(recording.markers);
   take_joints(files.hand, demonstration);
-  doubt_axes(files, recording.axes, demonstration);
   if (files.static_trial.empty()) report_no_static(demonstration);
   if (!files.static_trial.empty()) {
     report_never_seen(still);

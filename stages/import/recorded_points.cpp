@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
+#include <functional>
+#include <set>
+
 #include "pipeline/motion/human_motion.hpp"
 #include "stages/import/arm_names.hpp"
 #include "stages/import/recorded_words.hpp"
@@ -9,9 +13,30 @@
 namespace morphe::imports {
 namespace {
 
+/// Landmarks of the trunk in the usual marker sets; "" for any other name.
+std::string trunk_part(const std::string& name) {
+  std::string own = name.substr(name.rfind(':') + 1);
+  for (char& c : own) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  static const std::set<std::string, std::less<>> chest = {"STRN", "STER", "CLAV", "MANU", "XIPH"},
+                                                  back = {"C7", "T4", "T8", "T10", "T12"},
+                                                  iliac = {"ASI", "ASIS", "PSI", "PSIS"};
+  if (chest.contains(own)) return "chest";
+  if (back.contains(own)) return "back";
+  for (const bool first : {true, false}) {
+    if (own.size() < 2) break;
+    const char side = first ? own.front() : own.back();
+    const std::string rest = first ? own.substr(1) : own.substr(0, own.size() - 1);
+    if (iliac.contains(rest) && (side == 'L' || side == 'R')) {
+      return side == 'L' ? "left hip" : "right hip";
+    }
+  }
+  return "";
+}
+
 /// What is no part of an arm, but tells which way is up and forward.
 std::string part_of(const std::string& name) {
   if (std::string part = body_part(name); !part.empty()) return part;
+  if (std::string part = trunk_part(name); !part.empty()) return part;
   const RecordedWords words = recorded_words_of(name);
   const std::string side = words.has(BodyWord::right)  ? "right "
                            : words.has(BodyWord::left) ? "left "
@@ -74,8 +99,10 @@ RecordedPoints recorded_points(const Streams& streams, Side hand) {
     for (std::string& name : names) name = fmt::format("{}_{}", side, name);
     add_columns(names, streams.sensors->time, streams.sensors->position, points);
   }
-  const bool hand_alone = streams.hand && streams.hand->position.rows > 0 && points.names.empty();
-  if (hand_alone) {
+  // Keypoints beside an arm are a hand's shape in a frame of its own.
+  const auto& kept = streams.hand;
+  if (kept && kept->position.rows > 0 &&
+      (points.names.empty() || (kept->kind == HandKind::fingertips && streams.sensors))) {
     add_columns(hand_points(streams.hand->kind, side), streams.hand->time, streams.hand->position,
                 points);
   }

@@ -89,13 +89,10 @@ Eigen::Matrix3d world_from_skeleton(const BodyStream& body, const std::vector<Ve
   if (!(level > kLevel * first.norm())) {
     ask(file, "the shoulders do not stand side by side in the first frame");
   }
-  const double turn = -std::atan2(first.y(), first.x());
   reports.push_back(fmt::format(
-      "axes were taken from the skeleton: '{} {} {}' point right, forward and up at rest, and all "
-      "was turned by {:.1f} degrees about the vertical so that the subject faces Y in the first "
-      "frame",
-      axis_word(right), axis_word(forward), axis_word(up), turn * 180 / M_PI));
-  return Eigen::AngleAxisd(turn, Vec3::UnitZ()).toRotationMatrix() * world;
+      "axes were taken from the skeleton: '{} {} {}' point right, forward and up at rest",
+      axis_word(right), axis_word(forward), axis_word(up)));
+  return world;
 }
 
 }  // namespace morphe::imports

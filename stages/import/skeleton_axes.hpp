@@ -13,8 +13,8 @@ namespace morphe::imports {
 ///          be the one that the recorded trunk is nearest to on average
 ///   right  the file axis within 15 degrees of left -> right shoulder at rest (hips if there are no
 ///          shoulders: right_hip, left_hip)
-/// then turned about the vertical so that the shoulder line of the first frame points to X: the
-/// subject faces Y. Each step goes into `reports`. `rest` [joints] and `body.position` in the
+/// Which way the subject faces in the recording is not its business (facing.hpp). What it took goes
+/// into `reports`. `rest` [joints] and `body.position` in the
 /// file's axes, the first joint the root. InputError "FILE: axes: …" that asks for them where the
 /// skeleton does not say it: names missing, not near an axis, rest and recording of two minds,
 /// shoulders above each other in the first frame.

@@ -183,6 +183,9 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
   if (!map::hand_alone(robot) && !seen(map::shoulder_at_begin(recorded, movement))) {
     return fail(plan, {Reason::no_shoulder, "the shoulder was never seen"});
   }
+  if (const Refusal inhuman = reconstruct::refuse_inhuman(recorded, config.human)) {
+    return fail(plan, inhuman);
+  }
   const scene::MovedTarget there = timed(seconds, "scene", [&] {
     const Scene as_recorded = scene_around(planner, demonstration, recorded, plan.movement);
     return scene::move_target(config.scene, recorded, plan.movement, as_recorded);

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "pipeline/human/arm_angles.hpp"
+#include "stages/reconstruct/human_limits.hpp"
 
 namespace morphe::reconstruct {
 namespace {
@@ -120,7 +121,7 @@ void add_arm_angles(HumanMotion& motion) {
   }
   if (!(angles.array().isFinite()).any()) return;
   motion.arm_angles = std::move(angles);
-  missed.report("arm angles", motion.residuals);
+  missed.report(kBeyondLimits, motion.residuals);
   turned.report("arm angles, hand", motion.residuals);
   constexpr double kFar = 0.02, kTurned = 0.3 * kHand;  // [m]
   if (missed.rms() > kFar) {

@@ -23,6 +23,7 @@ std::string why_invalid(const HumanOptions& o) {
   for (const auto& length : {o.upper_arm, o.forearm}) {
     if (length && !(*length > 0)) return "upper_arm and forearm must be positive";
   }
+  if (!(o.beyond_limits_m > 0)) return "beyond_limits_m must be positive";
   if (!(o.reach_share > 0 && o.reach_share < 1)) return "reach_share must lie between 0 and 1";
   return "";
 }

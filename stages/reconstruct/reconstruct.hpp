@@ -47,6 +47,9 @@ struct HumanOptions {
   /// ue-adl subjects held their resting hand, within 50 mm. Then moved as little as reach asks for.
   Vec3 shoulder_from_first_wrist = Vec3(0.0, -0.21, 0.24);
   double reach_share = 0.95;  ///< largest shoulder-wrist distance over upper arm + forearm
+  /// RMS over a recording; beyond it is no person's arm (human_limits.hpp). Recordings that are
+  /// right lie up to 56 mm beyond, two of a person taken to face the other way 215 and 243 mm.
+  double beyond_limits_m = 0.1;
   /// Swivel of the elbow to the right [rad]. Medians of the ue-adl trials: 6 to 17 degrees, 30 in
   /// the reach across the body.
   double elbow_outward = 0.2;
@@ -59,6 +62,7 @@ void fields(Fields& f, HumanOptions& o) {
   f("shoulder_from_first_wrist", o.shoulder_from_first_wrist);
   f("reach_share", o.reach_share);
   f("elbow_outward", o.elbow_outward);
+  f("beyond_limits_m", o.beyond_limits_m);
 }
 std::string why_invalid(const HumanOptions& options);
 

@@ -22,7 +22,9 @@ class RecordingFolder : public testing::Test {
     std::ofstream(folder_ / name, std::ios::binary) << text;
     return folder_ / name;
   }
-  Demonstration read(const ImportRequest& request) {
+  /// In the recorded axes, whichever way the person faces.
+  Demonstration read(ImportRequest request) {
+    request.conventions.forward = ForwardBy::axes;
     std::vector<Demonstration> read;
     import_recordings(request, [&](Demonstration&& d) { read.push_back(std::move(d)); });
     return read.at(0);

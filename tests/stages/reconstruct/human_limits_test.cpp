@@ -1,0 +1,37 @@
+#include "stages/reconstruct/human_limits.hpp"
+
+#include <gtest/gtest.h>
+
+#include "stages/reconstruct/arm_chain.hpp"
+
+namespace morphe::reconstruct {
+namespace {
+
+/// An arm that hangs down, its forearm bent by 90 degrees forward, or backward: no elbow does that.
+HumanMotion bent(double forward) {
+  HumanMotion motion;
+  for (int i = 0; i < 10; ++i) {
+    motion.time.push_back(0.01 * i);
+    motion.shoulder.emplace_back(0, 0, 1.4);
+    motion.elbow.emplace_back(0, 0, 1.1);
+    motion.wrist.emplace_back(0, 0.25 * forward, 1.1);
+    motion.wrist_orientation.push_back(unseen_rotation());
+  }
+  return motion;
+}
+
+TEST(HumanLimits, AnElbowThatBendsBackwardIsNoPersons) {
+  HumanMotion person = bent(1), none = bent(-1);
+  add_arm_angles(person);
+  add_arm_angles(none);
+  EXPECT_FALSE(refuse_inhuman(person, {}));
+  const Refusal refusal = refuse_inhuman(none, {});
+  EXPECT_EQ(refusal.reason, Reason::not_human);
+  EXPECT_NE(refusal.detail.find("100 mm"), std::string::npos) << refusal.detail;
+  HumanOptions patient;
+  patient.beyond_limits_m = 1;
+  EXPECT_FALSE(refuse_inhuman(none, patient));
+}
+
+}  // namespace
+}  // namespace morphe::reconstruct
