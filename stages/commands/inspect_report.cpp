@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "stages/reconstruct/human_limits.hpp"
 #include "stages/reconstruct/mirror.hpp"
 
 namespace morphe::commands {

@@ -93,14 +93,15 @@ std::size_t figure_named(const std::string& key) {
 struct FigureColumn {
   const char *key, *top, *below;
   int spare;
+  bool of_the_arm = false;  ///< compares with the person's shoulder and elbow
 };
 constexpr std::array<FigureColumn, 10> kColumns{{{"mapped", "mapped", "tips mm", 9},
                                                  {"out_of_reach", "out of", "reach %", 3},
                                                  {"step", "largest", "step rad", 10},
                                                  {"grasp", "tips at", "grasp mm", 5},
                                                  {"tips", "tips", "max mm", 1},
-                                                 {"humanlikeness", "human-", "like cm^2", 4},
-                                                 {"upper_arm", "upper arm", "mean deg", 6},
+                                                 {"humanlikeness", "human-", "like cm^2", 4, true},
+                                                 {"upper_arm", "upper arm", "mean deg", 6, true},
                                                  {"palm", "palm", "mean deg", 7},
                                                  {"clearance", "clearance", "mm", 8},
                                                  {"tempo", "tempo", "", 2}}};
@@ -113,6 +114,9 @@ PlanRow row_of(const robot::Robot& robot, const Plan& plan) {
   row.status = plan.executable() && plan.certificate.repaired ? "repaired" : name_of(plan.status());
   row.reason = name_of(plan.reason);
   row.figures = figures_of(robot, plan);
+  row.against_estimate = std::ranges::any_of(plan.goals.estimated, [](const std::string& what) {
+    return what == "shoulder" || what == "elbow";
+  });
   row.lines = lines_of(robot, plan);
   row.world = plan.world;
   row.remarks = scene_remarks(plan);
@@ -125,6 +129,7 @@ std::string row_text(const PlanRow& row) {
               {"status", row.status},
               {"reason", row.reason},
               {"figures", row.figures},
+              {"against_estimate", row.against_estimate},
               {"lines", row.lines},
               {"recording", rows_of(world.base_from_world)},
               {"table", rows_of(world.base_from_table)},
@@ -143,6 +148,7 @@ PlanRow row_from_text(const std::string& text) {
     row_json.at("reason").get_to(row.reason);
     for (std::size_t k = 0; k < kPlanFigures; ++k)
       row.figures[k] = number_of(row_json.at("figures").at(k));
+    row_json.at("against_estimate").get_to(row.against_estimate);
     row_json.at("lines").get_to(row.lines);
     row.world.base_from_world = pose_of(row_json.at("recording"));
     row.world.base_from_table = pose_of(row_json.at("table"));
@@ -197,7 +203,9 @@ std::string plan_table(const std::vector<PlanRow>& rows, std::size_t width) {
     out.cells = {row.name, row.status};
     for (const FigureColumn& column : kColumns) {
       const std::size_t k = figure_named(column.key);
-      out.cells.push_back(printed(plan_figures()[k], row.figures[k]));
+      const bool estimate =
+          row.against_estimate && column.of_the_arm && !std::isnan(row.figures[k]);
+      out.cells.push_back((estimate ? "~" : "") + printed(plan_figures()[k], row.figures[k]));
     }
     out.lines = row.lines;
   }

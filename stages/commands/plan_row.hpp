@@ -15,6 +15,7 @@ struct PlanRow {
   std::string status;  ///< executable, repaired (and executable), approximate or infeasible
   std::string reason;  ///< its code, "" unless infeasible
   FigureValues figures{};
+  bool against_estimate = false;   ///< shoulder or elbow were not recorded
   std::vector<std::string> lines;  ///< why it is infeasible, what to try, notes, findings
   WorldFrames world;               ///< where things stand
   std::map<std::string, std::string> remarks;  ///< scene_remarks()

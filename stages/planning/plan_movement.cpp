@@ -19,6 +19,7 @@
 #include "stages/planning/plan_parts.hpp"
 #include "stages/planning/repair_movement.hpp"
 #include "stages/reconstruct/hand_frame.hpp"
+#include "stages/reconstruct/human_limits.hpp"
 #include "stages/reconstruct/mirror.hpp"
 #include "stages/scene/move_target.hpp"
 

@@ -106,7 +106,7 @@ void pose_fingers(const GloveColumns& glove, const human::HandSize& size, HumanM
 
 human::HandSize hand_size_of(const Demonstration& demonstration, const HumanOptions& human,
                              std::vector<std::string>& estimated) {
-  human::HandSize size = human::hand_size_of_stature(human.stature_m);
+  human::HandSize size = human::hand_size_of_stature(human.stature_m.value_or(kUsualStature_m));
   if (demonstration.hand_length) {
     // The breadth that goes with this length, unless it was measured too.
     size.breadth *= *demonstration.hand_length / size.length;

@@ -11,7 +11,7 @@ namespace {
 
 /// Hand frame: z from the wrist to the finger base, y to the thumb's side (from the ulnar to the
 /// radial styloid, made orthogonal), x = y × z out of a right palm.
-Eigen::Matrix3d hand_axes(const Vec3& finger_base, const Vec3& radial, const Vec3& ulnar) {
+Eigen::Matrix3d axes_of_landmarks(const Vec3& finger_base, const Vec3& radial, const Vec3& ulnar) {
   const Vec3 z = (finger_base - (radial + ulnar) / 2).normalized();
   const Vec3 across = radial - ulnar;
   const Vec3 y = (across - z * z.dot(across)).normalized();
@@ -32,7 +32,7 @@ void set_hand(MarkerTrial& trial, const MarkerBody& forearm, const MarkerBody& h
   const auto in_hand = [&](const Landmark& landmark) {
     return landmark_in_body(trial, landmark, hand, motion);
   };
-  const Eigen::Matrix3d fixed = hand_axes(in_hand(base), in_hand(radial), in_hand(ulnar));
+  const Eigen::Matrix3d fixed = axes_of_landmarks(in_hand(base), in_hand(radial), in_hand(ulnar));
   const bool shown = !base.track.empty() && !radial.track.empty() && !ulnar.track.empty();
   if (!(hand.exists() && fixed.allFinite()) && !shown) {
     motion.problems.push_back(
@@ -43,7 +43,7 @@ void set_hand(MarkerTrial& trial, const MarkerBody& forearm, const MarkerBody& h
     const Eigen::Matrix3d world_from_hand =
         hand.exists() && fixed.allFinite()
             ? Eigen::Matrix3d(hand.world_from_body[i].linear() * fixed)
-            : hand_axes(base.track[i], radial.track[i], ulnar.track[i]);
+            : axes_of_landmarks(base.track[i], radial.track[i], ulnar.track[i]);
     if (!world_from_hand.allFinite()) continue;
     Quat& now = motion.wrist_orientation[i];
     now = Quat(world_from_hand).normalized();

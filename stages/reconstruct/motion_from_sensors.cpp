@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "pipeline/human/arm.hpp"
 #include "stages/reconstruct/arm_chain.hpp"
 #include "stages/reconstruct/clock_offset.hpp"
+#include "stages/reconstruct/estimated_arm.hpp"
 #include "stages/reconstruct/glove_hand.hpp"
 #include "stages/reconstruct/hand_from_keypoints.hpp"
 #include "stages/reconstruct/sensor_joints.hpp"
@@ -14,41 +14,6 @@ namespace morphe::reconstruct {
 namespace {
 
 constexpr std::size_t kWristPitch = 20, kWristYaw = 21;  ///< glove sensors
-
-human::ArmLengths lengths_of(const Demonstration& demonstration, const HumanOptions& human) {
-  human::ArmLengths lengths = human::arm_lengths_of_stature(human.stature_m);
-  if (human.upper_arm) lengths.upper_arm = *human.upper_arm;
-  if (human.forearm) lengths.forearm = *human.forearm;
-  if (demonstration.upper_arm) lengths.upper_arm = *demonstration.upper_arm;
-  if (demonstration.forearm) lengths.forearm = *demonstration.forearm;
-  return lengths;
-}
-
-void estimate_shoulder(const human::ArmLengths& lengths, const HumanOptions& human,
-                       HumanMotion& motion) {
-  const auto first = std::find_if(motion.wrist.begin(), motion.wrist.end(),
-                                  [](const Vec3& point) { return seen(point); });
-  if (first == motion.wrist.end()) return;
-  const double reach = human.reach_share * (lengths.upper_arm + lengths.forearm);
-  const Vec3 wanted = *first + human.shoulder_from_first_wrist;
-  const std::optional<Vec3> shoulder = human::shoulder_within_reach(wanted, motion.wrist, reach);
-  if (!shoulder) {
-    motion.problems.push_back(fmt::format(
-        "no fixed shoulder has every wrist position within {:.3f} m: none is estimated", reach));
-    return;
-  }
-  std::fill(motion.shoulder.begin(), motion.shoulder.end(), *shoulder);
-  motion.estimated.push_back("shoulder");
-}
-
-void estimate_elbow(const human::ArmLengths& lengths, const HumanOptions& human,
-                    HumanMotion& motion) {
-  for (std::size_t i = 0; i < motion.elbow.size(); ++i) {
-    motion.elbow[i] =
-        human::natural_elbow(motion.shoulder[i], motion.wrist[i], lengths, human.elbow_outward);
-  }
-  motion.estimated.push_back("elbow");
-}
 
 /// Flexion and radial deviation of the wrist from the forearm's direction in the hand's frame,
 /// (-sin f, -sin d cos f, cos d cos f) as in pipeline/human/arm_angles.
@@ -147,17 +112,9 @@ HumanMotion motion_from_sensors(const Demonstration& demonstration,
   } else {
     motion.problems.push_back("no body called wrist is tracked");
   }
-  const human::ArmLengths lengths = lengths_of(demonstration, human);
-  if (shoulder) {
-    motion.shoulder = on_clock(sensors->time, shoulder->position, clock, options);
-  } else {
-    estimate_shoulder(lengths, human, motion);
-  }
-  if (elbow) {
-    motion.elbow = on_clock(sensors->time, elbow->position, clock, options);
-  } else {
-    estimate_elbow(lengths, human, motion);
-  }
+  if (shoulder) motion.shoulder = on_clock(sensors->time, shoulder->position, clock, options);
+  if (elbow) motion.elbow = on_clock(sensors->time, elbow->position, clock, options);
+  estimate_arm(arm_lengths_of(demonstration, human), human, {}, motion);
   if (shoulder && elbow && wrist) {
     keep_bone_lengths(motion);
     add_arm_angles(motion);

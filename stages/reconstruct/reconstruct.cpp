@@ -19,7 +19,9 @@ std::string why_invalid(const ReconstructOptions& o) {
 }
 
 std::string why_invalid(const HumanOptions& o) {
-  if (!(o.stature_m > 0.5 && o.stature_m < 2.5)) return "stature_m must lie between 0.5 and 2.5 m";
+  if (o.stature_m && !(*o.stature_m > 0.5 && *o.stature_m < 2.5)) {
+    return "stature_m must lie between 0.5 and 2.5 m";
+  }
   for (const auto& length : {o.upper_arm, o.forearm}) {
     if (length && !(*length > 0)) return "upper_arm and forearm must be positive";
   }
@@ -55,7 +57,7 @@ HumanMotion reconstruct(const Demonstration& demonstration, const ReconstructOpt
   if (demonstration.streams.sensors || (hand && hand->kind == HandKind::glove)) {
     return motion_from_sensors(demonstration, options, human);
   }
-  if (demonstration.streams.skeleton) return motion_from_skeleton(demonstration, options);
+  if (demonstration.streams.skeleton) return motion_from_skeleton(demonstration, options, human);
   if (hand && hand->kind == HandKind::keypoints) return motion_from_hand(demonstration, options);
   HumanMotion nothing = unseen_motion({});
   nothing.problems.push_back(

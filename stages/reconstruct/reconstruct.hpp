@@ -39,9 +39,12 @@ void fields(Fields& f, ReconstructOptions& o) {
 }
 std::string why_invalid(const ReconstructOptions& options);
 
+inline constexpr double kUsualStature_m = 1.70;
+
 /// Config section `human`: the arm of a recording that saw only the hand.
 struct HumanOptions {
-  double stature_m = 1.70;                   ///< gives the lengths that nothing else gives
+  /// Gives the lengths that nothing else gives; none: by the hand's length, else 1.70.
+  std::optional<double> stature_m;
   std::optional<double> upper_arm, forearm;  ///< [m]; a recording's own lengths come first
   /// Shoulder relative to the first wrist position (X right, Y forward, Z up) [m]: as three seated
   /// ue-adl subjects held their resting hand, within 50 mm. Then moved as little as reach asks for.

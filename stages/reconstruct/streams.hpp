@@ -20,9 +20,9 @@ HumanMotion motion_from_sensors(const Demonstration& demonstration,
 /// A skeleton's right arm: shoulder, elbow and wrist; the hand's orientation from its knuckles (of
 /// index, middle and little finger; else from the thumb, said in `problems`); what it has of finger
 /// joints and tips, bone by bone with constant lengths; hand angles if it has them all. A tip that
-/// stands on the joint before it is estimated.
+/// stands on the joint before it is estimated, and so is what of the arm was not recorded.
 HumanMotion motion_from_skeleton(const Demonstration& demonstration,
-                                 const ReconstructOptions& options);
+                                 const ReconstructOptions& options, const HumanOptions& human);
 
 /// A hand of 21 keypoints whose wrist was not tracked: hand angles alone.
 HumanMotion motion_from_hand(const Demonstration& demonstration, const ReconstructOptions& options);

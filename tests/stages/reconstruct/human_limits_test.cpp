@@ -7,26 +7,26 @@
 namespace morphe::reconstruct {
 namespace {
 
-/// An arm that hangs down, its forearm bent by 90 degrees forward, or backward: no elbow does that.
-HumanMotion bent(double forward) {
+/// An arm stretched level to the front, or straight back: no shoulder does that.
+HumanMotion stretched(double forward) {
   HumanMotion motion;
   for (int i = 0; i < 10; ++i) {
     motion.time.push_back(0.01 * i);
     motion.shoulder.emplace_back(0, 0, 1.4);
-    motion.elbow.emplace_back(0, 0, 1.1);
-    motion.wrist.emplace_back(0, 0.25 * forward, 1.1);
-    motion.wrist_orientation.push_back(unseen_rotation());
+    motion.elbow.emplace_back(0, 0.3 * forward, 1.4);
+    motion.wrist.emplace_back(0, 0.54 * forward, 1.45);
+    motion.wrist_orientation.push_back(Quat::Identity());
   }
   return motion;
 }
 
-TEST(HumanLimits, AnElbowThatBendsBackwardIsNoPersons) {
-  HumanMotion person = bent(1), none = bent(-1);
+TEST(HumanLimits, AnArmStretchedBackwardIsNoPersons) {
+  HumanMotion person = stretched(1), none = stretched(-1);
   add_arm_angles(person);
   add_arm_angles(none);
   EXPECT_FALSE(refuse_inhuman(person, {}));
   const Refusal refusal = refuse_inhuman(none, {});
-  EXPECT_EQ(refusal.reason, Reason::not_human);
+  EXPECT_EQ(name_of(refusal.reason), "not_human");
   EXPECT_NE(refusal.detail.find("100 mm"), std::string::npos) << refusal.detail;
   HumanOptions patient;
   patient.beyond_limits_m = 1;

@@ -46,7 +46,7 @@ TEST(MotionFromSensors, KeepsWristAndTipsAndEstimatesTheArm) {
   EXPECT_THAT(motion.estimated, ElementsAre("shoulder", "elbow"));
   EXPECT_TRUE(motion.problems.empty());
   ASSERT_EQ(motion.time.size(), 200u);
-  const double upper_arm = 0.186 * human.stature_m, forearm = 0.146 * human.stature_m;
+  const double upper_arm = 0.186 * kUsualStature_m, forearm = 0.146 * kUsualStature_m;
   for (std::size_t i = 0; i < motion.time.size(); ++i) {
     EXPECT_LT((motion.wrist[i] - d.streams.sensors->position(i, 0)).norm(), 1e-3);
     EXPECT_LT(angle_between(motion.wrist_orientation[i], d.streams.sensors->orientation(i, 0)),

@@ -1,0 +1,92 @@
+#include "stages/reconstruct/estimated_arm.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "stages/reconstruct/gaps.hpp"
+
+namespace morphe::reconstruct {
+namespace {
+
+constexpr double kHandToStature = 0.108;                    // Drillis and Contini 1966
+constexpr double kBelowHead = 0.115, kAsideOfHead = 0.109;  // shares of the stature
+
+Vec3 median_of(const std::vector<Vec3>& points) {
+  Vec3 median = unseen_point();
+  for (Eigen::Index c = 0; c < 3; ++c) {
+    std::vector<double> values;
+    for (const Vec3& point : points) {
+      if (seen(point)) values.push_back(point[c]);
+    }
+    if (values.empty()) return median;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    median[c] = *middle;
+  }
+  return median;
+}
+
+/// Below and beside the head, or off from the first wrist; unseen without either.
+Vec3 wanted_shoulder(const human::ArmLengths& lengths, const HumanOptions& human,
+                     const std::vector<Vec3>& head, const std::vector<Vec3>& wrist) {
+  const Vec3 above = median_of(head);
+  if (seen(above)) {
+    const double stature_m = lengths.upper_arm / human::arm_lengths_of_stature(1).upper_arm;
+    return above + stature_m * Vec3(kAsideOfHead, 0, -kBelowHead);
+  }
+  const auto first = std::ranges::find_if(wrist, [](const Vec3& point) { return seen(point); });
+  return first == wrist.end() ? unseen_point() : Vec3(*first + human.shoulder_from_first_wrist);
+}
+
+void estimate_shoulder(const human::ArmLengths& lengths, const HumanOptions& human,
+                       const std::vector<Vec3>& head, HumanMotion& motion) {
+  const Vec3 wanted = wanted_shoulder(lengths, human, head, motion.wrist);
+  if (!seen(wanted)) return;
+  const double reach = human.reach_share * (lengths.upper_arm + lengths.forearm);
+  const std::optional<Vec3> shoulder = human::shoulder_within_reach(wanted, motion.wrist, reach);
+  if (!shoulder) {
+    motion.problems.push_back(fmt::format(
+        "no fixed shoulder has every wrist position within {:.3f} m: none is estimated", reach));
+    return;
+  }
+  std::ranges::fill(motion.shoulder, *shoulder);
+  motion.estimated.push_back("shoulder");
+  motion.problems.push_back(
+      "the shoulder was not recorded: estimated, as a rule within 65 mm; humanlikeness of the arm "
+      "compares with an estimate");
+}
+
+void estimate_elbow(const human::ArmLengths& lengths, const HumanOptions& human,
+                    HumanMotion& motion) {
+  for (std::size_t i = 0; i < motion.elbow.size(); ++i) {
+    motion.elbow[i] =
+        human::natural_elbow(motion.shoulder[i], motion.wrist[i], lengths, human.elbow_outward);
+  }
+  motion.estimated.push_back("elbow");
+}
+
+}  // namespace
+
+human::ArmLengths arm_lengths_of(const Demonstration& demonstration, const HumanOptions& human,
+                                 const std::optional<double>& hand_length) {
+  const double stature_m = human.stature_m ? *human.stature_m
+                           : hand_length   ? *hand_length / kHandToStature
+                                           : kUsualStature_m;
+  human::ArmLengths lengths = human::arm_lengths_of_stature(stature_m);
+  if (human.upper_arm) lengths.upper_arm = *human.upper_arm;
+  if (human.forearm) lengths.forearm = *human.forearm;
+  if (demonstration.upper_arm) lengths.upper_arm = *demonstration.upper_arm;
+  if (demonstration.forearm) lengths.forearm = *demonstration.forearm;
+  return lengths;
+}
+
+void estimate_arm(const human::ArmLengths& lengths, const HumanOptions& human,
+                  const std::vector<Vec3>& head, HumanMotion& motion) {
+  if (never_seen(motion.wrist)) return;
+  if (never_seen(motion.shoulder)) estimate_shoulder(lengths, human, head, motion);
+  if (never_seen(motion.shoulder)) return;
+  if (never_seen(motion.elbow)) estimate_elbow(lengths, human, motion);
+}
+
+}  // namespace morphe::reconstruct

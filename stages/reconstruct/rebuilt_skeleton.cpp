@@ -1,0 +1,118 @@
+#include "stages/reconstruct/rebuilt_skeleton.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stages/reconstruct/arm_chain.hpp"
+#include "stages/reconstruct/hand_from_keypoints.hpp"
+#include "stages/reconstruct/skeleton_joints.hpp"
+#include "stages/reconstruct/streams.hpp"
+
+namespace morphe::reconstruct {
+namespace {
+
+constexpr double kSameInstant_s = 1e-9;
+
+/// Between which rows of a recording an instant of the clock lies.
+struct Between {
+  std::size_t row = 0;
+  double share = 0;  ///< of the way to the next row
+};
+
+std::vector<Between> rows_of(const std::vector<double>& time, const Clock& clock) {
+  std::vector<Between> rows;
+  std::size_t row = 0;
+  for (std::size_t i = 0; i < clock.count; ++i) {
+    const double now = clock.at(i);
+    while (row + 1 < time.size() && time[row + 1] <= now + kSameInstant_s) ++row;
+    const bool last = row + 1 >= time.size();
+    const double since = now - time[row];
+    rows.push_back(
+        {row, last || since <= kSameInstant_s ? 0 : since / (time[row + 1] - time[row])});
+  }
+  return rows;
+}
+
+std::vector<Vec3> at(const std::vector<Between>& rows, const std::vector<Vec3>& values) {
+  std::vector<Vec3> result;
+  for (const auto& [row, share] : rows) {
+    result.push_back(share == 0 ? values[row]
+                                : Vec3(values[row] + share * (values[row + 1] - values[row])));
+  }
+  return result;
+}
+
+std::vector<Quat> at(const std::vector<Between>& rows, const std::vector<Quat>& values) {
+  std::vector<Quat> result;
+  for (const auto& [row, share] : rows) {
+    const bool both = share != 0 && seen(values[row]) && seen(values[row + 1]);
+    result.push_back(both         ? values[row].slerp(share, values[row + 1])
+                     : share == 0 ? values[row]
+                                  : unseen_rotation());
+  }
+  return result;
+}
+
+bool any_turned(const SkeletonJoint& joint) {
+  return std::ranges::any_of(joint.orientation, [](const Quat& turn) { return seen(turn); });
+}
+
+}  // namespace
+
+HumanMotion motion_from_rebuilt(const BodyStream& body, const ReconstructOptions& options) {
+  const Clock clock = clock_over({&body.time}, options.rate_hz);
+  HumanMotion motion = unseen_motion(clock);
+  const std::vector<Between> rows = rows_of(body.time, clock);
+  const auto place = [&](const char* name, const char* called, std::vector<Vec3>& centres) {
+    const SkeletonJoint joint = find_joint(body, name);
+    if (!joint.there()) return;
+    centres = at(rows, joint.position);
+    if (joint.estimated) motion.estimated.emplace_back(called);
+  };
+  place("right_shoulder", "shoulder", motion.shoulder);
+  place("right_elbow", "elbow", motion.elbow);
+  place("right_wrist", "wrist", motion.wrist);
+  const bool arm_measured = motion.estimated.empty();
+  if (const SkeletonJoint hand = find_joint(body, "right_hand"); hand.there()) {
+    motion.wrist_orientation = at(rows, hand.orientation);
+    if (hand.estimated) motion.estimated.emplace_back("wrist orientation");
+  }
+  if (arm_measured) add_arm_angles(motion);
+
+  const Digits digits = find_digits(body);
+  std::vector<HandKeypoints> fingers(clock.count);
+  for (HandKeypoints& points : fingers) points.fill(unseen_point());
+  for (std::size_t i = 0; i < clock.count; ++i) fingers[i][0] = motion.wrist[i];
+  bool tips_estimated = false, tips_turned = false;
+  for (std::size_t finger = 0; finger < kFingers; ++finger) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      if (!digits[finger][j].there()) continue;
+      const std::vector<Vec3> here = at(rows, digits[finger][j].position);
+      for (std::size_t i = 0; i < clock.count; ++i) fingers[i][keypoint_of(finger, j)] = here[i];
+    }
+    const SkeletonJoint& tip = digits[finger][3];
+    tips_estimated = tips_estimated || tip.estimated;
+    tips_turned = tips_turned || any_turned(tip);
+    const std::vector<Quat> turned =
+        tip.there() ? at(rows, tip.orientation) : std::vector<Quat>(clock.count, unseen_rotation());
+    for (std::size_t i = 0; i < clock.count; ++i) {
+      motion.tip(i, finger) = fingers[i][keypoint_of(finger, 3)];
+      motion.finger_joint(i, finger) = fingers[i][keypoint_of(finger, 1)];
+      motion.tip_orientation(i, finger) = turned[i];
+    }
+  }
+  if (tips_estimated) motion.estimated.emplace_back("fingertips");
+  const auto fitted = fit_hand(fingers, std::nullopt, clock.rate_hz);
+  if (!fitted) return motion;
+  motion.hand_angles = fitted->angles;
+  motion.bones = fitted->bones;
+  for (std::size_t i = 0; !tips_turned && i < clock.count; ++i) {
+    for (std::size_t finger = 0; finger < kFingers; ++finger) {
+      motion.tip_orientation(i, finger) =
+          motion.wrist_orientation[i] * fitted->tip_orientation(i, finger);
+    }
+  }
+  return motion;
+}
+
+}  // namespace morphe::reconstruct
