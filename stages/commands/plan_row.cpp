@@ -106,6 +106,9 @@ constexpr std::array<FigureColumn, 10> kColumns{{{"mapped", "mapped", "tips mm",
                                                  {"clearance", "clearance", "mm", 8},
                                                  {"tempo", "tempo", "", 2}}};
 
+/// Of the person's arm, as Goals::estimated calls them.
+constexpr std::array<std::string_view, 2> kArmPoints = {"shoulder", "elbow"};
+
 }  // namespace
 
 PlanRow row_of(const robot::Robot& robot, const Plan& plan) {
@@ -115,7 +118,7 @@ PlanRow row_of(const robot::Robot& robot, const Plan& plan) {
   row.reason = name_of(plan.reason);
   row.figures = figures_of(robot, plan);
   row.against_estimate = std::ranges::any_of(plan.goals.estimated, [](const std::string& what) {
-    return what == "shoulder" || what == "elbow";
+    return std::ranges::find(kArmPoints, what) != kArmPoints.end();
   });
   row.lines = lines_of(robot, plan);
   row.world = plan.world;
