@@ -24,7 +24,9 @@ double agreement(const std::vector<BodyCue>& cues, const Eigen::Matrix3d& world_
 /// A hand alone says too little for that.
 std::vector<BodyCue> cues_of_body(const RecordedPoints& points) {
   std::vector<BodyCue> cues = body_cues(points);
-  std::erase_if(cues, [](const BodyCue& cue) { return cue.of == CueOf::hand; });
+  std::erase_if(cues, [](const BodyCue& cue) {
+    return cue.of == CueOf::hand || cue.of == CueOf::way || cue.use == CueFor::heading;
+  });
   return cues;
 }
 

@@ -22,7 +22,7 @@ std::optional<Facing> facing_by(const std::vector<BodyCue>& cues, CueOf kind) {
   double cosine = 0, sine = 0, weights = 0;
   std::vector<std::string> because;
   for (const BodyCue& cue : cues) {
-    if (cue.of != kind || cue.signless) continue;
+    if (cue.of != kind || cue.signless || cue.use == CueFor::axes) continue;
     const double weight = cue.weight * cue.recorded.head<2>().norm() * cue.world.head<2>().norm();
     cosine += cue.weight * cue.world.head<2>().dot(cue.recorded.head<2>());
     sine += cue.weight * (cue.recorded.x() * cue.world.y() - cue.recorded.y() * cue.world.x());
@@ -86,12 +86,15 @@ std::string said_of(const Facing& facing) {
 
 }  // namespace
 
-std::optional<Facing> facing_of(const RecordedPoints& points) {
+std::optional<Facing> facing_of(const RecordedPoints& points, Side hand) {
   if (points.time.empty()) return std::nullopt;
-  const bool turns = !is_steady(points);
-  const std::vector<BodyCue> cues = body_cues(turns ? begin_of(points) : points);
-  for (const CueOf kind : {CueOf::trunk, CueOf::arm, CueOf::hand}) {
-    std::optional<Facing> facing = facing_by(cues, kind);
+  const RecordedPoints rest = points_at_rest(points, hand);
+  const bool turns = !is_steady(rest);
+  const std::vector<BodyCue> at_rest = body_cues(turns ? begin_of(rest) : rest),
+                             throughout = body_cues(points);
+  for (const CueOf kind : {CueOf::trunk, CueOf::arm, CueOf::hand, CueOf::way}) {
+    std::optional<Facing> facing = facing_by(at_rest, kind);
+    if (!facing) facing = facing_by(throughout, kind);
     if (!facing) continue;
     facing->turns = turns;
     return facing;
@@ -102,7 +105,8 @@ std::optional<Facing> facing_of(const RecordedPoints& points) {
 namespace {
 
 void turn_to_forward(const Conventions& given, Demonstration& demonstration) {
-  const auto facing = facing_of(recorded_points(demonstration.streams, demonstration.hand));
+  const auto facing =
+      facing_of(recorded_points(demonstration.streams, demonstration.hand), demonstration.hand);
   if (!facing) return;
   // An arm reaches to the side, too: it says less than a person who gives the axes.
   if (facing->by != CueOf::trunk && !given.axes.empty()) return;
@@ -117,10 +121,12 @@ void turn_to_forward(const Conventions& given, Demonstration& demonstration) {
   demonstration.reports.push_back(said_of(*facing));
 }
 
-/// Says so where the body stands otherwise than the axes have it.
-void doubt_axes(Demonstration& demonstration) {
+/// Says so where the body stands otherwise than the axes have it; of axes that were given, where it
+/// does not stand upright in them.
+void doubt_axes(bool given, Demonstration& demonstration) {
   const Guess guess = guess_axes(recorded_points(demonstration.streams, demonstration.hand));
-  if (guess.sure != Sureness::sure || guess.value == "x y z") return;
+  const bool upright = guess.value.ends_with(" z");
+  if (guess.sure != Sureness::sure || guess.value == "x y z" || (given && upright)) return;
   demonstration.reports.push_back(
       fmt::format("the body stands otherwise than these axes have it: its right, forward and up "
                   "are their '{}' ({}); give --axes",
@@ -133,7 +139,7 @@ void face_forward(const Conventions& given, Demonstration& demonstration) {
   const Streams& streams = demonstration.streams;
   if (!streams.markers && !streams.sensors && !streams.skeleton) return;
   if (given.forward == ForwardBy::body) turn_to_forward(given, demonstration);
-  if (given.axes.empty()) doubt_axes(demonstration);
+  doubt_axes(!given.axes.empty(), demonstration);
 }
 
 }  // namespace morphe::imports

@@ -18,9 +18,10 @@ struct Facing {
 };
 
 /// The turn that maximises sum over the cues of weight * <world, Rz(turn) recorded>, over their
-/// horizontal parts, of the cues of the kind that says most. Where the world is turned by an angle,
-/// it changes by that angle. Nothing where no cue is horizontal. Z of the points is up.
-std::optional<Facing> facing_of(const RecordedPoints& points);
+/// horizontal parts, of the cues of the kind that says most, in the frames at rest (body_cues.hpp),
+/// or in all where those do not say it. Where the world is turned by an angle, it changes by that
+/// angle. Nothing where no cue is horizontal. Z of the points is up; `hand`: the recorded one.
+std::optional<Facing> facing_of(const RecordedPoints& points, Side hand);
 
 /// Turns all of a recording, its calibration and its objects about the vertical, so that the
 /// person faces Y; not so where the axes decide, where they were given and the trunk was not

@@ -83,13 +83,14 @@ Demonstration read_recording(const ManifestEntry& entry) {
                   {entry.file, entry.static_trial, entry.glove, entry.static_glove,
                    entry.glove_calibration, read_names(entry.names), entry.hand, entry.conventions},
                   entry.manifest);
+  demonstration.hand = entry.hand;
+  face_forward(entry.conventions, demonstration);
   for (const MarkerObject& object : entry.objects) {
     add_marker_object(entry.file, object, demonstration);
   }
   demonstration.name = entry.name;
   if (!entry.subject.empty()) demonstration.subject = entry.subject;
   demonstration.task = entry.task;
-  demonstration.hand = entry.hand;
   demonstration.source = entry.source;
   demonstration.licence = entry.licence;
   demonstration.upper_arm = entry.upper_arm;
@@ -97,7 +98,6 @@ Demonstration read_recording(const ManifestEntry& entry) {
   demonstration.hand_length = entry.hand_length;
   demonstration.hand_breadth = entry.hand_breadth;
   demonstration.labels = entry.labels;
-  face_forward(entry.conventions, demonstration);
   demonstration.reports.insert(demonstration.reports.end(), entry.notes.begin(), entry.notes.end());
   return demonstration;
 }

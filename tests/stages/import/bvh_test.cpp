@@ -168,7 +168,8 @@ TEST_F(Bvh, RowsCountNotWhatTheHeaderSays) {
   text.replace(text.find("Frames: 3"), 9, "Frames: 7");
   const Demonstration fewer = read(write(text, "rows.bvh"), kSkeleton);
   EXPECT_EQ(fewer.streams.skeleton->time.size(), 3u);
-  EXPECT_THAT(fewer.reports, ElementsAre("'Frames:' says 7, the file holds 3: those were taken"));
+  EXPECT_THAT(fewer.reports,
+              testing::Contains("'Frames:' says 7, the file holds 3: those were taken"));
   text.replace(text.find("Frames: 7"), 9, "Frames: 1");
   EXPECT_EQ(read(write(text, "rows.bvh"), kSkeleton).streams.skeleton->time.size(), 3u);
 }
@@ -181,7 +182,7 @@ TEST_F(Bvh, AFirstFrameThatIsOnlyAPoseIsLeftOut) {
   };
   const Demonstration d = frames({arm_up, kRest, slow, kRest});
   EXPECT_THAT(d.streams.skeleton->time, ElementsAre(0.01, 0.02, 0.03));
-  EXPECT_THAT(d.reports, ElementsAre(HasSubstr("first frame was left out")));
+  EXPECT_THAT(d.reports, testing::Contains(HasSubstr("first frame was left out")));
   const BodyStream& b = *d.streams.skeleton;
   EXPECT_LT((b.position(0, joint_of(b, "right_elbow")) - Vec3(-0.2, 0.2, 0)).norm(), 1e-15);
   // A movement that is as fast throughout is none.
@@ -194,7 +195,7 @@ TEST_F(Bvh, ARateMayBeGiven) {
   given.rate_hz = 50;
   const Demonstration d = read(write(body("XYZ", {kRest, kRest}), "rate.bvh"), given);
   EXPECT_DOUBLE_EQ(d.streams.skeleton->time[1], 0.02);
-  EXPECT_EQ(d.reports.size(), 1u);  // the file says another one
+  EXPECT_THAT(d.reports, testing::Contains(HasSubstr("50 was given and used")));
   const auto broken = write(body("XYZ", {kRest, kRest}, "0"), "rate.bvh");
   EXPECT_DOUBLE_EQ(read(broken, given).streams.skeleton->time[1], 0.02);
 }
