@@ -56,6 +56,20 @@ void mirror(Streams& streams) {
   if (streams.hand) mirror_all(streams.hand->position.values);
 }
 
+void keep_seen(SceneObject& object) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < object.time.size(); ++i) {
+    if (!seen(object.position[i]) || !seen(object.orientation[i])) continue;
+    object.time[kept] = object.time[i];
+    object.position[kept] = object.position[i];
+    object.orientation[kept] = object.orientation[i];
+    ++kept;
+  }
+  object.time.resize(kept);
+  object.position.resize(kept);
+  object.orientation.resize(kept);
+}
+
 void mirror(std::vector<SceneObject>& objects) {
   for (SceneObject& object : objects) {
     mirror_all(object.position);
@@ -97,6 +111,8 @@ HumanMotion mirrored(HumanMotion motion) {
 
 std::vector<SceneObject> objects_beside(const Demonstration& demonstration, Side hand) {
   std::vector<SceneObject> objects = demonstration.objects;
+  for (SceneObject& object : objects) keep_seen(object);
+  std::erase_if(objects, [](const SceneObject& object) { return object.time.empty(); });
   if (demonstration.hand != hand) mirror(objects);
   return objects;
 }

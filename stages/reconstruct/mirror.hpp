@@ -19,6 +19,7 @@ Demonstration mirrored(const Demonstration& demonstration);
 HumanMotion mirrored(HumanMotion motion);
 
 /// The recorded objects where a motion of that side is: in the mirror, if the other hand moved.
+/// Without the samples in which an object was not seen; one that never was is left out.
 std::vector<SceneObject> objects_beside(const Demonstration& demonstration, Side hand);
 
 }  // namespace morphe::reconstruct

@@ -4,13 +4,17 @@
 #include <limits>
 #include <utility>
 
+#include "pipeline/motion/extent.hpp"
 #include "stages/scene/configured_body.hpp"
 #include "stages/scene/inferred.hpp"
 
 namespace morphe::scene {
 namespace {
 
-/// Name of the recorded object whose centre is nearest to the seen tips at the end of the grasp.
+constexpr double kInReach = 0.15;  ///< between the tips and an object that they took [m]
+
+/// Name of the recorded object whose centre is nearest to the seen tips at the end of the grasp, of
+/// those that are not farther than kInReach from them; "" if there is none.
 std::string nearest_object(const std::vector<SceneObject>& objects, const HumanMotion& motion,
                            const Phase& grasp) {
   const GraspTips tips = tips_at_grasp(motion, grasp);
@@ -20,8 +24,10 @@ std::string nearest_object(const std::vector<SceneObject>& objects, const HumanM
   double least = std::numeric_limits<double>::infinity();
   for (const SceneObject& object : objects) {
     if (object.time.empty()) continue;
-    const double distance = (recorded_pose(object, grasp.end_s).translation() - hand).norm();
-    if (distance < least) {
+    const Pose pose = recorded_pose(object, grasp.end_s);
+    const double distance = (pose.translation() - hand).norm();
+    const double apart = std::min(distance, extent_of(object, pose).exteriorDistance(hand));
+    if (distance < least && apart < kInReach) {
       least = distance;
       name = object.name;
     }
@@ -40,7 +46,10 @@ Scene build_scene(const SceneOptions& options, const Demonstration& demonstratio
       scene.objects.push_back(configured_body(object, movement.begin_s));
     }
   }
-  const std::optional<SceneObject> table = infer_table(options.table, motion, movement);
+  std::optional<SceneObject> table;
+  if (!object_named(demonstration.objects, "table")) {
+    table = infer_table(options.table, motion, movement);
+  }
   if (table) scene.objects.push_back(*table);
   for (const SceneObject& object : demonstration.objects) {
     if (!object.time.empty()) scene.objects.push_back(object);
@@ -52,6 +61,9 @@ Scene build_scene(const SceneOptions& options, const Demonstration& demonstratio
   }
   if (!object_named(demonstration.objects, movement.target)) {
     movement.target = nearest_object(demonstration.objects, motion, *grasp);
+    if (movement.target.empty() && object_named(demonstration.objects, options.target.name)) {
+      movement.target = options.target.name;
+    }
   }
   for (SceneObject& object : scene.objects) {
     if (object.name != movement.target) continue;

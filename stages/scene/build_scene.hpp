@@ -208,9 +208,11 @@ void load_scene_files(SceneOptions& options, const config::ConfigNode& node);
 /// The bodies around one movement, in the world frame: configured objects that are relative to the
 /// world, then "table", then recorded objects with their motion, then the inferred target. Sets
 /// `movement.target` if the movement has a grasp: to the recorded object that it names already,
-/// else to the recorded object nearest to the tips at the grasp, else to the inferred cylinder,
-/// else "" (tips not seen). The cylinder's attach_s and release_s span the carrying (end of the
-/// grasp to the end of the last transport); which robot frame carries it is the caller's business.
+/// else to the recorded object nearest to the tips at the grasp, if it is within 0.15 m of them
+/// (one that stands farther away is not what the hand took) or is called as the inferred one would
+/// be, else to the inferred cylinder, else "" (tips not seen). A recorded "table" is the table. The
+/// cylinder's attach_s and release_s span the carrying (end of the grasp to the end of the last
+/// transport); which robot frame carries it is the caller's business.
 Scene build_scene(const SceneOptions& options, const Demonstration& demonstration,
                   const HumanMotion& motion, Movement& movement);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "stages/segment/opening.hpp"
 
@@ -23,6 +24,7 @@ struct Evidence {
   const std::vector<SceneObject>& objects;
   std::vector<Opening> opening;  ///< of each bout, taken for a reach
   std::vector<bool> carried;     ///< of each bout
+  std::vector<bool> held;        ///< after each bout, an object is
   Vec3 shoulder;                 ///< where it is most of the time, or unseen
 };
 
@@ -76,6 +78,8 @@ double worth(const Evidence& on, std::size_t first, std::size_t end) {
                   carried + static_cast<std::ptrdiff_t>(end), [](bool c) { return c; });
   if (moved) {
     sum += kMoved;
+  } else if (on.held[first]) {
+    sum += kGrasped;
   } else if (on.opening[first].known) {
     sum += on.opening[first].grasps() ? kGrasped : kNotGrasped;
   }
@@ -96,12 +100,16 @@ double worth(const Evidence& on, std::size_t first, std::size_t end) {
 
 Evidence gather(const HandSignals& signals, const HumanMotion& motion,
                 const SegmentOptions& options, const std::vector<Bout>& bouts,
-                const std::vector<SceneObject>& objects, const std::vector<ObjectMotion>& motions) {
-  Evidence on{signals, options, bouts, objects, {}, {}, usual_place(motion.shoulder)};
+                const std::vector<SceneObject>& objects, const std::vector<ObjectMotion>& motions,
+                const std::vector<Contact>& contacts) {
+  Evidence on{signals, options, bouts, objects, {}, {}, {}, usual_place(motion.shoulder)};
   for (std::size_t k = 0; k < bouts.size(); ++k) {
     const double next_s = k + 1 < bouts.size() ? bouts[k + 1].begin_s : signals.end_s();
     on.opening.push_back(opening_in(signals, options, bouts[k].begin_s, bouts[k].end_s, next_s));
     on.carried.push_back(carries(bouts[k], motions));
+    const std::string held =
+        held_between(contacts, signals, bouts[k].end_s, next_s, options.least_grasp);
+    on.held.push_back(!held.empty());
   }
   return on;
 }
@@ -119,8 +127,9 @@ bool carries(const Bout& bout, const std::vector<ObjectMotion>& motions) {
 std::vector<Cycle> find_cycles(const HandSignals& signals, const HumanMotion& motion,
                                const SegmentOptions& options, const std::vector<Bout>& bouts,
                                const std::vector<SceneObject>& objects,
-                               const std::vector<ObjectMotion>& motions) {
-  const Evidence on = gather(signals, motion, options, bouts, objects, motions);
+                               const std::vector<ObjectMotion>& motions,
+                               const std::vector<Contact>& contacts) {
+  const Evidence on = gather(signals, motion, options, bouts, objects, motions, contacts);
   const std::size_t n = bouts.size();
   struct Best {
     double sum = kNever;

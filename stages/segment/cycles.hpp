@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "stages/segment/bouts.hpp"
+#include "stages/segment/contact.hpp"
 #include "stages/segment/objects.hpp"
 
 namespace morphe::segment {
@@ -23,8 +24,9 @@ bool carries(const Bout& bout, const std::vector<ObjectMotion>& motions);
 ///   home    1 − (d / h)², at least −1: d the distance of rest j from rest i, h = home_radius or
 ///           half the reach if that is less; at least 0 where the recording ends before it; and
 ///           the same, if positive, taken off for every rest between that is at home
-///   grasp   1 if an object moves after the reach, or else ½ if the opening is known to widen and
-///           close, −½ if it is known not to; and −1 if an object moves during the reach
+///   grasp   1 if the hand moves an object after the reach, or else ½ if it holds one before the
+///           next bout or the opening is known to widen and close, −½ if that is known not to; and
+///           −1 if the hand moves an object during the reach
 ///   away    the level distance from the shoulder gained by the reach, over the reach's way
 ///   target  ¼ if the reach halves the distance to a recorded object
 /// Bouts outside of movements cost up to 1 each, by the way they go. Those at the head of a
@@ -35,6 +37,7 @@ bool carries(const Bout& bout, const std::vector<ObjectMotion>& motions);
 std::vector<Cycle> find_cycles(const HandSignals& signals, const HumanMotion& motion,
                                const SegmentOptions& options, const std::vector<Bout>& bouts,
                                const std::vector<SceneObject>& objects,
-                               const std::vector<ObjectMotion>& motions);
+                               const std::vector<ObjectMotion>& motions,
+                               const std::vector<Contact>& contacts);
 
 }  // namespace morphe::segment

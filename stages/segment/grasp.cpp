@@ -54,12 +54,14 @@ void last_at_least(double least_s, double from_s, double to_s, GraspTimes& grasp
 }  // namespace
 
 GraspTimes find_grasp(const HandSignals& signals, const SegmentOptions& options,
-                      const std::vector<ObjectMotion>& motions, const std::vector<Bout>& bouts,
+                      const std::vector<ObjectMotion>& motions,
+                      const std::vector<Contact>& contacts, const std::vector<Bout>& bouts,
                       const std::vector<Bout>& weak, bool comes_home) {
   GraspTimes grasp;
   const ObjectMotion* moved = first_motion(motions, signals, bouts);
   std::size_t next = 1;
   if (moved) {
+    grasp.moved = true;
     grasp.object = moved->object;
     next = lifting_bout(bouts, moved->begin_s);
   } else {
@@ -98,7 +100,13 @@ GraspTimes find_grasp(const HandSignals& signals, const SegmentOptions& options,
   if (moved && !grasp.opening.widens) {
     grasp.opening.preshape_s = signals.time(static_cast<double>(bouts.front().peak));
   }
-  grasp.found = moved || grasp.opening.grasps();
+  if (!moved) {
+    grasp.object = held_between(contacts, signals, grasp.begin_s, grasp.end_s, options.least_grasp);
+    if (!grasp.object.empty() && !grasp.opening.widens) {
+      grasp.opening.preshape_s = signals.time(static_cast<double>(bouts.front().peak));
+    }
+  }
+  grasp.found = !grasp.object.empty() || grasp.opening.grasps();
   if (!grasp.found) {
     grasp.end_s = grasp.begin_s;
     grasp.end_confidence = grasp.begin_confidence;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "stages/segment/bouts.hpp"
+#include "stages/segment/contact.hpp"
 #include "stages/segment/cycles.hpp"
 #include "stages/segment/grasp.hpp"
 
@@ -83,10 +84,11 @@ void add_later_phases(const HandSignals& signals, const std::vector<Bout>& bouts
 }
 
 Movement make_movement(const HandSignals& signals, const SegmentOptions& options,
-                       const std::vector<ObjectMotion>& motions, std::vector<Bout> bouts,
+                       const std::vector<ObjectMotion>& motions,
+                       const std::vector<Contact>& contacts, std::vector<Bout> bouts,
                        const std::vector<Bout>& weak, bool comes_home) {
   Movement movement;
-  const GraspTimes grasp = find_grasp(signals, options, motions, bouts, weak, comes_home);
+  const GraspTimes grasp = find_grasp(signals, options, motions, contacts, bouts, weak, comes_home);
   movement.target = grasp.object;
   const Bout reach = bouts.front();
   add_phase(signals, PhaseKind::reach, reach.begin_s, grasp.begin_s, reach.begin_confidence,
@@ -101,8 +103,7 @@ Movement make_movement(const HandSignals& signals, const SegmentOptions& options
   }
   bouts.erase(bouts.begin(), bouts.begin() + static_cast<std::ptrdiff_t>(grasp.bouts_used));
   if (grasp.found && !bouts.empty()) bouts.front().begin_s = grasp.end_s;
-  const std::size_t back =
-      first_return(bouts, motions, comes_home, !grasp.object.empty(), reach.from);
+  const std::size_t back = first_return(bouts, motions, comes_home, grasp.moved, reach.from);
   add_later_phases(signals, bouts, back, grasp, comes_home, movement);
   return movement;
 }
@@ -156,7 +157,9 @@ std::vector<Movement> segment(const HumanMotion& motion, const SegmentOptions& o
                               const std::vector<SceneObject>& objects) {
   if (options.whole) return whole_recording(motion);
   const HandSignals signals = hand_signals(motion, options.smoothing);
-  const std::vector<ObjectMotion> motions = object_motions(objects, options.object_motion);
+  const std::vector<Contact> contacts = find_contacts(motion, signals, objects);
+  const std::vector<ObjectMotion> motions =
+      moved_by_hand(object_motions(objects, options.object_motion), contacts, signals);
   std::vector<double> splits_s;
   for (const ObjectMotion& object : motions) {
     splits_s.insert(splits_s.end(), {object.begin_s, object.end_s});
@@ -166,9 +169,10 @@ std::vector<Movement> segment(const HumanMotion& motion, const SegmentOptions& o
                [](const Bout& bout) { return bout.weak; });
   std::erase_if(bouts, [](const Bout& bout) { return bout.weak; });
   std::vector<Movement> movements;
-  for (const Cycle& cycle : find_cycles(signals, motion, options, bouts, objects, motions)) {
+  for (const Cycle& cycle :
+       find_cycles(signals, motion, options, bouts, objects, motions, contacts)) {
     const auto begin = bouts.begin() + static_cast<std::ptrdiff_t>(cycle.first);
-    Movement movement = make_movement(signals, options, motions,
+    Movement movement = make_movement(signals, options, motions, contacts,
                                       {begin, begin + static_cast<std::ptrdiff_t>(cycle.count)},
                                       weak, cycle.comes_home);
     if (movement.phases.empty()) continue;

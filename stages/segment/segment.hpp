@@ -60,7 +60,9 @@ std::string why_invalid(const SegmentOptions& options);
 /// home the return, as is what follows after a recorded object has come to rest; those between are
 /// transport and the pauses hold. Without a grasp the phases are reach, hold, return. `begin_s`,
 /// `end_s` span what is planned (`plan_until`); if that phase is missing, up to the grasp, and
-/// without a grasp to `touch_hold` after the reach. `target` is the recorded object that moves.
+/// without a grasp to `touch_hold` after the reach. `target` is the recorded object that moves with
+/// this hand, else the one that its fingertips hold; what another hand moves is no evidence here
+/// (contact.hpp).
 ///
 /// A boundary's confidence is 1 − v / (dip_share · p), within 0 … 1, times 1 / (1 + (δ / 40 ms)²)
 /// and 1 / (1 + r²): v the slowest speed in the pause at the boundary, p the smaller of the peaks

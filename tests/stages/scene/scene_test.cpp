@@ -171,6 +171,47 @@ TEST(BuildScene, ARecordedObjectIsTheTarget) {
   EXPECT_EQ(g.movement.target, "far");
 }
 
+TEST(BuildScene, AnObjectOutOfTheHandsReachIsAnObstacleAndNoTarget) {
+  Grasping g;
+  Demonstration demonstration;
+  SceneObject shelf;
+  shelf.name = "shelf";
+  shelf.size = {0.4, 0.2, 0.02};  // its edge 0.2 m behind the tips
+  shelf.time = {5};
+  shelf.position = {Vec3(0.2, 0.6, 0.08)};
+  shelf.orientation = {Quat::Identity()};
+  demonstration.objects = {shelf};
+  EXPECT_THAT(names(build_scene({}, demonstration, g.motion, g.movement)),
+              ElementsAre("table", "shelf", "cup"));
+  EXPECT_EQ(g.movement.target, "cup");
+  demonstration.objects[0].position[0].y() = 0.5;  // 0.1 m
+  g.movement.target.clear();
+  build_scene({}, demonstration, g.motion, g.movement);
+  EXPECT_EQ(g.movement.target, "shelf");
+  // What the inferred target would be called was recorded: no second one of that name.
+  demonstration.objects[0].position[0].y() = 0.8;
+  demonstration.objects[0].name = "cup";
+  g.movement.target.clear();
+  EXPECT_THAT(names(build_scene({}, demonstration, g.motion, g.movement)),
+              ElementsAre("table", "cup"));
+  EXPECT_EQ(g.movement.target, "cup");
+}
+
+TEST(BuildScene, ARecordedTableIsTheTable) {
+  Grasping g;
+  Demonstration demonstration;
+  SceneObject table;
+  table.name = "table";
+  table.size = {1, 1, 0.04};
+  table.time = {5};
+  table.position = {Vec3(0.2, 0.6, -0.4)};
+  table.orientation = {Quat::Identity()};
+  demonstration.objects = {table};
+  const Scene scene = build_scene({}, demonstration, g.motion, g.movement);
+  EXPECT_THAT(names(scene), ElementsAre("table", "cup"));
+  EXPECT_EQ(scene.objects[0].position[0].z(), -0.4);
+}
+
 TEST(MoveScene, MovesEveryPose) {
   Grasping g;
   Scene scene = build_scene({}, {}, g.motion, g.movement);

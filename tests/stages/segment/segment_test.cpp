@@ -13,12 +13,6 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-std::vector<PhaseKind> kinds(const Movement& movement) {
-  std::vector<PhaseKind> result;
-  for (const Phase& phase : movement.phases) result.push_back(phase.kind);
-  return result;
-}
-
 const Phase& phase(const Movement& movement, PhaseKind kind) {
   for (const Phase& p : movement.phases) {
     if (p.kind == kind) return p;
@@ -214,7 +208,8 @@ TEST(Segment, ARecordedObjectThatMovesMarksTheTransport) {
   for (int i = 0; i <= 500; ++i) {
     const double t = 0.01 * i;
     box.time.push_back(t);
-    box.position.push_back(SyntheticHand::progress((t - 1.9) / 0.9) * Vec3(-0.1, -0.25, 0.4));
+    box.position.push_back(Vec3(0.23, 0.35, 0.08) +
+                           SyntheticHand::progress((t - 1.9) / 0.9) * Vec3(-0.1, -0.25, 0.4));
     box.orientation.push_back(Quat::Identity());
   }
   const auto movements = segment(hand.motion(), {}, {box});
@@ -232,7 +227,9 @@ TEST(Segment, PhasesKeepTheirOrderWhereverTheObjectMoves) {
     box.name = "box";
     for (int i = 0; i <= 500; ++i) {
       box.time.push_back(0.01 * i);
-      box.position.push_back(SyntheticHand::progress((0.01 * i - lift_s) / 0.9) * Vec3(0, 0, 1));
+      box.position.push_back(Vec3(0.23, 0.35, 0.08) +
+                             SyntheticHand::progress((0.01 * i - lift_s) / 0.9) *
+                                 Vec3(-0.1, -0.25, 0.4));
       box.orientation.push_back(Quat::Identity());
     }
     SyntheticHand hand = drinking_hand();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pipeline/motion/human_motion.hpp"
+#include "pipeline/motion/movement.hpp"
 
 namespace morphe::segment {
 
@@ -66,6 +67,12 @@ inline SyntheticHand drinking_hand() {
   hand.strokes = {{0.8, 0.8, reach}, {1.9, 0.9, lift}, {3.2, 0.8, -reach - lift}};
   hand.opening = {{0, 0.09}, {0.85, 0.09}, {1.3, 0.13}, {1.7, 0.11}, {3.2, 0.11}, {4.0, 0.09}};
   return hand;
+}
+
+inline std::vector<PhaseKind> kinds(const Movement& movement) {
+  std::vector<PhaseKind> result;
+  for (const Phase& phase : movement.phases) result.push_back(phase.kind);
+  return result;
 }
 
 }  // namespace morphe::segment
