@@ -14,6 +14,7 @@
 #include "pipeline/motion/counted.hpp"
 #include "pipeline/motion/input_error.hpp"
 #include "pipeline/store/hdf5_signature.hpp"
+#include "stages/import/read_recording.hpp"
 
 namespace morphe::commands {
 namespace {
@@ -92,7 +93,8 @@ std::string first_line(std::string_view body) {
 }  // namespace
 
 bool is_demonstrations(const fs::path& file) {
-  return file.extension() == ".h5" || store::has_hdf5_signature(file);
+  if (!store::has_hdf5_signature(file)) return file.extension() == ".h5";
+  return imports::recognised_format(file) == nullptr;
 }
 
 std::string found_text(const Imported& imported) {

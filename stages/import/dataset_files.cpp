@@ -90,7 +90,7 @@ const FolderManifest* manifest_above(const fs::path& path,
 /// Why a file of a folder is no recording to be read, "" if it may be one.
 std::string why_not_read(const ImportRequest& request, const fs::path& path,
                          const RecordingFormat* format) {
-  if (store::has_hdf5_signature(path))
+  if (format == nullptr && store::has_hdf5_signature(path))
     return "an HDF5 file: if it holds demonstrations, give it by itself";
   if (is_yaml(path) && holds_key_recordings(path)) return "a manifest: give it by itself";
   if (format == nullptr) return "not a recording";

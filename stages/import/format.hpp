@@ -67,4 +67,25 @@ Demonstration read_point_csv(const RecordingFiles& files);
 bool recognises_keypoints_csv(std::string_view head);
 Demonstration read_keypoints_csv(const RecordingFiles& files);
 
+bool recognises_optitrack_csv(std::string_view head);
+Demonstration read_optitrack_csv(const RecordingFiles& files);
+
+bool recognises_aria_csv(std::string_view head);
+Demonstration read_aria_csv(const RecordingFiles& files);
+
+bool recognises_hot3d(std::string_view head);
+Demonstration read_hot3d(const RecordingFiles& files);
+
+bool recognises_mvnx(std::string_view head);
+Demonstration read_mvnx(const RecordingFiles& files);
+
+bool recognises_manus_csv(std::string_view head);
+Demonstration read_manus_csv(const RecordingFiles& files);
+
+bool recognises_avp_jsonl(std::string_view head);
+Demonstration read_avp_jsonl(const RecordingFiles& files);
+
+bool recognises_egodex_hdf5(std::string_view head);
+Demonstration read_egodex_hdf5(const RecordingFiles& files);
+
 }  // namespace morphe::imports

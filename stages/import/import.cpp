@@ -26,6 +26,13 @@ const std::vector<RecordingFormat>& recording_formats() {
       {"mot", &recognises_mot, &read_mot},
       {"qualisys-tsv", &recognises_qualisys_tsv, &read_qualisys_tsv},
       {"keypoints-csv", &recognises_keypoints_csv, &read_keypoints_csv},
+      {"optitrack-csv", &recognises_optitrack_csv, &read_optitrack_csv},
+      {"aria-csv", &recognises_aria_csv, &read_aria_csv},
+      {"hot3d", &recognises_hot3d, &read_hot3d},
+      {"mvnx", &recognises_mvnx, &read_mvnx},
+      {"manus-csv", &recognises_manus_csv, &read_manus_csv},
+      {"avp-jsonl", &recognises_avp_jsonl, &read_avp_jsonl},
+      {"egodex-hdf5", &recognises_egodex_hdf5, &read_egodex_hdf5},
       {"point-csv", &recognises_point_csv, &read_point_csv},
   };
   return formats;

@@ -52,6 +52,7 @@ void report_never_seen(MarkerRecording& recording) {
   for (std::size_t k = 0; k < markers.names.size(); ++k) {
     if (!ever_seen(markers, k)) never.push_back(markers.names[k]);
   }
+  if (markers.names.empty()) return;
   if (never.size() == markers.names.size()) {
     recording.reports.push_back("no marker was seen in any frame");
   } else if (!never.empty()) {
@@ -95,6 +96,10 @@ void bring_into_world(MarkerRecording& recording, const std::string& source,
   }
   const Eigen::Matrix3d turn = world_from_recorded(axes, source);
   for (Vec3& point : recording.markers.position.values) point = turn * point;
+  for (Vec3& point : recording.bodies.poses.position.values) point = turn * point;
+  for (Quat& rotation : recording.bodies.poses.orientation.values) {
+    rotation = (Quat(turn) * rotation).normalized();
+  }
   recording.axes = axes;
 }
 
@@ -119,8 +124,24 @@ MarkerRecording read_into_world(const std::filesystem::path& file, const Recordi
   return recording;
 }
 
+/// Markers and bodies share one space of names.
+void rename_all(const std::string& file, const std::map<std::string, std::string>& renamed,
+                MarkerRecording& recording) {
+  std::vector<std::string>&markers = recording.markers.names,
+  &bodies = recording.bodies.poses.names;
+  std::vector<std::string> all = markers;
+  all.insert(all.end(), bodies.begin(), bodies.end());
+  rename(file, renamed, all);
+  const auto first_body = all.begin() + static_cast<std::ptrdiff_t>(markers.size());
+  markers.assign(all.begin(), first_body);
+  bodies.assign(first_body, all.end());
+}
+
 bool has(const MarkerRecording& recording, const std::string& name) {
-  return std::ranges::find(recording.markers.names, name) != recording.markers.names.end();
+  const auto among = [&](const std::vector<std::string>& names) {
+    return std::ranges::find(names, name) != names.end();
+  };
+  return among(recording.markers.names) || among(recording.bodies.poses.names);
 }
 
 /// A static trial holds markers that the recording lacks, and the other way round.
@@ -131,8 +152,8 @@ void rename_both(const RecordingFiles& files, MarkerRecording& recording, Marker
     if (in_still) there.insert(entry);
     if (has(recording, entry.first) || !in_still) here.insert(entry);
   }
-  rename(files.file.string(), here, recording.markers.names);
-  rename(files.static_trial.string(), there, still.markers.names);
+  rename_all(files.file.string(), here, recording);
+  rename_all(files.static_trial.string(), there, still);
 }
 
 }  // namespace
@@ -182,8 +203,11 @@ Demonstration read_marker_recording(const RecordingFiles& files,
   demonstration.subject = recording.subject;
   report_never_seen(recording);
   demonstration.reports = recording.reports;
-  demonstration.streams.markers = std::move(recording.markers);
-  take_joints(files.hand, demonstration);
+  if (!recording.markers.names.empty() || recording.bodies.poses.names.empty()) {
+    demonstration.streams.markers = std::move(recording.markers);
+    take_joints(files.hand, demonstration);
+  }
+  add_rigid_bodies(recording.bodies, demonstration);
   if (files.static_trial.empty()) report_no_static(demonstration);
   if (!files.static_trial.empty()) {
     report_never_seen(still);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "stages/import/hand_curl.hpp"
 #include "stages/import/name_words.hpp"
 #include "stages/import/recording_sketch.hpp"
 
@@ -13,7 +14,6 @@ namespace morphe::imports {
 namespace {
 
 constexpr double kDecided = 1.25;   ///< times as far as the other side
-constexpr double kCurl_m = 0.010;   ///< fingers that are nearly straight tell no side
 constexpr double kMoves_m = 0.010;  ///< less is no reach
 constexpr std::size_t kOfHand = 3;  ///< points of a hand that are looked at
 
@@ -64,31 +64,12 @@ double farthest_of(std::vector<double> wander) {
   return sum / static_cast<double>(kOfHand);
 }
 
-/// With f from the wrist to the middle knuckle and a from the little knuckle to that of the index,
-/// f x a points out of the back of a right hand and out of the palm of a left one; fingers curl to
-/// the palm. Mean over what was seen [m], NaN = nothing.
-double curl_away_from_right_palm(const HandStream& hand) {
-  double sum = 0, count = 0;
-  for (std::size_t row = 0; row < hand.position.rows; ++row) {
-    const Vec3 along = hand.position(row, 9) - hand.position(row, 0);
-    const Vec3 across = hand.position(row, 5) - hand.position(row, 17);
-    const Vec3 back = along.cross(across).normalized();
-    for (const std::size_t knuckle : {5U, 9U, 13U, 17U}) {
-      const double out = (hand.position(row, knuckle + 3) - hand.position(row, knuckle)).dot(back);
-      if (std::isnan(out)) continue;
-      sum += out;
-      ++count;
-    }
-  }
-  return count > 0 ? sum / count : kNotSeen;
-}
-
 }  // namespace
 
 ReachingHand reaching_hand(const Demonstration& demonstration, const RecordingSketch& sketch) {
   const auto& hand = demonstration.streams.hand;
   if (hand && hand->kind == HandKind::keypoints) {
-    const double out = curl_away_from_right_palm(*hand);
+    const double out = curl_away_from_right_palm(hand->position);
     if (std::abs(out) > kCurl_m) {
       const Side side = out < 0 ? Side::right : Side::left;
       return {side, fmt::format("the {} hand: its fingers curl as those do", name_of(side))};

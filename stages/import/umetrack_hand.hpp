@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <vector>
+
+#include "pipeline/motion/geometry.hpp"
+#include "pipeline/motion/side.hpp"
+
+namespace morphe::imports {
+
+/// UmeTrack's model of a person's left hand (a right one is its mirror image): four joints a
+/// finger, thumb first, each turning about an axis through a point, and landmarks that follow up to
+/// three of the bones by weight.
+struct UmetrackHand {
+  static constexpr std::size_t kFingerJoints = 20, kAngles = 22, kLandmarks = 21, kBones = 17;
+  std::array<Vec3, kFingerJoints> axis, point;  ///< at rest, in the wrist's frame [m]
+  struct Landmark {
+    Vec3 rest = Vec3::Zero();  ///< [m]
+    std::array<std::size_t, 3> bone{};
+    std::array<double, 3> weight{};
+  };
+  std::array<Landmark, kLandmarks> landmarks;
+};
+
+/// umetrack_hand_user_profile.json. InputError "FILE: KEY: …" for what is missing or of another
+/// size, and for bones that the model does not have.
+UmetrackHand read_umetrack_hand(const std::filesystem::path& profile);
+
+/// The landmarks in the order "aria" of keypoint_orders.hpp, for the joints' angles [rad].
+std::array<Vec3, UmetrackHand::kLandmarks> landmarks_of(const UmetrackHand& hand, Side side,
+                                                        const Pose& world_from_wrist,
+                                                        const std::vector<double>& angles);
+
+}  // namespace morphe::imports

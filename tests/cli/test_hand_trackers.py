@@ -1,0 +1,109 @@
+"""Recordings of hand trackers: what was recorded in one format is written in each of them and read."""
+import h5py
+import numpy as np
+
+import tracked_hands
+from support import SOURCE, CommandCase, main
+
+ADROIT = SOURCE / "datasets/adroit-dapg/recordings.yaml"
+TIPS = [f"right_{finger}_tip" for finger in tracked_hands.FINGERS]
+
+
+class HandTrackers(CommandCase):
+    def setUp(self):
+        super().setUp()
+        original = self.folder / "adroit.h5"
+        self.succeeds("import", ADROIT, "--out", original)
+        self.hands = tracked_hands.hands_of(original)
+        self.phases = {entry["name"]: entry["movements"]
+                       for entry in self.json_of("inspect", original)["demonstrations"]}
+        self.assertEqual(len(self.hands), 5)
+
+    def read(self, write, *options):
+        """Writes all five, reads each; yields its name, what was written and the group."""
+        for name, hand in self.hands.items():
+            with self.subTest(name):
+                folder = self.folder / write.__name__ / name
+                folder.mkdir(parents=True)
+                file = write(hand, folder)
+                read = folder / "read.h5"
+                given = [option(folder) if callable(option) else option for option in options]
+                self.succeeds("import", file, *given, "--out", read)
+                with h5py.File(read) as h5:
+                    (group,) = h5["demonstrations"].values()
+                    yield name, hand, group, read
+
+    def same_tips(self, hand, group, within_m, unseen=0, clock_s=0.0):
+        skeleton = group["skeleton"]
+        names = [name.decode() for name in skeleton.attrs["names"]]
+        np.testing.assert_allclose(skeleton["time"][()] - clock_s, hand.time, atol=1e-6)
+        tips = skeleton["position"][()][:, [names.index(tip) for tip in TIPS]]
+        missed = np.linalg.norm(tips - hand.tips, axis=-1)
+        self.assertEqual(int(np.isnan(missed).sum()), unseen)
+        self.assertLess(np.nanmax(missed), within_m)
+        wrist = skeleton["position"][()][:, names.index("right_wrist")]
+        self.assertLess(np.nanmax(np.linalg.norm(wrist - hand.wrist, axis=-1)), within_m)
+
+    def reports(self, group):
+        return [report.decode() for report in group["reports"][()]]
+
+    def test_aria(self):
+        for _, hand, group, _ in self.read(tracked_hands.write_aria):
+            self.same_tips(hand, group, 1e-4, unseen=5 * 20)
+            self.assertIn("the left hand was never seen", self.reports(group))
+            self.assertIn(f"the right hand was seen in {len(hand.time) - 20} of {len(hand.time)} "
+                          "frames", self.reports(group))
+
+    def same_phases(self, name, file):
+        (entry,) = self.json_of("inspect", file)["demonstrations"]
+        movements = self.phases[name]
+        self.assertEqual(len(entry["movements"]), len(movements), entry["problems"])
+        for movement, same in zip(entry["movements"], movements):
+            self.assertEqual([p["name"] for p in movement["phases"]],
+                             [p["name"] for p in same["phases"]])
+            np.testing.assert_allclose([p["begin_s"] for p in movement["phases"]],
+                                       [p["begin_s"] for p in same["phases"]], atol=0.0101)
+
+    def test_optitrack(self):
+        names = ("--names", lambda folder: folder / "names.yaml")
+        for name, hand, group, file in self.read(tracked_hands.write_optitrack, *names):
+            self.same_tips(hand, group, 1e-4, unseen=4)
+            handle = group["objects/handle"]
+            self.assertLess(np.abs(handle["position"][()] - hand.handle).max(), 1e-4)
+            self.same_phases(name, file)
+
+    def test_hot3d(self):
+        for name, hand, group, file in self.read(tracked_hands.write_hot3d):
+            self.same_tips(hand, group, 1e-4, unseen=5 * 10)
+            self.assertLess(np.abs(group["objects/handle/position"][()] - hand.handle).max(), 1e-4)
+            self.assertEqual(group.attrs["subject"], b"P1")
+            self.same_phases(name, file)
+
+    def test_mvnx(self):
+        for _, hand, group, _ in self.read(tracked_hands.write_mvnx):
+            self.same_tips(hand, group, 1e-4, clock_s=-hand.time[0])
+            names = [name.decode() for name in group["skeleton"].attrs["names"]]
+            turn = tracked_hands.matrix_of(
+                group["skeleton/orientation"][()][:, names.index("right_hand")])
+            self.assertLess(np.abs(turn - hand.turn).max(), 1e-5)
+
+    def test_manus(self):
+        turn = np.array([[0.0, 1, 0], [-1, 0, 0], [0, 0, 1]])  # what is read from the hand's frame
+        for _, hand, group, _ in self.read(tracked_hands.write_manus):
+            written = tracked_hands.in_hand(hand) @ turn.T
+            self.assertLess(np.abs(group["hand/position"][()] - written).max(), 1e-4)
+            self.assertIn("the glove was not tracked: only the shape of the right hand is taken, not "
+                          "where it was", self.reports(group))
+
+    def test_avp(self):
+        for _, hand, group, _ in self.read(tracked_hands.write_avp_jsonl):
+            self.same_tips(hand, group, 1e-4, unseen=5 * 10)
+
+    def test_egodex(self):
+        for _, hand, group, _ in self.read(tracked_hands.write_egodex, "--rate", "100"):
+            self.same_tips(hand, group, 1e-4, unseen=5 * 10, clock_s=-hand.time[0])
+            self.assertIn("llm_description: open a door", self.reports(group))
+
+
+if __name__ == "__main__":
+    main()
