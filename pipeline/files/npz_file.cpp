@@ -1,0 +1,67 @@
+#include "pipeline/files/npz_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "pipeline/files/little_endian.hpp"
+#include "pipeline/files/part_file.hpp"
+#include "pipeline/files/zip_archive.hpp"
+#include "pipeline/motion/input_error.hpp"
+
+namespace morphe::files {
+namespace {
+
+constexpr std::string_view kEnding = ".npy";
+constexpr std::uintmax_t kMostFile = std::uintmax_t{1} << 30;
+
+std::string bytes_of(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (!error && size > kMostFile) {
+    throw InputError(fmt::format("{}: is larger than 1 GiB", file.string()));
+  }
+  std::ifstream stream(file, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (error || !stream) throw InputError(fmt::format("{}: cannot be read", file.string()));
+  return bytes;
+}
+
+}  // namespace
+
+const NpyArray* NpzFile::find(std::string_view key) const {
+  const auto found = std::ranges::find(arrays, key, &NpyArray::name);
+  return found == arrays.end() ? nullptr : &*found;
+}
+
+void NpzFile::fail(std::string_view key, std::string_view what) const {
+  throw InputError(fmt::format("{}: {}: {}", file, key, what));
+}
+
+NpzFile read_npz(const std::filesystem::path& file) {
+  NpzFile npz{file.string(), {}};
+  for (const ZipMember& member : unzip(bytes_of(file), npz.file)) {
+    if (!member.name.ends_with(kEnding)) npz.fail(member.name, "is no array: its name lacks .npy");
+    const std::string key = member.name.substr(0, member.name.size() - kEnding.size());
+    npz.arrays.push_back(read_npy(member.bytes, npz.file, key));
+  }
+  return npz;
+}
+
+bool begins_as_npz(std::string_view head) {
+  constexpr std::size_t kNameLength = 26, kName = 30;
+  if (!head.starts_with("PK\x03\x04") || head.size() < kName) return false;
+  return head.substr(kName, little_endian(head, kNameLength, 2)).ends_with(kEnding);
+}
+
+void write_npz(const std::filesystem::path& file, const std::vector<NpyArray>& arrays) {
+  std::vector<ZipMember> members;
+  for (const NpyArray& array : arrays) {
+    members.push_back({array.name + std::string(kEnding), npy_bytes(array)});
+  }
+  write_whole(file, zipped(members, file.string()));
+}
+
+}  // namespace morphe::files
