@@ -85,6 +85,9 @@ Demonstration read_manus_csv(const RecordingFiles& files);
 bool recognises_avp_jsonl(std::string_view head);
 Demonstration read_avp_jsonl(const RecordingFiles& files);
 
+bool recognises_avp_npz(std::string_view head);
+Demonstration read_avp_npz(const RecordingFiles& files);
+
 bool recognises_egodex_hdf5(std::string_view head);
 Demonstration read_egodex_hdf5(const RecordingFiles& files);
 

@@ -32,6 +32,7 @@ const std::vector<RecordingFormat>& recording_formats() {
       {"mvnx", &recognises_mvnx, &read_mvnx},
       {"manus-csv", &recognises_manus_csv, &read_manus_csv},
       {"avp-jsonl", &recognises_avp_jsonl, &read_avp_jsonl},
+      {"avp-npz", &recognises_avp_npz, &read_avp_npz},
       {"egodex-hdf5", &recognises_egodex_hdf5, &read_egodex_hdf5},
       {"point-csv", &recognises_point_csv, &read_point_csv},
   };

@@ -3,7 +3,7 @@ import h5py
 import numpy as np
 
 import tracked_hands
-from support import SOURCE, CommandCase, main
+from support import SOURCE, CommandCase, main, morphe
 
 ADROIT = SOURCE / "datasets/adroit-dapg/recordings.yaml"
 TIPS = [f"right_{finger}_tip" for finger in tracked_hands.FINGERS]
@@ -98,6 +98,27 @@ class HandTrackers(CommandCase):
     def test_avp(self):
         for _, hand, group, _ in self.read(tracked_hands.write_avp_jsonl):
             self.same_tips(hand, group, 1e-4, unseen=5 * 10)
+
+    def test_avp_npz(self):
+        for _, hand, group, _ in self.read(tracked_hands.write_avp_npz, "--rate", "100"):
+            self.same_tips(hand, group, 1e-4, unseen=5 * 10, clock_s=-hand.time[0])
+        file = self.folder / "write_avp_npz/door_demo_06/door.npz"
+        asked = morphe("import", file, "--out", self.folder / "r.h5")
+        self.assertEqual(asked.returncode, 2)
+        self.assertIn(f"{file}: rate: the file does not say it", asked.stderr)
+
+    def test_damaged_npz(self):
+        file = tracked_hands.write_avp_npz(self.hands["door_demo_06"], self.folder)
+        arrays = dict(np.load(file))
+        for key, value, said in (
+                ("stream_right_fingers", arrays["stream_right_fingers"][:, :24],
+                 "must hold 25 or 27 joints, not 24"),
+                ("stream_right_fingers", arrays["stream_right_fingers"][1:], "frames,"),
+                ("stream_right_wrist", 2 * arrays["stream_right_wrist"], "is no rigid motion"),
+                ("stream_right_wrist", arrays["stream_right_wrist"][..., :3], "4 x 4 matrices")):
+            np.savez(file, **{**arrays, key: value})
+            self.refuses(morphe("import", file, "--rate", "100", "--out", self.folder / "r.h5"),
+                         f"{file}: {key}", said)
 
     def test_egodex(self):
         for _, hand, group, _ in self.read(tracked_hands.write_egodex, "--rate", "100"):

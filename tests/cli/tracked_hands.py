@@ -380,6 +380,22 @@ def write_avp_jsonl(hand, folder):
     return folder / "tracking.jsonl"
 
 
+def write_avp_npz(hand, folder):
+    """Z up already; fingers in the wrist's frame, metacarpals at it; zeros in ten frames."""
+    folder.mkdir(parents=True, exist_ok=True)
+    count = len(hand.time)
+    wrist = matrices(hand.palm, hand.wrist)[:, None]
+    wrist[30:40] = 0
+    fingers = np.broadcast_to(np.eye(4), (count, 25, 4, 4)).copy()
+    for f in range(5):
+        first = 1 if f == 0 else 1 + 5 * f  # behind a metacarpal
+        fingers[:, first:first + 4, :3, 3] = hand.in_palm[:, 4 * f + 1:4 * f + 5]
+    np.savez(folder / "door.npz", stream_right_wrist=wrist, stream_right_fingers=fingers,
+             stream_head=np.broadcast_to(np.eye(4), (count, 1, 4, 4)),
+             stream_right_pinch_distance=np.zeros(count))
+    return folder / "door.npz"
+
+
 def write_egodex(hand, folder):
     """Float32 matrices row by row, y up; confidence 0 in ten frames."""
     folder.mkdir(parents=True, exist_ok=True)
