@@ -1,14 +1,11 @@
 // Adroit demonstrations as text: an optional '#' line, column names, then a row every 10 ms.
 // Their world has Z up, the hand starts at Y = -0.24 m and reaches to a door at Y > 0.1 m: Y is
 // forward and X to the right, so coordinates are taken as they are.
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <map>
 
-#include "pipeline/files/csv.hpp"
 #include "stages/import/adroit_hand.hpp"
 #include "stages/import/format.hpp"
+#include "stages/import/named_columns.hpp"
 
 namespace morphe::imports {
 namespace {
@@ -24,36 +21,14 @@ struct Row {
   Vec3 palm, handle;
 };
 
-/// Every column by its name: all that are needed, none twice.
-std::map<std::string, std::size_t, std::less<>> read_columns(const files::CsvText& csv,
-                                                             std::size_t line) {
-  std::map<std::string, std::size_t, std::less<>> columns;
-  const auto cells = csv.cells(line);
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    if (!columns.emplace(cells[c], c).second) csv.fail(line, cells[c], "the column stands twice");
-  }
-  std::vector<std::string> needed(std::begin(kAdroitJoints), std::end(kAdroitJoints));
-  for (const char* name : {"t_s", "palm_x", "palm_y", "palm_z", "handle_x", "handle_y", "handle_z"})
-    needed.push_back(name);
-  for (const std::string& name : needed) {
-    if (!columns.contains(name)) csv.fail(line, name, "the column is missing");
-  }
-  return columns;
-}
-
 std::vector<Row> read_rows(const files::CsvText& csv) {
   const std::size_t header = !csv.lines.empty() && csv.lines[0].starts_with('#') ? 2 : 1;
-  if (csv.lines.size() <= header) csv.fail(csv.lines.size(), "", "ends before the first row");
-  const auto columns = read_columns(csv, header);
+  const NamedColumns columns(csv, header);
   std::vector<Row> rows;
-  for (std::size_t line = header + 1; line <= csv.lines.size(); ++line) {
-    const auto cells = csv.cells(line);
-    if (cells.size() != columns.size()) {
-      csv.fail(line, "",
-               fmt::format("the row has {} cells, the header {}", cells.size(), columns.size()));
-    }
+  for (std::size_t line = columns.first_row(); line <= csv.lines.size(); ++line) {
+    const auto cells = columns.cells(line);
     const auto value = [&](std::string_view name) {
-      return csv.number(line, name, cells[columns.find(name)->second]);
+      return columns.number(line, cells, columns.at(name));
     };
     Row& row = rows.emplace_back();
     row.time_s = value("t_s");

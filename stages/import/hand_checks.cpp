@@ -13,8 +13,8 @@ namespace {
 
 /// Wrist to the knuckle of the middle finger [m]: from a small child's to more than the largest.
 constexpr double kShortest = 0.045, kLongest = 0.14;
-constexpr double kSteady = 0.05;   ///< share by which a tracked bone's length may vary
-constexpr double kSlow_s = 0.045;  ///< a reach of half a second would have ten rows
+constexpr double kSteadyBone = 0.05;  ///< share by which a tracked bone's length may vary
+constexpr double kSlow_s = 0.045;     ///< a reach of half a second would have ten rows
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -106,7 +106,7 @@ void check_hands(const std::string& file, const HandClip& clip, bool judged,
     if (judged) check_size(file, name, hand->joint);
     check_side(file, side, hand->joint);
     const double unsteady = unsteadiness(hand->joint);
-    if (unsteady > kSteady) {
+    if (unsteady > kSteadyBone) {
       reports.push_back(fmt::format(
           "the bones of the {} hand vary in length by {:.0f} % (root mean square): the tracker "
           "does not keep them, or its joints are not those they are called",

@@ -5,20 +5,21 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <map>
 #include <optional>
+#include <set>
 
 #include "pipeline/files/csv.hpp"
 #include "stages/import/format.hpp"
 #include "stages/import/marker_recording.hpp"
+#include "stages/import/named_columns.hpp"
 
 namespace morphe::imports {
 namespace {
 
 constexpr std::size_t kPoints = 21;
 
+/// Where the numbers of a row stand.
 struct KeypointColumns {
-  std::size_t count = 0;
   std::optional<std::size_t> frame, time_s;
   std::size_t of_point[kPoints][3] = {};
 };
@@ -27,30 +28,21 @@ std::string column_name(std::size_t point, std::size_t axis) {
   return fmt::format("kp{:02}_{}", point, "xyz"[axis]);
 }
 
-KeypointColumns read_columns(const files::CsvText& csv) {
-  std::map<std::string, std::size_t, std::less<>> at;
+KeypointColumns read_columns(const NamedColumns& named) {
+  std::set<std::size_t> known;
+  const auto take = [&](const std::string& name) { return *known.insert(named.at(name)).first; };
   KeypointColumns columns;
-  for (const std::string_view cell : csv.cells(1)) {
-    if (!at.emplace(cell, columns.count++).second) csv.fail(1, cell, "the column stands twice");
-  }
-  const auto take = [&](const std::string& name) -> std::optional<std::size_t> {
-    const auto found = at.find(name);
-    if (found == at.end()) return std::nullopt;
-    const std::size_t column = found->second;
-    at.erase(found);
-    return column;
-  };
-  columns.frame = take("frame");
-  columns.time_s = take("time_s");
-  if (!columns.frame && !columns.time_s) csv.fail(1, "frame", "neither this nor time_s is there");
+  if (named.has("frame")) columns.frame = take("frame");
+  if (named.has("time_s")) columns.time_s = take("time_s");
+  if (known.empty()) named.csv.fail(named.line, "frame", "neither this nor time_s is there");
   for (std::size_t point = 0; point < kPoints; ++point) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto column = take(column_name(point, axis));
-      if (!column) csv.fail(1, column_name(point, axis), "the column is missing");
-      columns.of_point[point][axis] = *column;
+      columns.of_point[point][axis] = take(column_name(point, axis));
     }
   }
-  if (!at.empty()) csv.fail(1, at.begin()->first, "the column is not known");
+  for (std::size_t c = 0; c < named.names.size(); ++c) {
+    if (!known.contains(c)) named.csv.fail(named.line, named.names[c], "the column is not known");
+  }
   return columns;
 }
 
@@ -130,29 +122,26 @@ Demonstration read_keypoints_csv(const RecordingFiles& files) {
     csv.fail(1, "axes", "of the points do not matter: only the hand's shape is taken from them");
   }
   if (csv.lines.empty()) csv.fail(1, "", "the file is empty");
-  const KeypointColumns columns = read_columns(csv);
+  const NamedColumns named(csv, 1);
+  const KeypointColumns columns = read_columns(named);
   Demonstration demonstration;
   std::vector<std::string>& reports = demonstration.reports;
   reports = csv.reports;
   const double metres = metres_of("", files.conventions, csv.file, reports);
   const double rate_hz = columns.time_s ? 0 : rate_of(0, files.conventions, csv.file, reports);
 
-  if (csv.lines.size() < 2) csv.fail(1, "", "the file ends before the first row");
   HandStream hand;
   hand.kind = HandKind::keypoints;
-  hand.position = Table<Vec3>(csv.lines.size() - 1, kPoints, unseen_point());
-  for (std::size_t line = 2; line <= csv.lines.size(); ++line) {
-    const auto cells = csv.cells(line);
-    if (cells.size() != columns.count) {
-      csv.fail(line, "",
-               fmt::format("the row has {} cells, the header {}", cells.size(), columns.count));
-    }
+  hand.position = Table<Vec3>(named.rows(), kPoints, unseen_point());
+  for (std::size_t line = named.first_row(); line <= csv.lines.size(); ++line) {
+    const auto cells = named.cells(line);
     hand.time.push_back(read_time(csv, line, cells, columns, rate_hz));
     if (hand.time.size() > 1 && !(hand.time.back() > hand.time[hand.time.size() - 2])) {
       csv.fail(line, columns.time_s ? "time_s" : "frame", "does not follow the row before");
     }
     for (std::size_t point = 0; point < kPoints; ++point) {
-      hand.position(line - 2, point) = metres * read_point(csv, line, cells, columns, point);
+      hand.position(line - named.first_row(), point) =
+          metres * read_point(csv, line, cells, columns, point);
     }
   }
   judge(csv, hand, files.conventions.judged, reports);

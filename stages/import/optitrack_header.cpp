@@ -14,7 +14,7 @@ using Cells = std::vector<std::string>;
 constexpr std::size_t kFirstColumn = 2;  ///< behind frame and time
 constexpr std::size_t kLinesOfHeader = 12;
 
-Cells cells_of(const files::CsvText& csv, std::size_t line) {
+Cells unquoted_cells(const files::CsvText& csv, std::size_t line) {
   return quoted_cells(csv.lines[line - 1], csv.separator);
 }
 
@@ -23,7 +23,7 @@ std::string cell(const Cells& cells, std::size_t column) {
 }
 
 void read_first_line(const files::CsvText& csv, OptitrackHeader& header) {
-  const Cells cells = cells_of(csv, 1);
+  const Cells cells = unquoted_cells(csv, 1);
   if (cell(cells, 0) != "Format Version") {
     csv.fail(1, "", "must begin with 'Format Version': export the take with its header");
   }
@@ -38,7 +38,7 @@ std::vector<std::size_t> lines_above(const files::CsvText& csv, OptitrackHeader&
   std::vector<std::size_t> lines;
   const std::size_t last = std::min(csv.lines.size(), kLinesOfHeader);
   for (std::size_t line = 2; line <= last; ++line) {
-    if (cell(cells_of(csv, line), 0) == "Frame") {
+    if (cell(unquoted_cells(csv, line), 0) == "Frame") {
       header.line = line;
       return lines;
     }
@@ -79,8 +79,9 @@ OptitrackHeader read_optitrack_header(const files::CsvText& csv) {
   if (lines.size() < 3) {
     csv.fail(header.line, "", "types, names and quantities must stand above this line");
   }
-  const Cells types = cells_of(csv, lines[0]), names = cells_of(csv, lines[1]),
-              quantities = cells_of(csv, lines.back()), axes = cells_of(csv, header.line);
+  const Cells types = unquoted_cells(csv, lines[0]), names = unquoted_cells(csv, lines[1]),
+              quantities = unquoted_cells(csv, lines.back()),
+              axes = unquoted_cells(csv, header.line);
   header.cells = axes.size();
   while (header.cells > kFirstColumn && cell(quantities, header.cells - 1).empty() &&
          axes[header.cells - 1].empty() && cell(types, header.cells - 1).empty()) {
