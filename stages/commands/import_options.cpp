@@ -28,6 +28,8 @@ void add_import_options(CLI::App& app, imports::ImportRequest& request) {
                  "Unit of lengths: m, cm, mm, in or metres per unit");
   app.add_option("--rate", request.conventions.rate_hz, "Frames per second")
       ->check(CLI::PositiveNumber);
+  app.add_option("--joint-order", request.conventions.joint_order,
+                 "Order of the joints of a clip's hands, such as openpose or mano");
   app.add_option_function<std::string>(
          "--hand", [&request](const std::string& hand) { request.hand = named<Side>(hand); },
          "The hand that reaches: right or left (default: told from the motion)")

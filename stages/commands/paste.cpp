@@ -48,6 +48,12 @@ std::vector<std::string> without(std::vector<std::string> arguments, const std::
   return arguments;
 }
 
+/// The option that answers a key of Conventions: "--joint-order".
+std::string option_of(std::string key) {
+  std::ranges::replace(key, '_', '-');
+  return "--" + key;
+}
+
 /// "reach_names.yaml" beside the manifest, or here; with a number if that is somebody's already.
 std::string names_file(const imports::ImportQuestion& question) {
   const std::filesystem::path folder = std::filesystem::path(question.manifest).parent_path();
@@ -63,8 +69,8 @@ std::string names_file(const imports::ImportQuestion& question) {
 std::string proposals(const imports::ImportQuestion& question) {
   std::string text = "proposed:\n";
   for (const auto& [key, guess] : question.proposal.conventions) {
-    text += fmt::format("  --{} {}: {}, {}\n", key, shell_word(guess.value), name_of(guess.sure),
-                        guess.because);
+    text += fmt::format("  {} {}: {}, {}\n", option_of(key), shell_word(guess.value),
+                        name_of(guess.sure), guess.because);
   }
   if (!question.proposal.names.empty()) {
     text +=
@@ -91,8 +97,8 @@ std::string names_template(const imports::ImportQuestion& question, const std::s
 std::string command_line(const imports::ImportQuestion& question,
                          std::vector<std::string> arguments) {
   for (const auto& [key, guess] : question.proposal.conventions) {
-    arguments = without(std::move(arguments), "--" + key);
-    arguments.insert(arguments.end(), {"--" + key, guess.value});
+    arguments = without(std::move(arguments), option_of(key));
+    arguments.insert(arguments.end(), {option_of(key), guess.value});
   }
   if (!question.proposal.names.empty()) {
     arguments = without(std::move(arguments), "--names");

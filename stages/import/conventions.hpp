@@ -23,6 +23,7 @@ struct Conventions {
   std::string axes;
   std::string unit;               ///< of lengths: m, cm, mm, in, or metres per unit as a number
   std::optional<double> rate_hz;  ///< frames a second
+  std::string joint_order;        ///< of a clip's hands: a name of keypoint_orders()
   bool judged = true;  ///< sizes must be a person's; not so while a recording is looked at
   ForwardBy forward = ForwardBy::body;  ///< facing.hpp
 };
@@ -31,7 +32,8 @@ struct Conventions {
 struct NotSaid : InputError {
   NotSaid(std::string key_, const std::string& message)
       : InputError(message), key(std::move(key_)) {}
-  std::string key;  ///< of Conventions: "axes", "unit" or "rate"
+  std::string key;     ///< of Conventions: "axes", "unit", "rate" or "joint_order"
+  std::string likely;  ///< of joint_order: the likeliest
 };
 
 /// Rotation that brings a recorded point into the world (X right, Y forward, Z up); row k picks the

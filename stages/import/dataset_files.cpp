@@ -10,6 +10,7 @@
 
 #include "pipeline/store/hdf5_signature.hpp"
 #include "stages/import/folder_files.hpp"
+#include "stages/import/format.hpp"
 #include "stages/import/import_question.hpp"
 #include "stages/import/name_map.hpp"
 #include "stages/import/name_words.hpp"
@@ -212,7 +213,11 @@ void look_into(const ImportRequest& request, DatasetFile& file) {
   sketch.stem = std::move(file.sketch.stem);
   sketch.format = std::move(file.sketch.format);
   file.sketch = std::move(sketch);
-  file.hand = reaching_hand(demonstration, file.sketch);
+  const std::optional<Side> said =
+      file.sketch.format == "clip-npz" ? clip_hand(file.path) : std::nullopt;
+  file.hand = said ? ReachingHand{*said, fmt::format("the {} hand reaches, as the file says",
+                                                     name_of(*said))}
+                   : reaching_hand(demonstration, file.sketch);
 }
 
 }  // namespace

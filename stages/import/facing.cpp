@@ -137,6 +137,7 @@ void doubt_axes(bool given, Demonstration& demonstration) {
 
 void face_forward(const Conventions& given, Demonstration& demonstration) {
   const Streams& streams = demonstration.streams;
+  if (streams.skeleton && streams.skeleton->rebuilt) return;
   if (!streams.markers && !streams.sensors && !streams.skeleton) return;
   if (given.forward == ForwardBy::body) turn_to_forward(given, demonstration);
   doubt_axes(!given.axes.empty(), demonstration);

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,11 +24,11 @@ struct RecordingFiles {
 };
 
 /// A recording format: `recognises` judges the first bytes of a file (without a UTF-8 mark), `read`
-/// fills the streams, the calibration and the objects (and the subject, if the file names one), in
-/// the world frame and in metres, and says in `reports` what it assumed or repaired. InputError for
-/// what is not exactly what the format says, NotSaid for axes, a unit or a rate that neither the
-/// file nor `conventions` gives, or that cannot be right: import_question.hpp asks for them all at
-/// once.
+/// fills the streams, the calibration and the objects (and what else the file says: the subject),
+/// in the world frame and in metres, and says in `reports` what it assumed or repaired. InputError
+/// for what is not exactly what the format says, NotSaid for axes, a unit or a rate that neither
+/// the file nor `conventions` gives, or that cannot be right: import_question.hpp asks for them all
+/// at once.
 struct RecordingFormat {
   std::string name;
   bool (*recognises)(std::string_view head);
@@ -90,5 +91,10 @@ Demonstration read_avp_npz(const RecordingFiles& files);
 
 bool recognises_egodex_hdf5(std::string_view head);
 Demonstration read_egodex_hdf5(const RecordingFiles& files);
+
+bool recognises_clip_npz(std::string_view head);
+Demonstration read_clip_npz(const RecordingFiles& files);
+/// The hand that reaches, if the clip says it.
+std::optional<Side> clip_hand(const std::filesystem::path& file);
 
 }  // namespace morphe::imports

@@ -17,15 +17,6 @@ struct SkeletonJoint {
   std::vector<double> confidence;
 };
 
-std::vector<std::string> keypoint_names(Side side) {
-  const std::string prefix = std::string(name_of(side)) + "_";
-  std::vector<std::string> names{prefix + "wrist"};
-  for (std::size_t finger = 0; finger < kFingers; ++finger) {
-    for (const std::string& joint : finger_joint_names(finger)) names.push_back(prefix + joint);
-  }
-  return names;
-}
-
 void add_hand(RecordedHand&& hand, Side side, std::vector<SkeletonJoint>& joints) {
   const std::vector<std::string> names = keypoint_names(side);
   const std::size_t rows = hand.joint.rows;
@@ -43,6 +34,15 @@ void add_hand(RecordedHand&& hand, Side side, std::vector<SkeletonJoint>& joints
 }
 
 }  // namespace
+
+std::vector<std::string> keypoint_names(Side side) {
+  const std::string prefix = std::string(name_of(side)) + "_";
+  std::vector<std::string> names{prefix + "wrist"};
+  for (std::size_t finger = 0; finger < kFingers; ++finger) {
+    for (const std::string& joint : finger_joint_names(finger)) names.push_back(prefix + joint);
+  }
+  return names;
+}
 
 void add_clip(HandClip&& clip, Demonstration& demonstration) {
   const std::size_t rows = clip.time.size();
@@ -63,7 +63,8 @@ void add_clip(HandClip&& clip, Demonstration& demonstration) {
   BodyStream& skeleton = demonstration.streams.skeleton.emplace();
   skeleton.time = std::move(clip.time);
   skeleton.rebuilt = clip.rebuilt;
-  skeleton.parents.assign(joints.size(), "");
+  skeleton.parents = std::move(clip.body.parents);
+  skeleton.parents.resize(joints.size());
   skeleton.position = Table<Vec3>(rows, joints.size(), unseen_point());
   skeleton.orientation = Table<Quat>(rows, joints.size(), unseen_rotation());
   if (std::ranges::any_of(joints, [](const auto& joint) { return !joint.confidence.empty(); })) {

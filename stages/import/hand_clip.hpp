@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "pipeline/motion/demonstration.hpp"
@@ -26,8 +27,11 @@ struct HandClip {
   bool rebuilt = false;  ///< as BodyStream's
 };
 
+/// What Morphe calls a hand's keypoints: "right_wrist", "right_thumb_cmc", …
+std::vector<std::string> keypoint_names(Side side);
+
 /// Puts a clip into a demonstration: a skeleton with the joints of both hands that were ever seen
-/// and those of the body, in Morphe's names, and the objects.
+/// and those of the body, in Morphe's names, and the objects. The body may name parents.
 void add_clip(HandClip&& clip, Demonstration& demonstration);
 
 }  // namespace morphe::imports

@@ -34,6 +34,7 @@ const std::vector<RecordingFormat>& recording_formats() {
       {"avp-jsonl", &recognises_avp_jsonl, &read_avp_jsonl},
       {"avp-npz", &recognises_avp_npz, &read_avp_npz},
       {"egodex-hdf5", &recognises_egodex_hdf5, &read_egodex_hdf5},
+      {"clip-npz", &recognises_clip_npz, &read_clip_npz},
       {"point-csv", &recognises_point_csv, &read_point_csv},
   };
   return formats;
@@ -98,14 +99,14 @@ Demonstration read_recording(const ManifestEntry& entry) {
   }
   demonstration.name = entry.name;
   if (!entry.subject.empty()) demonstration.subject = entry.subject;
-  demonstration.task = entry.task;
-  demonstration.source = entry.source;
-  demonstration.licence = entry.licence;
-  demonstration.upper_arm = entry.upper_arm;
-  demonstration.forearm = entry.forearm;
-  demonstration.hand_length = entry.hand_length;
-  demonstration.hand_breadth = entry.hand_breadth;
-  demonstration.labels = entry.labels;
+  if (!entry.task.empty()) demonstration.task = entry.task;
+  if (!entry.source.empty()) demonstration.source = entry.source;
+  if (!entry.licence.empty()) demonstration.licence = entry.licence;
+  if (entry.upper_arm) demonstration.upper_arm = entry.upper_arm;
+  if (entry.forearm) demonstration.forearm = entry.forearm;
+  if (entry.hand_length) demonstration.hand_length = entry.hand_length;
+  if (entry.hand_breadth) demonstration.hand_breadth = entry.hand_breadth;
+  if (!entry.labels.empty()) demonstration.labels = entry.labels;
   demonstration.reports.insert(demonstration.reports.end(), entry.notes.begin(), entry.notes.end());
   return demonstration;
 }

@@ -15,7 +15,7 @@
 namespace morphe::imports {
 namespace {
 
-/// What stands in for a convention while a recording is looked at.
+/// What stands in for a convention while a recording is looked at (joint_order.hpp needs nothing).
 void stand_in(Conventions& conventions, const std::string& key) {
   if (key == "axes") conventions.axes = "x y z";
   if (key == "unit") conventions.unit = "1";
@@ -99,7 +99,11 @@ GuessedNames joined(GuessedNames a, const GuessedNames& b) {
   return a;
 }
 
-Guess guess_of(const std::string& key, const RecordingFormat& format, const RecordingFiles& files) {
+Guess guess_of(const NotSaid& missing, const RecordingFormat& format, const RecordingFiles& files) {
+  const std::string& key = missing.key;
+  if (key == "joint_order") {
+    return {missing.likely, Sureness::guessed, "the likeliest by how the joints lie"};
+  }
   const RecordedPoints points = recorded_points(look(format, files, key).streams, files.hand);
   Guess guess = key == "axes"   ? guess_axes(points)
                 : key == "unit" ? guess_unit(points)
@@ -115,6 +119,7 @@ void answer(Conventions& conventions, const std::string& key, const std::string&
   if (key == "axes") conventions.axes = value;
   if (key == "unit") conventions.unit = value;
   if (key == "rate") conventions.rate_hz = std::stod(value);
+  if (key == "joint_order") conventions.joint_order = value;
 }
 
 /// Answers what is asked until the recording is read, or asks the same again.
@@ -132,7 +137,7 @@ void answer_all(const RecordingFormat& format, RecordingFiles files, Answers& an
     } catch (const NotSaid& missing) {
       if (!answered.insert(missing.key).second) throw;
       answers.lines.emplace_back(missing.what());
-      Guess guess = guess_of(missing.key, format, files);
+      Guess guess = guess_of(missing, format, files);
       answer(files.conventions, missing.key, guess.value);
       answers.proposal.conventions.emplace_back(missing.key, std::move(guess));
     }

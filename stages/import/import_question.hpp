@@ -13,7 +13,7 @@ namespace morphe::imports {
 /// What would make a recording readable, computed from its data.
 struct Proposal {
   std::vector<std::pair<std::string, std::string>> names;  ///< recorded -> ours; empty = as given
-  std::vector<std::pair<std::string, Guess>> conventions;  ///< by key: "axes", "unit", "rate"
+  std::vector<std::pair<std::string, Guess>> conventions;  ///< by key: "axes", "unit", …
 };
 
 /// All that a recording leaves open, at once: what() has a line for each thing.

@@ -26,6 +26,7 @@ void shared_fields(Fields& f, ManifestEntry& e) {
   f("forward", e.conventions.forward);
   f("unit", e.conventions.unit);
   f("rate_hz", e.conventions.rate_hz);
+  f("joint_order", e.conventions.joint_order);
   f("subject", e.subject);
   f("task", e.task);
   f("hand", e.hand);
