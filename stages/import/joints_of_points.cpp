@@ -43,6 +43,25 @@ std::optional<std::vector<std::size_t>> hand_columns(const std::vector<std::stri
   return whole ? std::optional(columns) : std::nullopt;
 }
 
+/// Whether the hand goes about: not so in a frame of its own, with the wrist or the middle of the
+/// hand at rest.
+bool has_a_place(const HandStream& hand) {
+  constexpr double kMoves_m = 0.05;
+  Eigen::AlignedBox3d wrist, middle;
+  for (std::size_t i = 0; i < hand.position.rows; ++i) {
+    Vec3 sum = Vec3::Zero();
+    double count = 0;
+    for (std::size_t k = 0; k < hand.position.cols; ++k) {
+      if (!seen(hand.position(i, k))) continue;
+      sum += hand.position(i, k);
+      ++count;
+    }
+    if (count > 0) middle.extend(Vec3(sum / count));
+    if (seen(hand.position(i, 0))) wrist.extend(hand.position(i, 0));
+  }
+  return !wrist.isEmpty() && std::min(wrist.diagonal().norm(), middle.diagonal().norm()) > kMoves_m;
+}
+
 }  // namespace
 
 void take_joints(Side hand, Demonstration& demonstration) {
@@ -71,7 +90,7 @@ void take_joints(Side hand, Demonstration& demonstration) {
   };
   const auto columns = hand_columns(joints.names, side);
   if (columns && !has("shoulder") && !has("elbow") && joints.names.size() == columns->size()) {
-    HandStream& keypoints = demonstration.streams.hand.emplace();
+    HandStream keypoints;
     keypoints.kind = HandKind::keypoints;
     keypoints.time = joints.time;
     keypoints.position = Table<Vec3>(rows, columns->size(), unseen_point());
@@ -80,9 +99,13 @@ void take_joints(Side hand, Demonstration& demonstration) {
         keypoints.position(i, k) = joints.position(i, (*columns)[k]);
       }
     }
-    demonstration.reports.push_back(
-        "the points are a hand without an arm: only its shape is taken from them");
-    return;
+    if (!has_a_place(keypoints)) {
+      demonstration.reports.push_back(
+          "the points are a hand without an arm that goes nowhere: only its shape is taken from "
+          "them");
+      demonstration.streams.hand = std::move(keypoints);
+      return;
+    }
   }
   joints.parents.assign(joints.names.size(), "");
   joints.orientation = Table<Quat>(rows, joints.names.size(), unseen_rotation());

@@ -97,6 +97,44 @@ TEST_F(OptitrackCsv, ABodyMayBeTheWrist) {
   EXPECT_TRUE(seen(joints.streams.skeleton->orientation(0, 1)));
 }
 
+/// All 21 joints of a hand as markers, in two frames `step` mm apart.
+std::string marked_hand(double step) {
+  std::string types = ",Type", names = ",Name", quantities = ",", axes = "Frame,Time", rows[2];
+  for (int k = 0; k < 21; ++k) {
+    const char* const fingers[] = {"thumb", "index", "middle", "ring", "little"};
+    const char* const parts[] = {"mcp", "pip", "dip", "tip"};
+    const char* const of_thumb[] = {"cmc", "mcp", "ip", "tip"};
+    const int finger = (k - 1) / 4, part = (k - 1) % 4;
+    const std::string name = k == 0 ? "right_wrist"
+                                    : fmt::format("right_{}_{}", fingers[finger],
+                                                  finger == 0 ? of_thumb[part] : parts[part]);
+    for (const char* axis : {"X", "Y", "Z"}) {
+      types += ",Marker";
+      names += "," + name;
+      quantities += ",Position";
+      axes += fmt::format(",{}", axis);
+    }
+    for (int i = 0; i < 2; ++i) {
+      rows[i] += fmt::format(",{},{},{}", 50 + step * i, 20 * finger, k == 0 ? 10 : 90 + 25 * part);
+    }
+  }
+  return fmt::format(
+      "Format Version,1.23,Export Frame Rate,100,Length Units,Millimeters\n\n{}\n{}\n,ID\n{}\n{}\n"
+      "0,0{}\n1,0.01{}\n",
+      types, names, quantities, axes, rows[0], rows[1]);
+}
+
+TEST_F(OptitrackCsv, AHandThatGoesAboutHasAPlace) {
+  const Demonstration goes = read(write(marked_hand(80)));
+  ASSERT_TRUE(goes.streams.skeleton);
+  EXPECT_EQ(goes.streams.skeleton->names.size(), 21u);
+  EXPECT_FALSE(goes.streams.hand);
+  const Demonstration rests = read(write(marked_hand(2)));
+  EXPECT_FALSE(rests.streams.skeleton);
+  EXPECT_EQ(rests.streams.hand->kind, HandKind::keypoints);
+  EXPECT_THAT(rests.reports, Contains(HasSubstr("without an arm that goes nowhere")));
+}
+
 TEST_F(OptitrackCsv, ErrorsSayWhere) {
   const auto error = [&](const std::string& from, const std::string& to) {
     return error_of(write(take(from, to), "take.csv"));
