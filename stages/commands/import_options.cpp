@@ -22,8 +22,8 @@ void add_import_options(CLI::App& app, imports::ImportRequest& request) {
          [&request](const std::string& by) {
            request.conventions.forward = *named<imports::ForwardBy>(by);
          },
-         "What says which way the person faces: body (default) or axes, as they were recorded")
-      ->check(CLI::IsMember({"body", "axes"}));
+         "Which way is forward: where the body faces (body, the default), or as recorded")
+      ->check(CLI::IsMember({"body", "recorded"}));
   app.add_option("--unit", request.conventions.unit,
                  "Unit of lengths: m, cm, mm, in or metres per unit");
   app.add_option("--rate", request.conventions.rate_hz, "Frames per second")

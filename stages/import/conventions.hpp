@@ -14,8 +14,8 @@
 namespace morphe::imports {
 
 /// What decides which way is forward: the body, whatever the axes were recorded as, or the axes.
-enum class ForwardBy : std::uint8_t { body, axes };
-constexpr std::array<std::string_view, 2> names_of(ForwardBy) { return {"body", "axes"}; }
+enum class ForwardBy : std::uint8_t { body, recorded };
+constexpr std::array<std::string_view, 2> names_of(ForwardBy) { return {"body", "recorded"}; }
 
 /// What a recording's file may leave unsaid, from the command line or a manifest.
 struct Conventions {
@@ -23,7 +23,7 @@ struct Conventions {
   std::string axes;
   std::string unit;               ///< of lengths: m, cm, mm, in, or metres per unit as a number
   std::optional<double> rate_hz;  ///< frames a second
-  std::string joint_order;        ///< of a clip's hands: a name of keypoint_orders()
+  std::string joint_order = {};   ///< of a clip's hands: a name of keypoint_orders()
   bool judged = true;  ///< sizes must be a person's; not so while a recording is looked at
   ForwardBy forward = ForwardBy::body;  ///< facing.hpp
 };

@@ -59,7 +59,8 @@ struct FolderManifest {
 void override_entry(const ImportRequest& request, ManifestEntry& entry) {
   if (!request.format.empty()) entry.format = request.format;
   if (!request.names.empty()) entry.names = request.names.string();
-  if (request.conventions.forward == ForwardBy::axes) entry.conventions.forward = ForwardBy::axes;
+  if (request.conventions.forward == ForwardBy::recorded)
+    entry.conventions.forward = ForwardBy::recorded;
 }
 
 FolderManifest read_folder_manifest(const ImportRequest& request, const DatasetFile& manifest,

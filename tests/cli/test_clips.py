@@ -70,7 +70,7 @@ class Clips(CommandCase):
 
     def read(self, file, *options):
         read = self.folder / "read.h5"
-        self.succeeds("import", file, "--forward", "axes", *options, "--out", read)
+        self.succeeds("import", file, "--forward", "recorded", *options, "--out", read)
         with h5py.File(read) as h5:
             (group,) = h5["demonstrations"].values()
             names = [name.decode() for name in group["skeleton"].attrs["names"]]

@@ -49,12 +49,12 @@ class Facing(CommandCase):
 
     def test_by_the_axes_a_person_who_sat_the_other_way_is_no_human(self):
         recording, static = self.turned("ADL001FR1.csv", 180), self.turned("ADL001_static.csv", 180)
-        said, status, reason, _ = self.plan(recording, static, "--forward", "axes")
+        said, status, reason, _ = self.plan(recording, static, "--forward", "recorded")
         self.assertEqual((status, reason), ("infeasible", "not_human"))
         self.assertIn("beyond human joint limits", said)
         self.assertIn("the body stands otherwise than these axes have it", said)
         self.assertIn("not_human", self.succeeds("inspect", recording, "--static", static,
-                                                 "--forward", "axes").stdout)
+                                                 "--forward", "recorded").stdout)
         refused = morphe("inspect", recording, "--forward", "north")
         self.assertEqual(refused.returncode, 2)
         self.assertIn("--forward", refused.stderr)

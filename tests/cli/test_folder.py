@@ -54,7 +54,7 @@ class FolderCase(CommandCase):
     def imported(self, *arguments, code=0):
         """{name: (mark of the recording, mark of its static trial or None)} and what was said."""
         # Marks are told by where points stand in the file.
-        result = morphe("import", self.lab, "--out", self.file, "--forward", "axes", *arguments)
+        result = morphe("import", self.lab, "--out", self.file, "--forward", "recorded", *arguments)
         self.assertEqual(result.returncode, code, result.stderr)
         with h5py.File(self.file) as file:
             found = {}
@@ -117,7 +117,7 @@ class AsALaboratorySortsThem(FolderCase):
 
     def test_several_folders_at_once(self):
         self.lay_out(3, 2, "P{p}/t{t}.csv", "P{p}/static.csv")
-        self.succeeds("import", self.lab / "P1", self.lab / "P3", "--out", self.file, "--forward", "axes")
+        self.succeeds("import", self.lab / "P1", self.lab / "P3", "--out", self.file, "--forward", "recorded")
         with h5py.File(self.file) as file:
             self.assertEqual(list(file["demonstrations"]), ["P1_t1", "P1_t2", "P3_t1", "P3_t2"])
 

@@ -13,7 +13,7 @@ class HandTrackers(CommandCase):
     def setUp(self):
         super().setUp()
         original = self.folder / "adroit.h5"
-        self.succeeds("import", ADROIT, "--forward", "axes", "--out", original)
+        self.succeeds("import", ADROIT, "--forward", "recorded", "--out", original)
         self.hands = tracked_hands.hands_of(original)
         self.phases = {entry["name"]: entry["movements"]
                        for entry in self.json_of("inspect", original)["demonstrations"]}
@@ -28,7 +28,7 @@ class HandTrackers(CommandCase):
                 file = write(hand, folder)
                 read = folder / "read.h5"
                 given = [option(folder) if callable(option) else option for option in options]
-                self.succeeds("import", file, *given, "--forward", "axes", "--out", read)
+                self.succeeds("import", file, *given, "--forward", "recorded", "--out", read)
                 with h5py.File(read) as h5:
                     (group,) = h5["demonstrations"].values()
                     yield name, hand, group, read

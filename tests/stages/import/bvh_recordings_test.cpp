@@ -17,7 +17,7 @@ using testing::HasSubstr;
 
 std::vector<Demonstration> read_recordings(const std::string& folder) {
   ImportRequest request;
-  request.conventions.forward = ForwardBy::axes;
+  request.conventions.forward = ForwardBy::recorded;
   request.paths = {std::filesystem::path(MORPHE_SOURCE_DIR) / "datasets" / folder /
                    "recordings.yaml"};
   std::vector<Demonstration> all;

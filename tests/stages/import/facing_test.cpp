@@ -19,7 +19,7 @@ using testing::HasSubstr;
 
 std::vector<Demonstration> as_recorded(const std::string& folder) {
   ImportRequest request;
-  request.conventions.forward = ForwardBy::axes;
+  request.conventions.forward = ForwardBy::recorded;
   request.paths = {std::filesystem::path(MORPHE_SOURCE_DIR) / "datasets" / folder /
                    "recordings.yaml"};
   std::vector<Demonstration> all;
@@ -160,7 +160,7 @@ TEST(Facing, GivenAxesYieldToTheTrunkAlone) {
   EXPECT_THAT(person.reports, Contains(HasSubstr("180 degrees away")));
   Demonstration as_it_is = standing({{"RSHO1", {-0.2, 0, 1.4}}, {"LSHO1", {0.2, 0, 1.4}}});
   Conventions by_axes;
-  by_axes.forward = ForwardBy::axes;
+  by_axes.forward = ForwardBy::recorded;
   face_forward(by_axes, as_it_is);
   EXPECT_LT(as_it_is.streams.markers->position(0, 0).x(), 0);
 }

@@ -39,7 +39,7 @@ class LibertyCsv : public testing::Test {
     ImportRequest request;
     request.paths = {write("arm.csv", text)};
     request.conventions = std::move(conventions);
-    request.conventions.forward = ForwardBy::axes;
+    request.conventions.forward = ForwardBy::recorded;
     return read(request);
   }
   static Demonstration read(const ImportRequest& request) {
@@ -118,7 +118,7 @@ TEST_F(LibertyCsv, ReadsGloveAndCalibrationPoseByAManifest) {
   write("raw.yaml",
         "ThumbRotate: {raw_low: 0, angle_low: -60 deg, raw_high: 0.42, angle_high: 100 deg}\n");
   ImportRequest request;
-  request.conventions.forward = ForwardBy::axes;
+  request.conventions.forward = ForwardBy::recorded;
   request.paths = {write("recordings.yaml",
                          "axes: x y z\nrecordings:\n"
                          "  - {file: arm.csv, glove: glove.csv, static: pose.csv, static_glove: "
@@ -147,7 +147,7 @@ TEST_F(LibertyCsv, ReadsGloveAndCalibrationPoseByAManifest) {
 /// A sensor turned by 90 degrees about Z; the hand points forward, thumb up.
 TEST_F(LibertyCsv, FindsTheSensorOffsetsOfTheCalibrationPose) {
   ImportRequest request;
-  request.conventions.forward = ForwardBy::axes;
+  request.conventions.forward = ForwardBy::recorded;
   request.paths = {write("arm.csv", kLibertyHeader + "0,1,2,3,1,0,0,0\n")};
   request.static_trial = write(
       "pose.csv",
@@ -243,7 +243,7 @@ TEST_F(LibertyCsv, RefusesAGloveWhereNoneBelongs) {
   write("both.csv", "time_s,IndexMPJ_deg,ThumbRotate_deg\n0,1,2\n");
   const auto error_with = [&](const std::string& entry) -> std::string {
     ImportRequest request;
-    request.conventions.forward = ForwardBy::axes;
+    request.conventions.forward = ForwardBy::recorded;
     request.paths = {write("m.yaml", "axes: x y z\nrecordings:\n  - {" + entry + "}\n")};
     try {
       read(request);

@@ -120,7 +120,7 @@ TEST(MarkerObjects, SaysWhatIsWrong) {
 /// 161 to 394. Two recordings hold the same box.
 TEST_F(RecordingFolder, ShippedBoxMovesAsItsMarkers) {
   ImportRequest request;
-  request.conventions.forward = ForwardBy::axes;
+  request.conventions.forward = ForwardBy::recorded;
   request.paths = {std::filesystem::path(MORPHE_SOURCE_DIR) / "datasets/pyomeca/recordings.yaml"};
   std::vector<Demonstration> all;
   import_recordings(request, [&](Demonstration&& d) { all.push_back(std::move(d)); });

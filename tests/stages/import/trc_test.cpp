@@ -112,7 +112,7 @@ TEST_F(Trc, ErrorsSayWhere) {
 /// Numbers that Python read from the text.
 TEST_F(Trc, ShippedFileMatchesItsText) {
   ImportRequest request;
-  request.conventions.forward = ForwardBy::axes;
+  request.conventions.forward = ForwardBy::recorded;
   request.paths = {std::filesystem::path(MORPHE_SOURCE_DIR) / "datasets/pyomeca/recordings.yaml"};
   std::vector<Demonstration> all;
   import_recordings(request, [&](Demonstration&& d) { all.push_back(std::move(d)); });

@@ -87,7 +87,7 @@ TEST_F(ViconCsv, ErrorsNameLineAndColumn) {
 TEST_F(ViconCsv, RealTrialsMatchTheirText) {
   std::vector<Demonstration> trials;
   ImportRequest request;
-  request.conventions.forward = ForwardBy::axes;
+  request.conventions.forward = ForwardBy::recorded;
   request.paths = {kData / "recordings.yaml"};
   import_recordings(request, [&](Demonstration&& d) { trials.push_back(std::move(d)); });
   ASSERT_EQ(trials.size(), 5u);
@@ -124,7 +124,7 @@ TEST_F(ViconCsv, NamesAreMapped) {
 TEST_F(ViconCsv, NamesMayBeInTheRecordingOrInTheStaticTrial) {
   const std::string rows = "Frame,Sub Frame,X,Y,Z,X,Y,Z\n,,mm,mm,mm,mm,mm,mm\n1,0,1,2,3,40,50,60\n";
   ImportRequest request;
-  request.conventions.forward = ForwardBy::axes;
+  request.conventions.forward = ForwardBy::recorded;
   request.paths = {write("Trajectories\n100\n,,P:HAND,,,P:INDEX\n" + rows)};
   request.static_trial = write("Trajectories\n100\n,,P:HAND,,,P:ELBOW\n" + rows, "static.csv");
   request.names = write("{HAND: RHAN1, INDEX: RFTP, ELBOW: RLEP}", "names.yaml");
@@ -253,7 +253,7 @@ TEST_F(ViconCsv, EmptyFilesAreNotRecognised) {
   for (const char* text : {"", "\xEF\xBB\xBF", "\n\n", ",,,\n"}) {
     EXPECT_THAT(error_of(text), HasSubstr("trial.csv:1: format: not recognised"));
     ImportRequest request;
-    request.conventions.forward = ForwardBy::axes;
+    request.conventions.forward = ForwardBy::recorded;
     request.paths = {folder_ / "trial.csv"};
     request.format = "vicon-csv";
     EXPECT_THROW(read(request), InputError);
@@ -263,7 +263,7 @@ TEST_F(ViconCsv, EmptyFilesAreNotRecognised) {
 /// Numbers that Python read from the text.
 TEST_F(ViconCsv, TwoSubjectsMatchTheirText) {
   ImportRequest request;
-  request.conventions.forward = ForwardBy::axes;
+  request.conventions.forward = ForwardBy::recorded;
   request.paths = {std::filesystem::path(MORPHE_SOURCE_DIR) / "datasets/pyomeca/recordings.yaml"};
   const Demonstration d = read(request);
   const MarkerStream& markers = *d.streams.markers;
