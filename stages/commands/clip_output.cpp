@@ -22,13 +22,16 @@ struct Skeleton {
   BodyStream body;
   std::vector<std::vector<Vec3>> points;
   std::vector<std::vector<Quat>> turns;
+  std::vector<bool> estimated;
 
-  void add(const std::string& name, std::vector<Vec3> point, std::vector<Quat> turn = {}) {
+  void add(const std::string& name, std::vector<Vec3> point, bool was_estimated,
+           std::vector<Quat> turn = {}) {
     if (std::ranges::none_of(point, [](const Vec3& p) { return seen(p); })) return;
     body.names.push_back(name);
     if (turn.empty()) turn.assign(point.size(), unseen_rotation());
     points.push_back(std::move(point));
     turns.push_back(std::move(turn));
+    estimated.push_back(was_estimated);
   }
   BodyStream finished(const std::vector<double>& time) {
     const std::size_t rows = time.size(), joints = body.names.size();
@@ -37,10 +40,14 @@ struct Skeleton {
     body.parents.assign(joints, "");
     body.position = Table<Vec3>(rows, joints, unseen_point());
     body.orientation = Table<Quat>(rows, joints, unseen_rotation());
+    if (std::ranges::find(estimated, true) != estimated.end()) {
+      body.confidence = Table<double>(rows, joints, 1);  // 0 is how reconstruction knows estimates
+    }
     for (std::size_t k = 0; k < joints; ++k) {
       for (std::size_t i = 0; i < rows; ++i) {
         body.position(i, k) = points[k][i];
         body.orientation(i, k) = turns[k][i];
+        if (estimated[k]) body.confidence(i, k) = 0;
       }
     }
     return std::move(body);
@@ -55,17 +62,21 @@ std::vector<T> column_of(const Table<T>& table, std::size_t column) {
 }
 
 BodyStream skeleton_of(const HumanMotion& motion) {
+  const auto estimated = [&](const char* what) {
+    return std::ranges::find(motion.estimated, what) != motion.estimated.end();
+  };
   Skeleton skeleton;
-  skeleton.add("right_shoulder", motion.shoulder);
-  skeleton.add("right_elbow", motion.elbow);
-  skeleton.add("right_wrist", motion.wrist);
+  skeleton.add("right_shoulder", motion.shoulder, estimated("shoulder"));
+  skeleton.add("right_elbow", motion.elbow, estimated("elbow"));
+  skeleton.add("right_wrist", motion.wrist, estimated("wrist"));
   if (std::ranges::any_of(motion.wrist_orientation, [](const Quat& q) { return seen(q); })) {
-    skeleton.add("right_hand", motion.wrist, motion.wrist_orientation);
+    skeleton.add("right_hand", motion.wrist, estimated("wrist orientation"),
+                 motion.wrist_orientation);
   }
   for (std::size_t finger = 0; finger < kFingers; ++finger) {
     const std::vector<std::string> names = imports::finger_joint_names(finger);
-    skeleton.add("right_" + names[1], column_of(motion.finger_joint, finger));
-    skeleton.add("right_" + names[3], column_of(motion.tip, finger),
+    skeleton.add("right_" + names[1], column_of(motion.finger_joint, finger), false);
+    skeleton.add("right_" + names[3], column_of(motion.tip, finger), estimated("fingertips"),
                  column_of(motion.tip_orientation, finger));
   }
   return skeleton.finished(motion.time);

@@ -130,12 +130,15 @@ struct Answers {
 
 void answer_all(const RecordingFormat& format, RecordingFiles files, Answers& answers) {
   std::set<std::string> answered;
+  std::optional<NotSaid> order;
   while (true) {
     try {
       read_judged(format, files);
       return;
     } catch (const NotSaid& missing) {
-      if (!answered.insert(missing.key).second) throw;
+      if (missing.key == "joint_order") order = missing;
+      // Joints in the wrong order have no sizes either.
+      if (!answered.insert(missing.key).second) throw order.value_or(missing);
       answers.lines.emplace_back(missing.what());
       Guess guess = guess_of(missing, format, files);
       answer(files.conventions, missing.key, guess.value);

@@ -139,12 +139,18 @@ class Clips(CommandCase):
     def test_an_order_that_nothing_tells_is_asked_for(self):
         hand = self.hands["door_demo_06"]
         arrays = self.arrays_of(hand)
+        said = "mano_right_joints: 21 joints, which are a hand in no order of as many"
         arrays["mano_right_joints"] = hand.joints[:, np.random.default_rng(2).permutation(21)]
+        file = self.write(**arrays)
+        self.refuses(morphe("import", file, "--out", self.folder / "no.h5"), f"{file}", said)
+        odd = hand.joints.copy()  # two fingers that no tracker would see so
+        odd[:, [2, 3, 6, 7]] += 2 * (odd[:, [2, 3, 6, 7]] - hand.wrist[:, None])
+        arrays["mano_right_joints"] = odd
         file = self.write(**arrays)
         asked = morphe("import", file, "--out", self.folder / "read.h5")
         self.assertEqual(asked.returncode, 2)
-        self.assertIn(f"{file}: mano_right_joints: 21 joints, which are a hand in no order", asked.stderr)
-        self.assertIn("--joint-order", asked.stderr.split("to paste:")[1])
+        self.assertIn(f"{file}: {said}", asked.stderr)
+        self.assertIn("--joint-order openpose", asked.stderr.split("to paste:")[1])
         points, _, _ = self.read(file, "--joint-order", "openpose")
         self.assertIn("right_index_tip", points)
         self.refuses(morphe("import", file, "--joint-order", "openxr", "--out", self.folder / "no.h5"),
@@ -256,24 +262,44 @@ class Clips(CommandCase):
 
 
 class Written(CommandCase):
+    # Bodies and angles alone, and recordings that Morphe reads alike.
+    NONE, TWICE = {"box_angles", "rofunc_take", "cmu_take"}, {"hands_v2", "wrists_v2"}
+
     def test_all_that_is_shipped_comes_back(self):
         manifests = sorted((SOURCE / "datasets").glob("*/recordings.yaml"))
         first, clips = self.folder / "first.h5", self.folder / "clips"
         said = self.succeeds("import", *manifests, "--out", first, "--clip", clips).stdout
-        self.assertIn("box_angles: no clip", said)
+        for name in self.NONE:
+            self.assertIn(f"{name}: no clip", said)
         again = self.folder / "again.h5"
         self.succeeds("import", clips, "--out", again)
         with h5py.File(first) as a, h5py.File(again) as b:
-            names = set(a["demonstrations"]) - {"box_angles"}
+            names = set(a["demonstrations"]) - self.NONE - self.TWICE
             self.assertEqual(set(b["demonstrations"]), names)
             for name in names:
                 with self.subTest(name):
                     self.same(a["demonstrations"][name], b["demonstrations"][name],
                               np.load(clips / f"{name}.npz", allow_pickle=False))
+        self.same_movements(first, again)
         second = self.folder / "clips_again"
         self.succeeds("import", *manifests, "--clip", second)
         for file in sorted(clips.iterdir()):
             self.assertEqual(file.read_bytes(), (second / file.name).read_bytes(), file.name)
+
+    def same_movements(self, first, again):
+        before = {e["name"]: e for e in self.json_of("inspect", first)["demonstrations"]}
+        for entry in self.json_of("inspect", again)["demonstrations"]:
+            with self.subTest(entry["name"]):
+                was = before[entry["name"]]
+                self.assertEqual(len(entry["movements"]), len(was["movements"]))
+                for movement, same in zip(entry["movements"], was["movements"]):
+                    self.assertEqual([p["name"] for p in movement["phases"]],
+                                     [p["name"] for p in same["phases"]])
+                    for key in ("begin_s", "end_s"):
+                        np.testing.assert_allclose([p[key] for p in movement["phases"]],
+                                                   [p[key] for p in same["phases"]], atol=1e-6)
+                self.assertEqual(set(entry["estimated"]) & {"shoulder", "elbow", "fingertips"},
+                                 set(was["estimated"]) & {"shoulder", "elbow", "fingertips"})
 
     def same(self, a, b, clip):
         for key in ("task", "hand", "source", "licence", "subject"):
