@@ -1,0 +1,117 @@
+// Plans of every shipped recording, turned about the vertical: how far they are from those of the
+// recording as it is.
+//   bench_facing [--angles N] [--seed S]
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <initializer_list>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "stages/import/facing.hpp"
+#include "stages/import/import.hpp"
+#include "stages/import/turn_demonstration.hpp"
+#include "stages/planning/pipeline_config.hpp"
+#include "stages/planning/plan_movement.hpp"
+
+namespace morphe {
+namespace {
+
+namespace fs = std::filesystem;
+
+double apart(const JointRows& a, const JointRows& b) {
+  if (a.rows() != b.rows() || a.cols() != b.cols()) return kInfinity;
+  return a.size() > 0 ? (a - b).cwiseAbs().maxCoeff() : 0;
+}
+
+struct Figures {
+  std::size_t plans = 0, other_reason = 0, other_rows = 0;
+  double joint_rad = 0;  ///< the most that joints are apart, at any sample
+};
+
+void compare(const run::DemonstrationOutcome& as_is, const run::DemonstrationOutcome& turned,
+             Figures& figures) {
+  for (std::size_t k = 0; k < as_is.plans.size(); ++k) {
+    ++figures.plans;
+    const bool there = k < turned.plans.size();
+    if (!there || as_is.plans[k].reason != turned.plans[k].reason) {
+      ++figures.other_reason;
+      continue;
+    }
+    const double most =
+        apart(as_is.plans[k].trajectory.position, turned.plans[k].trajectory.position);
+    if (std::isinf(most)) {
+      ++figures.other_rows;
+    } else {
+      figures.joint_rad = std::max(figures.joint_rad, most);
+    }
+  }
+}
+
+std::vector<double> some_angles(int random, unsigned seed) {
+  std::vector<double> angles = {0, std::numbers::pi / 2, std::numbers::pi, -std::numbers::pi / 2};
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<double> any(-std::numbers::pi, std::numbers::pi);
+  for (int k = 0; k < random; ++k) angles.push_back(any(engine));
+  return angles;
+}
+
+void study(const fs::path& config, const std::vector<fs::path>& recordings,
+           const std::vector<double>& angles) {
+  const planning::LoadedConfig loaded = planning::load_config(config);
+  const planning::Planner planner{loaded.options, loaded.robot};
+  for (const fs::path& file : recordings) {
+    imports::ImportRequest request;
+    request.paths = {file};
+    request.conventions.forward = imports::ForwardBy::recorded;
+    imports::import_recordings(request, [&](Demonstration&& recorded) {
+      Demonstration demonstration = recorded;
+      imports::face_forward({}, demonstration);
+      const run::DemonstrationOutcome as_is = planning::plan_demonstration(planner, demonstration);
+      Figures figures;
+      for (const double angle : angles) {
+        Demonstration turned = recorded;
+        imports::turn_about_vertical(turned, angle);
+        imports::face_forward({}, turned);
+        compare(as_is, planning::plan_demonstration(planner, turned), figures);
+      }
+      fmt::print(
+          "{:<20} {:>3} plans, {} with another reason, {} of another length, joints apart by "
+          "{:.2g} rad\n",
+          demonstration.name, figures.plans, figures.other_reason, figures.other_rows,
+          figures.joint_rad);
+      std::fflush(stdout);
+    });
+  }
+}
+
+}  // namespace
+}  // namespace morphe
+
+int main(int argc, char** argv) {
+  CLI::App app("Plans of recordings that were turned about the vertical");
+  int random = 10;
+  unsigned seed = 1;
+  app.add_option("--angles", random, "Random angles beside the quarter turns");
+  app.add_option("--seed", seed, "Of the angles");
+  CLI11_PARSE(app, argc, argv);
+  const std::filesystem::path source = MORPHE_SOURCE_DIR;
+  const auto datasets = [&](std::initializer_list<const char*> names) {
+    std::vector<std::filesystem::path> files;
+    for (const char* name : names) files.push_back(source / "datasets" / name / "recordings.yaml");
+    return files;
+  };
+  const std::vector<double> angles = morphe::some_angles(random, seed);
+  const auto pipelines = source / "configs/pipelines";
+  morphe::study(pipelines / "pa10_dlr_hit2.yaml",
+                datasets({"ue-adl", "pyomeca", "kineticstoolkit", "cmu-iclone-bvh", "cmu-native",
+                          "pybvh", "dex-retargeting"}),
+                angles);
+  morphe::study(pipelines / "pa10_dlr_hit2_adroit.yaml", datasets({"adroit-dapg"}), angles);
+}
