@@ -56,14 +56,14 @@ std::vector<double> times_of(ClipArrays& clip, std::size_t rows, const Conventio
 }
 
 Quat quaternion(const ClipArrays& clip, const files::NpyArray& array, std::size_t k) {
-  constexpr double kNearlyOne = 1e-3;
+  constexpr double kNearlyOne = 1e-3, kRounding = 1e-15;
   const double* const q = array.values.data() + 4 * k;  // w, x, y, z
   const Quat turn(q[0], q[1], q[2], q[3]);
   if (!seen(turn)) return unseen_rotation();
   if (std::abs(turn.norm() - 1) > kNearlyOne) {
     clip.fail(array.name, fmt::format("quaternion {} has the length {:.4g}", k, turn.norm()));
   }
-  return turn.normalized();
+  return std::abs(turn.norm() - 1) < kRounding ? turn : turn.normalized();
 }
 
 BodyStream read_body(ClipArrays& clip, std::size_t rows, const TrackerFrame& frame) {
@@ -83,13 +83,15 @@ BodyStream read_body(ClipArrays& clip, std::size_t rows, const TrackerFrame& fra
       clip.fail("body_joint_names", fmt::format("'{}' stands twice", body.names[k]));
     }
   }
+  // What Morphe wrote comes back bit for bit.
+  const bool in_world = frame.world_from_file == Eigen::Matrix3d::Identity();
   body.position = Table<Vec3>(rows, count, unseen_point());
   body.orientation = Table<Quat>(rows, count, unseen_rotation());
   if (confidence != nullptr) body.confidence = {rows, count, kNotSeen};
   for (std::size_t k = 0; k < rows * count; ++k) {
     body.position.values[k] = frame.point(Eigen::Map<const Vec3>(points->values.data() + 3 * k));
     const Quat turn = turns == nullptr ? unseen_rotation() : quaternion(clip, *turns, k);
-    if (seen(turn)) body.orientation.values[k] = frame.turn(turn);
+    if (seen(turn)) body.orientation.values[k] = in_world ? turn : frame.turn(turn);
     if (confidence != nullptr) body.confidence.values[k] = confidence->values[k];
   }
   return body;
@@ -101,6 +103,8 @@ void drop_doubles(HandClip& clip) {
     auto& hand = clip.hands[static_cast<std::size_t>(side)];
     if (!hand) continue;
     const std::vector<std::string> names = keypoint_names(side);
+    const std::string turned = std::string(name_of(side)) + "_hand";
+    if (std::ranges::find(clip.body.names, turned) != clip.body.names.end()) hand->turned.clear();
     for (std::size_t k = 0; k < kKeypoints; ++k) {
       if (std::ranges::find(clip.body.names, names[k]) == clip.body.names.end()) continue;
       for (std::size_t i = 0; i < hand->joint.rows; ++i) hand->joint(i, k) = unseen_point();

@@ -4,7 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
+#include <string_view>
 
 #include "pipeline/motion/input_error.hpp"
 #include "stages/import/name_words.hpp"
@@ -15,6 +17,7 @@ namespace {
 constexpr double kIsAHand = 0.85;   ///< share of what must be true
 constexpr double kDecided = 0.10;   ///< by which the next best must be worse
 constexpr std::size_t kLooks = 50;  ///< frames that are looked at
+constexpr std::string_view kNoKeypoints[] = {"palm", "forearm"};
 
 std::string orders_with(std::size_t count) {
   std::vector<std::string_view> names;
@@ -97,7 +100,7 @@ std::optional<int> keypoint_called(const std::string& name, bool has_metacarpal)
   std::optional<int> part;
   for (const NameWord& word : words_of(name)) {
     if (word.text == "wrist") return 0;
-    if (word.text == "palm" || word.text == "forearm") return -1;
+    if (std::ranges::find(kNoKeypoints, word.text) != std::end(kNoKeypoints)) return -1;
     if (!finger) {
       finger = finger_of(word.text);
     } else if (!part) {

@@ -81,10 +81,8 @@ Parting part(const BodyStream& skeleton) {
       if (found != names.end()) {
         parting.hands[which][static_cast<std::size_t>(found - names.begin())] = static_cast<int>(k);
         in_body = has_turns(skeleton, k) || confident;
-      } else if (skeleton.names[k] == std::string(name_of(side)) + "_hand" && !confident &&
-                 has_turns(skeleton, k)) {
+      } else if (skeleton.names[k] == std::string(name_of(side)) + "_hand") {
         parting.turned[which] = static_cast<int>(k);
-        in_body = false;
       }
     }
     if (in_body) parting.body.push_back(k);

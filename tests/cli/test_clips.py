@@ -1,12 +1,13 @@
 """Clips (.npz): what labs write, what Morphe writes, and what is wrong with some of them."""
 import json
 import re
+from pathlib import Path
 
 import h5py
 import numpy as np
 
 import tracked_hands
-from support import RECORDINGS, SOURCE, CommandCase, main, morphe
+from support import QUICK, RECORDINGS, REFERENCE, SOURCE, CommandCase, main, morphe, temporary_folder
 
 ADROIT = SOURCE / "datasets/adroit-dapg/recordings.yaml"
 FINGERS = tracked_hands.FINGERS
@@ -49,9 +50,7 @@ class Clips(CommandCase):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        import tempfile
-        from pathlib import Path
-        with tempfile.TemporaryDirectory(prefix="morphe_cli_") as folder:
+        with temporary_folder() as folder:
             original = Path(folder) / "adroit.h5"
             assert morphe("import", ADROIT, "--out", original).returncode == 0
             cls.hands = tracked_hands.hands_of(original)
@@ -143,8 +142,8 @@ class Clips(CommandCase):
         arrays["mano_right_joints"] = hand.joints[:, np.random.default_rng(2).permutation(21)]
         file = self.write(**arrays)
         self.refuses(morphe("import", file, "--out", self.folder / "no.h5"), f"{file}", said)
-        odd = hand.joints.copy()  # two fingers that no tracker would see so
-        odd[:, [2, 3, 6, 7]] += 2 * (odd[:, [2, 3, 6, 7]] - hand.wrist[:, None])
+        odd, stretched = hand.joints.copy(), [2, 3, 6, 7, 10, 11]  # as no tracker would see them
+        odd[:, stretched] += 2 * (odd[:, stretched] - hand.wrist[:, None])
         arrays["mano_right_joints"] = odd
         file = self.write(**arrays)
         asked = morphe("import", file, "--out", self.folder / "read.h5")
@@ -328,6 +327,19 @@ class Written(CommandCase):
         self.assertIn("left_shoulder", clip["body_joint_names"])
         (entry,) = self.json_of("inspect", clips / "ADL001DR2.npz")["demonstrations"]
         self.assertEqual(entry["hand"], "left")
+
+    def test_a_clip_is_planned_as_the_recording_is(self):
+        clips, plans = self.folder / "clips", {}
+        recording = (RECORDINGS / "ADL001FR1.csv", "--static", RECORDINGS / "ADL001_static.csv")
+        self.succeeds("import", *recording, "--clip", clips)
+        for what, dataset in (("markers", recording), ("clip", [clips / "ADL001FR1.npz"])):
+            self.succeeds("run", REFERENCE, *QUICK, "--dataset", *dataset, "--quiet", "--out",
+                          self.folder / what)
+            with h5py.File(self.folder / what / "plans.h5") as h5:
+                plans[what] = {key: h5[f"plans/ADL001FR1/000/trajectory/{key}"][()]
+                               for key in ("time", "position")}
+        for key, values in plans["markers"].items():
+            np.testing.assert_allclose(plans["clip"][key], values, rtol=0, atol=1e-9)
 
     def test_neither_file_nor_folder_is_refused(self):
         result = morphe("import", RECORDINGS / "ADL001FR1.csv")
