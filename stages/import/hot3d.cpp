@@ -48,15 +48,16 @@ void read_hand(const JsonPlace& pose, const UmetrackHand& model, Side side, std:
   const JsonPlace wrist = pose.at("wrist_xform");
   const Pose at = make_pose(wrist.at("t_xyz").point(), wrist.at("q_wxyz").quaternion());
   const auto points =
-      landmarks_of(model, side, at, pose.at("joint_angles").numbers(UmetrackHand::kAngles));
+      points_of(model, side, at, pose.at("joint_angles").numbers(UmetrackHand::kAngles));
   const double confidence = pose.has("hand_confidence") ? pose.at("hand_confidence").number() : 1.0;
   hand.confidence[row] = std::clamp(confidence, 0.0, 1.0);
   if (!(confidence > 0)) return;
   const KeypointOrder& order = *keypoint_order("aria");
   for (std::size_t k = 0; k < kKeypoints; ++k) {
     if (order.joint[k] < 0) continue;
-    hand.joint(row, k) = frame.point(points[static_cast<std::size_t>(order.joint[k])]);
+    hand.joint(row, k) = frame.point(points.landmarks[static_cast<std::size_t>(order.joint[k])]);
   }
+  hand.joint(row, 1) = frame.point(points.thumb_root);
 }
 
 /// Frames of the file with each hand's pose, kept as they stand in it.
@@ -266,7 +267,6 @@ Demonstration read_hot3d(const RecordingFiles& files) {
     reports.push_back(fmt::format("{} within 10 ms of the one before left out: another camera's",
                                   counted(read.doubled, "frame")));
   }
-  reports.push_back("UmeTrack has no root of the thumb (CMC): it is left out, as is the palm");
   HandClip clip;
   if (read.time_ns.empty())
     throw InputError(fmt::format("{}: holds no frame", files.file.string()));

@@ -167,7 +167,9 @@ bool is_about_points(const PointHeader& header) {
 bool recognises_point_csv(std::string_view head) {
   if (head.find('\0') != head.npos || head.starts_with("Format Version")) return false;
   // Tables that lie beside a recording of hands: where a headset and objects were.
-  if (head.starts_with("graph_uid,") || head.starts_with("object_uid,")) return false;
+  for (const char* first : {"graph_uid,", "session_uid,", "object_uid,"}) {
+    if (head.starts_with(first)) return false;
+  }
   files::CsvText text;
   while (!head.empty()) {
     const std::size_t end = head.find_first_of("\r\n");

@@ -13,7 +13,7 @@
 namespace morphe::imports {
 namespace {
 
-constexpr double kDecided = 1.25;   ///< times as far as the other side
+constexpr double kFarther = 1.25;   ///< times as far as the other side
 constexpr double kMoves_m = 0.010;  ///< less is no reach
 constexpr std::size_t kOfHand = 3;  ///< points of a hand that are looked at
 
@@ -90,7 +90,7 @@ ReachingHand reaching_hand(const Demonstration& demonstration, const RecordingSk
                               name_of(side))};
   }
   const double right = farthest_of(wander[0]), left = farthest_of(wander[1]);
-  if (std::max(right, left) <= std::max(kMoves_m, kDecided * std::min(right, left))) {
+  if (std::max(right, left) <= std::max(kMoves_m, kFarther * std::min(right, left))) {
     return {Side::right,
             fmt::format("the right hand is assumed: both move alike, by {:.0f} and {:.0f} mm",
                         1000 * right, 1000 * left)};

@@ -60,9 +60,9 @@ UmetrackHand read_umetrack_hand(const std::filesystem::path& profile) {
   return hand;
 }
 
-std::array<Vec3, UmetrackHand::kLandmarks> landmarks_of(const UmetrackHand& hand, Side side,
-                                                        const Pose& world_from_wrist,
-                                                        const std::vector<double>& angles) {
+UmetrackPoints points_of(const UmetrackHand& hand, Side side, const Pose& world_from_wrist,
+                         const std::vector<double>& angles) {
+  UmetrackPoints points;
   Affine root(world_from_wrist.matrix());
   if (side == Side::right) root.linear().col(0) *= -1;
   std::array<Affine, UmetrackHand::kBones> bones;
@@ -74,16 +74,16 @@ std::array<Vec3, UmetrackHand::kLandmarks> landmarks_of(const UmetrackHand& hand
       const Vec3& about = hand.point[joint];
       here = here * Eigen::Translation3d(about) *
              Eigen::AngleAxisd(angles[joint], hand.axis[joint]) * Eigen::Translation3d(-about);
+      if (joint == 0) points.thumb_root = here * hand.point[1];
       if (k > 0) bones[2 + 3 * finger + k - 1] = here;
     }
   }
-  std::array<Vec3, UmetrackHand::kLandmarks> points;
-  for (std::size_t k = 0; k < points.size(); ++k) {
+  for (std::size_t k = 0; k < points.landmarks.size(); ++k) {
     const UmetrackHand::Landmark& landmark = hand.landmarks[k];
-    points[k].setZero();
+    points.landmarks[k].setZero();
     for (std::size_t i = 0; i < 3; ++i) {
       if (landmark.weight[i] == 0) continue;
-      points[k] += landmark.weight[i] * (bones[landmark.bone[i]] * landmark.rest);
+      points.landmarks[k] += landmark.weight[i] * (bones[landmark.bone[i]] * landmark.rest);
     }
   }
   return points;

@@ -27,9 +27,14 @@ struct UmetrackHand {
 /// size, and for bones that the model does not have.
 UmetrackHand read_umetrack_hand(const std::filesystem::path& profile);
 
-/// The landmarks in the order "aria" of keypoint_orders.hpp, for the joints' angles [rad].
-std::array<Vec3, UmetrackHand::kLandmarks> landmarks_of(const UmetrackHand& hand, Side side,
-                                                        const Pose& world_from_wrist,
-                                                        const std::vector<double>& angles);
+/// A hand as it was at one time [m].
+struct UmetrackPoints {
+  std::array<Vec3, UmetrackHand::kLandmarks> landmarks;  ///< order "aria" of keypoint_orders.hpp
+  Vec3 thumb_root;  ///< where the thumb's first bone begins (CMC), which is no landmark
+};
+
+/// For the angles of the joints [rad], at least kFingerJoints.
+UmetrackPoints points_of(const UmetrackHand& hand, Side side, const Pose& world_from_wrist,
+                         const std::vector<double>& angles);
 
 }  // namespace morphe::imports

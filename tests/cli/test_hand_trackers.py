@@ -1,4 +1,7 @@
 """Recordings of hand trackers: what was recorded in one format is written in each of them and read."""
+import copy
+import json
+
 import h5py
 import numpy as np
 
@@ -77,6 +80,9 @@ class HandTrackers(CommandCase):
             self.same_tips(hand, group, 1e-4, unseen=5 * 10)
             self.assertLess(np.abs(group["objects/handle/position"][()] - hand.handle).max(), 1e-4)
             self.assertEqual(group.attrs["subject"], b"P1")
+            names = [name.decode() for name in group["skeleton"].attrs["names"]]
+            root = group["skeleton/position"][()][:, names.index("right_thumb_cmc")]
+            self.assertLess(np.nanmax(np.abs(root - hand.joints[:, 1])), 1e-4)
             self.same_phases(name, file)
 
     def test_mvnx(self):
@@ -98,6 +104,39 @@ class HandTrackers(CommandCase):
     def test_avp(self):
         for _, hand, group, _ in self.read(tracked_hands.write_avp_jsonl):
             self.same_tips(hand, group, 1e-4, unseen=5 * 10)
+
+    def test_wrong_conventions_are_told(self):
+        file = tracked_hands.write_avp_jsonl(self.hands["door_demo_06"], self.folder)
+        lines = [json.loads(line) for line in file.read_text().splitlines()]
+        out = self.folder / "r.h5"
+
+        def answer(lines):
+            file.write_text("".join(json.dumps(line) + "\n" for line in lines))
+            return morphe("import", file, "--out", out)
+
+        def changed(change):
+            changed = copy.deepcopy(lines)
+            for i, line in enumerate(changed):
+                change(i, line)
+            return answer(changed)
+
+        def feet(_, line):
+            for joint in line.get("rightHand", {}).values():
+                joint[12:15] = [x / 0.3048 for x in joint[12:15]]
+
+        def other_side(_, line):
+            if "rightHand" in line:
+                line["leftHand"] = line.pop("rightHand")
+
+        def half(i, line):
+            if i % 2:
+                line.pop("rightHand", None)
+
+        self.refuses(changed(other_side), file, "left hand: its fingers curl as those of a right")
+        self.assertIn("unit: cannot be right: the right hand would measure", changed(feet).stderr)
+        self.refuses(answer([lines[1], lines[0]]), f"{file}:2: timestamp", "does not follow")
+        self.assertFalse(out.exists())
+        self.assertIn("the right hand was seen in 137 of 284 frames", changed(half).stdout)
 
     def test_avp_npz(self):
         for _, hand, group, _ in self.read(tracked_hands.write_avp_npz, "--rate", "100"):
