@@ -138,6 +138,32 @@ class HandTrackers(CommandCase):
         self.assertFalse(out.exists())
         self.assertIn("the right hand was seen in 137 of 284 frames", changed(half).stdout)
 
+    def test_damaged_files_end_as_they_should(self):
+        hand = self.hands["door_demo_13"].every(slice(0, 40))
+        noise = np.random.default_rng(7)
+        for write in (tracked_hands.write_aria, tracked_hands.write_optitrack,
+                      tracked_hands.write_hot3d, tracked_hands.write_mvnx,
+                      tracked_hands.write_manus, tracked_hands.write_avp_jsonl,
+                      tracked_hands.write_avp_npz, tracked_hands.write_egodex):
+            folder = self.folder / write.__name__
+            folder.mkdir()
+            file = write(hand, folder)
+            whole = file.read_bytes()
+            for k in range(6):
+                damaged = bytearray(whole)
+                if k < 3:
+                    damaged = damaged[:int(noise.uniform(0.2, 0.99) * len(whole))]
+                else:
+                    damaged[int(noise.integers(len(whole)))] ^= 1 << int(noise.integers(7))
+                file.write_bytes(damaged)
+                answer = morphe("import", file, "--rate", "100", "--out", folder / "r.h5")
+                with self.subTest(write.__name__, k=k):
+                    self.assertIn(answer.returncode, (0, 2), answer.stderr)
+                    if answer.returncode == 2:
+                        self.assertIn(str(file), answer.stderr)
+                        self.assertFalse((folder / "r.h5").exists())
+                (folder / "r.h5").unlink(missing_ok=True)
+
     def test_avp_npz(self):
         for _, hand, group, _ in self.read(tracked_hands.write_avp_npz, "--rate", "100"):
             self.same_tips(hand, group, 1e-4, unseen=5 * 10, clock_s=-hand.time[0])
