@@ -9,7 +9,9 @@ using Json = nlohmann::ordered_json;
 
 Json side_json(const std::optional<PlanRow>& row) {
   if (!row) return nullptr;
-  Json json{{"status", row->status}, {"reason", row->reason}};
+  Json json{{"status", row->status},
+            {"reason", row->reason},
+            {"against_estimate", row->against_estimate}};
   for (std::size_t k = 0; k < kPlanFigures; ++k)
     json[std::string(plan_figures()[k].key)] = row->figures[k];
   return json;

@@ -87,7 +87,14 @@ std::string status_text(const std::vector<PlanPair>& pairs, std::size_t width) {
   return text;
 }
 
+/// Whether the arm that a plan is compared with is an estimate, on either side.
+bool against_estimate(const PlanPair& pair) {
+  return (pair.first && pair.first->against_estimate) ||
+         (pair.second && pair.second->against_estimate);
+}
+
 std::string figures_text(const PlanDiff& diff, std::size_t width) {
+  const bool estimate = std::ranges::any_of(diff.pairs, against_estimate);
   TextTable table;
   table.columns = {{"", "", true, 0},         {"", "", true, 0},
                    {"median", "A", false, 0}, {"", "B", false, 0},
@@ -98,8 +105,9 @@ std::string figures_text(const PlanDiff& diff, std::size_t width) {
     const FigureChange& change = diff.figures[k];
     if (change.plans == 0) continue;
     table.rows.push_back(
-        {{std::string(figure.name), std::string(figure.unit), printed(figure, change.median_first),
-          printed(figure, change.median_second),
+        {{std::string(figure.name), std::string(figure.unit),
+          printed(figure, change.median_first, estimate),
+          printed(figure, change.median_second, estimate),
           change_text(figure, change.median_second - change.median_first),
           change_text(figure, change.largest), change.plan, fmt::format("{}", change.plans)},
          {}});
@@ -135,8 +143,12 @@ std::string rows_text(const std::vector<PlanPair>& pairs, std::size_t width) {
                             : pair.status_changed()
                                 ? pair.first->status + " -> " + pair.second->status
                                 : pair.first->status};
-    for (std::size_t k = 0; k < kPlanFigures; ++k)
-      row.cells.push_back(change_text(plan_figures()[k], pair.change(k)));
+    for (std::size_t k = 0; k < kPlanFigures; ++k) {
+      const PlanFigure& figure = plan_figures()[k];
+      const std::string text = change_text(figure, pair.change(k));
+      const bool marked = figure.of_the_arm && text.size() > 1 && against_estimate(pair);
+      row.cells.push_back(marked ? "~" + text : text);
+    }
   }
   std::string text = table.rows.empty() ? "" : "\n" + table_text(table, width);
   if (hidden > 0)

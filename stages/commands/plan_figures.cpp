@@ -70,9 +70,9 @@ constexpr std::array<PlanFigure, kPlanFigures> kFigures{{
     {"tips_mean", "tips mean", "mm", 1e3, 2, 1, certified<&Certificate::position_error_mean>},
     {"tips", "tips max", "mm", 1e3, 2, 1, certified<&Certificate::position_error_max>},
     {"humanlikeness", "humanlikeness A", "cm^2", 1e4, 1, 1,
-     certified<&Certificate::humanlikeness_final>},
-    {"upper_arm", "upper arm", "deg", kDegrees, 1, 1,
-     certified<&Certificate::upper_arm_error_mean>},
+     certified<&Certificate::humanlikeness_final>, true},
+    {"upper_arm", "upper arm", "deg", kDegrees, 1, 1, certified<&Certificate::upper_arm_error_mean>,
+     true},
     {"palm", "palm", "deg", kDegrees, 1, 1, planning::palm_error},
     {"clearance", "clearance", "mm", 1e3, 1, -1, certified<&Certificate::clearance>},
     {"tempo", "tempo", "", 1, 2, 1, certified<&Certificate::tempo>},
@@ -97,8 +97,10 @@ double median_of(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
-std::string printed(const PlanFigure& figure, double value) {
-  return std::isnan(value) ? "-" : fmt::format("{:.{}f}", figure.per_si * value, figure.digits);
+std::string printed(const PlanFigure& figure, double value, bool arm_estimated) {
+  if (std::isnan(value)) return "-";
+  return fmt::format("{}{:.{}f}", arm_estimated && figure.of_the_arm ? "~" : "",
+                     figure.per_si * value, figure.digits);
 }
 
 }  // namespace morphe::commands

@@ -18,6 +18,7 @@ struct PlanFigure {
   int digits;
   int worse;                                     ///< 1: the larger, the worse; -1: the smaller
   double (*of)(const RobotTable&, const Plan&);  ///< NaN: does not apply
+  bool of_the_arm = false;                       ///< compares with the person's shoulder and elbow
 };
 
 inline constexpr std::size_t kPlanFigures = 12;
@@ -32,7 +33,7 @@ FigureValues figures_of(const RobotTable& robot, const Plan& plan);
 /// none.
 double median_of(std::vector<double> values);
 
-/// "-" for NaN; in the unit of print.
-std::string printed(const PlanFigure& figure, double value);
+/// "-" for NaN; in the unit of print. "~" before a figure of an arm that was estimated.
+std::string printed(const PlanFigure& figure, double value, bool arm_estimated = false);
 
 }  // namespace morphe::commands

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "pipeline/motion/arm_estimated.hpp"
 #include "pipeline/motion/input_error.hpp"
 #include "stages/commands/scene_remarks.hpp"
 #include "stages/commands/text_table.hpp"
@@ -93,21 +94,17 @@ std::size_t figure_named(const std::string& key) {
 struct FigureColumn {
   const char *key, *top, *below;
   int spare;
-  bool of_the_arm = false;  ///< compares with the person's shoulder and elbow
 };
 constexpr std::array<FigureColumn, 10> kColumns{{{"mapped", "mapped", "tips mm", 9},
                                                  {"out_of_reach", "out of", "reach %", 3},
                                                  {"step", "largest", "step rad", 10},
                                                  {"grasp", "tips at", "grasp mm", 5},
                                                  {"tips", "tips", "max mm", 1},
-                                                 {"humanlikeness", "human-", "like cm^2", 4, true},
-                                                 {"upper_arm", "upper arm", "mean deg", 6, true},
+                                                 {"humanlikeness", "human-", "like cm^2", 4},
+                                                 {"upper_arm", "upper arm", "mean deg", 6},
                                                  {"palm", "palm", "mean deg", 7},
                                                  {"clearance", "clearance", "mm", 8},
                                                  {"tempo", "tempo", "", 2}}};
-
-/// Of the person's arm, as Goals::estimated calls them.
-constexpr std::array<std::string_view, 2> kArmPoints = {"shoulder", "elbow"};
 
 }  // namespace
 
@@ -117,9 +114,7 @@ PlanRow row_of(const robot::Robot& robot, const Plan& plan) {
   row.status = plan.executable() && plan.certificate.repaired ? "repaired" : name_of(plan.status());
   row.reason = name_of(plan.reason);
   row.figures = figures_of(robot, plan);
-  row.against_estimate = std::ranges::any_of(plan.goals.estimated, [](const std::string& what) {
-    return std::ranges::find(kArmPoints, what) != kArmPoints.end();
-  });
+  row.against_estimate = arm_estimated(plan.goals);
   row.lines = lines_of(robot, plan);
   row.world = plan.world;
   row.remarks = scene_remarks(plan);
@@ -206,9 +201,7 @@ std::string plan_table(const std::vector<PlanRow>& rows, std::size_t width) {
     out.cells = {row.name, row.status};
     for (const FigureColumn& column : kColumns) {
       const std::size_t k = figure_named(column.key);
-      const bool estimate =
-          row.against_estimate && column.of_the_arm && !std::isnan(row.figures[k]);
-      out.cells.push_back((estimate ? "~" : "") + printed(plan_figures()[k], row.figures[k]));
+      out.cells.push_back(printed(plan_figures()[k], row.figures[k], row.against_estimate));
     }
     out.lines = row.lines;
   }

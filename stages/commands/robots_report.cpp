@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/motion/arm_estimated.hpp"
 #include "pipeline/motion/goals_at.hpp"
 #include "pipeline/store/plan_file.hpp"
 #include "stages/commands/plan_figures.hpp"
@@ -17,19 +18,21 @@ std::string decimal(double value, int digits) {
   return std::isfinite(value) ? fmt::format("{:.{}f}", value, digits) : std::string("-");
 }
 
-std::string median(const std::vector<FigureValues>& all, std::string_view key) {
+std::string median(const std::vector<FigureValues>& all, std::string_view key,
+                   bool arm_estimated = false) {
   const auto& figures = plan_figures();
   const auto k =
       static_cast<std::size_t>(std::ranges::find(figures, key, &PlanFigure::key) - figures.begin());
   std::vector<double> values;
   for (const FigureValues& one : all) values.push_back(one[k]);
-  return printed(figures[k], median_of(values));
+  return printed(figures[k], median_of(values), arm_estimated);
 }
 
 TextTable::Row robot_row(const std::string& name, const store::PlanReader& plans) {
   GoalCount goals;
   double tips_m = 0, tips_max_m = kNotSeen;
   int executable = 0, repaired = 0;
+  bool estimate = false;
   std::vector<FigureValues> moving;  // with a trajectory
   for (std::size_t k = 0; k < plans.size(); ++k) {
     const Plan plan = plans.read(k);
@@ -42,13 +45,14 @@ TextTable::Row robot_row(const std::string& name, const store::PlanReader& plans
     tips_m += plan.certificate.position_error_mean;
     tips_max_m = std::fmax(tips_max_m, plan.certificate.position_error_max);
     moving.push_back(figures_of(plans.robot(), plan));
+    estimate = estimate || arm_estimated(plan.goals);
   }
   return {
       {name, fmt::format("{} of {}", executable, plans.size()), fmt::format("{}", repaired),
        decimal(100 * static_cast<double>(goals.out_of_reach) / static_cast<double>(goals.all), 1),
        decimal(1e3 * tips_m / static_cast<double>(moving.size()), 2), decimal(1e3 * tips_max_m, 2),
-       median(moving, "humanlikeness"), median(moving, "upper_arm"), median(moving, "palm"),
-       median(moving, "tempo")},
+       median(moving, "humanlikeness", estimate), median(moving, "upper_arm", estimate),
+       median(moving, "palm"), median(moving, "tempo")},
       {}};
 }
 

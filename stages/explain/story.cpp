@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "pipeline/motion/arm_estimated.hpp"
 #include "pipeline/motion/counted.hpp"
 #include "pipeline/motion/goals_at.hpp"
 #include "stages/explain/reason_words.hpp"
@@ -87,7 +88,11 @@ std::string mapping(const RobotTable& robot, const Plan& plan) {
       mapped.humanlikeness.cols() > 0 ? mean_of(mapped.humanlikeness.col(0)) : kNotSeen;
   const double palm = planning::palm_error(robot, plan);
   std::string human;
-  if (!std::isnan(a)) human = fmt::format("humanlikeness A {:.4f} m^2", a);
+  if (!std::isnan(a)) {
+    human = arm_estimated(plan.goals)
+                ? fmt::format("humanlikeness A ~{:.4f} m^2 from an estimated shoulder and elbow", a)
+                : fmt::format("humanlikeness A {:.4f} m^2", a);
+  }
   if (!std::isnan(palm)) {
     human += fmt::format("{}palm turned {:.0f} degrees from the person's",
                          human.empty() ? "" : ", ", palm / kDegree);

@@ -8,6 +8,7 @@
 
 #include "pipeline/collision/mesh_solid.hpp"
 #include "pipeline/math/seed.hpp"
+#include "pipeline/motion/arm_estimated.hpp"
 #include "pipeline/parallel/ordered_map.hpp"
 #include "pipeline/robot/hand_bones.hpp"
 #include "stages/certify/certify.hpp"
@@ -130,12 +131,14 @@ std::string warnings(const collision::CollisionWorld& world, const Goals& goals,
 }
 
 /// "", or that the upper arm points elsewhere than the person's.
-std::string not_humanlike(const Certificate& certificate) {
+std::string not_humanlike(const Certificate& certificate, const Goals& goals) {
   constexpr double kFar = 45 * kDegree;
   if (!(certificate.upper_arm_error_mean > kFar)) return "";
   return fmt::format(
-      "not humanlike: the upper arm is {:.0f} degrees from the person's in the mean (morphe place)",
-      certificate.upper_arm_error_mean / kDegree);
+      "not humanlike: the upper arm is {}{:.0f} degrees from the person's{} in the mean (morphe "
+      "place)",
+      arm_estimated(goals) ? "~" : "", certificate.upper_arm_error_mean / kDegree,
+      arm_estimated(goals) ? ", which is an estimate," : "");
 }
 
 /// Time law and certificate. Smoothing that makes a path collide, or takes tips too far from their
@@ -245,7 +248,7 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
     for (const std::string& sentence :
          {warnings(world, plan.goals, plan.movement, motion, plan.trajectory,
                    config.retime.mode == retime::Tempo::kept),
-          not_humanlike(plan.certificate), unchecked_sentence(robot.unchecked_links)}) {
+          not_humanlike(plan.certificate, plan.goals), unchecked_sentence(robot.unchecked_links)}) {
       if (!sentence.empty()) plan.detail += (plan.detail.empty() ? "" : "; ") + sentence;
     }
   }

@@ -7,8 +7,9 @@ const kDegrees = 180 / Math.PI;
 
 const certified = (attribute) => (row) => row.certificate[attribute];
 
-function certifiedMeasure(id, attribute, short, title, unit, siUnit, factor) {
-  return { id, short, title, unit, siUnit, factor, source: attribute, of: certified(attribute) };
+function certifiedMeasure(id, attribute, short, title, unit, siUnit, factor, ofTheArm = false) {
+  return { id, short, title, unit, siUnit, factor, ofTheArm, source: attribute,
+           of: certified(attribute) };
 }
 
 // Absent: infeasible; null: does not apply.
@@ -27,10 +28,11 @@ export const measures = [
   certifiedMeasure("clearance", "clearance", "Clear\u00adance",
       "Least distance between what may not touch", "mm", "m", 1000),
   certifiedMeasure("upper_arm", "upper_arm_error_mean", "Upper arm",
-      "Mean angle between the robot's upper arm and the person's", "°", "rad", kDegrees),
+      "Mean angle between the robot's upper arm and the person's (~: an estimated one)", "°", "rad",
+      kDegrees, true),
   certifiedMeasure("humanlikeness", "humanlikeness_final", "Human\u00adlikeness",
-      "Metric A of the trajectory: squared distances of the joint centres, less is more alike",
-      "m²", "m²", 1),
+      "Metric A of the trajectory: squared distances of the joint centres, less is more alike " +
+      "(~: from an estimated shoulder or elbow)", "m²", "m²", 1, true),
   {
     id: "out_of_reach", short: "Out of reach", title: "Fingertip goals out of reach", unit: "%",
     siUnit: "", factor: 100, source: "out_of_reach / goals", missing: "no goals",
@@ -76,9 +78,13 @@ export const whyMissing = (measure, row) => measure.missing ??
 
 const wholeTitle = (measure, row) => `${measure.source} = ${measure.of(row)} ${measure.siUnit}`.trim();
 
+// The person's shoulder or elbow was not recorded.
+const armEstimated = ({ estimated }) => estimated.includes("shoulder") || estimated.includes("elbow");
+
 export function fillMeasure(cell, measure, row) {
   const value = shownValue(measure, row);
-  cell.append(Number.isNaN(value) ? "–" : measureText(measure, value));
+  const mark = measure.ofTheArm && armEstimated(row) ? "~" : "";
+  cell.append(Number.isNaN(value) ? "–" : mark + measureText(measure, value));
   cell.title = Number.isNaN(value) ? whyMissing(measure, row) : wholeTitle(measure, row);
 }
 
