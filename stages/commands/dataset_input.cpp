@@ -68,7 +68,7 @@ std::string summary_line(const Imported& imported) {
   std::map<std::string, int> people;
   for (const imports::ManifestEntry& entry : imported.entries) {
     with_static += entry.static_trial.empty() ? 0U : 1U;
-    left += entry.hand == Side::left ? 1U : 0U;
+    left += entry.hand == imports::Hands::left ? 1U : 0U;
     if (!entry.subject.empty()) ++people[entry.subject];
   }
   const std::size_t all = imported.entries.size();

@@ -31,9 +31,11 @@ void add_import_options(CLI::App& app, imports::ImportRequest& request) {
   app.add_option("--joint-order", request.conventions.joint_order,
                  "Order of the joints of a clip's hands, such as openpose or mano");
   app.add_option_function<std::string>(
-         "--hand", [&request](const std::string& hand) { request.hand = named<Side>(hand); },
-         "The hand that reaches: right or left (default: told from the motion)")
-      ->check(CLI::IsMember({"right", "left"}));
+         "--hand",
+         [&request](const std::string& hand) { request.hand = named<imports::Hands>(hand); },
+         "The hand that reaches: right, left or both, a demonstration each (default: told from the "
+         "motion)")
+      ->check(CLI::IsMember({"right", "left", "both"}));
 }
 
 }  // namespace morphe::commands

@@ -41,9 +41,13 @@ ManifestEntry entry_of(const ImportRequest& request, const DatasetFile& file) {
   entry.format = file.in_folder ? file.sketch.format : request.format;
   entry.names = file.names;
   entry.conventions = request.conventions;
-  entry.hand = request.hand.value_or(file.hand.side);
-  const bool usual = !file.in_folder && file.hand.side == Side::right;
-  if (!request.hand && !usual) entry.notes.push_back(file.hand.why);
+  const Hands told = file.hand.side == Side::left ? Hands::left : Hands::right;
+  // Of a folder's recordings some may be of one hand alone.
+  const bool two = shows_hand(file.sketch, Side::right) && shows_hand(file.sketch, Side::left);
+  const bool as_told = !request.hand || (*request.hand == Hands::both && file.in_folder && !two);
+  entry.hand = as_told ? told : *request.hand;
+  const bool usual = !file.in_folder && told == Hands::right;
+  if (as_told && !usual) entry.notes.push_back(file.hand.why);
   if (file.in_folder && named_as_static(file)) {
     entry.notes.push_back(
         "its name is that of a static trial, but its points move: taken as a "
@@ -118,7 +122,13 @@ void add_found(const ImportRequest& request, std::vector<DatasetFile> files,
       entry.subject = pairs[k] ? pairs[k]->person : "";
       if (entry.subject.empty()) entry.subject = person_of(file.sketch.folders, shared);
     }
-    entries.push_back({std::move(entry), names_for(file), file.given});
+    for (ManifestEntry& one : hand_by_hand(std::move(entry))) {
+      std::vector<std::string> names = names_for(file);
+      if (one.of_both) {
+        for (std::string& name : names) name += fmt::format("_{}", name_of(one.hand));
+      }
+      entries.push_back({std::move(one), std::move(names), file.given});
+    }
   }
   for (std::size_t k = 0; k < statics.size(); ++k) {
     left_out.push_back({statics[k].path, served[k] > 0 || given

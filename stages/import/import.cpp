@@ -12,6 +12,7 @@
 #include "stages/import/manifest.hpp"
 #include "stages/import/name_map.hpp"
 #include "stages/import/read_recording.hpp"
+#include "stages/import/recording_sketch.hpp"
 
 namespace morphe::imports {
 
@@ -87,12 +88,16 @@ Demonstration read_recording(const ManifestEntry& entry) {
     throw InputError(
         fmt::format("{}: glove: only liberty-csv takes one, not {}", entry.file, format.name));
   }
-  Demonstration demonstration =
-      read_or_ask(format,
-                  {entry.file, entry.static_trial, entry.glove, entry.static_glove,
-                   entry.glove_calibration, read_names(entry.names), entry.hand, entry.conventions},
-                  entry.manifest);
-  demonstration.hand = entry.hand;
+  Demonstration demonstration = read_or_ask(
+      format,
+      {entry.file, entry.static_trial, entry.glove, entry.static_glove, entry.glove_calibration,
+       read_names(entry.names), side_of(entry), entry.conventions},
+      entry.manifest);
+  demonstration.hand = side_of(entry);
+  if (entry.of_both && !shows_hand(sketch_of(demonstration), demonstration.hand)) {
+    throw InputError(fmt::format("{}: hand: both, but nothing in it is called as the {} one's",
+                                 entry.file, name_of(demonstration.hand)));
+  }
   face_forward(entry.conventions, demonstration);
   for (const MarkerObject& object : entry.objects) {
     add_marker_object(entry.file, object, demonstration);

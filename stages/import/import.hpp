@@ -22,7 +22,7 @@ struct ImportRequest {
   std::string format;                  ///< one of import_format_names(); "" = by content
   std::filesystem::path names;         ///< YAML map "recorded name: name used here"; empty = none
   Conventions conventions;
-  std::optional<Side> hand = {};       ///< none: told from the motion
+  std::optional<Hands> hand = {};      ///< none: the one that reaches, told from the motion
   std::filesystem::path results = {};  ///< a folder that is no part of the dataset; empty = none
 };
 

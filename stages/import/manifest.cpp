@@ -124,11 +124,28 @@ std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file) {
     for (std::string* path : paths_of(entry)) {
       if (!path->empty() || path == &entry.file) *path = (file.parent_path() / *path).string();
     }
-    entries.push_back(std::move(entry));
+    for (ManifestEntry& one : hand_by_hand(std::move(entry))) entries.push_back(std::move(one));
   }
   root.add_unread(problems);
   problems.throw_any();
   return entries;
+}
+
+std::vector<ManifestEntry> hand_by_hand(ManifestEntry entry) {
+  if (entry.hand != Hands::both) return {std::move(entry)};
+  const std::string name = entry.name.empty() ? fs::path(entry.file).stem().string() : entry.name;
+  std::vector<ManifestEntry> entries;
+  for (const Hands hand : {Hands::right, Hands::left}) {
+    ManifestEntry& one = entries.emplace_back(entry);
+    one.hand = hand;
+    one.of_both = true;
+    one.name = fmt::format("{}_{}", name, name_of(hand));
+  }
+  return entries;
+}
+
+Side side_of(const ManifestEntry& entry) {
+  return entry.hand == Hands::left ? Side::left : Side::right;
 }
 
 std::string manifest_text(std::vector<ManifestEntry> entries, const fs::path& folder) {

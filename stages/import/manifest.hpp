@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pipeline/config/schema.hpp"
@@ -11,6 +13,10 @@
 #include "stages/import/marker_objects.hpp"
 
 namespace morphe::imports {
+
+/// Whose movements a recording is read for.
+enum class Hands { right, left, both };
+constexpr std::array<std::string_view, 3> names_of(Hands) { return {"right", "left", "both"}; }
 
 /// One line of a manifest. Paths are as written there joined to the manifest's folder.
 struct ManifestEntry {
@@ -21,7 +27,8 @@ struct ManifestEntry {
   std::string format;  ///< "" = by content
   std::string names;   ///< YAML map of recorded names to ours; "" = none
   std::string subject, task, source, licence;
-  Side hand = Side::right;
+  Hands hand = Hands::right;  ///< both: until hand_by_hand()
+  bool of_both = false;       ///< the other hand's movements are another entry
   Conventions conventions;
   std::vector<Label> labels;          ///< phases that somebody marked
   std::vector<MarkerObject> objects;  ///< bodies that carry markers
@@ -35,9 +42,15 @@ struct ManifestEntry {
 ///     recordings:
 ///       - {file: a.csv, static: a_static.csv, name: a, task: drink}
 ///
-/// Throws InputError for a missing file key, an unknown key, a length that is not positive or a
-/// hand that is neither right nor left.
+/// A recording of both hands becomes an entry of each. Throws InputError for a missing file key, an
+/// unknown key, a length that is not positive or a hand that is none of right, left and both.
 std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file);
+
+/// An entry of both hands as one of each, called NAME_right and NAME_left; any other as it is.
+std::vector<ManifestEntry> hand_by_hand(ManifestEntry entry);
+
+/// Of an entry that is not of both hands.
+Side side_of(const ManifestEntry& entry);
 
 /// The manifest in `folder` that read_manifest takes back to these entries.
 std::string manifest_text(std::vector<ManifestEntry> entries, const std::filesystem::path& folder);

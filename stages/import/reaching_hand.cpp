@@ -103,4 +103,10 @@ ReachingHand reaching_hand(const Demonstration& demonstration, const RecordingSk
                       1000 * std::min(right, left))};
 }
 
+bool shows_hand(const RecordingSketch& sketch, Side side) {
+  const std::set<std::string_view> all(sketch.points.begin(), sketch.points.end());
+  return std::ranges::any_of(
+      sketch.points, [&](const std::string& name) { return side_said_by(name, all) == side; });
+}
+
 }  // namespace morphe::imports

@@ -40,4 +40,8 @@ struct ReachingHand {
 /// Keypoints tell it by how the fingers curl. Otherwise the right one is assumed.
 ReachingHand reaching_hand(const Demonstration& demonstration, const RecordingSketch& sketch);
 
+/// Whether there are points whose names say that side. Sensors, gloves and keypoints are those of
+/// one hand and say none.
+bool shows_hand(const RecordingSketch& sketch, Side side);
+
 }  // namespace morphe::imports

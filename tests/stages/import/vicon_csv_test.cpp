@@ -309,8 +309,8 @@ TEST_F(ViconCsv, ManifestErrors) {
             "recordings.yaml:2: recordings[0].file: is missing");
   EXPECT_EQ(manifest_error("recordings:\n  - {file: trial.csv, colour: red}\n"),
             "recordings.yaml:2: recordings[0].colour: unknown key");
-  EXPECT_THAT(manifest_error("hand: both\nrecordings:\n  - {file: trial.csv}\n"),
-              HasSubstr("hand: must be right or left, not 'both'"));
+  EXPECT_THAT(manifest_error("hand: none\nrecordings:\n  - {file: trial.csv}\n"),
+              HasSubstr("hand: must be right, left or both, not 'none'"));
   EXPECT_THAT(manifest_error("recordings:\n  - {file: trial.csv}\n  - {file: trial.csv}\n"),
               HasSubstr("'trial' stands twice"));
 }

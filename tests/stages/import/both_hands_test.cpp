@@ -1,0 +1,81 @@
+// A recording of two hands, as two demonstrations.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "pipeline/motion/input_error.hpp"
+#include "stages/import/import.hpp"
+
+namespace morphe::imports {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+const fs::path kDatasets = fs::path(MORPHE_SOURCE_DIR) / "datasets";
+const fs::path kStanding = kDatasets / "pybvh/bvh_test3.bvh";  // five fingers a hand
+
+std::vector<Demonstration> read(const ImportRequest& request, Imported* imported = nullptr) {
+  std::vector<Demonstration> all;
+  Imported what =
+      import_recordings(request, [&](Demonstration&& d) { all.push_back(std::move(d)); });
+  if (imported != nullptr) *imported = std::move(what);
+  return all;
+}
+
+std::vector<std::string> names_of_all(const std::vector<Demonstration>& all) {
+  std::vector<std::string> names;
+  for (const Demonstration& d : all) names.push_back(d.name);
+  return names;
+}
+
+ImportRequest both(const fs::path& path) {
+  ImportRequest request;
+  request.paths = {path};
+  request.hand = Hands::both;
+  return request;
+}
+
+TEST(BothHands, AreADemonstrationEach) {
+  Imported imported;
+  const auto all = read(both(kStanding), &imported);
+  ASSERT_THAT(names_of_all(all), ElementsAre("bvh_test3_right", "bvh_test3_left"));
+  EXPECT_EQ(all[0].hand, Side::right);
+  EXPECT_EQ(all[1].hand, Side::left);
+  ASSERT_TRUE(all[0].streams.skeleton && all[1].streams.skeleton);
+  EXPECT_EQ(all[0].streams.skeleton->names, all[1].streams.skeleton->names);
+  // What is written as a manifest reads the same.
+  const fs::path folder = fs::path(testing::TempDir()) / "both_hands";
+  fs::create_directories(folder);
+  std::ofstream(folder / "recordings.yaml") << manifest_text(imported.entries, folder);
+  ImportRequest again;
+  again.paths = {folder / "recordings.yaml"};
+  EXPECT_EQ(names_of_all(read(again)), names_of_all(all));
+  std::ofstream(folder / "recordings.yaml")
+      << "recordings:\n  - {file: " << kStanding.string() << ", hand: both, name: person}\n";
+  EXPECT_THAT(names_of_all(read(again)), ElementsAre("person_right", "person_left"));
+  fs::remove_all(folder);
+}
+
+TEST(BothHands, OfARecordingOfOneHandAreAnErrorButInAFolderThatHand) {
+  const fs::path door = kDatasets / "adroit-dapg/door_demo_06.csv";
+  try {
+    read(both(door));
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("hand: both, but nothing in it is called as the right"));
+  }
+  const fs::path folder = fs::path(testing::TempDir()) / "both_hands_folder";
+  fs::create_directories(folder);
+  fs::copy_file(door, folder / "door.csv", fs::copy_options::overwrite_existing);
+  fs::copy_file(kStanding, folder / "standing.bvh", fs::copy_options::overwrite_existing);
+  EXPECT_THAT(names_of_all(read(both(folder))),
+              ElementsAre("door", "standing_right", "standing_left"));
+  fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace morphe::imports
