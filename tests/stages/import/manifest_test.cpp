@@ -7,7 +7,7 @@ namespace {
 
 class Manifest : public RecordingFolder {};
 
-const std::filesystem::path kDatasets = std::filesystem::path(MORPHE_SOURCE_DIR) / "datasets";
+const std::filesystem::path kShippedSets = std::filesystem::path(MORPHE_SOURCE_DIR) / "datasets";
 
 void expect_equal(const ManifestEntry& a, const ManifestEntry& b) {
   const auto real = [](const std::string& path) {
@@ -42,7 +42,7 @@ void expect_equal(const ManifestEntry& a, const ManifestEntry& b) {
 
 TEST_F(Manifest, WhatIsWrittenIsReadBack) {
   for (const char* folder : {"ue-adl", "pyomeca", "cmu-native", "dex-retargeting", "adroit-dapg"}) {
-    std::vector<ManifestEntry> entries = read_manifest(kDatasets / folder / "recordings.yaml");
+    std::vector<ManifestEntry> entries = read_manifest(kShippedSets / folder / "recordings.yaml");
     entries.front().notes = {"it's assumed: yes", "another # one"};
     const auto file = write(manifest_text(entries, folder_), "written.yaml");
     const std::vector<ManifestEntry> again = read_manifest(file);
