@@ -15,8 +15,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
-const fs::path kDatasets = fs::path(MORPHE_SOURCE_DIR) / "datasets";
-const fs::path kStanding = kDatasets / "pybvh/bvh_test3.bvh";  // five fingers a hand
+const fs::path kAllShipped = fs::path(MORPHE_SOURCE_DIR) / "datasets";
+const fs::path kStanding = kAllShipped / "pybvh/bvh_test3.bvh";  // five fingers a hand
 
 std::vector<Demonstration> read(const ImportRequest& request, Imported* imported = nullptr) {
   std::vector<Demonstration> all;
@@ -36,6 +36,9 @@ ImportRequest both(const fs::path& path) {
   ImportRequest request;
   request.paths = {path};
   request.hand = Hands::both;
+  request.names = fs::path(MORPHE_SOURCE_DIR) / "configs/names/five_fingers.yaml";
+  request.conventions.axes = "x y z";  // as its manifest says
+  request.conventions.unit = "in";
   return request;
 }
 
@@ -55,13 +58,14 @@ TEST(BothHands, AreADemonstrationEach) {
   again.paths = {folder / "recordings.yaml"};
   EXPECT_EQ(names_of_all(read(again)), names_of_all(all));
   std::ofstream(folder / "recordings.yaml")
-      << "recordings:\n  - {file: " << kStanding.string() << ", hand: both, name: person}\n";
+      << "recordings:\n  - {file: " << kStanding.string()
+      << ", hand: both, name: person, axes: x y z, unit: in}\n";
   EXPECT_THAT(names_of_all(read(again)), ElementsAre("person_right", "person_left"));
   fs::remove_all(folder);
 }
 
 TEST(BothHands, OfARecordingOfOneHandAreAnErrorButInAFolderThatHand) {
-  const fs::path door = kDatasets / "adroit-dapg/door_demo_06.csv";
+  const fs::path door = kAllShipped / "adroit-dapg/door_demo_06.csv";
   try {
     read(both(door));
     FAIL() << "no error";
@@ -71,9 +75,9 @@ TEST(BothHands, OfARecordingOfOneHandAreAnErrorButInAFolderThatHand) {
   const fs::path folder = fs::path(testing::TempDir()) / "both_hands_folder";
   fs::create_directories(folder);
   fs::copy_file(door, folder / "door.csv", fs::copy_options::overwrite_existing);
-  fs::copy_file(kStanding, folder / "standing.bvh", fs::copy_options::overwrite_existing);
+  fs::copy_file(kStanding, folder / "gestures.bvh", fs::copy_options::overwrite_existing);
   EXPECT_THAT(names_of_all(read(both(folder))),
-              ElementsAre("door", "standing_right", "standing_left"));
+              ElementsAre("door", "gestures_right", "gestures_left"));
   fs::remove_all(folder);
 }
 
