@@ -33,9 +33,9 @@ PROGRAMS = {
     "tests/stages/import/markers_csv_test.cpp": [
         "stages/import/markers_csv.cpp", "stages/import/marker_columns.cpp", "stages/import/marker_recording.cpp",
         "stages/import/conventions.cpp", "stages/import/rename.cpp", "stages/import/arm_names.cpp",
-        "stages/import/axes_guess.cpp", "stages/import/joints_of_points.cpp", "stages/import/recorded_points.cpp",
-        "stages/import/recorded_words.cpp", "pipeline/files/csv.cpp",
-        "pipeline/files/text_encoding.cpp", "pipeline/motion/stream_report.cpp"],
+        "stages/import/joints_of_points.cpp", "stages/import/rigid_bodies.cpp", "stages/import/hand_tracker.cpp",
+        "stages/import/hand_checks.cpp", "stages/import/hand_clip.cpp", "stages/import/hand_curl.cpp",
+        "pipeline/files/csv.cpp", "pipeline/files/text_encoding.cpp", "pipeline/motion/stream_report.cpp"],
     "tests/pipeline/humanlike/range_middle_term_test.cpp": [],
     "tests/stages/export/trajectory_jsonl_test.cpp": ["stages/export/trajectory_jsonl.cpp"],
     "tests/stages/dwell/dwell_test.cpp": ["stages/dwell/dwell.cpp"],

@@ -55,6 +55,8 @@ void score_real(const ScoreOptions& options, const RealSet& set, const StudyRun&
                 StudyResult& result) {
   imports::ImportRequest request;
   request.paths = {options.folder / set.manifest};
+  // Angle files of others are about the axes of their laboratory.
+  if (!set.angles.empty()) request.conventions.forward = imports::ForwardBy::recorded;
   SegmentationScore all;
   std::size_t labelled = 0, overlapped = 0, recordings = 0;
   double recorded_s = 0, rebuild_s = 0;

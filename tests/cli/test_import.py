@@ -40,7 +40,7 @@ class Import(CommandCase):
     def test_one_recording_with_its_static_trial(self):
         file, csv, static = (self.folder / "one.h5", RECORDINGS / "ADL001DR2.csv",
                              RECORDINGS / "ADL001_static.csv")
-        self.succeeds("import", csv, "--static", static, "--out", file)
+        self.succeeds("import", csv, "--static", static, "--out", file, "--forward", "recorded")
         with h5py.File(file) as imported:
             self.assertEqual(list(imported["demonstrations"]), ["ADL001DR2"])
             group = imported["demonstrations/ADL001DR2"]

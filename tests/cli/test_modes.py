@@ -24,6 +24,7 @@ recordings:
 """
 DOOR = f"""\
 format: adroit-csv
+forward: recorded
 recordings:
   - {{file: {SOURCE}/datasets/adroit-dapg/door_demo_06.csv, name: door}}
 """

@@ -11,6 +11,7 @@ from support import (QUICK, RECORDINGS, SOURCE, CommandCase, json, line_of, main
 
 MANIFEST = """\
 format: vicon-csv
+forward: recorded
 recordings:
   - {file: drink.csv, static: static.csv, name: drink, upper_arm: 0.274, forearm: 0.254}
 """

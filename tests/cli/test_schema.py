@@ -172,7 +172,7 @@ MISTAKES = {
     ]),
     "manifest": ("recordings:\n  - {file: a.csv, hand: right, upper_arm: 0.3}\n", [
         ("file: a.csv", "files: a.csv", "files"),
-        ("hand: right", "hand: both", "hand"),
+        ("hand: right", "hand: third", "hand"),
         ("upper_arm: 0.3", "upper_arm: long", "upper_arm"),
         ("upper_arm: 0.3", "upperarm: 0.3", "upperarm"),
         ("recordings:", "recordings: []\nrecording:", "recording"),

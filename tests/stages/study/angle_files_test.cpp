@@ -22,6 +22,7 @@ TEST(AngleFiles, RebuiltAnglesFollowTheAuthorsOwn) {
   const double begin_s[] = {0.64, 0.32, 0.30, 0.60, 0.84};
   imports::ImportRequest request;
   request.paths = {kTrials / "recordings.yaml"};
+  request.conventions.forward = imports::ForwardBy::recorded;  // their angles are about its axes
   std::size_t trial = 0;
   imports::import_recordings(request, [&](Demonstration&& d) {
     const HumanMotion motion = reconstruct::reconstruct(d, {}, {});
