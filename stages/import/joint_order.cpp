@@ -14,9 +14,10 @@
 namespace morphe::imports {
 namespace {
 
-constexpr double kIsAHand = 0.85;   ///< share of what must be true
-constexpr double kDecided = 0.10;   ///< by which the next best must be worse
-constexpr std::size_t kLooks = 50;  ///< frames that are looked at
+constexpr double kIsAHand = 0.85;    ///< share of what must be true
+constexpr double kDecided = 0.10;    ///< by which the next best must be worse
+constexpr double kFoldsBack = -0.6;  ///< cosine of a bend that no joint makes
+constexpr std::size_t kLooks = 50;   ///< frames that are looked at
 constexpr std::string_view kNoKeypoints[] = {"palm", "forearm"};
 
 std::string orders_with(std::size_t count) {
@@ -41,6 +42,11 @@ using Hand = std::array<Vec3, kKeypoints>;
 
 double apart(const Hand& hand, std::size_t a, std::size_t b) { return (hand[a] - hand[b]).norm(); }
 
+/// Cosine of the angle by which the way from a over b to c turns.
+double bend(const Hand& hand, std::size_t a, std::size_t b, std::size_t c) {
+  return (hand[b] - hand[a]).normalized().dot((hand[c] - hand[b]).normalized());
+}
+
 /// All lengths are measured by the hand's own: nothing depends on the unit.
 void judge(const Hand& hand, Votes& votes) {
   const double palm = (apart(hand, 0, 5) + apart(hand, 0, 9) + apart(hand, 0, 13)) / 3;
@@ -48,6 +54,9 @@ void judge(const Hand& hand, Votes& votes) {
   for (std::size_t finger = 1; finger < kFingers; ++finger) {
     const std::size_t base = 1 + 4 * finger;
     votes.ask(0.5 * size, apart(hand, 0, base));
+    votes.ask(kFoldsBack, bend(hand, 0, base, base + 1));
+    votes.ask(kFoldsBack, bend(hand, base, base + 1, base + 2));
+    votes.ask(kFoldsBack, bend(hand, base + 1, base + 2, base + 3));
     votes.ask(apart(hand, base + 2, base + 3), 1.15 * apart(hand, base, base + 1));
     votes.ask(apart(hand, base + 1, base + 2), 1.15 * apart(hand, base, base + 1));
     for (std::size_t joint = 0; joint < 3; ++joint) {
@@ -65,6 +74,7 @@ void judge(const Hand& hand, Votes& votes) {
     votes.ask(0.08 * size, bone);
     votes.ask(bone, 0.75 * size);
   }
+  votes.ask(kFoldsBack, bend(hand, 2, 3, 4));
   votes.ask(apart(hand, 0, 2), apart(hand, 0, 9));
   votes.ask(apart(hand, 2, 5), apart(hand, 2, 17));
 }

@@ -24,7 +24,7 @@ JointOrder order_by_names(const std::vector<std::string>& names, std::vector<std
 
 /// Share of what is true of every hand that is true of this order of [N, J] joints, in the mean
 /// over some frames: bones and palms of plausible proportions, knuckles side by side in their
-/// order, tips beyond the joints before them, the thumb on the index's side.
+/// order, no joint that folds back on itself, the thumb on the index's side.
 double likeness_to_a_hand(const Table<Vec3>& joints, const std::array<int, kKeypoints>& order);
 
 /// The order that is asked for (Conventions, else `in_file`, "" = not said), or that of those with
