@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "pipeline/math/statistics.hpp"
 #include "stages/reconstruct/gaps.hpp"
 
 namespace morphe::reconstruct {
@@ -20,9 +21,7 @@ Vec3 median_of(const std::vector<Vec3>& points) {
       if (seen(point)) values.push_back(point[c]);
     }
     if (values.empty()) return median;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    median[c] = *middle;
+    median[c] = math::median(values);
   }
   return median;
 }

@@ -21,9 +21,9 @@ human::ArmLengths arm_lengths_of(const Demonstration& demonstration, const Human
 ///             wrist; then moved as little as it takes to reach every wrist
 ///   elbow     on the circle that the lengths leave, turned outward by `elbow_outward` (a swivel
 ///             sought for the hand's orientation within human limits is no nearer to the person's)
-/// Hidden in the five ue-adl trials, shoulders are found within 46 to 63 mm RMS, elbows of reaches
-/// within 51 and 55 mm, of drinking, which lifts them, within 121 to 182 mm; the upper arm points 5
-/// and 10 degrees, or 19 to 32, elsewhere.
+/// Hidden in the five ue-adl trials, shoulders are found within 48 to 65 mm RMS, elbows of reaches
+/// within 51 and 62 mm, of drinking, which lifts them, within 120 to 181 mm; the upper arm points 5
+/// and 9 degrees, or 19 to 32, elsewhere.
 void estimate_arm(const human::ArmLengths& lengths, const HumanOptions& human,
                   const std::vector<Vec3>& head, HumanMotion& motion);
 

@@ -53,10 +53,6 @@ std::vector<Quat> at(const std::vector<Between>& rows, const std::vector<Quat>& 
   return result;
 }
 
-bool any_turned(const SkeletonJoint& joint) {
-  return std::ranges::any_of(joint.orientation, [](const Quat& turn) { return seen(turn); });
-}
-
 }  // namespace
 
 HumanMotion motion_from_rebuilt(const BodyStream& body, const ReconstructOptions& options) {
@@ -92,7 +88,7 @@ HumanMotion motion_from_rebuilt(const BodyStream& body, const ReconstructOptions
     }
     const SkeletonJoint& tip = digits[finger][3];
     tips_estimated = tips_estimated || tip.estimated;
-    tips_turned = tips_turned || any_turned(tip);
+    tips_turned = tips_turned || is_turned(tip);
     const std::vector<Quat> turned =
         tip.there() ? at(rows, tip.orientation) : std::vector<Quat>(clock.count, unseen_rotation());
     for (std::size_t i = 0; i < clock.count; ++i) {

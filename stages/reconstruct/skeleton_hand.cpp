@@ -71,10 +71,6 @@ std::vector<Quat> hand_from_points(const SkeletonJoint& wrist, const Digits& dig
   return world_from_hand;
 }
 
-bool is_turned(const SkeletonJoint& joint) {
-  return std::ranges::any_of(joint.orientation, [](const Quat& turn) { return seen(turn); });
-}
-
 }  // namespace
 
 std::vector<Quat> hand_orientation(const std::vector<double>& time, const SkeletonJoint& hand,

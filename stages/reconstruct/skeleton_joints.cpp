@@ -33,6 +33,10 @@ SkeletonJoint find_joint(const BodyStream& body, const std::string& name) {
   return joint;
 }
 
+bool is_turned(const SkeletonJoint& joint) {
+  return std::ranges::any_of(joint.orientation, [](const Quat& turn) { return seen(turn); });
+}
+
 Digits find_digits(const BodyStream& body) {
   Digits digits;
   for (std::size_t finger = 0; finger < kFingers; ++finger) {

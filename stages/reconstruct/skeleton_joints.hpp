@@ -19,6 +19,9 @@ struct SkeletonJoint {
 
 SkeletonJoint find_joint(const BodyStream& body, const std::string& name);
 
+/// Whether it was ever seen how the joint is turned.
+bool is_turned(const SkeletonJoint& joint);
+
 /// Of the right hand: joints of each finger from its base to its tip.
 using Digits = std::array<std::array<SkeletonJoint, 4>, kFingers>;
 
