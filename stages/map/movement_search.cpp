@@ -7,6 +7,7 @@
 #include "pipeline/math/seed.hpp"
 #include "stages/map/coarse_grid.hpp"
 #include "stages/map/frame_search.hpp"
+#include "stages/map/rounded_problem.hpp"
 #include "stages/map/splice.hpp"
 #include "stages/map/twins.hpp"
 #include "stages/map/whole_movement.hpp"
@@ -69,6 +70,15 @@ Course minimise_course(const MappingProblem& problem, const JointRows& start,
   return {found.q, found.value};
 }
 
+/// A course on the coarse grid, settled there and then refined to every frame.
+Course settle(const MappingProblem& problem, const MappingProblem& coarse,
+              const std::vector<std::size_t>& frames, const JointRows& start,
+              const MapOptions& options) {
+  const Course settled = minimise_course(coarse, start, options.movement_cost, options.movement);
+  return minimise_course(problem, interpolate(settled.q, frames), options.movement_cost,
+                         for_all_frames(options.movement));
+}
+
 /// Twins that are worth following.
 std::vector<JointVector> first_twins(const Twins& twins, const JointVector& q) {
   constexpr std::size_t kMost = 3;
@@ -103,16 +113,15 @@ void add_if_new(const Twins& twins, std::vector<Course>& courses, Course course)
 Course smooth_movement(const MappingProblem& problem, const JointRows& start,
                        const MapOptions& options) {
   const std::vector<std::size_t> frames = coarse_frames(problem.time, options.coarse_step_s);
-  const Course coarse = minimise_course(on_frames(problem, frames), rows_at(start, frames),
-                                        options.movement_cost, options.movement);
-  return minimise_course(problem, interpolate(coarse.q, frames), options.movement_cost,
-                         for_all_frames(options.movement));
+  const RoundedProblem coarse(on_frames(problem, frames));
+  return settle(problem, coarse.problem, frames, rows_at(start, frames), options);
 }
 
 std::vector<Course> search_movement(const MappingProblem& problem, const MapOptions& options,
                                     std::uint64_t seed) {
   const std::vector<std::size_t> frames = coarse_frames(problem.time, options.coarse_step_s);
-  const MappingProblem coarse = on_frames(problem, frames);
+  const RoundedProblem rounded(on_frames(problem, frames));
+  const MappingProblem& coarse = rounded.problem;
   MappingScratch scratch;
 
   const Twins twins = find_twins(coarse);
@@ -160,8 +169,10 @@ std::vector<Course> search_movement(const MappingProblem& problem, const MapOpti
     courses[k] = minimise_course(coarse, courses[k].q, options.movement_cost, comparing);
   }
   by_value(courses);
-  for (Course& course : courses) course.q = interpolate(course.q, frames);
-  courses.front() = smooth_movement(problem, courses.front().q, options);
+  courses.front() = settle(problem, coarse, frames, courses.front().q, options);
+  for (std::size_t k = 1; k < courses.size(); ++k) {
+    courses[k].q = interpolate(courses[k].q, frames);
+  }
   return courses;
 }
 
@@ -171,10 +182,10 @@ Course course_through(const MappingProblem& problem, std::size_t frame, const Jo
   const auto place = std::ranges::lower_bound(frames, frame);
   const auto key = static_cast<std::size_t>(place - frames.begin());
   if (*place != frame) frames.insert(place, frame);
-  const MappingProblem coarse = on_frames(problem, frames);
+  const RoundedProblem coarse(on_frames(problem, frames));
   MappingScratch scratch;
-  const Way followed = follow(coarse, key, posture, options.solver, scratch);
-  return smooth_movement(problem, interpolate(followed.q, frames), options);
+  const Way followed = follow(coarse.problem, key, posture, options.solver, scratch);
+  return settle(problem, coarse.problem, frames, followed.q, options);
 }
 
 }  // namespace morphe::map

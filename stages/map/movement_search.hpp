@@ -20,9 +20,9 @@ Course smooth_movement(const MappingProblem& problem, const JointRows& start,
                        const MapOptions& options);
 
 /// The movement as one problem: minima of key frames are followed through it on a coarse grid,
-/// smoothed as a whole, merged where they meet, and ordered by value. The first one is refined to
-/// every frame; the others stay on the coarse grid's accuracy (interpolated to every frame) and are
-/// kept for repair.
+/// smoothed as a whole, merged where they meet, and ordered by value, all of it with rounded goals
+/// (rounded_problem.hpp). The first one is refined to every frame; the others stay on the coarse
+/// grid's accuracy (interpolated to every frame) and are kept for repair.
 std::vector<Course> search_movement(const MappingProblem& problem, const MapOptions& options,
                                     std::uint64_t seed);
 

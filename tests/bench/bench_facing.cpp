@@ -1,6 +1,6 @@
 // Plans of every shipped recording, turned about the vertical: how far they are from those of the
-// recording as it is. The goals are the same to rounding; the search for a way through a movement
-// may still end in a neighbouring minimum, as it does between compilers.
+// recording as it is. The goals are the same to rounding, and so are the paths, because the mapping
+// searches on a grid; a re-solve of repair may still end in a neighbouring minimum.
 //   bench_facing [--angles N] [--seed S]
 #include <fmt/format.h>
 
