@@ -1,7 +1,16 @@
 #include "pipeline/motion/extent.hpp"
 
+#include <array>
+#include <cstddef>
+
 namespace morphe {
 namespace {
+
+bool has_size(const SceneObject& object) {
+  constexpr std::array<std::size_t, 4> kNumbers = {1, 3, 2, 2};  // sphere, box, cylinder, capsule
+  if (object.shape == Shape::mesh) return !object.vertices.empty();
+  return object.size.size() == kNumbers[static_cast<std::size_t>(object.shape)];
+}
 
 /// Half the extent along each of a frame's axes, about the object's centre; of no mesh.
 Vec3 half_extent(const SceneObject& object, const Eigen::Matrix3d& turn) {
@@ -22,6 +31,7 @@ Vec3 half_extent(const SceneObject& object, const Eigen::Matrix3d& turn) {
 }  // namespace
 
 Eigen::AlignedBox3d extent_of(const SceneObject& object, const Pose& frame_from_object) {
+  if (!has_size(object)) return Eigen::AlignedBox3d(frame_from_object.translation());
   Eigen::AlignedBox3d extent;
   for (const Vec3& vertex : object.vertices) extent.extend(frame_from_object * vertex);
   if (object.shape == Shape::mesh) return extent;

@@ -18,17 +18,6 @@ constexpr double kWidestHeld = 0.15;    ///< [m]
 constexpr double kTipsFromSkin = 0.05;  ///< of both tips together, from the surface [m]
 constexpr double kLeastWith_s = 0.1, kOnset_s = 0.2;
 
-bool has_size(const SceneObject& object) {
-  constexpr std::array<std::size_t, 4> kNumbers = {1, 3, 2, 2};  // sphere, box, cylinder, capsule
-  if (object.shape == Shape::mesh) return !object.vertices.empty();
-  return object.size.size() == kNumbers[static_cast<std::size_t>(object.shape)];
-}
-
-Eigen::AlignedBox3d own_extent(const SceneObject& object) {
-  if (has_size(object)) return extent_of(object, Pose::Identity());
-  return Eigen::AlignedBox3d(Vec3::Zero(), Vec3::Zero());
-}
-
 /// Whether a box lies between two fingertips that hold it, all in the box's frame.
 bool between(const Eigen::AlignedBox3d& box, const Vec3& thumb, const Vec3& finger) {
   const double apart = (finger - thumb).norm();
@@ -60,7 +49,7 @@ Contact contact_with(const SceneObject& object, const HumanMotion& motion,
                      const HandSignals& signals) {
   const std::size_t n = signals.frames();
   const bool has_tips = motion.tip.rows == n && motion.tip.cols == kFingers;
-  const Eigen::AlignedBox3d box = own_extent(object);
+  const Eigen::AlignedBox3d box = extent_of(object, Pose::Identity());
   Contact contact{object.name, std::vector<double>(n, kNotSeen), std::vector<bool>(n),
                   std::vector<bool>(n)};
   std::vector<Pose> world_from_object(n);

@@ -36,5 +36,16 @@ TEST(ExtentOf, EachShape) {
   EXPECT_TRUE(sizes_of(mesh, lying).isApprox(Vec3(1, 3, 2), 1e-12));
 }
 
+TEST(ExtentOf, WithoutASizeItIsAPoint) {
+  // Nothing is read beyond the numbers that are there.
+  for (const Shape shape :
+       {Shape::sphere, Shape::box, Shape::cylinder, Shape::capsule, Shape::mesh}) {
+    EXPECT_TRUE(sizes_of(body(shape, {}), Quat::Identity()).isZero()) << name_of(shape);
+    EXPECT_EQ(extent_of(body(shape, {}), make_pose(Vec3(1, 2, 3), Quat::Identity())).min(),
+              Vec3(1, 2, 3));
+  }
+  EXPECT_TRUE(sizes_of(body(Shape::box, {1, 2}), Quat::Identity()).isZero());
+}
+
 }  // namespace
 }  // namespace morphe
