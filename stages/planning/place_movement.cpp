@@ -9,7 +9,10 @@
 #include "stages/map/joint_to_joint.hpp"
 #include "stages/map/map_movement.hpp"
 #include "stages/map/movement_search.hpp"
+#include "stages/reconstruct/human_limits.hpp"
+#include "stages/reconstruct/other_arm.hpp"
 #include "stages/scene/carried_target.hpp"
+#include "stages/scene/other_arm.hpp"
 
 namespace morphe::planning {
 namespace {
@@ -63,6 +66,29 @@ Scene scene_around(const Planner& planner, const Demonstration& demonstration,
   configured.target.infer = false;
   movement.target.clear();
   return scene::build_scene(configured, {}, motion, movement);
+}
+
+std::vector<SceneObject> other_arm_beside(const Planner& planner,
+                                          const Demonstration& demonstration,
+                                          std::vector<std::string>& notes) {
+  const PipelineConfig& config = planner.config;
+  if (!config.scene.other_arm) return {};
+  if (map::hand_alone(planner.robot)) {
+    notes.emplace_back("a hand alone has no place in the world: the other arm is no obstacle");
+    return {};
+  }
+  const HumanMotion other = reconstruct::reconstruct_other_arm(demonstration, config.reconstruct,
+                                                               config.human, planner.robot.side);
+  if (const Refusal inhuman = reconstruct::refuse_inhuman(other, config.human)) {
+    notes.push_back("the person's other arm, an obstacle all the same: " + inhuman.detail);
+  }
+  std::vector<SceneObject> capsules = scene::other_arm_capsules(config.scene, other, notes);
+  std::erase_if(capsules, [&](const SceneObject& capsule) {
+    const bool recorded = object_named(demonstration.objects, capsule.name) != nullptr;
+    if (recorded) notes.push_back(capsule.name + " is an object that was recorded, as it was");
+    return recorded;
+  });
+  return capsules;
 }
 
 PlacedMovement::PlacedMovement(const Planner& planner, const HumanMotion& motion,

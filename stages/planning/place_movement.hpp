@@ -12,6 +12,13 @@ namespace morphe::planning {
 Scene scene_around(const Planner& planner, const Demonstration& demonstration,
                    const HumanMotion& motion, Movement& movement);
 
+/// The person's other arm where the robot's side has it, if `scene.other_arm` asks for it:
+/// obstacles to stand among the demonstration's objects, once its movements are found. What became
+/// of it is said in `notes`. A recorded object of such a name stays what it is.
+std::vector<SceneObject> other_arm_beside(const Planner& planner,
+                                          const Demonstration& demonstration,
+                                          std::vector<std::string>& notes);
+
 /// A movement with the robot in its place, ready to be mapped. All but `around` in the base frame.
 struct PlacedMovement {
   /// `offset` moves the base from where the placement puts it, along the world's axes [m]: as if

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <utility>
 
 #include "pipeline/collision/mesh_solid.hpp"
@@ -272,6 +273,10 @@ Rebuilt rebuild(const Planner& planner, const Demonstration& demonstration, Stag
     rebuilt.motion = reconstruct::mirrored(std::move(rebuilt.motion));
     rebuilt.beside.objects = reconstruct::objects_beside(demonstration, Side::left);
   }
+  const std::vector<SceneObject> other_arm = timed(seconds, "reconstruct", [&] {
+    return other_arm_beside(planner, demonstration, rebuilt.motion.problems);
+  });
+  std::ranges::copy(other_arm, std::back_inserter(rebuilt.beside.objects));
   if (!alone) return rebuilt;
   rebuilt.motion = reconstruct::in_hand_frame(std::move(rebuilt.motion));
   const map::HandFit fit =

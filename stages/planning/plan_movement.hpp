@@ -21,7 +21,8 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
                    const std::optional<Vec3>& offset = {});
 
 /// A demonstration rebuilt as an arm of the robot's side, and the movements found in it; what is
-/// around them is where that arm is: in the mirror, if the other one was recorded.
+/// around them is where that arm is: in the mirror, if the other one was recorded. The person's
+/// other arm is among it, if it is to be an obstacle.
 struct Rebuilt {
   HumanMotion motion;
   Demonstration beside;

@@ -7,6 +7,7 @@
 #include "pipeline/motion/extent.hpp"
 #include "stages/scene/configured_body.hpp"
 #include "stages/scene/inferred.hpp"
+#include "stages/scene/other_arm.hpp"
 
 namespace morphe::scene {
 namespace {
@@ -14,16 +15,16 @@ namespace {
 constexpr double kInReach = 0.15;  ///< between the tips and an object that they took [m]
 
 /// Name of the recorded object whose centre is nearest to the seen tips at the end of the grasp, of
-/// those that are not farther than kInReach from them; "" if there is none.
-std::string nearest_object(const std::vector<SceneObject>& objects, const HumanMotion& motion,
-                           const Phase& grasp) {
+/// those that are not farther than kInReach from them, nor of the other arm; "" if there is none.
+std::string nearest_object(const SceneOptions& options, const std::vector<SceneObject>& objects,
+                           const HumanMotion& motion, const Phase& grasp) {
   const GraspTips tips = tips_at_grasp(motion, grasp);
   Vec3 hand = (tips.thumb + tips.index) / 2;
   if (!seen(hand)) hand = seen(tips.thumb) ? tips.thumb : tips.index;
   std::string name;
   double least = std::numeric_limits<double>::infinity();
   for (const SceneObject& object : objects) {
-    if (object.time.empty()) continue;
+    if (object.time.empty() || of_other_arm(options, object.name)) continue;
     const Pose pose = recorded_pose(object, grasp.end_s);
     const double distance = (pose.translation() - hand).norm();
     const double apart = std::min(distance, extent_of(object, pose).exteriorDistance(hand));
@@ -60,7 +61,7 @@ Scene build_scene(const SceneOptions& options, const Demonstration& demonstratio
     return scene;
   }
   if (!object_named(demonstration.objects, movement.target)) {
-    movement.target = nearest_object(demonstration.objects, motion, *grasp);
+    movement.target = nearest_object(options, demonstration.objects, motion, *grasp);
     if (movement.target.empty() && object_named(demonstration.objects, options.target.name)) {
       movement.target = options.target.name;
     }

@@ -187,6 +187,11 @@ struct SceneOptions {
   std::vector<ConfiguredObject> objects;  ///< fixed bodies
   TableOptions table;
   TargetOptions target;
+  bool other_arm = false;  ///< the person's other arm is an obstacle, see other_arm.hpp
+  /// Of its upper arm, forearm and hand [m]: those of a strong man, about the 95th percentile of
+  /// the men of ANSUR II (Gordon et al. 2014): flexed circumferences of 0.41 and 0.35 m over 2 pi,
+  /// half of a hand's breadth of 0.095 m.
+  std::vector<double> other_arm_radii = {0.065, 0.055, 0.048};
   /// Filled in by load_scene_files(): the objects of `file`, and all meshes made ready.
   std::vector<ConfiguredObject> file_objects;
   collision::ReadyMeshes meshes;
@@ -197,6 +202,8 @@ void fields(Fields& f, SceneOptions& o) {
   f("objects", o.objects);
   f("table", o.table);
   f("target", o.target);
+  f("other_arm", o.other_arm);
+  f("other_arm_radii", o.other_arm_radii);
 }
 std::string why_invalid(const SceneOptions& options);
 
@@ -210,7 +217,8 @@ void load_scene_files(SceneOptions& options, const config::ConfigNode& node);
 /// `movement.target` if the movement has a grasp: to the recorded object that it names already,
 /// else to the recorded object nearest to the tips at the grasp, if it is within 0.15 m of them
 /// (one that stands farther away is not what the hand took) or is called as the inferred one would
-/// be, else to the inferred cylinder, else "" (tips not seen). A recorded "table" is the table. The
+/// be, else to the inferred cylinder, else "" (tips not seen). What is of the other arm, among the
+/// recorded objects, never is the target. A recorded "table" is the table. The
 /// cylinder's attach_s and release_s span the carrying (end of the grasp to the end of the last
 /// transport); which robot frame carries it is the caller's business.
 Scene build_scene(const SceneOptions& options, const Demonstration& demonstration,

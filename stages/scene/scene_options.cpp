@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "pipeline/collision/mesh_file.hpp"
@@ -8,6 +9,7 @@
 #include "pipeline/motion/extent.hpp"
 #include "pipeline/moveit/problem.hpp"
 #include "stages/scene/build_scene.hpp"
+#include "stages/scene/other_arm.hpp"
 #include "stages/scene/scene_schema.hpp"
 
 namespace morphe::scene {
@@ -166,11 +168,18 @@ std::string why_invalid(const TargetOptions& o) {
 }
 
 std::string why_invalid(const SceneOptions& o) {
+  const std::vector<double>& radii = o.other_arm_radii;
+  if (radii.size() != 3 || std::ranges::any_of(radii, [](double r) { return !(r > 0); })) {
+    return "other_arm_radii: needs those of upper arm, forearm and hand, all positive";
+  }
+  if (of_other_arm(o, o.target.name)) {
+    return fmt::format("target: the name '{}' is the other arm's", o.target.name);
+  }
   std::set<std::string> names;
   if (o.target.infer) names.insert(o.target.name);
   for (const auto* list : {&o.objects, &o.file_objects}) {
     for (const ConfiguredObject& object : *list) {
-      if (!names.insert(object.name).second) {
+      if (!names.insert(object.name).second || of_other_arm(o, object.name)) {
         return fmt::format("objects: the name '{}' is taken", object.name);
       }
       if (object.relative_to == Relative::table && !o.table.infer && !o.table.height) {

@@ -1,0 +1,168 @@
+#include "stages/scene/other_arm.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace morphe::scene {
+namespace {
+
+using Points = std::vector<Vec3>;
+
+constexpr std::array<const char*, 3> kNames = {"other upper arm", "other forearm", "other hand"};
+constexpr double kHandOfForearm = 0.108 / 0.146;  // shares of the stature, Drillis and Contini
+constexpr double kUsualHand_m = 0.108 * 1.70;     // of that stature
+constexpr double kNoDirection_m = 1e-6;           // joints that coincide
+constexpr std::string_view kWhose = "the person's other arm";
+
+bool any_seen(const Points& points) {
+  return std::ranges::any_of(points, [](const Vec3& point) { return seen(point); });
+}
+
+/// Of the distances between two tracks; nothing if they were never seen together.
+std::optional<double> median_distance(const Points& from, const Points& to) {
+  std::vector<double> lengths;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const double length = (to[i] - from[i]).norm();
+    if (std::isfinite(length)) lengths.push_back(length);
+  }
+  if (lengths.empty()) return std::nullopt;
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::ranges::nth_element(lengths, middle);
+  return *middle;
+}
+
+/// The middle of the fingertips in a frame; of the thumb's alone only if no other is seen.
+Vec3 middle_of_tips(const HumanMotion& motion, std::size_t frame) {
+  if (motion.tip.rows <= frame) return unseen_point();
+  Vec3 sum = Vec3::Zero();
+  double count = 0;
+  for (std::size_t finger = kIndex; finger < motion.tip.cols; ++finger) {
+    if (!seen(motion.tip(frame, finger))) continue;
+    sum += motion.tip(frame, finger);
+    ++count;
+  }
+  if (count > 0) return sum / count;
+  return motion.tip.cols > kThumb ? motion.tip(frame, kThumb) : unseen_point();
+}
+
+/// Where the hand ends in each frame.
+Points hand_ends(const HumanMotion& motion, std::vector<std::string>& notes) {
+  const std::size_t frames = motion.time.size();
+  Points ends(frames);
+  for (std::size_t i = 0; i < frames; ++i) ends[i] = middle_of_tips(motion, i);
+  const std::optional<double> seen_m = median_distance(motion.wrist, ends);
+  const std::optional<double> forearm_m = median_distance(motion.elbow, motion.wrist);
+  const double length_m = seen_m ? *seen_m : forearm_m ? kHandOfForearm * *forearm_m : kUsualHand_m;
+  std::size_t as_turned = 0, straight = 0;
+  for (std::size_t i = 0; i < frames; ++i) {
+    if (seen(ends[i]) || !seen(motion.wrist[i])) continue;
+    const Vec3 along = motion.wrist[i] - motion.elbow[i];
+    if (seen(motion.wrist_orientation[i])) {
+      ends[i] = motion.wrist[i] + motion.wrist_orientation[i] * Vec3(0, 0, length_m);
+      ++as_turned;
+    } else if (along.norm() > kNoDirection_m) {
+      ends[i] = motion.wrist[i] + length_m * along.normalized();
+      ++straight;
+    }
+  }
+  for (const auto& [count, how] : {std::pair{as_turned, "as the hand is turned"},
+                                   std::pair{straight, "straight on from its forearm"}}) {
+    if (count == 0) continue;
+    notes.push_back(fmt::format("{}: no fingertip seen in {} of {} frames: there the hand lies {}",
+                                kWhose, count, frames, how));
+  }
+  return ends;
+}
+
+/// Says for how many of the recording's frames a body has no pose of its own, if any.
+void note_gaps(const SceneObject& body, const std::vector<double>& time,
+               std::vector<std::string>& notes) {
+  if (body.time.size() == time.size()) return;
+  double longest_s = std::max(body.time.front() - time.front(), time.back() - body.time.back());
+  for (std::size_t k = 1; k < body.time.size(); ++k) {
+    longest_s = std::max(longest_s, body.time[k] - body.time[k - 1]);
+  }
+  notes.push_back(fmt::format(
+      "{}: not seen in {} of {} frames, for up to {:.2f} s: it goes straight from where "
+      "it was seen to where it is seen next, and stays where it is first and last seen",
+      body.name, time.size() - body.time.size(), time.size(), longest_s));
+}
+
+/// No poses if its ends were never seen together.
+SceneObject capsule_between(const char* name, double radius_m, const std::vector<double>& time,
+                            const Points& from, const Points& to, std::vector<std::string>& notes) {
+  SceneObject body;
+  body.name = name;
+  body.shape = Shape::capsule;
+  const std::optional<double> length_m = median_distance(from, to);
+  if (!length_m) return body;
+  body.size = {radius_m, *length_m};
+  double longest_m = 0;
+  Quat turn = Quat::Identity();  // the least from frame to frame
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    const Vec3 along = to[i] - from[i];
+    if (!(along.norm() > kNoDirection_m)) continue;
+    turn = (Quat::FromTwoVectors(turn * Vec3::UnitZ(), along) * turn).normalized();
+    body.time.push_back(time[i]);
+    body.position.emplace_back((from[i] + to[i]) / 2);
+    body.orientation.push_back(turn);
+    longest_m = std::max(longest_m, along.norm());
+  }
+  if (body.time.empty()) return body;
+  note_gaps(body, time, notes);
+  if (longest_m > *length_m + 2 * radius_m) {
+    notes.push_back(
+        fmt::format("{}: {:.0f} mm long, but {:.0f} mm in a frame: its joints then stand out of it",
+                    name, 1e3 * *length_m, 1e3 * longest_m));
+  }
+  return body;
+}
+
+void note_estimates(const HumanMotion& motion, std::vector<std::string>& notes) {
+  std::string joints;
+  for (const char* joint : {"shoulder", "elbow"}) {
+    if (std::ranges::find(motion.estimated, joint) == motion.estimated.end()) continue;
+    joints += (joints.empty() ? "" : " and ") + std::string(joint);
+  }
+  if (joints.empty()) return;
+  notes.push_back(
+      fmt::format("{}: {} not recorded: it lies where it is estimated", kWhose, joints));
+}
+
+}  // namespace
+
+std::vector<SceneObject> other_arm_capsules(const SceneOptions& options, const HumanMotion& other,
+                                            std::vector<std::string>& notes) {
+  if (!any_seen(other.shoulder) && !any_seen(other.elbow) && !any_seen(other.wrist)) {
+    notes.push_back(fmt::format("{} was not recorded: it is no obstacle", kWhose));
+    return {};
+  }
+  note_estimates(other, notes);
+  const Points ends = hand_ends(other, notes);
+  const std::array<std::array<const Points*, 2>, 3> bones = {
+      {{&other.shoulder, &other.elbow}, {&other.elbow, &other.wrist}, {&other.wrist, &ends}}};
+  std::vector<SceneObject> capsules;
+  for (std::size_t k = 0; k < bones.size(); ++k) {
+    const auto& [from, to] = bones[k];
+    SceneObject body =
+        capsule_between(kNames[k], options.other_arm_radii[k], other.time, *from, *to, notes);
+    if (body.time.empty()) {
+      notes.push_back(fmt::format("{} was not recorded: it is no obstacle", kNames[k]));
+    } else {
+      capsules.push_back(std::move(body));
+    }
+  }
+  return capsules;
+}
+
+bool of_other_arm(const SceneOptions& options, const std::string& name) {
+  return options.other_arm && std::ranges::find(kNames, name) != kNames.end();
+}
+
+}  // namespace morphe::scene
