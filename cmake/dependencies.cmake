@@ -43,6 +43,18 @@ add_library(ompl_system INTERFACE)
 target_include_directories(ompl_system SYSTEM INTERFACE ${OMPL_INCLUDE_DIR})
 target_link_libraries(ompl_system INTERFACE ${OMPL_LIBRARY} Eigen3::Eigen)
 
+# MuJoCo is for `morphe simulate` alone: without it the program is built, and says so there. Its own
+# config asks for OpenGL and Qhull, which the library does not need.
+find_library(MUJOCO_LIBRARY mujoco)
+find_path(MUJOCO_INCLUDE_DIR mujoco/mujoco.h)
+add_library(mujoco_system INTERFACE)
+if(MUJOCO_LIBRARY AND MUJOCO_INCLUDE_DIR)
+  target_include_directories(mujoco_system SYSTEM INTERFACE ${MUJOCO_INCLUDE_DIR})
+  target_link_libraries(mujoco_system INTERFACE ${MUJOCO_LIBRARY})
+else()
+  message(STATUS "MuJoCo was not found (libmujoco-dev): morphe simulate will not be there")
+endif()
+
 # What rounding and searches depend on, as every plans.h5 says it.
 set(morphe_built_with "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
 foreach(package Eigen3 assimp fcl HDF5 NLopt OMPL Qhull TBB)

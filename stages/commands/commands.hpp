@@ -24,6 +24,7 @@ Command report_command(CLI::App& app);
 Command robot_command(CLI::App& app);
 Command run_command(CLI::App& app);
 Command schema_command(CLI::App& app);
+Command simulate_command(CLI::App& app);
 Command synthesize_command(CLI::App& app);
 Command study_command(CLI::App& app);
 Command verify_command(CLI::App& app);

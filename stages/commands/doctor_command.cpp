@@ -16,6 +16,7 @@
 #include "pipeline/files/shipped.hpp"
 #include "pipeline/motion/counted.hpp"
 #include "pipeline/motion/version.hpp"
+#include "pipeline/physics/model.hpp"
 #include "pipeline/run/database.hpp"
 #include "pipeline/store/hdf5_file.hpp"
 #include "stages/commands/commands.hpp"
@@ -109,6 +110,13 @@ Symptom writable(const char* what, const fs::path& folder) {
   return symptom;
 }
 
+Symptom physics_engine() {
+  const std::string engine = physics::engine();
+  if (!engine.empty()) return {Symptom::Kind::fine, "physics", engine, ""};
+  return {Symptom::Kind::note, "physics", "none: morphe simulate is not there",
+          "install libmujoco-dev, configure and build again"};
+}
+
 /// Numbers are read and written alike in every locale; names of files are bytes.
 Symptom locale() {
   const auto variable = [](const char* name) {
@@ -144,6 +152,7 @@ std::vector<Symptom> look() {
     shipped(),
     writable("this folder", fs::current_path(ignored)),
     writable("temporary files", temporary),
+    physics_engine(),
     locale(),
     {Symptom::Kind::fine, "terminal",
      ::isatty(STDERR_FILENO) == 1 ? "progress is a line that changes"

@@ -21,6 +21,8 @@ constexpr CommandExamples kExamples[] = {
      "  morphe report outputs/first --out outputs/first.html\n"
      "  morphe report outputs/first outputs/again --out outputs/both.html --svg "
      "outputs/pictures\n"},
+    {"simulate",
+     "  morphe simulate outputs/first --out outputs/physics --only ADL001DR2 --ensemble 2\n"},
     {"export",
      "  morphe export outputs/first --format csv --out outputs/csv\n"
      "  morphe export outputs/first --format robomimic --out outputs/training\n"},

@@ -24,7 +24,7 @@ struct Entry {
   morphe::commands::Command (*add)(CLI::App&);
 };
 
-constexpr std::array<Entry, 16> kCommands{{
+constexpr std::array<Entry, 17> kCommands{{
     {"diff", "Compare two plans.h5: which plans differ, and by how much",
      morphe::commands::diff_command},
     {"doctor", "Look whether everything is there that Morphe needs",
@@ -47,6 +47,8 @@ constexpr std::array<Entry, 16> kCommands{{
     {"run", "Plan recorded demonstrations: write DIR/plans.h5", morphe::commands::run_command},
     {"schema", "Print the JSON schema of a kind of YAML file, for editors",
      morphe::commands::schema_command},
+    {"simulate", "Try in physics whether the grasps of a plans.h5 hold",
+     morphe::commands::simulate_command},
     {"synthesize", "Generate recordings with known ground truth",
      morphe::commands::synthesize_command},
     {"study", "Run a study: write its figures to DIR/results.json",

@@ -9,11 +9,11 @@ from support import MORPHE, SOURCE, CommandCase, main, morphe
 COMMANDS = re.findall(r"^  (\w+) ", morphe("--help").stdout.partition("Subcommands:")[2], re.M)
 # The order in which the examples find what they need. What searches for long is made short: it is the
 # command line that is tried here.
-ORDER = ("run", "verify", "diff", "list", "explain", "report", "export", "import", "inspect", "merge", "robot", "robot setup", "synthesize",
+ORDER = ("run", "verify", "diff", "list", "explain", "report", "simulate", "export", "import", "inspect", "merge", "robot", "robot setup", "synthesize",
          "place", "study", "schema", "doctor")
 SHORT = [word for key in ("map.starts=1", "map.key_frames=1", "map.candidates=1", "map.coarse_step_s=0.2", "map.reachable_starts=1",
                           "repair.searches=0") for word in ("--set", key)]
-SHORTER = {"run": SHORT, "place": [*SHORT, "--trials", 1, "--candidates", 8, "--refined", 2, "--planned", 1]}
+SHORTER = {"run": SHORT, "simulate": ["--directions", "none"], "place": [*SHORT, "--trials", 1, "--candidates", 8, "--refined", 2, "--planned", 1]}
 PARSED_ONLY = ("study",)  # tests/cli/test_study.py runs studies
 
 

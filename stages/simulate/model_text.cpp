@@ -1,0 +1,277 @@
+#include "stages/simulate/model_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <utility>
+
+#include "pipeline/robot/tree.hpp"
+
+namespace morphe::simulate {
+namespace {
+
+template <class... Values>
+void add(std::string& text, fmt::format_string<Values...> format, Values&&... values) {
+  fmt::format_to(std::back_inserter(text), format, std::forward<Values>(values)...);
+}
+
+std::string numbers(const Vec3& v) {
+  return fmt::format("{:.17g} {:.17g} {:.17g}", v.x(), v.y(), v.z());
+}
+
+std::string place(const Pose& pose) {
+  const Quat q(pose.linear());
+  return fmt::format("pos=\"{}\" quat=\"{:.17g} {:.17g} {:.17g} {:.17g}\"",
+                     numbers(pose.translation()), q.w(), q.x(), q.y(), q.z());
+}
+
+std::string inertial(const Inertia& body) {
+  const Eigen::Matrix3d& i = body.about_centre;
+  return fmt::format(
+      "<inertial pos=\"{}\" mass=\"{:.17g}\" fullinertia=\"{:.17g} {:.17g} {:.17g} {:.17g} {:.17g} "
+      "{:.17g}\"/>\n",
+      numbers(body.centre), body.mass, i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2));
+}
+
+/// Contacts come from the list of pairs alone, masses from <inertial>.
+constexpr const char* kGeom = "contype=\"0\" conaffinity=\"0\" mass=\"0\"";
+
+std::string capsule_geom(const RobotTable::Capsule& capsule, std::size_t k) {
+  if ((capsule.to - capsule.from).norm() < 1e-9) {
+    return fmt::format("<geom name=\"c{}\" type=\"sphere\" size=\"{:.17g}\" pos=\"{}\" {}/>\n", k,
+                       capsule.radius, numbers(capsule.from), kGeom);
+  }
+  return fmt::format("<geom name=\"c{}\" type=\"capsule\" size=\"{:.17g}\" fromto=\"{} {}\" {}/>\n",
+                     k, capsule.radius, numbers(capsule.from), numbers(capsule.to), kGeom);
+}
+
+std::string object_geom(const SceneObject& object, const std::string& name, const Pose& pose) {
+  const std::vector<double>& s = object.size;
+  std::string shape;
+  switch (object.shape) {
+    case Shape::sphere:
+      shape = fmt::format("type=\"sphere\" size=\"{:.17g}\"", s[0]);
+      break;
+    case Shape::box:
+      shape = fmt::format("type=\"box\" size=\"{}\"", numbers(0.5 * Vec3(s[0], s[1], s[2])));
+      break;
+    case Shape::cylinder:
+      shape = fmt::format("type=\"cylinder\" size=\"{:.17g} {:.17g}\"", s[0], 0.5 * s[1]);
+      break;
+    case Shape::capsule:
+      shape = fmt::format("type=\"capsule\" size=\"{:.17g} {:.17g}\"", s[0], 0.5 * s[1]);
+      break;
+    case Shape::mesh:
+      shape = fmt::format("type=\"mesh\" mesh=\"{}\"", name);
+      break;
+  }
+  return fmt::format("<geom name=\"{}\" {} {} {}/>\n", name, shape, place(pose), kGeom);
+}
+
+class Writer {
+ public:
+  Writer(const SimulatedWorld& world, const Variation& variation, const SimulateOptions& options,
+         Around around)
+      : world_(world),
+        robot_(*world.robot),
+        variation_(variation),
+        options_(options),
+        whole_(around == Around::world),
+        children_(robot_.frames.size() + 1) {
+    for (std::size_t f = 0; f < robot_.frames.size(); ++f)
+      children_[static_cast<std::size_t>(robot_.frames[f].parent + 1)].push_back(f);
+  }
+
+  std::string text() {
+    head();
+    meshes();
+    add(text_, "<worldbody>\n");
+    capsules_of(-1);
+    for (const std::size_t f : children_[0]) frame(f);
+    objects();
+    target();
+    add(text_, "</worldbody>\n");
+    contacts();
+    couplings();
+    motors();
+    return text_ + "</mujoco>\n";
+  }
+
+ private:
+  void head() {
+    const Vec3 gravity = whole_ ? Vec3(-kGravity * world_.up) : Vec3(Vec3::Zero());
+    add(text_,
+        "<mujoco>\n<compiler angle=\"radian\" inertiafromgeom=\"false\"/>\n"
+        "<size njmax=\"700\" nconmax=\"100\"/>\n"
+        "<option timestep=\"{:.17g}\" integrator=\"{}\" cone=\"elliptic\" impratio=\"{}\" "
+        "noslip_iterations=\"{}\" gravity=\"{}\"/>\n",
+        options_.step_s, options_.euler ? "Euler" : "implicit", kImpratio, kNoslipIterations,
+        numbers(gravity));
+  }
+
+  void meshes() {
+    add(text_, "<asset>\n");
+    for (std::size_t k = 0; k < world_.scene->objects.size(); ++k) {
+      const SceneObject& object = world_.scene->objects[k];
+      if (object.shape != Shape::mesh || !(whole_ || is_target(k))) continue;
+      add(text_, "<mesh name=\"{}\" vertex=\"", name_of_object(k));
+      for (const Vec3& vertex : object.vertices) add(text_, "{} ", numbers(vertex));
+      add(text_, "\"/>\n");
+    }
+    add(text_, "</asset>\n");
+  }
+
+  void capsules_of(int frame) {
+    for (std::size_t k = 0; k < robot_.capsules.size(); ++k) {
+      if (robot_.capsules[k].frame == frame) text_ += capsule_geom(robot_.capsules[k], k);
+    }
+  }
+
+  void frame(std::size_t f) {
+    const RobotTable::Frame& frame = robot_.frames[f];
+    add(text_, "<body name=\"f{}\" {}>\n", f, place(frame.transform));
+    if (frame.joint >= 0) joint(f);
+    text_ += inertial(world_.inertias[f]);
+    capsules_of(static_cast<int>(f));
+    for (const std::size_t child : children_[f + 1]) this->frame(child);
+    add(text_, "</body>\n");
+  }
+
+  void joint(std::size_t f) {
+    const RobotTable::Frame& frame = robot_.frames[f];
+    const Servo& servo = world_.servos[static_cast<std::size_t>(frame.joint)];
+    const double one = frame.ratio * robot_.lower[frame.joint] + frame.offset;
+    const double other = frame.ratio * robot_.upper[frame.joint] + frame.offset;
+    add(text_,
+        "<joint name=\"f{}\" type=\"{}\" axis=\"{}\" limited=\"true\" range=\"{:.17g} {:.17g}\" "
+        "armature=\"{:.17g}\" damping=\"{:.17g}\"/>\n",
+        f, frame.slides ? "slide" : "hinge", numbers(frame.axis), std::min(one, other),
+        std::max(one, other), servo.armature, servo.damping);
+  }
+
+  void objects() {
+    if (!whole_) return;
+    for (std::size_t k = 0; k < world_.scene->objects.size(); ++k) {
+      const SceneObject& object = world_.scene->objects[k];
+      if (!is_target(k))
+        text_ += object_geom(object, name_of_object(k), recorded_pose(object, object.time.front()));
+    }
+    Pose plane = make_pose(Vec3::Zero(), Quat::FromTwoVectors(Vec3::UnitZ(), world_.up));
+    plane.translation() =
+        lowest(target_object(), variation_.base_from_target, world_.up) * world_.up;
+    add(text_, "<geom name=\"support\" type=\"plane\" size=\"1 1 1\" {} {}/>\n", place(plane),
+        kGeom);
+  }
+
+  void target() {
+    add(text_, "<body name=\"target\" {}>\n<freejoint/>\n", place(variation_.base_from_target));
+    text_ += inertial(target_inertia(target_object(), variation_.mass_kg));
+    text_ += object_geom(target_object(), "target", Pose::Identity());
+    add(text_, "</body>\n");
+  }
+
+  void pair(const std::string& first, const std::string& second, double friction,
+            double torsion_m) {
+    add(text_,
+        "<pair geom1=\"{}\" geom2=\"{}\" condim=\"6\" friction=\"{:.17g} {:.17g} {:.17g} {:.17g} "
+        "{:.17g}\" solref=\"{}\" solimp=\"{}\"/>\n",
+        first, second, friction, friction, torsion_m, kRolling_m, kRolling_m, kContactSolref,
+        kContactSolimp);
+  }
+
+  void contacts() {
+    add(text_, "<contact>\n");
+    const auto of_hand = [&](std::size_t k) {
+      return robot_.capsules[k].frame >= 0 &&
+             robot::hangs_on(robot_, robot_.capsules[k].frame, robot_.palm_frame);
+    };
+    for (std::size_t k = 0; k < robot_.capsules.size(); ++k) {
+      const std::string capsule = fmt::format("c{}", k);
+      pair("target", capsule, variation_.friction, variation_.torsion_m);
+      if (!of_hand(k)) continue;
+      for (std::size_t other = k + 1; other < robot_.capsules.size(); ++other) {
+        if (of_hand(other) && may_collide(k, other))
+          pair(capsule, fmt::format("c{}", other), variation_.friction, variation_.torsion_m);
+      }
+      for (std::size_t object = 0; whole_ && object < world_.scene->objects.size(); ++object) {
+        if (!is_target(object))
+          pair(name_of_object(object), capsule, kSupportFriction, variation_.torsion_m);
+      }
+    }
+    const SceneObject* const table = object_named(world_.scene->objects, "table");
+    for (std::size_t k = 0; whole_ && k < world_.scene->objects.size(); ++k) {
+      if (!is_target(k) && &world_.scene->objects[k] != table)
+        pair(name_of_object(k), "target", kSupportFriction, variation_.torsion_m);
+    }
+    if (whole_) pair("support", "target", kSupportFriction, variation_.torsion_m);
+    add(text_, "</contact>\n");
+  }
+
+  bool may_collide(std::size_t k, std::size_t other) const {
+    const int body = robot::body_of(robot_, robot_.capsules[k].frame);
+    const int second = robot::body_of(robot_, robot_.capsules[other].frame);
+    const std::array<int, 2> pair{static_cast<int>(k), static_cast<int>(other)};
+    return body != second && std::ranges::count(robot_.allowed_pairs, pair) == 0;
+  }
+
+  /// value - offset' = ratio / ratio' (motor's value - offset).
+  void couplings() {
+    add(text_, "<equality>\n");
+    const std::vector<int> motors = motor_frames(robot_);
+    for (std::size_t f = 0; f < robot_.frames.size(); ++f) {
+      const RobotTable::Frame& frame = robot_.frames[f];
+      if (frame.joint < 0 || motors[static_cast<std::size_t>(frame.joint)] == static_cast<int>(f))
+        continue;
+      const int motor = motors[static_cast<std::size_t>(frame.joint)];
+      const RobotTable::Frame& by = robot_.frames[static_cast<std::size_t>(motor)];
+      const double ratio = frame.ratio / by.ratio;
+      add(text_,
+          "<joint joint1=\"f{}\" joint2=\"f{}\" polycoef=\"{:.17g} {:.17g} 0 0 0\" solref=\"{}\" "
+          "solimp=\"{}\"/>\n",
+          f, motor, frame.offset - ratio * by.offset, ratio, kCouplingSolref, kCouplingSolimp);
+    }
+    add(text_, "</equality>\n");
+  }
+
+  void motors() {
+    add(text_, "<actuator>\n");
+    const std::vector<int> frames = motor_frames(robot_);
+    for (std::size_t j = 0; j < robot_.joints(); ++j) {
+      const Servo& servo = world_.servos[j];
+      add(text_,
+          "<general name=\"m{}\" joint=\"f{}\" gaintype=\"fixed\" biastype=\"affine\" "
+          "gainprm=\"{:.17g}\" biasprm=\"0 {:.17g} {:.17g}\" forcelimited=\"true\" "
+          "forcerange=\"{:.17g} {:.17g}\"/>\n",
+          j, frames[j], servo.stiffness, -servo.stiffness, -servo.resistance, -servo.torque,
+          servo.torque);
+    }
+    add(text_, "</actuator>\n");
+  }
+
+  bool is_target(std::size_t object) const { return static_cast<int>(object) == world_.target; }
+  const SceneObject& target_object() const {
+    return world_.scene->objects[static_cast<std::size_t>(world_.target)];
+  }
+  std::string name_of_object(std::size_t k) const {
+    return is_target(k) ? "target" : fmt::format("o{}", k);
+  }
+
+  const SimulatedWorld& world_;
+  const RobotTable& robot_;
+  const Variation& variation_;
+  const SimulateOptions& options_;
+  const bool whole_;
+  std::vector<std::vector<std::size_t>> children_;  ///< [frames + 1] of the base first
+  std::string text_;
+};
+
+}  // namespace
+
+std::string model_text(const SimulatedWorld& world, const Variation& variation,
+                       const SimulateOptions& options, Around around) {
+  return Writer(world, variation, options, around).text();
+}
+
+}  // namespace morphe::simulate

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/motion/plan.hpp"
+#include "pipeline/robot/robot.hpp"
+#include "stages/simulate/servos.hpp"
+
+namespace morphe::simulate {
+
+/// One finger's part in a squeeze: it presses on the target at a point of its surface.
+struct Press {
+  std::size_t tip = 0;  ///< of the robot's table
+  Vec3 point, inward;  ///< in the target's frame [m]; unit, into it, along which the finger presses
+  double force_N = 0;
+};
+
+/// How the hand takes hold.
+struct Squeeze {
+  std::vector<Press> presses;
+  JointVector closed;  ///< [n] the posture in which the fingers touch
+  /// [n] how far beyond it the servos must aim for the forces: Jᵀ force / stiffness.
+  JointVector beyond;
+  /// What the joints' torques leave of the forces asked for, for all fingers alike, <= 1.
+  double force_share = 1;
+};
+
+/// From a posture at the target and a list of presses: closes their fingers and computes where the
+/// servos must aim. Only joints that move a tip and not the palm take part.
+Squeeze squeeze_with(const robot::Robot& robot, const JointVector& posture,
+                     const Pose& base_from_target, const SceneObject& target,
+                     std::vector<Press> presses, const std::vector<Servo>& servos);
+
+/// Today's plans name no contacts: the thumb and every other finger that had a goal at the grasp
+/// press where their last links are nearest to the target, once closed, straight into it: the thumb
+/// with `force_N`, the others with equal shares of it. Empty, and why, without a thumb, another
+/// finger or a capsule at their tips.
+std::vector<Press> presses_of(const robot::Robot& robot, const Plan& plan,
+                              const JointVector& posture, double force_N, std::string& why_none);
+
+}  // namespace morphe::simulate

@@ -1,0 +1,144 @@
+"""`morphe simulate`: a grasp of the sample in physics; resumed, on any number of threads, the same bytes."""
+import csv
+import json
+import shutil
+import signal
+import subprocess
+import time
+import unittest
+from pathlib import Path
+
+import h5py
+
+from support import (MORPHE, QUICK, REFERENCE, CommandCase, main, morphe, temporary_folder,
+                     write_two_recordings)
+
+GRASP, TABLE = "ADL001DR2/000", "simulation.csv"
+
+
+def setUpModule():
+    global PLANS
+    holder = temporary_folder()
+    unittest.addModuleCleanup(holder.cleanup)
+    folder = Path(holder.name).resolve()
+    result = morphe("run", REFERENCE, "--dataset", write_two_recordings(folder), "--out",
+                    folder / "out", *QUICK)
+    assert result.returncode == 0, result.stderr
+    PLANS = folder / "out/plans.h5"
+    with h5py.File(PLANS, "r+") as file:  # a second grasp, one that is infeasible, one that is broken
+        plans = file["plans/ADL001DR2"]
+        for copy in ("001", "002", "003"):
+            plans.copy(plans["000"], copy)
+        plans["002"].attrs["status"], plans["002"].attrs["reason"] = b"infeasible", b"no_path"
+        del plans["002/trajectory"], plans["002/grasp"]
+        plans["003/trajectory/position"][5, 2] = float("nan")
+    probe = morphe("simulate", PLANS, "--out", folder / "probe", "--only", "none")
+    if "has no MuJoCo" in probe.stderr:
+        assert probe.returncode == 2
+        raise unittest.SkipTest("built without MuJoCo")
+
+
+def contents(folder):
+    return {file.name: file.read_bytes() for file in folder.iterdir()}
+
+
+class Simulate(CommandCase):
+    def simulate(self, folder, *arguments, ensemble=2):
+        return self.succeeds("simulate", PLANS, "--out", self.folder / folder, "--directions", "none",
+                             "--ensemble", ensemble, *arguments)
+
+    def rows(self, folder):
+        with open(self.folder / folder / TABLE, newline="") as file:
+            return list(csv.DictReader(file))
+
+    def test_a_row_a_rollout_and_a_reason_for_every_plan_without(self):
+        result = self.simulate("out")
+        self.assertEqual(self.simulate("out", "--json").stderr, "")
+        rows = self.rows("out")
+        by_plan = {name: [row for row in rows if row["plan"] == name] for name in
+                   dict.fromkeys(row["plan"] for row in rows)}
+        self.assertEqual(list(by_plan), [GRASP, "ADL001DR2/001", "ADL001DR2/002", "ADL001DR2/003",
+                                         "ADL001AR1/000"])
+        self.assertEqual([len(found) for found in by_plan.values()], [2, 2, 1, 1, 1])
+        self.assertEqual([by_plan[name][0]["failure"] for name in list(by_plan)[2:]],
+                         ["infeasible", "broken", "no_grasp"])
+        first, varied = by_plan[GRASP]
+        self.assertEqual((first["friction"], first["mass_kg"]), ("0.8", "0.3"))
+        self.assertNotEqual(varied["mass_kg"], "0.3")
+        # The written trajectory is followed, whatever becomes of the grasp.
+        self.assertLess(float(first["arm_error_deg"]), 0.2)
+        self.assertLess(float(first["hand_error_deg"]), 1.0)
+        self.assertIn("2 plans simulated, 3 not", result.stdout)
+        self.assertIn("the plan is infeasible: no_path", result.stdout)
+
+    def test_the_same_bytes_on_any_number_of_threads_and_after_a_kill(self):
+        self.simulate("one", "--jobs", "1")
+        self.simulate("four", "--jobs", "4")
+        self.assertEqual(contents(self.folder / "one"), contents(self.folder / "four"))
+        arguments = [MORPHE, "simulate", PLANS, "--out", self.folder / "killed", "--directions",
+                     "none", "--ensemble", "2", "--jobs", "1"]
+        process = subprocess.Popen(list(map(str, arguments)), stdout=subprocess.DEVNULL)
+        first = self.folder / "killed/ADL001DR2_000.json"
+        while process.poll() is None and not first.exists():
+            time.sleep(0.01)
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        self.assertTrue(first.exists())
+        before = first.stat().st_mtime_ns
+        self.simulate("killed")
+        self.assertEqual(first.stat().st_mtime_ns, before)  # what was done is not done again
+        self.assertEqual(contents(self.folder / "killed"), contents(self.folder / "one"))
+
+    def test_what_is_there_is_used_only_if_it_says_the_same(self):
+        only = ("--only", GRASP)
+        self.simulate("out", *only, ensemble=1)
+        file = self.folder / "out/ADL001DR2_000.json"
+        text = file.read_text()
+        done = json.loads(text)
+        self.assertEqual(done["format"], "morphe-simulation")
+        self.assertEqual(len(done["rollouts"]), 1)
+        file.write_text(text[:100])  # half of it: made anew
+        self.simulate("out", *only, ensemble=1)
+        self.assertEqual(file.read_text(), text)
+        stamp = file.stat().st_mtime_ns
+        self.simulate("out", *only, "--fresh", ensemble=1)
+        self.assertNotEqual(file.stat().st_mtime_ns, stamp)
+        self.assertEqual(file.read_text(), text)
+        self.simulate("out", *only, "--friction", "0.01", ensemble=1)
+        rows = self.rows("out")
+        self.assertEqual((rows[0]["friction"], rows[0]["held"]), ("0.01", "0"))
+
+    def test_nothing_of_the_engine_is_left_behind(self):
+        self.succeeds("simulate", PLANS, "--out", "out", "--ensemble", "1", "--only",
+                      "ADL001DR2/001", cwd=self.folder)
+        self.assertEqual([file.name for file in self.folder.iterdir()], ["out"])
+
+    def test_wrong_arguments(self):
+        def refused(*arguments):
+            result = morphe("simulate", PLANS, "--out", self.folder / "out", *arguments)
+            self.assertEqual(result.returncode, 2, result.stdout)
+            self.assertEqual(result.stdout, "")
+            self.assertFalse((self.folder / "out").exists())
+            return result.stderr
+        self.assertIn("--ensemble must be 1 to 10000", refused("--ensemble", "0"))
+        self.assertIn("--friction must be above 0", refused("--friction", "nan"))
+        self.assertIn("--step must be", refused("--step", "1"))
+        self.assertIn("--mass must be above 0", refused("--mass", "-1"))
+        self.assertIn("--directions", refused("--directions", "seven"))
+        self.assertIn("--frictoin", refused("--frictoin", "1"))
+        self.assertEqual(morphe("simulate", PLANS).returncode, 2)
+
+    def test_a_broken_file(self):
+        out = self.folder / "out"
+        self.refuses(morphe("simulate", self.folder / "none.h5", "--out", out), self.folder / "none.h5")
+        broken = self.folder / "broken.h5"
+        shutil.copy(PLANS, broken)
+        with h5py.File(broken, "r+") as file:
+            del file["plans/ADL001DR2/000/trajectory/velocity"]
+        result = morphe("simulate", broken, "--out", out)
+        self.refuses(result, f"{broken}:/plans/ADL001DR2/000/trajectory/velocity")
+        self.assertFalse(out.exists())
+
+
+if __name__ == "__main__":
+    main()
