@@ -12,7 +12,9 @@ namespace morphe::simulate {
 /// Which rollouts are loaded in six directions, too: none, the first one (of which nothing is
 /// varied), every one.
 enum class Directions { none, first, every };
-constexpr std::array<std::string_view, 3> names_of(Directions) { return {"none", "first", "every"}; }
+constexpr std::array<std::string_view, 3> names_of(Directions) {
+  return {"none", "first", "every"};
+}
 
 /// What nobody can read off a plan, and what a lab would change.
 struct SimulateOptions {

@@ -142,6 +142,7 @@ Holding lift_and_hold(const PreparedPlan& plan, const SimulateOptions& options,
     if ((row + 1) % kLook != 0 && row + 1 != plan.program.held) continue;
     const double since_s = static_cast<double>(row + 1 - plan.program.lifted) * options.step_s;
     watch.look(simulation.state(), since_s >= kSagTime_s, simulation.finger_at_limit());
+    if (watch.failed()) break;
   }
   return watch.verdict();
 }
@@ -162,6 +163,7 @@ Holding load(const PreparedPlan& plan, const Variation& variation, const Simulat
     if (const auto wrong = simulation.step(plan.program.squeezed - 1)) return broken(*wrong);
     if ((k + 1) % kLook != 0 && k + 1 != steps) continue;
     watch.look(simulation.state(), at_s >= kRamp_s + kSagTime_s, simulation.finger_at_limit());
+    if (watch.failed()) break;
   }
   return watch.verdict();
 }

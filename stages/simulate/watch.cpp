@@ -9,6 +9,9 @@ namespace morphe::simulate {
 namespace {
 
 constexpr double kAboutLine = 0.7;  ///< share of a turn from which on it is one about the fingers
+/// At this share of what is allowed a motion shows how it began; what falls is off the fingers
+/// later.
+constexpr double kBegins = 0.25;
 
 Pose palm_from_target(const physics::State& state, const Parts& parts) {
   return state.body(parts.palm_body).inverse() * state.body(parts.target_body);
@@ -115,22 +118,22 @@ void Watch::look(const physics::State& state, bool settled, bool at_limit) {
   if (settled && !settled_) settled_ = now;
   if (settled) raise(way_between(*settled_, now), holding_.creep);
   grips_ = grips_of(state, parts_, touches_);
-  if (!holding_.held()) return;
-  if (!within(holding_.largest, kMotion_m, kMotion_deg)) {
-    holding_.failure = cause(now, {kMotion_m, kMotion_deg});
+  if (began_ == Failure::none && !within(way, kBegins * kMotion_m, kBegins * kMotion_deg))
+    began_ = cause(start_, now);
+  if (!within(way, kMotion_m, kMotion_deg)) {
+    holding_.failure = grips_.empty() ? began_ : cause(start_, now);
   } else if (!within(holding_.creep, kCreep_m, kCreep_deg)) {
-    holding_.failure = cause(now, {kCreep_m, kCreep_deg});
+    holding_.failure = cause(*settled_, now);
   }
 }
 
 /// By what moved most, in shares of what is allowed.
-Failure Watch::cause(const Pose& palm_from_target, const Way& beyond) const {
+Failure Watch::cause(const Pose& from, const Pose& palm_from_target) const {
   if (at_limit_) return Failure::torque_limit;
   if (grips_.empty()) return Failure::lost;
-  const Pose& from = beyond.distance_m < kMotion_m ? *settled_ : start_;
   const Way way = way_between(from, palm_from_target);
   const Eigen::AngleAxisd turn(palm_from_target.linear() * from.linear().transpose());
-  if (way.angle_deg / beyond.angle_deg > way.distance_m / beyond.distance_m) {
+  if (way.angle_deg / kMotion_deg > way.distance_m / kMotion_m) {
     return std::abs(turn.axis().dot(finger_line_)) >= kAboutLine ? Failure::pivot : Failure::roll;
   }
   return holding_.slip_m > 0.5 * way.distance_m ? Failure::slip : Failure::sag;

@@ -38,6 +38,8 @@ class Watch {
   Watch(const RobotTable& robot, const Parts& parts, const physics::State& squeezed);
   /// `settled`: from here on the target must not move any more. `at_limit`: a finger's motor is.
   void look(const physics::State& state, bool settled, bool at_limit);
+  /// It moved too far: what comes then does not count.
+  bool failed() const { return !holding_.held(); }
   Holding verdict() const;
 
  private:
@@ -46,7 +48,7 @@ class Watch {
     int frame;
     Vec3 on_target, on_finger;
   };
-  Failure cause(const Pose& palm_from_target, const Way& beyond) const;
+  Failure cause(const Pose& from, const Pose& palm_from_target) const;
 
   const RobotTable& robot_;
   const Parts& parts_;
@@ -57,6 +59,7 @@ class Watch {
   std::vector<Grip> grips_;
   std::vector<physics::Touch> touches_;
   bool at_limit_ = false;
+  Failure began_ = Failure::none;
   Holding holding_;
 };
 
