@@ -13,6 +13,8 @@ namespace {
 
 constexpr double kFastest = 30;  // of a finger's joint [rad/s]
 
+bool seen_point(const Vec3& point) { return seen(point); }
+
 struct Distances {
   double squares = 0, max = 0;
   std::size_t count = 0;
@@ -47,6 +49,7 @@ std::optional<FittedHand> fit_hand(const std::vector<HandKeypoints>& frames,
     fitted.bones.knuckle[finger] = shape->base[finger];
     fitted.bones.length[finger] = bones[0] + bones[1] + bones[2];
   }
+  fitted.thumb_base_estimated = shape->thumb_base_estimated;
   fitted.angles.resize(static_cast<Eigen::Index>(frames.size()),
                        static_cast<Eigen::Index>(kHandAngles));
   fitted.joints = Table<Vec3>(frames.size(), kHandKeypoints, unseen_point());
@@ -88,6 +91,16 @@ std::optional<FittedHand> fit_hand(const std::vector<HandKeypoints>& frames,
   return fitted;
 }
 
+void take_angles(const FittedHand& fitted, HumanMotion& motion) {
+  motion.hand_angles = fitted.angles;
+  motion.residuals.insert(motion.residuals.end(), fitted.residuals.begin(), fitted.residuals.end());
+  if (!fitted.thumb_base_estimated) return;
+  motion.estimated.emplace_back("thumb base");
+  motion.problems.emplace_back(
+      "the thumb's base (CMC) was not recorded: put where the proportions of a hand have it, as a "
+      "rule within 2 cm; the thumb's angles and the roll of its tip depend on it");
+}
+
 void add_hand_from_keypoints(const HandStream& keypoints, const std::optional<double>& hand_length,
                              const Clock& clock, const ReconstructOptions& options,
                              HumanMotion& motion) {
@@ -98,16 +111,20 @@ void add_hand_from_keypoints(const HandStream& keypoints, const std::optional<do
     const std::vector<Vec3> on = on_clock(keypoints.time, track, clock, options);
     for (std::size_t i = 0; i < clock.count; ++i) frames[i][k] = on[i];
   }
-  std::optional<FittedHand> fitted = fit_hand(frames, hand_length, clock.rate_hz);
+  const std::optional<FittedHand> fitted = fit_hand(frames, hand_length, clock.rate_hz);
   if (!fitted) {
+    const bool nothing = std::ranges::none_of(frames, [](const HandKeypoints& points) {
+      return std::ranges::any_of(points, seen_point);
+    });
     motion.problems.push_back(
-        "the hand's points were never all seen together: its bones are unknown");
+        nothing ? fmt::format("the hand was never seen twice within reconstruct.max_gap_s ({} s): "
+                              "nothing of it can be rebuilt",
+                              options.max_gap_s)
+                : "the hand's points were never all seen together: its bones are unknown");
     return;
   }
-  motion.hand_angles = std::move(fitted->angles);
+  take_angles(*fitted, motion);
   motion.bones = fitted->bones;
-  motion.residuals.insert(motion.residuals.end(), fitted->residuals.begin(),
-                          fitted->residuals.end());
   for (std::size_t i = 0; i < clock.count; ++i) {
     const Quat& world_from_hand = motion.wrist_orientation[i];
     for (std::size_t finger = 0; finger < kFingers; ++finger) {

@@ -6,6 +6,7 @@
 #include "pipeline/human/hand.hpp"
 #include "pipeline/math/rigid.hpp"
 #include "pipeline/math/statistics.hpp"
+#include "pipeline/robot/hand_proportions.hpp"
 
 namespace morphe::reconstruct {
 namespace {
@@ -19,6 +20,32 @@ double median_over(const std::vector<HandKeypoints>& frames, const Number& numbe
     if (std::isfinite(value)) values.push_back(value);
   }
   return values.empty() ? kNotSeen : math::median(values);
+}
+
+/// Where a point is in the hand frame, in the median.
+Vec3 median_place(const std::vector<HandKeypoints>& frames,
+                  const std::vector<Eigen::Matrix3d>& axes, std::size_t point) {
+  Vec3 place;
+  for (Eigen::Index c = 0; c < 3; ++c) {
+    place[c] = median_over(
+        frames, [&](std::size_t i) { return axes[i].col(c).dot(frames[i][point] - frames[i][0]); });
+  }
+  return place;
+}
+
+/// The thumb's base by the proportions of Buchholz et al. (1992), from what was seen of the hand:
+/// on the way from its MCP's median place to where the proportions have the base, as far off as the
+/// thumb's other two bones make the metacarpal.
+void put_thumb_base(const Vec3& mcp, HandShape& shape) {
+  const robot::ThumbProportions& thumb = robot::kThumbProportions;
+  const double breadth = (shape.base[kIndex].y() - shape.base[kLittle].y()) /
+                         (robot::kFingerProportions[kIndex - 1].across -
+                          robot::kFingerProportions[kLittle - 1].across);
+  const Vec3 usual(0, thumb.across * breadth, thumb.along * shape.length());
+  auto& bones = shape.bones[kThumb];
+  bones[0] = thumb.metacarpal / (thumb.proximal + thumb.distal) * (bones[1] + bones[2]);
+  shape.base[kThumb] = mcp + bones[0] * (usual - mcp).normalized();
+  shape.thumb_base_estimated = true;
 }
 
 }  // namespace
@@ -50,23 +77,25 @@ std::optional<HandShape> median_hand(const std::vector<HandKeypoints>& frames) {
   std::vector<Eigen::Matrix3d> axes;
   for (const HandKeypoints& points : frames) axes.push_back(hand_axes(points));
   HandShape shape;
-  bool whole = true;
   for (std::size_t finger = 0; finger < kFingers; ++finger) {
-    for (Eigen::Index c = 0; c < 3; ++c) {
-      shape.base[finger][c] = median_over(frames, [&](std::size_t i) {
-        return axes[i].col(c).dot(frames[i][keypoint_of(finger, 0)] - frames[i][0]);
-      });
-      whole = whole && std::isfinite(shape.base[finger][c]);
-    }
+    shape.base[finger] = median_place(frames, axes, keypoint_of(finger, 0));
     for (std::size_t bone = 0; bone < 3; ++bone) {
       shape.bones[finger][bone] = median_over(frames, [&](std::size_t i) {
         return (frames[i][keypoint_of(finger, bone + 1)] - frames[i][keypoint_of(finger, bone)])
             .norm();
       });
-      whole = whole && shape.bones[finger][bone] > 0;
     }
   }
-  return whole ? std::optional(shape) : std::nullopt;
+  if (!seen(shape.base[kThumb])) {
+    put_thumb_base(median_place(frames, axes, keypoint_of(kThumb, 1)), shape);
+  }
+  for (std::size_t finger = 0; finger < kFingers; ++finger) {
+    if (!seen(shape.base[finger])) return std::nullopt;
+    for (const double bone : shape.bones[finger]) {
+      if (!(bone > 0)) return std::nullopt;
+    }
+  }
+  return shape;
 }
 
 HandKeypoints keep_bones(const HandShape& shape, const HandKeypoints& in_hand) {
@@ -75,7 +104,12 @@ HandKeypoints keep_bones(const HandShape& shape, const HandKeypoints& in_hand) {
   for (std::size_t finger = 0; finger < kFingers; ++finger) {
     Vec3 here = shape.base[finger];
     kept[keypoint_of(finger, 0)] = here;
-    for (std::size_t bone = 0; bone < 3; ++bone) {
+    std::size_t first = 0;
+    if (finger == kThumb && shape.thumb_base_estimated) {
+      kept[keypoint_of(finger, 1)] = here = in_hand[keypoint_of(finger, 1)];
+      first = 1;
+    }
+    for (std::size_t bone = first; bone < 3; ++bone) {
       const std::size_t next = keypoint_of(finger, bone + 1);
       here += shape.bones[finger][bone] * (in_hand[next] - in_hand[next - 1]).normalized();
       kept[next] = here;

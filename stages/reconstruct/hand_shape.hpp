@@ -29,16 +29,20 @@ Eigen::Matrix3d hand_axes(const HandKeypoints& points);
 struct HandShape {
   std::array<Vec3, kFingers> base;                    ///< CMC of the thumb, knuckles
   std::array<std::array<double, 3>, kFingers> bones;  ///< from the base to the tip
+  bool thumb_base_estimated = false;                  ///< no tracker's point: put_thumb_base
   double length() const;                              ///< wrist to middle fingertip, stretched
 };
 
-/// Medians over the frames in which the points are seen. Nothing if a point never is.
+/// Medians over the frames in which the points are seen. The thumb's base, which some trackers do
+/// not have, is estimated from the others where it never is seen; nothing if another point never
+/// is.
 std::optional<HandShape> median_hand(const std::vector<HandKeypoints>& frames);
 
 /// Hand of these bones that points where recorded points do, in the hand frame (fit_palm): from the
 /// base on, each bone has its length and the direction of the way between its points. (As near to
 /// the points as the bones let it would fold a finger whose points are too close together.) Unseen
-/// points, and those beyond them, stay unseen.
+/// points, and those beyond them, stay unseen. Of a thumb whose base is an estimate the MCP is
+/// where it was recorded, and the bones begin there.
 HandKeypoints keep_bones(const HandShape& shape, const HandKeypoints& in_hand);
 
 /// human_hand() with these bases and bones.

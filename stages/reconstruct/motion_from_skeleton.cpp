@@ -47,9 +47,7 @@ void add_fitted_hand(const std::vector<HandKeypoints>& fingers, double rate_hz,
                      HumanMotion& motion) {
   const auto fitted = fit_hand(fingers, std::nullopt, rate_hz);
   if (!fitted) return;
-  motion.hand_angles = fitted->angles;
-  motion.residuals.insert(motion.residuals.end(), fitted->residuals.begin(),
-                          fitted->residuals.end());
+  take_angles(*fitted, motion);
   for (std::size_t i = 0; i < motion.time.size(); ++i) {
     for (std::size_t finger = 0; finger < kFingers; ++finger) {
       motion.tip_orientation(i, finger) =

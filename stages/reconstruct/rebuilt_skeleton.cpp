@@ -100,7 +100,7 @@ HumanMotion motion_from_rebuilt(const BodyStream& body, const ReconstructOptions
   if (tips_estimated) motion.estimated.emplace_back("fingertips");
   const auto fitted = fit_hand(fingers, std::nullopt, clock.rate_hz);
   if (!fitted) return motion;
-  motion.hand_angles = fitted->angles;
+  take_angles(*fitted, motion);
   motion.bones = fitted->bones;
   for (std::size_t i = 0; !tips_turned && i < clock.count; ++i) {
     for (std::size_t finger = 0; finger < kFingers; ++finger) {

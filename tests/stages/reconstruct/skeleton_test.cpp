@@ -25,7 +25,8 @@ struct Swing {
 };
 const Quat kWristFromHand(Eigen::AngleAxisd(1.1, Vec3(1, 2, 3).normalized()));
 /// Knuckles and index finger in the hand frame, straight.
-const Vec3 kIndex(0.004, 0.025, 0.09), kMiddle(0, 0, 0.093), kLittle(0.004, -0.035, 0.07);
+const Vec3 kIndexBase(0.004, 0.025, 0.09), kMiddleBase(0, 0, 0.093),
+    kLittleBase(0.004, -0.035, 0.07);
 const double kBones[] = {0.045, 0.026, 0.018};
 
 Swing swing(std::size_t frames = 240, double rate_hz = 120) {
@@ -57,12 +58,12 @@ Swing swing(std::size_t frames = 240, double rate_hz = 120) {
     const Vec3 points[] = {pose.shoulder,
                            pose.elbow,
                            pose.wrist,
-                           in_world(kIndex),
-                           in_world(kIndex + kBones[0] * along),
-                           in_world(kIndex + (kBones[0] + kBones[1]) * along),
-                           in_world(kIndex + (kBones[0] + kBones[1] + kBones[2]) * along),
-                           in_world(kMiddle),
-                           in_world(kLittle)};
+                           in_world(kIndexBase),
+                           in_world(kIndexBase + kBones[0] * along),
+                           in_world(kIndexBase + (kBones[0] + kBones[1]) * along),
+                           in_world(kIndexBase + (kBones[0] + kBones[1] + kBones[2]) * along),
+                           in_world(kMiddleBase),
+                           in_world(kLittleBase)};
     body.time.push_back(t);
     for (std::size_t k = 0; k < body.names.size(); ++k) {
       body.position(i, k) = points[k];
@@ -76,8 +77,8 @@ Swing swing(std::size_t frames = 240, double rate_hz = 120) {
 
 /// The axes of the hand that the knuckles above show: z to the middle one, y from little to index.
 Eigen::Matrix3d shown_axes() {
-  const Vec3 z = kMiddle.normalized();
-  const Vec3 across = kIndex - kLittle;
+  const Vec3 z = kMiddleBase.normalized();
+  const Vec3 across = kIndexBase - kLittleBase;
   const Vec3 y = (across - across.dot(z) * z).normalized();
   Eigen::Matrix3d axes;
   axes << y.cross(z), y, z;
