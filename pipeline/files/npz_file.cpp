@@ -50,6 +50,14 @@ NpzFile read_npz(const std::filesystem::path& file) {
   return npz;
 }
 
+std::vector<std::string> npz_keys(const std::filesystem::path& file) {
+  std::vector<std::string> keys = zip_names(bytes_of(file), file.string());
+  for (std::string& key : keys) {
+    if (key.ends_with(kEnding)) key.resize(key.size() - kEnding.size());
+  }
+  return keys;
+}
+
 bool begins_as_npz(std::string_view head) {
   constexpr std::size_t kNameLength = 26, kName = 30;
   if (!head.starts_with("PK\x03\x04") || head.size() < kName) return false;

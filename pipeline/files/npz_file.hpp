@@ -37,6 +37,10 @@ struct NpzFile {
 /// structures, complex numbers and dates. Nothing of a file is executed. At most 1 GiB.
 NpzFile read_npz(const std::filesystem::path& file);
 
+/// The keys of a .npz, from its directory alone: what the arrays hold may be anything. InputError
+/// if it has no whole directory.
+std::vector<std::string> npz_keys(const std::filesystem::path& file);
+
 /// Whether a file that begins so is a .npz, by the name of its first member.
 bool begins_as_npz(std::string_view head);
 

@@ -197,6 +197,12 @@ std::vector<ZipMember> unzip(std::string_view bytes, const std::string& file) {
   return members;
 }
 
+std::vector<std::string> zip_names(std::string_view bytes, const std::string& file) {
+  std::vector<std::string> names;
+  for (Entry& entry : read_directory({bytes, file})) names.push_back(std::move(entry.name));
+  return names;
+}
+
 std::string zipped(const std::vector<ZipMember>& members, const std::string& file) {
   std::string out, directory;
   for (const ZipMember& member : members) {

@@ -20,6 +20,10 @@ struct ZipMember {
 /// to more than 1 GiB together.
 std::vector<ZipMember> unzip(std::string_view archive, const std::string& file);
 
+/// What the members of an archive are called, from its directory alone. InputError as unzip(), of
+/// the directory.
+std::vector<std::string> zip_names(std::string_view archive, const std::string& file);
+
 /// An archive of members that are stored, all from the first of January 1980: the same members give
 /// the same bytes. Names are UTF-8; at most 65535 members and 4 GiB, else InputError.
 std::string zipped(const std::vector<ZipMember>& members, const std::string& file);

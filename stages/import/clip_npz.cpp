@@ -16,6 +16,24 @@
 namespace morphe::imports {
 namespace {
 
+/// Keys that say that a .npz is a clip: of a hand, a body or an object.
+bool is_of_a_clip(const std::string& key) {
+  for (const Side side : {Side::right, Side::left}) {
+    if (key.starts_with(clip_prefix(side)) || key == spider_key("wrist", side)) return true;
+    if (key == fmt::format("obj_{}_pose", name_of(side))) return true;
+  }
+  return key == "body_joints" || (key.starts_with("object_") && key.ends_with("_pose"));
+}
+
+[[noreturn]] void fail_as_no_clip(const std::string& file, const std::vector<std::string>& keys) {
+  throw InputError(
+      fmt::format("{}: is no clip: it has neither {}joints, {}joints, body_joints, {} "
+                  "nor {}, but {}",
+                  file, clip_prefix(Side::right), clip_prefix(Side::left),
+                  spider_key("wrist", Side::right), spider_key("wrist", Side::left),
+                  keys.empty() ? "nothing" : fmt::format("{}", fmt::join(keys, ", "))));
+}
+
 /// Frames of the clip: the first of these arrays that it has says how many.
 std::size_t rows_of(ClipArrays& clip) {
   constexpr std::size_t kAny = ClipArrays::kAny;
@@ -30,10 +48,7 @@ std::size_t rows_of(ClipArrays& clip) {
     }
   }
   if (const auto* const body = clip.numbers("body_joints", {kAny, kAny, 3})) return body->shape[0];
-  throw InputError(
-      fmt::format("{}: is no clip: it has neither mano_right_joints, mano_left_joints nor "
-                  "body_joints, but {}",
-                  clip.file(), fmt::join(clip.unread(), ", ")));
+  fail_as_no_clip(clip.file(), clip.unread());
 }
 
 std::vector<double> times_of(ClipArrays& clip, std::size_t rows, const Conventions& conventions,
@@ -161,12 +176,19 @@ TrackerFrame frame_of(ClipArrays& clip, const RecordingFiles& files,
 
 bool recognises_clip_npz(std::string_view head) { return files::begins_as_npz(head); }
 
+bool holds_a_clip(const std::filesystem::path& file) {
+  return std::ranges::any_of(files::npz_keys(file), is_of_a_clip);
+}
+
 std::optional<Side> clip_hand(const std::filesystem::path& file) {
   ClipArrays clip(files::read_npz(file));
   return hand_said(clip);
 }
 
 Demonstration read_clip_npz(const RecordingFiles& files) {
+  // Of what is no clip the arrays may be anything, such as Python objects.
+  const std::vector<std::string> keys = files::npz_keys(files.file);
+  if (std::ranges::none_of(keys, is_of_a_clip)) fail_as_no_clip(files.file.string(), keys);
   ClipArrays clip(files::read_npz(files.file));
   if (is_spider(clip)) return read_spider(clip, files);
   Demonstration demonstration;

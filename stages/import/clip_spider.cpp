@@ -28,10 +28,6 @@ bool is_there(const NpyArray* array) {
   return false;
 }
 
-std::string key_of(const char* what, Side side) {
-  return fmt::format("qpos_{}_{}", what, name_of(side));
-}
-
 /// What ../task_info.json says (JSON is YAML).
 void read_task(const RecordingFiles& files, double& step_s, Demonstration& demonstration) {
   const fs::path file = fs::absolute(files.file).parent_path().parent_path() / "task_info.json";
@@ -66,8 +62,8 @@ std::vector<double> times_of(ClipArrays& clip, std::size_t rows, double step_s,
 std::optional<RecordedHand> read_hand(ClipArrays& clip, Side side, std::size_t rows,
                                       const TrackerFrame& frame,
                                       std::vector<std::string>& reports) {
-  const NpyArray* const wrist = clip.numbers(key_of("wrist", side), {rows, kPose});
-  const NpyArray* const tips = clip.numbers(key_of("finger", side), {rows, kFingers, kPose});
+  const NpyArray* const wrist = clip.numbers(spider_key("wrist", side), {rows, kPose});
+  const NpyArray* const tips = clip.numbers(spider_key("finger", side), {rows, kFingers, kPose});
   if (!is_there(wrist)) return std::nullopt;
   RecordedHand hand = unseen_hand(rows);
   double reach = 0, count = 0;
@@ -92,8 +88,12 @@ std::optional<RecordedHand> read_hand(ClipArrays& clip, Side side, std::size_t r
 
 }  // namespace
 
+std::string spider_key(const char* what, Side side) {
+  return fmt::format("qpos_{}_{}", what, name_of(side));
+}
+
 bool is_spider(const ClipArrays& clip) {
-  return clip.has(key_of("wrist", Side::right)) || clip.has(key_of("wrist", Side::left));
+  return clip.has(spider_key("wrist", Side::right)) || clip.has(spider_key("wrist", Side::left));
 }
 
 Demonstration read_spider(ClipArrays& clip, const RecordingFiles& files) {
@@ -103,14 +103,14 @@ Demonstration read_spider(ClipArrays& clip, const RecordingFiles& files) {
   read_task(files, step_s, demonstration);
   const TrackerFrame frame = tracker_frame(
       files, "x y z", "m", "SPIDER's Z is up; which way the person faces is not said", reports);
-  const Side first = clip.has(key_of("wrist", Side::right)) ? Side::right : Side::left;
+  const Side first = clip.has(spider_key("wrist", Side::right)) ? Side::right : Side::left;
   const std::size_t rows =
-      clip.numbers(key_of("wrist", first), {ClipArrays::kAny, kPose})->shape[0];
+      clip.numbers(spider_key("wrist", first), {ClipArrays::kAny, kPose})->shape[0];
   HandClip hands;
   hands.time = times_of(clip, rows, step_s, files, reports);
   for (const Side side : {Side::right, Side::left}) {
     hands.hands[static_cast<std::size_t>(side)] = read_hand(clip, side, rows, frame, reports);
-    const NpyArray* const poses = clip.numbers(key_of("obj", side), {rows, kPose});
+    const NpyArray* const poses = clip.numbers(spider_key("obj", side), {rows, kPose});
     if (!is_there(poses)) continue;
     SceneObject object = ball_for(fmt::format("{}_object", name_of(side)), reports);
     object.time = hands.time;

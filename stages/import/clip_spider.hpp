@@ -5,6 +5,9 @@
 
 namespace morphe::imports {
 
+/// What SPIDER calls an array: "qpos_wrist_right"; `what`: wrist, finger or obj.
+std::string spider_key(const char* what, Side side);
+
 /// Whether the arrays are those of SPIDER's trajectory_keypoints.npz.
 bool is_spider(const ClipArrays& clip);
 

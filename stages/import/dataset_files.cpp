@@ -99,6 +99,9 @@ std::string why_not_read(const ImportRequest& request, const fs::path& path,
   if (!request.format.empty() && format->name != request.format) {
     return fmt::format("{}, not {}", format->name, request.format);
   }
+  if (format->name == "clip-npz" && !holds_a_clip(path)) {
+    return "not a recording: an .npz with no key of a clip, such as mano_right_joints";
+  }
   return format->name == "mot" ? "joint angles alone, from which no arm can be rebuilt" : "";
 }
 

@@ -94,6 +94,9 @@ Demonstration read_egodex_hdf5(const RecordingFiles& files);
 
 bool recognises_clip_npz(std::string_view head);
 Demonstration read_clip_npz(const RecordingFiles& files);
+/// Whether any array of a .npz is called as one that only a clip has. InputError if it has no
+/// directory of arrays.
+bool holds_a_clip(const std::filesystem::path& file);
 /// The hand that reaches, if the clip says it.
 std::optional<Side> clip_hand(const std::filesystem::path& file);
 

@@ -260,6 +260,51 @@ class Clips(CommandCase):
             self.assertEqual(h5["demonstrations/mug"].attrs["task"], b"lift the mug")
 
 
+class Beside(CommandCase):
+    """What lies beside clips, and what a manifest says of them."""
+
+    def setUp(self):
+        super().setUp()
+        self.data = self.folder / "data"
+        self.data.mkdir()
+        joints = np.zeros((40, 21, 3))
+        for finger in range(5):
+            for joint in range(4):
+                across = 0.02 * (2 - finger)
+                joints[:, 1 + 4 * finger + joint] = (across, 0.09 - 0.01 * abs(finger - 2) + 0.03 * joint,
+                                                     -0.012 * joint)
+        joints[:, 1:5] += (0.02, -0.06, -0.01)
+        joints += np.stack([0 * np.arange(40), 0.01 * np.arange(40), 0 * np.arange(40)], -1)[:, None]
+        self.right, self.left = -joints * [1, -1, -1], joints
+
+    def clip(self, name="clip", **more):
+        np.savez(self.data / f"{name}.npz", fps=30, joint_order="openpose", axes="x y z",
+                 mano_left_joints=self.left, mano_right_joints=self.right + [0.4, 0, 0], **more)
+        return self.data / f"{name}.npz"
+
+    def test_other_arrays_are_passed_over(self):
+        self.clip()
+        np.savez(self.data / "forces.npz", forces=np.zeros((5, 3)), fps=100)
+        np.savez_compressed(self.data / "model.npz", weights=np.array([{}], object))
+        damaged = self.clip("damaged")
+        damaged.write_bytes(damaged.read_bytes()[:-400])
+        half = self.clip("half")
+        half.write_bytes(half.read_bytes().replace(b"<f8", b"<q8"))
+        result = morphe("import", self.data, "--out", self.folder / "read.h5")
+        self.assertEqual(result.returncode, 1, result.stderr)
+        said = result.stdout + result.stderr
+        for name in ("forces", "model"):
+            self.assertIn(f"left out: {self.data / name}.npz: not a recording: an .npz with no key of a "
+                          "clip, such as mano_right_joints", said)
+        for name in ("damaged", "half"):
+            self.assertIn(f"cannot be read: {self.data / name}.npz: ", said)
+        with h5py.File(self.folder / "read.h5") as h5:
+            self.assertEqual(list(h5["demonstrations"]), ["clip"])
+        for name in ("forces", "model"):
+            self.refuses(morphe("inspect", self.data / f"{name}.npz"), self.data / f"{name}.npz",
+                         "is no clip", "mano_right_joints", "body_joints", "qpos_wrist_left")
+
+
 class Written(CommandCase):
     # Bodies and angles alone, and recordings that Morphe reads alike.
     NONE, TWICE = {"box_angles", "rofunc_take", "cmu_take"}, {"hands_v2", "wrists_v2"}

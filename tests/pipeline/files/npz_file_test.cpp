@@ -231,6 +231,17 @@ TEST(Npz, WhatIsWrittenIsReadAgainBitForBit) {
   EXPECT_EQ(contents(file), first);
 }
 
+TEST(Npz, KeysAreToldWhateverTheArraysHold) {
+  const auto file = temporary();
+  std::ofstream(file, std::ios::binary)
+      << zipped({{"weights.npy", "no array at all"}, {"b.npy", ""}}, "a.npz");
+  EXPECT_EQ(npz_keys(file), (std::vector<std::string>{"weights", "b"}));
+  EXPECT_NE(error_of([&] { read_npz(file); }), "");
+  const std::string whole = contents(file);
+  std::ofstream(file, std::ios::binary) << whole.substr(0, whole.size() - 10);
+  EXPECT_NE(error_of([&] { npz_keys(file); }), "");
+}
+
 TEST(Npz, DamageAnywhereIsAnErrorOrHarmless) {
   const auto file = temporary();
   write_npz(file, some_arrays());
