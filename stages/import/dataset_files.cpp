@@ -12,6 +12,7 @@
 #include "stages/import/folder_files.hpp"
 #include "stages/import/format.hpp"
 #include "stages/import/import_question.hpp"
+#include "stages/import/manifest_entries.hpp"
 #include "stages/import/name_map.hpp"
 #include "stages/import/name_words.hpp"
 #include "stages/import/read_recording.hpp"
@@ -55,23 +56,14 @@ struct FolderManifest {
   std::set<fs::path> uses;  ///< without links
 };
 
-/// What a request says of a manifest's recordings.
-void override_entry(const ImportRequest& request, ManifestEntry& entry) {
-  if (!request.format.empty()) entry.format = request.format;
-  if (!request.names.empty()) entry.names = request.names.string();
-  if (request.conventions.forward == ForwardBy::recorded)
-    entry.conventions.forward = ForwardBy::recorded;
-}
-
 FolderManifest read_folder_manifest(const ImportRequest& request, const DatasetFile& manifest,
                                     std::vector<NamedEntry>& entries) {
   FolderManifest read{manifest.path, {}};
-  for (ManifestEntry& entry : read_manifest(manifest.path)) {
+  for (ManifestEntry& entry : entries_of(request, manifest.path, true)) {
     for (const std::string& used : {entry.file, entry.static_trial, entry.glove, entry.static_glove,
                                     entry.glove_calibration, entry.names}) {
       if (!used.empty()) read.uses.insert(fs::weakly_canonical(used));
     }
-    override_entry(request, entry);
     const std::string name = entry.name.empty() ? fs::path(entry.file).stem().string() : entry.name;
     const std::vector<std::string>& folders = manifest.sketch.folders;
     entries.push_back(
@@ -217,8 +209,7 @@ void look_into(const ImportRequest& request, DatasetFile& file) {
   sketch.stem = std::move(file.sketch.stem);
   sketch.format = std::move(file.sketch.format);
   file.sketch = std::move(sketch);
-  const std::optional<Side> said =
-      file.sketch.format == "clip-npz" ? clip_hand(file.path) : std::nullopt;
+  const std::optional<Side> said = hand_in_file(file.path, file.sketch.format);
   file.hand = said ? ReachingHand{*said, fmt::format("the {} hand reaches, as the file says",
                                                      name_of(*said))}
                    : reaching_hand(demonstration, file.sketch);
@@ -243,8 +234,7 @@ std::vector<DatasetFile> dataset_files(const ImportRequest& request,
       if (several) above.push_back(fs::weakly_canonical(folder).filename().string());
       add_folder(request, folder, above, entries, files, left_out);
     } else if (is_yaml(path)) {
-      for (ManifestEntry& entry : read_manifest(path)) {
-        override_entry(request, entry);
+      for (ManifestEntry& entry : entries_of(request, path, false)) {
         entries.push_back({std::move(entry), {}});
       }
     } else {

@@ -125,7 +125,7 @@ void add_found(const ImportRequest& request, std::vector<DatasetFile> files,
     for (ManifestEntry& one : hand_by_hand(std::move(entry))) {
       std::vector<std::string> names = names_for(file);
       if (one.of_both) {
-        for (std::string& name : names) name += fmt::format("_{}", name_of(one.hand));
+        for (std::string& name : names) name += fmt::format("_{}", name_of(side_of(one)));
       }
       entries.push_back({std::move(one), std::move(names), file.given});
     }

@@ -15,7 +15,7 @@ namespace morphe::imports {
 
 /// What to read. A path is a recording, a manifest (.yaml, see manifest.hpp) that lists several, or
 /// a folder (find_recordings.hpp). What stands here of a recording is of those given directly and
-/// of those found in folders; a manifest says its own, but for format, names and what is forward.
+/// of those found in folders; of a manifest's as manifest_entries.hpp says.
 struct ImportRequest {
   std::vector<std::filesystem::path> paths;
   std::filesystem::path static_trial;  ///< of all of them; empty = found, or none

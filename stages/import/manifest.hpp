@@ -27,7 +27,7 @@ struct ManifestEntry {
   std::string format;  ///< "" = by content
   std::string names;   ///< YAML map of recorded names to ours; "" = none
   std::string subject, task, source, licence;
-  Hands hand = Hands::right;  ///< both: until hand_by_hand()
+  std::optional<Hands> hand;  ///< both: until hand_by_hand(); none: a clip's own, else right
   bool of_both = false;       ///< the other hand's movements are another entry
   Conventions conventions;
   std::vector<Label> labels;          ///< phases that somebody marked
@@ -49,7 +49,7 @@ std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file);
 /// An entry of both hands as one of each, called NAME_right and NAME_left; any other as it is.
 std::vector<ManifestEntry> hand_by_hand(ManifestEntry entry);
 
-/// Of an entry that is not of both hands.
+/// Of an entry that is not of both hands; the right one where it says none.
 Side side_of(const ManifestEntry& entry);
 
 /// The manifest in `folder` that read_manifest takes back to these entries.

@@ -282,6 +282,18 @@ class Beside(CommandCase):
                  mano_left_joints=self.left, mano_right_joints=self.right + [0.4, 0, 0], **more)
         return self.data / f"{name}.npz"
 
+    def manifest(self, *lines):
+        file = self.data / "some.yaml"
+        file.write_text("recordings:\n  - {" + ", ".join(lines) + "}\n")
+        return file
+
+    def hand_of(self, *arguments):
+        out = self.folder / "hand.h5"
+        self.succeeds("import", *arguments, "--out", out)
+        with h5py.File(out) as h5:
+            return {name: (group.attrs["hand"].decode(), [r.decode() for r in group["reports"][()]])
+                    for name, group in h5["demonstrations"].items()}
+
     def test_other_arrays_are_passed_over(self):
         self.clip()
         np.savez(self.data / "forces.npz", forces=np.zeros((5, 3)), fps=100)
@@ -303,6 +315,41 @@ class Beside(CommandCase):
         for name in ("forces", "model"):
             self.refuses(morphe("inspect", self.data / f"{name}.npz"), self.data / f"{name}.npz",
                          "is no clip", "mano_right_joints", "body_joints", "qpos_wrist_left")
+
+    def test_the_clip_says_which_hand(self):
+        self.clip(hand="left")
+        said = "the clip says that the left hand reaches; the right one is taken"
+        for manifest, options, hand, contradicts in (
+                (("file: clip.npz",), (), "left", False),
+                (("file: clip.npz", "hand: left"), (), "left", False),
+                (("file: clip.npz", "hand: right"), (), "right", True),
+                (("file: clip.npz", "hand: right"), ("--hand", "left"), "left", False),
+                (("file: clip.npz",), ("--hand", "right"), "right", True)):
+            with self.subTest(manifest=manifest, options=options):
+                ((taken, reports),) = self.hand_of(self.manifest(*manifest), *options).values()
+                self.assertEqual(taken, hand)
+                self.assertEqual(said in reports, contradicts, reports)
+        both = self.hand_of(self.manifest("file: clip.npz", "hand: both"))
+        self.assertEqual({name: hand for name, (hand, _) in both.items()},
+                         {"clip_right": "right", "clip_left": "left"})
+        one = self.hand_of(self.manifest("file: clip.npz", "hand: both"), "--hand", "left")
+        self.assertEqual(list(one), ["clip_left"])
+
+    def test_the_command_line_wins_over_a_manifest(self):
+        self.clip()
+        for key, value, option, given in (("joint_order", "openxr", "--joint-order", "openpose"),
+                                          ("axes", "x -z y", "--axes", "x y z"),
+                                          ("unit", "mm", "--unit", "m"),):
+            with self.subTest(key):
+                plain = self.hand_of(self.data / "clip.npz", option, given)
+                told = self.hand_of(self.manifest("file: clip.npz", "hand: right", f"{key}: {value}"),
+                                    option, given)
+                with h5py.File(self.folder / "hand.h5") as h5:
+                    points = h5["demonstrations/clip/skeleton/position"][()]
+                self.hand_of(self.data / "clip.npz", option, given, "--hand", "right")
+                with h5py.File(self.folder / "hand.h5") as h5:
+                    np.testing.assert_array_equal(h5["demonstrations/clip/skeleton/position"][()], points)
+                self.assertEqual(set(told["clip"][1]) - set(plain["clip"][1]), set())
 
 
 class Written(CommandCase):
