@@ -86,17 +86,20 @@ BodyStream skeleton_of(const HumanMotion& motion) {
 
 Demonstration joints_of(const Demonstration& demonstration) {
   if (imports::is_as_a_clip(demonstration)) return demonstration;
-  const HumanMotion motion = reconstruct::reconstruct(demonstration, {}, {});
+  // A right arm, of a left one in the mirror: seen in it again, it is itself.
+  const bool left = demonstration.hand == Side::left;
+  const HumanMotion motion =
+      reconstruct::reconstruct(left ? reconstruct::mirrored(demonstration) : demonstration, {}, {});
   Demonstration arm;
   BodyStream skeleton = skeleton_of(motion);
   if (!skeleton.names.empty()) arm.streams.skeleton = std::move(skeleton);
-  // Reconstruction makes a right arm of a left one, in the mirror: seen in it again, it is itself.
-  if (demonstration.hand == Side::left) arm = reconstruct::mirrored(arm);
+  if (left) arm = reconstruct::mirrored(arm);
   Demonstration joints = demonstration;
   joints.streams = std::move(arm.streams);
   joints.calibration = {};
   joints.sensor_offsets.reset();
   joints.reports.emplace_back("joints as Morphe rebuilt them from the recording");
+  joints.reports.insert(joints.reports.end(), motion.problems.begin(), motion.problems.end());
   if (!motion.estimated.empty()) {
     joints.reports.push_back(
         fmt::format("estimated, not recorded: {}", fmt::join(motion.estimated, ", ")));

@@ -1,8 +1,12 @@
 #include "stages/reconstruct/rebuilt_skeleton.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/motion/arm_estimated.hpp"
 #include "stages/reconstruct/arm_chain.hpp"
 #include "stages/reconstruct/hand_from_keypoints.hpp"
 #include "stages/reconstruct/skeleton_joints.hpp"
@@ -31,6 +35,18 @@ std::vector<Between> rows_of(const std::vector<double>& time, const Clock& clock
         {row, last || since <= kSameInstant_s ? 0 : since / (time[row + 1] - time[row])});
   }
   return rows;
+}
+
+/// What is no recording's but an estimate, as whoever rebuilt the motion said by its confidence.
+void note_estimates(HumanMotion& motion) {
+  if (motion.estimated.empty()) return;
+  const bool arm = std::ranges::any_of(motion.estimated, [](const std::string& what) {
+    return std::ranges::find(kArmPoints, what) != kArmPoints.end();
+  });
+  motion.problems.push_back(
+      fmt::format("estimated, not recorded, when the motion was rebuilt: {}{}",
+                  fmt::join(motion.estimated, ", "),
+                  arm ? "; humanlikeness of the arm compares with an estimate" : ""));
 }
 
 std::vector<Vec3> at(const std::vector<Between>& rows, const std::vector<Vec3>& values) {
@@ -98,6 +114,7 @@ HumanMotion motion_from_rebuilt(const BodyStream& body, const ReconstructOptions
     }
   }
   if (tips_estimated) motion.estimated.emplace_back("fingertips");
+  note_estimates(motion);
   const auto fitted = fit_hand(fingers, std::nullopt, clock.rate_hz);
   if (!fitted) return motion;
   take_angles(*fitted, motion);

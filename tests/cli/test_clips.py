@@ -433,6 +433,22 @@ class Written(CommandCase):
         for key, values in plans["markers"].items():
             np.testing.assert_allclose(plans["clip"][key], values, rtol=0, atol=1e-9)
 
+    def test_what_was_estimated_is_said_again(self):
+        clips = self.folder / "clips"
+        self.succeeds("import", ADROIT, "--clip", clips)
+        written = self.json_of("inspect", ADROIT)["demonstrations"][0]
+        (read,) = self.json_of("inspect", clips / f"{written['name']}.npz")["demonstrations"]
+        self.assertEqual(read["estimated"], ["shoulder", "elbow"])
+        self.assertIn("estimated, not recorded, when the motion was rebuilt: shoulder, elbow; "
+                      "humanlikeness of the arm compares with an estimate", read["problems"])
+        (said,) = [s for s in written["problems"] if s.startswith("the shoulder was not recorded")]
+        self.assertIn(said, read["reports"])
+        self.succeeds("run", REFERENCE, *QUICK, "--dataset", clips / f"{written['name']}.npz",
+                      "--quiet", "--out", self.folder / "plans")
+        with h5py.File(self.folder / "plans/plans.h5") as h5:
+            (plan,) = h5[f"plans/{written['name']}"].values()
+            self.assertIn("when the motion was rebuilt: shoulder, elbow", str(plan.attrs["detail"]))
+
     def test_neither_file_nor_folder_is_refused(self):
         result = morphe("import", RECORDINGS / "ADL001FR1.csv")
         self.refuses(result, "import", "--out", "--clip")

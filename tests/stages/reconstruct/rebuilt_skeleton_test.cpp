@@ -79,7 +79,13 @@ TEST(RebuiltSkeleton, WhatHasNoConfidenceWasEstimated) {
   for (std::size_t i = 0; i < 3; ++i) body.confidence(i, 1) = 0;
   const HumanMotion read = motion_from_rebuilt(body, {});
   EXPECT_THAT(read.estimated, testing::ElementsAre("elbow"));
+  EXPECT_THAT(read.problems,
+              testing::ElementsAre("estimated, not recorded, when the motion was rebuilt: elbow; "
+                                   "humanlikeness of the arm compares with an estimate"));
   EXPECT_EQ(read.arm_angles.rows(), 0);
+  for (std::size_t i = 0; i < 3; ++i) body.confidence(i, 1) = 1;
+  EXPECT_THAT(motion_from_rebuilt(body, {}).problems,
+              testing::Not(testing::Contains(testing::HasSubstr("estimated"))));
 }
 
 TEST(RebuiltSkeleton, BetweenItsTimesValuesAreOnStraightLines) {
