@@ -13,7 +13,7 @@ import h5py
 import numpy as np
 
 from many import COUNT, ManyCase
-from support import MORPHE, SOURCE, json, main, morphe, sha256
+from support import MORPHE, SOURCE, estimate_arm, json, main, morphe, sha256
 
 
 class Diff(ManyCase):
@@ -91,6 +91,31 @@ class Diff(ManyCase):
         self.assertAlmostEqual(clearance["largest"], -0.002, 12)
         row, = [row for row in report["rows"] if row["plan"] == "synthetic_000001/000"]
         self.assertAlmostEqual(row["second"]["clearance"] - row["first"]["clearance"], -0.002, 12)
+
+    def test_figures_against_an_estimated_arm_are_marked(self):
+        def change(file):
+            for number, name in enumerate(("synthetic_000001/000", "synthetic_000002/000")):
+                plan = file["plans"][name]
+                if number == 0:
+                    estimate_arm(plan)
+                for key, more in (("upper_arm_error_mean", 0.1), ("humanlikeness_final", 0.01),
+                                  ("clearance", -0.002)):
+                    plan["certificate"].attrs[key] += more
+        self.edit(change)
+        text = self.diff().stdout
+        for figure in ("humanlikeness A", "upper arm"):
+            self.assertRegex(text, rf"\n{figure} +\S+ +~\d\S* +~\d\S* +")
+        self.assertRegex(text, r"\nclearance +mm +-?\d\S* +-?\d\S* +")
+        marks = {name: re.findall(r"~\S+", re.search(rf"\n{name} .*", text)[0])
+                 for name in ("synthetic_000001/000", "synthetic_000002/000")}
+        self.assertEqual(marks, {"synthetic_000001/000": ["~+100.0", "~+5.7"], "synthetic_000002/000": []})
+        rows = {row["plan"]: row for row in json.loads(self.diff("--json").stdout)["rows"]}
+        self.assertEqual([[rows[name][side]["against_estimate"] for side in ("first", "second")]
+                          for name in marks], [[False, True], [False, False]])
+        listed = morphe("list", self.other).stdout
+        for name, count in (("synthetic_000001/000", 2), ("synthetic_000002/000", 0)):
+            row = re.search(rf"\n{name} .*", listed)[0]
+            self.assertEqual(len(re.findall(r" ~\d", row)), count, row)
 
     def test_plans_that_are_no_longer_executable(self):
         """A limit that no plan keeps: each is named with its reason."""

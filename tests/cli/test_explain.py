@@ -1,5 +1,6 @@
 """`morphe explain`: an infeasible movement's story, and what it advises holds when it is tried."""
 import json
+import shutil
 
 import h5py
 import support
@@ -31,6 +32,19 @@ class Explain(support.CommandCase):
         for step in ("segmentation", "mapping", "found", "repair", "left", "time law", "certificate", "took", "try"):
             self.assertIn(f"\n  {step} ", said)
         self.assertIn("re-solve gently", said)
+
+    def test_a_comparison_with_an_estimated_arm_is_marked(self):
+        file = self.folder / "plans.h5"
+        shutil.copy(self.run_folder / "plans.h5", file)
+        with h5py.File(file, "r+") as h5:
+            names = [f"{name}/{movement}" for name in h5["plans"] for movement in h5["plans"][name]]
+            support.estimate_arm(h5["plans"][names[0]])
+            self.assertGreater(len(names), 1)
+        for name, marked in ((names[0], True), (names[1], False)):
+            story = self.succeeds("explain", file, name).stdout
+            self.assertRegex(story, r"humanlikeness A ~\d\.\d{4} m\^2 from an estimated shoulder and elbow"
+                             if marked else r"humanlikeness A \d\.\d{4} m\^2[,\n]")
+            self.assertEqual("~" in story, marked, story)
 
     def test_courses_of_repair_are_stored(self):
         with h5py.File(self.run_folder / "plans.h5") as file:

@@ -1,6 +1,7 @@
 """The page of `morphe report` in a browser: it draws, plays, is worked by keys alone, shows the file's
 numbers, and takes names from files as text."""
 import base64
+import shutil
 
 import h5py
 import numpy as np
@@ -8,7 +9,7 @@ from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
-from support import SOURCE, Path, main, morphe, sys, temporary_folder, unittest
+from support import SOURCE, Path, estimate_arm, main, morphe, sys, temporary_folder, unittest
 
 sys.path.insert(0, str(SOURCE / "tests/support"))
 import browser  # noqa: E402
@@ -188,6 +189,21 @@ class ReportPage(unittest.TestCase):
                 said = dict(title.split(" = ") for title in titles if " = " in title)
                 for key in ("clearance", "tempo", "position_error_max", "upper_arm_error_mean", "humanlikeness_final"):
                     self.assertEqual(float(said[key].split()[0]), certificate[key], key)
+
+    def test_figures_against_an_estimated_arm_are_marked(self):
+        file, name = self.folder / "estimated.h5", "ADL004DR2/000"
+        shutil.copy(self.post / "plans.h5", file)
+        with h5py.File(file, "r+") as h5:
+            estimate_arm(h5["plans"][name])
+        self.assertEqual(morphe("report", file, "--out", self.folder / "estimated.html").returncode, 0)
+        self.open(self.folder / "estimated.html")
+        marked = self.run_script(
+            "return [...document.querySelectorAll('table.many tbody:not(.spacer) tr')].map(r => [r.cells[0]."
+            "textContent, [...r.cells].filter(c => c.textContent.startsWith('~')).map(c => c.title)])")
+        self.assertEqual(len(marked), 5)
+        for plan, titles in marked:
+            self.assertEqual(sorted(title.split(" = ")[0].split(".")[-1] for title in titles),
+                             ["humanlikeness_final", "upper_arm_error_mean"] if plan == name else [], plan)
 
     def test_filters_sort_and_search(self):
         self.open(self.fr3 / "report.html")
