@@ -25,7 +25,7 @@ void add_import_options(CLI::App& app, imports::ImportRequest& request) {
          "Which way is forward: where the body faces (body, the default), or as recorded")
       ->check(CLI::IsMember({"body", "recorded"}));
   app.add_option("--unit", request.conventions.unit,
-                 "Unit of lengths: m, cm, mm, in or metres per unit");
+                 "Unit of lengths: m, cm, mm, in, ft or metres per unit");
   app.add_option("--rate", request.conventions.rate_hz, "Frames per second")
       ->check(CLI::PositiveNumber);
   app.add_option("--joint-order", request.conventions.joint_order,

@@ -45,14 +45,14 @@ std::string axis_word(const Vec3& direction) {
 
 double metres_per_unit(const std::string& unit, const std::string& source) {
   static const std::map<std::string, double> known = {
-      {"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}};
+      {"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"ft", 0.3048}};
   if (const auto found = known.find(unit); found != known.end()) return found->second;
   double metres = 0;
   const auto [end, error] = std::from_chars(unit.data(), unit.data() + unit.size(), metres);
   if (error != std::errc() || end != unit.data() + unit.size() || !(metres > 0) ||
       !std::isfinite(metres)) {
     throw InputError(
-        fmt::format("{}: unit: must be m, cm, mm, in or metres per unit as a positive number, "
+        fmt::format("{}: unit: must be m, cm, mm, in, ft or metres per unit as a positive number, "
                     "not '{}'",
                     source, unit));
   }

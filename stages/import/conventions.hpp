@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 2> names_of(ForwardBy) { return {"body", 
 struct Conventions {
   /// The recorded axes that point to the subject's right, forward and up: "x y z", "-z -x y".
   std::string axes;
-  std::string unit;               ///< of lengths: m, cm, mm, in, or metres per unit as a number
+  std::string unit;               ///< of lengths: m, cm, mm, in, ft, or metres per unit as a number
   std::optional<double> rate_hz;  ///< frames a second
   std::string joint_order = {};   ///< of a clip's hands: a name of keypoint_orders()
   bool judged = true;  ///< sizes must be a person's; not so while a recording is looked at

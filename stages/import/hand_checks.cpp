@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "pipeline/math/statistics.hpp"
 #include "stages/import/conventions.hpp"
 #include "stages/import/hand_curl.hpp"
 
@@ -16,12 +18,6 @@ constexpr double kShortest = 0.045, kLongest = 0.14;
 constexpr double kSteadyBone = 0.05;  ///< share by which a tracked bone's length may vary
 constexpr double kSlow_s = 0.045;     ///< a reach of half a second would have ten rows
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
 std::vector<double> lengths(const Table<Vec3>& joint, std::size_t from, std::size_t to) {
   std::vector<double> all;
   for (std::size_t i = 0; i < joint.rows; ++i) {
@@ -32,9 +28,9 @@ std::vector<double> lengths(const Table<Vec3>& joint, std::size_t from, std::siz
 }
 
 void check_size(const std::string& file, std::string_view side, const Table<Vec3>& joint) {
-  const std::vector<double> palm = lengths(joint, 0, 9);
+  std::vector<double> palm = lengths(joint, 0, 9);
   if (palm.empty()) return;
-  const double usual = median(palm);
+  const double usual = math::median(palm);
   if (usual >= kShortest && usual <= kLongest) return;
   throw NotSaid("unit",
                 fmt::format("{}: unit: cannot be right: the {} hand would measure {:.3g} m from "
@@ -69,6 +65,24 @@ double unsteadiness(const Table<Vec3>& joint) {
   return bones > 0 ? std::sqrt(squares / bones) : 0;
 }
 
+/// All that the clip has of a hand, among the joints of the body, too; nothing if that is no more
+/// than its wrist.
+std::optional<Table<Vec3>> hand_in(const HandClip& clip, Side side) {
+  const auto& hand = clip.hands[static_cast<std::size_t>(side)];
+  Table<Vec3> joint =
+      hand ? hand->joint : Table<Vec3>(clip.time.size(), kKeypoints, unseen_point());
+  bool fingers = false;
+  const std::vector<std::string> names = keypoint_names(side);
+  for (std::size_t k = 0; k < kKeypoints; ++k) {
+    const auto found = std::ranges::find(clip.body.names, names[k]);
+    if (found == clip.body.names.end()) continue;
+    fingers = fingers || k > 0;
+    const auto column = static_cast<std::size_t>(found - clip.body.names.begin());
+    for (std::size_t i = 0; i < joint.rows; ++i) joint(i, k) = clip.body.position(i, column);
+  }
+  return hand || fingers ? std::optional(std::move(joint)) : std::nullopt;
+}
+
 void report_unseen(std::string_view side, const Table<Vec3>& joint,
                    std::vector<std::string>& reports) {
   std::size_t count = 0;
@@ -87,7 +101,7 @@ void report_rate(const std::vector<double>& time, std::vector<std::string>& repo
   std::vector<double> steps;
   for (std::size_t i = 1; i < time.size(); ++i) steps.push_back(time[i] - time[i - 1]);
   if (steps.empty()) return;
-  const double step_s = median(steps);
+  const double step_s = math::median(steps);
   if (step_s > kSlow_s) {
     reports.push_back(
         fmt::format("only {:.3g} rows a second: too few to follow a reach", 1 / step_s));
@@ -99,13 +113,13 @@ void report_rate(const std::vector<double>& time, std::vector<std::string>& repo
 void check_hands(const std::string& file, const HandClip& clip, bool judged,
                  std::vector<std::string>& reports) {
   for (const Side side : {Side::right, Side::left}) {
-    const auto& hand = clip.hands[static_cast<std::size_t>(side)];
-    if (!hand) continue;
+    const std::optional<Table<Vec3>> joint = hand_in(clip, side);
+    if (!joint) continue;
     const std::string_view name = name_of(side);
-    report_unseen(name, hand->joint, reports);
-    if (judged) check_size(file, name, hand->joint);
-    check_side(file, side, hand->joint);
-    const double unsteady = unsteadiness(hand->joint);
+    report_unseen(name, *joint, reports);
+    if (judged && clip.hands[static_cast<std::size_t>(side)]) check_size(file, name, *joint);
+    check_side(file, side, *joint);
+    const double unsteady = unsteadiness(*joint);
     if (unsteady > kSteadyBone) {
       reports.push_back(fmt::format(
           "the bones of the {} hand vary in length by {:.0f} % (root mean square): the tracker "

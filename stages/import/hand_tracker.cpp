@@ -8,6 +8,7 @@
 #include "pipeline/motion/input_error.hpp"
 #include "stages/import/hand_checks.hpp"
 #include "stages/import/marker_recording.hpp"
+#include "stages/import/world_checks.hpp"
 
 namespace morphe::imports {
 namespace {
@@ -72,6 +73,7 @@ void add_tracked(HandClip&& clip, const RecordingFiles& files, Demonstration& de
     throw InputError(fmt::format("{}: no hand was seen in any frame", files.file.string()));
   }
   check_hands(files.file.string(), clip, files.conventions.judged, reports);
+  check_world(clip, reports);
   add_clip(std::move(clip), demonstration);
 }
 

@@ -9,8 +9,11 @@
 
 #include "pipeline/motion/input_error.hpp"
 #include "stages/import/arm_names.hpp"
+#include "stages/import/hand_checks.hpp"
+#include "stages/import/hand_tracker.hpp"
 #include "stages/import/joints_of_points.hpp"
 #include "stages/import/rename.hpp"
+#include "stages/import/world_checks.hpp"
 
 namespace morphe::imports {
 namespace {
@@ -156,6 +159,23 @@ void rename_both(const RecordingFiles& files, MarkerRecording& recording, Marker
   rename_all(files.static_trial.string(), there, still);
 }
 
+/// Points that are called as joints are a hand's like any tracker's.
+void check_joints(const RecordingFiles& files, Demonstration& demonstration) {
+  if (!demonstration.streams.skeleton) return;
+  HandClip clip;
+  clip.body = *demonstration.streams.skeleton;
+  clip.time = clip.body.time;
+  clip.objects = demonstration.objects;
+  for (const Side side : {Side::right, Side::left}) {
+    const std::string knuckle = std::string(name_of(side)) + "_middle_mcp";
+    if (std::ranges::find(clip.body.names, knuckle) == clip.body.names.end()) continue;
+    clip.hands[static_cast<std::size_t>(side)] = unseen_hand(clip.time.size());
+  }
+  std::vector<std::string>& reports = demonstration.reports;
+  check_hands(files.file.string(), clip, files.conventions.judged, reports);
+  check_world(clip, reports);
+}
+
 }  // namespace
 
 double metres_of(const std::string& in_file, const Conventions& conventions,
@@ -208,6 +228,7 @@ Demonstration read_marker_recording(const RecordingFiles& files,
     take_joints(files.hand, demonstration);
   }
   add_rigid_bodies(recording.bodies, demonstration);
+  check_joints(files, demonstration);
   if (files.static_trial.empty()) report_no_static(demonstration);
   if (!files.static_trial.empty()) {
     report_never_seen(still);

@@ -173,7 +173,7 @@ std::string unit_of(const OptitrackHeader& header) {
   if (said == "Centimeters") return "cm";
   if (said == "Millimeters") return "mm";
   if (said == "Inches") return "in";
-  if (said == "Feet") return "0.3048";
+  if (said == "Feet") return "ft";
   return said;
 }
 

@@ -51,7 +51,7 @@ std::vector<BodyLength> body_lengths(const RecordedPoints& points) {
 }
 
 constexpr std::pair<const char*, double> kUnits[] = {
-    {"mm", 0.001}, {"cm", 0.01}, {"m", 1}, {"in", 0.0254}};
+    {"mm", 0.001}, {"cm", 0.01}, {"m", 1}, {"in", 0.0254}, {"ft", 0.3048}};
 
 double misfit(const std::vector<BodyLength>& lengths, double metres) {
   double sum = 0;
@@ -97,9 +97,10 @@ Guess guess_unit(const RecordedPoints& points) {
   double logs = 0;
   for (const BodyLength& length : lengths) logs += std::log(length.usual_m / length.recorded);
   const double metres = std::exp(logs / static_cast<double>(lengths.size()));
-  return {fmt::format("{:.3g}", metres), Sureness::guessed,
-          fmt::format("with it the body has usual lengths, {} {}; with mm, cm, m and in it has not",
-                      first.what, shown(first.recorded * metres))};
+  return {
+      fmt::format("{:.3g}", metres), Sureness::guessed,
+      fmt::format("with it the body has usual lengths, {} {}; with mm, cm, m, in and ft it has not",
+                  first.what, shown(first.recorded * metres))};
 }
 
 Guess guess_rate(const RecordedPoints& points, double unit_m) {

@@ -156,7 +156,7 @@ TEST_F(C3d, UnitIsTheFilesOrAskedFor) {
   const Demonstration d = read(write(c3d), {"x y z", "mm", {}});
   EXPECT_THAT(d.reports, ElementsAre("the file says the unit m; mm was given and used"));
   c3d.units = "ell";
-  EXPECT_THAT(error_of(write(c3d), kC3d), HasSubstr("trial.c3d: unit: must be m, cm, mm, in"));
+  EXPECT_THAT(error_of(write(c3d), kC3d), HasSubstr("trial.c3d: unit: must be m, cm, mm, in, ft"));
 }
 
 TEST_F(C3d, LiesAreErrorsOrReported) {

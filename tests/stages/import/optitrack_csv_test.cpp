@@ -141,9 +141,10 @@ TEST_F(OptitrackCsv, ErrorsSayWhere) {
   };
   EXPECT_EQ(error("Global", "Local"),
             "take.csv:1: Coordinate Space: is Local: export in Global coordinates");
-  EXPECT_EQ(error("Millimeters", "Ells"),
-            "take.csv:1: unit: must be m, cm, mm, in or metres per unit as a positive number, not "
-            "'Ells'");
+  EXPECT_EQ(
+      error("Millimeters", "Ells"),
+      "take.csv:1: unit: must be m, cm, mm, in, ft or metres per unit as a positive number, not "
+      "'Ells'");
   EXPECT_THAT(error("Length Units,Millimeters", "Length,Millimeters"), HasSubstr("unit: the file"));
   EXPECT_EQ(
       error("Frame,Time", "Row,Time"),

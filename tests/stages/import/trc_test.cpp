@@ -98,9 +98,10 @@ TEST_F(Trc, ErrorsSayWhere) {
   EXPECT_EQ(error_of("2,0.01", "2,"), "trial.trc:8: Time: must be a number, not ''");
   EXPECT_EQ(error_of("A,,,B", "A,,,A"), "trial.trc:4: A: the marker stands twice");
   EXPECT_EQ(error_of("Y2", "Z2"), "trial.trc:5: B.Y: must stand under 'Y2'");
-  EXPECT_EQ(error_of("mm", "ell"),
-            "trial.trc:3: unit: must be m, cm, mm, in or metres per unit as a positive number, not "
-            "'ell'");
+  EXPECT_EQ(
+      error_of("mm", "ell"),
+      "trial.trc:3: unit: must be m, cm, mm, in, ft or metres per unit as a positive number, not "
+      "'ell'");
   EXPECT_THAT(error_of("mm", ""), HasSubstr("trial.trc:3: unit: the file does not say it"));
   EXPECT_EQ(error_of("Frame#", "Row"), "trial.trc:4: must begin with 'Frame#' and 'Time'");
   EXPECT_EQ(error_of("NumFrames", "Units"), "trial.trc:2: Units: stands twice");

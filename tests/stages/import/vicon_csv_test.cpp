@@ -60,7 +60,7 @@ TEST_F(ViconCsv, ErrorsNameLineAndColumn) {
   EXPECT_EQ(error_of("Trajectories\n100\n,,A:RFTP\nFrame,Sub Frame,X,Y,Z\n,,mm,mm,inch\n" + row),
             "trial.csv:5: RFTP.Z: unit differs from the first column's");
   EXPECT_THAT(error_of("Trajectories\n100\n,,A:RFTP\nFrame,Sub Frame,X,Y,Z\n,,ell,ell,ell\n" + row),
-              HasSubstr("trial.csv:5: unit: must be m, cm, mm, in"));
+              HasSubstr("trial.csv:5: unit: must be m, cm, mm, in, ft"));
   EXPECT_EQ(error_of("Trajectories\n100\n,,A:RFTP\nFrame,Sub Frame,X,Y,Z\n,,mm,m,mm\n" + row),
             "trial.csv:5: RFTP.Y: unit differs from the first column's");
   EXPECT_EQ(error_of(kViconHeader + row + "2,0,1,2,3,4,5\n"),
