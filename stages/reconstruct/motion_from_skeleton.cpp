@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "stages/reconstruct/arm_chain.hpp"
@@ -28,6 +30,15 @@ std::optional<double> hand_length_of(const SkeletonJoint& wrist, const Digits& d
     before = &joint;
   }
   return std::isfinite(length) ? std::optional(length) : std::nullopt;
+}
+
+/// Whether there are joints that are not called as Morphe's: one of them may be what is missing.
+bool has_other_names(const BodyStream& body) {
+  constexpr std::string_view kOurs[] = {"head", "trunk", "pelvis"};
+  return std::ranges::any_of(body.names, [&](const std::string& name) {
+    return !name.starts_with("right_") && !name.starts_with("left_") &&
+           std::ranges::find(kOurs, name) == std::end(kOurs);
+  });
 }
 
 void note_missing(const std::vector<std::pair<const char*, bool>>& joints,
@@ -75,8 +86,12 @@ HumanMotion motion_from_skeleton(const Demonstration& demonstration,
   place("shoulder", shoulder, motion.shoulder);
   place("elbow", elbow, motion.elbow);
   place("wrist", wrist, motion.wrist);
-  note_missing({{"shoulder", shoulder.there()}, {"elbow", elbow.there()}, {"wrist", wrist.there()}},
-               motion.problems);
+  const bool estimable = (shoulder.there() || !elbow.there()) && wrist.there();
+  if (!estimable || has_other_names(body)) {
+    note_missing(
+        {{"shoulder", shoulder.there()}, {"elbow", elbow.there()}, {"wrist", wrist.there()}},
+        motion.problems);
+  }
   if (shoulder.there() && elbow.there() && wrist.there()) {
     keep_bone_lengths(motion,
                       human::ArmLengths{mean_length(shoulder, elbow), mean_length(elbow, wrist)});
@@ -88,7 +103,7 @@ HumanMotion motion_from_skeleton(const Demonstration& demonstration,
                                               digits, clock, options, motion);
   add_arm_angles(motion);
   // Beside an elbow that was seen the shoulder is no free choice.
-  if (shoulder.there() || !elbow.there()) {
+  if (estimable) {
     estimate_arm(
         arm_lengths_of(demonstration, human, hand_length_of(wrist, digits)), human,
         head.there() ? on_clock(body.time, head.position, clock, options) : std::vector<Vec3>(),

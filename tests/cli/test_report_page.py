@@ -177,6 +177,21 @@ class ReportPage(unittest.TestCase):
         self.run_script("[...document.querySelectorAll('.reason button')].at(-1).click()")
         self.assertEqual(self.time(), worst)
 
+    def test_a_person_alone_is_in_sight(self):
+        """Nothing was planned of wrists without fingers: the robot is not there, and takes no room."""
+        run = self.folder / "wrists"
+        dataset = SOURCE / "datasets/aria/hand_tracking/wrist_and_palm_poses.csv"
+        done = morphe("run", PIPELINES / "pa10_dlr_hit2.yaml", "--dataset", dataset, "--out", run, "--report")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.window.get("about:blank")
+        self.window.get((run / "report.html").as_uri() + "#wrist_and_palm_poses/000")
+        self.wait("return document.querySelector('.movement-head h2')?.textContent.includes('wrist_and_palm')")
+        red, _, blue = np.moveaxis(self.picture()[..., :3], -1, 0)
+        rows, columns = np.nonzero(red - blue > 40)
+        self.assertGreater(len(rows), 0.002 * red.size)
+        self.assertAlmostEqual(np.median(rows) / red.shape[0], 0.5, delta=0.15)
+        self.assertAlmostEqual(np.median(columns) / red.shape[1], 0.5, delta=0.15)
+
     def test_the_table_shows_the_files_numbers(self):
         self.open(self.post / "report.html")
         shown = self.run_script(

@@ -94,7 +94,7 @@ function boundsOf(actors) {
   const box = new THREE.Box3();
   for (const { group, model, person } of actors) {
     group.updateMatrixWorld(true);
-    box.expandByObject(model.capsulesGroup);
+    if (model.group.visible) box.expandByObject(model.capsulesGroup);
     if (person) person.group.children.filter(({ visible }) => visible).forEach((part) => box.expandByObject(part));
   }
   return box;
@@ -223,7 +223,7 @@ export function createScene(host) {
   function view(name) {
     const box = boundsOf(actors);
     const centre = box.isEmpty() ? new THREE.Vector3(0, 0.3, 0) : box.getCenter(new THREE.Vector3());
-    const radius = box.isEmpty() ? 0.6 : 0.42 * box.getSize(new THREE.Vector3()).length();
+    const radius = box.isEmpty() ? 0.6 : Math.max(0.3, 0.42 * box.getSize(new THREE.Vector3()).length());
     const away = eye.distanceFor(radius);
     const from = (x, y, z) => centre.clone().add(new THREE.Vector3(x, y, z).setLength(away));
     const left = actors[0]?.player.robot.side === "left" ? -1 : 1;

@@ -69,6 +69,8 @@ TEST(EstimatedArm, IsNearTheOneThatWasHidden) {
     const HumanMotion motion = reconstruct(hand, {}, {});
     EXPECT_THAT(motion.estimated, Contains("shoulder"));
     EXPECT_THAT(motion.estimated, Contains("elbow"));
+    // Every joint has a name of ours: none may be the shoulder by another.
+    EXPECT_THAT(motion.problems, testing::Not(Contains(testing::HasSubstr("no joint called"))));
     const double shoulder = rms_between(motion.shoulder, truth.shoulder);
     const double elbow = rms_between(motion.elbow, truth.elbow);
     const double angle = upper_arm_error(motion, truth) / kDegree;
