@@ -35,7 +35,7 @@ class Facing(CommandCase):
         with h5py.File(out / "plans.h5") as file:
             plan, = next(iter(file["plans"].values())).values()
             position = plan["trajectory/position"][()] if "trajectory" in plan else None
-            return run.stdout, text(plan.attrs["status"]), text(plan.attrs["reason"]), position
+            return run.stdout + run.stderr, text(plan.attrs["status"]), text(plan.attrs["reason"]), position
 
     def test_the_same_plans_from_any_axes(self):
         _, status, _, straight = self.plan(self.turned("ADL001FR1.csv", 0), self.turned("ADL001_static.csv", 0))

@@ -7,23 +7,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stages/import/import.hpp"
 #include "stages/import/turn_demonstration.hpp"
+#include "tests/stages/import/shipped_recordings.hpp"
 
 namespace morphe::imports {
 namespace {
 
 using testing::HasSubstr;
-
-std::vector<Demonstration> read_recordings(const std::string& folder) {
-  ImportRequest request;
-  request.conventions.forward = ForwardBy::recorded;
-  request.paths = {std::filesystem::path(MORPHE_SOURCE_DIR) / "datasets" / folder /
-                   "recordings.yaml"};
-  std::vector<Demonstration> all;
-  import_recordings(request, [&](Demonstration&& d) { all.push_back(std::move(d)); });
-  return all;
-}
 
 struct Expected {
   std::size_t row;
@@ -56,7 +46,7 @@ void expect_joints(const Demonstration& d, const std::vector<Expected>& expected
 }
 
 TEST(BvhRecordings, IClone) {
-  const auto all = read_recordings("cmu-iclone-bvh");
+  const auto all = shipped_recordings("cmu-iclone-bvh");
   ASSERT_EQ(all.size(), 2u);
   const BodyStream& scoop = *all[0].streams.skeleton;
   EXPECT_EQ(all[0].name, "cmu_002_06");
@@ -84,7 +74,7 @@ TEST(BvhRecordings, IClone) {
 }
 
 TEST(BvhRecordings, NativeCmu) {
-  const auto all = read_recordings("cmu-native");
+  const auto all = shipped_recordings("cmu-native");
   ASSERT_EQ(all.size(), 1u);
   const BodyStream& walk = *all[0].streams.skeleton;
   EXPECT_EQ(walk.names.size(), 38u);  // 31 joints and 7 End Sites
@@ -104,7 +94,7 @@ TEST(BvhRecordings, NativeCmu) {
 
 // Four orders of rotation among its joints; the axes are given.
 TEST(BvhRecordings, FiveFingers) {
-  const auto all = read_recordings("pybvh");
+  const auto all = shipped_recordings("pybvh");
   ASSERT_EQ(all.size(), 1u);
   const BodyStream& body = *all[0].streams.skeleton;
   EXPECT_EQ(body.names.size(), 73u);

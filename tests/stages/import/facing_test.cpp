@@ -10,22 +10,13 @@
 
 #include "stages/import/import.hpp"
 #include "stages/import/turn_demonstration.hpp"
+#include "tests/stages/import/shipped_recordings.hpp"
 
 namespace morphe::imports {
 namespace {
 
 using testing::Contains;
 using testing::HasSubstr;
-
-std::vector<Demonstration> as_recorded(const std::string& folder) {
-  ImportRequest request;
-  request.conventions.forward = ForwardBy::recorded;
-  request.paths = {std::filesystem::path(MORPHE_SOURCE_DIR) / "datasets" / folder /
-                   "recordings.yaml"};
-  std::vector<Demonstration> all;
-  import_recordings(request, [&](Demonstration&& d) { all.push_back(std::move(d)); });
-  return all;
-}
 
 double farthest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   double most = a.size() == b.size() ? 0 : kInfinity;
@@ -77,7 +68,7 @@ TEST(Facing, AllShippedRecordingsTurnedByAnyAngleAreTheSame) {
   std::size_t count = 0;
   for (const char* folder : {"ue-adl", "adroit-dapg", "pyomeca", "kineticstoolkit",
                              "cmu-iclone-bvh", "cmu-native", "pybvh", "dex-retargeting"}) {
-    for (const Demonstration& recorded : as_recorded(folder)) {
+    for (const Demonstration& recorded : shipped_recordings(folder)) {
       Demonstration expected = recorded;
       face_forward({}, expected);
       for (const double degrees : kDegrees) {
@@ -125,7 +116,7 @@ TEST(Facing, IsWhereShouldersAndChestSay) {
 /// pyomeca's person: the line of the iliac spines and that from T10 to the breastbone, measured in
 /// the file, say 18 degrees; only the right shoulder was recorded.
 TEST(Facing, OneShoulderAloneLiesBesideTheChest) {
-  for (const Demonstration& box : as_recorded("pyomeca")) {
+  for (const Demonstration& box : shipped_recordings("pyomeca")) {
     if (!box.streams.markers) continue;
     EXPECT_NEAR(turn_of(box), -17.5, 4) << box.name;
   }
@@ -179,7 +170,7 @@ TEST(Facing, WhoTurnsRoundFacesWhereTheRecordingBegins) {
 /// One person in one sitting, whose shoulders turn by up to 9 degrees in two of the three reaches.
 TEST(Facing, ReachesDoNotTurnThePersonWhoSits) {
   std::vector<double> turns;
-  for (const Demonstration& trial : as_recorded("ue-adl")) {
+  for (const Demonstration& trial : shipped_recordings("ue-adl")) {
     if (trial.name.starts_with("ADL001")) turns.push_back(turn_of(trial));
   }
   ASSERT_EQ(turns.size(), 3U);
@@ -189,7 +180,7 @@ TEST(Facing, ReachesDoNotTurnThePersonWhoSits) {
 
 /// What an arm or a hand tells, where the trunk is known to face Y.
 TEST(Facing, AnArmAloneAndAHandAlone) {
-  for (Demonstration& trial : as_recorded("ue-adl")) {
+  for (Demonstration& trial : shipped_recordings("ue-adl")) {
     const double by_trunk = turn_of(trial);
     MarkerStream& markers = *trial.streams.markers;
     for (std::size_t k = 0; k < markers.names.size(); ++k) {
@@ -202,7 +193,7 @@ TEST(Facing, AnArmAloneAndAHandAlone) {
     EXPECT_NEAR(turn_of(trial), by_trunk, 15) << trial.name;
   }
   // Every recording begins in front of the same door.
-  for (const Demonstration& door : as_recorded("adroit-dapg")) {
+  for (const Demonstration& door : shipped_recordings("adroit-dapg")) {
     EXPECT_NEAR(turn_of(door), 0, 8) << door.name;
   }
 }
@@ -227,7 +218,7 @@ TEST(Facing, AnObjectOfMarkersLiesTheSameHoweverTheRoomWasTurned) {
 }
 
 TEST(Facing, WhoHangsHeadDownIsSaid) {
-  Demonstration trial = as_recorded("ue-adl").at(0);
+  Demonstration trial = shipped_recordings("ue-adl").at(0);
   for (Vec3& point : trial.streams.markers->position.values) {
     point = Vec3(point.x(), -point.y(), -point.z());
   }

@@ -4,25 +4,16 @@
 #include <cmath>
 
 #include "pipeline/math/statistics.hpp"
-#include "stages/import/import.hpp"
 #include "stages/reconstruct/hand_frame.hpp"
 #include "stages/reconstruct/hand_from_keypoints.hpp"
 #include "stages/reconstruct/reconstruct.hpp"
+#include "tests/stages/import/shipped_recordings.hpp"
 
 namespace morphe::reconstruct {
 namespace {
 
 using testing::Contains;
 using testing::HasSubstr;
-
-std::vector<Demonstration> shipped(const std::string& dataset) {
-  std::vector<Demonstration> all;
-  imports::ImportRequest request;
-  request.paths = {std::filesystem::path(MORPHE_SOURCE_DIR) / "datasets" / dataset /
-                   "recordings.yaml"};
-  imports::import_recordings(request, [&](Demonstration&& d) { all.push_back(std::move(d)); });
-  return all;
-}
 
 Pose turned(double angle, const Vec3& axis) { return Pose(Eigen::AngleAxisd(angle, axis)); }
 
@@ -97,7 +88,7 @@ struct TwoFits {
 };
 
 TEST(ThumbBase, OfTheShippedAdroitHandsIsNotNeeded) {
-  for (const Demonstration& d : shipped("adroit-dapg")) {
+  for (const Demonstration& d : imports::shipped_recordings("adroit-dapg")) {
     const JointRows& angles = d.streams.arm_angles->angles;
     std::vector<HandKeypoints> frames;
     for (Eigen::Index i = 0; i < angles.rows(); ++i) frames.push_back(adroit_joints(angles.row(i)));
@@ -116,7 +107,7 @@ TEST(ThumbBase, OfTheShippedAdroitHandsIsNotNeeded) {
 }
 
 TEST(ThumbBase, OfARealHandIsNotNeeded) {
-  const Demonstration d = shipped("dex-retargeting").front();
+  const Demonstration d = imports::shipped_recordings("dex-retargeting").front();
   const HandStream& hand = *d.streams.hand;
   std::vector<HandKeypoints> frames(hand.time.size());
   for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -134,7 +125,7 @@ TEST(ThumbBase, AriasHandsHaveTipsThatAreTurned) {
   ReconstructOptions options;
   options.max_gap_s = 0.5;  // the shipped hands come five times a second, with holes
   std::size_t hands = 0;
-  for (const Demonstration& d : shipped("aria")) {
+  for (const Demonstration& d : imports::shipped_recordings("aria")) {
     if (!d.streams.hand) continue;  // wrists alone
     ++hands;
     const HumanMotion motion = reconstruct_hand(d, options, {});
@@ -156,7 +147,7 @@ TEST(ThumbBase, AriasHandsHaveTipsThatAreTurned) {
 }
 
 TEST(ThumbBase, IsTheOnlyPointThatMayBeMissing) {
-  const Demonstration d = shipped("dex-retargeting").front();
+  const Demonstration d = imports::shipped_recordings("dex-retargeting").front();
   for (const std::size_t missing : {keypoint_of(kThumb, 1), keypoint_of(kIndex, 0)}) {
     std::vector<HandKeypoints> frames(100);
     for (std::size_t i = 0; i < frames.size(); ++i) {
