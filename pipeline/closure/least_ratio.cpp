@@ -27,7 +27,7 @@ LeastRatio least_ratio(const WrenchSet& set, const Gauge& gauge, const Tolerance
   bounds = known;
   const auto ask = [&](double height, const Wrench& u) {
     const double g = gauge(u);
-    if (g > kRounding) bounds.ask((height + set.evaluation()) / g, u);
+    if (g > kAlong) bounds.ask((height + set.evaluation()) / g, u);
   };
   const GeneralPosition start = general_position(set);
   found.flat = start.flat;
@@ -43,7 +43,7 @@ LeastRatio least_ratio(const WrenchSet& set, const Gauge& gauge, const Tolerance
     for (; ranked < static_cast<std::int32_t>(facets.size()); ++ranked) {
       const GrowingPolytope::Facet& facet = facets[static_cast<std::size_t>(ranked)];
       const double g = gauge(facet.normal), distance = facet.distance - set.rounding;
-      if (g > kRounding) {
+      if (g > kAlong) {
         queue.push({distance / g, ranked});
       } else if (facet.distance < -set.rounding) {
         queue.push({-kInfinity, ranked});

@@ -11,6 +11,10 @@ namespace morphe::closure {
 /// g(u) >= 0, with g(s u) = s g(u) for s > 0.
 using Gauge = std::function<double(const Wrench&)>;
 
+/// g(u) of a unit vector counts as 0 up to this: a facet that all but holds the way asked about
+/// does not end it.
+inline constexpr double kAlong = 1e-9;
+
 /// The least h(u) / g(u) over all u with g(u) > 0, which tells how far a set of wrenches reaches.
 struct LeastRatio {
   Bounds bounds;
@@ -24,7 +28,7 @@ struct LeastRatio {
 /// the support point in the facet's normal gives an upper bound, h(u) / g(u), and is inserted,
 /// until both are near enough, no point lies beyond the facet, or the insertions are used up: then
 /// the bounds are as far apart as they say. `known` holds what is known before: the polytope tells
-/// nothing below 0, where 0 is outside. g(u) of a unit vector counts as 0 up to kRounding.
+/// nothing below 0, where 0 is outside.
 LeastRatio least_ratio(const WrenchSet& set, const Gauge& gauge, const Tolerance& tolerance,
                        const Bounds& known);
 

@@ -126,6 +126,22 @@ TEST(FerrariCanny, RandomFlatSets) {
   }
 }
 
+TEST(FerrariCanny, CoplanarFacets) {
+  math::RandomStream random(1, "cubes");
+  int closed = 0;
+  for (int trial = 0; trial < 150; ++trial) {
+    const ContactSet set =
+        cube_grasp(random, 2 + trial % 5, random.uniform(0.1, 1.2), trial % 3 ? 0.03 : 0);
+    for (const ForceLimit limit : kBoth) {
+      const FerrariCanny found = ferrari_canny(set, limit);
+      expect_proven(set, limit, found);
+      EXPECT_TRUE(found.within_tolerance) << trial;
+      closed += found.closed() ? 1 : 0;
+    }
+  }
+  EXPECT_GT(closed, 50);
+}
+
 TEST(FerrariCanny, NotClosed) {
   // Three fingers from below leave at least their own push over; L∞ can leave out all force.
   const ContactSet below = unit_set({{0.5, 0, -1}, {-0.3, 0.4, -1}, {-0.3, -0.4, -1}},

@@ -102,6 +102,24 @@ inline ContactSet moved(const ContactSet& set, const Quat& turn, const Vec3& shi
   return made;
 }
 
+/// On the faces of a cube, at multiples of half its half side, some contacts twice: sets full of
+/// coplanar points, with 0 on a border more often than not.
+inline ContactSet cube_grasp(math::RandomStream& random, int contacts, double mu, double g) {
+  std::vector<Vec3> points, normals;
+  for (int k = 0; k < contacts; ++k) {
+    const int axis = random.whole({0, 2});
+    Vec3 point, normal = Vec3::Zero();
+    for (int j = 0; j < 3; ++j) point[j] = 0.5 * random.whole({-2, 2});
+    point[axis] = random.chance(0.5) ? 1 : -1;
+    normal[axis] = -point[axis];
+    for (int times = random.chance(0.1) ? 2 : 1; times > 0; --times) {
+      points.push_back(point);
+      normals.push_back(normal);
+    }
+  }
+  return unit_set(points, normals, mu, g);
+}
+
 /// A grasp anywhere in space that holds 0 in a flat set, or `off` from flat: two to five contacts
 /// on a line, two opposite fingers (off: in their torsion), a sphere (off: in its friction).
 inline ContactSet flat_grasp(math::RandomStream& random, int kind, double off) {

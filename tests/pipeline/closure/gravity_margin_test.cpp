@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/closure/share_forces.hpp"
 #include "tests/pipeline/closure/grasps.hpp"
 
 namespace morphe::closure {
@@ -98,6 +99,43 @@ TEST(GravityMargin, LyingOnFingersIsNoGripButHolds) {
   const ContactSet slippery = unit_set({{0, 0, -1}}, {{0, 0, 1}}, 0, 0);
   expect_around(gravity_margin(slippery, {}, -Vec3::UnitZ()), 1);
   EXPECT_EQ(gravity_margin(ContactSet{}, {}, Vec3::UnitZ()).upper, 0);
+}
+
+/// Another solver finds forces that balance the weight with the squeeze that is enough, and leaves
+/// something over with the one that is too little.
+TEST(GravityMargin, ForcesAreFoundForTheSqueezeThatIsEnough) {
+  math::RandomStream random(1, "enough");
+  int held = 0;
+  for (int trial = 0; trial < 40; ++trial) {
+    const ContactSet set = random_grasp(random, 3 + trial % 3, 0.002);
+    const Load load{0.3, 0.01 * random.normals()};
+    const Vec3 down = random.normals().normalized();
+    const GravityMargin margin = gravity_margin(set, load, down);
+    if (margin.lower == 0) continue;
+    ++held;
+    const Wrench weight = load.mass_kg * kGravity *
+                          wrench_of(down, (load.centre - set.reference) / set.torque_scale_m);
+    const auto left_over = [&](double newtons) {
+      return share_forces(set, weight, {newtons, 0, 1}).residual.norm();
+    };
+    EXPECT_LT(left_over(1.001 * margin.newtons_enough(load.mass_kg)), 1e-4);
+    EXPECT_GT(left_over(0.99 * margin.newtons_too_few(load.mass_kg)), 1e-4);
+  }
+  EXPECT_GT(held, 15);
+}
+
+TEST(GravityMargin, OnTheBorderOfCoplanarSets) {
+  math::RandomStream random(1, "cubes");
+  for (int trial = 0; trial < 150; ++trial) {
+    const ContactSet set =
+        cube_grasp(random, 2 + trial % 5, random.uniform(0.1, 1.2), trial % 3 ? 0.03 : 0);
+    const Load load{0.3, {0.1, 0, 0}};
+    const GravityMargin down = gravity_margin(set, load, -Vec3::UnitZ());
+    const GravityMargin worst = worst_gravity_margin(set, load);
+    EXPECT_TRUE(down.within_tolerance) << trial;
+    EXPECT_TRUE(worst.within_tolerance) << trial;
+    EXPECT_GE(down.upper, worst.lower) << trial;
+  }
 }
 
 /// Where the reference point and the torque scale are does not matter to forces.
