@@ -35,6 +35,7 @@ PROGRAMS = {
         "stages/import/conventions.cpp", "stages/import/rename.cpp", "stages/import/arm_names.cpp",
         "stages/import/joints_of_points.cpp", "stages/import/rigid_bodies.cpp", "stages/import/hand_tracker.cpp",
         "stages/import/hand_checks.cpp", "stages/import/hand_clip.cpp", "stages/import/hand_curl.cpp",
+        "stages/import/world_checks.cpp", "pipeline/math/statistics.cpp", "pipeline/motion/extent.cpp",
         "pipeline/files/csv.cpp", "pipeline/files/text_encoding.cpp", "pipeline/motion/stream_report.cpp"],
     "tests/pipeline/humanlike/range_middle_term_test.cpp": [],
     "tests/stages/export/trajectory_jsonl_test.cpp": ["stages/export/trajectory_jsonl.cpp"],

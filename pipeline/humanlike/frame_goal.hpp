@@ -52,6 +52,8 @@ void fields(Fields& f, FrameWeights& o) {
 struct FrameGoal {
   std::vector<Vec3> tip_position;     ///< [m]
   std::vector<Quat> tip_orientation;  ///< [m]
+  std::vector<double> pad_share;      ///< [m] as Goals::pad_share, or empty
+  std::vector<std::uint8_t> closed;   ///< [m] as Goals::closed, or empty
   Quat hand = unseen_rotation();      ///< base_from_hand
   /// Human arm in the common base frame.
   Vec3 shoulder = unseen_point(), elbow = unseen_point(), wrist = unseen_point();
@@ -69,6 +71,15 @@ struct FrameGoal {
   double hand_scale = 1;
   FrameWeights weights;
 
+  double pad_share_of(std::size_t tip) const { return pad_share.empty() ? 0 : pad_share[tip]; }
+  /// Without fingers that close by themselves: those that say where the hand is.
+  int tips_recorded() const {
+    int count = tips_seen();
+    for (std::size_t tip = 0; tip < closed.size(); ++tip) {
+      count -= closed[tip] != 0 && seen(tip_position[tip]) ? 1 : 0;
+    }
+    return count;
+  }
   int tips_seen() const {
     int count = 0;
     for (const Vec3& tip : tip_position) count += seen(tip) ? 1 : 0;

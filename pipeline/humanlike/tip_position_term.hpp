@@ -4,7 +4,8 @@
 
 namespace morphe::humanlike {
 
-/// Eq. (1): sum over tips of ‖x(q) - x_goal‖² [m²].
+/// Eq. (1): sum over tips of ‖x(q) - x_goal‖² [m²]; x the tip, or the pad that is to touch
+/// (robot::goal_point).
 struct TipPosition {
   static constexpr Group kGroup = Group::tip_position;
   double weight = 0;  ///< w_x [1/m²]

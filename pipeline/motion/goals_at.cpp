@@ -19,6 +19,13 @@ Vec3 tip_goal_at(const Goals& goals, std::size_t tip, double time_s) {
          at.share * goals.tip_position(at.after, tip);
 }
 
+double pad_share_at(const Goals& goals, std::size_t tip, double time_s) {
+  if (goals.pad_share.rows == 0) return 0;
+  const GoalTime at = goal_time(goals, time_s);
+  return (1 - at.share) * goals.pad_share(at.before, tip) +
+         at.share * goals.pad_share(at.after, tip);
+}
+
 Quat tip_orientation_goal_at(const Goals& goals, std::size_t tip, double time_s) {
   if (goals.tip_orientation.rows == 0) return unseen_rotation();
   const GoalTime at = goal_time(goals, time_s);
@@ -37,6 +44,7 @@ GoalCount count_goals(const Goals& goals) {
   GoalCount count;
   for (std::size_t k = 0; k < goals.tip_position.values.size(); ++k) {
     if (!seen(goals.tip_position.values[k])) continue;
+    if (!goals.closed.empty() && goals.closed[k % goals.tip_position.cols] != 0) continue;
     ++count.all;
     count.out_of_reach += goals.reachable.values[k] == 0 ? 1U : 0U;
   }

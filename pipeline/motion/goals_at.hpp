@@ -17,11 +17,13 @@ struct GoalTime {
 GoalTime goal_time(const Goals& goals, double time_s);
 
 Vec3 tip_goal_at(const Goals& goals, std::size_t tip, double time_s);
+/// 0 where goals say nothing of pads.
+double pad_share_at(const Goals& goals, std::size_t tip, double time_s);
 Quat tip_orientation_goal_at(const Goals& goals, std::size_t tip, double time_s);
 /// Of a column of the goals, as elbow_position; not seen if it is empty.
 Vec3 point_at(const std::vector<Vec3>& points, const GoalTime& at);
 
-/// Fingertip goals of all frames, and how many of them are out of reach.
+/// The person's fingertip goals of all frames, and how many of them are out of reach.
 struct GoalCount {
   std::size_t all = 0, out_of_reach = 0;
   double share_out_of_reach() const {

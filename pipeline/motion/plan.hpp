@@ -24,8 +24,14 @@ namespace morphe {
 /// base frame: shifted by `common_base_offset`, which puts the human shoulder at the movement's
 /// start on the robot's. Tip goals stay where they are in the world.
 struct Goals {
-  std::vector<double> time;       ///< [F] demonstration time [s]
-  Table<Vec3> tip_position;       ///< [F, m]
+  std::vector<double> time;  ///< [F] demonstration time [s]
+  Table<Vec3> tip_position;  ///< [F, m]
+  /// [F, m] what of the link is to be there: 0 the tip, 1 the centre of its pad (robot/pads.hpp),
+  /// between them the point at this share of the way. No rows: the tips, throughout.
+  Table<double> pad_share;
+  /// [m] 1: the goals of this tip close a finger that the person's recording does not show; or
+  /// empty.
+  std::vector<std::uint8_t> closed;
   Table<Quat> tip_orientation;    ///< [F, m]
   Table<std::uint8_t> reachable;  ///< [F, m] 1, 0; meaningless where there is no goal
   std::vector<Vec3> shoulder_position, elbow_position, wrist_position;  ///< [F]
@@ -103,6 +109,41 @@ struct Trajectory {
   std::size_t samples() const { return time.size(); }
 };
 
+/// Where a contact comes from: the person touched there, or a finger without goals was closed.
+enum class ContactOrigin : std::uint8_t { demonstrated, closed };
+constexpr std::array<std::string_view, 2> names_of(ContactOrigin) {
+  return {"demonstrated", "closed"};
+}
+
+/// A pad on the target, in the target's frame.
+struct PadContact {
+  std::string tip;   ///< the robot's
+  std::string link;  ///< the capsule that touches
+  ContactOrigin origin = ContactOrigin::demonstrated;
+  Vec3 asked = unseen_point();     ///< point of the surface that the pad was to touch [m]
+  Vec3 point = unseen_point();     ///< that it does: the surface's nearest to the pad
+  Vec3 normal = unseen_point();    ///< of the surface there, unit, inwards
+  double gap = kNotSeen;           ///< between pad and surface, < 0: penetration [m]
+  double pad_angle = kNotSeen;     ///< between the middle of the pad and the normal [rad]
+  double confidence = 1;           ///< that the person touched there, 0 to 1
+  double force = kNotSeen;         ///< along the normal, of the squeeze [N]
+  Vec3 friction = unseen_point();  ///< beside it, of the squeeze, in the target's frame [N]
+};
+
+/// What grasp quality was computed with, and what came out (docs/grasp_quality.md).
+struct GraspQuality {
+  double friction = kNotSeen;      ///< coefficient
+  double torsion = kNotSeen;       ///< torsional friction [m]
+  double mass = kNotSeen;          ///< [kg]
+  Vec3 centre = unseen_point();    ///< of mass, in the target's frame [m]
+  double torque_scale = kNotSeen;  ///< [m]
+  /// Ferrari and Canny's, L1, signed: below zero minus the closure residual; certified bounds.
+  double epsilon_lower = kNotSeen, epsilon_upper = kNotSeen;
+  double needed_worst = kNotSeen;  ///< a finger, in the worst direction of gravity [N]
+  double needed_down = kNotSeen;   ///< as the target stands [N]
+  double given = kNotSeen;         ///< least of what the fingers can press with [N]
+};
+
 /// The grasp, relative to the object, so that it can be executed on an object elsewhere.
 struct Grasp {
   int sample = -1;  ///< trajectory sample (path sample if there is none), -1: no grasp
@@ -111,6 +152,11 @@ struct Grasp {
   std::vector<Vec3> tips_in_object;  ///< [m] all the robot's tips
   JointVector hand_posture;          ///< all joints at the grasp [n]
   JointVector pregrasp_posture;      ///< all joints where the hand is widest open [n]
+  std::vector<PadContact> contacts;  ///< at the sample; none unless asked for
+  GraspQuality quality;
+  /// Beside the trajectory, never part of it: what the joints bear in the squeeze, and where a
+  /// servo of the config's stiffness must be sent for it; [n], or empty.
+  JointVector squeeze_torque, squeeze_posture;
 };
 
 /// What holds for the written trajectory as a controller would run it.

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "pipeline/motion/robot_table.hpp"
+#include "pipeline/robot/robot.hpp"
 
 namespace morphe::robot {
 
@@ -19,7 +19,9 @@ struct PullScratch {
 /// inside the joint limits, which draws the tips to their places with hardly more motion than that
 /// takes, or as near as `steps` steps come. places [m] in the base frame; NaN: the tip is free.
 /// Ends where every tip is within `near_m`. The largest distance left [m].
-double pull_tips(const RobotTable& robot, const std::vector<Vec3>& places, int steps, double near_m,
-                 JointVector& q, PullScratch& scratch);
+/// pad_share [m] of what is to be there (goal_point), or empty: the tips.
+double pull_tips(const Robot& robot, const std::vector<Vec3>& places,
+                 const std::vector<double>& pad_share, int steps, double near_m, JointVector& q,
+                 PullScratch& scratch);
 
 }  // namespace morphe::robot

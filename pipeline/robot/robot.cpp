@@ -42,6 +42,7 @@ Robot::Robot(RobotTable table) : RobotTable(std::move(table)) {
     centres_of_chain.push_back(
         static_cast<double>(std::ranges::count(centres, centre.chain, &Centre::chain)));
   }
+  pads = find_pads(*this);
   capsule_levers = levers_of_capsules(*this);
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "pipeline/motion/robot_table.hpp"
+#include "pipeline/robot/pads.hpp"
 
 namespace morphe::robot {
 
@@ -19,7 +20,8 @@ struct Robot : RobotTable {
   std::vector<int> arm_joints;   ///< those that move the palm, in order
   std::vector<int> arm_centres;  ///< frames of the arm's joint centres, in order
   std::vector<int>
-      tip_of_centre;  ///< [centres] the tip of the finger it moves; -1: none's, or the arm's
+      tip_of_centre;      ///< [centres] the tip of the finger it moves; -1: none's, or the arm's
+  std::vector<Pad> pads;  ///< [tips]
   std::vector<double> centres_of_chain;  ///< [centres] how many its chain has
   /// [capsules, n] how far any point of a capsule can travel per radian (metre, if it slides) of
   /// each joint [m], see levers.hpp.

@@ -111,6 +111,8 @@ Faults faults_of(const Goals& goals, std::size_t tips) {
   Faults faults("goals/");
   const std::size_t frames = goals.frames();
   faults.table("tip_position", goals.tip_position, frames, tips);
+  if (goals.pad_share.rows > 0) faults.table("pad_share", goals.pad_share, frames, tips);
+  if (!goals.closed.empty()) faults.length("closed", goals.closed.size(), tips);
   faults.table("tip_orientation", goals.tip_orientation, frames, tips);
   faults.table("reachable", goals.reachable, frames, tips);
   faults.length("shoulder_position", goals.shoulder_position.size(), frames);
@@ -172,6 +174,12 @@ Faults faults_of(const Grasp& grasp, std::size_t samples, const RobotTable& robo
   faults.length("tips_in_object", grasp.tips_in_object.size(), robot.tips.size());
   faults.length("hand_posture", static_cast<std::size_t>(grasp.hand_posture.size()),
                 robot.joints());
+  if (grasp.squeeze_torque.size() > 0) {
+    faults.length("squeeze/torque", static_cast<std::size_t>(grasp.squeeze_torque.size()),
+                  robot.joints());
+    faults.length("squeeze/servo_target", static_cast<std::size_t>(grasp.squeeze_posture.size()),
+                  robot.joints());
+  }
   faults.length("pregrasp_posture", static_cast<std::size_t>(grasp.pregrasp_posture.size()),
                 robot.joints());
   return faults;

@@ -14,6 +14,8 @@ void lay_out_goals(Io& io, T& goals) {
   io.maybe("free_offset", goals.free_offset);
   io.dataset("time", goals.time, {"s", "", ""});
   io.dataset("tip_position", goals.tip_position, {"m", "base", ""});
+  io.dataset_if(goals.pad_share.rows > 0, "pad_share", goals.pad_share, {"1", "", ""});
+  io.dataset_if(!goals.closed.empty(), "closed", goals.closed, {"1", "", "0=no,1=yes"});
   io.dataset("tip_orientation", goals.tip_orientation, {"1", "base", ""});
   io.dataset("reachable", goals.reachable, {"1", "", "0=no,1=yes"});
   io.dataset("shoulder_position", goals.shoulder_position, {"m", "base", ""});
@@ -68,6 +70,35 @@ void lay_out_repair(Io& io, T& steps) {
 }
 
 template <class Io, class T>
+void lay_out_contacts(Io& io, T& contacts) {
+  io.column("tip", contacts, &PadContact::tip, {});
+  io.column("link", contacts, &PadContact::link, {});
+  io.column("origin", contacts, &PadContact::origin, {});
+  io.column("asked", contacts, &PadContact::asked, {"m", "object", ""});
+  io.column("point", contacts, &PadContact::point, {"m", "object", ""});
+  io.column("normal", contacts, &PadContact::normal, {"1", "object", ""});
+  io.column("gap", contacts, &PadContact::gap, {"m", "", ""});
+  io.column("pad_angle", contacts, &PadContact::pad_angle, {"rad", "", ""});
+  io.column("confidence", contacts, &PadContact::confidence, {"1", "", ""});
+  io.column("force", contacts, &PadContact::force, {"N", "", ""});
+  io.column("friction", contacts, &PadContact::friction, {"N", "object", ""});
+}
+
+template <class Io, class T>
+void lay_out_quality(Io& io, T& quality) {
+  io.attribute("friction", quality.friction);
+  io.attribute("torsion", quality.torsion);
+  io.attribute("mass", quality.mass);
+  io.attribute("centre", quality.centre);
+  io.attribute("torque_scale", quality.torque_scale);
+  io.attribute("epsilon_lower", quality.epsilon_lower);
+  io.attribute("epsilon_upper", quality.epsilon_upper);
+  io.attribute("needed_worst", quality.needed_worst);
+  io.attribute("needed_down", quality.needed_down);
+  io.attribute("given", quality.given);
+}
+
+template <class Io, class T>
 void lay_out_grasp(Io& io, T& grasp) {
   io.attribute("sample", grasp.sample);
   io.dataset("object_pose", grasp.base_from_object, {"m", "base", ""});
@@ -75,6 +106,14 @@ void lay_out_grasp(Io& io, T& grasp) {
   io.dataset("tips_in_object", grasp.tips_in_object, {"m", "object", ""});
   io.dataset("hand_posture", grasp.hand_posture, of_joints());
   io.dataset("pregrasp_posture", grasp.pregrasp_posture, of_joints());
+  io.group_if(!grasp.contacts.empty(), "contacts",
+              [&](Io& in) { lay_out_contacts(in, grasp.contacts); });
+  io.group_if(!grasp.contacts.empty(), "quality",
+              [&](Io& in) { lay_out_quality(in, grasp.quality); });
+  io.group_if(grasp.squeeze_torque.size() > 0, "squeeze", [&](Io& in) {
+    in.dataset("torque", grasp.squeeze_torque, {"N m", "", ""});
+    in.dataset("servo_target", grasp.squeeze_posture, of_joints());
+  });
 }
 
 template <class Io, class T>

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "pipeline/verify/frame_poses.hpp"
+#include "pipeline/verify/pad.hpp"
 #include "pipeline/verify/tracking.hpp"
 
 namespace morphe::verify {
@@ -58,6 +59,7 @@ AgainstGoals against_goals(const RobotTable& robot, const Plan& plan) {
   const Trajectory& trajectory = plan.trajectory;
   if (plan.goals.frames() == 0) return out;
   Sum position, grasp, orientation, upper_arm, humanlikeness;
+  const std::vector<PadBall> pads = pad_balls(robot);
   std::vector<Pose> poses;
   for (std::size_t sample = 0; sample < trajectory.samples(); ++sample) {
     const double time_s = trajectory.demonstration_time[sample];
@@ -75,7 +77,8 @@ AgainstGoals against_goals(const RobotTable& robot, const Plan& plan) {
       const auto goal = goal_at(plan.goals, tip, time_s);
       if (!goal) continue;
       const double error =
-          (in_base(poses, which.frame, which.transform.translation()) - *goal).norm();
+          (in_base(poses, which.frame, asked_point(robot, pads, plan.goals, tip, time_s)) - *goal)
+              .norm();
       position.add(error);
       if (is_grasping(plan.movement.phases, time_s)) grasp.add(error);
     }

@@ -12,6 +12,7 @@ double share_out_of_reach(const Goals& goals) {
   for (std::size_t f = 0; f < goals.tip_position.rows; ++f) {
     for (std::size_t tip = 0; tip < goals.tip_position.cols; ++tip) {
       if (!goals.tip_position(f, tip).allFinite()) continue;
+      if (!goals.closed.empty() && goals.closed[tip] != 0) continue;
       asked += 1;
       out += goals.reachable(f, tip) == 0 ? 1 : 0;
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pipeline/verify/frame_poses.hpp"
+#include "pipeline/verify/pad.hpp"
 
 namespace morphe::verify {
 GoalShare goal_share(const Goals& goals, double time_s) {
@@ -34,6 +35,7 @@ std::optional<Vec3> goal_at(const Goals& goals, std::size_t tip, double time_s) 
 
 void judge_tracking(const RobotTable& robot, const Plan& plan, ViolationRuns& runs) {
   const Trajectory& trajectory = plan.trajectory;
+  const std::vector<PadBall> pads = pad_balls(robot);
   std::vector<Pose> base_from_frame;
   for (std::size_t sample = 0; sample < trajectory.samples(); ++sample) {
     const double time_s = trajectory.demonstration_time[sample];
@@ -45,8 +47,8 @@ void judge_tracking(const RobotTable& robot, const Plan& plan, ViolationRuns& ru
     for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
       const std::optional<Vec3> goal = goal_at(plan.goals, tip, time_s);
       if (!goal) continue;
-      const Vec3 position =
-          in_base(base_from_frame, robot.tips[tip].frame, robot.tips[tip].transform.translation());
+      const Vec3 position = in_base(base_from_frame, robot.tips[tip].frame,
+                                    asked_point(robot, pads, plan.goals, tip, time_s));
       const double error = (position - *goal).norm();
       if (!(error <= tolerance))
         runs.note("tracking", robot.tips[tip].name,

@@ -46,7 +46,8 @@ GoalErrors goal_errors(const robot::Robot& robot, const Goals& goals, const Move
       }
       const Vec3 goal = tip_goal_at(goals, tip, time_s);
       if (!seen(goal)) continue;
-      const double error = (base_from_tip.translation() - goal).norm();
+      const double share = pad_share_at(goals, tip, time_s);
+      const double error = (robot::goal_point(robot, base_from_frame, tip, share) - goal).norm();
       position.add(error);
       out.position_max = std::fmax(out.position_max, error);
       if (grasp) out.position_grasp = std::fmax(out.position_grasp, error);

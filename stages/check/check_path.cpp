@@ -32,7 +32,7 @@ void check_limits(const RobotTable& robot, const JointPath& path, FindingRows& r
   }
 }
 
-void check_tracking(const RobotTable& robot, const Goals& goals, const Movement& movement,
+void check_tracking(const robot::Robot& robot, const Goals& goals, const Movement& movement,
                     const JointPath& path, const Tolerances& tolerances, FindingRows& rows) {
   if (goals.frames() == 0) return;
   assert(goals.tip_position.cols == robot.tips.size());
@@ -47,7 +47,8 @@ void check_tracking(const RobotTable& robot, const Goals& goals, const Movement&
     for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
       const Vec3 goal = tip_goal_at(goals, tip, time_s);
       if (!seen(goal)) continue;
-      const Vec3 reached = robot::tip_pose(robot, base_from_frame, tip).translation();
+      const Vec3 reached =
+          robot::goal_point(robot, base_from_frame, tip, pad_share_at(goals, tip, time_s));
       const double beyond_m = (reached - goal).norm() - allowed_m;
       if (beyond_m > 0) rows.add(Cause::tracking, robot.tips[tip].name, "", k, k, beyond_m);
     }

@@ -31,7 +31,8 @@ void find_misses(const robot::Robot& robot, const Plan& plan, Shortfall& shortfa
       const Vec3 goal = tip_goal_at(plan.goals, tip, time[k]);
       if (!seen(goal)) continue;
       miss.tip = robot.tips[tip].name;
-      miss.error_m = (robot::tip_pose(robot, base_from_frame, tip).translation() - goal).norm();
+      const double share = pad_share_at(plan.goals, tip, time[k]);
+      miss.error_m = (robot::goal_point(robot, base_from_frame, tip, share) - goal).norm();
       keep_worse(miss, miss.grasping ? shortfall.in_grasp : shortfall.elsewhere);
     }
   }

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <optional>
 
-#include "pipeline/collision/distance.hpp"
 #include "pipeline/math/statistics.hpp"
+#include "pipeline/motion/extent.hpp"
 
 namespace morphe::imports {
 namespace {
@@ -74,12 +74,10 @@ double to_hand(const std::vector<double>& time, const std::vector<std::vector<Ve
   return nearest;
 }
 
-/// Of a ball around the origin that holds all of it [m].
+/// Of a ball around the origin that holds the object's box [m].
 double radius_of(const SceneObject& object) {
-  if (object.shape != Shape::mesh) return collision::bounding_radius({object, nullptr});
-  double radius = 0;
-  for (const Vec3& vertex : object.vertices) radius = std::max(radius, vertex.norm());
-  return radius;
+  const Eigen::AlignedBox3d box = extent_of(object, Pose::Identity());
+  return box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).norm();
 }
 
 /// How far an object gets, corner to corner, before a hand has come near, while hands are seen [m].

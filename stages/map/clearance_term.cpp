@@ -1,5 +1,7 @@
 #include "stages/map/clearance_term.hpp"
 
+#include <algorithm>
+
 #include "pipeline/robot/forward.hpp"
 #include "pipeline/robot/tree.hpp"
 
@@ -37,8 +39,11 @@ void add_clearance(const ClearanceTerm& term, const collision::CollisionWorld& w
   JointVector& slope = scratch.slope;
   slope.resize(q.size());
   for (const collision::PairSeparation& pair : scratch.pairs) {
+    // What may touch may come as far as the surface.
+    const double band = pair.required < 0 ? std::min(term.band_m, -pair.required) : term.band_m;
+    const double missing = band - pair.slack();
+    if (missing <= 0) continue;
     find_slope(world, pair, scratch.collision.base_from_frame, slope);
-    const double missing = term.band_m - pair.slack();
     model.value += term.weight * missing * missing;
     model.gradient += (2 * term.weight * missing) * slope;
     for (Eigen::Index j = 0; j < slope.size(); ++j) {  // few joints part two bodies

@@ -7,7 +7,8 @@ namespace morphe::map {
 
 /// A term of ours beside the paper's: weight * sum over pairs of max(0, band - slack)², with the
 /// slack of the collision check (distance less the margin asked for), so that the mapping stays a
-/// little clear of itself and of fixed obstacles. Zero beyond the band; once differentiable.
+/// little clear of itself and of fixed obstacles. Zero beyond the band; once differentiable. Of a
+/// pair that may touch the band is no wider than what it may sink in: it ends at the surface.
 struct ClearanceTerm {
   double weight = 2000;  ///< per m²; 0 = off, as in the paper's studies
   double band_m = 0.005;

@@ -49,7 +49,9 @@ void measure_frame(const MappingProblem& problem, const Goals& goals, std::size_
     }
     if (!seen(goal.tip_position[i])) continue;
     any = true;
-    const double error = (tip.translation() - goal.tip_position[i]).norm();
+    const Vec3 at =
+        robot::goal_point(*problem.robot, scratch.base_from_frame, i, goal.pad_share_of(i));
+    const double error = (at - goal.tip_position[i]).norm();
     mapped.position_error(row, col) = error;
     met = met && error < kMetBelow;
     reachable = reachable && goals.reachable(frame, i);
@@ -101,6 +103,31 @@ std::vector<Vec3> curve_joints(const robot::Robot& robot, const Goals& goals, st
   return points;
 }
 
+/// What is reached is judged by the tips in every mode.
+MappingProblem tracked_by(const MappingProblem& problem, const Goals& goals) {
+  MappingProblem tracked = problem;
+  for (std::size_t f = 0; f < goals.frames(); ++f) {
+    tracked.goals[f] = humanlike::frame_goal(goals, f);
+  }
+  return tracked;
+}
+
+MapResult result_of(const MappingProblem& problem, const MappingProblem& tracked, Goals& goals,
+                    const JointRows& q, const MapOptions& options, std::uint64_t seed) {
+  const std::vector<bool> reachable =
+      reachable_frames(tracked, q, {options.reachable_starts, options.reachable_m, options.solver},
+                       math::seed_from(seed, "reachable"));
+  for (std::size_t f = 0; f < problem.frames(); ++f) {
+    for (std::size_t i = 0; i < goals.reachable.cols; ++i) goals.reachable(f, i) = reachable[f];
+  }
+  MapResult result;
+  result.mapped = measure(problem, goals, q);
+  result.mapped.nearest_error = nearest_errors(tracked, q, reachable, options.solver);
+  result.posture_error_rad = posture_error(problem, goals, q);
+  result.path = {q, std::vector<Origin>(problem.frames(), Origin::mapped), problem.time};
+  return result;
+}
+
 }  // namespace
 
 MappingProblem make_mapping_problem(const robot::Robot& robot, const Goals& goals,
@@ -123,9 +150,7 @@ MappingProblem make_mapping_problem(const robot::Robot& robot, const Goals& goal
 
 Outcome<MapResult> map_movement(const MappingProblem& problem, Goals& goals,
                                 const MapOptions& options, std::uint64_t seed) {
-  MappingProblem tracked = problem;  // what is reached is judged by the tips in every mode
-  for (std::size_t f = 0; f < goals.frames(); ++f)
-    tracked.goals[f] = humanlike::frame_goal(goals, f);
+  const MappingProblem tracked = tracked_by(problem, goals);
   const bool any_goal =
       std::any_of(tracked.goals.begin(), tracked.goals.end(),
                   [](const humanlike::FrameGoal& goal) { return goal.tips_seen() > 0; });
@@ -135,20 +160,17 @@ Outcome<MapResult> map_movement(const MappingProblem& problem, Goals& goals,
                                        : "no fingertip was seen in the whole movement"}};
   }
   const std::vector<Course> courses = search_movement(problem, options, seed);
-  const JointRows& q = courses.front().q;
-  const std::vector<bool> reachable =
-      reachable_frames(tracked, q, {options.reachable_starts, options.reachable_m, options.solver},
-                       math::seed_from(seed, "reachable"));
-  for (std::size_t f = 0; f < problem.frames(); ++f) {
-    for (std::size_t i = 0; i < goals.reachable.cols; ++i) goals.reachable(f, i) = reachable[f];
-  }
-  MapResult result;
-  result.mapped = measure(problem, goals, q);
-  result.mapped.nearest_error = nearest_errors(tracked, q, reachable, options.solver);
-  result.posture_error_rad = posture_error(problem, goals, q);
-  result.path = {q, std::vector<Origin>(problem.frames(), Origin::mapped), problem.time};
+  MapResult result = result_of(problem, tracked, goals, courses.front().q, options, seed);
   for (std::size_t i = 1; i < courses.size(); ++i) result.candidates.push_back(courses[i].q);
   return {std::move(result), {}};
+}
+
+MapResult map_again(const MappingProblem& problem, Goals& goals, MapResult before,
+                    const MapOptions& options, std::uint64_t seed) {
+  const Course course = smooth_movement(problem, before.path.position, options);
+  MapResult result = result_of(problem, tracked_by(problem, goals), goals, course.q, options, seed);
+  result.candidates = std::move(before.candidates);
+  return result;
 }
 
 }  // namespace morphe::map

@@ -36,7 +36,8 @@ JointRows nearest_errors(const MappingProblem& problem, const JointRows& near,
     for (Index i = 0; i < tips; ++i) {
       const auto tip = static_cast<std::size_t>(i);
       if (!seen(goal.tip_position[tip])) continue;
-      const Vec3 at = robot::tip_pose(*problem.robot, base_from_frame, tip).translation();
+      const Vec3 at =
+          robot::goal_point(*problem.robot, base_from_frame, tip, goal.pad_share_of(tip));
       errors(row, i) = (at - goal.tip_position[tip]).norm();
     }
   }

@@ -22,12 +22,18 @@ constexpr int kShorter = 8;  ///< search beside a frame that one has found to be
 
 /// How far one frame's goals are from another's, over the tips that the other asks for; infinite if
 /// this one does not ask for all of them.
-double goals_apart(const humanlike::FrameGoal& goal, const humanlike::FrameGoal& other) {
+double goals_apart(const robot::Robot& robot, const humanlike::FrameGoal& goal,
+                   const humanlike::FrameGoal& other) {
   double squared = 0;
   for (std::size_t tip = 0; tip < goal.tip_position.size(); ++tip) {
     if (!seen(other.tip_position[tip])) continue;
     if (!seen(goal.tip_position[tip])) return std::numeric_limits<double>::infinity();
-    squared += (goal.tip_position[tip] - other.tip_position[tip]).squaredNorm();
+    double apart = (goal.tip_position[tip] - other.tip_position[tip]).norm();
+    const double shares = std::abs(goal.pad_share_of(tip) - other.pad_share_of(tip));
+    if (shares > 0) {  // they ask for different points of the link
+      apart += shares * (robot.pads[tip].centre - robot.tips[tip].transform.translation()).norm();
+    }
+    squared += apart * apart;
   }
   return std::sqrt(squared);
 }
@@ -40,8 +46,9 @@ class Judge {
 
   /// Whether the tips can be drawn from a posture to their goals: if so, it is remembered.
   bool drawn(std::size_t frame, JointVector q) {
-    if (robot::pull_tips(*problem_.robot, problem_.goals[frame].tip_position, kPullSteps,
-                         options_.tolerance_m, q, draw_) > options_.tolerance_m) {
+    if (robot::pull_tips(*problem_.robot, problem_.goals[frame].tip_position,
+                         problem_.goals[frame].pad_share, kPullSteps, options_.tolerance_m, q,
+                         draw_) > options_.tolerance_m) {
       return false;
     }
     reached_[frame] = std::move(q);
@@ -63,7 +70,7 @@ class Judge {
     const humanlike::FrameGoal& goal = problem_.goals[frame];
     const double met = std::sqrt(static_cast<double>(goal.tips_seen())) * options_.tolerance_m;
     return std::ranges::any_of(out_of_reach_, [&](const OutOfReach& other) {
-      return other.error_m - goals_apart(goal, problem_.goals[other.frame]) > met;
+      return other.error_m - goals_apart(*problem_.robot, goal, problem_.goals[other.frame]) > met;
     });
   }
 

@@ -83,7 +83,8 @@ Measures measure(const map::MappingProblem& problem, const JointRows& q) {
     for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
       if (!seen(goal.tip_position[tip])) continue;
       const double error =
-          (robot::tip_pose(robot, frames, tip).translation() - goal.tip_position[tip]).norm();
+          (robot::goal_point(robot, frames, tip, goal.pad_share_of(tip)) - goal.tip_position[tip])
+              .norm();
       out.add(error > kMissed_m ? 1 : 0);
       tip_error.add(std::min(error, kMost_m));
     }

@@ -10,6 +10,7 @@
 #include "pipeline/robot/files/description.hpp"
 #include "pipeline/robot/robot.hpp"
 #include "stages/check/check_path.hpp"
+#include "stages/grasp/grasp_options.hpp"
 #include "stages/map/hand_fit.hpp"
 #include "stages/map/map_options.hpp"
 #include "stages/map/placement.hpp"
@@ -45,6 +46,7 @@ struct PipelineConfig {
   segment::SegmentOptions segment;
   map::MapOptions map;
   check::CheckOptions check;
+  std::optional<grasp::GraspOptions> grasp;  ///< none: tips near the object, as in the paper
   repair::RepairOptions repair;
   retime::RetimeOptions retime;
   std::optional<ApproachOptions> approach;  ///< none: not asked for
@@ -63,6 +65,7 @@ void fields(Fields& f, PipelineConfig& o) {
   f("segment", o.segment);
   f("map", o.map);
   f("check", o.check);
+  f("grasp", o.grasp);
   f("repair", o.repair);
   f("retime", o.retime);
   f("approach", o.approach);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pipeline/collision/world.hpp"
+#include "stages/grasp/touch.hpp"
 #include "stages/map/mapping_problem.hpp"
 #include "stages/planning/planner.hpp"
 
@@ -19,12 +20,21 @@ std::vector<SceneObject> other_arm_beside(const Planner& planner,
                                           const Demonstration& demonstration,
                                           std::vector<std::string>& notes);
 
+/// Whether the goals of a movement ask for pads on what it grasps, or for tips near it.
+struct Contacts {
+  bool asked = false;
+  std::vector<std::string> given_up;  ///< tips that stay without
+};
+
+/// What a plan is judged by: with contacts, pads sink in by grasp.penetration at most.
+Tolerances tolerances_of(const PipelineConfig& config, const Contacts& contacts);
+
 /// A movement with the robot in its place, ready to be mapped. All but `around` in the base frame.
 struct PlacedMovement {
   /// `offset` moves the base from where the placement puts it, along the world's axes [m]: as if
   /// it were added to `placement.shoulder_offset`.
   PlacedMovement(const Planner& planner, const HumanMotion& motion, const Movement& movement,
-                 const Scene& around, const Vec3& offset);
+                 const Scene& around, const Vec3& offset, const Contacts& contacts = {});
   PlacedMovement(const PlacedMovement&) = delete;
   PlacedMovement& operator=(const PlacedMovement&) = delete;
 
@@ -32,8 +42,10 @@ struct PlacedMovement {
   WorldFrames frames;
   std::string nowhere;  ///< a sentence: what an object stands on is not there; "" if all is
   Goals goals;
-  Scene known;                      ///< the part of the scene that the mapping keeps clear of
-  collision::CollisionWorld world;  ///< of `known`
+  std::vector<grasp::Touch> touches;  ///< that the goals ask for
+  std::vector<std::string> notes;     ///< on contacts, a sentence each
+  Scene known;                        ///< the part of the scene that the mapping keeps clear of
+  collision::CollisionWorld world;    ///< of `known`
   map::MappingProblem problem;
 };
 

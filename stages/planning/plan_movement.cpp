@@ -15,6 +15,9 @@
 #include "stages/certify/certify.hpp"
 #include "stages/certify/grasp.hpp"
 #include "stages/certify/only_near.hpp"
+#include "stages/grasp/close_fingers.hpp"
+#include "stages/grasp/measure.hpp"
+#include "stages/grasp/quality.hpp"
 #include "stages/map/map_movement.hpp"
 #include "stages/planning/approach.hpp"
 #include "stages/planning/place_movement.hpp"
@@ -38,14 +41,14 @@ auto timed(StageSeconds& seconds, const char* stage, const Step& step) {
 }
 
 Plan begin_plan(const Demonstration& demonstration, const Movement& movement,
-                const check::CheckOptions& options) {
+                const Tolerances& tolerances) {
   Plan plan;
   plan.demonstration = demonstration.name;
   plan.subject = demonstration.subject;
   plan.task = demonstration.task;
   plan.hand = demonstration.hand;
   plan.movement = movement;
-  plan.tolerances = options.tolerances;
+  plan.tolerances = tolerances;
   return plan;
 }
 
@@ -99,6 +102,7 @@ std::string warnings(const collision::CollisionWorld& world, const Goals& goals,
   std::vector<std::string> sentences, asked;
   for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
     std::size_t count = 0;
+    if (!goals.closed.empty() && goals.closed[tip] != 0) continue;
     for (std::size_t f = 0; f < goals.frames(); ++f) count += seen(goals.tip_position(f, tip));
     if (count > 0) asked.push_back(robot.tips[tip].name);
     if (count > 0 && count < goals.frames()) {
@@ -174,14 +178,41 @@ void finish(const Planner& planner, const collision::CollisionWorld& world, Plan
   }
 }
 
-}  // namespace
+/// Closes the fingers without goals onto the target, from where the mapped hand has taken it.
+void close_other_fingers(const Planner& planner, const collision::CollisionWorld& world,
+                         const std::vector<std::string>& given_up, Plan& plan,
+                         PlacedMovement& placed, map::MapResult& mapped, std::uint64_t seed) {
+  const grasp::HoldTime when = grasp::hold_time(plan.movement);
+  const bool tips_count = planner.config.map.mode != map::MapMode::joint_to_joint;
+  if (placed.touches.empty() || world.target < 0 || !tips_count) return;
+  const auto at = std::ranges::lower_bound(plan.goals.time, when.begin_s);
+  if (at == plan.goals.time.end()) return;
+  const auto frame = at - plan.goals.time.begin();
+  std::vector<std::size_t> tips = grasp::tips_without_goals(planner.robot, plan.goals, when);
+  std::erase_if(tips, [&](std::size_t tip) {
+    return std::ranges::find(given_up, planner.robot.tips[tip].name) != given_up.end();
+  });
+  const grasp::ClosedFingers closed =
+      grasp::close_fingers(world, *at, tips, mapped.path.position.row(frame).transpose());
+  const std::vector<grasp::Closing>& closings = closed.closings;
+  placed.notes.insert(placed.notes.end(), closed.open.begin(), closed.open.end());
+  if (closings.empty()) return;
+  const SceneObject& target = world.scene->objects[static_cast<std::size_t>(world.target)];
+  grasp::aim_closings(planner.robot, closings, plan.movement, target, mapped.path.position,
+                      plan.goals);
+  placed.problem = map::make_mapping_problem(planner.robot, plan.goals, placed.world,
+                                             planner.config.map, plan.movement.phases);
+  mapped = map::map_again(placed.problem, plan.goals, std::move(mapped), planner.config.map,
+                          math::seed_from(seed, "closed"));
+  for (const grasp::Closing& closing : closings) placed.touches.push_back(closing.touch);
+}
 
-Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
-                   const HumanMotion& recorded, const Movement& movement, StageSeconds& seconds,
-                   const std::optional<Vec3>& known_offset) {
+Plan plan_with(const Contacts& contacts, const Planner& planner, const Demonstration& demonstration,
+               const HumanMotion& recorded, const Movement& movement, StageSeconds& seconds,
+               const std::optional<Vec3>& known_offset) {
   const PipelineConfig& config = planner.config;
   const robot::Robot& robot = planner.robot;
-  Plan plan = begin_plan(demonstration, movement, config.check);
+  Plan plan = begin_plan(demonstration, movement, tolerances_of(config, contacts));
   const std::uint64_t seed =
       math::seed_from(config.seed, fmt::format("{}/{}", demonstration.name, movement.index));
 
@@ -203,7 +234,7 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
       return choose_offset(planner, motion, plan.movement, around, math::seed_from(seed, "offset"));
     });
   }
-  PlacedMovement placed(planner, motion, plan.movement, around, offset);
+  PlacedMovement placed(planner, motion, plan.movement, around, offset, contacts);
   plan.scene = placed.scene;
   plan.world = placed.frames;
   plan.goals = placed.goals;
@@ -218,6 +249,12 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
   });
   if (mapping.refusal) return fail(plan, mapping.refusal);
   map::MapResult& mapped = mapping.value;
+  if (contacts.asked && config.grasp->close_fingers) {
+    timed(seconds, "map", [&] {
+      close_other_fingers(planner, world, contacts.given_up, plan, placed, mapped, seed);
+      return true;
+    });
+  }
   plan.mapped = std::move(mapped.mapped);
   plan.path = mapped.path;
   plan.certificate.natural_posture_error = mapped.posture_error_rad;
@@ -245,13 +282,69 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
       if (refused) return fail(plan, refused);
     }
     plan.grasp = certify::find_grasp(robot, plan.scene, plan.movement, plan.trajectory);
+    if (plan.grasp.sample >= 0) {
+      const auto sample = static_cast<std::size_t>(plan.grasp.sample);
+      plan.grasp.contacts = grasp::measure_contacts(world, placed.touches, plan.grasp.hand_posture,
+                                                    plan.trajectory.demonstration_time[sample]);
+      if (config.grasp) {
+        const Vec3 down = -plan.world.base_from_world.linear().col(2);
+        grasp::judge_grasp(world, plan.trajectory.demonstration_time[sample], down, *config.grasp,
+                           plan.grasp);
+      }
+    }
     plan.detail = only_near;
     for (const std::string& sentence :
          {warnings(world, plan.goals, plan.movement, motion, plan.trajectory,
                    config.retime.mode == retime::Tempo::kept),
-          not_humanlike(plan.certificate, plan.goals), unchecked_sentence(robot.unchecked_links)}) {
+          joined(placed.notes), not_humanlike(plan.certificate, plan.goals),
+          unchecked_sentence(robot.unchecked_links)}) {
       if (!sentence.empty()) plan.detail += (plan.detail.empty() ? "" : "; ") + sentence;
     }
+  }
+  return plan;
+}
+
+/// Tips with contacts that what is left of a plan's findings speaks of: they are away from their
+/// goals, or their links collide.
+std::vector<std::string> tips_in_the_way(const robot::Robot& robot, const Plan& plan) {
+  std::vector<std::string> tips;
+  for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
+    bool touches = false;
+    for (std::size_t f = 0; f < plan.goals.frames(); ++f) {
+      touches = touches || plan.goals.pad_share(f, tip) > 0;
+    }
+    if (!touches) continue;
+    const std::string &name = robot.tips[tip].name,
+                      &link =
+                          robot.capsules[static_cast<std::size_t>(robot.pads[tip].capsule)].name;
+    const bool concerned = std::ranges::any_of(plan.remaining, [&](const Finding& finding) {
+      return finding.first == name || finding.first == link || finding.second == link;
+    });
+    if (concerned) tips.push_back(name);
+  }
+  return tips;
+}
+
+}  // namespace
+
+Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
+                   const HumanMotion& recorded, const Movement& movement, StageSeconds& seconds,
+                   const std::optional<Vec3>& known_offset) {
+  const auto planned = [&](const Contacts& contacts) {
+    return plan_with(contacts, planner, demonstration, recorded, movement, seconds, known_offset);
+  };
+  if (!planner.config.grasp) return planned({});
+  const Plan plan = planned({true, {}});
+  if (plan.has_trajectory() || plan.goals.pad_share.rows == 0) return plan;
+  for (const Contacts& fewer : {Contacts{true, tips_in_the_way(planner.robot, plan)}, Contacts{}}) {
+    if (fewer.asked && fewer.given_up.empty()) continue;
+    Plan another = planned(fewer);
+    if (!another.has_trajectory()) continue;
+    const std::string which =
+        fewer.asked ? fmt::format("contact of {}", fmt::join(fewer.given_up, ", ")) : "contacts";
+    another.detail += fmt::format("{}{} given up: {}, {}", another.detail.empty() ? "" : "; ",
+                                  which, name_of(plan.reason), plan.detail);
+    return another;
   }
   return plan;
 }
@@ -320,8 +413,8 @@ run::DemonstrationOutcome plan_demonstration(const Planner& planner,
             : "no complete reach in it";
     const std::string detail =
         motion.problems.empty() ? nothing : nothing + "; " + joined(motion.problems);
-    outcome.plans.push_back(
-        fail(begin_plan(demonstration, {}, planner.config.check), {Reason::no_movement, detail}));
+    outcome.plans.push_back(fail(begin_plan(demonstration, {}, planner.config.check.tolerances),
+                                 {Reason::no_movement, detail}));
   }
   return outcome;
 }

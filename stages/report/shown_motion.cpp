@@ -86,8 +86,8 @@ void hold_against_goals(const robot::Robot& robot, const Goals& goals, ShownMoti
     for (Eigen::Index tip = 0; tip < tips; ++tip) {
       const auto i = static_cast<std::size_t>(tip);
       const Pose base_from_tip = robot::tip_pose(robot, base_from_frame, i);
-      motion.tip_error(row, tip) =
-          (base_from_tip.translation() - tip_goal_at(goals, i, time_s)).norm();
+      const Vec3 at = robot::goal_point(robot, base_from_frame, i, pad_share_at(goals, i, time_s));
+      motion.tip_error(row, tip) = (at - tip_goal_at(goals, i, time_s)).norm();
       const Quat turned = tip_orientation_goal_at(goals, i, time_s);
       if (seen(turned))
         motion.orientation_error(row, tip) = angle_between(Quat(base_from_tip.linear()), turned);

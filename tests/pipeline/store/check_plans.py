@@ -67,6 +67,8 @@ def rows(phases, findings, waypoints, joints, estimated):
 
 PLAN_ATTRIBUTES = ["status", "reason", "detail", "subject", "task", "hand", "start_s", "end_s",
                    "target", "margin", "contact_depth", "tracking_grasp", "tracking", "out_of_reach_share", "farthest_tip"]
+QUALITY = ["friction", "torsion", "mass", "centre", "torque_scale", "epsilon_lower", "epsilon_upper",
+           "needed_worst", "needed_down", "given"]
 CERTIFICATE = ["position_margin", "velocity_ratio", "acceleration_ratio", "jerk_ratio", "clearance",
                "position_error_max", "position_error_mean", "position_error_grasp",
                "orientation_error_max", "upper_arm_error_mean", "upper_arm_error_max", "natural_posture_error", "tempo",
@@ -150,7 +152,17 @@ with h5py.File(sys.argv[1]) as file:
         "certificate/unchecked_links": ((1,), "S", "", None),
         "grasp/hand_posture": ((3,), "f", "rad or m", None),
         "grasp/pregrasp_posture": ((3,), "f", "rad or m", None),
+        "goals/pad_share": ((4, 2), "f", "1", None),
+        "goals/closed": ((2,), "u", "1", None),
+        **{f"grasp/contacts/{name}": ((2,), "S", "", None) for name in ("tip", "link", "origin")},
+        **{f"grasp/contacts/{name}": ((2, 3), "f", unit, "object")
+           for name, unit in {"asked": "m", "point": "m", "normal": "1", "friction": "N"}.items()},
+        **{f"grasp/contacts/{name}": ((2,), "f", unit, None)
+           for name, unit in {"gap": "m", "pad_angle": "rad", "confidence": "1", "force": "N"}.items()},
+        "grasp/squeeze/torque": ((3,), "f", "N m", None),
+        "grasp/squeeze/servo_target": ((3,), "f", "rad or m", None),
     })
+    attributes(full["grasp/quality"], QUALITY)
     assert text(full.attrs["status"]) == "executable" and text(full.attrs["reason"]) == ""
     assert (full.attrs["start_s"], full.attrs["end_s"], text(full.attrs["target"])) == (0.5, 2.75, "cup")
     assert [full.attrs[name] for name in PLAN_ATTRIBUTES[-6:]] == [0.002, 0.004, 0.006, 0.03, 0.25, 0.04]

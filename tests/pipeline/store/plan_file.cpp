@@ -201,6 +201,34 @@ void expect_same(const Plan& a, const Plan& b) {
   EXPECT_SAME(grasp.tips_in_object);
   EXPECT_SAME(grasp.hand_posture);
   EXPECT_SAME(grasp.pregrasp_posture);
+  ASSERT_EQ(a.grasp.contacts.size(), b.grasp.contacts.size());
+  for (std::size_t k = 0; k < a.grasp.contacts.size(); ++k) {
+    EXPECT_SAME(grasp.contacts[k].tip);
+    EXPECT_SAME(grasp.contacts[k].link);
+    EXPECT_SAME(grasp.contacts[k].origin);
+    EXPECT_SAME(grasp.contacts[k].asked);
+    EXPECT_SAME(grasp.contacts[k].point);
+    EXPECT_SAME(grasp.contacts[k].normal);
+    EXPECT_SAME(grasp.contacts[k].gap);
+    EXPECT_SAME(grasp.contacts[k].pad_angle);
+    EXPECT_SAME(grasp.contacts[k].confidence);
+    EXPECT_SAME(grasp.contacts[k].force);
+    EXPECT_SAME(grasp.contacts[k].friction);
+  }
+  EXPECT_SAME(grasp.quality.friction);
+  EXPECT_SAME(grasp.quality.torsion);
+  EXPECT_SAME(grasp.quality.mass);
+  EXPECT_SAME(grasp.quality.centre);
+  EXPECT_SAME(grasp.quality.torque_scale);
+  EXPECT_SAME(grasp.quality.epsilon_lower);
+  EXPECT_SAME(grasp.quality.epsilon_upper);
+  EXPECT_SAME(grasp.quality.needed_worst);
+  EXPECT_SAME(grasp.quality.needed_down);
+  EXPECT_SAME(grasp.quality.given);
+  EXPECT_SAME(grasp.squeeze_torque);
+  EXPECT_SAME(grasp.squeeze_posture);
+  EXPECT_SAME(goals.pad_share);
+  EXPECT_SAME(goals.closed);
   expect_same(a.trajectory, b.trajectory);
   expect_same(a.approach, b.approach);
   expect_same(a.retreat, b.retreat);

@@ -201,6 +201,9 @@ Plan full_plan(const std::string& demonstration, int movement) {
   plan.tolerances = {0.002, 0.004, 0.006, 0.03, 0.25, 0.04};
   plan.goals.time = number.many(4);
   plan.goals.tip_position = number.points(4, 2);
+  plan.goals.pad_share = Table<double>(4, 2, 0.25);
+  plan.goals.pad_share(2, 1) = number();
+  plan.goals.closed = {0, 1};
   plan.goals.tip_orientation = number.rotations(4, 2);
   plan.goals.reachable = Table<std::uint8_t>(4, 2, 0);
   plan.goals.reachable(1, 1) = plan.goals.reachable(3, 0) = 1;
@@ -230,8 +233,21 @@ Plan full_plan(const std::string& demonstration, int movement) {
   plan.path.origin = {Origin::planned, Origin::resolved, Origin::mapped, Origin::mapped,
                       Origin::planned};
   plan.path.demonstration_time = number.many(5);
-  plan.grasp = {
-      2, number.pose(), number.pose(), number.points(2), number.vector(3), number.vector(3)};
+  plan.grasp.sample = 2;
+  plan.grasp.base_from_object = number.pose();
+  plan.grasp.object_from_palm = number.pose();
+  plan.grasp.tips_in_object = number.points(2);
+  plan.grasp.hand_posture = number.vector(3);
+  plan.grasp.pregrasp_posture = number.vector(3);
+  for (const ContactOrigin origin : {ContactOrigin::demonstrated, ContactOrigin::closed}) {
+    plan.grasp.contacts.push_back({"tip", "finger", origin, number.point(), number.point(),
+                                   number.point(), number(), number(), number(), number(),
+                                   number.point()});
+  }
+  plan.grasp.quality = {number(), number(), number(), number.point(), number(),
+                        number(), number(), number(), number(),       number()};
+  plan.grasp.squeeze_torque = number.vector(3);
+  plan.grasp.squeeze_posture = number.vector(3);
   plan.trajectory = trajectory(number, 6);
   plan.approach = trajectory(number, 2);
   plan.retreat = trajectory(number, 3);

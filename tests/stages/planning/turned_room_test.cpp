@@ -5,24 +5,13 @@
 #include <vector>
 
 #include "stages/import/facing.hpp"
-#include "stages/import/import.hpp"
 #include "stages/import/turn_demonstration.hpp"
 #include "stages/planning/pipeline_config.hpp"
 #include "stages/planning/plan_movement.hpp"
+#include "tests/stages/planning/shipped_reach.hpp"
 
 namespace morphe::planning {
 namespace {
-
-Demonstration recorded_reach() {
-  const std::filesystem::path folder = std::filesystem::path(MORPHE_SOURCE_DIR) / "datasets/ue-adl";
-  imports::ImportRequest request;
-  request.paths = {folder / "ADL001FR1.csv"};
-  request.static_trial = folder / "ADL001_static.csv";
-  request.conventions.forward = imports::ForwardBy::recorded;
-  std::vector<Demonstration> all;
-  imports::import_recordings(request, [&](Demonstration&& d) { all.push_back(std::move(d)); });
-  return all.at(0);
-}
 
 /// As a file with six decimals of a millimetre has it.
 void round_to_nanometres(Demonstration& demonstration) {
@@ -38,7 +27,7 @@ TEST(TurnedRoom, APersonWhoSitsTheOtherWayGetsTheSamePlan) {
   const LoadedConfig loaded = load_config(std::filesystem::path(MORPHE_SOURCE_DIR) /
                                           "configs/pipelines/pa10_dlr_hit2.yaml");
   const Planner planner{loaded.options, loaded.robot};
-  Demonstration as_is = recorded_reach(), turned = as_is;
+  Demonstration as_is = shipped_reach("ADL001FR1", imports::ForwardBy::recorded), turned = as_is;
   imports::face_forward({}, as_is);
   imports::turn_about_vertical(turned, 33.3 * kDegree);
   round_to_nanometres(turned);

@@ -1,0 +1,275 @@
+#include "stages/grasp/close_fingers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/robot/forward.hpp"
+#include "pipeline/robot/tree.hpp"
+
+namespace morphe::grasp {
+namespace {
+
+constexpr double kStep = 0.01;       ///< of the closing joints [rad]
+constexpr double kMostOpened = 0.5;  ///< where a finger begins inside the target [rad]
+constexpr double kSpread = 7 * kDegree;
+constexpr double kTouching = 1e-5;  ///< [m]
+constexpr double kTurns = 0.2;  ///< share of the strongest joint's lever that makes a joint close
+
+/// The capsules that move with a finger and not with the palm.
+std::vector<int> capsules_of(const robot::Robot& robot, std::size_t tip) {
+  std::vector<int> own;
+  const int palm = robot::body_of(robot, robot.palm_frame);
+  std::vector<int> links;
+  for (const int frame : robot::upwards(robot, robot.tips[tip].frame)) {
+    if (robot::body_of(robot, frame) == palm) break;
+    links.push_back(robot::body_of(robot, frame));
+  }
+  for (std::size_t c = 0; c < robot.capsules.size(); ++c) {
+    const int body = robot::body_of(robot, robot.capsules[c].frame);
+    if (std::ranges::find(links, body) != links.end()) own.push_back(static_cast<int>(c));
+  }
+  return own;
+}
+
+bool contains(const std::vector<int>& list, int value) {
+  return std::ranges::find(list, value) != list.end();
+}
+
+/// One finger at one posture.
+struct Probe {
+  const collision::CollisionWorld& world;
+  std::vector<int> own;
+  std::vector<int> yielding;  ///< of fingers that are not closed: the mapping moves them aside
+  Pose base_from_target;
+  collision::CollisionScratch scratch;
+
+  void pose(const JointVector& q, double time_s) {
+    collision::pose_bodies(world, q, time_s, scratch);
+  }
+  collision::Separation from_target(int capsule) const {
+    return collision::capsule_solid(
+        scratch.bodies[static_cast<std::size_t>(capsule)],
+        collision::solid_at(world, static_cast<std::size_t>(world.target)), base_from_target);
+  }
+  /// What the finger is nearer to than the margin, other than the target; "" if nothing.
+  std::string blocked_by() const {
+    const double margin = world.tolerances.margin;
+    for (const auto& [first, second] : world.pairs) {
+      if (contains(own, first) == contains(own, second)) continue;
+      if (contains(yielding, first) || contains(yielding, second)) continue;
+      const auto body = [&](int c) { return scratch.bodies[static_cast<std::size_t>(c)]; };
+      if (collision::capsule_capsule(body(first), body(second)).distance >= margin) continue;
+      const int other = contains(own, first) ? second : first;
+      return world.robot->capsules[static_cast<std::size_t>(other)].name;
+    }
+    for (std::size_t k = 0; k < world.scene->objects.size(); ++k) {
+      if (static_cast<int>(k) == world.target) continue;
+      for (const int c : own) {
+        const auto apart =
+            collision::capsule_solid(scratch.bodies[static_cast<std::size_t>(c)],
+                                     collision::solid_at(world, k), scratch.object_poses[k]);
+        if (apart.distance < margin) return world.scene->objects[k].name;
+      }
+    }
+    return "";
+  }
+};
+
+}  // namespace
+
+std::vector<std::pair<int, double>> closing_joints(const robot::Robot& robot, const JointVector& q,
+                                                   std::size_t tip) {
+  const robot::Pad& pad = robot.pads[tip];
+  const int frame = robot.tips[tip].frame;
+  std::vector<Pose> base_from_frame;
+  robot::forward(robot, q, base_from_frame);
+  const Pose& pose = base_from_frame[static_cast<std::size_t>(frame)];
+  Eigen::Matrix3Xd jacobian(3, q.size());
+  robot::point_jacobian(robot, base_from_frame, frame, pose * pad.centre, jacobian);
+  const Eigen::RowVectorXd forwards = (pose.linear() * pad.middle).transpose() * jacobian;
+  std::vector<std::pair<int, double>> joints;
+  double strongest = 0;
+  const auto of_finger = [&](int j) { return !contains(robot.arm_joints, j); };
+  for (int j = 0; j < static_cast<int>(q.size()); ++j) {
+    if (of_finger(j)) strongest = std::max(strongest, std::abs(forwards[j]));
+  }
+  for (int j = 0; j < static_cast<int>(q.size()); ++j) {
+    if (!of_finger(j) || std::abs(forwards[j]) <= kTurns * strongest) continue;
+    joints.emplace_back(j, forwards[j] > 0 ? 1.0 : -1.0);
+  }
+  return joints;
+}
+
+namespace {
+
+/// The finger's other joints turned by `angle`.
+JointVector spread(const robot::Robot& robot, const JointVector& q, std::size_t tip, double angle) {
+  const std::vector<std::pair<int, double>> closing = closing_joints(robot, q, tip);
+  JointVector aside = q;
+  for (int j = 0; j < static_cast<int>(q.size()); ++j) {
+    const bool closes =
+        std::ranges::any_of(closing, [&](const auto& joint) { return joint.first == j; });
+    if (closes || contains(robot.arm_joints, j)) continue;
+    if (!robot::moves(robot, j, robot.tips[tip].frame)) continue;
+    aside[j] = std::clamp(q[j] + angle, robot.lower[j], robot.upper[j]);
+  }
+  return aside;
+}
+
+/// Closes one finger, spread by `angle`; the posture that touches stays in q, which is otherwise
+/// left as it was.
+std::optional<Closing> close_finger(Probe& probe, double time_s, std::size_t tip, double angle,
+                                    JointVector& q, std::string& why) {
+  const collision::CollisionWorld& world = probe.world;
+  const robot::Robot& robot = *world.robot;
+  const int pad_capsule = robot.pads[tip].capsule;
+  JointVector at = spread(robot, q, tip, angle);
+  std::vector<std::pair<int, double>> joints = closing_joints(robot, at, tip);
+  const auto stop_before = [&](int capsule) {  // joints that move what touches
+    const int frame = robot.capsules[static_cast<std::size_t>(capsule)].frame;
+    std::erase_if(joints,
+                  [&](const auto& joint) { return robot::moves(robot, joint.first, frame); });
+  };
+  const auto turned = [&](const JointVector& from, double step) {
+    JointVector to = from;
+    for (const auto& [joint, sign] : joints) {
+      to[joint] = std::clamp(from[joint] + sign * step, robot.lower[joint], robot.upper[joint]);
+    }
+    return to;
+  };
+  probe.pose(at, time_s);
+  for (double opened = 0; probe.from_target(pad_capsule).distance < 0; opened += kStep) {
+    const JointVector open = turned(at, -kStep);
+    if (opened > kMostOpened || open == at) {
+      why = "it is in the target already";
+      return std::nullopt;
+    }
+    at = open;
+    probe.pose(at, time_s);
+  }
+  while (!joints.empty()) {
+    const JointVector next = turned(at, kStep);
+    if (next == at) {
+      why = "it does not reach the target within its limits";
+      return std::nullopt;
+    }
+    probe.pose(next, time_s);
+    if (const std::string what = probe.blocked_by(); !what.empty()) {
+      why = "it meets " + what;
+      return std::nullopt;
+    }
+    double gap = probe.from_target(pad_capsule).distance;
+    if (gap <= 0) {
+      double low = 0, high = 1;  // shares of the step
+      JointVector between = next;
+      while (gap < 0 || gap > kTouching) {
+        const double share = 0.5 * (low + high);
+        between = at + share * (next - at);
+        probe.pose(between, time_s);
+        gap = probe.from_target(pad_capsule).distance;
+        (gap > 0 ? low : high) = share;
+        if (high - low < 1e-9) break;
+      }
+      const collision::Separation apart = probe.from_target(pad_capsule);
+      const Pose target_from_base = probe.base_from_target.inverse();
+      Closing closing;
+      closing.touch.tip = tip;
+      closing.touch.origin = ContactOrigin::closed;
+      closing.touch.point = target_from_base * apart.on_second;
+      closing.touch.normal = -(target_from_base.linear() * apart.normal);
+      const auto frame = static_cast<std::size_t>(robot.tips[tip].frame);
+      closing.touch.centre =
+          target_from_base * (probe.scratch.base_from_frame[frame] * robot.pads[tip].centre);
+      closing.turn = between - q;
+      q = between;
+      return closing;
+    }
+    bool stopped = false;
+    for (const int c : probe.own) {
+      if (c == pad_capsule || probe.from_target(c).distance > 0) continue;
+      stop_before(c);
+      stopped = true;
+    }
+    if (!stopped) at = next;
+  }
+  why = "its inner links touch before the pad";
+  return std::nullopt;
+}
+
+}  // namespace
+
+ClosedFingers close_fingers(const collision::CollisionWorld& world, double time_s,
+                            const std::vector<std::size_t>& tips, JointVector q) {
+  ClosedFingers closed;
+  if (world.target < 0) return closed;
+  const robot::Robot& robot = *world.robot;
+  const SceneObject& target = world.scene->objects[static_cast<std::size_t>(world.target)];
+  for (const std::size_t tip : tips) {
+    if (robot.pads[tip].capsule < 0) continue;
+    Probe probe{world, capsules_of(robot, tip), {}, recorded_pose(target, time_s), {}};
+    for (const std::size_t other : tips) {
+      const bool is_closed = std::ranges::any_of(
+          closed.closings, [&](const Closing& known) { return known.touch.tip == other; });
+      if (other == tip || is_closed) continue;
+      const std::vector<int> capsules = capsules_of(robot, other);
+      probe.yielding.insert(probe.yielding.end(), capsules.begin(), capsules.end());
+    }
+    std::optional<Closing> closing;
+    std::string why;  // of the least spread
+    for (const double angle : {0.0, kSpread, -kSpread, 2 * kSpread, -2 * kSpread}) {
+      std::string because;
+      closing = close_finger(probe, time_s, tip, angle, q, because);
+      if (closing) break;
+      if (why.empty()) why = because;
+    }
+    if (closing) {
+      closed.closings.push_back(std::move(*closing));
+    } else {
+      closed.open.push_back(robot.tips[tip].name + " stays open: " + why);
+    }
+  }
+  return closed;
+}
+
+std::vector<std::size_t> tips_without_goals(const robot::Robot& robot, const Goals& goals,
+                                            const HoldTime& when) {
+  std::vector<std::size_t> tips;
+  for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
+    if (robot.tips[tip].finger < 0 || robot.pads[tip].capsule < 0) continue;
+    bool any = false;
+    for (std::size_t f = 0; f < goals.frames(); ++f) {
+      const bool held = goals.time[f] >= when.begin_s && goals.time[f] <= when.end_s;
+      any = any || (held && seen(goals.tip_position(f, tip)));
+    }
+    if (!any) tips.push_back(tip);
+  }
+  return tips;
+}
+
+void aim_closings(const robot::Robot& robot, const std::vector<Closing>& closings,
+                  const Movement& movement, const SceneObject& target, const JointRows& path,
+                  Goals& goals) {
+  if (closings.empty()) return;
+  const HoldTime when = hold_time(movement);
+  if (goals.pad_share.rows == 0) goals.pad_share = {goals.frames(), robot.tips.size(), 0.0};
+  std::vector<Pose> base_from_frame;
+  for (std::size_t f = 0; f < goals.frames(); ++f) {
+    const double share = closed_share(when, goals.time[f]);
+    if (share == 0) continue;
+    JointVector q = path.row(static_cast<Eigen::Index>(f)).transpose();
+    for (const Closing& closing : closings) q += share * closing.turn;
+    robot::forward(robot, q.cwiseMax(robot.lower).cwiseMin(robot.upper), base_from_frame);
+    const bool in_palm = goals.time[f] > target.attach_s && !target.attached_frame.empty();
+    for (const Closing& closing : closings) {
+      const std::size_t tip = closing.touch.tip;
+      goals.tip_position(f, tip) =
+          share < 1 || in_palm ? robot::goal_point(robot, base_from_frame, tip, 1)
+                               : recorded_pose(target, goals.time[f]) * closing.touch.centre;
+      goals.pad_share(f, tip) = 1;
+    }
+  }
+  goals.closed.assign(robot.tips.size(), 0);
+  for (const Closing& closing : closings) goals.closed[closing.touch.tip] = 1;
+}
+
+}  // namespace morphe::grasp

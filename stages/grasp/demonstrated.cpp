@@ -1,0 +1,68 @@
+#include "stages/grasp/demonstrated.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace morphe::grasp {
+
+std::vector<Touch> demonstrated_touches(const robot::Robot& robot, const Goals& goals,
+                                        const Movement& movement, const collision::Solid& target,
+                                        const GraspOptions& options) {
+  std::vector<Touch> touches;
+  const HoldTime when = hold_time(movement);
+  for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
+    if (robot.pads[tip].capsule < 0 || robot.tips[tip].finger < 0) continue;
+    Vec3 sum = Vec3::Zero();
+    double seen_frames = 0, touching = 0, gaps = 0;
+    for (std::size_t f = 0; f < goals.frames(); ++f) {
+      if (!(goals.time[f] >= when.begin_s && goals.time[f] <= when.end_s)) continue;
+      const Vec3& goal = goals.tip_position(f, tip);
+      if (!seen(goal)) continue;
+      ++seen_frames;
+      const Pose object_from_base = recorded_pose(target.object, goals.time[f]).inverse();
+      const SurfacePoint nearest = nearest_surface(target, object_from_base * goal);
+      const double gap = nearest.distance - options.pad_depth_m;
+      if (gap > options.near_m) continue;
+      ++touching;
+      gaps += std::abs(gap);
+      sum += nearest.point;
+    }
+    if (touching == 0 || touching < options.least_share * seen_frames) continue;
+    const Vec3 mean = sum / touching;
+    const SurfacePoint at = nearest_surface(target, mean);
+    Touch touch;
+    touch.tip = tip;
+    touch.point = at.point;
+    touch.normal = at.normal;
+    touch.centre = at.point - robot.pads[tip].radius * at.normal;
+    touch.confidence = touching / seen_frames * std::exp(-gaps / touching / options.near_m);
+    touches.push_back(touch);
+  }
+  return touches;
+}
+
+void aim_pads(const robot::Robot& robot, const std::vector<Touch>& touches,
+              const Movement& movement, const SceneObject& target, Goals& goals) {
+  if (touches.empty()) return;
+  const HoldTime when = hold_time(movement);
+  if (goals.pad_share.rows == 0) goals.pad_share = {goals.frames(), robot.tips.size(), 0.0};
+  const bool by_palm = !target.attached_frame.empty();
+  for (const Touch& touch : touches) {
+    Vec3 way = Vec3::Zero();  // from tip to pad as the target was taken
+    for (std::size_t f = 0; f < goals.frames(); ++f) {
+      const double share = closed_share(when, goals.time[f]);
+      Vec3& goal = goals.tip_position(f, touch.tip);
+      Vec3 pad = recorded_pose(target, goals.time[f]) * touch.centre;
+      if (by_palm && goals.time[f] > target.attach_s) {
+        pad = goal + way;
+      } else if (seen(goal)) {
+        way = pad - goal;
+      }
+      if (share == 0 || (!seen(goal) && share < 1)) continue;
+      goal = share < 1 ? Vec3((1 - share) * goal + share * pad) : pad;
+      goals.pad_share(f, touch.tip) = share;
+    }
+  }
+}
+
+}  // namespace morphe::grasp

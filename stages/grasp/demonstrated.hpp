@@ -1,0 +1,23 @@
+#pragma once
+
+#include "stages/grasp/touch.hpp"
+
+namespace morphe::grasp {
+
+/// Where the person's fingertips touched the target: for each of the robot's tips that has goals
+/// and a pad, the nearest point of the surface to its goals, in the mean over the frames of grasp
+/// and hold in which the skin (pad_depth from the goal) lies within `near` of it; none where that
+/// is less than least_share of the frames in which it was seen. Confidence: that share, times how
+/// near. Of a target that was inferred from the tips the distance is zero by construction.
+std::vector<Touch> demonstrated_touches(const robot::Robot& robot, const Goals& goals,
+                                        const Movement& movement, const collision::Solid& target,
+                                        const GraspOptions& options);
+
+/// Goals that bring pads to where they touch: over the preshape the goal of each tip goes over from
+/// the tip where the person's was to the centre of the pad's ball beside the surface, and back
+/// after the release (closed_share()). The target is where it was recorded; in a hand that carries
+/// it by its palm the way from tip to pad stays what it was as it was taken.
+void aim_pads(const robot::Robot& robot, const std::vector<Touch>& touches,
+              const Movement& movement, const SceneObject& target, Goals& goals);
+
+}  // namespace morphe::grasp

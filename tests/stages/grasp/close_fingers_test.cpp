@@ -1,0 +1,113 @@
+#include "stages/grasp/close_fingers.hpp"
+
+#include <gmock/gmock.h>
+
+#include <numbers>
+
+#include "pipeline/robot/files/description.hpp"
+#include "pipeline/robot/forward.hpp"
+#include "stages/grasp/measure.hpp"
+
+namespace morphe::grasp {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// The reference robot with its fingers nearly straight, and a rod across the palm's front.
+struct RodBeforeTheHand {
+  robot::Robot robot{
+      robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table};
+  JointVector q = 0.5 * (robot.lower + robot.upper);
+  Scene scene;
+  Movement movement;
+  collision::CollisionWorld world;
+
+  RodBeforeTheHand(const RodBeforeTheHand&) = delete;
+  explicit RodBeforeTheHand(double from_palm) {
+    for (std::size_t j = 7; j < robot.joints(); ++j) {
+      const auto joint = static_cast<Eigen::Index>(j);
+      q[joint] = robot.joint_names[j].ends_with("abduction") ? 0 : 0.1;
+    }
+    std::vector<Pose> base_from_frame;
+    robot::forward(robot, q, base_from_frame);
+    const Pose& palm = base_from_frame[static_cast<std::size_t>(robot.palm_frame)];
+    const Quat along_y(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitX()));
+    SceneObject rod;
+    rod.name = "rod";
+    rod.shape = Shape::cylinder;
+    rod.size = {0.02, 0.2};
+    rod.time = {0};
+    rod.position = {palm * Vec3(from_palm, 0, 0.17)};
+    rod.orientation = {Quat(palm.linear()) * along_y};
+    scene.objects = {rod};
+    movement.target = "rod";
+    movement.end_s = 1;
+    movement.phases = {{PhaseKind::reach, 0, 0.5}, {PhaseKind::grasp, 0.5, 1}};
+    Tolerances tolerances;
+    tolerances.contact_depth = 0.001;
+    world = collision::make_world(robot, scene, movement, tolerances);
+  }
+};
+
+TEST(CloseFingers, UntilThePadTouches) {
+  const RodBeforeTheHand of(0.06);
+  const ClosedFingers closed = close_fingers(of.world, 0.6, {1, 2, 3, 4}, of.q);
+  EXPECT_THAT(closed.open, ElementsAre());
+  ASSERT_EQ(closed.closings.size(), 4U);
+  JointVector q = of.q;
+  std::vector<Touch> touches;
+  for (const Closing& closing : closed.closings) {
+    q += closing.turn;
+    touches.push_back(closing.touch);
+    EXPECT_GT(closing.turn.cwiseAbs().maxCoeff(), 0.1) << "it had some way to go";
+    for (const auto& [joint, sign] : closing_joints(of.robot, of.q, closing.touch.tip)) {
+      EXPECT_EQ(sign, 1) << "positive flexion curls the fingers";
+      EXPECT_FALSE(of.robot.joint_names[static_cast<std::size_t>(joint)].ends_with("abduction"));
+    }
+    const Vec3& point = closing.touch.point;
+    EXPECT_NEAR(point.head<2>().norm(), 0.02, 1e-9) << "on the rod's side";
+    EXPECT_LT(closing.touch.normal.head<2>().dot(point.head<2>()), 0) << "inwards";
+  }
+  EXPECT_TRUE((q.array() >= of.robot.lower.array()).all());
+  EXPECT_TRUE((q.array() <= of.robot.upper.array()).all());
+  for (const PadContact& contact : measure_contacts(of.world, touches, q, 0.6)) {
+    EXPECT_GE(contact.gap, 0) << contact.tip;
+    EXPECT_LT(contact.gap, 2e-5) << contact.tip;
+    EXPECT_LT((contact.point - contact.asked).norm(), 1e-4) << contact.tip;
+  }
+}
+
+TEST(CloseFingers, WhatDoesNotReachStaysOpenAndSaysWhy) {
+  const RodBeforeTheHand far(0.25);
+  const ClosedFingers closed = close_fingers(far.world, 0.6, {2}, far.q);
+  EXPECT_TRUE(closed.closings.empty());
+  EXPECT_THAT(closed.open, ElementsAre(HasSubstr("middle_tip stays open")));
+}
+
+TEST(CloseFingers, GoalsBeginWhereTheFingerIsAndEndOnTheObject) {
+  const RodBeforeTheHand of(0.06);
+  const ClosedFingers closed = close_fingers(of.world, 0.6, {2}, of.q);
+  ASSERT_EQ(closed.closings.size(), 1U);
+  Goals goals;
+  const std::size_t frames = 101;
+  for (std::size_t f = 0; f < frames; ++f) goals.time.push_back(0.01 * static_cast<double>(f));
+  goals.tip_position = {frames, of.robot.tips.size(), unseen_point()};
+  const JointRows path = of.q.transpose().replicate(static_cast<Eigen::Index>(frames), 1);
+  EXPECT_THAT(tips_without_goals(of.robot, goals, hold_time(of.movement)),
+              ElementsAre(0, 1, 2, 3, 4));
+  aim_closings(of.robot, closed.closings, of.movement, of.scene.objects[0], path, goals);
+  std::vector<Pose> base_from_frame;
+  robot::forward(of.robot, of.q, base_from_frame);
+  const Vec3 open = robot::goal_point(of.robot, base_from_frame, 2, 1);
+  EXPECT_FALSE(seen(goals.tip_position(10, 2))) << "before the hand closes";
+  EXPECT_LT((goals.tip_position(21, 2) - open).norm(), 1e-3);
+  const Vec3 on_target = recorded_pose(of.scene.objects[0], 0.5) * closed.closings[0].touch.centre;
+  EXPECT_LT((goals.tip_position(50, 2) - on_target).norm(), 1e-9);
+  EXPECT_LT((goals.tip_position(49, 2) - on_target).norm(), 1e-3) << "without a jump";
+  EXPECT_EQ(goals.pad_share(60, 2), 1);
+  EXPECT_THAT(goals.closed, ElementsAre(0, 0, 1, 0, 0));
+}
+
+}  // namespace
+}  // namespace morphe::grasp

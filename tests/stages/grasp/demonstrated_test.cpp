@@ -1,0 +1,116 @@
+#include "stages/grasp/demonstrated.hpp"
+
+#include <gtest/gtest.h>
+
+#include "pipeline/robot/files/description.hpp"
+
+namespace morphe::grasp {
+namespace {
+
+const robot::Robot& reference() {
+  static const robot::Robot robot(
+      robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table);
+  return robot;
+}
+
+/// A cylinder of 30 mm radius that thumb and index hold, a pad's depth from it; the middle finger
+/// stays 30 mm away, ring and little were not seen.
+struct HeldCylinder {
+  SceneObject target;
+  Movement movement;
+  Goals goals;
+  GraspOptions options;
+  Quat turn = Quat(Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized()));
+  Vec3 place = Vec3(0.3, 0.5, 0.2);
+
+  HeldCylinder() {
+    target.name = "cup";
+    target.shape = Shape::cylinder;
+    target.size = {0.03, 0.1};
+    target.time = {0};
+    target.position = {place};
+    target.orientation = {turn};
+    movement.end_s = 2;
+    movement.target = "cup";
+    movement.phases = {{PhaseKind::reach, 0, 1},
+                       {PhaseKind::preshape, 0.4, 1},
+                       {PhaseKind::grasp, 1, 1.5},
+                       {PhaseKind::hold, 1.5, 2}};
+    const std::size_t frames = 201;
+    goals.tip_position = {frames, 5, unseen_point()};
+    goals.tip_orientation = {frames, 5, unseen_rotation()};
+    for (std::size_t f = 0; f < frames; ++f) {
+      const double t = 0.01 * static_cast<double>(f);
+      goals.time.push_back(t);
+      const double away = t < 1 ? 0.1 * (1 - t) : 0;
+      goals.tip_position(f, 0) = in_base({-0.041 - away, 0, 0.01});
+      goals.tip_position(f, 1) = in_base({0, 0.041 + away, -0.02});
+      goals.tip_position(f, 2) = in_base({0, 0.06 + away, 0});
+    }
+  }
+  Vec3 in_base(const Vec3& in_target) const { return place + turn * in_target; }
+  std::vector<Touch> touches() const {
+    return demonstrated_touches(reference(), goals, movement, target, options);
+  }
+};
+
+TEST(DemonstratedTouches, AreWhereSkinMeetsTheSurface) {
+  const HeldCylinder held;
+  const std::vector<Touch> touches = held.touches();
+  ASSERT_EQ(touches.size(), 2U);
+  EXPECT_EQ(touches[0].tip, 0U);
+  EXPECT_LT((touches[0].point - Vec3(-0.03, 0, 0.01)).norm(), 1e-12);
+  EXPECT_LT((touches[0].normal - Vec3(1, 0, 0)).norm(), 1e-12) << "inwards";
+  EXPECT_LT((touches[0].centre - Vec3(-0.041, 0, 0.01)).norm(), 1e-12) << "a radius outside";
+  EXPECT_LT((touches[1].point - Vec3(0, 0.03, -0.02)).norm(), 1e-12);
+  EXPECT_NEAR(touches[0].confidence, 1, 1e-9);
+}
+
+TEST(DemonstratedTouches, NeedTheSkinToBeNearForHalfOfTheTime) {
+  HeldCylinder held;
+  for (std::size_t f = 100; f < held.goals.frames(); ++f) {
+    if (f % 5 < 3) held.goals.tip_position(f, 0) = held.in_base({-0.053, 0, 0.01});
+  }
+  EXPECT_EQ(held.touches().size(), 1U);
+  held.options.near_m = 0.013;
+  ASSERT_EQ(held.touches().size(), 2U);
+  EXPECT_LT(held.touches()[0].confidence, 0.9);
+}
+
+TEST(AimPads, TakeGoalsFromTipsToPadsOverThePreshape) {
+  HeldCylinder held;
+  const Goals before = held.goals;
+  aim_pads(reference(), held.touches(), held.movement, held.target, held.goals);
+  for (std::size_t f = 0; f < before.frames(); ++f) {
+    const double t = before.time[f], share = held.goals.pad_share(f, 0);
+    if (t <= 0.4) {
+      EXPECT_EQ(share, 0);
+      EXPECT_EQ(held.goals.tip_position(f, 0), before.tip_position(f, 0));
+    } else if (t >= 1) {
+      EXPECT_EQ(share, 1);
+      EXPECT_LT((held.goals.tip_position(f, 0) - held.in_base({-0.041, 0, 0.01})).norm(), 1e-12);
+    }
+    EXPECT_EQ(held.goals.pad_share(f, 2), 0) << "the middle finger did not touch";
+    EXPECT_GE(share, held.goals.pad_share(f > 0 ? f - 1 : 0, 0));
+  }
+  EXPECT_NEAR(held.goals.pad_share(70, 0), 0.5, 1e-9) << "half-way through the preshape";
+}
+
+TEST(ClosedShare, FallsAgainAfterTheRelease) {
+  Movement movement;
+  movement.end_s = 5;
+  movement.phases = {{PhaseKind::reach, 0, 1},
+                     {PhaseKind::grasp, 1, 1.2},
+                     {PhaseKind::transport, 1.2, 3},
+                     {PhaseKind::go_back, 3, 5}};
+  const HoldTime when = hold_time(movement);
+  EXPECT_EQ(closed_share(when, 1 - kLetGo_s), 0) << "no preshape: as long as letting go";
+  EXPECT_EQ(closed_share(when, 1), 1);
+  EXPECT_EQ(closed_share(when, 3), 1);
+  EXPECT_NEAR(closed_share(when, 3 + kLetGo_s / 2), 0.5, 1e-12);
+  EXPECT_EQ(closed_share(when, 3 + kLetGo_s), 0);
+  EXPECT_EQ(closed_share(hold_time(Movement{}), 1), 0) << "nothing is grasped";
+}
+
+}  // namespace
+}  // namespace morphe::grasp

@@ -1,0 +1,83 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "stages/planning/pipeline_config.hpp"
+#include "stages/planning/plan_movement.hpp"
+#include "tests/stages/planning/shipped_reach.hpp"
+
+namespace morphe::planning {
+namespace {
+
+using testing::HasSubstr;
+
+Plan planned_drink(const std::vector<std::string>& settings) {
+  const LoadedConfig loaded = load_config(
+      std::filesystem::path(MORPHE_SOURCE_DIR) / "configs/pipelines/pa10_dlr_hit2.yaml", settings);
+  const Planner planner{loaded.options, loaded.robot};
+  return plan_demonstration(planner, shipped_reach("ADL001DR2", imports::ForwardBy::body))
+      .plans.at(0);
+}
+
+TEST(Contacts, PadsTouchTheCupAndAnotherFingerCloses) {
+  const Plan plan = planned_drink({"grasp.close_fingers=true"});
+  ASSERT_TRUE(plan.executable()) << plan.detail;
+  EXPECT_EQ(plan.tolerances.contact_depth, 0.001);
+  ASSERT_EQ(plan.grasp.contacts.size(), 3U);
+  const SceneObject& cup = *object_named(plan.scene.objects, plan.movement.target);
+  for (const PadContact& contact : plan.grasp.contacts) {
+    EXPECT_GT(contact.gap, -0.001) << contact.tip;
+    EXPECT_LT(contact.gap, 0.0005) << contact.tip;
+    EXPECT_LT((contact.point - contact.asked).norm(), 0.005) << contact.tip;
+    EXPECT_NEAR(contact.point.head<2>().norm(), cup.size[0], 1e-6) << "on the cup's side";
+    EXPECT_LT((contact.normal + contact.point.cwiseProduct(Vec3(1, 1, 0)).normalized()).norm(),
+              1e-6)
+        << "inwards";
+  }
+  EXPECT_EQ(plan.grasp.contacts[2].tip, "middle_tip");
+  EXPECT_EQ(plan.grasp.contacts[2].origin, ContactOrigin::closed);
+  EXPECT_THAT(plan.detail, HasSubstr("little_tip stays open"));
+}
+
+TEST(Contacts, TheSqueezeBalancesInsideTheConesAndTorquesAreItsForces) {
+  const Plan plan = planned_drink({"grasp.friction=0.7"});
+  ASSERT_TRUE(plan.executable()) << plan.detail;
+  const GraspQuality& quality = plan.grasp.quality;
+  EXPECT_EQ(quality.friction, 0.7);
+  EXPECT_LE(quality.epsilon_lower, quality.epsilon_upper);
+  EXPECT_GT(quality.epsilon_lower, 0) << "three soft fingers";
+  EXPECT_GT(quality.needed_worst, quality.needed_down);
+  Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+  double largest = 0;
+  for (const PadContact& contact : plan.grasp.contacts) {
+    const Vec3 whole = contact.force * contact.normal + contact.friction;
+    force += whole;
+    torque += contact.point.cross(whole);
+    largest = std::max(largest, contact.force);
+    EXPECT_LE(contact.friction.norm(), 0.7 * contact.force + 1e-9);
+    EXPECT_NEAR(contact.friction.dot(contact.normal), 0, 1e-9);
+  }
+  EXPECT_GT(largest, 1);
+  for (const PadContact& contact : plan.grasp.contacts) {
+    EXPECT_GE(contact.force, 0.09 * largest) << contact.tip << " bears its share";
+  }
+  EXPECT_LT(force.norm(), 1e-3 * largest);
+  EXPECT_LT(torque.norm(), largest * (3 * quality.torsion)) << "the rest is torsion";
+  EXPECT_LE(plan.grasp.squeeze_torque.cwiseAbs().maxCoeff(), 1 + 1e-6);
+  EXPECT_EQ(plan.grasp.squeeze_torque.head(7).norm(), 0) << "the arm holds the hand";
+  const JointVector beyond = plan.grasp.squeeze_posture - plan.grasp.hand_posture;
+  EXPECT_LT((10 * beyond - plan.grasp.squeeze_torque).norm(), 1e-9);
+}
+
+TEST(Contacts, AreOnlyThereWhereTheConfigAsksForThem) {
+  const Plan plan = planned_drink({});
+  EXPECT_EQ(plan.tolerances.contact_depth, 0.005);
+  EXPECT_EQ(plan.goals.pad_share.rows, 0U);
+  EXPECT_TRUE(plan.grasp.contacts.empty());
+}
+
+}  // namespace
+}  // namespace morphe::planning
