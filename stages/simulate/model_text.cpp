@@ -115,7 +115,7 @@ class Writer {
     add(text_, "<asset>\n");
     for (std::size_t k = 0; k < world_.scene->objects.size(); ++k) {
       const SceneObject& object = world_.scene->objects[k];
-      if (object.shape != Shape::mesh || !(whole_ || is_target(k))) continue;
+      if (object.shape != Shape::mesh || !is_target(k)) continue;
       add(text_, "<mesh name=\"{}\" vertex=\"", name_of_object(k));
       for (const Vec3& vertex : object.vertices) add(text_, "{} ", numbers(vertex));
       add(text_, "\"/>\n");
@@ -155,7 +155,7 @@ class Writer {
     if (!whole_) return;
     for (std::size_t k = 0; k < world_.scene->objects.size(); ++k) {
       const SceneObject& object = world_.scene->objects[k];
-      if (!is_target(k))
+      if (stands_around(world_, k))
         text_ += object_geom(object, name_of_object(k), recorded_pose(object, object.time.front()));
     }
     Pose plane = make_pose(Vec3::Zero(), Quat::FromTwoVectors(Vec3::UnitZ(), world_.up));
@@ -196,13 +196,13 @@ class Writer {
           pair(capsule, fmt::format("c{}", other), variation_.friction, variation_.torsion_m);
       }
       for (std::size_t object = 0; whole_ && object < world_.scene->objects.size(); ++object) {
-        if (!is_target(object))
+        if (stands_around(world_, object))
           pair(name_of_object(object), capsule, kSupportFriction, variation_.torsion_m);
       }
     }
     const SceneObject* const table = object_named(world_.scene->objects, "table");
     for (std::size_t k = 0; whole_ && k < world_.scene->objects.size(); ++k) {
-      if (!is_target(k) && &world_.scene->objects[k] != table)
+      if (stands_around(world_, k) && &world_.scene->objects[k] != table)
         pair(name_of_object(k), "target", kSupportFriction, variation_.torsion_m);
     }
     if (whole_) pair("support", "target", kSupportFriction, variation_.torsion_m);
@@ -268,6 +268,12 @@ class Writer {
 };
 
 }  // namespace
+
+bool stands_around(const SimulatedWorld& world, std::size_t object) {
+  const SceneObject& one = world.scene->objects[object];
+  return static_cast<int>(object) != world.target && one.shape != Shape::mesh &&
+         one.time.size() == 1;
+}
 
 std::string model_text(const SimulatedWorld& world, const Variation& variation,
                        const SimulateOptions& options, Around around) {

@@ -31,14 +31,18 @@ struct SimulatedWorld {
 /// everything that stands around it.
 enum class Around { world, nothing };
 
+/// Whether an object is part of the model beside the target: one that moves is not, nor a mesh,
+/// whose hull would fill a shelf. The trajectory is certified clear of them.
+bool stands_around(const SimulatedWorld& world, std::size_t object);
+
 /// MJCF, every number with 17 digits. Names: frame k is body and joint "f<k>" (whose value is
 /// ratio * q + offset), joint j has the motor "m<j>", capsule k is geom "c<k>"; "target" is body
 /// and geom; object k is geom "o<k>", "support" the plane on which the target stands: through its
 /// lowest point, normal to `up`. Contacts are listed pair by pair, since what is not listed would
 /// combine friction by the larger of two: the target with every capsule, with the support and with
-/// every other object but the one called "table", on which it is taken to stand; capsules of the
-/// hand with each other, where they may collide, and with all objects. A mesh counts as its convex
-/// hull.
+/// every object that stands around but the one called "table", on which it is taken to stand;
+/// capsules of the hand with each other, where they may collide, and with all these objects. A
+/// target's mesh counts as its convex hull.
 std::string model_text(const SimulatedWorld& world, const Variation& variation,
                        const SimulateOptions& options, Around around);
 

@@ -105,6 +105,11 @@ Prepared prepare(const robot::Robot& robot, const Plan& plan, const SimulateOpti
   ready.world = {
       &robot, servos_of(robot, options),       robot_inertias(robot, options.density), &plan.scene,
       number, upwards_of(plan, prepared.notes)};
+  for (std::size_t k = 0; k < plan.scene.objects.size(); ++k) {
+    if (static_cast<int>(k) != number && !stands_around(ready.world, k))
+      prepared.notes.push_back(
+          fmt::format("{} is left out: it moves, or is a mesh", plan.scene.objects[k].name));
+  }
   const JointVector open =
       plan.trajectory.position.row(static_cast<Eigen::Index>(last_followed(plan))).transpose();
   const std::vector<Press> presses =

@@ -101,6 +101,9 @@ TEST(ModelText, EveryShapeIsTaken) {
   SimulatedWorld world = world_of(gripper(), plan.scene);
   for (const int target : {0, 2, 3, 4}) {
     world.target = target;
+    EXPECT_FALSE(stands_around(world, static_cast<std::size_t>(target)));
+    EXPECT_FALSE(stands_around(world, 2));  // the mesh
+    EXPECT_TRUE(stands_around(world, 1));   // the table
     const Pose pose(Eigen::Translation3d(5, 0, 0));
     const physics::Model model(
         model_text(world, {0.8, 0.002, 0.3, pose}, SimulateOptions(), Around::world));
