@@ -113,7 +113,7 @@ int execute(SimulateArguments& arguments) {
   files::write_whole(folder.path() / "simulation.csv", table);
   folder.keep();
   fmt::print("{}", arguments.json ? simulation_json(results)
-                                  : simulation_table(results, terminal_width()));
+                                  : simulation_table(results, arguments.options, terminal_width()));
   return 0;
 }
 

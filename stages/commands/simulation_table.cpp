@@ -115,7 +115,8 @@ TextTable::Row row_of(const PlanResult& result) {
 
 }  // namespace
 
-std::string simulation_table(const std::vector<PlanResult>& results, std::size_t width) {
+std::string simulation_table(const std::vector<PlanResult>& results,
+                             const simulate::SimulateOptions& options, std::size_t width) {
   TextTable table;
   table.columns = {
       {"plan", "", true},        {"held", ""},          {"six", "directions"},
@@ -129,9 +130,11 @@ std::string simulation_table(const std::vector<PlanResult>& results, std::size_t
     held += result.held();
     rollouts += result.rollouts.size();
   }
-  return table_text(table, width) + fmt::format("{} simulated, {} not: {} of {} held\n",
-                                                counted(fit, "plan"), results.size() - fit, held,
-                                                counted(rollouts, "rollout"));
+  std::string text = table_text(table, width);
+  for (const std::string& sentence : assumptions(options))
+    text += folded("assumed: " + sentence, width, "");
+  return text + fmt::format("{} simulated, {} not: {} of {} held\n", counted(fit, "plan"),
+                            results.size() - fit, held, counted(rollouts, "rollout"));
 }
 
 std::string simulation_json(const std::vector<PlanResult>& results) {

@@ -20,12 +20,29 @@ std::string why_invalid(const SimulateOptions& o) {
   return "";
 }
 
-std::string text_of(const SimulateOptions& o) {
-  return fmt::format(
-      "ensemble {} directions {} friction {} torsion {} mass {} force {} step {} {} density {} "
-      "stiffness {} torque {} seed {}",
-      o.ensemble, name_of(o.directions), o.friction, o.torsion_m, o.mass_kg, o.force_N, o.step_s,
-      o.euler ? "euler" : "implicit", o.density, o.hand_stiffness, o.hand_torque, o.seed);
+std::string text_of(const SimulateOptions& options) {
+  std::string text;
+  const auto add = [&](const char* key, const auto& value) {
+    text += fmt::format("{} {}\n", key, value);
+  };
+  fields(add, options);
+  return text;
+}
+
+std::vector<std::string> assumptions(const SimulateOptions& o) {
+  return {
+      fmt::format(
+          "links weigh what their capsules hold at {:g} kg/m^3, the target {:g} kg; all are "
+          "solid",
+          o.density, o.mass_kg),
+      fmt::format("motors carry gravity and the robot's own motion; an arm's servos are those of a "
+                  "PA10 by a joint's place, fingers have {:g} N m/rad and {:g} N m",
+                  o.hand_stiffness, o.hand_torque),
+      fmt::format(
+          "the plan names no contacts: the thumb presses with {:g} N where its tip comes to "
+          "lie on the target, the other fingers with goals with shares of it",
+          o.force_N),
+      "the target stands on a plane through its lowest point"};
 }
 
 }  // namespace morphe::simulate

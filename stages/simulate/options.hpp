@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "pipeline/motion/named.hpp"
 
@@ -33,10 +34,27 @@ struct SimulateOptions {
   double hand_torque = 1;      ///< [N m]
   std::uint64_t seed = 1;
 };
+template <class Fields>
+void fields(Fields& f, const SimulateOptions& o) {
+  f("ensemble", o.ensemble);
+  f("directions", name_of(o.directions));
+  f("friction", o.friction);
+  f("torsion_m", o.torsion_m);
+  f("mass_kg", o.mass_kg);
+  f("force_N", o.force_N);
+  f("step_s", o.step_s);
+  f("integrator", o.euler ? "euler" : "implicit");
+  f("density", o.density);
+  f("hand_stiffness", o.hand_stiffness);
+  f("hand_torque", o.hand_torque);
+  f("seed", o.seed);
+}
 /// "", or a sentence.
 std::string why_invalid(const SimulateOptions& options);
-/// All that a result depends on, in one line.
+/// All of them, a line each.
 std::string text_of(const SimulateOptions& options);
+/// What is taken for true of every plan, a sentence each.
+std::vector<std::string> assumptions(const SimulateOptions& options);
 
 // What the engine is told of every contact [DexGraspBench's, softness 0.1 mm at 30 N].
 inline constexpr const char* kContactSolref = "0.005 1";

@@ -137,12 +137,16 @@ std::string result_json(const PlanResult& result, const SimulateOptions& options
                        {"force_N", press.force_N}});
   }
   for (const Rollout& rollout : result.rollouts) rollouts.push_back(json_of(rollout));
+  Json settings;
+  const auto add = [&](const char* name, const auto& value) { settings[name] = value; };
+  fields(add, options);
   const Json json = {{"format", "morphe-simulation"},
                      {"version", 1},
                      {"software", software()},
                      {"engine", physics::engine()},
                      {"key", key},
-                     {"options", text_of(options)},
+                     {"options", settings},
+                     {"assumed", assumptions(options)},
                      {"plan", result.plan},
                      {"unfit", name_of(result.unfit)},
                      {"detail", result.detail},
