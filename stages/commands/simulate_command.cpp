@@ -26,6 +26,7 @@ namespace fs = std::filesystem;
 
 struct SimulateArguments {
   std::string plans, out, directions{name_of(simulate::Directions::first)}, integrator = "implicit";
+  std::string contacts{name_of(simulate::Contacts::stored)};
   simulate::SimulateOptions options;
   RowChoice choice;
   int jobs = 0;
@@ -101,6 +102,7 @@ int execute(SimulateArguments& arguments) {
         "simulate: this build has no MuJoCo: install libmujoco-dev, configure and build again");
   }
   arguments.options.directions = *named<simulate::Directions>(arguments.directions);
+  arguments.options.contacts = *named<simulate::Contacts>(arguments.contacts);
   arguments.options.euler = arguments.integrator == "euler";
   if (const std::string wrong = why_invalid(arguments.options); !wrong.empty())
     throw InputError("simulate: --" + wrong);
@@ -133,7 +135,12 @@ Command simulate_command(CLI::App& app) {
   app.add_option("--torsion", options.torsion_m,
                  "Torsional friction between them, a length in m (default: 0.002)");
   app.add_option("--mass", options.mass_kg, "Of the target, kg (default: 0.3)");
-  app.add_option("--force", options.force_N, "The thumb's squeeze, N (default: 8)");
+  app.add_option("--contacts", arguments->contacts,
+                 "stored: those of the plan with its forces, where it names some; nearest: of the "
+                 "fingers with goals")
+      ->check(CLI::IsMember({"stored", "nearest"}));
+  app.add_option("--force", options.force_N,
+                 "The thumb's squeeze of nearest contacts, N (default: 8)");
   app.add_option("--stiffness", options.hand_stiffness,
                  "Of the fingers' servos, N m/rad (default: 10)");
   app.add_option("--torque", options.hand_torque, "Limit of the fingers' motors, N m (default: 1)");

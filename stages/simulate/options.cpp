@@ -39,7 +39,7 @@ std::vector<std::string> assumptions(const SimulateOptions& o) {
                   "PA10 by a joint's place, fingers have {:g} N m/rad and {:g} N m",
                   o.hand_stiffness, o.hand_torque),
       fmt::format(
-          "the plan names no contacts: the thumb presses with {:g} N where its tip comes to "
+          "of a plan that names no contacts the thumb presses with {:g} N where its tip comes to "
           "lie on the target, the other fingers with goals with shares of it",
           o.force_N),
       "the target stands on a plane through its lowest point"};

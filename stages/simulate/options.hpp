@@ -17,6 +17,11 @@ constexpr std::array<std::string_view, 3> names_of(Directions) {
   return {"none", "first", "every"};
 }
 
+/// Which contacts the squeeze is made of: those that the plan names, with its forces, or those that
+/// are nearest to the fingers with goals (also of a plan that names none).
+enum class Contacts { stored, nearest };
+constexpr std::array<std::string_view, 2> names_of(Contacts) { return {"stored", "nearest"}; }
+
 /// What nobody can read off a plan, and what a lab would change.
 struct SimulateOptions {
   int ensemble = 16;  ///< rollouts a plan; of the first one nothing is varied
@@ -24,8 +29,9 @@ struct SimulateOptions {
   double friction = 0.8;
   /// Torsional friction, a length: that of a pad whose contact has a radius of 4 mm [m].
   double torsion_m = 0.002;
-  double mass_kg = 0.3;   ///< of the target
-  double force_N = 8;     ///< the thumb's squeeze; the others share as much
+  double mass_kg = 0.3;  ///< of the target
+  Contacts contacts = Contacts::stored;
+  double force_N = 8;     ///< the thumb's squeeze, the others share as much; of nearest contacts
   double step_s = 0.002;  ///< of the simulation
   bool euler = false;     ///< semi-implicit Euler in place of the implicit integrator
   double density = 1000;  ///< of the robot's capsules [kg/m^3]
@@ -41,6 +47,7 @@ void fields(Fields& f, const SimulateOptions& o) {
   f("friction", o.friction);
   f("torsion_m", o.torsion_m);
   f("mass_kg", o.mass_kg);
+  f("contacts", name_of(o.contacts));
   f("force_N", o.force_N);
   f("step_s", o.step_s);
   f("integrator", o.euler ? "euler" : "implicit");

@@ -112,8 +112,13 @@ Prepared prepare(const robot::Robot& robot, const Plan& plan, const SimulateOpti
   }
   const JointVector open =
       plan.trajectory.position.row(static_cast<Eigen::Index>(last_followed(plan))).transpose();
-  const std::vector<Press> presses =
-      presses_of(robot, plan, open, options.force_N, prepared.detail);
+  std::vector<Press> presses;
+  if (options.contacts == Contacts::stored) presses = stored_presses(robot, plan);
+  if (!presses.empty()) {
+    prepared.notes.push_back("contacts and forces are those that the plan names");
+  } else {
+    presses = presses_of(robot, plan, open, options.force_N, prepared.detail);
+  }
   if (presses.empty()) {
     prepared.unfit = Unfit::no_squeeze;
     return prepared;

@@ -107,7 +107,8 @@ PlanResult result_of(const Json& json) {
   for (const Json& press : json.at("presses")) {
     result.tips.push_back(press.at("tip_name").get<std::string>());
     result.presses.push_back({press.at("tip").get<std::size_t>(), vector_of(press.at("point")),
-                              vector_of(press.at("inward")), at(press, "force_N")});
+                              vector_of(press.at("inward")), at(press, "force_N"),
+                              vector_of(press.at("aside"))});
   }
   result.force_share = at(json, "force_share");
   result.planned_contact_s = value_of(json.at("planned_contact_s"));
@@ -134,7 +135,8 @@ std::string result_json(const PlanResult& result, const SimulateOptions& options
                        {"tip_name", result.tips[k]},
                        {"point", json_of(press.point)},
                        {"inward", json_of(press.inward)},
-                       {"force_N", press.force_N}});
+                       {"force_N", press.force_N},
+                       {"aside", json_of(press.aside)}});
   }
   for (const Rollout& rollout : result.rollouts) rollouts.push_back(json_of(rollout));
   Json settings;

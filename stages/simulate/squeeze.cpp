@@ -108,7 +108,7 @@ Squeeze squeeze_with(const robot::Robot& robot, const JointVector& posture,
   JointVector torque = JointVector::Zero(posture.size());
   for (const Press& press : presses) {
     torque += hand.slope(robot.tips[press.tip].frame, base_from_target * press.point,
-                         press.force_N * (base_from_target.linear() * press.inward),
+                         base_from_target.linear() * (press.force_N * press.inward + press.aside),
                          finger_joints(robot, press.tip));
   }
   const std::vector<int> motors = motor_frames(robot);
@@ -125,6 +125,20 @@ Squeeze squeeze_with(const robot::Robot& robot, const JointVector& posture,
   squeeze.beyond *= squeeze.force_share;
   squeeze.presses = std::move(presses);
   return squeeze;
+}
+
+std::vector<Press> stored_presses(const robot::Robot& robot, const Plan& plan) {
+  std::vector<Press> presses;
+  for (const PadContact& contact : plan.grasp.contacts) {
+    const auto tip = std::ranges::find(robot.tips, contact.tip, &RobotTable::Tip::name);
+    if (tip == robot.tips.end() || !(contact.force > 0) || !seen(contact.point) ||
+        !seen(contact.normal))
+      continue;
+    presses.push_back({static_cast<std::size_t>(tip - robot.tips.begin()), contact.point,
+                       contact.normal, contact.force,
+                       seen(contact.friction) ? contact.friction : Vec3(Vec3::Zero())});
+  }
+  return presses;
 }
 
 std::vector<Press> presses_of(const robot::Robot& robot, const Plan& plan,

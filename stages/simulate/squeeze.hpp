@@ -14,6 +14,7 @@ struct Press {
   std::size_t tip = 0;  ///< of the robot's table
   Vec3 point, inward;  ///< in the target's frame [m]; unit, into it, along which the finger presses
   double force_N = 0;
+  Vec3 aside = Vec3::Zero();  ///< force beside it, in the target's frame [N]
 };
 
 /// How the hand takes hold.
@@ -32,7 +33,10 @@ Squeeze squeeze_with(const robot::Robot& robot, const JointVector& posture,
                      const Pose& base_from_target, const SceneObject& target,
                      std::vector<Press> presses, const std::vector<Servo>& servos);
 
-/// Today's plans name no contacts: the thumb and every other finger that had a goal at the grasp
+/// The contacts that the plan names, with their forces; none if it names no force.
+std::vector<Press> stored_presses(const robot::Robot& robot, const Plan& plan);
+
+/// Of a plan that names no contacts: the thumb and every other finger that had a goal at the grasp
 /// press where their last links are nearest to the target, once closed, straight into it: the thumb
 /// with `force_N`, the others with equal shares of it. Empty, and why, without a thumb, another
 /// finger or a capsule at their tips.

@@ -50,7 +50,7 @@ PlanResult some_result() {
   PlanResult result;
   result.plan = "a, \"b\"/000";
   result.notes = {"a note"};
-  result.presses = {{1, Vec3(0.1, 0.2, 1.0 / 3), Vec3(0, 0, -1), 7.25}};
+  result.presses = {{1, Vec3(0.1, 0.2, 1.0 / 3), Vec3(0, 0, -1), 7.25, Vec3(1, 2, 0)}};
   result.tips = {"thumb_tip"};
   result.force_share = 0.875;
   result.planned_contact_s = 1.5;

@@ -40,6 +40,31 @@ TEST(Prepare, FingersPressAgainstEachOtherWhereTheyTouch) {
   EXPECT_DOUBLE_EQ(squeeze.beyond[0], 0);
 }
 
+TEST(Prepare, ContactsThatThePlanNamesComeFirst) {
+  Plan plan = cup_plan();
+  PadContact thumb, index, silent;
+  thumb.tip = "thumb_tip";
+  thumb.point = Vec3(0, 0.03, 0);
+  thumb.normal = Vec3(0, -1, 0);
+  thumb.force = 5;
+  thumb.friction = Vec3(1, 0, 0);
+  index.tip = "index_tip";
+  index.point = Vec3(0, -0.03, 0);
+  index.normal = Vec3(0, 1, 0);
+  index.force = 5;
+  silent.tip = "index_tip";  // a contact without a force
+  plan.grasp.contacts = {thumb, index, silent};
+  SimulateOptions options;
+  const Prepared stored = prepare(gripper(), plan, options);
+  ASSERT_EQ(stored.plan.squeeze.presses.size(), 2U);
+  EXPECT_EQ(stored.plan.squeeze.presses[0].force_N, 5);
+  EXPECT_EQ(stored.notes.size(), 1U);
+  // The torque about the thumb's axis at (0, 0.06) of (1, -5, 0) N at (0.08, 0.03).
+  EXPECT_NEAR(10 * stored.plan.squeeze.beyond[1], 0.08 * -5 - (0.03 - 0.06) * 1, 1e-9);
+  options.contacts = Contacts::nearest;
+  EXPECT_EQ(prepare(gripper(), plan, options).plan.squeeze.presses[0].force_N, 8);
+}
+
 TEST(Prepare, WhatTheMotorsCannotGiveIsTakenFromAllFingers) {
   const Plan plan = cup_plan();
   SimulateOptions options;
