@@ -125,6 +125,24 @@ bool judge_goals(const RobotTable& robot, const Plan& plan, ViolationRuns& runs)
     runs.note_plan("time", "goals", kNotSeen, kNotSeen);
     return false;
   }
+  const Table<double>& share = goals.pad_share;
+  if ((share.rows != 0 && (share.rows != goals.frames() || share.cols != robot.tips.size())) ||
+      (!goals.closed.empty() && goals.closed.size() != robot.tips.size())) {
+    runs.note_plan("structure", "goals", static_cast<double>(share.cols),
+                   static_cast<double>(robot.tips.size()));
+    return false;
+  }
+  const auto beyond =
+      std::ranges::find_if(share.values, [](double value) { return !(value >= 0 && value <= 1); });
+  if (beyond != share.values.end()) {
+    runs.note_plan("structure", "goals/pad_share", *beyond, 1);
+    return false;
+  }
+  const auto neither = std::ranges::find_if(goals.closed, [](auto value) { return value > 1; });
+  if (neither != goals.closed.end()) {
+    runs.note_plan("structure", "goals/closed", *neither, 1);
+    return false;
+  }
   return true;
 }
 

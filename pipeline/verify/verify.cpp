@@ -2,6 +2,10 @@
 
 #include "pipeline/verify/certificate.hpp"
 #include "pipeline/verify/contact.hpp"
+#include "pipeline/verify/grasp_contacts.hpp"
+#include "pipeline/verify/grasp_pose.hpp"
+#include "pipeline/verify/grasp_quality.hpp"
+#include "pipeline/verify/squeeze.hpp"
 #include "pipeline/verify/status.hpp"
 #include "pipeline/verify/structure.hpp"
 #include "pipeline/verify/tracking.hpp"
@@ -28,8 +32,22 @@ std::vector<Violation> verify_transfer(const RobotTable& robot, const std::strin
   return runs.finish();
 }
 
+void judge_grasp(const RobotTable& robot, const Plan& plan, const std::string& config,
+                 ViolationRuns& runs) {
+  const Grasp& grasp = plan.grasp;
+  if (grasp.sample < 0) return;
+  if (!judge_grasp_pose(robot, plan, runs)) return;
+  if (grasp.contacts.empty()) {
+    if (grasp.squeeze_torque.size() > 0) runs.note_plan("structure", "grasp/squeeze", 0, kNotSeen);
+    return;
+  }
+  if (!judge_grasp_contacts(robot, plan, runs)) return;
+  judge_grasp_quality(robot, plan, config, runs);
+  judge_squeeze(robot, plan, config, runs);
+}
+
 std::vector<Violation> judged(const RobotTable& robot, const std::string& plan_path,
-                              const Plan& plan) {
+                              const Plan& plan, const std::string& config) {
   ViolationRuns runs(plan_path);
   if (!judge_structure(robot, plan, runs)) return runs.finish();
   const Curve curve = make_curve(plan.trajectory);
@@ -39,6 +57,7 @@ std::vector<Violation> judged(const RobotTable& robot, const std::string& plan_p
   judge_status(robot, plan, runs);
   const double clearance = judge_contacts(robot, plan, curve, runs);
   judge_certificate(robot, plan, curve, use, clearance, runs);
+  judge_grasp(robot, plan, config, runs);
   std::vector<Violation> violations = runs.finish();
   append(violations, verify_transfer(robot, plan_path + "/approach", plan, plan.approach, true));
   append(violations, verify_transfer(robot, plan_path + "/retreat", plan, plan.retreat, false));
@@ -48,8 +67,8 @@ std::vector<Violation> judged(const RobotTable& robot, const std::string& plan_p
 }  // namespace
 
 std::vector<Violation> verify_plan(const RobotTable& robot, const std::string& plan_path,
-                                   const Plan& plan) {
-  std::vector<Violation> violations = judged(robot, plan_path, plan);
+                                   const Plan& plan, const std::string& config) {
+  std::vector<Violation> violations = judged(robot, plan_path, plan, config);
   for (Violation& violation : violations) violation.unit = unit_of(robot, violation);
   return violations;
 }

@@ -25,6 +25,10 @@ namespace morphe::verify {
 /// object       capsule/object           the same
 /// status       what was allowed         share of goals out of reach, or m of a tip from its goal,
 ///                                       of a plan called by the wrong name; what it allows
+/// grasp        dataset of grasp/        m or rad from what trajectory and scene make it
+/// contact      tip/what                 as pipeline/verify/grasp_contacts.hpp has it
+/// quality      attribute                what is stored; what could be (grasp_quality.hpp)
+/// squeeze      tip/what, or dataset     as pipeline/verify/squeeze.hpp has it
 /// certificate  attribute                what is stored; what was recomputed
 struct Violation {
   std::string plan;
@@ -45,9 +49,11 @@ struct VerifyReport {
 /// stays open when nothing moves more than 0.01 mm counts as a violation; tips are judged at every
 /// sample; the certificate must agree with what is recomputed (clearance to 1e-4 m, the rest to
 /// 1e-9, see pipeline/verify/certificate.hpp). In the order of samples, then of causes and
-/// subjects.
+/// subjects. What a grasp says of friction, mass, torques and stiffness is held against the
+/// effective config, where that is given.
 MORPHE_EXPORT std::vector<Violation> verify_plan(const RobotTable& robot,
-                                                 const std::string& plan_path, const Plan& plan);
+                                                 const std::string& plan_path, const Plan& plan,
+                                                 const std::string& config = {});
 
 /// Every plan of a plans.h5. Throws InputError if the file cannot be read.
 MORPHE_EXPORT VerifyReport verify_file(const std::filesystem::path& file);

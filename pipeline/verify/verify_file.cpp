@@ -12,7 +12,8 @@ VerifyReport verify_file(const std::filesystem::path& file) {
     ++(status == Status::executable    ? report.executable
        : status == Status::approximate ? report.approximate
                                        : report.infeasible);
-    const std::vector<Violation> found = verify_plan(reader.robot(), reader.plan_paths()[i], plan);
+    const std::vector<Violation> found =
+        verify_plan(reader.robot(), reader.plan_paths()[i], plan, reader.header().config);
     report.violations.insert(report.violations.end(), found.begin(), found.end());
   }
   return report;

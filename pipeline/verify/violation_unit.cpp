@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string_view>
 
 namespace morphe::verify {
@@ -33,6 +34,30 @@ std::string unit_of(const RobotTable& robot, const Violation& violation) {
                                  {"jerk", "/s^3"},
                                  {"rest", "/s or /s^2"}};
   static const Units of_cause = {{"tracking", "m"}, {"self", "m"}, {"object", "m"}, {"time", "s"}};
+  static const std::set<std::string_view, std::less<>> of_the_grasp = {"grasp", "contact",
+                                                                       "quality", "squeeze"};
+  static const Units of_grasp = {{"tips_in_object", "m"},
+                                 {"hand_posture", "rad"},
+                                 {"asked", "m"},
+                                 {"point", "m"},
+                                 {"pad", "m"},
+                                 {"gap", "m"},
+                                 {"penetration", "m"},
+                                 {"normal", "rad"},
+                                 {"pad_angle", "rad"},
+                                 {"torsion", "m"},
+                                 {"mass", "kg"},
+                                 {"centre", "m"},
+                                 {"torque_scale", "m"},
+                                 {"needed_worst", "N"},
+                                 {"needed_down", "N"},
+                                 {"given", "N"},
+                                 {"force", "N"},
+                                 {"cone", "N"},
+                                 {"balance", "N"},
+                                 {"torque", "N m"},
+                                 {"servo_target", "rad"},
+                                 {"trajectory", "rad"}};
   static const Units of_subject = {
       {"farthest_tip", "m"},           {"clearance", "m"},
       {"position_error_max", "m"},     {"position_error_mean", "m"},
@@ -45,6 +70,9 @@ std::string unit_of(const RobotTable& robot, const Violation& violation) {
   }
   if (violation.cause == "status" || violation.cause == "certificate") {
     return unit_in(of_subject, violation.subject);
+  }
+  if (of_the_grasp.contains(violation.cause)) {
+    return unit_in(of_grasp, violation.subject.substr(violation.subject.rfind('/') + 1));
   }
   return unit_in(of_cause, violation.cause);
 }

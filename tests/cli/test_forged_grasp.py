@@ -1,0 +1,219 @@
+"""`morphe verify` accepts the contacts, the quality and the squeeze that `run` wrote, and finds
+whatever of them is forged beyond its tolerances."""
+import shutil
+import unittest
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from support import (QUICK, REFERENCE, CommandCase, json, main, morphe, temporary_folder,
+                     write_two_recordings)
+
+PLAN = "ADL001DR2/000"
+OF_A_GRASP = ("grasp", "contact", "quality", "squeeze")
+
+
+def setUpModule():
+    global PLANS
+    holder = temporary_folder()
+    unittest.addModuleCleanup(holder.cleanup)
+    folder = Path(holder.name).resolve()
+    result = morphe("run", REFERENCE, "--dataset", write_two_recordings(folder), "--out",
+                    folder / "out", *QUICK, "--set", "grasp.close_fingers=true")
+    assert result.returncode == 0, result.stderr
+    PLANS = folder / "out/plans.h5"
+
+
+def add(dataset, where, change):
+    values = dataset[()]
+    values[where] += change
+    dataset[...] = values
+
+
+def scale(attributes, factor, *names):
+    for name in names:
+        attributes[name] = attributes[name] * factor
+
+
+class Forged(CommandCase):
+    def setUp(self):
+        super().setUp()
+        self.copy = self.folder / "plans.h5"
+        shutil.copy(PLANS, self.copy)
+
+    def subjects(self):
+        """(cause, subject) of what is found; only in the plan that was forged."""
+        rows = json.loads(morphe("verify", self.copy, "--json").stdout)["violations"]
+        self.assertEqual({row["plan"] for row in rows} - {PLAN}, set())
+        return {(row["cause"], row["subject"]) for row in rows}
+
+    def forge(self, change):
+        shutil.copy(PLANS, self.copy)
+        with h5py.File(self.copy, "r+") as file:
+            change(file["plans"][PLAN])
+        return self.subjects()
+
+    def finds(self, cause, subject, change, nothing_else=False):
+        with self.subTest(f"{cause} {subject}"):
+            found = self.forge(change)
+            self.assertIn((cause, subject), found)
+            if nothing_else:
+                self.assertEqual(found, {(cause, subject)})
+
+    def test_the_honest_plan_passes(self):
+        with h5py.File(PLANS) as file:
+            contacts = file["plans"][PLAN]["grasp/contacts"]
+            self.assertGreaterEqual(len(contacts["tip"]), 2)
+            self.assertGreater(file["plans"][PLAN]["grasp/quality"].attrs["epsilon_lower"], 0)
+        self.assertEqual(self.subjects(), set())
+
+    def test_where_and_how_the_hand_is(self):
+        def of(name):
+            return lambda plan, where=0, by=1e-5: add(plan["grasp"][name], where, by)
+        for name, where in (("object_pose", (0, 3)), ("wrist_pose_in_object", (1, 3)),
+                            ("wrist_pose_in_object", (0, 0)), ("tips_in_object", (0, 1)),
+                            ("hand_posture", 3), ("pregrasp_posture", 8)):
+            self.finds("grasp", name, lambda plan: of(name)(plan, where))
+
+        def one_later(plan):
+            plan["grasp"].attrs["sample"] += 1
+        self.finds("grasp", "sample", one_later, nothing_else=True)
+
+        def not_widest(plan):  # a posture of the trajectory, but the hand was wider open
+            plan["grasp/pregrasp_posture"][...] = plan["grasp/hand_posture"][()]
+        self.finds("grasp", "pregrasp_posture", not_widest, nothing_else=True)
+
+    def test_contacts(self):
+        tip = "thumb_tip"
+
+        def off_the_surface(plan):
+            where = plan["grasp/contacts/normal"][0]
+            add(plan["grasp/contacts/point"], 0, -2e-5 * where)
+        self.finds("contact", f"{tip}/point", off_the_surface)
+
+        def along_the_surface(plan):  # along the cylinder's axis, by more than what cannot be told
+            add(plan["grasp/contacts/point"], (0, 2), 1e-4)
+        self.finds("contact", f"{tip}/pad", along_the_surface)
+
+        def flipped(plan):
+            plan["grasp/contacts/normal"][0] = -plan["grasp/contacts/normal"][0]
+        self.finds("contact", f"{tip}/normal", flipped)
+
+        def turned(plan):
+            x, y, z = plan["grasp/contacts/normal"][0]
+            a = 0.005
+            plan["grasp/contacts/normal"][0] = [np.cos(a) * x - np.sin(a) * y,
+                                                np.sin(a) * x + np.cos(a) * y, z]
+        self.finds("contact", f"{tip}/normal", turned)
+
+        def longer(plan):
+            plan["grasp/contacts/normal"][0] = 1.001 * plan["grasp/contacts/normal"][0]
+        self.finds("contact", f"{tip}/normal", longer)
+
+        for name, change in (("gap", 2e-5), ("pad_angle", 1e-4), ("confidence", 1.0)):
+            self.finds("contact", f"{tip}/{name}",
+                       lambda plan: add(plan["grasp/contacts"][name], 0, change), nothing_else=True)
+        self.finds("contact", f"{tip}/asked",
+                   lambda plan: add(plan["grasp/contacts/asked"], 0, 1e-3), nothing_else=True)
+
+        def another_link(plan):
+            names = plan["grasp/contacts/link"][()]
+            plan["grasp/contacts/link"][0] = names[1]
+        self.finds("contact", f"{tip}/link", another_link)
+
+        def none(plan):
+            plan["grasp/contacts/point"][0, 0] = np.nan
+        self.finds("finite", f"grasp/contacts/{tip}", none)
+
+        def shallower(plan):  # than the pads are
+            depth = -plan["grasp/contacts/gap"][()].min()
+            self.assertGreater(depth, 0)
+            plan.attrs["contact_depth"] = 0.5 * depth
+        deepest = {subject for cause, subject in self.forge(shallower) if cause == "contact"}
+        self.assertTrue(any(subject.endswith("/penetration") for subject in deepest), deepest)
+
+    def test_quality(self):
+        def of(*names, by):
+            return lambda plan: scale(plan["grasp/quality"].attrs, by, *names)
+        for name, by in (("friction", 1.2), ("torsion", 2), ("mass", 0.5), ("torque_scale", 1.01),
+                         ("given", 1.1), ("needed_worst", 0.9), ("needed_worst", 1.5),
+                         ("needed_down", 0.9), ("needed_down", 1.5)):
+            self.finds("quality", name, of(name, by=by))
+        both = "epsilon_lower", "epsilon_upper"
+        self.finds("quality", "epsilon_lower", of(*both, by=1.1), nothing_else=True)
+        self.finds("quality", "epsilon_upper", of(*both, by=0.8), nothing_else=True)
+        self.finds("quality", "epsilon", of("epsilon_upper", by=1.5), nothing_else=True)
+
+        def beside(plan):
+            centre = plan["grasp/quality"].attrs["centre"]
+            plan["grasp/quality"].attrs["centre"] = centre + [0, 0, 0.001]
+        self.finds("quality", "centre", beside)
+        for name in (*both, "needed_worst", "needed_down", "given", "mass"):
+            def none(plan):
+                plan["grasp/quality"].attrs[name] = np.nan
+            self.assertTrue({cause for cause, _ in self.forge(none)} & {"quality"}, name)
+
+        def in_the_config_too(plan):  # what came out of it stays what it was
+            config = plan.file.attrs["config"]
+            plan.file.attrs["config"] = np.bytes_(config.replace(b"  friction: 0.8", b"  friction: 1.6"))
+            plan["grasp/quality"].attrs["friction"] = 1.6
+        found = {subject for cause, subject in self.forge(in_the_config_too) if cause == "quality"}
+        self.assertIn("needed_down", found)
+        self.assertNotIn("friction", found)
+
+    def test_squeeze(self):
+        tip = "thumb_tip"
+        self.finds("squeeze", "torque", lambda plan: add(plan["grasp/squeeze/torque"], 8, 1e-4))
+        self.finds("squeeze", "servo_target",
+                   lambda plan: add(plan["grasp/squeeze/servo_target"], 8, 1e-4), nothing_else=True)
+        self.finds("squeeze", "torque", lambda plan: add(plan["grasp/squeeze/torque"], 0, 1e-3))
+        self.finds("squeeze", "balance",
+                   lambda plan: add(plan["grasp/contacts/force"], 0, -0.8))
+        self.finds("squeeze", f"{tip}/force", lambda plan: add(plan["grasp/contacts/force"], 0, 1.0))
+        self.finds("squeeze", f"{tip}/force", lambda plan: add(plan["grasp/contacts/force"], 0, -20.0))
+
+        def outside_of_the_cone(plan):
+            plan["grasp/contacts/friction"][0] = 8 * plan["grasp/contacts/friction"][0]
+        self.finds("squeeze", f"{tip}/cone", outside_of_the_cone)
+
+        def along_the_normal(plan):
+            add(plan["grasp/contacts/friction"], 0, 0.1 * plan["grasp/contacts/normal"][0])
+        self.finds("squeeze", f"{tip}/cone", along_the_normal)
+
+        def left_out(plan):
+            del plan["grasp/squeeze"]
+        self.finds("squeeze", "torque", left_out, nothing_else=True)
+
+        def run_as_a_motion(plan):
+            sample = plan["grasp"].attrs["sample"]
+            plan["trajectory/position"][sample + 1] = plan["grasp/squeeze/servo_target"][()]
+        self.finds("squeeze", "trajectory", run_as_a_motion)
+
+    def test_goals_of_pads(self):
+        def share(value):
+            def change(plan):
+                plan["goals/pad_share"][0, 0] = value
+            return change
+        for value in (-0.1, 1.1, np.nan):
+            self.finds("structure", "goals/pad_share", share(value), nothing_else=True)
+
+    def test_every_number_of_a_grasp_is_held_against_something(self):
+        """Any number of grasp/ that is changed by a tenth, or by 0.1, is found."""
+        with h5py.File(PLANS) as file:
+            grasp = file["plans"][PLAN]["grasp"]
+            places = []
+            grasp.visititems(lambda name, item: places.append(name)
+                             if isinstance(item, h5py.Dataset) and item.dtype.kind == "f" else None)
+        self.assertGreaterEqual(len(places), 13)
+        for name in places:
+            def change(plan):
+                values = plan["grasp"][name][()]
+                values.reshape(-1)[0] = 1.1 * values.reshape(-1)[0] + 0.1
+                plan["grasp"][name][...] = values
+            causes = {cause for cause, _ in self.forge(change)}
+            self.assertTrue(causes & set(OF_A_GRASP), (name, causes))
+
+
+if __name__ == "__main__":
+    main()
