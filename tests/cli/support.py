@@ -61,6 +61,17 @@ def write_two_recordings(folder):
     return manifest
 
 
+def planned_sample(*settings):
+    """For setUpModule: two shipped recordings, planned with a small search; the plans.h5."""
+    holder = temporary_folder()
+    unittest.addModuleCleanup(holder.cleanup)
+    folder = Path(holder.name).resolve()
+    result = morphe("run", REFERENCE, "--dataset", write_two_recordings(folder), "--out",
+                    folder / "out", *QUICK, *settings)
+    assert result.returncode == 0, result.stderr
+    return folder / "out/plans.h5"
+
+
 def line_of(file, needle):
     for number, line in enumerate(Path(file).read_text().splitlines(), 1):
         if needle in line:

@@ -3,15 +3,12 @@ import csv
 import json
 import re
 import shutil
-import unittest
-from pathlib import Path
 
 import h5py
 import numpy as np
 
 import formats
-from support import (QUICK, REFERENCE, CommandCase, main, morphe, sha256, temporary_folder,
-                     write_two_recordings)
+from support import CommandCase, main, morphe, planned_sample, sha256
 
 FIRST, SECOND = "ADL001DR2/000", "ADL001AR1/000"
 # YAML 1.1, which ROS reads: without a point, or without a sign after the e, it is text.
@@ -20,13 +17,7 @@ YAML_FLOAT = re.compile(r"-?[0-9]+\.[0-9]*(e[-+][0-9]+)?$")
 
 def setUpModule():
     global PLANS
-    holder = temporary_folder()
-    unittest.addModuleCleanup(holder.cleanup)
-    folder = Path(holder.name).resolve()
-    result = morphe("run", REFERENCE, "--dataset", write_two_recordings(folder), "--out",
-                    folder / "out", *QUICK)
-    assert result.returncode == 0, result.stderr
-    PLANS = folder / "out/plans.h5"
+    PLANS = planned_sample()
     # One with an approach (any motion will do), and a third that cannot be executed.
     with h5py.File(PLANS, "r+") as file:
         plans = file["plans"]

@@ -1,14 +1,11 @@
 """`morphe verify` accepts the contacts, the quality and the squeeze that `run` wrote, and finds
 whatever of them is forged beyond its tolerances."""
 import shutil
-import unittest
-from pathlib import Path
 
 import h5py
 import numpy as np
 
-from support import (QUICK, REFERENCE, CommandCase, json, main, morphe, temporary_folder,
-                     write_two_recordings)
+from support import CommandCase, json, main, morphe, planned_sample
 
 PLAN = "ADL001DR2/000"
 OF_A_GRASP = ("grasp", "contact", "quality", "squeeze")
@@ -16,13 +13,7 @@ OF_A_GRASP = ("grasp", "contact", "quality", "squeeze")
 
 def setUpModule():
     global PLANS
-    holder = temporary_folder()
-    unittest.addModuleCleanup(holder.cleanup)
-    folder = Path(holder.name).resolve()
-    result = morphe("run", REFERENCE, "--dataset", write_two_recordings(folder), "--out",
-                    folder / "out", *QUICK, "--set", "grasp.close_fingers=true")
-    assert result.returncode == 0, result.stderr
-    PLANS = folder / "out/plans.h5"
+    PLANS = planned_sample("--set", "grasp.close_fingers=true")
 
 
 def add(dataset, where, change):

@@ -6,25 +6,17 @@ import signal
 import subprocess
 import time
 import unittest
-from pathlib import Path
 
 import h5py
 
-from support import (MORPHE, QUICK, REFERENCE, CommandCase, main, morphe, temporary_folder,
-                     write_two_recordings)
+from support import MORPHE, CommandCase, main, morphe, planned_sample
 
 GRASP, TABLE = "ADL001DR2/000", "simulation.csv"
 
 
 def setUpModule():
     global PLANS
-    holder = temporary_folder()
-    unittest.addModuleCleanup(holder.cleanup)
-    folder = Path(holder.name).resolve()
-    result = morphe("run", REFERENCE, "--dataset", write_two_recordings(folder), "--out",
-                    folder / "out", *QUICK)
-    assert result.returncode == 0, result.stderr
-    PLANS = folder / "out/plans.h5"
+    PLANS = planned_sample()
     with h5py.File(PLANS, "r+") as file:  # a second grasp, one that is infeasible, one that is broken
         plans = file["plans/ADL001DR2"]
         for copy in ("001", "002", "003"):
@@ -32,7 +24,7 @@ def setUpModule():
         plans["002"].attrs["status"], plans["002"].attrs["reason"] = b"infeasible", b"no_path"
         del plans["002/trajectory"], plans["002/grasp"]
         plans["003/trajectory/position"][5, 2] = float("nan")
-    probe = morphe("simulate", PLANS, "--out", folder / "probe", "--only", "none")
+    probe = morphe("simulate", PLANS, "--out", PLANS.parent / "probe", "--only", "none")
     if "has no MuJoCo" in probe.stderr:
         assert probe.returncode == 2
         raise unittest.SkipTest("built without MuJoCo")
