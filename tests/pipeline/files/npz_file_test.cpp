@@ -196,7 +196,7 @@ TEST(Zip, DamageAndTricksAreRefused) {
 }
 
 std::filesystem::path temporary() {
-  return std::filesystem::path(testing::TempDir()) / "morphe_npz_file_test.npz";
+  return std::filesystem::path(testing::TempDir()) / "a.npz";
 }
 std::string contents(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
