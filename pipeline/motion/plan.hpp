@@ -144,12 +144,18 @@ struct GraspQuality {
   double given = kNotSeen;         ///< least of what the fingers can press with [N]
 };
 
+/// Of the palm's way to a grasp, that says from where it came [m].
+constexpr double kApproachLength = 0.05;
+
 /// The grasp, relative to the object, so that it can be executed on an object elsewhere.
 struct Grasp {
   int sample = -1;  ///< trajectory sample (path sample if there is none), -1: no grasp
   Pose base_from_object = Pose::Identity();
   Pose object_from_palm = Pose::Identity();
   std::vector<Vec3> tips_in_object;  ///< [m] all the robot's tips
+  /// Unit, in the target's frame: how the palm came there over the last kApproachLength; unseen if
+  /// it never was so far away.
+  Vec3 approach_direction = unseen_point();
   JointVector hand_posture;          ///< all joints at the grasp [n]
   JointVector pregrasp_posture;      ///< all joints where the hand is widest open [n]
   std::vector<PadContact> contacts;  ///< at the sample; none unless asked for

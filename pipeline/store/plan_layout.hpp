@@ -101,6 +101,7 @@ void lay_out_quality(Io& io, T& quality) {
 template <class Io, class T>
 void lay_out_grasp(Io& io, T& grasp) {
   io.attribute("sample", grasp.sample);
+  io.attribute("approach_direction", grasp.approach_direction);
   io.dataset("object_pose", grasp.base_from_object, {"m", "base", ""});
   io.dataset("wrist_pose_in_object", grasp.object_from_palm, {"m", "object", ""});
   io.dataset("tips_in_object", grasp.tips_in_object, {"m", "object", ""});

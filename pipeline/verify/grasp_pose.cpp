@@ -60,6 +60,23 @@ double less_open(const RobotTable& robot, const Plan& plan) {
   return least;
 }
 
+/// How far the stored direction is from the palm's over its last kApproachLength; 0 if both are
+/// unseen.
+double off_approach(const RobotTable& robot, const Plan& plan, const Pose& object_from_base) {
+  std::vector<Pose> base_from_frame;
+  const auto palm = [&](int sample) -> Vec3 {
+    frame_poses(robot, plan.trajectory.position.row(sample).transpose(), base_from_frame);
+    return in_base(base_from_frame, robot.palm_frame, Vec3::Zero());
+  };
+  const Vec3 last = palm(plan.grasp.sample);
+  int before = plan.grasp.sample - 1;
+  while (before >= 0 && (last - palm(before)).norm() < kApproachLength) --before;
+  const Vec3& stored = plan.grasp.approach_direction;
+  if (before < 0) return stored.array().isNaN().all() ? 0 : kInfinity;
+  const Vec3 way = object_from_base.linear() * (last - palm(before));
+  return (stored - way / way.norm()).norm();
+}
+
 }  // namespace
 
 bool judge_grasp_pose(const RobotTable& robot, const Plan& plan, ViolationRuns& runs) {
@@ -96,6 +113,7 @@ bool judge_grasp_pose(const RobotTable& robot, const Plan& plan, ViolationRuns& 
   note("wrist_pose_in_object",
        apart(grasp.object_from_palm,
              object_from_base * base_from_frame[static_cast<std::size_t>(robot.palm_frame)]));
+  note("approach_direction", off_approach(robot, plan, object_from_base));
   double farthest = 0;
   for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
     const Vec3 here = object_from_base * tip_point(robot, base_from_frame, tip);

@@ -37,6 +37,22 @@ JointVector widest_open(const RobotTable& robot, const Trajectory& trajectory,
   return posture_at(trajectory, widest);
 }
 
+/// Of the palm, from the last sample that is kApproachLength away from the grasp's; in the base
+/// frame.
+Vec3 approach_direction(const RobotTable& robot, const Trajectory& trajectory, std::size_t sample) {
+  std::vector<Pose> base_from_frame;
+  const auto palm_at = [&](std::size_t i) -> Vec3 {
+    robot::forward(robot, posture_at(trajectory, i), base_from_frame);
+    return base_from_frame[static_cast<std::size_t>(robot.palm_frame)].translation();
+  };
+  const Vec3 there = palm_at(sample);
+  for (std::size_t i = sample; i-- > 0;) {
+    const Vec3 way = there - palm_at(i);
+    if (way.norm() >= kApproachLength) return way.normalized();
+  }
+  return unseen_point();
+}
+
 }  // namespace
 
 Grasp find_grasp(const RobotTable& robot, const Scene& scene, const Movement& movement,
@@ -59,6 +75,8 @@ Grasp find_grasp(const RobotTable& robot, const Scene& scene, const Movement& mo
   robot::forward(robot, grasp.hand_posture, base_from_frame);
   grasp.object_from_palm =
       object_from_base * base_from_frame[static_cast<std::size_t>(robot.palm_frame)];
+  grasp.approach_direction =
+      object_from_base.linear() * approach_direction(robot, trajectory, sample);
   for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
     grasp.tips_in_object.push_back(object_from_base *
                                    robot::tip_pose(robot, base_from_frame, tip).translation());

@@ -67,6 +67,11 @@ class Forged(CommandCase):
                             ("hand_posture", 3), ("pregrasp_posture", 8)):
             self.finds("grasp", name, lambda plan: of(name)(plan, where))
 
+        def from_elsewhere(plan):
+            direction = plan["grasp"].attrs["approach_direction"]
+            plan["grasp"].attrs["approach_direction"] = direction[[1, 2, 0]]
+        self.finds("grasp", "approach_direction", from_elsewhere, nothing_else=True)
+
         def one_later(plan):
             plan["grasp"].attrs["sample"] += 1
         self.finds("grasp", "sample", one_later, nothing_else=True)

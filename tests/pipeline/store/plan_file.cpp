@@ -196,6 +196,7 @@ void expect_same(const Plan& a, const Plan& b) {
   EXPECT_SAME(path.origin);
   EXPECT_SAME(path.demonstration_time);
   EXPECT_SAME(grasp.sample);
+  EXPECT_SAME(grasp.approach_direction);
   EXPECT_SAME(grasp.base_from_object);
   EXPECT_SAME(grasp.object_from_palm);
   EXPECT_SAME(grasp.tips_in_object);

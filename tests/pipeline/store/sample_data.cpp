@@ -234,6 +234,7 @@ Plan full_plan(const std::string& demonstration, int movement) {
                       Origin::planned};
   plan.path.demonstration_time = number.many(5);
   plan.grasp.sample = 2;
+  plan.grasp.approach_direction = number.point();
   plan.grasp.base_from_object = number.pose();
   plan.grasp.object_from_palm = number.pose();
   plan.grasp.tips_in_object = number.points(2);

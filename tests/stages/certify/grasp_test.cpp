@@ -55,6 +55,10 @@ TEST(Grasp, InTheObjectsFrame) {
             1e-12);
   const Vec3 palm = grasp.object_from_palm.translation();
   EXPECT_LT((palm - in_object(arm * Eigen::Vector2d(0.3, 0))).norm(), 1e-12);
+  // The palm's chords to the samples before are 15, 30, 45 and 60 mm.
+  const Eigen::Vector2d earlier = Eigen::Rotation2Dd(0.2) * Eigen::Vector2d(0.3, 0);
+  const Vec3 way = palm - in_object(earlier);
+  EXPECT_LT((grasp.approach_direction - way / way.norm()).norm(), 1e-12);
   // Turned by the shoulder's angle less the object's quarter turn.
   EXPECT_TRUE(grasp.object_from_palm.linear().isApprox(
       Eigen::AngleAxisd(shoulder - M_PI / 2, Vec3::UnitZ()).toRotationMatrix(), 1e-12));
@@ -86,6 +90,13 @@ TEST(Grasp, PregraspIsTheWidestOpening) {
   const Grasp grasp = find_grasp(planar_arm(), s.scene, s.movement, t);
   EXPECT_NEAR(grasp.pregrasp_posture[2], 0, 1e-12);
   EXPECT_NEAR(grasp.pregrasp_posture[0], 0.2, 1e-12);
+}
+
+TEST(Grasp, APalmThatHardlyMovesComesFromNowhere) {
+  const Scenery s;
+  Trajectory t = opening();
+  t.position.col(0).setZero();
+  EXPECT_FALSE(seen(find_grasp(planar_arm(), s.scene, s.movement, t).approach_direction));
 }
 
 TEST(Grasp, NoneWithoutTargetOrPhase) {
