@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Recomputes from a plans.h5 (docs/formats.md) what it promises, apart from `morphe verify`:
-limits in 33 points of each quintic, contacts at the samples and 3 points between, tips at the
-samples. Exit 0: all holds, 1: violations, 2: unreadable."""
+limits in 33 points of each quintic, contacts and tips at the samples and 3 points between, and
+what else a plan says of itself (verify_promises.py, verify_grasps.py). Exit 0: all holds, 1: violations, 2: unreadable."""
 import argparse
 import functools
 import itertools
@@ -10,49 +10,18 @@ import sys
 import h5py
 import numpy as np
 
-POINTS, SUBSTEPS = np.linspace(0, 1, 33), 4  # of each quintic: for the limits, for the contacts
+from verify_geometry import (Mesh, Robot, asked_points, columns, goals_at, in_base, segment_distance,
+                             segment_solid_distance, signed_distance, text)
+from verify_grasps import check_grasp
+from verify_promises import check_promises, check_transfer
+
+POINTS, SUBSTEPS = np.linspace(0, 1, 33), 4  # of each quintic: for the limits, for contacts and tips
 RELATIVE, REST, DISTANCE = 1e-6, 1e-9, 1e-6  # of a limit; rad/s and rad/s^2; m
-COVERAGE = 0.05  # s of the goals' time that may be left out at an end
+COVERAGE = 1e-6  # s of the goals' time that may be left out at an end
+BETWEEN = 1e-4  # m that a tip may be farther from its goal between samples; of a sample's clearance
 DERIVATIVES = ("position", "velocity", "acceleration")
 EXTREMES = ("velocity_ratio", "acceleration_ratio", "jerk_ratio")
 SMOOTHNESS = ("sparc_robot", "log_dimensionless_jerk_robot", "sparc_human", "log_dimensionless_jerk_human")
-
-def text(value):
-    return value.decode() if isinstance(value, bytes) else str(value)
-
-def columns(group, *names):
-    return {name: group[name][()] for name in names}
-
-class Robot:
-    def __init__(self, group):
-        self.joints, self.tip_names = group["joint_names"].asstr()[()], group["tips/name"].asstr()[()]
-        self.limits = columns(group, "lower", "upper", "velocity", "acceleration", "jerk")
-        self.frames = columns(group["frames"], "parent", "transform", "axis", "joint", "ratio", "offset")
-        self.frame_names = group["frames/name"].asstr()[()]
-        self.tips = columns(group["tips"], "frame", "transform")
-        self.capsules = columns(group["capsules"], "frame", "from", "to", "radius", "may_touch_target")
-        self.capsule_names = group["capsules/name"].asstr()[()]
-        self.centres, self.chains = group["centres/frame"][()], group["centres/chain"].asstr()[()]
-        self.shoulder = int(group.attrs["shoulder_frame"])
-        self.allowed = {tuple(sorted(p)) for p in group["allowed_pairs"][()].reshape(-1, 2).tolist()}
-
-    def frame_poses(self, q):
-        """base_from_frame [N, J + 1, 4, 4] for joint positions [N, n]; index -1 is the base."""
-        f = self.frames
-        poses = np.tile(np.eye(4), (len(q), len(f["parent"]) + 1, 1, 1))
-        for i, parent in enumerate(f["parent"]):
-            turn = np.tile(np.eye(4), (len(q), 1, 1))
-            if f["joint"][i] >= 0:
-                angle = (f["ratio"][i] * q[:, f["joint"][i]] + f["offset"][i])[:, None, None]
-                x, y, z = f["axis"][i]
-                cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-                turn[:, :3, :3] += np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross
-            poses[:, i] = poses[:, parent] @ f["transform"][i] @ turn
-        return poses
-
-def in_base(poses, frame, point):
-    """A point that is fixed in a frame, in the base frame [N, 3]."""
-    return poses[:, frame, :3, :3] @ point + poses[:, frame, :3, 3]
 
 class Report:
     def __init__(self, plan):
@@ -102,35 +71,56 @@ def check_limits(robot, motion, report):
                 return x[k, j, w], limit[k, j, w], k + (s >= 0.5), time[k] + s * h[k, 0]
             most = excess[:, j].max(axis=1)
             report.add_runs(name, joint, ~(most <= tolerance[j]), most, describe)
+    braking = robot.braking
+    for b, j in enumerate(braking.get("joint", ())):
+        x, v = (evaluate(c, order, POINTS)[:, j] / h**order for order in (0, 1))
+        x = x + motion["position"][:-1, j, None]
+        for sign, end in ((1, braking["upper_end"][b]), (-1, braking["lower_end"][b])):
+            left = np.sqrt(np.maximum(braking["slope"][b] * sign * (end - x), 0)) - braking["drop"][b]
+            ratio = np.where(sign * v > 0, sign * v / np.maximum(left, 1e-99), 0).max(axis=1)
+            found["velocity_ratio"] = max(found["velocity_ratio"], ratio.max())
+            report.add_runs("velocity", robot.joints[j], ~(ratio <= 1 + RELATIVE), ratio,
+                            lambda k: (ratio[k], 1, k, time[k]))
     moving = np.maximum(np.abs(motion["velocity"]), np.abs(motion["acceleration"]))
     for k in (0, len(time) - 1):
         for j in np.flatnonzero(moving[k] > REST):
             report.add("rest", robot.joints[j], moving[k, j], REST, k, time[k])
     return found
 
+def is_grasping(phases, time):
+    return sum(((time >= begin) & (time <= end) for name, begin, end in phases
+                if name in ("grasp", "hold")), np.zeros(len(time), bool))
+
+def dense(robot, motion):
+    """The samples, and SUBSTEPS - 1 points between: positions, poses, clock, demonstration time."""
+    inner = evaluate(quintics(motion)[0], 0, np.arange(SUBSTEPS) / SUBSTEPS)
+    inner += motion["position"][:-1, :, None]
+    q = np.concatenate([inner.transpose(0, 2, 1).reshape(-1, inner.shape[1]), motion["position"][-1:]])
+    spread = lambda x: np.interp(np.arange(len(q)) / SUBSTEPS, np.arange(len(x)), x)
+    return robot.frame_poses(q), spread(motion["time"]), spread(motion["demonstration_time"])
+
 def check_tracking(robot, plan, motion, phases, report):
-    goals, time = plan["goals"], motion["demonstration_time"]
-    grasping = sum(((time >= begin) & (time <= end) for name, begin, end in phases
-                    if name in ("grasp", "hold")), np.zeros(len(time), bool))
-    tolerance = np.where(grasping, plan.attrs["tracking_grasp"], plan.attrs["tracking"])
-    poses, errors, turned = robot.frame_poses(motion["position"]), [], []
+    goals = plan["goals"]
+    (poses, clock, time), errors, turned = dense(robot, motion), [], []
+    grasping, sampled = is_grasping(phases, time), np.arange(len(time)) % SUBSTEPS == 0
+    allowed = np.where(grasping, plan.attrs["tracking_grasp"], plan.attrs["tracking"])
+    tolerance = np.where(sampled, allowed, allowed + BETWEEN)
+    here = poses[sampled]
     for m, tip in enumerate(robot.tip_names if len(goals["time"]) else ()):
-        goal = np.stack([np.interp(time, goals["time"][()], goals["tip_position"][:, m, i])
-                         for i in range(3)], axis=1)
-        at = in_base(poses, robot.tips["frame"][m], robot.tips["transform"][m, :3, 3])
-        error = np.linalg.norm(at - goal, axis=1)
-        errors.append(error)  # NaN: no goal there
+        error = np.linalg.norm(asked_points(robot, goals, m, time, poses)
+                               - goals_at(goals, "tip_position", m, time), axis=1)
+        errors.append(error[sampled])  # NaN: no goal there
         report.add_runs("tracking", tip, error > tolerance, error - tolerance,
-                        lambda k: (error[k], tolerance[k], k, motion["time"][k]))
-        turn = poses[:, robot.tips["frame"][m], :3, :3] @ robot.tips["transform"][m, :3, :3]
-        goal = rotations_at(goals["time"][()], goals["tip_orientation"][:, m], time)
+                        lambda k: (error[k], allowed[k], (k + SUBSTEPS // 2) // SUBSTEPS, clock[k]))
+        turn = here[:, robot.tips["frame"][m], :3, :3] @ robot.tips["transform"][m, :3, :3]
+        goal = rotations_at(goals["time"][()], goals["tip_orientation"][:, m], time[sampled])
         # |A - B|² = 8 sin²(angle / 2) of two rotation matrices.
         turned.append(2 * np.arcsin(np.minimum(np.linalg.norm(turn - goal, axis=(1, 2)) / 8**0.5, 1)))
     errors, turned = np.array(errors), np.array(turned)
     found = dict(zip(("position_error_max", "position_error_mean"), largest_and_mean(errors)))
-    found["position_error_grasp"] = largest_and_mean(errors[:, grasping] if len(errors) else errors)[0]
+    found["position_error_grasp"] = largest_and_mean(errors[:, grasping[sampled]] if len(errors) else errors)[0]
     found["orientation_error_max"] = largest_and_mean(turned)[0]
-    found.update(arm_figures(robot, goals, time, poses))
+    found.update(arm_figures(robot, goals, time[sampled], here))
     return found
 
 def largest_and_mean(values):
@@ -199,106 +189,6 @@ def smoothness_of(robot, goals, motion):
     figures = smoothness(speed(robots), step) + smoothness(speed(tips[:, always]), step)
     return dict(zip(SMOOTHNESS, figures))
 
-def segment_distance(p, p_end, q, q_end):
-    """Least distance of segments, [N, 3] each: best point of one, then of the other, clamped."""
-    u, v, w = p_end - p, q_end - q, p - q
-    dot = lambda a, b: np.einsum("ni,ni->n", a, b)
-    uu, vv, uv, uw, vw = dot(u, u) + 1e-99, dot(v, v) + 1e-99, dot(u, v), dot(u, w), dot(v, w)
-    area = uu * vv - uv * uv
-    parallel = area <= 1e-12 * uu * vv
-    s = np.where(parallel, 0, np.clip((uv * vw - vv * uw) / np.where(parallel, 1, area), 0, 1))
-    t = np.clip((uv * s + vw) / vv, 0, 1)
-    s = np.clip((uv * t - uw) / uu, 0, 1)
-    return np.linalg.norm(w + s[:, None] * u - t[:, None] * v, axis=1)
-
-def signed_distance(shape, size, p):
-    """Of points [N, 3] in the solid's frame, < 0 inside."""
-    if shape in ("sphere", "capsule"):
-        half = size[1] / 2 if shape == "capsule" else 0
-        axis = np.clip(p[:, 2:], -half, half) * [0, 0, 1]
-        return np.linalg.norm(p - axis, axis=1) - size[0]
-    if shape == "box":
-        d = np.abs(p) - np.asarray(size) / 2
-    else:  # cylinder
-        d = np.stack([np.hypot(p[:, 0], p[:, 1]) - size[0], np.abs(p[:, 2]) - size[1] / 2], axis=1)
-    return np.linalg.norm(np.maximum(d, 0), axis=1) + np.minimum(d.max(axis=1), 0)
-
-def segment_solid_distance(shape, size, p, p_end):
-    """Least signed distance along segments, convex in the share: ternary search."""
-    at = lambda s: signed_distance(shape, size, p + s[:, None] * (p_end - p))
-    low, high = np.zeros(len(p)), np.ones(len(p))
-    for _ in range(50):
-        third = (high - low) / 3
-        left = at(low + third) < at(high - third)
-        low, high = np.where(left, low, low + third), np.where(left, high - third, high)
-    return np.minimum(at((low + high) / 2), np.minimum(at(low * 0), at(low * 0 + 1)))
-
-class Mesh:
-    """Triangles hang together in parts by shared edges; a part whose edges all have an even number
-    of triangles is solid, any other a sheet."""
-
-    def __init__(self, vertices, triangles):
-        vertices, place = np.unique(vertices, axis=0, return_inverse=True)
-        corners = place.reshape(-1)[triangles]
-        corners = corners[(np.diff(np.sort(corners, axis=1), axis=1) > 0).all(axis=1)]
-        edges = np.sort(np.stack([corners, np.roll(corners, -1, axis=1)], axis=2), axis=2)
-        edge = np.unique(edges.reshape(-1, 2), axis=0, return_inverse=True)[1].reshape(-1, 3)
-        self.part, last = np.arange(len(corners)), None
-        while last is None or (self.part != last).any():  # the least that it hangs together with
-            last, least = self.part, np.full(edge.max() + 1, len(corners))
-            np.minimum.at(least, edge, self.part[:, None])
-            self.part = least[edge].min(axis=1)
-        leaky = (np.bincount(edge.ravel()) % 2 == 1)[edge].any(axis=1)
-        self.solid = ~np.isin(self.part, self.part[leaky])
-        self.corners = vertices[corners].transpose(1, 0, 2)  # [3, M, 3]
-        self.radius = np.linalg.norm(vertices, axis=1).max()
-
-    def faces(self, p):
-        """Distances [N, M] of points to what of the faces is under them, elsewhere inf."""
-        a, u, v = self.corners[0], *(self.corners[1:] - self.corners[0])
-        uu, vv, uv = ((x * y).sum(axis=1) for x, y in ((u, u), (v, v), (u, v)))
-        area, w = uu * vv - uv * uv, p[:, None] - a
-        flat = area <= 1e-24 * uu * vv
-        uw, vw = (w * u).sum(axis=2), (w * v).sum(axis=2)
-        s, t = (x / np.where(flat, 1, area) for x in (vv * uw - uv * vw, uu * vw - uv * uw))
-        away = np.linalg.norm(w - s[:, :, None] * u - t[:, :, None] * v, axis=2)
-        return np.where((s >= 0) & (t >= 0) & (s + t <= 1) & ~flat, away, np.inf)
-
-    def pierced(self, p, way):
-        """Which triangles [N, M] the lines p + t * way meet, and the height of p over their planes
-        and what way adds to it."""
-        away = self.corners[:, None] - p[:, None]
-        side = [(np.cross(away[i], away[(i + 1) % 3]) * way[:, None]).sum(axis=2) > 0 for i in range(3)]
-        normal = np.cross(self.corners[1] - self.corners[0], self.corners[2] - self.corners[0])
-        normal /= np.linalg.norm(normal, axis=1, keepdims=True) + 1e-99
-        return (side[0] == side[1]) & (side[1] == side[2]), -(away[0] * normal).sum(axis=2), way @ normal.T
-
-    def inside(self, p):
-        met, height, rise = self.pierced(p, np.tile([0.36, 0.48, 0.8], (len(p), 1)))
-        odd = np.zeros((len(p), len(self.part)), int)
-        np.add.at(odd.T, self.part, (met & (height * rise < 0) & self.solid).T)
-        return (odd % 2 == 1).any(axis=1)
-
-    def surface_distance(self, p, p_end):
-        """Least distance of segments [N, 3] to the triangles."""
-        count, shape = self.corners.shape[1], (len(p), self.corners.shape[1])
-        ends = np.repeat(p, count, axis=0), np.repeat(p_end, count, axis=0)
-        edges = [segment_distance(*ends, *(np.tile(self.corners[k % 3], (len(p), 1)) for k in (i, i + 1)))
-                 .reshape(shape) for i in range(3)]
-        met, height, rise = self.pierced(p, p_end - p)
-        through = met & (np.minimum(np.abs(height), np.abs(height + rise)) > 1e-12) & (height * (height + rise) < 0)
-        return np.where(through, 0, np.minimum.reduce([self.faces(p), self.faces(p_end), *edges])).min(axis=1)
-
-    def segment_distance(self, p, p_end):
-        """That, but of a segment in the solid how deep the deepest of 33 points on it lies."""
-        rows = np.array_split(np.arange(len(p)), 1 + len(p) * self.corners.shape[1] // 200_000)
-        distance = np.concatenate([self.surface_distance(p[k], p_end[k]) for k in rows])
-        entered = np.concatenate([self.inside(p[k]) for k in rows]) | (distance < 1e-9)
-        for n in np.flatnonzero(entered):
-            points = p[n] + POINTS[:, None] * (p_end[n] - p[n])
-            distance[n] = -np.where(self.inside(points), self.surface_distance(points, points), 0).max()
-        return distance
-
 def into_object(group, time):
     """Takes points [N, 3] into an object's frame at demonstration times: linear and slerp."""
     t, p, o = group["time"][()], group["position"][()], group["orientation"][()]
@@ -344,26 +234,29 @@ def touch_times(phases, time):
     ends = named("grasp") + named("hold") + named("transport") or [(0, -np.inf)]
     return (time >= min(begins)[0] - 1e-9) & (time <= max(end for _, end in ends) + 1e-9)
 
-def check_contacts(robot, plan, motion, phases, report):
-    inner = evaluate(quintics(motion)[0], 0, np.arange(SUBSTEPS) / SUBSTEPS)
-    inner += motion["position"][:-1, :, None]
-    q = np.concatenate([inner.transpose(0, 2, 1).reshape(-1, inner.shape[1]), motion["position"][-1:]])
-    spread = lambda x: np.interp(np.arange(len(q)) / SUBSTEPS, np.arange(len(x)), x)
-    clock, time = spread(motion["time"]), spread(motion["demonstration_time"])
-    poses, caps = robot.frame_poses(q), robot.capsules
+def check_contacts(robot, plan, motion, phases, stored, report):
+    """The least clearance, and that of each sample, of which `stored` is what is said."""
+    (poses, clock, time), caps = dense(robot, motion), robot.capsules
     ends = [(in_base(poses, frame, a), in_base(poses, frame, b))
             for frame, a, b in zip(caps["frame"], caps["from"], caps["to"])]
     middles = [(a + b) / 2 for a, b in ends]
     halves = [np.linalg.norm(b - a, axis=1) / 2 for a, b in ends]
     window = touch_times(phases, time)
     margin, depth, least = plan.attrs["margin"], plan.attrs["contact_depth"], np.inf
+    sampled = np.arange(len(time)) % SUBSTEPS == 0
+    own = np.full(len(time), np.inf)  # clearance of each instant; exact up to what is stored at samples
+    told = np.where(np.isfinite(stored), stored + BETWEEN, np.inf)
     def judge(cause, subject, bound, exact, touching):
         nonlocal least
         required = np.where(touching, -depth, margin)
-        near = bound < np.maximum(required, least)
+        wanted = np.maximum(required, least)
+        wanted[sampled] = np.where(touching[sampled], required[sampled],
+                                   np.maximum(wanted[sampled], np.minimum(told, own[sampled])))
+        near = bound < wanted
         distance = bound.copy()
         distance[near] = exact(near)
         least = min(least, distance[~touching].min(initial=np.inf))
+        own[~touching] = np.minimum(own, distance)[~touching]
         report.add_runs(cause, subject, ~(distance >= required - DISTANCE), required - distance,
                         lambda k: (distance[k], required[k], (k + SUBSTEPS // 2) // SUBSTEPS, clock[k]))
 
@@ -374,7 +267,7 @@ def check_contacts(robot, plan, motion, phases, report):
         judge("self", robot.capsule_names[i] + "/" + robot.capsule_names[j],
               np.linalg.norm(middles[i] - middles[j], axis=1) - halves[i] - halves[j] - radii,
               lambda near: segment_distance(*(x[near] for x in ends[i] + ends[j])) - radii,
-              np.zeros(len(q), bool))
+              np.zeros(len(time), bool))
     for name, group in plan["scene"].items():
         shape, size = text(group.attrs["shape"]), group.attrs.get("size")
         mesh = Mesh(group["vertices"][()], group["triangles"][()]) if shape == "mesh" else None
@@ -389,7 +282,11 @@ def check_contacts(robot, plan, motion, phases, report):
                   outside((a + b) / 2) - halves[i] - radius,
                   lambda near: exact(a[near], b[near]) - radius,
                   window & target & bool(caps["may_touch_target"][i]))
-    return least
+    here = np.where(np.isinf(own[sampled]), np.nan, own[sampled])
+    good = (np.abs(stored - here) <= BETWEEN) | (np.isnan(stored) & np.isnan(here))
+    report.add_runs("clearance", "trajectory", ~good, np.abs(stored - here),
+                    lambda k: (stored[k], here[k], k, motion["time"][k]))
+    return least, here
 
 def read_motion(robot, group, report):
     """The arrays of a trajectory, or None if they cannot be judged."""
@@ -423,6 +320,8 @@ def check_status(plan, status, farthest, report):
     if "out_of_reach_share" not in plan.attrs:
         return
     asked = np.isfinite(plan["goals/tip_position"][()]).all(axis=2)
+    if "closed" in plan["goals"]:
+        asked &= plan["goals/closed"][()] == 0
     out = plan["goals/reachable"][()] == 0
     share = (asked & out).sum() / asked.sum() if asked.any() else 0
     most, tip = plan.attrs["out_of_reach_share"], plan.attrs["farthest_tip"]
@@ -446,12 +345,14 @@ def check_plan(robot, path, plan):
         corners = (body["vertices"], body["triangles"]) if text(body.attrs["shape"]) == "mesh" else ()
         if any(len(rows) == 0 or not np.isfinite(rows[()]).all() for rows in corners):
             report.add("structure", name, np.nan, np.nan)
+    if moves and "remaining" in plan:
+        report.add("structure", "remaining", len(plan["remaining/depth"]), 0)
     if report.rows or not moves or not (motion := read_motion(robot, plan["trajectory"], report)):
         return report.rows
     phases = list(zip(plan["phases/name"].asstr(), plan["phases/begin_s"], plan["phases/end_s"]))
     goal_time, reached = plan["goals/time"][()], motion["demonstration_time"]
-    for end, sign in ((0, 1), (-1, -1)) if len(goal_time) else ():
-        if sign * (reached[end] - goal_time[end]) > COVERAGE:
+    for end in (0, -1) if len(goal_time) else ():
+        if abs(reached[end] - goal_time[end]) > COVERAGE:
             report.add("time", "demonstration_time", reached[end], goal_time[end])
     found = check_limits(robot, motion, report)
     found.update(check_tracking(robot, plan, motion, phases, report))
@@ -459,17 +360,21 @@ def check_plan(robot, path, plan):
     check_status(plan, status, found["position_error_max"], report)
     mapped = plan["mapped/humanlikeness"][()]
     found["humanlikeness_mapped"] = largest_and_mean(mapped[:, :1])[1]
-    found["clearance"] = check_contacts(robot, plan, motion, phases, report)
+    found["clearance"] = check_contacts(robot, plan, motion, phases, plan["trajectory/clearance"][()], report)[0]
     human = np.ptp(motion["demonstration_time"])
     found["tempo"] = motion["time"][-1] / human if human > 0 else np.nan
     check_certificate(plan, found, report)
+    poses = robot.frame_poses(motion["position"])
+    check_promises(robot, plan, motion, phases, report)
+    check_grasp(robot, plan, motion, phases, poses, report)
     for name, end, meets in (("approach", -1, motion["position"][0]), ("retreat", 0, motion["position"][-1])):
         transfer = Report(path + "/" + name)
         if name in plan and (way := read_motion(robot, plan[name], transfer)):
             if not (gap := np.abs(way["position"][end] - meets).max()) <= 1e-6:
                 transfer.add("structure", name, gap, 1e-6)
             check_limits(robot, way, transfer)
-            check_contacts(robot, plan, way, phases, transfer)
+            check_contacts(robot, plan, way, phases, plan[name]["clearance"][()], transfer)
+            check_transfer(plan, name, transfer)
         report.rows += transfer.rows
     return report.rows
 
@@ -483,7 +388,11 @@ def main():
         with h5py.File(options.file, "r") as file:
             robot = Robot(file["robot"])
             plans = file["plans"]
-            for path in (f"{name}/{number}" for name in plans for number in plans[name]):
+            paths = [f"{name}/{number}" for name in plans for number in plans[name]]
+            if not paths:
+                result["violations"] += [dict(plan="", sample=-1, time_s=0.0, cause="structure",
+                                              subject="plans", value=0.0, limit=1.0)]
+            for path in paths:
                 result[text(plans[path].attrs["status"])] += 1
                 result["violations"] += check_plan(robot, path, plans[path])
     except (OSError, KeyError) as error:

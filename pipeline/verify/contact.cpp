@@ -1,6 +1,7 @@
 #include "pipeline/verify/contact.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "pipeline/verify/carried.hpp"
@@ -17,6 +18,8 @@ constexpr double kDistanceTolerance_m = 1e-6;
 constexpr double kBand_m = 1e-5;
 /// To which the clearance of the whole motion is found.
 constexpr double kResolution_m = 1e-5;
+/// To which the stored clearance of a sample must agree.
+constexpr double kStoredClearance_m = 1e-4;
 /// More travel than this between two samples is not worth bisecting: it counts as a violation.
 constexpr double kHopeless_m = 10;
 
@@ -91,19 +94,28 @@ class ContactJudge {
   void judge_sample(std::size_t sample, double& clearance) {
     const auto row = static_cast<Eigen::Index>(sample);
     const double time_s = curve_.trajectory->demonstration_time[sample];
+    const CurvePoint place{static_cast<int>(2 * sample), static_cast<int>(sample),
+                           curve_.trajectory->time[sample]};
     take(curve_.trajectory->position.row(row).transpose(), time_s);
+    const double stored = curve_.trajectory->clearance[sample];
+    // Where it is not told what to look up to, the least distance is looked for.
+    const double told = std::isfinite(stored) ? stored + kStoredClearance_m : kInfinity;
+    double here = kInfinity;
     for (const ContactPair& pair : pairs_) {
       const bool touching = pair.may_touch && window_.contains(time_s, time_s);
       const double required = required_distance(touching);
-      const double enough = touching ? required : std::max(required, clearance);
+      const double enough =
+          touching ? required : std::max({required, clearance, std::min(told, here)});
       const double value = distance(pair, enough);
-      if (!touching) clearance = std::min(clearance, value);
+      if (!touching) here = std::min(here, value);
       if (!(value >= required - kDistanceTolerance_m))
-        note(pair,
-             {static_cast<int>(2 * sample), static_cast<int>(sample),
-              curve_.trajectory->time[sample]},
-             value, required, required - value);
+        note(pair, place, value, required, required - value);
     }
+    clearance = std::min(clearance, here);
+    const bool none = here == kInfinity;
+    if (none ? std::isnan(stored) : std::abs(stored - here) <= kStoredClearance_m) return;
+    runs_.note("clearance", "trajectory", place, stored, none ? kNotSeen : here,
+               std::abs(stored - here));
   }
 
   /// Proves the pairs clear for s in [s0, s1], bisecting for those that are not proved at once.

@@ -30,7 +30,8 @@ TouchWindow touch_window(const std::vector<Phase>& phases);
 std::vector<ContactPair> contact_pairs(const RobotTable& robot, const Plan& plan);
 
 /// Notes `self` and `object` wherever a pair is closer than the plan's margin (or deeper than its
-/// contact depth where it may touch), at the samples and all along between them. Returns the least
+/// contact depth where it may touch), at the samples and all along between them, and `clearance`
+/// where the one that is stored for a sample is not its own, to 1e-4 m. Returns the least
 /// distance along the whole curve of pairs where they may not touch, to 0.01 mm, +infinity if there
 /// are none.
 double judge_contacts(const RobotTable& robot, const Plan& plan, const Curve& curve,

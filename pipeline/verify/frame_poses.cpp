@@ -79,4 +79,13 @@ JointVector relative_lever(const RobotTable& robot, int first, int frame, const 
   return lever;
 }
 
+JointVector point_lever(const RobotTable& robot, int frame, double reach) {
+  JointVector lever = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
+  RobotTable::Capsule body;  // only its farthest point counts
+  body.frame = frame;
+  body.from = body.to = reach * Vec3::UnitX();
+  add_levers(robot, body, -1, lever);
+  return lever;
+}
+
 }  // namespace morphe::verify

@@ -23,4 +23,7 @@ JointVector relative_lever(const RobotTable& robot, int first, int second);
 JointVector relative_lever(const RobotTable& robot, int first, int frame, const Vec3& centre,
                            double radius);
 
+/// lever [n] of every point within `reach` of a frame's origin, relative to the base.
+JointVector point_lever(const RobotTable& robot, int frame, double reach);
+
 }  // namespace morphe::verify

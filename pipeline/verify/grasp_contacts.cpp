@@ -7,13 +7,15 @@
 #include "pipeline/verify/mesh.hpp"
 #include "pipeline/verify/pad.hpp"
 #include "pipeline/verify/separation.hpp"
+#include "pipeline/verify/tracking.hpp"
 
 namespace morphe::verify {
 namespace {
 
 constexpr double kPoint_m = 1e-5, kAxis_m = 2e-5, kDepth_m = 1e-6;
 constexpr double kNormal_rad = 1e-3, kPadAngle_rad = 1e-6, kUnit = 1e-6;
-constexpr double kStep_m = 1e-6;  ///< of differences of distances
+constexpr double kStep_m = 1e-6;     ///< of differences of distances
+constexpr double kBlended_m = 0.05;  ///< from a person's fingertip to the pad that follows it
 
 /// The target, and distances to it, in its frame.
 struct Surface {
@@ -50,15 +52,46 @@ bool all_seen(const PadContact& contact) {
          std::isfinite(contact.gap) && std::isfinite(contact.pad_angle);
 }
 
+/// How much of a tip's goal is its pad's.
+double share_of(const Goals& goals, std::size_t tip, double time_s) {
+  if (goals.pad_share.rows == 0) return 0;
+  const GoalShare at = goal_share(goals, time_s);
+  return std::lerp(goals.pad_share(at.before, tip), goals.pad_share(at.after, tip), at.share);
+}
+
+/// Tips whose goals at the grasp are those of pads are the ones that touch, each once; closed are
+/// those whose goals are.
+void judge_who_touches(const RobotTable& robot, const Plan& plan, ViolationRuns& runs) {
+  const Goals& goals = plan.goals;
+  const auto sample = static_cast<std::size_t>(plan.grasp.sample);
+  const double time_s = plan.trajectory.demonstration_time[sample];
+  for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
+    const bool asked = share_of(goals, tip, time_s) > 0;
+    const bool closed = !goals.closed.empty() && goals.closed[tip] != 0;
+    int told = 0;
+    bool otherwise = false;
+    for (const PadContact& contact : plan.grasp.contacts) {
+      if (contact.tip != robot.tips[tip].name) continue;
+      ++told;
+      otherwise = otherwise || (contact.origin == ContactOrigin::closed) != closed;
+    }
+    if (told != (asked ? 1 : 0))
+      runs.note_plan("contact", robot.tips[tip].name + "/missing", told, asked ? 1 : 0);
+    if (otherwise) runs.note_plan("contact", robot.tips[tip].name + "/origin", !closed, closed);
+  }
+}
+
 }  // namespace
 
 bool judge_grasp_contacts(const RobotTable& robot, const Plan& plan, ViolationRuns& runs) {
   const Grasp& grasp = plan.grasp;
   const SceneObject* target = object_named(plan.scene.objects, plan.movement.target);
   if (!target) return false;
+  judge_who_touches(robot, plan, runs);
+  if (grasp.contacts.empty()) return false;
   const auto sample = static_cast<std::size_t>(grasp.sample);
-  const Pose object_from_base =
-      recorded_pose(*target, plan.trajectory.demonstration_time[sample]).inverse();
+  const double time_s = plan.trajectory.demonstration_time[sample];
+  const Pose object_from_base = recorded_pose(*target, time_s).inverse();
   std::vector<Pose> base_from_frame;
   frame_poses(robot, plan.trajectory.position.row(grasp.sample).transpose(), base_from_frame);
   const std::vector<PadBall> pads = pad_balls(robot);
@@ -95,6 +128,13 @@ bool judge_grasp_contacts(const RobotTable& robot, const Plan& plan, ViolationRu
     };
     holds("asked", std::abs(surface.distance(contact.asked)), kPoint_m);
     holds("point", std::abs(surface.distance(contact.point)), kPoint_m);
+    const auto number = static_cast<std::size_t>(tip - robot.tips.begin());
+    if (const auto goal = goal_at(plan.goals, number, time_s)) {
+      // The pad's ball was to touch there: its centre is its radius away, where nothing is nearer.
+      const double off = (object_from_base * *goal - contact.asked).norm() - pad.radius;
+      holds("asked", std::abs(off),
+            kPoint_m + kBlended_m * (1 - share_of(plan.goals, number, time_s)));
+    }
     const double gap = surface.distance(axis) - capsule.radius;
     if (!(std::abs(contact.gap - gap) <= kPoint_m)) note("gap", contact.gap, gap);
     const double depth = plan.tolerances.contact_depth;

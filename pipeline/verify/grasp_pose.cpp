@@ -79,6 +79,11 @@ double off_approach(const RobotTable& robot, const Plan& plan, const Pose& objec
 
 }  // namespace
 
+bool has_grasp(const Plan& plan) {
+  return plan.grasp.sample >= 0 ||
+         (sample_of_grasp(plan) >= 0 && object_named(plan.scene.objects, plan.movement.target));
+}
+
 bool judge_grasp_pose(const RobotTable& robot, const Plan& plan, ViolationRuns& runs) {
   const Grasp& grasp = plan.grasp;
   const auto note = [&](const char* subject, double off) {
@@ -90,6 +95,10 @@ bool judge_grasp_pose(const RobotTable& robot, const Plan& plan, ViolationRuns& 
     return false;
   }
   const int sample = sample_of_grasp(plan);
+  if (grasp.sample < 0) {
+    runs.note_plan("grasp", "missing", grasp.sample, sample);
+    return false;
+  }
   if (sample != grasp.sample) {
     runs.note_plan("grasp", "sample", grasp.sample, sample);
     return false;

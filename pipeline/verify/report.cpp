@@ -57,7 +57,8 @@ std::string verify_text(const VerifyReport& report) {
     const std::string where = v.sample < 0
                                   ? std::string("plan")
                                   : fmt::format("sample {} ({:.4f} s)", v.sample, v.time_s);
-    out += fmt::format("{}: {}: {} {}", v.plan, where, v.cause, v.subject);
+    out += v.plan.empty() ? fmt::format("file: {} {}", v.cause, v.subject)
+                          : fmt::format("{}: {}: {} {}", v.plan, where, v.cause, v.subject);
     if (!std::isnan(v.limit)) {
       out += fmt::format(": {}, limit {}", with_unit(v.value, v.unit), with_unit(v.limit, v.unit));
     }

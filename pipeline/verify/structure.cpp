@@ -9,7 +9,7 @@
 namespace morphe::verify {
 namespace {
 
-constexpr double kCoverage_s = 0.05;
+constexpr double kCoverage_s = 1e-6;
 constexpr double kJoint_rad = 1e-5;  ///< what no encoder tells apart
 
 bool all_finite(const std::vector<double>& values) {
@@ -146,15 +146,16 @@ bool judge_goals(const RobotTable& robot, const Plan& plan, ViolationRuns& runs)
   return true;
 }
 
-/// Standing still, or leaving the hard part out, is not a plan.
+/// Standing still, or leaving the hard part out, is not a plan; nor is going on where nothing asks.
 void judge_coverage(const Plan& plan, ViolationRuns& runs) {
   if (plan.goals.time.empty()) return;
   const auto& reached = plan.trajectory.demonstration_time;
-  const double first = plan.goals.time.front(), last = plan.goals.time.back();
-  if (reached.front() > first + kCoverage_s)
-    runs.note_plan("time", "demonstration_time", reached.front(), first);
-  if (reached.back() < last - kCoverage_s)
-    runs.note_plan("time", "demonstration_time", reached.back(), last);
+  const auto meets = [&](double own_s, double goal_s) {
+    if (!(std::abs(own_s - goal_s) <= kCoverage_s))
+      runs.note_plan("time", "demonstration_time", own_s, goal_s);
+  };
+  meets(reached.front(), plan.goals.time.front());
+  meets(reached.back(), plan.goals.time.back());
 }
 
 }  // namespace
@@ -166,6 +167,8 @@ bool judge_structure(const RobotTable& robot, const Plan& plan, ViolationRuns& r
     return false;
   }
   if (!plan.has_trajectory()) return false;
+  if (!plan.remaining.empty())
+    runs.note_plan("structure", "remaining", static_cast<double>(plan.remaining.size()), 0);
   if (const char* fault = robot_fault(robot)) {
     runs.note_plan("structure", fault, kNotSeen, kNotSeen);
     return false;

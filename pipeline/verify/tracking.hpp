@@ -22,8 +22,10 @@ bool is_grasping(const std::vector<Phase>& phases, double time_s);
 /// first and after the last; nothing where one of the two frames around it has not seen the tip.
 std::optional<Vec3> goal_at(const Goals& goals, std::size_t tip, double time_s);
 
-/// Notes `tracking` for each tip and sample farther from its goal than the plan tolerates: in grasp
-/// and hold `tracking_grasp`, elsewhere `tracking`.
-void judge_tracking(const RobotTable& robot, const Plan& plan, ViolationRuns& runs);
+/// Notes `tracking` for each tip that is farther from its goal than the plan tolerates: in grasp
+/// and hold `tracking_grasp`, elsewhere `tracking`; between samples, where it is proved by
+/// bisection, 1e-4 m more.
+void judge_tracking(const RobotTable& robot, const Plan& plan, const Curve& curve,
+                    ViolationRuns& runs);
 
 }  // namespace morphe::verify

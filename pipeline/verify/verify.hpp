@@ -1,9 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "pipeline/motion/asked.hpp"
 #include "pipeline/motion/export.hpp"
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/motion/robot_table.hpp"
@@ -20,7 +22,8 @@ namespace morphe::verify {
 /// rest         joint                    velocity or acceleration at an end; 1e-9
 /// position     joint                    rad; limit, tolerance 1e-6 of the joint's range
 /// velocity, acceleration, jerk  joint   magnitude; limit, relative tolerance 1e-6
-/// tracking     tip                      m from its goal; tolerance of the plan at that phase
+/// tracking     tip                      m from its goal; tolerance of the plan at that phase, and
+///                                       1e-4 m between samples
 /// self         capsule/capsule          m of clearance; clearance required, tolerance 1e-6 m
 /// object       capsule/object           the same
 /// status       what was allowed         share of goals out of reach, or m of a tip from its goal,
@@ -30,6 +33,15 @@ namespace morphe::verify {
 /// quality      attribute                what is stored; what could be (grasp_quality.hpp)
 /// squeeze      tip/what, or dataset     as pipeline/verify/squeeze.hpp has it
 /// certificate  attribute                what is stored; what was recomputed
+/// clearance    trajectory               m stored for a sample; what was recomputed, 1e-4
+/// goals        dataset of goals/        as pipeline/verify/promised_goals.hpp has it
+/// phase        phase, or trajectory     as pipeline/verify/phases.hpp has it
+/// scene        object, or dataset       as pipeline/verify/scene.hpp has it
+/// mapped       dataset of mapped/       what is stored; what was recomputed (mapped.hpp)
+/// path         dataset of path/         as pipeline/verify/path.hpp has it
+/// transfer     what of it               as pipeline/verify/transfer.hpp has it
+/// config       attribute, or a sentence what is stored; what the file's config asks for
+/// robot        column of /robot         what is stored; what the file's inputs make of it
 struct Violation {
   std::string plan;
   int sample = -1;    ///< the trajectory's sample nearest to time_s, -1: the plan as a whole
@@ -45,18 +57,26 @@ struct VerifyReport {
 };
 
 /// Judges one plan by what docs/formats.md promises of it, with code of its own. Limits hold along
-/// the quintic between samples (exact extrema); clearance is proved there by bisection, and what
-/// stays open when nothing moves more than 0.01 mm counts as a violation; tips are judged at every
-/// sample; the certificate must agree with what is recomputed (clearance to 1e-4 m, the rest to
+/// the quintic between samples (exact extrema); clearance and the way of tips from their goals are
+/// proved there by bisection, and what stays open when nothing moves more than 0.01 mm counts as a
+/// violation; the certificate must agree with what is recomputed (clearance to 1e-4 m, the rest to
 /// 1e-9, see pipeline/verify/certificate.hpp). In the order of samples, then of causes and
 /// subjects. What a grasp says of friction, mass, torques and stiffness is held against the
-/// effective config, where that is given.
+/// effective config, what the plan says of tolerances, home and scene against what was asked, where
+/// these are given.
 MORPHE_EXPORT std::vector<Violation> verify_plan(const RobotTable& robot,
                                                  const std::string& plan_path, const Plan& plan,
-                                                 const std::string& config = {});
+                                                 const std::string& config = {},
+                                                 const Asked* asked = nullptr);
 
-/// Every plan of a plans.h5. Throws InputError if the file cannot be read.
-MORPHE_EXPORT VerifyReport verify_file(const std::filesystem::path& file);
+/// What a file asks for, by its header; InputError where that cannot be told.
+using AskedOf = std::function<Asked(const PlanFileHeader&)>;
+
+/// Every plan of a plans.h5, of which there must be one, and the robot's table; without `asked_of`
+/// nothing of it is held against the file's config and inputs. Throws InputError if the file cannot
+/// be read.
+MORPHE_EXPORT VerifyReport verify_file(const std::filesystem::path& file,
+                                       const AskedOf& asked_of = {});
 
 /// {executable, approximate, infeasible, violations: [{plan, sample, time_s, cause, subject, value,
 /// limit, unit}]}; a number that is not finite is null.

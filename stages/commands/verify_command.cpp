@@ -6,6 +6,7 @@
 #include "pipeline/verify/verify.hpp"
 #include "stages/commands/commands.hpp"
 #include "stages/commands/plans_file.hpp"
+#include "stages/planning/asked_of.hpp"
 
 namespace morphe::commands {
 
@@ -18,7 +19,8 @@ Command verify_command(CLI::App& app) {
   app.add_option("FILE", arguments->file, "plans.h5, or a run's folder")->required();
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] {
-    const verify::VerifyReport report = verify::verify_file(plans_file(arguments->file));
+    const verify::VerifyReport report =
+        verify::verify_file(plans_file(arguments->file), planning::asked_of);
     fmt::print("{}",
                arguments->json ? verify::verify_json(report) + "\n" : verify::verify_text(report));
     return report.violations.empty() ? 0 : 1;

@@ -60,4 +60,8 @@ MORPHE_EXPORT std::size_t import_recordings(const std::filesystem::path& recordi
 /// A robot description (docs/formats.md): DH chains, a URDF, a generated robot, or parts.
 MORPHE_EXPORT RobotTable load_robot(const std::filesystem::path& description);
 
+/// Every plan of a plans.h5 by what it promises, and by what its own config and inputs ask for, as
+/// `morphe verify` judges it; verify::verify_file alone knows nothing of the latter.
+MORPHE_EXPORT verify::VerifyReport verify_plans(const std::filesystem::path& plans);
+
 }  // namespace morphe

@@ -2,6 +2,7 @@
 #include "pipeline/robot/files/description.hpp"
 #include "stages/import/import.hpp"
 #include "stages/library/morphe.hpp"
+#include "stages/planning/asked_of.hpp"
 
 namespace morphe {
 
@@ -14,6 +15,10 @@ std::size_t import_recordings(const std::filesystem::path& recordings,
 
 RobotTable load_robot(const std::filesystem::path& description) {
   return robot::load_robot(files::here_or_shipped(description)).table;
+}
+
+verify::VerifyReport verify_plans(const std::filesystem::path& plans) {
+  return verify::verify_file(plans, planning::asked_of);
 }
 
 }  // namespace morphe

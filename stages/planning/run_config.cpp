@@ -1,15 +1,12 @@
 #include "stages/planning/run_config.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
-
-#include <cstdlib>
-#include <fstream>
 
 #include "pipeline/config/fields.hpp"
 #include "pipeline/files/sha256.hpp"
 #include "pipeline/store/bytes.hpp"
 #include "pipeline/store/plan_file.hpp"
+#include "stages/planning/unpacked_inputs.hpp"
 
 namespace morphe::planning {
 namespace {
@@ -32,51 +29,6 @@ std::string scene_sha256(const scene::SceneOptions& scene) {
   if (scene.target.body) bytes += store::bytes_of(scene.target.body->mesh);
   return files::sha256(bytes);
 }
-
-/// The inputs of a plans.h5 as files, for as long as it lives.
-class UnpackedInputs {
- public:
-  explicit UnpackedInputs(const std::vector<PlanFileHeader::Input>& inputs) {
-    std::string name = (fs::temp_directory_path() / "morphe_from_XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw InputError(fmt::format("{}: cannot be made", name));
-    folder_ = name;
-    for (const PlanFileHeader::Input& input : inputs) {
-      const fs::path file = (folder_ / input.path).lexically_normal();
-      if (file.lexically_relative(folder_).string().starts_with(".."))
-        throw InputError(fmt::format("/inputs/{}: lies outside", input.path));
-      fs::create_directories(file.parent_path());
-      std::ofstream(file, std::ios::binary) << input.text;
-      folders_.push_back(file.parent_path());
-    }
-  }
-  ~UnpackedInputs() {
-    std::error_code ignored;
-    if (!folder_.empty()) fs::remove_all(folder_, ignored);
-  }
-  UnpackedInputs(const UnpackedInputs&) = delete;
-  UnpackedInputs& operator=(const UnpackedInputs&) = delete;
-  /// A file that the config names: relative to the config, which comes first, or to one that it
-  /// extends; a name from elsewhere is looked for by itself. Empty if there is none.
-  fs::path find(const fs::path& named) const {
-    for (const fs::path& wanted : {named, named.filename()}) {
-      for (const fs::path& folder : folders_) {
-        if (wanted.is_relative() && fs::is_regular_file(folder / wanted)) return folder / wanted;
-      }
-    }
-    return {};
-  }
-  /// A message that calls the files by what they are called in plans.h5.
-  std::string as_stored(std::string message) const {
-    const std::string folder = folder_.string();
-    for (std::size_t at; (at = message.find(folder)) != std::string::npos;)
-      message.replace(at, folder.size(), "/inputs");
-    return message;
-  }
-
- private:
-  fs::path folder_;
-  std::vector<fs::path> folders_;  ///< one for each input, in their order
-};
 
 }  // namespace
 

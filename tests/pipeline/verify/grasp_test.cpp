@@ -34,34 +34,11 @@ Plan grasping() {
                           {PhaseKind::preshape, 2.5, 2.79, 1},
                           {PhaseKind::grasp, 2.7995, 2.8, 1}};
   const SceneObject& cup = plan.scene.objects[1];
-  const Eigen::Vector3d q = planar::position_at(1);
-  const auto point = [&](double fraction_of_last) {
-    const double lengths[] = {0.3, 0.25, 0.08, 0.06 * fraction_of_last};
-    const double turns[] = {q(0), q(1), q(2), q(2) + 0.1};
-    Vec3 at(0, 0, 0.1);
-    double angle = 0;
-    for (int i = 0; i < 4; ++i) {
-      angle += turns[i];
-      at += lengths[i] * Vec3(std::cos(angle), std::sin(angle), 0);
-    }
-    return at;
-  };
-  const Vec3 tip = point(1), knuckle = point(0), centre = cup.position[0];
+  const Vec3 tip = planar::tip_at(planar::position_at(1)), centre = cup.position[0];
+  plan.grasp = planar::grasp_at(plan, 100);
+  plan.goals.pad_share = {plan.goals.frames(), 2, 0.0};
+  plan.goals.pad_share(plan.goals.frames() - 1, 1) = 1;
   Grasp& grasp = plan.grasp;
-  grasp.sample = 100;
-  grasp.base_from_object.translation() = centre;
-  grasp.hand_posture = q;
-  // The palm is the shoulder's frame, at height 0.1 m, turned by the first joint.
-  Pose base_from_palm = Pose::Identity();
-  base_from_palm.translation() = Vec3(0, 0, 0.1);
-  base_from_palm.linear() = Eigen::AngleAxisd(q(0), Vec3::UnitZ()).toRotationMatrix();
-  grasp.object_from_palm = grasp.base_from_object.inverse() * base_from_palm;
-  const double bent = q.sum();
-  const Vec3 thumb =
-      knuckle - (0.08 - 0.02) * Vec3(std::cos(bent), std::sin(bent), 0);  // on the proximal link
-  grasp.tips_in_object = {thumb - centre, tip - centre};
-  // The distal link bends more and more, so that the tips come nearer to each other.
-  grasp.pregrasp_posture = planar::position_at(0);
 
   PadContact contact;
   contact.tip = "index";
@@ -71,6 +48,8 @@ Plan grasping() {
   contact.gap = -0.002;
   contact.pad_angle = 0;
   grasp.contacts = {contact};
+  // The pad's ball, of 10 mm, was to touch the cup of 30 mm.
+  plan.goals.tip_position(plan.goals.frames() - 1, 1) = centre - 0.04 * contact.normal;
   GraspQuality& quality = grasp.quality;
   quality.friction = 0.8;
   quality.torsion = 0.002;
@@ -107,6 +86,14 @@ TEST(VerifyGrasp, FindsWhatIsForged) {
       {"contact pinkie/link", [&](Plan& plan) { contact(plan).tip = "pinkie"; }},
       {"contact index/point", [&](Plan& plan) { contact(plan).point *= 1.001; }},
       {"contact index/asked", [&](Plan& plan) { contact(plan).asked *= 0.999; }},
+      {"contact index/asked",  // elsewhere on the sphere
+       [&](Plan& plan) {
+         contact(plan).asked = Eigen::AngleAxisd(0.1, Vec3::UnitZ()) * contact(plan).asked;
+       }},
+      {"contact index/missing", [](Plan& plan) { plan.grasp.contacts.clear(); }},
+      {"contact index/missing", [&](Plan& plan) { plan.grasp.contacts.push_back(contact(plan)); }},
+      {"contact index/missing", [](Plan& plan) { plan.goals.pad_share = {}; }},
+      {"contact index/origin", [&](Plan& plan) { contact(plan).origin = ContactOrigin::closed; }},
       {"contact index/gap", [&](Plan& plan) { contact(plan).gap += 2e-5; }},
       {"contact index/normal", [&](Plan& plan) { contact(plan).normal *= -1; }},
       {"contact index/normal", [&](Plan& plan) { contact(plan).normal *= 1.01; }},

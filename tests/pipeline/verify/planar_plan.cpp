@@ -40,7 +40,11 @@ Trajectory trajectory(double step_s) {
     const double t = k == pieces ? 1.0 : k * step_s, rest = t * (1 - t);
     out.time.push_back(t);
     out.demonstration_time.push_back(kBegin_s + kHuman_s * t);
-    out.phase.push_back(PhaseKind::reach);
+    const double now_s = out.demonstration_time.back();
+    out.phase.push_back(now_s < 2.3   ? PhaseKind::reach
+                        : now_s < 2.6 ? PhaseKind::preshape
+                        : now_s < 2.7 ? PhaseKind::grasp
+                                      : PhaseKind::hold);
     out.origin.push_back(Origin::mapped);
     out.clearance.push_back(0.005);
     out.position.row(k) = position_at(t);
@@ -66,6 +70,24 @@ Goals goals() {
     out.tip_position(k, 1) = tip_at(position_at(share));
   }
   return out;
+}
+
+/// Every frame is met.
+void map_goals(Plan& plan) {
+  const auto frames = static_cast<Eigen::Index>(plan.goals.frames());
+  Mapped& mapped = plan.mapped;
+  mapped.position.resize(frames, 3);
+  mapped.position_error = mapped.orientation_error = JointRows::Constant(frames, 2, kNotSeen);
+  mapped.humanlikeness = JointRows::Constant(frames, 3, kNotSeen);
+  for (Eigen::Index k = 0; k < frames; ++k) {
+    mapped.position.row(k) = position_at(static_cast<double>(k) / static_cast<double>(frames - 1));
+    mapped.position_error(k, 1) = 0;
+    mapped.objective.push_back(0);
+    mapped.status.push_back(FrameStatus::met);
+    plan.path.origin.push_back(Origin::mapped);
+  }
+  plan.path.position = mapped.position;
+  plan.path.demonstration_time = plan.goals.time;
 }
 
 /// Distances of the tip from the goals' polygon at the samples from a demonstration time on.
@@ -169,6 +191,36 @@ Eigen::Vector3d position_at(double t) {
   return kFrom + t * t * t * (10 - 15 * t + 6 * t * t) * kWay;
 }
 
+Grasp grasp_at(const Plan& plan, int sample) {
+  const Eigen::Vector3d q = plan.trajectory.position.row(sample).transpose();
+  // A point of the proximal link, so far from its joint, or of the distal one.
+  const auto point = [&](double proximal, double distal) {
+    const double lengths[] = {0.3, 0.25, proximal, distal};
+    const double turns[] = {q(0), q(1), q(2), q(2) + 0.1};
+    Vec3 at(0, 0, 0.1);
+    double angle = 0;
+    for (int i = 0; i < 4; ++i) {
+      angle += turns[i];
+      at += lengths[i] * Vec3(std::cos(angle), std::sin(angle), 0);
+    }
+    return at;
+  };
+  Grasp grasp;
+  grasp.sample = sample;
+  grasp.base_from_object.translation() = plan.scene.objects[1].position[0];
+  grasp.hand_posture = q;
+  // The distal link bends more and more, so that the tips come nearer to each other.
+  grasp.pregrasp_posture = position_at(0);
+  // The palm is the shoulder's frame, at height 0.1 m, turned by the first joint.
+  Pose base_from_palm = Pose::Identity();
+  base_from_palm.translation() = Vec3(0, 0, 0.1);
+  base_from_palm.linear() = Eigen::AngleAxisd(q(0), Vec3::UnitZ()).toRotationMatrix();
+  const Pose object_from_base = grasp.base_from_object.inverse();
+  grasp.object_from_palm = object_from_base * base_from_palm;
+  grasp.tips_in_object = {object_from_base * point(0.02, 0), object_from_base * point(0.08, 0.06)};
+  return grasp;
+}
+
 Plan plan(double step_s) {
   Plan out;
   out.demonstration = "reach";
@@ -192,6 +244,10 @@ Plan plan(double step_s) {
                        fixed("cup", Shape::sphere, {0.03}, cup),
                        fixed("rod", Shape::capsule, {0.002, 0.3}, Vec3(-0.5, 0.5, 0.2)),
                        fixed("table", Shape::box, {2, 2, 0.1}, Vec3(0, 0, 0.065 - 0.05))};
+  map_goals(out);
+  const auto& reached = out.trajectory.demonstration_time;
+  out.grasp =
+      grasp_at(out, static_cast<int>(std::ranges::lower_bound(reached, 2.6) - reached.begin()));
 
   // Minimum jerk over 1 s: 15/8 of the way in velocity, 10/sqrt(3) in acceleration, 60 in jerk.
   out.certificate.position_margin = 1.5 - 0.9;

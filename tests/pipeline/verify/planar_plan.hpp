@@ -19,6 +19,9 @@ Vec3 tip_at(const Eigen::Vector3d& q);
 /// far away.
 Plan plan(double step_s = 0.01);
 
+/// The grasp of such a plan at a sample, without contacts.
+Grasp grasp_at(const Plan& plan, int sample);
+
 Eigen::Vector3d position_at(double time_s);
 
 }  // namespace morphe::planar

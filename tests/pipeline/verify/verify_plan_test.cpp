@@ -128,6 +128,7 @@ TEST(VerifyPlan, FindsAClearanceThatNothingWasMeasuredFor) {
   robot.capsules.clear();
   robot.allowed_pairs.clear();
   plan.certificate.clearance = kNotSeen;
+  for (double& clearance : plan.trajectory.clearance) clearance = kNotSeen;
   EXPECT_TRUE(verify(plan, robot).empty());
   plan.certificate.clearance = std::numeric_limits<double>::infinity();
   ASSERT_EQ(of("certificate", verify(plan, robot)).size(), 1u);
@@ -238,13 +239,14 @@ TEST(VerifyPlan, WhatWasReleasedStaysThere) {
 
 TEST(VerifyPlan, FindsAGoalMovedAtTheGrasp) {
   Plan plan = planar::plan();
-  plan.goals.tip_position(75, 1).z() += 0.008;  // 2.75 s; 0.8 of it at sample 94
+  plan.goals.tip_position(75, 1).z() += 0.008;  // 2.75 s; sample 94 is at 2.752 s
   plan.goals.tip_position(40, 1).z() += 0.008;  // in the reach 20 mm are tolerated
   const auto found = of("tracking", verify(plan));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].subject, "index");
   EXPECT_EQ(found[0].sample, 94);
-  EXPECT_NEAR(found[0].value, 0.0064, 1e-4);
+  EXPECT_GT(found[0].value, 0.0065);  // nearer to the frame than the sample is
+  EXPECT_LT(found[0].value, 0.0081);
   EXPECT_EQ(found[0].limit, 0.005);
 }
 
@@ -375,16 +377,27 @@ TEST(VerifyPlan, JudgesTheApproachToo) {
   Plan plan = planar::plan();
   plan.approach = plan.trajectory;
   for (double& time_s : plan.approach.demonstration_time) time_s = 2.0;
-  const auto found = verify(plan);
+  for (PhaseKind& phase : plan.approach.phase) phase = PhaseKind::rest;
+  auto found = verify(plan);
+  std::erase_if(found, [](const Violation& v) { return v.cause == "clearance"; });
   ASSERT_EQ(found.size(), 2u);  // it does not end where the trajectory begins, and meets the cup
   EXPECT_EQ(found[0].plan, "reach/000/approach");
   EXPECT_EQ(found[0].subject, "approach");
   EXPECT_EQ(found[1].subject, "distal/cup");
+  // A clock inside of the grasp would let it touch.
+  for (double& time_s : plan.approach.demonstration_time) time_s = 2.65;
+  found = of("transfer", verify(plan));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].subject, "demonstration_time");
+  for (PhaseKind& phase : plan.approach.phase) phase = PhaseKind::grasp;
+  EXPECT_EQ(of("transfer", verify(plan)).size(), 2u);
 }
 
 TEST(VerifyPlan, JudgesTheRetreatToo) {
   Plan plan = planar::plan();
   plan.retreat = plan.trajectory;  // begins where the trajectory begins, not where it ends
+  for (double& time_s : plan.retreat.demonstration_time) time_s = 2.8;
+  for (PhaseKind& phase : plan.retreat.phase) phase = PhaseKind::rest;
   const auto found = verify(plan);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].plan, "reach/000/retreat");

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "pipeline/motion/asked.hpp"
+#include "pipeline/verify/limits.hpp"
+
+namespace morphe::verify {
+
+/// An approach, at the end of which the trajectory begins, or a retreat, which begins at its end.
+enum class Transfer { approach, retreat };
+
+/// Notes `transfer` for what such a motion promises beside limits and contacts:
+/// demonstration_time  another than that of the trajectory's end that it meets: the clock stands
+///                     still, or touching would be allowed meanwhile; 1e-9 s
+/// phase               another than rest
+/// home                its other end is off the posture that was asked for; 1e-3 rad or m
+void judge_transfer(const Plan& plan, const Trajectory& motion, Transfer which, const Asked* asked,
+                    ViolationRuns& runs);
+
+/// Notes `config` where a motion uses more of velocity, acceleration or jerk than was asked for.
+void judge_share(const LimitUse& use, double share, ViolationRuns& runs);
+
+}  // namespace morphe::verify
