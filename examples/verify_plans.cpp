@@ -10,7 +10,7 @@ int main(int argc, char** argv) try {
     std::fprintf(stderr, "usage: verify_plans PLANS.h5\n");
     return 2;
   }
-  const morphe::verify::VerifyReport report = morphe::verify::verify_file(argv[1]);
+  const morphe::verify::VerifyReport report = morphe::verify_plans(argv[1]);
   for (const morphe::verify::Violation& wrong : report.violations) {
     std::printf("%s at %.3f s: %s %s: %g, allowed %g\n", wrong.plan.c_str(), wrong.time_s,
                 wrong.cause.c_str(), wrong.subject.c_str(), wrong.value, wrong.limit);

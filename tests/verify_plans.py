@@ -370,8 +370,8 @@ def check_plan(robot, path, plan):
     for name, end, meets in (("approach", -1, motion["position"][0]), ("retreat", 0, motion["position"][-1])):
         transfer = Report(path + "/" + name)
         if name in plan and (way := read_motion(robot, plan[name], transfer)):
-            if not (gap := np.abs(way["position"][end] - meets).max()) <= 1e-6:
-                transfer.add("structure", name, gap, 1e-6)
+            if not (gap := np.abs(way["position"][end] - meets).max()) <= 1e-4:
+                transfer.add("structure", name, gap, 1e-4)
             check_limits(robot, way, transfer)
             check_contacts(robot, plan, way, phases, plan[name]["clearance"][()], transfer)
             check_transfer(plan, name, transfer)

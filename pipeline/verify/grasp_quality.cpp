@@ -67,8 +67,8 @@ class QualityJudge {
     judge_epsilon(pressing);
     pressing.each = true;
     // The centre of mass is what torques are about: it moves as fast as a twist's linear part.
-    judge_needed("needed_worst", said_.needed_worst,
-                 ratio_between(pressing, [](const Vector6& u) { return u.head<3>().norm(); }));
+    judge_needed("needed_worst", said_.needed_worst, pressing,
+                 [](const Vector6& u) { return u.head<3>().norm(); });
     judge_down(pressing);
     judge_given(touching);
   }
@@ -116,8 +116,8 @@ class QualityJudge {
   }
 
   void judge_epsilon(const Pressing& pressing) {
-    const Between own = epsilon_between(pressing);
     const double lower = said_.epsilon_lower, upper = said_.epsilon_upper;
+    const Between own = epsilon_between(pressing, {lower, upper});
     if (!(lower <= own.upper + kRounded)) note("epsilon_lower", lower, own.upper);
     if (!(upper >= own.lower - kRounded)) note("epsilon_upper", upper, own.lower);
     const double most =
@@ -126,10 +126,11 @@ class QualityJudge {
   }
 
   /// Newtons that are said to be enough, against the weight that is borne at 1 N.
-  void judge_needed(const char* name, double newtons, const Between& borne) {
+  void judge_needed(const char* name, double newtons, const Pressing& pressing, const Doing& g) {
     const double weight = kGravity * said_.mass;
     const double said = std::isinf(newtons) && newtons > 0 ? 0 : weight / newtons;
     const bool number = newtons > 0;
+    const Between borne = ratio_between(pressing, g, {said, said});
     if (!number || !(said <= borne.upper + kRounded)) {
       note(name, newtons, weight / borne.upper);
     } else if (said < std::min(borne.lower / (1 + kTooMuch), borne.lower - kLeastTooMuch)) {
@@ -147,9 +148,8 @@ class QualityJudge {
         recorded_pose(target_, plan_.trajectory.demonstration_time[sample]);
     const Vec3 up =
         base_from_object.linear().transpose() * plan_.world.base_from_world.linear().col(2);
-    judge_needed("needed_down", said_.needed_down, ratio_between(pressing, [&](const Vector6& u) {
-                   return std::max(0.0, up.dot(u.head<3>()));
-                 }));
+    judge_needed("needed_down", said_.needed_down, pressing,
+                 [&](const Vector6& u) { return std::max(0.0, up.dot(u.head<3>())); });
   }
 
   static bool seen_frame(const Pose& pose) { return pose.matrix().allFinite(); }

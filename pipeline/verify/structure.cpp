@@ -10,7 +10,7 @@ namespace morphe::verify {
 namespace {
 
 constexpr double kCoverage_s = 1e-6;
-constexpr double kJoint_rad = 1e-5;  ///< what no encoder tells apart
+constexpr double kJoint_rad = 1e-4;  ///< less than the pull of a limit on the end of a spline
 
 bool all_finite(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });

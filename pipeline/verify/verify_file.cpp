@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "pipeline/motion/input_error.hpp"
@@ -33,7 +34,9 @@ std::optional<Asked> judge_header(const store::PlanReader& reader, const AskedOf
     judge_robot(reader.robot(), asked.robot, runs);
     return asked;
   } catch (const InputError& error) {
-    runs.note_plan("config", error.what(), kNotSeen, kNotSeen);
+    std::string sentence = error.what();
+    std::ranges::replace(sentence, '\n', ';');
+    runs.note_plan("config", sentence, kNotSeen, kNotSeen);
     return std::nullopt;
   }
 }

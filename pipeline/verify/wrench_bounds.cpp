@@ -21,10 +21,18 @@ bool near_enough(const Between& b) {
          b.upper - b.lower <= std::max(kAbsolute, kRelative * std::abs(b.lower));
 }
 
+/// Whether bounds agree with others that are said, as nearly as bounds are wanted.
+bool settles(const Between& found, const Between& said) {
+  if (!std::isfinite(said.lower) || !std::isfinite(said.upper)) return false;
+  const double slack = std::max(kAbsolute, kRelative * std::abs(said.lower));
+  return found.lower >= said.lower - slack && found.upper <= said.upper + slack;
+}
+
 /// Points and ways in the dimensions that a set of wrenches has: the columns of `base` span them.
 class Search {
  public:
-  Search(const Pressing& pressing, const Doing& g) : pressing_(pressing), g_(g) {
+  Search(const Pressing& pressing, const Doing& g, const Between& said)
+      : pressing_(pressing), g_(g), said_(said) {
     for (int axis = 0; axis < 6; ++axis) {
       starts_.push_back(Vector6::Unit(axis));
       starts_.push_back(-Vector6::Unit(axis));
@@ -73,7 +81,7 @@ class Search {
       std::ranges::stable_sort(worst, {}, &std::pair<double, Vector6>::first);
       found.lower = std::max(found.lower, worst.front().first);
       for (const auto& [value, u] : worst) found.upper = std::min(found.upper, ratio(u));
-      if (near_enough(found) || !add_points(worst, found.upper)) break;
+      if (near_enough(found) || settles(found, said_) || !add_points(worst, found.upper)) break;
       best_ = worst.front().second;
     }
     return found;
@@ -152,6 +160,7 @@ class Search {
 
   const Pressing& pressing_;
   const Doing& g_;
+  const Between said_;
   std::mt19937_64 random_{1};
   std::vector<Vector6> starts_, points_;
   Eigen::MatrixXd base_, flat_;
@@ -178,9 +187,9 @@ Between by_shortest(const Pressing& pressing) {
 
 }  // namespace
 
-Between epsilon_between(const Pressing& pressing) {
+Between epsilon_between(const Pressing& pressing, const Between& said) {
   const Doing length = [](const Vector6& u) { return u.norm(); };
-  Search search(pressing, length);
+  Search search(pressing, length, said);
   Between found;
   if (search.flat().cols() > 0) {
     found = by_shortest(pressing);
@@ -191,13 +200,13 @@ Between epsilon_between(const Pressing& pressing) {
   }
   found = search.grow(search.descend({}));
   found.upper = std::min(found.upper, search.descend({search.best()}));
-  if (near_enough(found)) return found;
+  if (near_enough(found) || settles(found, said)) return found;
   const Between shortest = by_shortest(pressing);
   return {std::max(found.lower, shortest.lower), std::min(found.upper, shortest.upper)};
 }
 
-Between ratio_between(const Pressing& pressing, const Doing& g) {
-  Search search(pressing, g);
+Between ratio_between(const Pressing& pressing, const Doing& g, const Between& said) {
+  Search search(pressing, g, said);
   for (const Vector6 u : search.flat().colwise()) {
     if (std::max(g(u), g(-u)) > kNone) return {0, 0};
   }

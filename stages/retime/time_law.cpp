@@ -141,6 +141,8 @@ std::optional<PacedLaw> pace_duration(PacedPath& paced_path, double rate_hz, Eig
   return PacedLaw{std::move(fastest), periods};
 }
 
+constexpr double kEnd_s = 1e-9;  ///< of a movement, to rounding
+
 SampledLaw sample_law(const PacedPath& paced_path, const PacedLaw& paced, double rate_hz) {
   const Eigen::Index arrival = paced.periods, periods = arrival + paced.rest;
   const double dt = 1 / rate_hz;
@@ -172,7 +174,12 @@ SampledLaw sample_law(const PacedPath& paced_path, const PacedLaw& paced, double
     out.demonstration_time.push_back(
         i == 0 ? demonstrated_s : std::max(demonstrated_s, out.demonstration_time.back()));
     out.origin.push_back(origin_at(paced_path.clocked, u));
-    out.phase.push_back(phase_at(paced_path.movement->phases, out.demonstration_time.back()));
+    // The last instant is in the phase that ends there, whatever rounding made of it.
+    const Movement& movement = *paced_path.movement;
+    const double time_s = out.demonstration_time.back();
+    const bool last =
+        movement.end_s > movement.begin_s && std::abs(time_s - movement.end_s) < kEnd_s;
+    out.phase.push_back(phase_at(movement.phases, last ? movement.end_s - kEnd_s : time_s));
     out.clearance.push_back(kNotSeen);
   }
   return sampled;

@@ -78,7 +78,7 @@ struct TableOptions {
                                  ///< millimetre to spare) [m]
   double thickness = 0.04;       ///< thin, so that nothing can be deep inside unnoticed, and
                                  ///< thick enough that a finger cannot pass in one sample [m]
-  std::vector<double> size = {1.2, 0.8};  ///< least extent in x, y; grows to hold all planned tips
+  std::vector<double> size = {1.2, 0.8};  ///< least extent in x, y; grows all ways but the front
   double front_margin = 0.05;  ///< the front edge lies this far before the hand (wrist or
                                ///< tips, whichever is nearer to the chest) at the start: the
                                ///< elbow hangs beside the table, not over it [m]

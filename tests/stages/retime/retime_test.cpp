@@ -298,6 +298,20 @@ TEST(Retime, PhasesFollowTheDemonstration) {
   EXPECT_DOUBLE_EQ(t.demonstration_time.back(), 1.2);
 }
 
+TEST(Retime, TheLastSampleIsInThePhaseThatEndsThere) {
+  const RobotTable robot = robot_with(1, 1, 3, 30);
+  const JointPath path =
+      path_of(121, 1, 1.2, [](double t, Eigen::Index) { return 0.5 * minimum_jerk(t / 1.2); });
+  for (const double rounding : {-1e-15, 0.0, 1e-15}) {
+    Movement movement;
+    movement.end_s = 1.2 + rounding;
+    movement.phases = {{PhaseKind::reach, 0, 0.6, 1},
+                       {PhaseKind::grasp, 0.6, movement.end_s, 1},
+                       {PhaseKind::transport, movement.end_s, 1.4, 1}};
+    EXPECT_EQ(retime(robot, path, movement, {}).value.trajectory.phase.back(), PhaseKind::grasp);
+  }
+}
+
 TEST(Retime, RefusesWhatIsNoPath) {
   const RobotTable robot = robot_with(2, 1, 3, 30);
   const auto line = [](double t, Eigen::Index) { return t; };

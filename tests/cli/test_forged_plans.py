@@ -1,0 +1,99 @@
+"""Plans with a lie in them, after which the certificate was made to agree: `morphe verify` finds every
+kind that tests/forged_plans.py knows, and accepts nothing that tests/verify_plans.py rejects. By hand, for
+hours: tests/forged_plans.py build/release/morphe PLANS.h5… --count 100000 --grasps 10000"""
+import sys
+import unittest
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from support import (MORPHE, QUICK, SOURCE, CommandCase, json, main, morphe, python_verify,
+                     temporary_folder, write_two_recordings)
+
+sys.path.insert(0, str(SOURCE / "tests"))
+import forged_plans
+
+FROM_HOME = SOURCE / "configs/pipelines/pa10_dlr_hit2_from_home.yaml"
+# What is left may be a plan as good as the one before.
+NO_LIES = {"a_sample_left_out", "every_nth_sample"}
+# These plans have an approach, and no goals of orientation.
+NOT_HERE = {"an_approach_nobody_asked_for", "a_mapped_turn_less", "orientation_error_max_in_the_certificate"}
+
+
+def setUpModule():
+    """Sampled coarsely, so that a plan is judged in no time."""
+    global PLANS
+    holder = temporary_folder()
+    unittest.addModuleCleanup(holder.cleanup)
+    folder = Path(holder.name).resolve()
+    result = morphe("run", FROM_HOME, "--dataset", write_two_recordings(folder), "--out", folder / "out",
+                    *QUICK, "--set", "grasp.close_fingers=true", "--set", "retime.sample_rate_hz=50")
+    assert result.returncode == 0, result.stderr
+    PLANS = folder / "out/plans.h5"
+
+
+class Forged(CommandCase):
+    def test_the_honest_plans_pass(self):
+        for verdict in (self.json_of("verify", PLANS), json.loads(python_verify(PLANS).stdout)):
+            self.assertEqual(verdict["violations"], [])
+
+    def test_every_kind_of_lie_is_found(self):
+        tally = forged_plans.each(MORPHE, [PLANS], 1)
+        self.assertEqual(tally.wrong, [])
+        self.assertGreaterEqual(len(tally.made), 130)
+        self.assertEqual(set(forged_plans.KINDS) - set(tally.made), NOT_HERE)
+        self.assertEqual({kind for kind in tally.missed} - NO_LIES, set())
+
+    def test_nothing_passes_that_the_other_judge_rejects(self):
+        families = {family for family, _, _ in forged_plans.KINDS.values()} - {"robot table"}
+        tally = forged_plans.run(MORPHE, [PLANS], 40, families, 2)
+        self.assertGreaterEqual(sum(tally.made.values()), 40)
+        self.assertEqual(tally.wrong, [])
+        self.assertEqual(set(tally.missed) - NO_LIES, set())
+
+    def test_a_file_without_plans(self):
+        copy = self.folder / "plans.h5"
+        copy.write_bytes(PLANS.read_bytes())
+        with h5py.File(copy, "r+") as file:
+            for name in list(file["plans"]):
+                del file["plans"][name]
+        result = morphe("verify", copy)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("file: structure plans: 0, limit 1\n", result.stdout)
+        self.assertEqual(python_verify(copy).returncode, 1)
+
+    def test_a_movement_left_out(self):
+        copy = self.folder / "plans.h5"
+        copy.write_bytes(PLANS.read_bytes())
+        with h5py.File(copy, "r+") as file:
+            name = next(iter(file["plans"]))
+            file["plans"][name].move("000", "001")
+        violations = json.loads(morphe("verify", copy, "--json").stdout)["violations"]
+        self.assertEqual([(row["plan"], row["cause"], row["subject"]) for row in violations],
+                         [("", "structure", f"plans/{name}/000")])
+
+    def test_inputs_that_do_not_make_the_robot(self):
+        copy = self.folder / "plans.h5"
+        def violations(change):
+            copy.write_bytes(PLANS.read_bytes())
+            with h5py.File(copy, "r+") as file:
+                change(file["inputs"])
+            return json.loads(morphe("verify", copy, "--json").stdout)["violations"]
+        def without(inputs):
+            del inputs["robots"]
+        row, = violations(without)
+        self.assertEqual((row["plan"], row["cause"]), ("", "config"))
+        self.assertNotIn("/tmp", row["subject"])
+        def faster(inputs):
+            text = inputs["robots/pa10.yaml"][()].decode()
+            attributes = dict(inputs["robots/pa10.yaml"].attrs)
+            del inputs["robots/pa10.yaml"]
+            inputs["robots/pa10.yaml"] = np.bytes_(text.replace("velocity: 0.995", "velocity: 0.9"))
+            inputs["robots/pa10.yaml"].attrs.update(attributes)
+        self.assertIn(("", "robot", "velocity"),
+                      {(row["plan"], row["cause"], row["subject"]) for row in violations(faster)})
+
+
+if __name__ == "__main__":
+    main()
