@@ -1,6 +1,7 @@
 """Plans with a lie in them, after which the certificate was made to agree: `morphe verify` finds every
 kind that tests/forged_plans.py knows, and accepts nothing that tests/verify_plans.py rejects. By hand, for
 hours: tests/forged_plans.py build/release/morphe PLANS.h5… --count 100000 --grasps 10000"""
+import re
 import sys
 import unittest
 from pathlib import Path
@@ -15,8 +16,9 @@ sys.path.insert(0, str(SOURCE / "tests"))
 import forged_plans
 
 FROM_HOME = SOURCE / "configs/pipelines/pa10_dlr_hit2_from_home.yaml"
-# What is left may be a plan as good as the one before.
-NO_LIES = {"a_sample_left_out", "every_nth_sample"}
+# What is left may be a plan as good as the one before: another motion that holds all that it says.
+NO_LIES = {"a_sample_left_out", "every_nth_sample", "a_position_moved", "a_velocity_changed",
+           "an_acceleration_changed"}
 # These plans have an approach, and no goals of orientation.
 NOT_HERE = {"an_approach_nobody_asked_for", "a_mapped_turn_less", "orientation_error_max_in_the_certificate"}
 
@@ -89,7 +91,7 @@ class Forged(CommandCase):
             text = inputs["robots/pa10.yaml"][()].decode()
             attributes = dict(inputs["robots/pa10.yaml"].attrs)
             del inputs["robots/pa10.yaml"]
-            inputs["robots/pa10.yaml"] = np.bytes_(text.replace("velocity: 0.995", "velocity: 0.9"))
+            inputs["robots/pa10.yaml"] = np.bytes_(re.sub("velocity: [0-9.]+", "velocity: 0.9", text))
             inputs["robots/pa10.yaml"].attrs.update(attributes)
         self.assertIn(("", "robot", "velocity"),
                       {(row["plan"], row["cause"], row["subject"]) for row in violations(faster)})
