@@ -13,15 +13,26 @@
 namespace morphe::planning {
 namespace {
 
-RobotTable robot_of(const PipelineConfig& config, const UnpackedInputs& files) {
-  const std::filesystem::path file = files.find(config.robot.file);
-  if (file.empty()) throw InputError(fmt::format("/inputs: holds no {}", config.robot.file));
+RobotTable robot_in(const std::filesystem::path& file, const UnpackedInputs& files) {
   robot::RobotDescription robot = robot::load_robot(file);
   for (const std::filesystem::path& own : robot.files) {
     if (!files.holds(own))
-      throw InputError(fmt::format("/inputs: {} names a file that is not here", config.robot.file));
+      throw InputError(fmt::format("{}: names a file that is not here", file.string()));
   }
   return std::move(robot.table);
+}
+
+/// Of several files of its name the first that is a robot.
+RobotTable robot_of(const PipelineConfig& config, const UnpackedInputs& files) {
+  std::string wrong = fmt::format("/inputs: holds no {}", config.robot.file);
+  for (const std::filesystem::path& file : files.all_of(config.robot.file)) {
+    try {
+      return robot_in(file, files);
+    } catch (const InputError& error) {
+      wrong = error.what();
+    }
+  }
+  throw InputError(wrong);
 }
 
 Asked::Relative relative_to(scene::Relative frame) {

@@ -23,6 +23,7 @@ UnpackedInputs::UnpackedInputs(const std::vector<PlanFileHeader::Input>& inputs)
       fs::create_directories(file.parent_path());
       std::ofstream(file, std::ios::binary) << input.text;
       folders_.push_back(file.parent_path());
+      files_.push_back(file);
     }
   } catch (...) {
     std::error_code ignored;
@@ -48,6 +49,21 @@ fs::path UnpackedInputs::find(const fs::path& named) const {
     }
   }
   return {};
+}
+
+std::vector<fs::path> UnpackedInputs::all_of(const fs::path& named) const {
+  std::vector<fs::path> found;
+  if (const fs::path first = find(named); !first.empty()) found.push_back(first);
+  for (const fs::path& file : files_) {
+    const bool known = !found.empty() && file == found.front();
+    if (file.filename() != named.filename() || known) continue;
+    found.push_back(file);
+    std::error_code there;
+    for (const fs::path& other : files_)
+      fs::copy_file(other, file.parent_path() / other.filename(), fs::copy_options::skip_existing,
+                    there);
+  }
+  return found;
 }
 
 std::string UnpackedInputs::as_stored(std::string message) const {

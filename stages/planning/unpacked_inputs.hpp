@@ -20,6 +20,9 @@ class UnpackedInputs {
   /// A file that the config names: relative to the config, which comes first, or to one that it
   /// extends; a name from elsewhere is looked for by itself. Empty if there is none.
   std::filesystem::path find(const std::filesystem::path& named) const;
+  /// Every file of that name, the one that find() gives first. Each has the others beside it, as
+  /// far as there is none of their name: inputs that had no folder in common lost their own.
+  std::vector<std::filesystem::path> all_of(const std::filesystem::path& named) const;
   /// Whether a file is one of the folder's.
   bool holds(const std::filesystem::path& file) const;
   /// A message that calls the files by what they are called in plans.h5.
@@ -28,6 +31,7 @@ class UnpackedInputs {
  private:
   std::filesystem::path folder_;
   std::vector<std::filesystem::path> folders_;  ///< one for each input, in their order
+  std::vector<std::filesystem::path> files_;    ///< [inputs]
 };
 
 }  // namespace morphe::planning
