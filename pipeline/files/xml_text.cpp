@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "pipeline/files/printable.hpp"
 #include "pipeline/motion/input_error.hpp"
 
 namespace morphe::files {
@@ -54,7 +55,8 @@ XmlText::XmlText(const std::filesystem::path& path, const char* root) : file(pat
 
 void XmlText::fail(const XmlElement& element, const std::string& key,
                    const std::string& message) const {
-  throw InputError(fmt::format("{}:{}: {}: {}", file.string(), element.GetLineNum(), key, message));
+  throw InputError(fmt::format("{}:{}: {}: {}", file.string(), element.GetLineNum(), printable(key),
+                               printable(message)));
 }
 
 std::string XmlText::attribute(const XmlElement& element, const char* name) const {

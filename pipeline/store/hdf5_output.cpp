@@ -43,7 +43,7 @@ struct Access {
 H5FD_t* open_file(const char* name, unsigned flags, hid_t properties, haddr_t) {
   const auto* const access = static_cast<const Access*>(H5Pget_driver_info(properties));
   if (!(flags & H5F_ACC_CREAT) || !access) return nullptr;
-  const int descriptor = ::open(name, O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  const int descriptor = ::open(name, O_RDWR | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (descriptor < 0) return nullptr;
   auto* const file = new (std::nothrow) Output{{}, descriptor, 0, access->disk, nullptr, 0, 0};
   if (!file) ::close(descriptor);

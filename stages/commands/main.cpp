@@ -5,6 +5,7 @@
 #include <array>
 #include <csignal>
 #include <cstdio>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "stages/commands/commands.hpp"
 #include "stages/commands/examples.hpp"
 #include "stages/commands/paste.hpp"
+#include "stages/commands/standard_streams.hpp"
 #include "stages/commands/suggestions.hpp"
 
 namespace {
@@ -90,9 +92,16 @@ int complete(const CLI::App& app, int argc, char** argv) {
   return 0;
 }
 
-}  // namespace
+/// --help, --version, and what is wrong with the words of a command line.
+int told(const CLI::App& app, const CLI::ParseError& error) {
+  std::ostringstream out, err;
+  const int code = app.exit(error, out, err);
+  fmt::print("{}", out.str());
+  fmt::print(stderr, "{}", err.str());
+  return code == 0 ? 0 : kBadInput;
+}
 
-int main(int argc, char** argv) {
+int execute(int argc, char** argv) {
   if (!machine_suffices()) {
     std::fputs("morphe: built for processors with AVX2 and FMA (see MORPHE_ARCH)\n", stderr);
     return kBadInput;
@@ -127,7 +136,7 @@ int main(int argc, char** argv) {
     const std::string unknown = morphe::commands::unknown_options(app);
     if (error.get_exit_code() != 0 && !unknown.empty())
       return say(unknown.substr(0, unknown.size() - 1), first + " ");
-    return app.exit(error) == 0 ? 0 : kBadInput;
+    return told(app, error);
   } catch (const morphe::imports::ImportQuestion& question) {
     fmt::print(stderr, "{}\n{}", question.what(),
                morphe::commands::question_text(question, {argv + 1, argv + argc}));
@@ -137,4 +146,11 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "morphe: {}\n", error.what());
   }
   return kBadInput;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  morphe::commands::guard_standard_streams();
+  return morphe::commands::after_standard_output(execute(argc, argv));
 }

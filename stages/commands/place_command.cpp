@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "pipeline/files/part_file.hpp"
 #include "pipeline/motion/input_error.hpp"
 #include "pipeline/run/status_line.hpp"
 #include "pipeline/store/demonstration_file.hpp"
@@ -102,6 +103,8 @@ std::string config_text(const PlaceArguments& arguments, const place::Found& bes
 }
 
 int execute(const PlaceArguments& arguments) {
+  for (const std::string& out : {arguments.out, arguments.map})
+    files::expect_no_input(out, arguments.config);
   const planning::LoadedConfig config = planning::load_config(arguments.config, arguments.settings);
   const place::PlaceOptions options = options_of(arguments, config.options.seed);
   const planning::Planner planner{config.options, config.robot};

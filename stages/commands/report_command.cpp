@@ -6,6 +6,7 @@
 #include <set>
 #include <thread>
 
+#include "pipeline/files/part_file.hpp"
 #include "pipeline/motion/counted.hpp"
 #include "pipeline/motion/input_error.hpp"
 #include "pipeline/run/output_folder.hpp"
@@ -66,6 +67,7 @@ int execute(ReportArguments& arguments) {
     throw InputError("report: needs --out PAGE.html, --svg FOLDER or both");
   report::ReportRequest& request = arguments.request;
   request.runs = runs_of(arguments.files);
+  for (const auto& run : request.runs) files::expect_no_input(arguments.out, run.plans);
   request.jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   read_worst(arguments.worst, request.selection);
   if (!arguments.out.empty()) {

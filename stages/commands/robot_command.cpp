@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "pipeline/files/part_file.hpp"
 #include "pipeline/motion/input_error.hpp"
 #include "pipeline/robot/files/write_urdf.hpp"
 #include "stages/commands/commands.hpp"
@@ -37,6 +38,8 @@ Command robot_command(CLI::App& app) {
   return [arguments, setup, &app] {
     if (app.got_subcommand("setup")) return setup();
     if (arguments->file.empty()) throw InputError("robot: needs FILE, or setup");
+    for (const std::string& out : {arguments->svg, arguments->urdf})
+      files::expect_no_input(out, arguments->file);
     const robot::RobotDescription robot = read_robot(arguments->file);
     if (!arguments->svg.empty()) write_text(arguments->svg, describe::svg_of(robot.table));
     std::vector<std::string> unknown;

@@ -7,6 +7,7 @@
 #include <memory>
 #include <sstream>
 
+#include "pipeline/files/part_file.hpp"
 #include "pipeline/motion/counted.hpp"
 #include "pipeline/motion/input_error.hpp"
 #include "stages/commands/input_file.hpp"
@@ -82,6 +83,7 @@ setup::SetupRequest request_for(const SetupArguments& arguments, const fs::path&
 int execute(const SetupArguments& arguments) {
   if (arguments.inputs.size() > 2) throw InputError("robot setup: takes an arm, a hand, or both");
   const fs::path out = arguments.out;
+  for (const std::string& input : arguments.inputs) files::expect_no_input(out, input);
   std::vector<fs::path> descriptions;
   for (const std::string& input : arguments.inputs) {
     const bool alone = arguments.inputs.size() == 1;

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "pipeline/config/fields.hpp"
+#include "pipeline/files/part_file.hpp"
 #include "pipeline/motion/counted.hpp"
 #include "pipeline/parallel/ordered_map.hpp"
 #include "pipeline/store/demonstration_file.hpp"
@@ -40,6 +41,8 @@ fs::path truth_beside(const fs::path& out) {
 
 int execute(const SynthesizeArguments& arguments) {
   const synthesize::SynthesizeOptions options = load_options(arguments.config);
+  files::expect_no_input(arguments.out, arguments.config);
+  files::expect_no_input(truth_beside(arguments.out), arguments.config);
   store::DemonstrationWriter recorded(arguments.out), truth(truth_beside(arguments.out));
   double recorded_s = 0;
   parallel::OrderedMap<std::size_t, synthesize::SyntheticRecording> map;

@@ -1,17 +1,11 @@
 #include "stages/commands/text_file.hpp"
 
-#include <fmt/format.h>
-
-#include <fstream>
-
-#include "pipeline/motion/input_error.hpp"
+#include "pipeline/files/part_file.hpp"
 
 namespace morphe::commands {
 
 void write_text(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  if (!stream.flush()) throw InputError(fmt::format("{}: cannot be written", file.string()));
+  files::write_whole(file, text);
 }
 
 }  // namespace morphe::commands

@@ -41,10 +41,21 @@ double own_rate_hz(const Trajectory& t) {
   return std::round(1e6 * static_cast<double>(t.samples() - 1) / (t.time.back() - t.time[0])) / 1e6;
 }
 
+/// Seconds are a whole number of 32 bits there.
+bool tellable_in_ros(const PlanMotions& found) {
+  constexpr double kMost_s = 2147483647;
+  return std::ranges::all_of(found.motions, [&](const PlanMotion& motion) {
+    return std::ranges::all_of(motion.trajectory.time,
+                               [&](double t) { return std::abs(t) <= kMost_s; });
+  });
+}
+
 /// The plan's motions, entered in the index without files; none if it is left out.
 std::vector<PlanMotion> entered(Export& run, std::size_t i, const Plan& plan) {
   const MotionOptions& options = run.options.motion;
   PlanMotions found = motions_of(run.reader.robot(), plan, options);
+  if (found.why.empty() && run.options.format.starts_with("ros") && !tellable_in_ros(found))
+    found.why = "takes longer than a ROS message can tell (2^31 s)";
   if (!found.why.empty()) {
     run.index.left_out.push_back({run.reader.plan_paths()[i], found.why});
     return {};

@@ -19,7 +19,7 @@ bool same_bytes(const std::filesystem::path& a, const std::filesystem::path& b) 
 
 }  // namespace
 
-const files::PartFile& StagedFiles::add(const std::string& name) {
+files::PartFile& StagedFiles::add(const std::string& name) {
   if (!taken_.insert(name).second) {
     throw InputError(
         fmt::format("{}: two plans would be written to it", (folder_ / name).string()));
@@ -38,7 +38,17 @@ void StagedFiles::commit(bool replace) {
         fmt::format("{}: is there already, with other content: give another --out, or --replace",
                     file.target().string()));
   }
-  for (files::PartFile& file : files_) file.commit();
+  std::vector<std::filesystem::path> made;
+  try {
+    for (files::PartFile& file : files_) {
+      if (!std::filesystem::exists(file.target())) made.push_back(file.target());
+      file.commit();
+    }
+  } catch (const InputError&) {
+    std::error_code ignored;
+    for (const std::filesystem::path& file : made) std::filesystem::remove(file, ignored);
+    throw;
+  }
 }
 
 }  // namespace morphe::exports

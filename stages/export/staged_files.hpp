@@ -16,7 +16,7 @@ class StagedFiles {
  public:
   explicit StagedFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
   /// A file that the caller writes at part(). InputError if there is one of that name.
-  const files::PartFile& add(const std::string& name);
+  files::PartFile& add(const std::string& name);
   void add(const std::string& name, const std::string& text);
   /// InputError, and no file is changed, if one with other content is in the way of one of them and
   /// may not be replaced.

@@ -1,15 +1,23 @@
+#include "pipeline/files/part_file.hpp"
 #include "pipeline/store/demonstration_file.hpp"
 #include "stages/import/import.hpp"
+#include "stages/import/manifest.hpp"
 
 namespace morphe::imports {
 
 Imported write_demonstrations(const ImportRequest& request, const std::filesystem::path& out,
                               const std::function<void(const Demonstration&)>& seen) {
+  for (const std::filesystem::path& path : request.paths) files::expect_no_input(out, path);
   store::DemonstrationWriter writer(out);
   Imported imported = import_recordings(request, [&](Demonstration&& demonstration) {
     writer.add(demonstration);
     if (seen) seen(demonstration);
   });
+  for (const ManifestEntry& entry : imported.entries) {
+    for (const std::string& file : {entry.file, entry.static_trial, entry.glove, entry.static_glove,
+                                    entry.glove_calibration, entry.names})
+      files::expect_no_input(out, file);
+  }
   writer.finish();
   return imported;
 }
