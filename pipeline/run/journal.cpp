@@ -2,13 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <chrono>
+#include <exception>
 #include <mutex>
 #include <system_error>
 
 #include "pipeline/files/sha256.hpp"
 #include "pipeline/motion/input_error.hpp"
 #include "pipeline/run/journal_tables.hpp"
+#include "pipeline/run/plans_print.hpp"
 #include "pipeline/run/summary_text.hpp"
 #include "pipeline/store/bytes.hpp"
 
@@ -23,6 +26,23 @@ using Clock = std::chrono::steady_clock;
 constexpr int kMostInBatch = 64;
 constexpr std::size_t kMostBatchBytes = std::size_t{32} << 20;
 constexpr std::chrono::seconds kLongestBatch{1};
+
+std::int64_t whole_number(const std::string& text) {
+  std::int64_t number = -1;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || number < 0)
+    throw InputError("is no number");
+  return number;
+}
+
+/// plans_print() of a header as the journal keeps it; "" if it is damaged.
+std::string print_of(const std::string& header) {
+  try {
+    return plans_print(store::header_from_bytes(header));
+  } catch (const InputError&) {
+    return "";
+  }
+}
 
 }  // namespace
 
@@ -51,6 +71,25 @@ struct Journal::State {
     if (batch >= kMostInBatch || batch_bytes >= kMostBatchBytes ||
         Clock::now() - batch_begin >= kLongestBatch)
       close_batch();
+  }
+  [[noreturn]] void damaged(const std::string& what) const {
+    database.fail(fmt::format("is damaged: {}; --fresh begins anew", what));
+  }
+  BatchSummary summary(const std::string& name, const std::string& text) const {
+    try {
+      return summary_from_text(text);
+    } catch (const InputError&) {
+      damaged(fmt::format("{}: its summary cannot be read", name));
+    }
+  }
+  /// What is said under a key of `about`, taken by `take`, which throws if it cannot.
+  template <class Take>
+  void read(const char* key, const Take& take) const {
+    try {
+      take(about(database, key));
+    } catch (const std::exception&) {
+      damaged(fmt::format("its {} cannot be read", key));
+    }
   }
   std::int64_t count(const std::string& sql) const {
     Statement select(database, sql);
@@ -108,8 +147,10 @@ void Journal::begin(
     const std::function<void(const std::function<void(const DatasetEntry&)>&)>& each_wanted) {
   const std::lock_guard lock(state_->mutex);
   Database& database = state_->database;
+  const std::string in_place = plans_in_place();
   state_->open_batch();
   set_about(database, "complete", "0");
+  set_about(database, "plans", in_place);
   set_about(database, "program", identity.program);
   set_about(database, "scene", identity.scene);
   set_about(database, "config", files::sha256(config));
@@ -121,8 +162,12 @@ void Journal::begin(
   keep.bind(1, files::sha256(config)).bind(2, config).run();
   database.run("DELETE FROM wanted");
   Statement insert(database, "INSERT INTO wanted VALUES(?, ?)");
-  each_wanted(
-      [&](const DatasetEntry& place) { insert.bind(1, place.position).bind(2, place.name).run(); });
+  std::int64_t wanted = 0;
+  each_wanted([&](const DatasetEntry& place) {
+    insert.bind(1, place.position).bind(2, place.name).run();
+    ++wanted;
+  });
+  set_about(database, "wanted", std::to_string(wanted));
   state_->close_batch();
   state_->position = -1;
 }
@@ -138,7 +183,7 @@ std::optional<Finished> Journal::find(const std::string& name) const {
   found.print = {select.text(0), select.text(1), select.text(2), select.text(3), select.text(4)};
   found.dataset = select.text(5);
   found.error = select.text(6);
-  found.summary = summary_from_text(select.text(7));
+  found.summary = state_->summary(name, select.text(7));
   return found;
 }
 
@@ -216,18 +261,41 @@ RunIdentity Journal::identity() const {
   identity.dataset_key = about(database, "dataset_key");
   identity.program = about(database, "program");
   identity.scene = about(database, "scene");
-  identity.shard = parse_shard(about(database, "shard"));
+  state_->read("shard", [&](const std::string& text) { identity.shard = parse_shard(text); });
   const std::string header = about(database, "header");
   if (header.empty()) return identity;  // killed before it began
-  identity.demonstrations = std::stoll(about(database, "demonstrations"));
-  identity.header = store::header_from_bytes(header);
-  identity.robot = store::robot_from_bytes(about(database, "robot"));
+  state_->read("demonstrations",
+               [&](const std::string& text) { identity.demonstrations = whole_number(text); });
+  state_->read("header", [&](const std::string& bytes) {
+    identity.header = store::header_from_bytes(bytes);
+  });
+  state_->read("robot",
+               [&](const std::string& bytes) { identity.robot = store::robot_from_bytes(bytes); });
   return identity;
+}
+
+/// Of a run that is at work or was killed before it wrote its own: those of the run before.
+std::string Journal::plans_in_place() const {
+  const std::string kept = about(state_->database, "plans");
+  const std::string header = about(state_->database, "header");
+  if (header.empty() || about(state_->database, "complete") != "1") return kept;
+  return print_of(header);
+}
+
+bool Journal::wrote(const std::string& print) const {
+  const std::lock_guard lock(state_->mutex);
+  const std::string header = about(state_->database, "header");
+  if (print.empty() || header.empty()) return false;
+  return print == print_of(header) || print == about(state_->database, "plans");
 }
 
 std::int64_t Journal::wanted() const {
   const std::lock_guard lock(state_->mutex);
-  return state_->count("SELECT count(*) FROM wanted");
+  const std::int64_t found = state_->count("SELECT count(*) FROM wanted");
+  const std::string written = about(state_->database, "wanted");  // none of earlier versions
+  if (!written.empty() && written != std::to_string(found))
+    state_->damaged(fmt::format("{} of {} demonstrations are there", found, written));
+  return found;
 }
 
 std::int64_t Journal::unfinished() const {
@@ -257,24 +325,33 @@ std::optional<DatasetEntry> Journal::next() {
 void Journal::each_plan(const std::string& name,
                         const std::function<void(const Finished::StoredPlan&)>& visit) const {
   const std::lock_guard lock(state_->mutex);
-  Statement select(state_->database,
-                   "SELECT rows, bytes, sha256 FROM plans WHERE demonstration = ? ORDER BY number");
+  Statement done(state_->database, "SELECT summary FROM done WHERE name = ?");
+  const std::int64_t written =
+      done.bind(1, name).step() ? state_->summary(name, done.text(0)).movements : 0;
+  Statement select(
+      state_->database,
+      "SELECT rows, bytes, sha256, number FROM plans WHERE demonstration = ? ORDER BY number");
   select.bind(1, name);
-  while (select.step()) {
+  std::int64_t found = 0;
+  for (; select.step(); ++found) {
     const Finished::StoredPlan plan{select.text(0), select.text(1)};
-    if (files::sha256(plan.bytes) != select.text(2))
-      state_->database.fail(fmt::format("{}: a plan is damaged; --fresh begins anew", name));
+    if (select.number(3) != found || files::sha256(plan.bytes) != select.text(2))
+      state_->damaged(fmt::format("{}: a plan is damaged", name));
     visit(plan);
   }
+  if (found != written)
+    state_->damaged(fmt::format("{}: {} of {} plans are there", name, found, written));
 }
+
+void Journal::damaged(const std::string& what) const { state_->damaged(what); }
 
 BatchSummary Journal::summary() const {
   const std::lock_guard lock(state_->mutex);
   Statement select(state_->database,
-                   "SELECT d.summary FROM wanted w CROSS JOIN done d ON d.name = w.name "
+                   "SELECT d.summary, d.name FROM wanted w CROSS JOIN done d ON d.name = w.name "
                    "ORDER BY w.position");
   BatchSummary sum;
-  while (select.step()) run::add(summary_from_text(select.text(0)), sum);
+  while (select.step()) run::add(state_->summary(select.text(1), select.text(0)), sum);
   return sum;
 }
 

@@ -85,18 +85,24 @@ class Journal {
   void complete();
 
   bool is_complete() const;
+  /// Whether plans of that plans_print() are those that this journal's runs left in its folder.
+  bool wrote(const std::string& print) const;
   RunIdentity identity() const;
   std::int64_t wanted() const;
   std::int64_t unfinished() const;
   bool has_results() const;            ///< of a demonstration that did not fail
   std::optional<DatasetEntry> next();  ///< of the wanted ones, in order, from begin() or read() on
-  /// In order; InputError if the bytes are not those that were written.
+  /// In order; InputError if they are not those that were written, or not all of them.
   void each_plan(const std::string& name,
                  const std::function<void(const Finished::StoredPlan&)>& visit) const;
+  /// "FILE: is damaged: what; --fresh begins anew".
+  [[noreturn]] void damaged(const std::string& what) const;
   BatchSummary summary() const;  ///< over the wanted ones
   void each_row(const std::function<void(const std::string&)>& visit) const;
 
  private:
+  std::string plans_in_place() const;
+
   struct State;
   explicit Journal(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;

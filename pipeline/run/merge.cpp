@@ -14,6 +14,7 @@
 #include "pipeline/motion/input_error.hpp"
 #include "pipeline/run/config_changes.hpp"
 #include "pipeline/run/journal.hpp"
+#include "pipeline/run/plans_print.hpp"
 #include "pipeline/run/write_plans.hpp"
 #include "pipeline/store/bytes.hpp"
 
@@ -78,12 +79,13 @@ void check(const std::vector<OpenShard>& shards, const RunIdentity& first) {
     } else if (const std::string wrong = difference(first, identity); !wrong.empty()) {
       complaints.add(fmt::format("{}: {}", name, wrong));
       continue;
-    } else if (!shard.journal->is_complete()) {
-      const std::int64_t left = shard.journal->unfinished();
+    } else if (const std::int64_t left = shard.journal->unfinished();
+               left > 0 || !shard.journal->is_complete()) {
       complaints.add(fmt::format("{}: shard {} is not finished: {} of {} are left", name,
                                  shard_text(shard.shard), left,
                                  counted(shard.journal->wanted(), "demonstration")));
     }
+    shard.journal->wanted();  // or it says that some are missing
     const auto [place, is_new] = found.emplace(shard.shard.index, shard.folder);
     if (!is_new)
       complaints.add(fmt::format("{}: shard {} is there twice, in {} too", name,
@@ -143,6 +145,11 @@ BatchSummary merge_shards(const std::vector<fs::path>& folders, const fs::path& 
   for (std::size_t i = 0; i < shards.size() && first.header.software.empty(); ++i)
     first = shards[i].journal->identity();
   check(shards, first);
+  if (fs::exists(plans) && plans_print(plans) != plans_print(first.header))
+    throw InputError(
+        fmt::format("{}: is of another run, and would be replaced: move it away, or "
+                    "give another --out",
+                    plans.string()));
   store::PlanWriter writer(plans, first.header, first.robot);
   in_order(shards, first.demonstrations,
            [&](Journal& journal, const std::string& name) { write_plans(journal, name, writer); });

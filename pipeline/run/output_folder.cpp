@@ -26,10 +26,8 @@ OutputFolder::~OutputFolder() {
   if (!kept_) remove_made();
 }
 
-/// Those above the run's own folder only if they are empty: another run may have come into them.
 void OutputFolder::remove_made() const {
   std::error_code ignored;
-  if (!made_.empty()) fs::remove_all(made_.front(), ignored);
   for (const fs::path& folder : made_) fs::remove(folder, ignored);
 }
 

@@ -6,8 +6,8 @@
 namespace morphe::run {
 
 /// The folder of a run's results, made where it is missing. If the run fails before keep(), every
-/// folder on its path that did not exist before is taken away again. InputError if it cannot be
-/// made.
+/// folder on its path that did not exist before is taken away again, unless it holds something:
+/// another run may have come into it. InputError if it cannot be made.
 class OutputFolder {
  public:
   explicit OutputFolder(std::filesystem::path path);

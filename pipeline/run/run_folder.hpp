@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "pipeline/run/folder_lock.hpp"
 #include "pipeline/run/journal.hpp"
 #include "pipeline/run/output_folder.hpp"
 
@@ -22,14 +23,15 @@ class RunFolder {
   const std::filesystem::path& path() const { return folder_.path(); }
   Journal& journal() { return *journal_; }
   void keep() { kept_ = true; }
-  /// InputError if there are plans without their journal, which a run would replace: a merge wrote
-  /// them, or somebody copied them.
+  /// InputError if there is a plans.h5 that is not of this folder's journal, which a run would
+  /// replace: a merge wrote it, or somebody copied it there.
   void expect_own_plans() const;
 
  private:
   bool something_is_finished() const;
 
   OutputFolder folder_;
+  FolderLock lock_;
   bool journal_was_there_, fresh_, kept_ = false;
   std::unique_ptr<Journal> journal_;
 };

@@ -37,7 +37,7 @@ BatchSummary summary_from_text(const std::string& text) {
     json.at("goals").get_to(s.goals);
     json.at("out_of_reach").get_to(s.out_of_reach);
   } catch (const nlohmann::json::exception&) {
-    throw InputError("the journal's summary of a demonstration is damaged; --fresh begins anew");
+    throw InputError("is no summary of a demonstration");
   }
   return s;
 }

@@ -1,13 +1,28 @@
 #include "pipeline/run/write_plans.hpp"
 
+#include <fmt/format.h>
+
+#include "pipeline/motion/input_error.hpp"
 #include "pipeline/store/bytes.hpp"
 
 namespace morphe::run {
+namespace {
+
+Plan plan_of(const Journal& journal, const std::string& demonstration, const std::string& bytes) {
+  try {
+    Plan plan = store::plan_from_bytes(bytes);
+    if (plan.demonstration == demonstration) return plan;
+  } catch (const InputError&) {
+  }
+  journal.damaged(fmt::format("{}: a plan cannot be read", demonstration));
+}
+
+}  // namespace
 
 void write_plans(const Journal& journal, const std::string& demonstration,
                  store::PlanWriter& writer) {
   journal.each_plan(demonstration, [&](const Finished::StoredPlan& plan) {
-    writer.add(store::plan_from_bytes(plan.bytes));
+    writer.add(plan_of(journal, demonstration, plan.bytes));
   });
 }
 

@@ -1,0 +1,64 @@
+#include "pipeline/run/folder_lock.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+#include "pipeline/motion/input_error.hpp"
+
+namespace morphe::run {
+namespace {
+
+/// A lock of the open file, not of the process: it is let go when this descriptor is closed.
+bool lock_whole(int descriptor) {
+  struct flock whole {};
+  whole.l_type = F_WRLCK;
+  whole.l_whence = SEEK_SET;
+  return ::fcntl(descriptor, F_OFD_SETLK, &whole) == 0;
+}
+
+/// Whether the path still names the open file: its last holder may have taken it away.
+bool names(const std::filesystem::path& file, int descriptor) {
+  struct stat named {
+  }, open{};
+  return ::fstat(descriptor, &open) == 0 && ::lstat(file.c_str(), &named) == 0 &&
+         named.st_dev == open.st_dev && named.st_ino == open.st_ino;
+}
+
+}  // namespace
+
+FolderLock::FolderLock(const std::filesystem::path& folder) : file_(folder / ".lock") {
+  constexpr int kMostTries = 1000;
+  for (int i = 0; i < kMostTries; ++i) {
+    std::error_code ignored;
+    std::filesystem::create_directories(folder, ignored);
+    descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (descriptor_ < 0 && errno == ENOENT) continue;
+    if (descriptor_ < 0) break;
+    const bool locked = lock_whole(descriptor_);
+    const int error = errno;
+    if (locked && names(file_, descriptor_)) {
+      unfinished_.emplace(file_);
+      return;
+    }
+    ::close(descriptor_);
+    errno = error;
+    if (locked) continue;
+    if (error == EAGAIN || error == EACCES)
+      throw InputError(fmt::format("{}: another run is at work in this folder", folder.string()));
+    break;
+  }
+  throw InputError(fmt::format("{}: cannot be locked: {}", file_.string(), std::strerror(errno)));
+}
+
+FolderLock::~FolderLock() {
+  ::unlink(file_.c_str());  // while it is held: nobody else's can be there
+  ::close(descriptor_);
+}
+
+}  // namespace morphe::run
