@@ -7,13 +7,37 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <numbers>
 #include <set>
 #include <sstream>
 
 #include "pipeline/config/did_you_mean.hpp"
+#include "pipeline/files/printable.hpp"
 
 namespace morphe::config {
+
+namespace {
+
+constexpr std::size_t kMostValues = 1'000'000, kMostBytes = std::size_t{64} << 20;
+constexpr int kMostDepth = 100;
+
+/// The one document of a text.
+YAML::Node only_document(const std::string& text, const std::string& label) {
+  if (text.size() > kMostBytes)
+    throw InputError(fmt::format("{}: is longer than {} MB", label, kMostBytes >> 20));
+  YAML::Node found;
+  for (const YAML::Node& document : YAML::LoadAll(text)) {
+    if (!found.IsNull() && !document.IsNull()) {
+      throw InputError(fmt::format("{}:{}: a second document begins: there may be one", label,
+                                   document.Mark().line + 1));
+    }
+    if (!document.IsNull()) found.reset(document);
+  }
+  return found;
+}
+
+}  // namespace
 
 struct ConfigNode::Value {
   enum class Kind { empty, scalar, list, map } kind = Kind::empty;
@@ -25,11 +49,31 @@ struct ConfigNode::Value {
   bool read = false;
   std::set<std::string, std::less<>> asked;  ///< keys that somebody looked for
 
+  std::map<std::string, Value*, std::less<>> by_key;  ///< of a map's children
+
   Value* find(std::string_view key) const {
-    for (const auto& [name, child] : children) {
-      if (name == key) return child.get();
+    const auto found = by_key.find(key);
+    return found == by_key.end() ? nullptr : found->second;
+  }
+
+  void add(const std::string& key, std::unique_ptr<Value> child) {
+    if (kind == Kind::map) by_key[key] = child.get();
+    children.emplace_back(key, std::move(child));
+  }
+
+  void put(const std::string& key, std::unique_ptr<Value> child) {
+    for (auto& [name, there] : children) {
+      if (name != key) continue;
+      by_key[key] = child.get();
+      there = std::move(child);
+      return;
     }
-    return nullptr;
+    add(key, std::move(child));
+  }
+
+  void erase(std::string_view key) {
+    std::erase_if(children, [&](const auto& child) { return child.first == key; });
+    if (const auto found = by_key.find(key); found != by_key.end()) by_key.erase(found);
   }
 
   void mark_all_read() {
@@ -54,7 +98,7 @@ struct ConfigNode::Value {
     copy->origin = origin;
     copy->line = line;
     copy->read = read;
-    for (const auto& [key, child] : children) copy->children.emplace_back(key, child->clone());
+    for (const auto& [key, child] : children) copy->add(key, child->clone());
     return copy;
   }
 
@@ -64,7 +108,7 @@ struct ConfigNode::Value {
       if (Value* own = find(key)) {
         own->extend(*child);
       } else {
-        children.emplace_back(key, child->clone());
+        add(key, child->clone());
       }
     }
   }
@@ -74,30 +118,50 @@ struct ConfigNode::Value {
     for (auto& entry : children) entry.second->set_file(name);
   }
 
-  static std::unique_ptr<Value> convert(const YAML::Node& node, const std::string& label) {
+  /// What is left of a document to be converted: aliases may make much of little, or an endless
+  /// value of one that holds itself.
+  struct Budget {
+    std::size_t values = kMostValues;
+    int depth = kMostDepth;
+  };
+
+  static std::unique_ptr<Value> convert(const YAML::Node& node, const std::string& label,
+                                        Budget& budget) {
     auto value = std::make_unique<Value>();
     value->line = node.Mark().line + 1;
     value->file = label;
     value->origin = fmt::format("{}:{}", label, value->line);
+    if (budget.depth == 0) {
+      throw InputError(fmt::format("{}: is nested deeper than {} levels, or holds itself",
+                                   value->origin, kMostDepth));
+    }
+    if (budget.values == 0) {
+      throw InputError(
+          fmt::format("{}: the document holds more than {} values", value->origin, kMostValues));
+    }
+    --budget.values;
+    --budget.depth;
     if (node.IsScalar()) {
       value->kind = Kind::scalar;
       value->scalar = node.Scalar();
     } else if (node.IsSequence()) {
       value->kind = Kind::list;
-      for (const YAML::Node& item : node) value->children.emplace_back("", convert(item, label));
+      for (const YAML::Node& item : node) value->add("", convert(item, label, budget));
     } else if (node.IsMap()) {
       value->kind = Kind::map;
       for (const auto& entry : node) {
         const std::string key = entry.first.as<std::string>();
         const int line = entry.first.Mark().line + 1;
         if (value->find(key)) {
-          throw InputError(fmt::format("{}:{}: {}: the key stands twice", label, line, key));
+          throw InputError(
+              fmt::format("{}:{}: {}: the key stands twice", label, line, files::printable(key)));
         }
-        auto child = convert(entry.second, label);
+        auto child = convert(entry.second, label, budget);
         if (child->kind == Kind::empty) child->origin = fmt::format("{}:{}", label, line);
-        value->children.emplace_back(key, std::move(child));
+        value->add(key, std::move(child));
       }
     }
+    ++budget.depth;
     return value;
   }
 };
@@ -110,7 +174,8 @@ struct ConfigNode::Document {
 namespace {
 
 std::string join(const std::string& path, std::string_view key) {
-  return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
+  const std::string shown = files::printable(key);
+  return path.empty() ? shown : fmt::format("{}.{}", path, shown);
 }
 
 }  // namespace
@@ -132,7 +197,8 @@ ConfigNode ConfigNode::parse(const std::string& text, const std::string& label) 
   auto document = std::make_shared<Document>();
   document->file = label;
   try {
-    document->root = Value::convert(YAML::Load(text), label);
+    Value::Budget budget;
+    document->root = Value::convert(only_document(text, label), label, budget);
   } catch (const YAML::Exception& error) {
     throw InputError(
         fmt::format("{}:{}: not valid YAML: {}", label, error.mark.line + 1, error.msg));
@@ -247,7 +313,8 @@ void ConfigNode::set(const std::string& dotted_path, const std::string& value) {
   const std::string label = fmt::format("--set {}", dotted_path);
   std::unique_ptr<Value> replacement;
   try {
-    replacement = Value::convert(YAML::Load(value), label);
+    Value::Budget budget;
+    replacement = Value::convert(only_document(value, label), label, budget);
   } catch (const YAML::Exception& error) {
     throw InputError(fmt::format("{}: not valid YAML: {}", label, error.msg));
   }
@@ -258,6 +325,8 @@ void ConfigNode::set(const std::string& dotted_path, const std::string& value) {
   std::vector<std::string> steps;
   for (std::string step; std::getline(path, step, '.');) steps.push_back(step);
   if (steps.empty()) throw InputError("--set: needs a.b=value");
+  if (steps.size() > static_cast<std::size_t>(kMostDepth))
+    throw InputError(fmt::format("--set: names more than {} levels", kMostDepth));
   for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
     Value* child = parent->find(steps[i]);
     if (!child) {
@@ -266,7 +335,7 @@ void ConfigNode::set(const std::string& dotted_path, const std::string& value) {
       made->origin = label;
       made->file = document_->root->file;
       child = made.get();
-      parent->children.emplace_back(steps[i], std::move(made));
+      parent->add(steps[i], std::move(made));
     }
     if (child->kind == Value::Kind::empty) child->kind = Value::Kind::map;
     if (child->kind != Value::Kind::map) {
@@ -274,20 +343,12 @@ void ConfigNode::set(const std::string& dotted_path, const std::string& value) {
     }
     parent = child;
   }
-  for (auto& [name, child] : parent->children) {
-    if (name == steps.back()) {
-      child = std::move(replacement);
-      return;
-    }
-  }
-  parent->children.emplace_back(steps.back(), std::move(replacement));
+  parent->put(steps.back(), std::move(replacement));
 }
 
 void ConfigNode::extend(const ConfigNode& base) { value_->extend(*base.value_); }
 
-void ConfigNode::erase(std::string_view key) {
-  std::erase_if(value_->children, [&](const auto& child) { return child.first == key; });
-}
+void ConfigNode::erase(std::string_view key) { value_->erase(key); }
 
 ConfigNode ConfigNode::detached() const {
   auto document = std::make_shared<Document>();
@@ -298,12 +359,15 @@ ConfigNode ConfigNode::detached() const {
 }
 
 void ConfigNode::add_unread(Problems& problems) const {
+  constexpr int kMost = 1000;  // nobody reads more
+  int found = 0;
   const auto visit = [&](const auto& self, const Value& value, const std::string& path) -> void {
-    for (std::size_t i = 0; i < value.children.size(); ++i) {
+    for (std::size_t i = 0; i < value.children.size() && found < kMost; ++i) {
       const auto& [key, child] = value.children[i];
       const bool in_map = value.kind == Value::Kind::map;
       const std::string child_path = in_map ? join(path, key) : fmt::format("{}[{}]", path, i);
       if (in_map && !child->read) {
+        ++found;
         problems.add(fmt::format("{}: {}: unknown key{}", child->origin, child_path,
                                  did_you_mean(key, {value.asked.begin(), value.asked.end()})));
       } else {

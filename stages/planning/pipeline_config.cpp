@@ -61,6 +61,8 @@ config::ConfigNode load_extended(const std::filesystem::path& file, Paths& files
 std::optional<config::ConfigNode> load_base(const config::ConfigNode& node, Paths& files) {
   if (!node.has("extends")) return {};
   const config::ConfigNode extends = node["extends"];
+  constexpr std::size_t kMost = 100;
+  if (files.size() > kMost) extends.fail(fmt::format("more than {} configs in a row", kMost));
   const std::filesystem::path base = node.folder() / extends.text();
   for (const auto& known : files) {
     if (std::filesystem::weakly_canonical(known) == std::filesystem::weakly_canonical(base)) {
