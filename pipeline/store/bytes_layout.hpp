@@ -142,7 +142,11 @@ class BytesReader {
       if (dim != 0 && count > bytes_.size() / dim) damaged();
       count *= dim;
     }
-    if (array.dims.size() != Codec::shape().size()) damaged();
+    const Hdf5Shape shape = Codec::shape();
+    if (!std::equal(
+            array.dims.begin(), array.dims.end(), shape.begin(), shape.end(),
+            [](std::size_t is, std::size_t asked) { return asked == kAnyLength || asked == is; }))
+      damaged();
     array.values.resize(count);
     take_raw(array.values.data(), count * sizeof(array.values[0]));
     Codec::decode(array, values);

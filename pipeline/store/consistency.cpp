@@ -3,6 +3,11 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <set>
+#include <string_view>
+
+#include "pipeline/files/printable.hpp"
+#include "pipeline/store/workable.hpp"
 
 namespace morphe::store {
 namespace {
@@ -33,6 +38,14 @@ class Faults {
     require(is >= least && (is < 0 || static_cast<std::size_t>(is) < count), name,
             fmt::format("{} is not in [{}, {})", is, least, count));
   }
+  /// What is printed: no control characters, no line ends.
+  void text(const char* name, const std::string& text) {
+    require(files::is_printable(text), name,
+            "holds control characters: '" + files::printable(text) + "'");
+  }
+  void texts(const char* name, const std::vector<std::string>& texts) {
+    for (const std::string& one : texts) text(name, one);
+  }
   void take(const Faults& inner) {
     if (first.empty()) first = inner.first;
   }
@@ -46,6 +59,21 @@ class Faults {
 
   std::string path_;
 };
+
+/// Names of groups and of what is printed: each once.
+Faults faults_of_names(const std::vector<SceneObject>& objects, const std::string& path) {
+  Faults faults(path);
+  std::set<std::string_view> names;
+  for (const SceneObject& object : objects) {
+    const std::string& name = object.name;
+    const std::string shown = files::printable(name);
+    faults.require(names.insert(name).second, shown.c_str(), "the name stands twice");
+    faults.require(
+        !name.empty() && name != "." && name.find('/') == std::string::npos && shown == name,
+        shown.c_str(), "cannot be a name: it must not be empty or hold '/' or control characters");
+  }
+  return faults;
+}
 
 Faults faults_of(const SceneObject& object, const std::string& path) {
   Faults faults(path + object.name + "/");
@@ -63,6 +91,7 @@ Faults faults_of(const SceneObject& object, const std::string& path) {
 
 Faults faults_of(const BodyStream& bodies, const std::string& path, bool parents) {
   Faults faults(path);
+  faults.texts("@names", bodies.names);
   if (parents) faults.length("@parents", bodies.parents.size(), bodies.names.size());
   faults.table("position", bodies.position, bodies.time.size(), bodies.names.size());
   faults.table("orientation", bodies.orientation, bodies.time.size(), bodies.names.size());
@@ -74,6 +103,7 @@ Faults faults_of(const BodyStream& bodies, const std::string& path, bool parents
 
 Faults faults_of(const HandStream& hand, const std::string& path) {
   Faults faults(path);
+  faults.texts("@names", hand.names);
   switch (hand.kind) {
     case HandKind::glove:
       faults.length("@sensors", hand.names.size(), 22);
@@ -95,12 +125,14 @@ Faults faults_of(const Streams& streams, const std::string& path) {
   Faults faults(path);
   if (streams.markers) {
     const MarkerStream& markers = *streams.markers;
+    faults.texts("markers/@names", markers.names);
     faults.table("markers/position", markers.position, markers.time.size(), markers.names.size());
   }
   if (streams.sensors) faults.take(faults_of(*streams.sensors, path + "sensors/", false));
   if (streams.skeleton) faults.take(faults_of(*streams.skeleton, path + "skeleton/", true));
   if (streams.arm_angles) {
     const AngleStream& arm = *streams.arm_angles;
+    faults.texts("arm_angles/@joints", arm.joints);
     faults.table("arm_angles/angles", arm.angles, arm.time.size(), arm.joints.size());
   }
   if (streams.hand) faults.take(faults_of(*streams.hand, path + "hand/"));
@@ -189,6 +221,8 @@ Faults faults_of(const Grasp& grasp, std::size_t samples, const RobotTable& robo
 
 std::string inconsistency(const Demonstration& demonstration) {
   Faults faults;
+  faults.text("@subject", demonstration.subject);
+  faults.text("@task", demonstration.task);
   faults.take(faults_of(demonstration.streams, ""));
   faults.take(faults_of(demonstration.calibration, "calibration/"));
   if (const auto& offsets = demonstration.sensor_offsets) {
@@ -196,9 +230,10 @@ std::string inconsistency(const Demonstration& demonstration) {
     faults.length("calibration/offsets/position", offsets->joint_in_sensor.size(), sensors);
     faults.length("calibration/offsets/orientation", offsets->sensor_from_segment.size(), sensors);
   }
+  faults.take(faults_of_names(demonstration.objects, "objects/"));
   for (const SceneObject& object : demonstration.objects)
     faults.take(faults_of(object, "objects/"));
-  return faults.first;
+  return faults.first.empty() ? why_unworkable(demonstration) : faults.first;
 }
 
 std::string inconsistency(const RobotTable& robot) {
@@ -207,6 +242,13 @@ std::string inconsistency(const RobotTable& robot) {
   const auto vector = [&](const char* name, const JointVector& values) {
     faults.length(name, static_cast<std::size_t>(values.size()), robot.joints());
   };
+  faults.text("@name", robot.name);
+  faults.texts("@joints", robot.joint_names);
+  faults.texts("unchecked_links", robot.unchecked_links);
+  for (const RobotTable::Frame& frame : robot.frames) faults.text("frames/name", frame.name);
+  for (const RobotTable::Tip& tip : robot.tips) faults.text("tips/name", tip.name);
+  for (const RobotTable::Capsule& capsule : robot.capsules)
+    faults.text("capsules/name", capsule.name);
   vector("lower", robot.lower);
   vector("upper", robot.upper);
   vector("velocity", robot.velocity);
@@ -242,10 +284,14 @@ std::string inconsistency(const RobotTable& robot) {
 
 std::string inconsistency(const Plan& plan, const RobotTable& robot) {
   Faults faults;
+  faults.text("@subject", plan.subject);
+  faults.text("@task", plan.task);
+  faults.text("@target", plan.movement.target);
   faults.require(plan.has_trajectory() == (plan.trajectory.samples() > 0), "trajectory",
                  plan.has_trajectory() ? "has no sample, but the plan is executable"
                                        : "is there, but the plan is infeasible");
   faults.take(faults_of(plan.goals, robot.tips.size()));
+  faults.take(faults_of_names(plan.scene.objects, "scene/"));
   for (const SceneObject& object : plan.scene.objects) faults.take(faults_of(object, "scene/"));
   faults.take(faults_of(plan.mapped, plan.goals.frames(), robot));
   faults.take(faults_of(plan.path, robot.joints()));

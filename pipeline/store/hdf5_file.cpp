@@ -3,15 +3,17 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <exception>
-#include <fstream>
 #include <type_traits>
 #include <utility>
 
+#include "pipeline/files/printable.hpp"
 #include "pipeline/store/hdf5_output.hpp"
+#include "pipeline/store/hdf5_types.hpp"
 
 namespace morphe::store {
 namespace {
@@ -42,8 +44,15 @@ void keep_quiet() {
   static_cast<void>(told);
 }
 
+/// A file holds what it holds: what points into another one leads nowhere.
+void follow_no_external_links() {
+  static const bool told = H5Lunregister(H5L_TYPE_EXTERNAL) >= 0;
+  static_cast<void>(told);
+}
+
 Hdf5Id access_properties() {
   keep_quiet();
+  follow_no_external_links();
   Hdf5Id access = properties(H5P_FILE_ACCESS);
   // Checksummed headers, and no tree for a dataset of one chunk.
   H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110);
@@ -116,9 +125,10 @@ Hdf5File Hdf5File::create(const std::filesystem::path& path, files::Disk& disk) 
 Hdf5File Hdf5File::open(const std::filesystem::path& path) {
   Hdf5File file;
   file.name_ = path.string();
-  errno = 0;
-  if (!std::ifstream(path, std::ios::binary))
+  struct stat found {};
+  if (::stat(path.c_str(), &found) != 0 || ::access(path.c_str(), R_OK) != 0)
     throw InputError(fmt::format("{}: cannot be opened: {}", file.name_, std::strerror(errno)));
+  if (!S_ISREG(found.st_mode)) throw InputError(fmt::format("{}: is no file", file.name_));
   const Hdf5Id access = access_properties();
   file.id_ = {H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose};
   if (!file.id_.valid())
@@ -163,8 +173,9 @@ void Hdf5File::close() {
 Hdf5Group Hdf5Group::create(const std::string& name) const {
   keep_quiet();
   if (name.empty() || name == "." || name.find('/') != std::string::npos ||
-      name.find('\0') != std::string::npos)
-    fail(fmt::format("'{}' cannot be a name: it must not be empty or hold '/'", name));
+      !files::is_printable(name))
+    fail(fmt::format(
+        "'{}' cannot be a name: it must not be empty or hold '/' or control characters", name));
   if (has(name)) fail(name, "is there already");
   const Hdf5Id creation = properties(H5P_GROUP_CREATE);
   describe_group(creation.get());
@@ -185,6 +196,7 @@ bool Hdf5Group::is_group(const std::string& name) const {
 
 Hdf5Group Hdf5Group::open(const std::string& name) const {
   keep_quiet();
+  if (leads_outside(id_.get(), name)) fail(name, "leads into another file");
   if (!has(name)) fail(name, "is missing");
   Hdf5Id id(H5Gopen2(id_.get(), name.c_str(), H5P_DEFAULT), H5Gclose);
   if (!id.valid()) fail(name, "is not a readable group");
@@ -202,18 +214,24 @@ void Hdf5Group::each_child(const std::function<void(const std::string&)>& visit)
   const Hdf5Id creation(H5Gget_create_plist(id_.get()), H5Pclose);
   if (creation.valid()) H5Pget_link_creation_order(creation.get(), &order);
   const H5_index_t index = (order & H5P_CRT_ORDER_TRACKED) ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME;
-  Visit visited{visit, nullptr};
+  const std::function<void(const std::string&)> named = [&](const std::string& name) {
+    if (!files::is_printable(name))
+      fail(fmt::format("'{}' is no name: it holds control characters", name));
+    visit(name);
+  };
+  Visit visited{named, nullptr};
   const herr_t done = H5Literate(id_.get(), index, H5_ITER_INC, nullptr, visit_link, &visited);
   if (visited.thrown) std::rethrow_exception(visited.thrown);
   if (done < 0) fail("is not a readable group");
 }
 
 void Hdf5Group::fail(const std::string& message) const {
-  throw InputError(fmt::format("{}:{}: {}", file_, path_.empty() ? "/" : path_, message));
+  throw InputError(
+      fmt::format("{}:{}: {}", file_, path_.empty() ? "/" : path_, files::printable(message)));
 }
 
 void Hdf5Group::fail(const std::string& name, const std::string& message) const {
-  throw InputError(fmt::format("{}: {}", where(name), message));
+  throw InputError(fmt::format("{}: {}", where(name), files::printable(message)));
 }
 
 void Hdf5Group::refuse(const std::string& fault) const {
@@ -221,7 +239,7 @@ void Hdf5Group::refuse(const std::string& fault) const {
 }
 
 std::string Hdf5Group::where(const std::string& name) const {
-  return fmt::format("{}:{}/{}", file_, path_, name);
+  return fmt::format("{}:{}/{}", file_, path_, files::printable(name));
 }
 
 std::size_t Hdf5Group::file_bytes() const {

@@ -47,6 +47,10 @@ struct Opened {
 
 Opened open_dataset(hid_t group, const std::string& name, std::size_t file_bytes) {
   Opened data;
+  if (leads_outside(group, name)) {
+    data.problem = "leads into another file";
+    return data;
+  }
   if (H5Lexists(group, name.c_str(), H5P_DEFAULT) <= 0) {
     data.problem = "is missing";
     return data;

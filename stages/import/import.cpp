@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "pipeline/store/consistency.hpp"
 #include "stages/import/facing.hpp"
 #include "stages/import/find_recordings.hpp"
 #include "stages/import/format.hpp"
@@ -50,9 +51,14 @@ std::vector<std::string> import_format_names() {
 namespace {
 
 std::string head_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
   std::error_code error;
-  if (!stream || std::filesystem::is_directory(file, error)) {
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
+      !std::filesystem::is_directory(status)) {
+    throw InputError(fmt::format("{}: is no file: it is read more than once", file.string()));
+  }
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream || std::filesystem::is_directory(status)) {
     throw InputError(fmt::format("{}: cannot be read", file.string()));
   }
   constexpr std::size_t kSeen = 65536;  // a header may name hundreds of points
@@ -113,6 +119,8 @@ Demonstration read_recording(const ManifestEntry& entry) {
   if (entry.hand_breadth) demonstration.hand_breadth = entry.hand_breadth;
   if (!entry.labels.empty()) demonstration.labels = entry.labels;
   demonstration.reports.insert(demonstration.reports.end(), entry.notes.begin(), entry.notes.end());
+  if (const std::string fault = store::inconsistency(demonstration); !fault.empty())
+    throw InputError(fmt::format("{}: {}", entry.file, fault));
   return demonstration;
 }
 

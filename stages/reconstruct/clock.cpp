@@ -9,6 +9,8 @@ namespace morphe::reconstruct {
 namespace {
 
 constexpr double kTimeTolerance = 1e-9;  // [s]
+// No recording comes near (pipeline/store/workable.hpp); memory would.
+constexpr double kMostInstants = 1e8, kMostRefined = 1e5;
 
 /// Natural cubic spline through the points of one run.
 class Spline {
@@ -81,16 +83,17 @@ Clock clock_over(const std::vector<const std::vector<double>*>& stream_times, do
   }
   if (!(end >= begin)) return {0, rate_hz, 0};
   const double steps = std::floor((end - begin + kTimeTolerance) * rate_hz);
+  if (!(steps < kMostInstants)) return {0, rate_hz, 0};
   return {begin, rate_hz, static_cast<std::size_t>(steps) + 1};
 }
 
 std::vector<double> on_clock(const std::vector<double>& time, const std::vector<double>& values,
                              const Clock& clock, const ReconstructOptions& options) {
   std::vector<double> result(clock.count, kNotSeen);
-  if (time.size() < 2 || clock.count == 0) return result;
+  if (time.size() < 2 || clock.count == 0 || !(time.back() > time.front())) return result;
   const double stream_rate = static_cast<double>(time.size() - 1) / (time.back() - time.front());
-  const auto refine =
-      static_cast<std::size_t>(std::max(1.0, std::ceil(stream_rate / clock.rate_hz - 1e-6)));
+  const auto refine = static_cast<std::size_t>(
+      std::clamp(std::ceil(stream_rate / clock.rate_hz - 1e-6), 1.0, kMostRefined));
   const double fine_rate = clock.rate_hz * static_cast<double>(refine);
   for (const Spline& run : runs_of(time, values, options.max_gap_s)) {
     const double first = std::ceil((run.begin() - kTimeTolerance - clock.start_s) * fine_rate);

@@ -15,7 +15,8 @@ struct Clock {
   double at(std::size_t i) const { return start_s + static_cast<double>(i) / rate_hz; }
 };
 
-/// From the first to the last instant of any of the streams' times (each sorted).
+/// From the first to the last instant of any of the streams' times (each sorted); none if that is
+/// more than memory holds.
 Clock clock_over(const std::vector<const std::vector<double>*>& stream_times, double rate_hz);
 
 /// A recorded signal on the clock: a natural cubic spline through the seen samples, which bridges

@@ -6,7 +6,7 @@
 namespace morphe::reconstruct {
 
 std::string why_invalid(const ReconstructOptions& o) {
-  if (!(o.rate_hz > 0)) return "rate_hz must be positive";
+  if (!(o.rate_hz > 0 && o.rate_hz <= 1000)) return "rate_hz must be above 0 and at most 1000";
   if (!(o.cutoff_hz > 0 && o.cutoff_hz < 0.4 * o.rate_hz)) {
     return "cutoff_hz must lie between 0 and 0.4 rate_hz";
   }

@@ -218,7 +218,7 @@ bool follow_for(Eigen::Index periods, const std::function<PacedPath(bool keep_pa
 }  // namespace
 
 std::string why_invalid(const PhaseSpeed& o) {
-  if (!(o.scale > 0)) return "scale must be positive";
+  if (!(o.scale >= 1e-3)) return "scale must be at least 0.001";
   return "";
 }
 
@@ -226,10 +226,14 @@ std::string why_invalid(const RetimeOptions& o) {
   if ((o.mode == Tempo::duration) != o.duration_s.has_value()) {
     return "duration_s belongs to the mode duration, which needs it";
   }
-  if (o.duration_s && !(*o.duration_s > 0)) return "duration_s must be positive";
-  if (!(o.sample_rate_hz >= 10)) return "sample_rate_hz must be at least 10";
-  if (!(o.limit_share > 0 && o.limit_share <= 1)) return "limit_share must lie in (0, 1]";
-  if (o.tip_speed && !(*o.tip_speed > 0)) return "tip_speed must be positive";
+  if (o.duration_s && !(*o.duration_s > 0 && *o.duration_s <= 3600)) {
+    return "duration_s must be above 0 and at most 3600";
+  }
+  if (!(o.sample_rate_hz >= 10 && o.sample_rate_hz <= 10000)) {
+    return "sample_rate_hz must be 10 to 10000";
+  }
+  if (!(o.limit_share >= 1e-3 && o.limit_share <= 1)) return "limit_share must lie in [0.001, 1]";
+  if (o.tip_speed && !(*o.tip_speed >= 1e-3)) return "tip_speed must be at least 0.001";
   if (!(o.smoothing_s >= 0)) return "smoothing_s must not be negative";
   if (!(o.tip_tolerance >= 0)) return "tip_tolerance must not be negative";
   if (!(o.joint_tolerance >= 0)) return "joint_tolerance must not be negative";

@@ -46,6 +46,22 @@ TEST(Bytes, EveryFieldOfADemonstrationCounts) {
   EXPECT_TRUE(bytes_of(full_demonstration("one")) == bytes);
 }
 
+/// The shape of an array is as its item has it: a rotation has four numbers, a pose sixteen. Bytes
+/// that said otherwise were read beyond their end.
+TEST(Bytes, ShapesOfBlobsAreComparedInFull) {
+  const std::string bytes = bytes_of(full_plan("zz", 0));
+  for (const std::string name : {"wrist_orientation", "wrist_position"}) {
+    const std::size_t at = bytes.find(name);
+    ASSERT_NE(at, std::string::npos);
+    std::string forged = bytes;
+    const std::size_t columns = at + name.size() + 2 * sizeof(std::uint64_t);
+    const auto wide = static_cast<std::uint64_t>(forged[columns]);
+    ASSERT_EQ(wide, name == "wrist_orientation" ? 4u : 3u);
+    forged[columns] = 1;
+    EXPECT_EQ(input_error([&] { plan_from_bytes(forged); }), "is damaged") << name;
+  }
+}
+
 TEST(Bytes, DamagedOnesAreRefusedOrReadAsSomethingElse) {
   const std::string bytes = bytes_of(full_plan("zz", 0));
   for (std::size_t length = 0; length < bytes.size(); length += 7) {

@@ -163,7 +163,7 @@ TEST(DemonstrationFile, LeavesNothingWithoutFinish) {
 
 TEST(DemonstrationFile, FolderThatIsNotThere) {
   EXPECT_THAT(input_error([] { DemonstrationWriter writer("/nonexistent/d.h5"); }),
-              HasSubstr("/nonexistent/d.h5.part: cannot be created"));
+              HasSubstr("/nonexistent/d.h5: cannot be written: No such file or directory"));
 }
 
 TEST(DemonstrationFile, ReadsWhatH5pyWrites) {

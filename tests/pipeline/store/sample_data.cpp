@@ -11,12 +11,15 @@
 namespace morphe::store {
 namespace {
 
-/// Numbers that do not repeat and have no short binary form; every 17th is NaN.
+/// Numbers that do not repeat and have no short binary form; every 17th is NaN, unless all are
+/// seen.
 class Numbers {
  public:
+  Numbers() = default;
+  Numbers(int begin, bool all_seen) : all_seen_(all_seen), count_(begin) {}
   double operator()() {
     ++count_;
-    return count_ % 17 == 0 ? kNotSeen : 0.1 * count_ + 1.0 / count_;
+    return count_ % 17 == 0 && !all_seen_ ? kNotSeen : 0.1 * count_ + 1.0 / count_;
   }
   Vec3 point() {
     const double x = (*this)(), y = (*this)();
@@ -24,12 +27,22 @@ class Numbers {
   }
   Quat rotation() {
     const Vec3 axis = Vec3(1.0 + count_, 2.0, -3.0).normalized();
-    return ++count_ % 5 == 0 ? unseen_rotation() : Quat(Eigen::AngleAxisd(0.01 * count_, axis));
+    return ++count_ % 5 == 0 && !all_seen_ ? unseen_rotation()
+                                           : Quat(Eigen::AngleAxisd(0.01 * count_, axis));
   }
   Pose pose() { return make_pose({(*this)(), 2, 3}, Quat(Eigen::AngleAxisd(0.3, Vec3::UnitY()))); }
   std::vector<double> many(std::size_t count) {
     std::vector<double> values(count);
     for (double& value : values) value = (*this)();
+    return values;
+  }
+  /// All seen, each behind the one before.
+  std::vector<double> times(std::size_t count) {
+    std::vector<double> values(count);
+    for (double& value : values) {
+      ++count_;
+      value = 0.1 * count_ + 1e-3 / count_;
+    }
     return values;
   }
   std::vector<Vec3> points(std::size_t count) {
@@ -60,20 +73,24 @@ class Numbers {
   JointVector vector(Eigen::Index count) { return rows(count, 1); }
 
  private:
+  bool all_seen_ = false;
   int count_ = 0;
 };
 
 Streams full_streams(Numbers& number, HandKind kind) {
   Streams streams;
-  streams.markers = {{"RSHO1", "RÜAR", "m 3"}, number.many(4), number.points(4, 3)};
+  streams.markers = {{"RSHO1", "RÜAR", "m 3"}, number.times(4), number.points(4, 3)};
   streams.sensors = {
-      {"shoulder", "elbow"}, {}, number.many(5), number.points(5, 2), number.rotations(5, 2)};
-  streams.skeleton = {
-      {"hips", "chest"}, {"", "hips"}, number.many(3), number.points(3, 2), number.rotations(3, 2)};
-  streams.arm_angles = {{"flexion", "rotation"}, number.many(6), number.rows(6, 2)};
+      {"shoulder", "elbow"}, {}, number.times(5), number.points(5, 2), number.rotations(5, 2)};
+  streams.skeleton = {{"hips", "chest"},
+                      {"", "hips"},
+                      number.times(3),
+                      number.points(3, 2),
+                      number.rotations(3, 2)};
+  streams.arm_angles = {{"flexion", "rotation"}, number.times(6), number.rows(6, 2)};
   HandStream& hand = streams.hand.emplace();
   hand.kind = kind;
-  hand.time = number.many(2);
+  hand.time = number.times(2);
   if (kind == HandKind::glove || kind == HandKind::joint_angles) {
     for (int i = 0; i < (kind == HandKind::glove ? 22 : 3); ++i)
       hand.names.push_back(fmt::format("s{}", i));
@@ -84,7 +101,8 @@ Streams full_streams(Numbers& number, HandKind kind) {
   return streams;
 }
 
-std::vector<SceneObject> objects(Numbers& number) {
+std::vector<SceneObject> objects() {
+  Numbers number(1000, true);
   std::vector<SceneObject> all(5);
   const std::size_t sizes[] = {1, 3, 2, 2, 0};
   const char* names[] = {"zebra", "cup", "bottle", "pen", "apple"};  // not sorted
@@ -92,7 +110,7 @@ std::vector<SceneObject> objects(Numbers& number) {
     all[i].name = names[i];
     all[i].shape = static_cast<Shape>(i);
     all[i].size = number.many(sizes[i]);
-    all[i].time = number.many(i + 1);
+    all[i].time = number.times(i + 1);
     all[i].position = number.points(i + 1);
     all[i].orientation = number.rotations(i + 1);
   }
@@ -138,7 +156,7 @@ Demonstration full_demonstration(const std::string& name) {
   demo.streams = full_streams(number, HandKind::glove);
   demo.streams.sensors->orientation(0, 0) = Quat(0.1, 0.7, -0.7, 0.1);
   demo.calibration = full_streams(number, HandKind::keypoints);
-  demo.objects = objects(number);
+  demo.objects = objects();
   demo.labels = {{0.1, 0.2, PhaseKind::reach}, {0.2, kNotSeen, PhaseKind::grasp}};
   return demo;
 }
@@ -214,7 +232,7 @@ Plan full_plan(const std::string& demonstration, int movement) {
   plan.goals.finger_joint_position = number.points(4, 5);
   plan.goals.estimated = {"ring", "little finger"};
   plan.goals.common_base_offset = number.point();
-  plan.scene.objects = objects(number);
+  plan.scene.objects = objects();
   plan.world = {number.pose(), number.pose(), number.pose(), number.point()};
   plan.mapped.position = number.rows(4, 3);
   plan.mapped.position_error = number.rows(4, 2);

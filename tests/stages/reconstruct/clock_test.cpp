@@ -51,5 +51,21 @@ TEST(OnClock, BringsOtherRatesToTheClock) {
   }
 }
 
+/// The rate of a stream whose time stands still was infinite, and its remainder a division by zero.
+TEST(OnClock, TimesThatStandStillRaceOrRunAway) {
+  const ReconstructOptions options;
+  const std::vector<double> values{1, 2, 3};
+  for (const std::vector<double>& time :
+       {std::vector<double>{1, 1, 1}, std::vector<double>{0, 1e-300, 2e-300},
+        std::vector<double>{0, 1e-12, 2e-12}}) {
+    const Clock clock = clock_over({&time}, 100);
+    EXPECT_EQ(clock.count, 1u);
+    EXPECT_EQ(on_clock(time, values, clock, options).size(), 1u);
+  }
+  const std::vector<double> away{0, 1e300};
+  EXPECT_EQ(clock_over({&away}, 100).count, 0u);
+  EXPECT_TRUE(on_clock(away, {1, 2}, clock_over({&away}, 100), options).empty());
+}
+
 }  // namespace
 }  // namespace morphe::reconstruct
