@@ -12,6 +12,8 @@
 #include "pipeline/collision/close_holes.hpp"
 #include "pipeline/collision/convex_hull.hpp"
 #include "pipeline/collision/mesh_solid.hpp"
+#include "pipeline/collision/stl_file.hpp"
+#include "pipeline/files/read_in_child.hpp"
 
 namespace morphe::collision {
 namespace {
@@ -49,6 +51,20 @@ void take(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above, Sc
   for (unsigned k = 0; k < node.mNumChildren; ++k) take(scene, *node.mChildren[k], pose, mesh);
 }
 
+/// Files of the kinds that a library of others reads.
+std::string read_with_assimp(const std::filesystem::path& file, bool collada, SceneObject& mesh) {
+  Assimp::Importer importer;
+  const aiScene* scene = importer.ReadFile(file.string(), aiProcess_Triangulate);
+  if (!scene || !scene->mRootNode) return importer.GetErrorString();
+  aiMatrix4x4 above;
+  if (collada) {  // undoes what it says of units and which way is up
+    above = scene->mRootNode->mTransformation;
+    above.Inverse();
+  }
+  take(*scene, *scene->mRootNode, above, mesh);
+  return "";
+}
+
 }  // namespace
 
 std::string load_surface(const std::filesystem::path& file, SceneObject& mesh) {
@@ -61,20 +77,19 @@ std::string load_surface(const std::filesystem::path& file, SceneObject& mesh) {
   if (std::filesystem::file_size(file) > kLargestFile) {
     return file.string() + ": is larger than 200 MB; a mesh that large is to be simplified first";
   }
-  Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFile(file.string(), aiProcess_Triangulate);
-  if (!scene || !scene->mRootNode) return file.string() + ": " + importer.GetErrorString();
   mesh.shape = Shape::mesh;
   mesh.size.clear();
   mesh.vertices.clear();
   mesh.triangles.clear();
-  aiMatrix4x4 above;
-  if (kind == ".dae") {  // undoes what Collada says of units and which way is up
-    above = scene->mRootNode->mTransformation;
-    above.Inverse();
+  std::string problem;
+  if (kind == ".stl") {
+    problem = read_stl(file, mesh);
+  } else {
+    const auto read = [&] { problem = read_with_assimp(file, kind == ".dae", mesh); };
+    problem = files::fault_in_child(file, read);
+    if (problem.empty()) read();
   }
-  take(*scene, *scene->mRootNode, above, mesh);
-  const std::string problem = mesh_problem(mesh);
+  if (problem.empty()) problem = mesh_problem(mesh);
   return problem.empty() ? "" : file.string() + ": " + problem;
 }
 

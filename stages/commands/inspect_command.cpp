@@ -5,6 +5,7 @@
 
 #include "pipeline/motion/counted.hpp"
 #include "pipeline/store/demonstration_file.hpp"
+#include "pipeline/store/harmless.hpp"
 #include "stages/commands/commands.hpp"
 #include "stages/commands/dataset_input.hpp"
 #include "stages/commands/import_options.hpp"
@@ -34,6 +35,7 @@ imports::Imported for_each(const imports::ImportRequest& request,
   const std::filesystem::path& file = request.paths.front();
   if (std::filesystem::is_directory(file) || !is_demonstrations(file))
     return imports::import_recordings(request, sink);
+  store::expect_harmless(file);
   const store::DemonstrationReader reader(file);
   for (std::size_t i = 0; i < reader.size(); ++i) sink(reader.read(i));
   return {};

@@ -6,12 +6,15 @@
 #include <string>
 
 #include "pipeline/motion/input_error.hpp"
+#include "pipeline/store/harmless.hpp"
 
 namespace morphe::commands {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> plans_files(const fs::path& named) {
+namespace {
+
+std::vector<fs::path> find_plans(const fs::path& named) {
   if (!fs::is_directory(named)) return {named};
   if (fs::exists(named / "plans.h5")) return {named / "plans.h5"};
   std::vector<fs::path> found;
@@ -23,9 +26,20 @@ std::vector<fs::path> plans_files(const fs::path& named) {
   return found;
 }
 
+}  // namespace
+
+std::vector<fs::path> plans_files(const fs::path& named) {
+  std::vector<fs::path> found = find_plans(named);
+  for (const fs::path& file : found) store::expect_harmless(file);
+  return found;
+}
+
 fs::path plans_file(const fs::path& named) {
-  const std::vector<fs::path> found = plans_files(named);
-  if (found.size() == 1) return found.front();
+  const std::vector<fs::path> found = find_plans(named);
+  if (found.size() == 1) {
+    store::expect_harmless(found.front());
+    return found.front();
+  }
   std::string list;
   for (const fs::path& file : found) list += (list.empty() ? "" : ", ") + file.string();
   throw InputError(fmt::format("{}: holds several plans.h5: name one of {}", named.string(), list));

@@ -6,7 +6,8 @@
 namespace morphe::commands {
 
 /// A file as it is named, or the plans.h5 of a run's folder: of a run with several robots one each,
-/// by name. InputError: a folder without any.
+/// by name. Each is read in a child process first (store/harmless.hpp). InputError: a folder
+/// without any, or a file that is not to be read.
 std::vector<std::filesystem::path> plans_files(const std::filesystem::path& named);
 
 /// The one of them. InputError: the run's folder holds several, which the error lists.

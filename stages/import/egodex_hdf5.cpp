@@ -7,6 +7,7 @@
 #include <map>
 
 #include "pipeline/store/hdf5_file.hpp"
+#include "pipeline/store/harmless.hpp"
 #include "stages/import/apple_hand.hpp"
 #include "stages/import/hand_tracker.hpp"
 #include "stages/import/marker_recording.hpp"
@@ -139,6 +140,7 @@ bool recognises_egodex_hdf5(std::string_view head) {
 }
 
 Demonstration read_egodex_hdf5(const RecordingFiles& files) {
+  store::expect_harmless(files.file);
   const store::Hdf5File file = store::Hdf5File::open(files.file);
   const Hdf5Group root = file.root();
   Demonstration demonstration;
