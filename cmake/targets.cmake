@@ -36,6 +36,14 @@ function(morphe_exports target map)
   set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${script})
 endfunction()
 
+# What is released ends at a fault of memory, instead of going on with it: checked buffers, guarded
+# stacks, tables of the linker that cannot be written, addresses that differ from run to run.
+if(NOT MORPHE_SANITIZE)
+  target_compile_options(morphe_flags INTERFACE $<$<CONFIG:Release>:-fstack-protector-strong;-U_FORTIFY_SOURCE;-D_FORTIFY_SOURCE=2>)
+  target_link_options(morphe_flags INTERFACE $<$<CONFIG:Release>:LINKER:-z,relro,-z,now>
+                      $<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:-pie>)
+endif()
+
 if(MORPHE_WARNINGS_AS_ERRORS)
   target_compile_options(morphe_flags INTERFACE -Werror)
 endif()
