@@ -1,6 +1,8 @@
 #include "pipeline/config/node.hpp"
 
 #include <fmt/format.h>
+#include <yaml-cpp/anchor.h>
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
@@ -22,19 +24,46 @@ namespace {
 constexpr std::size_t kMostValues = 1'000'000, kMostBytes = std::size_t{64} << 20;
 constexpr int kMostDepth = 100;
 
-/// The one document of a text.
+/// Notices whether a document holds anything.
+struct Notice : YAML::EventHandler {
+  bool something = false;
+  int line = 0;
+
+  void notice(const YAML::Mark& mark) {
+    if (!something) line = mark.line + 1;
+    something = true;
+  }
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override { notice(mark); }
+  void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t,
+                const std::string&) override {
+    notice(mark);
+  }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t,
+                       YAML::EmitterStyle::value) override {
+    notice(mark);
+  }
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t,
+                  YAML::EmitterStyle::value) override {
+    notice(mark);
+  }
+  void OnMapEnd() override {}
+};
+
+/// The one document of a text. (YAML::LoadAll does not come to an end on some texts.)
 YAML::Node only_document(const std::string& text, const std::string& label) {
   if (text.size() > kMostBytes)
     throw InputError(fmt::format("{}: is longer than {} MB", label, kMostBytes >> 20));
-  YAML::Node found;
-  for (const YAML::Node& document : YAML::LoadAll(text)) {
-    if (!found.IsNull() && !document.IsNull()) {
-      throw InputError(fmt::format("{}:{}: a second document begins: there may be one", label,
-                                   document.Mark().line + 1));
-    }
-    if (!document.IsNull()) found.reset(document);
-  }
-  return found;
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  Notice first, second;
+  if (parser.HandleNextDocument(first) && parser.HandleNextDocument(second) && second.something)
+    throw InputError(
+        fmt::format("{}:{}: a second document begins: there may be one", label, second.line));
+  return YAML::Load(text);
 }
 
 }  // namespace

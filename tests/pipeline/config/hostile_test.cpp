@@ -61,7 +61,14 @@ TEST(HostileYaml, NestingWithoutEnd) {
 TEST(HostileYaml, ASecondDocumentIsNotIgnored) {
   EXPECT_EQ(refused("a: 1\n---\nb: 2\n"), "a.yaml:3: a second document begins: there may be one");
   EXPECT_EQ(refused("---\na: 1\n...\n"), "");
-  EXPECT_EQ(refused("---\n---\na: 1\n"), "");
+  EXPECT_EQ(refused("a: 1\n---\n# nothing\n"), "");
+  EXPECT_NE(refused("---\n---\na: 1\n"), "");
+}
+
+/// A brace that nothing opened was a document of its own, again and again.
+TEST(HostileYaml, ABraceThatNothingOpenedIsNoEndlessRowOfDocuments) {
+  for (const char* text : {"a: 1\n}\n", "}", "]", "a: b}\n}", "x: y\n  z: a: &a {b: 1}\n, c"})
+    refused(text);
 }
 
 TEST(HostileYaml, ControlCharactersOfKeysAreSpelled) {
