@@ -130,7 +130,8 @@ class Search {
     const double wanted = upper - std::max(kAbsolute, kRelative * std::abs(upper));
     std::vector<Vector6> asked;
     const std::size_t before = points_.size();
-    for (const auto& [value, u] : worst) {
+    for (const auto& [value, way] : worst) {
+      const Vector6& u = way;  // clang 14 has no bindings in lambdas
       if (!(value < wanted) || asked.size() >= kBatch) break;
       if (std::ranges::any_of(asked, [&](const Vector6& v) { return v.dot(u) > kApart; })) continue;
       asked.push_back(u);

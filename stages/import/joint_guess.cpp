@@ -137,8 +137,9 @@ GuessedNames guess_joints(const std::vector<std::string>& names,
                           const std::vector<std::string>& parents) {
   const SkeletonNames skeleton = skeleton_of(names, parents);
   GuessedNames guessed;
-  for (const auto& [side, prefix] : {std::pair(BodyWord::left, std::string("left_")),
-                                     std::pair(BodyWord::right, std::string("right_"))}) {
+  for (const auto& [side, begin] : {std::pair(BodyWord::left, std::string("left_")),
+                                    std::pair(BodyWord::right, std::string("right_"))}) {
+    const std::string& prefix = begin;  // clang 14 has no bindings in lambdas
     const auto add = [&](std::optional<std::size_t> joint, const char* name) {
       if (joint) guessed.emplace_back(names[*joint], prefix + name);
     };
