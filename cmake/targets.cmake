@@ -51,6 +51,10 @@ if(MORPHE_SANITIZE)
   target_compile_options(morphe_flags INTERFACE -fsanitize=${MORPHE_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(morphe_flags INTERFACE -fsanitize=${MORPHE_SANITIZE})
 endif()
+# libFuzzer sees which branches an input takes.
+if(MORPHE_FUZZ)
+  target_compile_options(morphe_flags INTERFACE -fsanitize=fuzzer-no-link)
+endif()
 # The linker sees what every file takes a type for: two of one name are an error.
 if(MORPHE_COMPARE_TYPES)
   target_compile_options(morphe_flags INTERFACE -flto)
