@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <map>
 
-#include "pipeline/store/hdf5_file.hpp"
 #include "pipeline/store/harmless.hpp"
+#include "pipeline/store/hdf5_file.hpp"
 #include "stages/import/apple_hand.hpp"
 #include "stages/import/hand_tracker.hpp"
 #include "stages/import/marker_recording.hpp"
