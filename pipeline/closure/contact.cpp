@@ -21,6 +21,9 @@ std::string why_invalid(const ContactSet& set) {
     if (!(std::abs(contact.normal.norm() - 1) < 1e-9)) {
       return fmt::format("contact {}: its normal is no unit vector", k);
     }
+    if (!(contact.share > 0 && contact.share < kInfinity)) {
+      return fmt::format("contact {}: its share must be above 0", k);
+    }
   }
   return "";
 }

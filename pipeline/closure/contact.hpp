@@ -15,6 +15,8 @@ using Wrench = Eigen::Matrix<double, 6, 1>;
 struct Contact {
   Vec3 point;   ///< on the surface [m]
   Vec3 normal;  ///< unit, into the object: the way the finger presses
+  /// Of ForceLimit::each: the limit of its normal force, as a share of that of a contact of 1.
+  double share = 1;
 };
 
 /// A soft finger with an elliptic cone: |f_t|^2 / mu^2 + m^2 / gamma^2 <= f_n^2 for the tangential
@@ -32,8 +34,9 @@ struct ContactSet {
   double torque_scale_m = 1;      ///< the surface's largest distance from it [m]
 };
 
-/// What is wrong with it (a normal that is no unit vector, friction below 0, a scale that is not
-/// above 0, a number that is none), "" if nothing. The functions of this folder assume nothing is.
+/// What is wrong with it (a normal that is no unit vector, friction below 0, a scale or a share
+/// that is not above 0, a number that is none), "" if nothing. The functions of this folder assume
+/// nothing is.
 std::string why_invalid(const ContactSet& set);
 
 /// r = (p - c) / rho.

@@ -39,7 +39,9 @@ WrenchSet make_wrench_set(const ContactSet& contacts, ForceLimit limit) {
     cone.along = cone.normal.cross(cone.across);
     const double reach =
         std::sqrt((1 + set.mu * set.mu) * (1 + cone.lever.squaredNorm()) + set.g * set.g);
-    set.radius = limit == ForceLimit::sum ? std::max(set.radius, reach) : set.radius + reach;
+    if (limit == ForceLimit::each) cone.most = contact.share;
+    set.radius =
+        limit == ForceLimit::sum ? std::max(set.radius, reach) : set.radius + cone.most * reach;
     set.cones.push_back(cone);
   }
   set.rounding = kRounding * set.radius;
@@ -53,8 +55,8 @@ Support support(const WrenchSet& set, const Wrench& u) {
     const Support one = cone_support(set, cone, u);
     if (set.limit == ForceLimit::each) {
       if (one.value > 0) {
-        all.value += one.value;
-        all.point += one.point;
+        all.value += cone.most * one.value;
+        all.point += cone.most * one.point;
       }
     } else if (first || one.value > all.value) {
       all = one;

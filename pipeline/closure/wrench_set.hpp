@@ -11,14 +11,17 @@ inline constexpr double kRounding = 1e-12;
 
 /// What bounds the normal forces that make up a set of wrenches.
 enum class ForceLimit {
-  sum,   ///< they sum to 1 (L1): the hull of the contacts' cones at normal force 1
-  each,  ///< each is from 0 to 1 (L∞): the sum of the contacts' cones, each cut off at 1; holds 0
+  sum,  ///< they sum to 1 (L1): the hull of the contacts' cones at normal force 1
+  /// Each is from 0 to its contact's share, 1 by default (L∞): the sum of the contacts' cones, each
+  /// cut off there; holds 0.
+  each,
 };
 
 /// The wrenches that contacts can bring about together.
 struct WrenchSet {
   struct Cone {
     Vec3 lever, normal, across, along;  ///< the last two span the tangent plane
+    double most = 1;                    ///< normal force
   };
   ForceLimit limit = ForceLimit::sum;
   double mu = 0, g = 0;  ///< g = gamma / rho
@@ -41,7 +44,7 @@ struct Support {
 /// h_i = n·v + s with v = u_f + u_t × r (the contact point's velocity under the twist u),
 /// b = v - (n·v) n, t = n·u_t, s = sqrt(mu^2 |b|^2 + g^2 t^2); attained by the force n + mu^2 b / s
 /// with the moment rho g^2 t / s. L1: max h_i, below 0 where all contacts push away from u; L∞: sum
-/// of max(0, h_i). Without contacts both sets are {0}.
+/// of share_i max(0, h_i). Without contacts both sets are {0}.
 Support support(const WrenchSet& set, const Wrench& u);
 
 }  // namespace morphe::closure

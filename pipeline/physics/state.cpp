@@ -22,7 +22,8 @@ void copy_into(const std::vector<double>& from, mjtNum* to) { std::ranges::copy(
 
 struct State::Running {
   mjData* data = nullptr;
-  std::vector<int> carried;  ///< degrees of freedom whose motors carry their load
+  std::vector<int> carried;                    ///< degrees of freedom whose motors carry their load
+  std::vector<mjtNum> acceleration, inertial;  ///< [nv] that is carried, and the forces for it
   ~Running() {
     if (data) mj_deleteData(data);
   }
@@ -36,6 +37,8 @@ State::State(const Model& model) : model_(&model), running_(std::make_unique<Run
     if (m.jnt_type[joint] == mjJNT_HINGE || m.jnt_type[joint] == mjJNT_SLIDE)
       running_->carried.push_back(m.jnt_dofadr[joint]);
   }
+  running_->acceleration.assign(static_cast<std::size_t>(m.nv), 0);
+  running_->inertial = running_->acceleration;
 }
 
 State::~State() = default;
@@ -74,6 +77,10 @@ Pose State::body(int body) const {
 
 void State::set_control(int actuator, double value) { running_->data->ctrl[actuator] = value; }
 
+void State::set_acceleration(int joint, double value) {
+  running_->acceleration[static_cast<std::size_t>(model_of(*model_).jnt_dofadr[joint])] = value;
+}
+
 double State::asked(int actuator) const {
   const mjModel& m = model_of(*model_);
   const mjData& d = *running_->data;
@@ -103,7 +110,9 @@ std::optional<std::string> State::step() {
   const double before_s = d.time;
   const std::string warning = guarded([&] {
     mj_step1(&m, &d);
-    for (const int dof : running_->carried) d.qfrc_applied[dof] = d.qfrc_bias[dof];
+    mj_mulM(&m, &d, running_->inertial.data(), running_->acceleration.data());
+    for (const int dof : running_->carried)
+      d.qfrc_applied[dof] = d.qfrc_bias[dof] + running_->inertial[static_cast<std::size_t>(dof)];
     mj_step2(&m, &d);
   });
   if (!warning.empty()) return warning;

@@ -28,8 +28,8 @@ struct Touch {
 
 /// One simulation of a model, which must outlive it; a thread's own. All poses are in the world's
 /// frame. After a step bodies and touches are as it began, joints as it ended. Motors carry what
-/// gravity and the robot's own motion ask of every joint but free ones (inverse dynamics), beside
-/// what their servos ask.
+/// gravity, the robot's own motion and the accelerations that were set ask of every joint but free
+/// ones (inverse dynamics), beside what their servos ask.
 class State {
  public:
   explicit State(const Model& model);
@@ -43,6 +43,9 @@ class State {
   void set_body(int body, const Pose& pose);
   Pose body(int body) const;
   void set_control(int actuator, double value);
+  /// Which acceleration of a joint its motor is to carry, until it is changed: 0 at first
+  /// [rad/s^2 or m/s^2].
+  void set_acceleration(int joint, double value);
   /// What the servo asks before the motor's limit, and all that the motor gives: servo within its
   /// limit and the compensation [N m or N]. Of the last step.
   double asked(int actuator) const;

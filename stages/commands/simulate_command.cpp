@@ -27,6 +27,8 @@ namespace fs = std::filesystem;
 struct SimulateArguments {
   std::string plans, out, directions{name_of(simulate::Directions::first)}, integrator = "implicit";
   std::string contacts{name_of(simulate::Contacts::stored)};
+  std::string servos;
+  std::vector<double> friction_range, mass_range;
   simulate::SimulateOptions options;
   RowChoice choice;
   int jobs = 0;
@@ -96,6 +98,11 @@ std::vector<simulate::PlanResult> simulate_all(const SimulateArguments& argument
   return results;
 }
 
+std::optional<simulate::Range> range_of(const std::vector<double>& ends) {
+  if (ends.empty()) return std::nullopt;
+  return simulate::Range{ends.front(), ends.back()};
+}
+
 int execute(SimulateArguments& arguments) {
   if (physics::engine().empty()) {
     throw InputError(
@@ -103,11 +110,15 @@ int execute(SimulateArguments& arguments) {
   }
   arguments.options.directions = *named<simulate::Directions>(arguments.directions);
   arguments.options.contacts = *named<simulate::Contacts>(arguments.contacts);
+  arguments.options.friction_range = range_of(arguments.friction_range);
+  arguments.options.mass_range = range_of(arguments.mass_range);
   arguments.options.euler = arguments.integrator == "euler";
   if (const std::string wrong = why_invalid(arguments.options); !wrong.empty())
     throw InputError("simulate: --" + wrong);
   check_choice(arguments.choice);
   const store::PlanReader reader(plans_file(arguments.plans));
+  if (!arguments.servos.empty())
+    arguments.options.servos = simulate::read_servos(arguments.servos, reader.robot());
   run::OutputFolder folder(arguments.out);
   const std::vector<simulate::PlanResult> results = simulate_all(arguments, reader, folder);
   std::string table = simulate::csv_head();
@@ -135,15 +146,25 @@ Command simulate_command(CLI::App& app) {
   app.add_option("--torsion", options.torsion_m,
                  "Torsional friction between them, a length in m (default: 0.002)");
   app.add_option("--mass", options.mass_kg, "Of the target, kg (default: 0.3)");
+  app.add_option("--friction-range", arguments->friction_range,
+                 "FROM TO: friction of all rollouts but the first is spread over it")
+      ->expected(2)
+      ->type_name("FROM TO");
+  app.add_option("--mass-range", arguments->mass_range,
+                 "FROM TO: mass of all rollouts but the first is spread over it, kg")
+      ->expected(2)
+      ->type_name("FROM TO");
   app.add_option("--contacts", arguments->contacts,
-                 "stored: those of the plan with its forces, where it names some; nearest: of the "
-                 "fingers with goals")
+                 "stored: the plan's squeeze, where it has one; nearest: of the fingers with goals")
       ->check(CLI::IsMember({"stored", "nearest"}));
   app.add_option("--force", options.force_N,
                  "The thumb's squeeze of nearest contacts, N (default: 8)");
   app.add_option("--stiffness", options.hand_stiffness,
                  "Of the fingers' servos, N m/rad (default: 10)");
   app.add_option("--torque", options.hand_torque, "Limit of the fingers' motors, N m (default: 1)");
+  app.add_option("--servos", arguments->servos,
+                 "YAML file of single joints' stiffness, resistance, armature, damping and torque")
+      ->type_name("FILE");
   app.add_option("--density", options.density,
                  "Of the robot's capsules, kg per cubic metre (default: 1000)");
   app.add_option("--step", options.step_s, "Of the simulation, s (default: 0.002)");

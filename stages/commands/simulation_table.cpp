@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "pipeline/math/statistics.hpp"
 #include "pipeline/motion/counted.hpp"
@@ -35,11 +36,26 @@ struct Figures {
   double sag_m = kNotSeen, slip_m = kNotSeen, creep_m = kNotSeen;  ///< medians of those that held
   double arm_error = kNotSeen, hand_error = kNotSeen, torque_share = kNotSeen;  ///< largest
   double contact_s = kNotSeen;  ///< median of the first touch less the planned one
+  double needed_N = kNotSeen, given_N = kNotSeen;  ///< medians, as it is lifted
   std::map<std::string, int> failures;
+};
+
+/// How often the newtons told hold from fall, of loads that came.
+struct Foretold {
+  std::size_t right = 0, all = 0;
+  void add(const Rollout& one, const simulate::Holding& load) {
+    if (!simulate::was_loaded(load.failure)) return;
+    ++all;
+    right += one.foretold(load) == load.held() ? 1U : 0U;
+  }
 };
 
 double largest(const std::vector<double>& values) {
   return values.empty() ? kNotSeen : *std::ranges::max_element(values);
+}
+
+double middle(std::vector<double> values) {
+  return values.empty() ? kNotSeen : math::median(values);
 }
 
 double median_of_held(const PlanResult& result, const std::function<double(const Rollout&)>& of) {
@@ -47,7 +63,7 @@ double median_of_held(const PlanResult& result, const std::function<double(const
   for (const Rollout& one : result.rollouts) {
     if (one.lift.held()) values.push_back(of(one));
   }
-  return values.empty() ? kNotSeen : math::median(values);
+  return middle(std::move(values));
 }
 
 Figures figures_of(const PlanResult& result) {
@@ -66,16 +82,25 @@ Figures figures_of(const PlanResult& result) {
   figures.arm_error = largest(each(result, [](const Rollout& r) { return r.arm_error; }));
   figures.hand_error = largest(each(result, [](const Rollout& r) { return r.hand_error; }));
   figures.torque_share = largest(each(result, [](const Rollout& r) { return r.torque_share; }));
+  figures.needed_N = middle(each(result, [](const Rollout& r) { return r.lift.needed_N; }));
+  figures.given_N = middle(each(result, [](const Rollout& r) { return r.given_N; }));
   std::vector<double> late;
   for (const Rollout& one : result.rollouts) {
     if (std::isfinite(one.contact_s)) late.push_back(one.contact_s - result.planned_contact_s);
   }
-  if (!late.empty()) figures.contact_s = math::median(late);
+  figures.contact_s = middle(std::move(late));
   return figures;
 }
 
+Foretold foretold_of(const PlanResult& result) {
+  Foretold lifts;
+  for (const Rollout& one : result.rollouts) lifts.add(one, one.lift);
+  return lifts;
+}
+
 std::string shown(double value, double factor, int digits) {
-  return std::isnan(value) ? "-" : fmt::format("{:.{}f}", factor * value, digits);
+  return !std::isfinite(value) ? std::isnan(value) ? "-" : "inf"
+                               : fmt::format("{:.{}f}", factor * value, digits);
 }
 
 std::string failures_text(const std::map<std::string, int>& failures) {
@@ -99,6 +124,8 @@ TextTable::Row row_of(const PlanResult& result) {
                shown(f.hand_error, 1, 2),
                shown(f.contact_s, 1e3, 0),
                shown(f.torque_share, 100, 0),
+               shown(f.needed_N, 1, 1),
+               shown(f.given_N, 1, 1),
                fit ? failures_text(f.failures) : std::string(name_of(result.unfit))};
   if (!fit) row.lines.push_back(result.detail);
   if (result.force_share < 1)
@@ -122,17 +149,31 @@ std::string simulation_table(const std::vector<PlanResult>& results,
       {"plan", "", true},        {"held", ""},          {"six", "directions"},
       {"sag", "mm", false, 4},   {"slip", "mm"},        {"creep", "mm", false, 3},
       {"arm", "error deg"},      {"hand", "error deg"}, {"contact", "late ms", false, 2},
-      {"torque", "%", false, 1}, {"failed", "by", true}};
+      {"torque", "%", false, 1}, {"needed", "N"},       {"given", "N"},
+      {"failed", "by", true}};
   std::size_t fit = 0, held = 0, rollouts = 0;
+  Foretold lifts, directions;
   for (const PlanResult& result : results) {
     table.rows.push_back(row_of(result));
     fit += result.unfit == simulate::Unfit::none ? 1U : 0U;
     held += result.held();
     rollouts += result.rollouts.size();
+    for (const Rollout& one : result.rollouts) {
+      lifts.add(one, one.lift);
+      for (const simulate::Holding& load : one.directions) directions.add(one, load);
+    }
   }
   std::string text = table_text(table, width);
   for (const std::string& sentence : assumptions(options))
     text += folded("assumed: " + sentence, width, "");
+  for (const auto& [what, foretold] :
+       {std::pair{"lifts", lifts}, std::pair{"directions", directions}}) {
+    if (foretold.all == 0) continue;
+    text += fmt::format(
+        "needed and given newtons tell hold from fall in {} of {} {} ({:.0f} %)\n", foretold.right,
+        foretold.all, what,
+        100.0 * static_cast<double>(foretold.right) / static_cast<double>(foretold.all));
+  }
   return text + fmt::format("{} simulated, {} not: {} of {} held\n", counted(fit, "plan"),
                             results.size() - fit, held, counted(rollouts, "rollout"));
 }
@@ -158,7 +199,11 @@ std::string simulation_json(const std::vector<PlanResult>& results) {
                      {"hand_error", number(f.hand_error)},
                      {"contact_late_s", number(f.contact_s)},
                      {"torque_share", number(f.torque_share)},
+                     {"squeeze", result.planned_squeeze ? "plan" : "nearest"},
                      {"force_share", result.force_share},
+                     {"needed_N", number(f.needed_N)},
+                     {"given_N", number(f.given_N)},
+                     {"foretold", foretold_of(result).right},
                      {"failures", Json(f.failures)}});
   }
   return Json{{"plans", plans}}.dump(2) + "\n";

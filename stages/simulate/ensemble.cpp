@@ -1,6 +1,8 @@
 #include "stages/simulate/ensemble.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "pipeline/files/sha256.hpp"
 #include "pipeline/math/random_stream.hpp"
@@ -11,16 +13,25 @@
 
 namespace morphe::simulate {
 
+namespace {
+
+double drawn(math::RandomStream& random, double value, const std::optional<Range>& range) {
+  if (!range) return value * random.uniform(1 - kFactor, 1 + kFactor);
+  return range->from * std::exp(random.uniform(0, 1) * std::log(range->to / range->from));
+}
+
+}  // namespace
+
 Variation variation_of(const PreparedPlan& plan, const SimulateOptions& options,
                        const std::string& name, int k) {
   Variation variation{options.friction, options.torsion_m, options.mass_kg, plan.base_from_target};
   if (k == 0) return variation;
   math::RandomStream random(math::seed_from(options.seed, name, static_cast<std::size_t>(k)),
                             "simulate");
-  const double friction = random.uniform(1 - kFactor, 1 + kFactor);
-  variation.friction *= friction;
-  variation.torsion_m *= friction;
-  variation.mass_kg *= random.uniform(1 - kFactor, 1 + kFactor);
+  const double friction = drawn(random, options.friction, options.friction_range);
+  variation.torsion_m *= friction / variation.friction;
+  variation.friction = friction;
+  variation.mass_kg = drawn(random, options.mass_kg, options.mass_range);
   const Eigen::Matrix3d plane =
       Quat::FromTwoVectors(Vec3::UnitZ(), plan.world.up).toRotationMatrix();
   const double right = random.uniform(-kShift_m, kShift_m);
@@ -48,6 +59,7 @@ PlanResult simulate_plan(const robot::Robot& robot, const Plan& plan, const std:
   if (prepared.unfit != Unfit::none) return result;
   result.presses = prepared.plan.squeeze.presses;
   for (const Press& press : result.presses) result.tips.push_back(robot.tips[press.tip].name);
+  result.planned_squeeze = prepared.plan.squeeze.planned;
   result.force_share = prepared.plan.squeeze.force_share;
   result.planned_contact_s = prepared.plan.planned_contact_s;
   result.rollouts.resize(static_cast<std::size_t>(options.ensemble));

@@ -8,8 +8,9 @@
 namespace morphe::simulate {
 
 /// Rollout k of a plan: of 0 nothing is varied; of the others friction (and torsion with it) and
-/// mass by up to kFactor, the target's place by up to kShift_m along each of two directions of the
-/// plane it stands on and kTurn_deg about its normal, evenly. Depends on the seed, the plan's name
+/// mass by up to kFactor, or over the ranges that the options name, the target's place by up to
+/// kShift_m along each of two directions of the plane it stands on and kTurn_deg about its normal,
+/// evenly. Depends on the seed, the plan's name
 /// ("<demonstration>/<000>") and k alone.
 Variation variation_of(const PreparedPlan& plan, const SimulateOptions& options,
                        const std::string& name, int k);
@@ -22,6 +23,7 @@ struct PlanResult {
   std::vector<std::string> notes;
   std::vector<Press> presses;
   std::vector<std::string> tips;  ///< [presses] their names
+  bool planned_squeeze = false;   ///< Squeeze::planned
   double force_share = 1;         ///< Squeeze::force_share
   double planned_contact_s = kNotSeen;
   std::vector<Rollout> rollouts;  ///< [ensemble], none if it is unfit

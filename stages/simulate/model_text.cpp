@@ -38,6 +38,10 @@ std::string inertial(const Inertia& body) {
 /// Contacts come from the list of pairs alone, masses from <inertial>.
 constexpr const char* kGeom = "contype=\"0\" conaffinity=\"0\" mass=\"0\"";
 
+/// Where a cylinder's axis is normal to a plane but for rounding, MuJoCo 2.2.2 makes its lowest
+/// point of that rounding, and may find no contact: no plane is that straight.
+constexpr double kTilt_rad = 1e-6;
+
 std::string capsule_geom(const RobotTable::Capsule& capsule, std::size_t k) {
   if ((capsule.to - capsule.from).norm() < 1e-9) {
     return fmt::format("<geom name=\"c{}\" type=\"sphere\" size=\"{:.17g}\" pos=\"{}\" {}/>\n", k,
@@ -88,8 +92,15 @@ class Writer {
     head();
     meshes();
     add(text_, "<worldbody>\n");
+    if (world_.lifts_base) {
+      add(text_,
+          "<body name=\"base\">\n<joint name=\"base\" type=\"slide\" axis=\"{}\"/>\n"
+          "<inertial pos=\"0 0 0\" mass=\"1\" diaginertia=\"0.01 0.01 0.01\"/>\n",
+          numbers(world_.up));
+    }
     capsules_of(-1);
     for (const std::size_t f : children_[0]) frame(f);
+    if (world_.lifts_base) add(text_, "</body>\n");
     objects();
     target();
     add(text_, "</worldbody>\n");
@@ -158,7 +169,8 @@ class Writer {
       if (stands_around(world_, k))
         text_ += object_geom(object, name_of_object(k), recorded_pose(object, object.time.front()));
     }
-    Pose plane = make_pose(Vec3::Zero(), Quat::FromTwoVectors(Vec3::UnitZ(), world_.up));
+    Pose plane = make_pose(Vec3::Zero(), Quat::FromTwoVectors(Vec3::UnitZ(), world_.up) *
+                                             Quat(Eigen::AngleAxisd(kTilt_rad, Vec3::UnitX())));
     plane.translation() =
         lowest(target_object(), variation_.base_from_target, world_.up) * world_.up;
     add(text_, "<geom name=\"support\" type=\"plane\" size=\"1 1 1\" {} {}/>\n", place(plane),
@@ -246,6 +258,12 @@ class Writer {
           "forcerange=\"{:.17g} {:.17g}\"/>\n",
           j, frames[j], servo.stiffness, -servo.stiffness, -servo.resistance, -servo.torque,
           servo.torque);
+    }
+    if (world_.lifts_base) {
+      add(text_,
+          "<general name=\"base\" joint=\"base\" gaintype=\"fixed\" biastype=\"affine\" "
+          "gainprm=\"{:g}\" biasprm=\"0 {:g} {:g}\"/>\n",
+          kBaseStiffness, -kBaseStiffness, -kBaseResistance);
     }
     add(text_, "</actuator>\n");
   }

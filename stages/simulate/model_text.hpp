@@ -25,6 +25,7 @@ struct SimulatedWorld {
   const Scene* scene = nullptr;
   int target = -1;  ///< of scene->objects
   Vec3 up = Vec3::UnitZ();
+  bool lifts_base = false;  ///< a hand without an arm: its base slides along `up`
 };
 
 /// Whether the target stands in the world, or hangs in the hand alone, without weight, support and
@@ -37,12 +38,12 @@ bool stands_around(const SimulatedWorld& world, std::size_t object);
 
 /// MJCF, every number with 17 digits. Names: frame k is body and joint "f<k>" (whose value is
 /// ratio * q + offset), joint j has the motor "m<j>", capsule k is geom "c<k>"; "target" is body
-/// and geom; object k is geom "o<k>", "support" the plane on which the target stands: through its
-/// lowest point, normal to `up`. Contacts are listed pair by pair, since what is not listed would
-/// combine friction by the larger of two: the target with every capsule, with the support and with
-/// every object that stands around but the one called "table", on which it is taken to stand;
-/// capsules of the hand with each other, where they may collide, and with all these objects. A
-/// target's mesh counts as its convex hull.
+/// and geom; "base" is body, joint and motor of a base that is lifted; object k is geom "o<k>",
+/// "support" the plane on which the target stands: through its lowest point, normal to `up`.
+/// Contacts are listed pair by pair, since what is not listed would combine friction by the larger
+/// of two: the target with every capsule, with the support and with every object that stands around
+/// but the one called "table", on which it is taken to stand; capsules of the hand with each other,
+/// where they may collide, and with all these objects. A target's mesh counts as its convex hull.
 std::string model_text(const SimulatedWorld& world, const Variation& variation,
                        const SimulateOptions& options, Around around);
 

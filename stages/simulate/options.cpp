@@ -12,6 +12,12 @@ std::string why_invalid(const SimulateOptions& o) {
   if (!positive(o.friction)) return "friction must be above 0";
   if (!(std::isfinite(o.torsion_m) && o.torsion_m >= 0)) return "torsion must not be negative";
   if (!positive(o.mass_kg)) return "mass must be above 0";
+  const auto wrong = [&](const std::optional<Range>& range) {
+    return range &&
+           !(positive(range->from) && std::isfinite(range->to) && range->from <= range->to);
+  };
+  if (wrong(o.friction_range)) return "friction-range must be two numbers above 0, the less first";
+  if (wrong(o.mass_range)) return "mass-range must be two numbers above 0, the less first";
   if (!positive(o.force_N)) return "force must be above 0";
   if (!(o.step_s >= 1e-5 && o.step_s <= 0.01)) return "step must be 0.00001 to 0.01 s";
   if (!positive(o.density)) return "density must be above 0";
@@ -36,12 +42,13 @@ std::vector<std::string> assumptions(const SimulateOptions& o) {
           "solid",
           o.density, o.mass_kg),
       fmt::format("motors carry gravity and the robot's own motion; an arm's servos are those of a "
-                  "PA10 by a joint's place, fingers have {:g} N m/rad and {:g} N m",
-                  o.hand_stiffness, o.hand_torque),
-      fmt::format(
-          "of a plan that names no contacts the thumb presses with {:g} N where its tip comes to "
-          "lie on the target, the other fingers with goals with shares of it",
-          o.force_N),
+                  "PA10 by a joint's place, fingers have {:g} N m/rad and {:g} N m{}",
+                  o.hand_stiffness, o.hand_torque,
+                  o.servos.empty() ? "" : ", where the file of servos says nothing else"),
+      fmt::format("a hand squeezes as its plan says; of a plan without a squeeze the thumb presses "
+                  "with {:g} N where its tip comes to lie on the target, the other fingers with "
+                  "goals with shares of it",
+                  o.force_N),
       "the target stands on a plane through its lowest point"};
 }
 

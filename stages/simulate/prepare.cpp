@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "pipeline/collision/distance.hpp"
 #include "pipeline/collision/mesh_solid.hpp"
@@ -112,22 +113,29 @@ Prepared prepare(const robot::Robot& robot, const Plan& plan, const SimulateOpti
   }
   const JointVector open =
       plan.trajectory.position.row(static_cast<Eigen::Index>(last_followed(plan))).transpose();
-  std::vector<Press> presses;
-  if (options.contacts == Contacts::stored) presses = stored_presses(robot, plan);
-  if (!presses.empty()) {
-    prepared.notes.push_back("contacts and forces are those that the plan names");
-  } else {
-    presses = presses_of(robot, plan, open, options.force_N, prepared.detail);
+  std::optional<Squeeze> squeeze;
+  if (options.contacts == Contacts::stored)
+    squeeze = planned_squeeze(robot, plan, open, ready.world.servos);
+  if (!squeeze) {
+    const std::vector<Press> presses =
+        presses_of(robot, plan, open, options.force_N, prepared.detail);
+    if (presses.empty()) {
+      prepared.unfit = Unfit::no_squeeze;
+      return prepared;
+    }
+    squeeze =
+        squeeze_with(robot, open, ready.base_from_target, target, presses, ready.world.servos);
+    prepared.notes.push_back(options.contacts == Contacts::nearest
+                                 ? "not the plan's squeeze: fingers with goals close and press"
+                                 : "the plan has no squeeze: fingers with goals close and press");
   }
-  if (presses.empty()) {
-    prepared.unfit = Unfit::no_squeeze;
-    return prepared;
-  }
-  ready.squeeze =
-      squeeze_with(robot, open, ready.base_from_target, target, presses, ready.world.servos);
+  ready.squeeze = std::move(*squeeze);
   const auto rows = static_cast<Eigen::Index>(std::llround(kLift_s / options.step_s));
+  ready.world.lifts_base = robot.arm_joints.empty();
+  if (ready.world.lifts_base) prepared.notes.push_back("a hand without an arm: its base is lifted");
   const std::optional<JointRows> lifting =
-      lift(robot, ready.squeeze.closed, ready.world.up, kLift_m, rows);
+      ready.world.lifts_base ? JointRows(ready.squeeze.closed.transpose().replicate(rows, 1))
+                             : lift(robot, ready.squeeze.closed, ready.world.up, kLift_m, rows);
   if (!lifting) {
     prepared.unfit = Unfit::no_lift;
     prepared.detail = fmt::format("the arm cannot lift the palm by {:g} m from the grasp", kLift_m);

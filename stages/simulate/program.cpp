@@ -23,22 +23,40 @@ JointVector led(const JointVector& position, const JointVector& velocity,
   return target;
 }
 
+/// The written trajectory's quintics at a time, which must not go back from call to call.
+class Curve {
+ public:
+  Curve(const Trajectory& trajectory, std::size_t last) : t_(trajectory), last_(last) {}
+
+  void move_to(double since_s) {
+    at_s_ = std::min(t_.time.front() + since_s, t_.time[last_]);
+    while (sample_ + 2 <= last_ && t_.time[sample_ + 1] <= at_s_) ++sample_;
+  }
+  JointVector derivative(int order) const {
+    JointVector values(t_.position.cols());
+    for (Eigen::Index j = 0; j < values.size(); ++j)
+      values[j] =
+          math::value_at(math::quintic_piece(t_, sample_, j), at_s_ - t_.time[sample_], order);
+    return values;
+  }
+
+ private:
+  const Trajectory& t_;
+  std::size_t last_, sample_ = 0;
+  double at_s_ = 0;
+};
+
+/// A controller sends what is wanted as a step begins, and is judged by where the robot is as it
+/// ends.
 void follow(const Trajectory& t, std::size_t last, const std::vector<Servo>& servos, double step_s,
             Program& program) {
-  const Eigen::Index n = t.position.cols();
-  std::size_t sample = 0;
-  JointVector position(n), velocity(n);
+  Curve curve(t, last);
   for (Eigen::Index row = 0; row < program.followed; ++row) {
-    const double at_s =
-        std::min(t.time.front() + static_cast<double>(row + 1) * step_s, t.time[last]);
-    while (sample + 2 <= last && t.time[sample + 1] <= at_s) ++sample;
-    for (Eigen::Index j = 0; j < n; ++j) {
-      const math::QuinticPiece piece = math::quintic_piece(t, sample, j);
-      position[j] = math::value_at(piece, at_s - t.time[sample]);
-      velocity[j] = math::value_at(piece, at_s - t.time[sample], 1);
-    }
-    program.reference.row(row) = position.transpose();
-    program.control.row(row) = led(position, velocity, servos).transpose();
+    curve.move_to(static_cast<double>(row) * step_s);
+    program.control.row(row) = led(curve.derivative(0), curve.derivative(1), servos).transpose();
+    program.acceleration.row(row) = curve.derivative(2).transpose();
+    curve.move_to(static_cast<double>(row + 1) * step_s);
+    program.reference.row(row) = curve.derivative(0).transpose();
   }
 }
 
@@ -65,6 +83,7 @@ Program program_of(const robot::Robot& robot, const Plan& plan, const std::vecto
   program.held = program.lifted + steps_in(kHold_s, step_s);
   program.control.resize(program.held, n);
   program.reference.resize(program.followed, n);
+  program.acceleration.resize(program.followed, n);
   follow(t, last, servos, step_s, program);
 
   const JointVector open = t.position.row(static_cast<Eigen::Index>(last)).transpose();

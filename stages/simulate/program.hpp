@@ -10,9 +10,10 @@ namespace morphe::simulate {
 
 /// What a controller would send, a row a step; nothing in it knows what the simulation does.
 struct Program {
-  JointVector start;    ///< [n]
-  JointRows control;    ///< [steps, n] targets of the servos
-  JointRows reference;  ///< [followed, n] where the written trajectory is after that step
+  JointVector start;       ///< [n]
+  JointRows control;       ///< [steps, n] targets of the servos
+  JointRows reference;     ///< [followed, n] where the written trajectory is after that step
+  JointRows acceleration;  ///< [followed, n] of it, that motors carry in that step
   /// Steps at which a part ends: the trajectory, the squeeze (closing and settling with it), the
   /// lift, the holding.
   Eigen::Index followed = 0, squeezed = 0, lifted = 0, held = 0;
@@ -22,8 +23,8 @@ struct Program {
 /// the grasp begins, or the trajectory's last. What comes then is this protocol's.
 std::size_t last_followed(const Plan& plan);
 
-/// Follows the trajectory (the quintics between its samples, each target led so that the servo is
-/// there in time), closes the fingers, squeezes, lifts by rows of lift(), holds.
+/// Follows the trajectory (the quintics between its samples as each step begins, led by what the
+/// servos lag behind), closes the fingers, squeezes, lifts by rows of lift(), holds.
 Program program_of(const robot::Robot& robot, const Plan& plan, const std::vector<Servo>& servos,
                    const Squeeze& squeeze, const JointRows& lifting, double step_s);
 

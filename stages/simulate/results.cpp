@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
@@ -17,6 +18,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+/// Newtons: those that no squeeze is enough for are infinite.
+double newtons_of(const Json& json) { return json.is_null() ? kInfinity : json.get<double>(); }
 double value_of(const Json& json) { return json.is_null() ? kNotSeen : json.get<double>(); }
 
 Json json_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
@@ -33,7 +36,8 @@ Way way_of(const Json& json) { return {at(json, "m"), at(json, "deg")}; }
 Json json_of(const Holding& holding) {
   return {{"failure", name_of(holding.failure)}, {"detail", holding.detail},
           {"sag", json_of(holding.sag)},         {"creep", json_of(holding.creep)},
-          {"largest", json_of(holding.largest)}, {"slip_m", holding.slip_m}};
+          {"largest", json_of(holding.largest)}, {"slip_m", holding.slip_m},
+          {"needed_N", number(holding.needed_N)}};
 }
 
 Holding holding_of(const Json& json) {
@@ -42,7 +46,8 @@ Holding holding_of(const Json& json) {
           way_of(json.at("sag")),
           way_of(json.at("creep")),
           way_of(json.at("largest")),
-          at(json, "slip_m")};
+          at(json, "slip_m"),
+          newtons_of(json.at("needed_N"))};
 }
 
 /// The matrix, row by row: a quaternion would not give its last digits back.
@@ -79,6 +84,10 @@ Json json_of(const Rollout& rollout) {
           {"contact_s", number(rollout.contact_s)},
           {"pushed", json_of(rollout.pushed)},
           {"torque_share", rollout.torque_share},
+          {"given_N", rollout.given_N},
+          {"needed_worst_N", number(rollout.needed_worst_N)},
+          {"needed_down_N", number(rollout.needed_down_N)},
+          {"pressed_N", rollout.pressed_N},
           {"lift", json_of(rollout.lift)},
           {"directions", directions}};
 }
@@ -92,6 +101,10 @@ Rollout rollout_of(const Json& json) {
   rollout.contact_s = value_of(json.at("contact_s"));
   rollout.pushed = way_of(json.at("pushed"));
   rollout.torque_share = at(json, "torque_share");
+  rollout.given_N = at(json, "given_N");
+  rollout.needed_worst_N = newtons_of(json.at("needed_worst_N"));
+  rollout.needed_down_N = newtons_of(json.at("needed_down_N"));
+  rollout.pressed_N = json.at("pressed_N").get<std::vector<double>>();
   rollout.lift = holding_of(json.at("lift"));
   for (const Json& holding : json.at("directions"))
     rollout.directions.push_back(holding_of(holding));
@@ -110,10 +123,15 @@ PlanResult result_of(const Json& json) {
                               vector_of(press.at("inward")), at(press, "force_N"),
                               vector_of(press.at("aside"))});
   }
+  result.planned_squeeze = json.at("squeeze") == "plan";
   result.force_share = at(json, "force_share");
   result.planned_contact_s = value_of(json.at("planned_contact_s"));
   for (const Json& rollout : json.at("rollouts")) result.rollouts.push_back(rollout_of(rollout));
   return result;
+}
+
+double largest_of(const std::vector<double>& values) {
+  return values.empty() ? 0 : *std::ranges::max_element(values);
 }
 
 /// Quoted where it must be (RFC 4180).
@@ -155,6 +173,7 @@ std::string result_json(const PlanResult& result, const SimulateOptions& options
                      {"notes", result.notes},
                      {"held", result.held()},
                      {"presses", presses},
+                     {"squeeze", result.planned_squeeze ? "plan" : "nearest"},
                      {"force_share", result.force_share},
                      {"planned_contact_s", number(result.planned_contact_s)},
                      {"rollouts", rollouts}};
@@ -177,7 +196,10 @@ std::optional<PlanResult> read_result(const std::filesystem::path& file, const s
 std::string csv_head() {
   return "plan,rollout,held,failure,friction,torsion_m,mass_kg,arm_error_deg,hand_error_deg,"
          "contact_s,planned_contact_s,pushed_m,pushed_deg,sag_m,sag_deg,slip_m,creep_m,creep_deg,"
-         "largest_m,largest_deg,torque_share,directions\n";
+         "largest_m,largest_deg,torque_share,squeeze,needed_worst_N,needed_down_N,needed_lift_N,"
+         "given_N,pressed_"
+         "N,"
+         "foretold,directions\n";
 }
 
 std::string csv_rows(const PlanResult& result) {
@@ -189,18 +211,22 @@ std::string csv_rows(const PlanResult& result) {
     std::string directions;
     for (const Holding& holding : one.directions)
       directions += fmt::format("{}{}", directions.empty() ? "" : " ", name_of(holding.failure));
-    fmt::format_to(std::back_inserter(rows),
-                   "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", plan, k,
-                   lift.held() ? 1 : 0, name_of(lift.failure), one.variation.friction,
-                   one.variation.torsion_m, one.variation.mass_kg, one.arm_error, one.hand_error,
-                   one.contact_s, result.planned_contact_s, one.pushed.distance_m,
-                   one.pushed.angle_deg, lift.sag.distance_m, lift.sag.angle_deg, lift.slip_m,
-                   lift.creep.distance_m, lift.creep.angle_deg, lift.largest.distance_m,
-                   lift.largest.angle_deg, one.torque_share, directions);
+    fmt::format_to(
+        std::back_inserter(rows),
+        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},"
+        "{}\n",
+        plan, k, lift.held() ? 1 : 0, name_of(lift.failure), one.variation.friction,
+        one.variation.torsion_m, one.variation.mass_kg, one.arm_error, one.hand_error,
+        one.contact_s, result.planned_contact_s, one.pushed.distance_m, one.pushed.angle_deg,
+        lift.sag.distance_m, lift.sag.angle_deg, lift.slip_m, lift.creep.distance_m,
+        lift.creep.angle_deg, lift.largest.distance_m, lift.largest.angle_deg, one.torque_share,
+        result.planned_squeeze ? "plan" : "nearest", one.needed_worst_N, one.needed_down_N,
+        lift.needed_N, one.given_N, largest_of(one.pressed_N), one.foretold(lift) ? 1 : 0,
+        directions);
   }
   if (result.rollouts.empty()) {
     // As many empty cells as there are columns beside the plan, the rollout and the two verdicts.
-    rows = fmt::format("{},,0,{}{}\n", plan, name_of(result.unfit), std::string(18, ','));
+    rows = fmt::format("{},,0,{}{}\n", plan, name_of(result.unfit), std::string(25, ','));
   }
   return rows;
 }

@@ -5,6 +5,9 @@
 #include <optional>
 
 #include "pipeline/physics/state.hpp"
+#include "pipeline/robot/tree.hpp"
+#include "stages/simulate/lift.hpp"
+#include "stages/simulate/newtons.hpp"
 #include "stages/simulate/watch.hpp"
 
 namespace morphe::simulate {
@@ -13,6 +16,13 @@ namespace {
 constexpr Eigen::Index kLook = 5;   ///< steps from one look at the target to the next
 constexpr double kAtLimit = 0.999;  ///< of a motor's torque
 
+/// Of a hand's base, as lift() has the palm.
+double base_height(const Program& program, Eigen::Index row) {
+  const double done = static_cast<double>(row + 1 - program.squeezed) /
+                      static_cast<double>(program.lifted - program.squeezed);
+  return kLift_m * minimum_jerk(std::clamp(done, 0.0, 1.0));
+}
+
 /// A model with its state, moved by rows of a program.
 class Simulation {
  public:
@@ -20,7 +30,7 @@ class Simulation {
              Around around)
       : plan_(plan),
         model_(model_text(plan.world, variation, options, around)),
-        parts_(model_, *plan.robot),
+        parts_(model_, *plan.robot, plan.world.lifts_base),
         state_(model_),
         motor_frames_(motor_frames(*plan.robot)) {}
 
@@ -41,6 +51,9 @@ class Simulation {
       const double q = plan_.program.control(row, static_cast<Eigen::Index>(j));
       state_.set_control(parts_.motors[j], motor.ratio * q + motor.offset);
     }
+    carry_acceleration(row);
+    if (parts_.base_motor >= 0)
+      state_.set_control(parts_.base_motor, base_height(plan_.program, row));
     const std::optional<std::string> wrong = state_.step();
     if (!wrong) note_torques();
     return wrong;
@@ -62,6 +75,18 @@ class Simulation {
   }
 
  private:
+  void carry_acceleration(Eigen::Index row) {
+    if (row > plan_.program.followed) return;  // what is set once stays
+    const RobotTable& robot = *plan_.robot;
+    for (std::size_t f = 0; f < robot.frames.size(); ++f) {
+      const RobotTable::Frame& frame = robot.frames[f];
+      if (frame.joint < 0) continue;
+      const double joint =
+          row < plan_.program.followed ? plan_.program.acceleration(row, frame.joint) : 0;
+      state_.set_acceleration(parts_.joints[f], frame.ratio * joint);
+    }
+  }
+
   void note_torques() {
     finger_at_limit_ = false;
     for (std::size_t j = 0; j < parts_.motors.size(); ++j) {
@@ -105,11 +130,43 @@ void note_tracking(const PreparedPlan& plan, const Simulation& simulation, Eigen
   }
 }
 
+/// Along the normal, by the last link of each press's finger.
+std::vector<double> pressed(const PreparedPlan& plan, const std::vector<Grip>& grips) {
+  const RobotTable& robot = *plan.robot;
+  std::vector<double> forces;
+  for (const Press& press : plan.squeeze.presses) {
+    const int link = robot::body_of(robot, robot.tips[press.tip].frame);
+    double force = 0;
+    for (const Grip& grip : grips) {
+      if (robot::body_of(robot, robot.capsules[static_cast<std::size_t>(grip.capsule)].frame) ==
+          link)
+        force += grip.force_N;
+    }
+    forces.push_back(force);
+  }
+  return forces;
+}
+
+bool astray(const Rollout& rollout) {
+  return rollout.arm_error > kArmAstray || rollout.hand_error > kHandAstray;
+}
+
+/// Why the hand has no hold of the target, if it has none.
+Failure why_not_taken(const Rollout& rollout, bool knocked, bool opposed) {
+  const bool pushed = rollout.pushed.distance_m > kPushed_m;
+  if (!pushed && opposed) return Failure::none;
+  if (astray(rollout)) return Failure::tracking;
+  if (knocked) return Failure::knocked;
+  if (pushed) return Failure::pushed;
+  return std::isnan(rollout.contact_s) ? Failure::not_touched : Failure::no_contact;
+}
+
 /// The trajectory and the squeeze. False: it ends here, and why is in `lift`.
 bool take_hold(const PreparedPlan& plan, const SimulateOptions& options, Simulation& simulation,
                Rollout& rollout) {
   std::vector<physics::Touch> touches;
   const Pose placed = simulation.target();
+  bool knocked = false;
   for (Eigen::Index row = 0; row < plan.program.squeezed; ++row) {
     if (const auto wrong = simulation.step(row)) {
       rollout.lift = broken(*wrong);
@@ -124,13 +181,11 @@ bool take_hold(const PreparedPlan& plan, const SimulateOptions& options, Simulat
     const Way way = way_between(placed, simulation.target());
     rollout.pushed.distance_m = std::max(rollout.pushed.distance_m, way.distance_m);
     rollout.pushed.angle_deg = std::max(rollout.pushed.angle_deg, way.angle_deg);
+    if (row + 1 == plan.program.followed) knocked = rollout.pushed.distance_m > kPushed_m;
   }
-  const bool pushed = rollout.pushed.distance_m > kPushed_m;
-  if (pushed) {
-    rollout.lift.failure = Failure::pushed;
-  } else if (!opposed(grips_of(simulation.state(), simulation.parts(), touches))) {
-    rollout.lift.failure = Failure::no_contact;
-  }
+  const std::vector<Grip> grips = grips_of(simulation.state(), simulation.parts(), touches);
+  rollout.pressed_N = pressed(plan, grips);
+  rollout.lift.failure = why_not_taken(rollout, knocked, opposed(grips));
   return rollout.lift.held();
 }
 
@@ -182,6 +237,16 @@ std::vector<Holding> six_directions(const PreparedPlan& plan, const Variation& v
   return holdings;
 }
 
+void foretell(const PreparedPlan& plan, Rollout& rollout) {
+  const Newtons newtons = newtons_of(plan, rollout.variation);
+  rollout.given_N = newtons.given;
+  rollout.needed_worst_N = newtons.worst;
+  rollout.needed_down_N = newtons.down;
+  rollout.lift.needed_N = newtons.lift;
+  for (std::size_t k = 0; k < rollout.directions.size(); ++k)
+    rollout.directions[k].needed_N = newtons.along[k];
+}
+
 }  // namespace
 
 Rollout roll_out(const PreparedPlan& plan, const Variation& variation,
@@ -201,6 +266,7 @@ Rollout roll_out(const PreparedPlan& plan, const Variation& variation,
   } catch (const physics::EngineError& error) {
     rollout.lift = broken(error.what());
   }
+  foretell(plan, rollout);
   return rollout;
 }
 

@@ -21,6 +21,14 @@ constexpr double kHandArmature = 0.001, kHandDamping = 0.02;
 // A joint that slides, of arm or hand. ASSUMPTION: a gripper's.
 constexpr ArmServo kSliding{5000, 100, 0.3, 60};
 
+void take(const ServoGains& gains, Servo& servo) {
+  servo.stiffness = gains.stiffness.value_or(servo.stiffness);
+  servo.resistance = gains.resistance.value_or(servo.resistance);
+  servo.armature = gains.armature.value_or(servo.armature);
+  servo.damping = gains.damping.value_or(servo.damping);
+  servo.torque = gains.torque.value_or(servo.torque);
+}
+
 }  // namespace
 
 std::vector<int> motor_frames(const RobotTable& robot) {
@@ -49,6 +57,8 @@ std::vector<Servo> servos_of(const robot::Robot& robot, const SimulateOptions& o
       const double critical = 2 * std::sqrt(options.hand_stiffness * kHandArmature);
       servo = {options.hand_stiffness, critical, kHandArmature, kHandDamping, options.hand_torque};
     }
+    if (const auto gains = options.servos.find(robot.joint_names[j]); gains != options.servos.end())
+      take(gains->second, servo);
     double damping = 0;  // of all frames that the joint moves
     for (const RobotTable::Frame& frame : robot.frames) {
       if (frame.joint == static_cast<int>(j))

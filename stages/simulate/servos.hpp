@@ -21,7 +21,7 @@ struct Servo {
 
 /// [joints] Those of the arm are the PA10's by their place from the base (MuJoCo models of it:
 /// stiffness 4000 … 500, armature 0.75 … 0.006, limits 158 … 17 N m), whatever the arm; those of
-/// the hand as the options say.
+/// the hand as the options say; what options.servos says of a joint comes before both.
 std::vector<Servo> servos_of(const robot::Robot& robot, const SimulateOptions& options);
 
 /// [joints] The first frame that a joint moves: the one with the motor. The value of a frame is

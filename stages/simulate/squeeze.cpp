@@ -95,6 +95,23 @@ Hand hand_of(const robot::Robot& robot, const Pose& base_from_target, const Scen
   return {robot, base_from_target, target, collision::mesh_solid_of(target), {}};
 }
 
+/// How far beyond where they touch servos must aim for the joints' torques, as far as motors go.
+void aim(const robot::Robot& robot, const std::vector<Servo>& servos, const JointVector& torque,
+         Squeeze& squeeze) {
+  const std::vector<int> motors = motor_frames(robot);
+  squeeze.beyond = JointVector::Zero(torque.size());
+  for (Eigen::Index j = 0; j < torque.size(); ++j) {
+    const Servo& servo = servos[static_cast<std::size_t>(j)];
+    const double ratio =
+        robot.frames[static_cast<std::size_t>(motors[static_cast<std::size_t>(j)])].ratio;
+    if (torque[j] == 0) continue;
+    squeeze.force_share =
+        std::min(squeeze.force_share, servo.torque * std::abs(ratio) / std::abs(torque[j]));
+    squeeze.beyond[j] = torque[j] / (servo.stiffness * ratio * ratio);
+  }
+  squeeze.beyond *= squeeze.force_share;
+}
+
 }  // namespace
 
 Squeeze squeeze_with(const robot::Robot& robot, const JointVector& posture,
@@ -111,22 +128,14 @@ Squeeze squeeze_with(const robot::Robot& robot, const JointVector& posture,
                          base_from_target.linear() * (press.force_N * press.inward + press.aside),
                          finger_joints(robot, press.tip));
   }
-  const std::vector<int> motors = motor_frames(robot);
-  squeeze.beyond = JointVector::Zero(posture.size());
-  for (Eigen::Index j = 0; j < torque.size(); ++j) {
-    const Servo& servo = servos[static_cast<std::size_t>(j)];
-    const double ratio =
-        robot.frames[static_cast<std::size_t>(motors[static_cast<std::size_t>(j)])].ratio;
-    if (torque[j] == 0) continue;
-    squeeze.force_share =
-        std::min(squeeze.force_share, servo.torque * std::abs(ratio) / std::abs(torque[j]));
-    squeeze.beyond[j] = torque[j] / (servo.stiffness * ratio * ratio);
-  }
-  squeeze.beyond *= squeeze.force_share;
+  aim(robot, servos, torque, squeeze);
   squeeze.presses = std::move(presses);
   return squeeze;
 }
 
+namespace {
+
+/// The contacts that the plan names, with their forces.
 std::vector<Press> stored_presses(const robot::Robot& robot, const Plan& plan) {
   std::vector<Press> presses;
   for (const PadContact& contact : plan.grasp.contacts) {
@@ -139,6 +148,29 @@ std::vector<Press> stored_presses(const robot::Robot& robot, const Plan& plan) {
                        seen(contact.friction) ? contact.friction : Vec3(Vec3::Zero())});
   }
   return presses;
+}
+
+}  // namespace
+
+std::optional<Squeeze> planned_squeeze(const robot::Robot& robot, const Plan& plan,
+                                       const JointVector& posture,
+                                       const std::vector<Servo>& servos) {
+  const Grasp& grasp = plan.grasp;
+  const bool whole =
+      grasp.squeeze_torque.size() == posture.size() && grasp.hand_posture.size() == posture.size();
+  if (!whole || !grasp.squeeze_torque.allFinite() || !grasp.hand_posture.allFinite())
+    return std::nullopt;
+  Squeeze squeeze;
+  squeeze.planned = true;
+  squeeze.presses = stored_presses(robot, plan);
+  if (squeeze.presses.size() < 2) return std::nullopt;
+  squeeze.closed = posture;
+  for (Eigen::Index j = 0; j < posture.size(); ++j) {
+    if (std::ranges::count(robot.arm_joints, static_cast<int>(j)) == 0)
+      squeeze.closed[j] = grasp.hand_posture[j];
+  }
+  aim(robot, servos, grasp.squeeze_torque, squeeze);
+  return squeeze;
 }
 
 std::vector<Press> presses_of(const robot::Robot& robot, const Plan& plan,

@@ -42,10 +42,11 @@ Vec3 line_between(const std::vector<Grip>& grips) {
 
 }  // namespace
 
-Parts::Parts(const physics::Model& model, const RobotTable& robot)
+Parts::Parts(const physics::Model& model, const RobotTable& robot, bool lifts_base)
     : target_body(model.body("target")),
       target_geom(model.geom("target")),
       palm_body(model.body(fmt::format("f{}", robot.palm_frame))),
+      base_motor(lifts_base ? model.actuator("base") : -1),
       capsule_of_geom(static_cast<std::size_t>(model.geom_count()), -1) {
   for (std::size_t f = 0; f < robot.frames.size(); ++f) {
     const std::string name = fmt::format("f{}", f);
@@ -69,7 +70,8 @@ std::vector<Grip> grips_of(const physics::State& state, const Parts& parts,
     const int capsule =
         parts.capsule_of_geom[static_cast<std::size_t>(target_first ? touch.second : touch.first)];
     if (capsule >= 0 && touch.force > 0)
-      grips.push_back({capsule, touch.point, target_first ? Vec3(-touch.normal) : touch.normal});
+      grips.push_back(
+          {capsule, touch.point, target_first ? Vec3(-touch.normal) : touch.normal, touch.force});
   }
   return grips;
 }

@@ -11,9 +11,10 @@ namespace morphe::simulate {
 
 /// Names of a model's parts as numbers.
 struct Parts {
-  Parts(const physics::Model& model, const RobotTable& robot);
+  Parts(const physics::Model& model, const RobotTable& robot, bool lifts_base);
 
   int target_body = 0, target_geom = 0, palm_body = 0;
+  int base_motor = -1;               ///< -1: the base stands
   std::vector<int> bodies, joints;   ///< [frames] joints: -1 where nothing moves
   std::vector<int> motors;           ///< [joints]
   std::vector<int> capsule_of_geom;  ///< [geoms] -1: none
@@ -22,7 +23,8 @@ struct Parts {
 /// A capsule on the target.
 struct Grip {
   int capsule = 0;
-  Vec3 point, inward;  ///< in the base's frame; unit, into the target
+  Vec3 point, inward;  ///< in the world's frame; unit, into the target
+  double force_N = 0;  ///< along that
 };
 /// Of the last step. `touches` is scratch.
 std::vector<Grip> grips_of(const physics::State& state, const Parts& parts,

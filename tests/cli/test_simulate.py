@@ -16,7 +16,7 @@ GRASP, TABLE = "ADL001DR2/000", "simulation.csv"
 
 def setUpModule():
     global PLANS
-    PLANS = planned_sample()
+    PLANS = planned_sample("--set", "grasp.close_fingers=true")
     with h5py.File(PLANS, "r+") as file:  # a second grasp, one that is infeasible, one that is broken
         plans = file["plans/ADL001DR2"]
         for copy in ("001", "002", "003"):
@@ -105,6 +105,36 @@ class Simulate(CommandCase):
                       "ADL001DR2/001", cwd=self.folder)
         self.assertEqual([file.name for file in self.folder.iterdir()], ["out"])
 
+    def test_glue_always_lifts_and_ice_never(self):
+        self.simulate("glue", "--only", GRASP, "--friction", "10", "--torsion", "0.02", ensemble=2)
+        self.simulate("ice", "--only", GRASP, "--friction", "0.01", "--torsion", "0.0001", ensemble=2)
+        self.assertEqual([row["held"] for row in self.rows("glue")], ["1"] * 2)
+        self.assertEqual([row["held"] for row in self.rows("ice")], ["0"] * 2)
+
+    def test_newtons_tell_hold_from_fall(self):
+        result = self.simulate("out", "--only", GRASP, "--friction-range", "0.1", "1.2",
+                               "--mass-range", "0.05", "3", ensemble=6)
+        rows = self.rows("out")
+        for row in rows:
+            needed = float(row["needed_lift_N"])
+            self.assertEqual(row["foretold"], "1" if needed <= float(row["given_N"]) else "0")
+            self.assertGreaterEqual(float(row["needed_worst_N"]), 0.98 * float(row["needed_down_N"]))
+            if row["failure"] not in ("pushed", "no_contact"):  # it presses with what it is sent to
+                self.assertLess(abs(float(row["pressed_N"]) - float(row["given_N"])), 2.5)
+            self.assertEqual(row["squeeze"], "plan")
+        self.assertEqual({row["held"] for row in rows}, {"0", "1"})
+        self.assertIn("tell hold from fall in", result.stdout)
+
+    def test_a_file_of_servos(self):
+        servos = self.folder / "servos.yaml"
+        servos.write_text("index_proximal: {stiffness: 20}\n")
+        self.simulate("plain", "--only", GRASP, ensemble=1)
+        self.simulate("stiff", "--only", GRASP, "--servos", servos, ensemble=1)
+        self.assertNotEqual(self.rows("plain"), self.rows("stiff"))
+        servos.write_text("index: {stiffness: 20}\n")
+        result = morphe("simulate", PLANS, "--out", self.folder / "none", "--servos", servos)
+        self.refuses(result, f"{servos}:1: index")
+
     def test_wrong_arguments(self):
         def refused(*arguments):
             result = morphe("simulate", PLANS, "--out", self.folder / "out", *arguments)
@@ -117,6 +147,7 @@ class Simulate(CommandCase):
         self.assertIn("--step must be", refused("--step", "1"))
         self.assertIn("--mass must be above 0", refused("--mass", "-1"))
         self.assertIn("--directions", refused("--directions", "seven"))
+        self.assertIn("--mass-range must be", refused("--mass-range", "3", "1"))
         self.assertIn("--frictoin", refused("--frictoin", "1"))
         self.assertEqual(morphe("simulate", PLANS).returncode, 2)
 

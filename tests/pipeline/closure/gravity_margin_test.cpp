@@ -39,6 +39,18 @@ TEST(GravityMargin, TwoOppositeFingersHoldTwiceMuAcross) {
   }
 }
 
+// Their normal forces must be alike to balance along the line: both are the smaller limit.
+TEST(GravityMargin, AContactWithASmallerShareLimitsTheOther) {
+  ContactSet set = pinch(0.6, 0.002);
+  set.contacts[1].share = 0.25;
+  expect_around(gravity_margin(set, {}, Vec3::UnitX(), kFine), 0.3);
+  // Along the line each finger gives what it has.
+  expect_around(gravity_margin(set, {}, -Vec3(set.contacts[0].normal), kFine), 1);
+  expect_around(gravity_margin(set, {}, -Vec3(set.contacts[1].normal), kFine), 0.25);
+  set.contacts[1].share = 0;
+  EXPECT_EQ(why_invalid(set), "contact 1: its share must be above 0");
+}
+
 /// Normal forces a and b differ by lambda cos; no turning asks for lambda sin / 2 across at each,
 /// so b = lambda sin / (2 mu), and a = 1.
 TEST(GravityMargin, Oblique) {

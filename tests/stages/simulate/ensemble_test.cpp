@@ -46,6 +46,26 @@ TEST(Ensemble, VariesWithinItsBoundsFromThePlansName) {
             variation_of(ready, options, "cup/001", 3).mass_kg);
 }
 
+TEST(Ensemble, SpreadsOverARangeWhereOneIsNamed) {
+  const Plan plan = cup_plan();
+  SimulateOptions options;
+  options.friction_range = Range{0.1, 1.2};
+  options.mass_range = Range{0.05, 3};
+  const PreparedPlan ready = prepare(gripper(), plan, options).plan;
+  EXPECT_EQ(variation_of(ready, options, "cup/000", 0).friction, 0.8);
+  int below = 0;  // the middle of the logarithms
+  for (int k = 1; k <= 400; ++k) {
+    const Variation one = variation_of(ready, options, "cup/000", k);
+    EXPECT_TRUE(one.friction >= 0.1 && one.friction <= 1.2);
+    EXPECT_TRUE(one.mass_kg >= 0.05 && one.mass_kg <= 3);
+    EXPECT_NEAR(one.torsion_m / one.friction, 0.002 / 0.8, 1e-12);
+    below += one.mass_kg < std::sqrt(0.05 * 3) ? 1 : 0;
+  }
+  EXPECT_NEAR(below, 200, 40);
+  options.mass_range = Range{3, 0.05};
+  EXPECT_NE(why_invalid(options), "");
+}
+
 PlanResult some_result() {
   PlanResult result;
   result.plan = "a, \"b\"/000";
@@ -62,8 +82,12 @@ PlanResult some_result() {
   rollout.contact_s = kNotSeen;
   rollout.pushed = {0.001, 2};
   rollout.torque_share = 0.5;
-  rollout.lift = {Failure::pivot, "words", {1, 2}, {3, 4}, {5, 6}, 7};
-  rollout.directions = {{Failure::none, "", {1, 2}, {3, 4}, {5, 6}, 7}};
+  rollout.given_N = 5;
+  rollout.needed_worst_N = kInfinity;
+  rollout.needed_down_N = 6;
+  rollout.pressed_N = {4, 5.5};
+  rollout.lift = {Failure::pivot, "words", {1, 2}, {3, 4}, {5, 6}, 7, 1.0 / 3};
+  rollout.directions = {{Failure::none, "", {1, 2}, {3, 4}, {5, 6}, 7, kInfinity}};
   result.rollouts = {rollout, rollout};
   return result;
 }
@@ -77,6 +101,7 @@ TEST(Results, AFileGivesEveryNumberBack) {
   const std::optional<PlanResult> read = read_result(file, "key");
   ASSERT_TRUE(read);
   EXPECT_EQ(result_json(*read, options, "key"), text);
+  EXPECT_EQ(csv_rows(*read), csv_rows(some_result()));
   EXPECT_FALSE(read_result(file, "another key"));
   std::ofstream(file) << text.substr(0, text.size() / 2);
   EXPECT_FALSE(read_result(file, "key"));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "pipeline/motion/plan.hpp"
 #include "pipeline/robot/robot.hpp"
 
@@ -76,6 +78,23 @@ inline Plan cup_plan() {
   plan.grasp.base_from_object = Pose(Eigen::Translation3d(0.08, 0, 0.1));
   plan.grasp.hand_posture = t.position.row(30).transpose();
   return plan;
+}
+
+/// A squeeze of 5 N by each of the two, with the fingers where they touch.
+inline void add_squeeze(Plan& plan) {
+  PadContact thumb, index, silent;
+  thumb.tip = "thumb_tip";
+  thumb.point = Vec3(0, 0.03, 0);
+  thumb.normal = Vec3(0, -1, 0);
+  thumb.force = index.force = 5;
+  index.tip = silent.tip = "index_tip";
+  index.point = Vec3(0, -0.03, 0);
+  index.normal = Vec3(0, 1, 0);
+  plan.grasp.contacts = {thumb, index, silent};
+  const double closed = std::asin(0.02 / 0.08);  // the tips' axes 40 mm from the cup's
+  plan.grasp.hand_posture = Eigen::Vector3d(0, -closed, closed);
+  plan.grasp.squeeze_torque = Eigen::Vector3d(0, -0.4, 0.4);
+  plan.grasp.squeeze_posture = plan.grasp.hand_posture + plan.grasp.squeeze_torque / 10;
 }
 
 }  // namespace morphe::simulate

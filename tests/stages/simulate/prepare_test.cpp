@@ -40,29 +40,44 @@ TEST(Prepare, FingersPressAgainstEachOtherWhereTheyTouch) {
   EXPECT_DOUBLE_EQ(squeeze.beyond[0], 0);
 }
 
-TEST(Prepare, ContactsThatThePlanNamesComeFirst) {
+TEST(Prepare, ThePlansSqueezeComesFirst) {
   Plan plan = cup_plan();
-  PadContact thumb, index, silent;
-  thumb.tip = "thumb_tip";
-  thumb.point = Vec3(0, 0.03, 0);
-  thumb.normal = Vec3(0, -1, 0);
-  thumb.force = 5;
-  thumb.friction = Vec3(1, 0, 0);
-  index.tip = "index_tip";
-  index.point = Vec3(0, -0.03, 0);
-  index.normal = Vec3(0, 1, 0);
-  index.force = 5;
-  silent.tip = "index_tip";  // a contact without a force
-  plan.grasp.contacts = {thumb, index, silent};
+  add_squeeze(plan);
   SimulateOptions options;
   const Prepared stored = prepare(gripper(), plan, options);
-  ASSERT_EQ(stored.plan.squeeze.presses.size(), 2U);
-  EXPECT_EQ(stored.plan.squeeze.presses[0].force_N, 5);
-  EXPECT_EQ(stored.notes.size(), 1U);
-  // The torque about the thumb's axis at (0, 0.06) of (1, -5, 0) N at (0.08, 0.03).
-  EXPECT_NEAR(10 * stored.plan.squeeze.beyond[1], 0.08 * -5 - (0.03 - 0.06) * 1, 1e-9);
+  const Squeeze& squeeze = stored.plan.squeeze;
+  EXPECT_TRUE(squeeze.planned);
+  ASSERT_EQ(squeeze.presses.size(), 2U);  // a contact without a force is none
+  EXPECT_EQ(squeeze.presses[0].force_N, 5);
+  // Servos of the stiffness that it was planned for are sent where it says.
+  const JointVector sent = squeeze.closed + squeeze.beyond;
+  EXPECT_LT((sent - plan.grasp.squeeze_posture).tail(2).norm(), 1e-12);
+  EXPECT_EQ(stored.plan.program.control.row(stored.plan.program.squeezed - 1).tail(2),
+            sent.transpose().tail(2));
+  // Softer ones farther, stronger ones no farther than their limit.
+  options.hand_stiffness = 5;
+  EXPECT_NEAR(prepare(gripper(), plan, options).plan.squeeze.beyond[1], 2 * squeeze.beyond[1],
+              1e-12);
+  options = {};
+  options.hand_torque = 0.1;
+  EXPECT_NEAR(prepare(gripper(), plan, options).plan.squeeze.force_share, 0.25, 1e-12);
+  options = {};
   options.contacts = Contacts::nearest;
-  EXPECT_EQ(prepare(gripper(), plan, options).plan.squeeze.presses[0].force_N, 8);
+  const Prepared nearest = prepare(gripper(), plan, options);
+  EXPECT_FALSE(nearest.plan.squeeze.planned);
+  EXPECT_EQ(nearest.plan.squeeze.presses[0].force_N, 8);
+  EXPECT_EQ(nearest.notes.size(), stored.notes.size() + 1);
+}
+
+TEST(Prepare, ASqueezeThatIsBrokenIsNone) {
+  Plan plan = cup_plan();
+  add_squeeze(plan);
+  plan.grasp.squeeze_torque[1] = kNotSeen;
+  EXPECT_FALSE(prepare(gripper(), plan, SimulateOptions()).plan.squeeze.planned);
+  add_squeeze(plan);
+  plan.grasp.contacts.pop_back();
+  plan.grasp.contacts.pop_back();
+  EXPECT_FALSE(prepare(gripper(), plan, SimulateOptions()).plan.squeeze.planned);
 }
 
 TEST(Prepare, WhatTheMotorsCannotGiveIsTakenFromAllFingers) {

@@ -1,0 +1,58 @@
+#include "stages/simulate/servo_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/config/fields.hpp"
+
+namespace morphe::simulate {
+
+std::string why_invalid(const ServoGains& o) {
+  const auto wrong = [](const std::optional<double>& value, bool may_be_zero) {
+    return value && !(std::isfinite(*value) && (*value > 0 || (may_be_zero && *value == 0)));
+  };
+  if (wrong(o.stiffness, false)) return "stiffness must be above 0";
+  if (wrong(o.resistance, true)) return "resistance must not be negative";
+  if (wrong(o.armature, true)) return "armature must not be negative";
+  if (wrong(o.damping, true)) return "damping must not be negative";
+  if (wrong(o.torque, false)) return "torque must be above 0";
+  return "";
+}
+
+ServoTable read_servos(const std::filesystem::path& file, const RobotTable& robot) {
+  const config::ConfigNode root = config::ConfigNode::load(file);
+  root.expect_map();
+  ServoTable table;
+  config::Problems problems;
+  for (const std::string& joint : root.keys()) {
+    problems.attempt([&] {
+      const config::ConfigNode node = root[joint];
+      if (std::ranges::count(robot.joint_names, joint) == 0) {
+        node.fail(fmt::format("{} has no such joint; it has {}", robot.name,
+                              fmt::join(robot.joint_names, ", ")));
+      }
+      config::read_options(node, table[joint]);
+    });
+  }
+  if (problems.none()) root.add_unread(problems);
+  problems.throw_any();
+  return table;
+}
+
+std::string text_of(const ServoTable& table) {
+  std::string text;
+  for (const auto& [joint, gains] : table) {
+    text += fmt::format("servo {}", joint);
+    ServoGains copy = gains;
+    const auto add = [&](const char* key, const std::optional<double>& value) {
+      if (value) text += fmt::format(" {} {}", key, *value);
+    };
+    fields(add, copy);
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace morphe::simulate
