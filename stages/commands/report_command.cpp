@@ -104,6 +104,10 @@ Command report_command(CLI::App& app) {
       ->type_name("N BY");
   app.add_option("--meshes", arguments->request.meshes,
                  "Folder of the robot's meshes: URDFs with what they name, or FRAME.stl");
+  app.add_option("--physics", arguments->request.physics,
+                 "Folders that morphe simulate has written (default: physics beside the plans)")
+      ->type_name("DIR")
+      ->allow_extra_args(false);
   return [arguments] { return execute(*arguments); };
 }
 

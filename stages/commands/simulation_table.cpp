@@ -2,108 +2,30 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <functional>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "pipeline/math/statistics.hpp"
 #include "pipeline/motion/counted.hpp"
 #include "stages/commands/text_table.hpp"
+#include "stages/simulate/figures.hpp"
 
 namespace morphe::commands {
 namespace {
 
 using simulate::Failure;
+using simulate::Figures;
+using simulate::Foretold;
 using simulate::PlanResult;
 using simulate::Rollout;
 using Json = nlohmann::ordered_json;
-
-std::vector<double> each(const PlanResult& result,
-                         const std::function<double(const Rollout&)>& of) {
-  std::vector<double> values;
-  for (const Rollout& one : result.rollouts) {
-    if (one.lift.failure != Failure::engine) values.push_back(of(one));
-  }
-  return values;
-}
-
-/// What a plan's rollouts come to.
-struct Figures {
-  std::size_t held = 0, directions_held = 0, directions = 0;
-  double sag_m = kNotSeen, slip_m = kNotSeen, creep_m = kNotSeen;  ///< medians of those that held
-  double arm_error = kNotSeen, hand_error = kNotSeen, torque_share = kNotSeen;  ///< largest
-  double contact_s = kNotSeen;  ///< median of the first touch less the planned one
-  double needed_N = kNotSeen, given_N = kNotSeen;  ///< medians, as it is lifted
-  std::map<std::string, int> failures;
-};
-
-/// How often the newtons told hold from fall, of loads that came.
-struct Foretold {
-  std::size_t right = 0, all = 0;
-  void add(const Rollout& one, const simulate::Holding& load) {
-    if (!simulate::was_loaded(load.failure)) return;
-    ++all;
-    right += one.foretold(load) == load.held() ? 1U : 0U;
-  }
-};
-
-double largest(const std::vector<double>& values) {
-  return values.empty() ? kNotSeen : *std::ranges::max_element(values);
-}
-
-double middle(std::vector<double> values) {
-  return values.empty() ? kNotSeen : math::median(values);
-}
-
-double median_of_held(const PlanResult& result, const std::function<double(const Rollout&)>& of) {
-  std::vector<double> values;
-  for (const Rollout& one : result.rollouts) {
-    if (one.lift.held()) values.push_back(of(one));
-  }
-  return middle(std::move(values));
-}
-
-Figures figures_of(const PlanResult& result) {
-  Figures figures;
-  figures.held = result.held();
-  for (const Rollout& one : result.rollouts) {
-    if (!one.lift.held()) ++figures.failures[std::string(name_of(one.lift.failure))];
-    figures.directions += one.directions.size();
-    for (const simulate::Holding& holding : one.directions)
-      figures.directions_held += holding.held() ? 1U : 0U;
-  }
-  figures.sag_m = median_of_held(result, [](const Rollout& r) { return r.lift.sag.distance_m; });
-  figures.slip_m = median_of_held(result, [](const Rollout& r) { return r.lift.slip_m; });
-  figures.creep_m =
-      median_of_held(result, [](const Rollout& r) { return r.lift.creep.distance_m; });
-  figures.arm_error = largest(each(result, [](const Rollout& r) { return r.arm_error; }));
-  figures.hand_error = largest(each(result, [](const Rollout& r) { return r.hand_error; }));
-  figures.torque_share = largest(each(result, [](const Rollout& r) { return r.torque_share; }));
-  figures.needed_N = middle(each(result, [](const Rollout& r) { return r.lift.needed_N; }));
-  figures.given_N = middle(each(result, [](const Rollout& r) { return r.given_N; }));
-  std::vector<double> late;
-  for (const Rollout& one : result.rollouts) {
-    if (std::isfinite(one.contact_s)) late.push_back(one.contact_s - result.planned_contact_s);
-  }
-  figures.contact_s = middle(std::move(late));
-  return figures;
-}
-
-Foretold foretold_of(const PlanResult& result) {
-  Foretold lifts;
-  for (const Rollout& one : result.rollouts) lifts.add(one, one.lift);
-  return lifts;
-}
 
 std::string shown(double value, double factor, int digits) {
   return !std::isfinite(value) ? std::isnan(value) ? "-" : "inf"
                                : fmt::format("{:.{}f}", factor * value, digits);
 }
 
-std::string failures_text(const std::map<std::string, int>& failures) {
+std::string failures_text(const simulate::FailureCounts& failures) {
   std::string text;
   for (const auto& [name, count] : failures)
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, count);
@@ -203,7 +125,7 @@ std::string simulation_json(const std::vector<PlanResult>& results) {
                      {"force_share", result.force_share},
                      {"needed_N", number(f.needed_N)},
                      {"given_N", number(f.given_N)},
-                     {"foretold", foretold_of(result).right},
+                     {"foretold", f.foretold.right},
                      {"failures", Json(f.failures)}});
   }
   return Json{{"plans", plans}}.dump(2) + "\n";

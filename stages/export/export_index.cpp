@@ -61,11 +61,13 @@ std::string index_json(const ExportIndex& index, const PlanFileHeader& header,
   for (const IndexedPlan& plan : index.plans) {
     Json motions = Json::array();
     for (const IndexedMotion& motion : plan.motions) motions.push_back(motion_json(motion, index));
-    json["plans"].push_back({{"plan", plan.plan},
-                             {"status", name_of(plan.status)},
-                             {"subject", plan.subject},
-                             {"task", plan.task},
-                             {"motions", motions}});
+    Json entry = {{"plan", plan.plan},
+                  {"status", name_of(plan.status)},
+                  {"subject", plan.subject},
+                  {"task", plan.task},
+                  {"motions", motions}};
+    if (!plan.grasp_files.empty()) entry["grasp"] = plan.grasp_files;
+    json["plans"].push_back(entry);
   }
   json["left_out"] = Json::array();
   for (const LeftOut& left : index.left_out) {

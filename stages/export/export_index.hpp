@@ -24,6 +24,7 @@ struct IndexedPlan {
   Status status = Status::executable;  ///< or approximate
   std::string subject, task;
   std::vector<IndexedMotion> motions;
+  std::vector<std::string> grasp_files;  ///< beside them, of a plan that names contacts
 };
 
 struct LeftOut {

@@ -7,6 +7,7 @@
 
 #include "pipeline/motion/input_error.hpp"
 #include "pipeline/store/plan_file.hpp"
+#include "stages/export/grasp_files.hpp"
 #include "stages/export/robomimic.hpp"
 #include "stages/export/ros_trajectory.hpp"
 #include "stages/export/staged_files.hpp"
@@ -80,6 +81,34 @@ std::vector<PlanMotion> entered(Export& run, std::size_t i, const Plan& plan) {
   return std::move(found.motions);
 }
 
+/// Of the grasp in the plan's motion with goals, as it is exported.
+double grasp_time_s(const Plan& plan, const MotionOptions& options) {
+  const bool joined = options.approach == Ways::joined && plan.approach.samples() > 0;
+  const double before_s =
+      options.delay_s + (joined ? plan.approach.time.back() - plan.approach.time[0] : 0);
+  const Trajectory& t = plan.trajectory;
+  return before_s + t.time[static_cast<std::size_t>(plan.grasp.sample)] - t.time[0];
+}
+
+void export_grasp(Export& run, const Plan& plan, bool tables) {
+  const std::size_t sample = static_cast<std::size_t>(plan.grasp.sample);
+  if (!names_contacts(plan) || sample >= plan.trajectory.samples()) return;
+  const RobotTable& robot = run.reader.robot();
+  IndexedPlan& indexed = run.index.plans.back();
+  const std::string name = fmt::format("{}_{:03}", plan.demonstration, plan.movement.index);
+  const auto add = [&](const char* ending, const std::string& text) {
+    run.files.add(name + ending, text);
+    indexed.grasp_files.push_back(name + ending);
+  };
+  if (tables) {
+    add("_contacts.csv", contacts_csv(plan));
+    add("_squeeze.csv", squeeze_csv(robot, plan));
+  } else {
+    add("_grasp.json",
+        grasp_json(robot, plan, indexed.plan, grasp_time_s(plan, run.options.motion)));
+  }
+}
+
 void export_texts(Export& run, const TextFormat& format) {
   for (std::size_t i = 0; i < run.reader.size(); ++i) {
     const Plan plan = run.reader.read(i);
@@ -94,6 +123,7 @@ void export_texts(Export& run, const TextFormat& format) {
         run.index.plans.back().motions[m].files.push_back(name);
       }
     }
+    if (!motions.empty()) export_grasp(run, plan, format.text_of == trajectory_csv);
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "pipeline/motion/input_error.hpp"
 #include "pipeline/robot/forward.hpp"
+#include "pipeline/store/layout.hpp"
 
 namespace morphe::exports {
 namespace {
@@ -68,7 +69,9 @@ RobomimicDemo robomimic_demo(const RobotTable& robot, const Plan& plan, bool tar
                       {"tip_positions", tip_positions},
                       {"palm_position", palm_position},
                       {"palm_orientation", palm_turn},
-                      {"demonstration_phase", phase}}};
+                      {"demonstration_phase", phase}},
+                     plan.grasp.sample >= 0 ? plan.grasp : Grasp(),
+                     store::joint_unit(robot.some_slide())};
   if (target) {
     const Pose& object = plan.grasp.base_from_object;
     demo.observations.emplace_back("target_position",

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 
 #include "pipeline/store/array_codec.hpp"
 #include "pipeline/store/hdf5_file.hpp"
+#include "pipeline/store/plan_layout.hpp"
 
 namespace morphe::exports {
 namespace {
@@ -36,13 +38,14 @@ struct RobomimicWriter::State {
   JointVector offset, scale;
   store::Hdf5File file;
   store::Hdf5Group data;
+  std::optional<store::Hdf5Group> grasps;
   std::size_t demos = 0;
   Eigen::Index total = 0;
 };
 
 RobomimicWriter::RobomimicWriter(const files::PartFile& part, const RobomimicHeader& header)
-    : state_(
-          new State{0.5 * (header.low + header.high), 0.5 * (header.high - header.low), {}, {}}) {
+    : state_(new State{
+          0.5 * (header.low + header.high), 0.5 * (header.high - header.low), {}, {}, {}}) {
   State& s = *state_;
   s.file = store::Hdf5File::create(part.part());
   s.file.call_it(part.target());
@@ -76,6 +79,11 @@ void RobomimicWriter::add(const RobomimicDemo& demo) {
   last.back() = 1;
   group.write("rewards", store::ArrayCodec<std::vector<double>>::encode(last));
   group.write("dones", store::ArrayCodec<std::vector<double>>::encode(last));
+  if (!demo.grasp.contacts.empty()) {
+    if (!s.grasps) s.grasps = s.file.root().create("grasps");
+    store::LayoutWriter layout(s.grasps->create(fmt::format("demo_{}", s.demos)), demo.joint_unit);
+    store::lay_out_grasp(layout, demo.grasp);
+  }
   ++s.demos;
   s.total += count;
 }
@@ -93,6 +101,7 @@ void RobomimicWriter::finish() {
   mask.write_strings("train", train_names);
   mask.write_strings("valid", valid_names);
   s.data = {};
+  s.grasps.reset();
   s.file.close();
 }
 

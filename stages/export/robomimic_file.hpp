@@ -7,6 +7,7 @@
 
 #include "pipeline/files/part_file.hpp"
 #include "pipeline/motion/geometry.hpp"
+#include "pipeline/motion/plan.hpp"
 
 namespace morphe::exports {
 
@@ -16,6 +17,8 @@ struct RobomimicDemo {
   std::string status;                                           ///< executable or approximate
   JointRows actions;                                            ///< [N, n], not scaled
   std::vector<std::pair<std::string, JointRows>> observations;  ///< each [N + 1, …]
+  Grasp grasp;                                                  ///< written if it names contacts
+  std::string joint_unit;                                       ///< of its postures
 };
 
 /// What all demonstrations of a file share. actions_abs = offset + scale * actions puts
@@ -27,7 +30,8 @@ struct RobomimicHeader {
 };
 
 /// A dataset as robomimic reads it: /data/demo_0 … with @num_samples, actions, actions_abs, obs/,
-/// next_obs/, rewards and dones (1 at the last transition); /mask/train and /mask/valid. It is
+/// next_obs/, rewards and dones (1 at the last transition); /mask/train and /mask/valid; and
+/// /grasps/demo_N, as grasp/ of a plans.h5, which robomimic does not look at. It is
 /// written as the part of a file that must outlive the writer, and is whole after finish().
 class RobomimicWriter {
  public:

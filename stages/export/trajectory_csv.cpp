@@ -5,24 +5,15 @@
 #include <iterator>
 #include <utility>
 
+#include "stages/export/csv_cell.hpp"
+
 namespace morphe::exports {
-namespace {
-
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
-}
-
-}  // namespace
-
 std::string trajectory_csv(const JointGroup& group, const Trajectory& t) {
   std::string text = "time_s,demonstration_time_s,phase";
   for (const auto& [what, per] :
        {std::pair{"position", ""}, std::pair{"velocity", "_s"}, std::pair{"acceleration", "_s2"}}) {
     for (std::size_t j = 0; j < group.names.size(); ++j) {
-      text += "," + cell(fmt::format("{}_{}_{}{}", group.names[j], what, group.units[j], per));
+      text += "," + csv_cell(fmt::format("{}_{}_{}{}", group.names[j], what, group.units[j], per));
     }
   }
   text += "\n";

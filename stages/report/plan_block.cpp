@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "pipeline/store/json_layout.hpp"
+#include "pipeline/store/plan_layout.hpp"
 #include "stages/report/numbers_json.hpp"
 
 namespace morphe::report {
@@ -187,16 +189,26 @@ Json objects_json(Block& block, const Scene& scene, const std::vector<std::strin
   return objects;
 }
 
-Json grasp_json(const Plan& plan) {
-  const int sample = plan.grasp.sample;
-  if (sample < 0) return nullptr;
-  const auto i = static_cast<std::size_t>(sample);
+Json grasp_time_json(const Plan& plan) {
+  const auto i = static_cast<std::size_t>(plan.grasp.sample);
   if (i < plan.trajectory.samples())
     return {{"time_s", plan.trajectory.time[i]},
             {"demonstration_s", plan.trajectory.demonstration_time[i]}};
   if (i >= plan.path.demonstration_time.size()) return nullptr;
   const double time_s = plan.path.demonstration_time[i];
   return {{"time_s", time_s - plan.path.demonstration_time.front()}, {"demonstration_s", time_s}};
+}
+
+Json grasp_json(const Plan& plan) {
+  if (plan.grasp.sample < 0) return nullptr;
+  Json json = grasp_time_json(plan);
+  if (json.is_null() || plan.grasp.contacts.empty()) return json;
+  store::JsonWriter stored;
+  store::lay_out_grasp(stored, plan.grasp);
+  for (const char* part : {"approach_direction", "contacts", "quality", "squeeze"}) {
+    if (stored.json.contains(part)) json[part] = stored.json[part];
+  }
+  return json;
 }
 
 Json phases_json(const std::vector<Phase>& phases) {

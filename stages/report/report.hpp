@@ -16,6 +16,7 @@ struct ReportRequest {
   std::vector<Run> runs;
   Selection selection;           ///< of each run's plans
   std::filesystem::path meshes;  ///< folder of the robot's meshes, empty: capsules alone
+  std::vector<std::filesystem::path> physics;  ///< folders of what was simulated (physics_json.hpp)
   int jobs = 1;
 };
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "pipeline/motion/goals_at.hpp"
+#include "pipeline/store/json_layout.hpp"
 #include "pipeline/store/plan_layout.hpp"
 #include "stages/report/numbers_json.hpp"
 
@@ -10,23 +11,6 @@ namespace morphe::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Attributes of plans.h5 as JSON, by the layout that writes the file.
-struct JsonAttributes {
-  Json json = Json::object();
-
-  template <class T>
-  void attribute(const char* name, const T& value) {
-    if constexpr (std::is_floating_point_v<T>) {
-      json[name] = number_json(value);
-    } else {
-      json[name] = value;
-    }
-  }
-  void names_if_any(const char* name, const std::vector<std::string>& names) {
-    if (!names.empty()) json[name] = names;
-  }
-};
 
 std::vector<bool> sliding_joints(const RobotTable& robot) {
   std::vector<bool> slides(robot.joints(), false), known(robot.joints(), false);
@@ -59,7 +43,7 @@ Json joints_json(const RobotTable& robot) {
 
 Json row_json(const RobotTable& robot, const Plan& plan, const std::string& path) {
   const GoalCount goals = count_goals(plan.goals);
-  JsonAttributes certificate;
+  store::JsonWriter certificate;
   if (plan.has_trajectory()) store::lay_out_certificate(certificate, plan.certificate);
   const bool timed = plan.trajectory.samples() > 0;
   Json row;

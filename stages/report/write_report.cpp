@@ -15,6 +15,7 @@
 #include "stages/report/json_text.hpp"
 #include "stages/report/opened_run.hpp"
 #include "stages/report/page_files.hpp"
+#include "stages/report/physics_json.hpp"
 #include "stages/report/plan_block.hpp"
 #include "stages/report/robot_meshes.hpp"
 #include "stages/report/row_json.hpp"
@@ -97,7 +98,8 @@ Json run_json(const OpenedRun& run, const std::vector<FrameMesh>& meshes) {
   return json;
 }
 
-void write_rows(const std::vector<OpenedRun>& runs, Page& page) {
+void write_rows(const std::vector<OpenedRun>& runs, const ReportRequest& request, Page& page,
+                std::vector<std::string>& notes) {
   page.add("<script type=\"application/json\" id=\"rows\">[");
   bool first = true;
   for (std::size_t r = 0; r < runs.size(); ++r) {
@@ -105,7 +107,10 @@ void write_rows(const std::vector<OpenedRun>& runs, Page& page) {
       Json row;
       row["run"] = r;
       row["block"] = block_id(r, k);
-      row.update(row_json(runs[r].robot, runs[r].reader->read(k), runs[r].reader->plan_paths()[k]));
+      const Plan plan = runs[r].reader->read(k);
+      row.update(row_json(runs[r].robot, plan, runs[r].reader->plan_paths()[k]));
+      row["physics"] = physics_json(physics_folders(request.physics, runs[r].named.plans),
+                                    runs[r].robot, plan, notes);
       page.add(first ? "\n" : ",\n");
       page.add(json_text(row));
       first = false;
@@ -219,7 +224,7 @@ ReportSummary write_report(const ReportRequest& request, const fs::path& file) {
   page.add(fmt::format("<script type=\"application/json\" id=\"report\">{}</script>\n",
                        json_text(report)));
   page.add(up_to(rest, "<!--rows-->"));
-  write_rows(runs, page);
+  write_rows(runs, request, page, summary.notes);
   page.add(up_to(rest, "<!--scripts-->"));
   page.add(parts.scripts());
   page.add(up_to(rest, "<!--blocks-->"));

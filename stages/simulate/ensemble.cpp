@@ -9,7 +9,7 @@
 #include "pipeline/math/seed.hpp"
 #include "pipeline/parallel/ordered_map.hpp"
 #include "pipeline/physics/model.hpp"
-#include "pipeline/store/bytes.hpp"
+#include "pipeline/store/fingerprint.hpp"
 
 namespace morphe::simulate {
 
@@ -53,6 +53,7 @@ PlanResult simulate_plan(const robot::Robot& robot, const Plan& plan, const std:
   const Prepared prepared = prepare(robot, plan, options);
   PlanResult result;
   result.plan = name;
+  result.plan_sha256 = store::fingerprint(robot, plan);
   result.unfit = prepared.unfit;
   result.detail = prepared.detail;
   result.notes = prepared.notes;
@@ -75,8 +76,8 @@ PlanResult simulate_plan(const robot::Robot& robot, const Plan& plan, const std:
 
 std::string key_of(const RobotTable& robot, const Plan& plan, const SimulateOptions& options,
                    const std::string& program) {
-  return files::sha256(store::bytes_of(robot) + store::bytes_of(plan) + text_of(options) +
-                       physics::engine() + program);
+  return files::sha256(store::fingerprint(robot, plan) + text_of(options) + physics::engine() +
+                       program);
 }
 
 }  // namespace morphe::simulate

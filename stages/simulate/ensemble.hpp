@@ -17,7 +17,8 @@ Variation variation_of(const PreparedPlan& plan, const SimulateOptions& options,
 
 /// What became of a plan.
 struct PlanResult {
-  std::string plan;  ///< "<demonstration>/<000>"
+  std::string plan;         ///< "<demonstration>/<000>"
+  std::string plan_sha256;  ///< store::fingerprint of it
   Unfit unfit = Unfit::none;
   std::string detail;
   std::vector<std::string> notes;

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "pipeline/motion/input_error.hpp"
 #include "pipeline/motion/version.hpp"
 #include "pipeline/physics/model.hpp"
 
@@ -16,6 +17,9 @@ namespace morphe::simulate {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr const char* kFormat = "morphe-simulation";
+constexpr int kVersion = 1;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 /// Newtons: those that no squeeze is enough for are infinite.
@@ -114,6 +118,7 @@ Rollout rollout_of(const Json& json) {
 PlanResult result_of(const Json& json) {
   PlanResult result;
   result.plan = json.at("plan").get<std::string>();
+  result.plan_sha256 = json.at("plan_sha256").get<std::string>();
   result.unfit = named<Unfit>(json.at("unfit").get<std::string>()).value();
   result.detail = json.at("detail").get<std::string>();
   result.notes = json.at("notes").get<std::vector<std::string>>();
@@ -160,14 +165,15 @@ std::string result_json(const PlanResult& result, const SimulateOptions& options
   Json settings;
   const auto add = [&](const char* name, const auto& value) { settings[name] = value; };
   fields(add, options);
-  const Json json = {{"format", "morphe-simulation"},
-                     {"version", 1},
+  const Json json = {{"format", kFormat},
+                     {"version", kVersion},
                      {"software", software()},
                      {"engine", physics::engine()},
                      {"key", key},
                      {"options", settings},
                      {"assumed", assumptions(options)},
                      {"plan", result.plan},
+                     {"plan_sha256", result.plan_sha256},
                      {"unfit", name_of(result.unfit)},
                      {"detail", result.detail},
                      {"notes", result.notes},
@@ -193,13 +199,25 @@ std::optional<PlanResult> read_result(const std::filesystem::path& file, const s
   }
 }
 
+StoredResult stored_result(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  try {
+    const Json json = Json::parse(text);
+    if (json.at("format") != kFormat || json.at("version") != kVersion)
+      throw InputError("is of another format or version");
+    return {result_of(json), json.at("engine").get<std::string>()};
+  } catch (const std::exception& error) {
+    throw InputError(
+        fmt::format("{}: is no result of morphe simulate: {}", file.string(), error.what()));
+  }
+}
+
 std::string csv_head() {
   return "plan,rollout,held,failure,friction,torsion_m,mass_kg,arm_error_deg,hand_error_deg,"
          "contact_s,planned_contact_s,pushed_m,pushed_deg,sag_m,sag_deg,slip_m,creep_m,creep_deg,"
          "largest_m,largest_deg,torque_share,squeeze,needed_worst_N,needed_down_N,needed_lift_N,"
-         "given_N,pressed_"
-         "N,"
-         "foretold,directions\n";
+         "given_N,pressed_N,foretold,directions\n";
 }
 
 std::string csv_rows(const PlanResult& result) {

@@ -12,6 +12,13 @@ function certifiedMeasure(id, attribute, short, title, unit, siUnit, factor, ofT
            of: certified(attribute) };
 }
 
+// Of plans that were simulated alone.
+const heldMeasure = {
+  id: "held", short: "Held", title: "Rollouts in physics in which the grasp held", unit: "%",
+  siUnit: "", factor: 100, source: "physics.held / physics.rollouts", missing: "not simulated",
+  of: ({ physics }) => (physics && physics.rollouts > 0 ? physics.held / physics.rollouts : null),
+};
+
 // Absent: infeasible; null: does not apply.
 export const measures = [
   {
@@ -33,6 +40,7 @@ export const measures = [
   certifiedMeasure("humanlikeness", "humanlikeness_final", "Human\u00adlikeness",
       "Metric A of the trajectory: squared distances of the joint centres, less is more alike " +
       "(~: from an estimated shoulder or elbow)", "m²", "m²", 1, true),
+  ...(rows.some(({ physics }) => physics) ? [heldMeasure] : []),
   {
     id: "out_of_reach", short: "Out of reach", title: "Fingertip goals out of reach", unit: "%",
     siUnit: "", factor: 100, source: "out_of_reach / goals", missing: "no goals",

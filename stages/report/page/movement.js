@@ -1,6 +1,7 @@
 // A movement's page: 3D view, clock and plots side by side, what is wrong below.
 import { at, loadBlock, reasonSentence, report, rows } from "./data.js";
 import { build, buildButton, buildName, buildStatus } from "./elements.js";
+import { graspSection } from "./grasp.js";
 import { measureText, measures, shownValue } from "./measures.js";
 import { clips, clockRange, isGoalMotion, stateAt, timeOfDemonstration } from "./player.js";
 import { createPlots } from "./plots.js";
@@ -14,7 +15,7 @@ import { plainText } from "./words.js";
 const kViews = ["front", "side", "top", "eyes", "fit"];
 const kOptions = [["person", "person", true], ["goals", "goals", true], ["capsules", "capsules", true],
                   ["meshes", "meshes", true], ["ghost", "mapped path", true], ["objects", "objects", true],
-                  ["nearest", "nearest pair", true], ["apart", "apart", false]];
+                  ["nearest", "nearest pair", true], ["contacts", "contacts", true], ["apart", "apart", false]];
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2];
 
 let page = null; // what was built once
@@ -55,6 +56,8 @@ export async function openMovement(host, rowIndex, time) {
   page.figures.replaceChildren(...figuresOf(row));
   page.options.apart.parentElement.hidden = players.length < 2;
   page.options.ghost.parentElement.hidden = !players.some(hasGhost);
+  page.grasp.replaceChildren(...(graspSection(plan.grasp, row.physics) ?? []));
+  page.options.contacts.parentElement.hidden = !players.some(({ plan: shown }) => shown.grasp?.contacts);
   page.options.meshes.parentElement.hidden = !players.some(({ robot }) => robot.meshes);
   const bands = bandsOf(plan);
   page.timeline.show(range, bands);
@@ -124,6 +127,7 @@ function figuresOf(row) {
 function buildPage(host) {
   const parts = { title: build("h2", { tabindex: "-1" }), reason: build("div", { class: "reason" }),
                   figures: build("dl", { class: "figures" }), options: {},
+                  grasp: build("section", { class: "grasp", "aria-label": "Grasp" }),
                   instant: build("output", { class: "instant" }) };
   const sceneHost = build("div", { class: "scene-host" });
   const readings = build("section", { class: "readings", "aria-label": "Values at this instant" });
@@ -134,7 +138,7 @@ function buildPage(host) {
     build("div", { class: "movement" },
         build("div", { class: "scene" }, viewBar(parts), sceneHost, clockBar(parts), parts.instant, timeline),
         plots),
-    build("div", { class: "movement-foot" }, parts.figures, readings));
+    build("div", { class: "movement-foot" }, parts.figures, parts.grasp, readings));
   parts.scene = createScene(sceneHost);
   parts.scene?.onPick(({ player, capsule }) => pickCapsule(players[player], capsule));
   parts.timeline = createTimeline(timeline);

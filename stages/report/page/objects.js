@@ -1,5 +1,6 @@
 // Table, target and obstacles in the 3D view.
 import { at, loadBlock, rowOf } from "./data.js";
+import { createContactMarks } from "./grasp.js";
 import { place } from "./player.js";
 import { fixedMesh, meshGeometry, objectGeometry, poseMatrix } from "./shapes.js";
 
@@ -14,11 +15,12 @@ function recordedPose({ time, pose }, demonstration_s) {
       turn(from).slerp(turn(to), share), new THREE.Vector3(1, 1, 1));
 }
 
-// {group, pose(state, demonstration_s), wear(pick, nearest, touching)};
+// {group, marks (of contacts), pose(state, demonstration_s), wear(pick, nearest, touching)};
 // only: the target alone is shown, as lines.
 export function createObjects({ plan, robot, target }, materials, only, onChange) {
   const group = new THREE.Group();
   const meshes = plan.objects.map(() => null);
+  const marks = createContactMarks(plan.grasp?.contacts ?? [], materials.contact);
   const add = (object, index, geometry) => {
     const isTarget = object.name === target;
     const material = isTarget ? materials.target : materials.object;
@@ -28,6 +30,7 @@ export function createObjects({ plan, robot, target }, materials, only, onChange
     const edges = new THREE.LineSegments(new THREE.EdgesGeometry(geometry, 25), materials.edge);
     mesh.add(edges);
     if (only) mesh.material = materials.none;
+    if (isTarget && !only) mesh.add(marks);
     meshes[index] = mesh;
     group.add(mesh);
     onChange();
@@ -36,7 +39,7 @@ export function createObjects({ plan, robot, target }, materials, only, onChange
     add(object, index, object.block ? meshGeometry(await loadBlock(object.block)) : objectGeometry(object));
   });
   return {
-    group,
+    group, marks,
     pose(state, demonstration_s) {
       plan.objects.forEach((object, index) => {
         const mesh = meshes[index];

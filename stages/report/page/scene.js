@@ -46,11 +46,11 @@ function createMaterials() {
     near: solid(), picked: solid(), touching: solid(), touchingObject: solid(), ghost: solid(faint),
     nearest: new THREE.MeshBasicMaterial({ depthTest: false }), none: new THREE.MeshBasicMaterial({ visible: false }),
     ...Object.fromEntries(Array.from({ length: kRobotColours }, (_, k) => [`robot-${k}`, solid()])),
-    tip: solid(), mesh: solid(),
+    tip: solid(), mesh: solid(), contact: new THREE.MeshBasicMaterial({ depthTest: false }),
   };
   const names = { person: "--person", goal: "--goal", goalLine: "--goal", tipLine: "--robot-0", gap: "--bad",
     reach: "--bad", object: "--object", target: "--target", edge: "--scene-line", floor: "--scene-line", near: "--near",
-    picked: "--accent", ghost: "--ghost", nearest: "--near", tip: "--robot-0", mesh: "--mesh" };
+    picked: "--accent", ghost: "--ghost", nearest: "--near", tip: "--robot-0", mesh: "--mesh", contact: "--accent" };
   const paint = () => {
     for (const [kind, name] of Object.entries(names)) kinds[kind].color.set(colour(name));
     for (let k = 0; k < kRobotColours; ++k) kinds[`robot-${k}`].color.set(colour(`--robot-${k}`));
@@ -125,7 +125,7 @@ export function createScene(host) {
   pairBone.renderOrder = 1;
   root.add(pairBone);
   const options = { person: true, goals: true, capsules: true, meshes: true, ghost: true, objects: true,
-                    nearest: true, apart: false };
+                    nearest: true, contacts: true, apart: false };
   let actors = [], states = [], floor = null, asked = false, picked = () => {}, nearestWords = "";
 
   const draw = () => {
@@ -201,6 +201,7 @@ export function createScene(host) {
       if (person) person.group.visible = options.person;
       goals.group.visible = options.goals;
       objects.group.visible = options.objects;
+      objects.marks.visible = options.contacts;
     }
     actors.forEach(({ group, player }, k) => {
       group.matrix.copy(matrixOf(player.plan.world_from_base));

@@ -69,6 +69,7 @@ TEST(Ensemble, SpreadsOverARangeWhereOneIsNamed) {
 PlanResult some_result() {
   PlanResult result;
   result.plan = "a, \"b\"/000";
+  result.plan_sha256 = "abc";
   result.notes = {"a note"};
   result.presses = {{1, Vec3(0.1, 0.2, 1.0 / 3), Vec3(0, 0, -1), 7.25, Vec3(1, 2, 0)}};
   result.tips = {"thumb_tip"};

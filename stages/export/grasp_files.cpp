@@ -1,0 +1,80 @@
+#include "stages/export/grasp_files.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "pipeline/store/json_layout.hpp"
+#include "pipeline/store/plan_layout.hpp"
+#include "stages/export/csv_cell.hpp"
+#include "stages/export/joint_group.hpp"
+
+namespace morphe::exports {
+namespace {
+
+constexpr const char* kBeside =
+    "beside the trajectory, never part of it: the certificate speaks of the motion alone, and the "
+    "squeeze goes beyond it";
+
+std::string number(double value) {
+  return std::isfinite(value) ? fmt::format("{}", value) : std::string();
+}
+
+std::string numbers(const Vec3& v) {
+  return number(v.x()) + "," + number(v.y()) + "," + number(v.z());
+}
+
+std::string at(const JointVector& values, std::size_t joint) {
+  const auto j = static_cast<Eigen::Index>(joint);
+  return j < values.size() ? number(values[j]) : std::string();
+}
+
+}  // namespace
+
+bool names_contacts(const Plan& plan) {
+  return plan.grasp.sample >= 0 && !plan.grasp.contacts.empty();
+}
+
+std::string grasp_json(const RobotTable& robot, const Plan& plan, const std::string& name,
+                       double time_s) {
+  using Json = store::JsonWriter::Json;
+  const JointGroup all = joint_group(robot, "all");
+  store::JsonWriter grasp;
+  store::lay_out_grasp(grasp, plan.grasp);
+  Json json = {{"format", "morphe-grasp"}, {"version", 1},
+               {"note", kBeside},          {"plan", name},
+               {"robot", robot.name},      {"target", plan.movement.target},
+               {"time_s", time_s},         {"joints", all.names},
+               {"units", all.units}};
+  json.update(grasp.json);
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string contacts_csv(const Plan& plan) {
+  std::string text =
+      "tip,link,origin,asked_x_m,asked_y_m,asked_z_m,point_x_m,point_y_m,point_z_m,normal_x,"
+      "normal_y,normal_z,gap_m,pad_angle_rad,confidence,force_N,friction_x_N,friction_y_N,"
+      "friction_z_N\n";
+  for (const PadContact& contact : plan.grasp.contacts) {
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", csv_cell(contact.tip),
+                        csv_cell(contact.link), name_of(contact.origin), numbers(contact.asked),
+                        numbers(contact.point), numbers(contact.normal), number(contact.gap),
+                        number(contact.pad_angle), number(contact.confidence),
+                        number(contact.force), numbers(contact.friction));
+  }
+  return text;
+}
+
+std::string squeeze_csv(const RobotTable& robot, const Plan& plan) {
+  const JointGroup all = joint_group(robot, "all");
+  const Grasp& grasp = plan.grasp;
+  std::string text = "joint,unit,pregrasp,grasp,squeeze_torque,servo_target\n";
+  for (std::size_t j = 0; j < all.names.size(); ++j) {
+    text += fmt::format("{},{},{},{},{},{}\n", csv_cell(all.names[j]), all.units[j],
+                        at(grasp.pregrasp_posture, j), at(grasp.hand_posture, j),
+                        at(grasp.squeeze_torque, j), at(grasp.squeeze_posture, j));
+  }
+  return text;
+}
+
+}  // namespace morphe::exports

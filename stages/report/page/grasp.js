@@ -1,0 +1,83 @@
+// The grasp of a movement: contacts and quality of the plan, and what became of it in physics.
+import { build } from "./elements.js";
+import { ballGeometry, boneGeometry, fixedMesh, placeBone } from "./shapes.js";
+import { counted, figureText, plainText } from "./words.js";
+
+const kDegreesARadian = 180 / Math.PI;
+const kArrow_m = 0.04, kPin_m = 0.0015;
+
+// A pin a contact, in the target's frame: where the pad touches, and from where it presses.
+export function createContactMarks(contacts, material) {
+  const group = new THREE.Group();
+  const seen = (v) => v && v.every((x) => x !== null);
+  for (const { point, normal } of contacts.filter((one) => seen(one.point) && seen(one.normal))) {
+    const end = new THREE.Vector3(...point);
+    const begin = new THREE.Vector3(...normal).multiplyScalar(-kArrow_m).add(end);
+    const shaft = fixedMesh(boneGeometry(), material), head = fixedMesh(ballGeometry(3 * kPin_m), material);
+    placeBone(shaft, begin, end, kPin_m);
+    head.matrix.makeTranslation(end.x, end.y, end.z);
+    for (const part of [shaft, head]) {
+      part.renderOrder = 1;
+      group.add(part);
+    }
+  }
+  return group;
+}
+
+const millimetres = (metres, digits) => (metres === null ? "–" : `${(1e3 * metres).toFixed(digits)}`.replace("-", "−"));
+const newtonsText = (value) => (value === null || value === undefined ? "none is enough" : `${figureText(value)} N`);
+
+// null of a plan without contacts that was not simulated.
+export function graspSection(grasp, physics) {
+  const parts = [...(grasp?.contacts ? contactParts(grasp) : []), ...(physics ? physicsParts(physics) : [])];
+  return parts.length > 0 ? parts : null;
+}
+
+const figureList = (entries) => build("dl", { class: "figures" }, ...entries.map(([name, value]) =>
+  build("div", {}, build("dt", {}, name), build("dd", {}, value))));
+
+function contactParts({ contacts, quality, squeeze }) {
+  const head = ["contact", "link", "from", "gap mm", "off its pad °", "force N", "sure"];
+  const cells = (one) => [one.link, one.origin, millimetres(one.gap, 2), figureText(one.pad_angle * kDegreesARadian),
+                          figureText(one.force), one.confidence.toFixed(2)];
+  const table = build("table", { class: "contacts" },
+      build("thead", {}, build("tr", {}, ...head.map((name) => build("th", { scope: "col" }, name)))),
+      build("tbody", {}, ...contacts.map((one) => build("tr", {},
+          build("th", { scope: "row" }, plainText(one.tip)),
+          ...cells(one).map((text, k) => build("td", { class: k < 2 ? null : "number" }, plainText(text)))))));
+  const known = quality.epsilon_lower !== null;
+  const judged = !known ? build("p", {}, "Fewer than two contacts touch: the grasp's quality is not known.")
+      : figureList([
+        ["ε of Ferrari and Canny (bounds)",
+         `${figureText(quality.epsilon_lower)} … ${figureText(quality.epsilon_upper)}`],
+        ["needed a finger, worst direction", newtonsText(quality.needed_worst)],
+        ["needed a finger, as it stands", newtonsText(quality.needed_down)],
+        ["can be given", newtonsText(quality.given)],
+        ["friction, torsion, mass",
+         `${figureText(quality.friction)}, ${millimetres(quality.torsion, 1)} mm, ${figureText(quality.mass)} kg`],
+        ["squeeze", squeeze ? "beside the trajectory" : "none balances"]]);
+  return [build("h3", {}, "Grasp"), table, judged];
+}
+
+function physicsParts(physics) {
+  const title = build("h3", {}, `In physics (${plainText(physics.engine)})`);
+  if (physics.unfit !== "none")
+    return [title, build("p", {}, `Not simulated: ${plainText(physics.unfit)}: ${plainText(physics.detail)}`)];
+  const causes = (failures) => Object.entries(failures).map(([name, count]) => `${plainText(name)} ${count}`).join(", ");
+  const six = physics.directions > 0 ? [["held in six directions",
+    `${physics.directions_held} of ${physics.directions}${physics.directions_held < physics.directions
+        ? ` (${causes(physics.direction_failures)})` : ""}`]] : [];
+  return [title, figureList([
+    ["held after lift and 5 s", `${physics.held} of ${counted(physics.rollouts, "rollout")}`],
+    ["failed by", causes(physics.failures) || "none"],
+    ...six,
+    ["sag, slip, creep (medians of held)",
+     `${millimetres(physics.sag_m, 2)}, ${millimetres(physics.slip_m, 2)}, ${millimetres(physics.creep_m, 3)} mm`],
+    ["from the trajectory, arm and hand",
+     `${figureText(physics.arm_error)}°, ${figureText(physics.hand_error)}°`],
+    ["largest torque, of limit", `${(100 * physics.torque_share).toFixed(0)} %`],
+    ["needed to lift, given", `${newtonsText(physics.needed_N)}, ${newtonsText(physics.given_N)}`],
+    ["friction, torsion, mass",
+     `${figureText(physics.friction)}, ${millimetres(physics.torsion_m, 1)} mm, ${figureText(physics.mass_kg)} kg`],
+    ["squeeze", physics.squeeze === "plan" ? "the plan's" : "of fingers with goals, where they are nearest"]])];
+}
