@@ -36,7 +36,11 @@ export function graspSection(grasp, physics) {
 const figureList = (entries) => build("dl", { class: "figures" }, ...entries.map(([name, value]) =>
   build("div", {}, build("dt", {}, name), build("dd", {}, value))));
 
-function contactParts({ contacts, quality, squeeze }) {
+// How the palm came, in the target's frame.
+const approachOf = (direction) => (direction?.every((x) => x !== null)
+    ? [["came along, in the target's frame", direction.map((x) => x.toFixed(2).replace("-", "−")).join(", ")]] : []);
+
+function contactParts({ contacts, quality, squeeze, approach_direction }) {
   const head = ["contact", "link", "from", "gap mm", "off its pad °", "force N", "sure"];
   const cells = (one) => [one.link, one.origin, millimetres(one.gap, 2), figureText(one.pad_angle * kDegreesARadian),
                           figureText(one.force), one.confidence.toFixed(2)];
@@ -55,7 +59,7 @@ function contactParts({ contacts, quality, squeeze }) {
         ["can be given", newtonsText(quality.given)],
         ["friction, torsion, mass",
          `${figureText(quality.friction)}, ${millimetres(quality.torsion, 1)} mm, ${figureText(quality.mass)} kg`],
-        ["squeeze", squeeze ? "beside the trajectory" : "none balances"]]);
+        ["squeeze", squeeze ? "beside the trajectory" : "none balances"], ...approachOf(approach_direction)]);
   return [build("h3", {}, "Grasp"), table, judged];
 }
 
