@@ -195,9 +195,7 @@ TEST(Zip, DamageAndTricksAreRefused) {
   EXPECT_NE(zip_error("").find("no whole zip archive"), std::string::npos);
 }
 
-std::filesystem::path temporary() {
-  return std::filesystem::path(testing::TempDir()) / "a.npz";
-}
+std::filesystem::path temporary() { return std::filesystem::path(testing::TempDir()) / "a.npz"; }
 std::string contents(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
