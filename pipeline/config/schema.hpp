@@ -111,7 +111,7 @@ class FieldSchema {
     return of_struct(value, meanings_, partial_);
   }
 
-  /// Which of 0 and 1 the struct's check lets a number come to, found by asking it.
+  /// Which of 0, 0.001 and 1 the struct's check lets a number come to, found by asking it.
   template <class Number>
   Schema bounded(Schema schema, Number& value, double step) const {
     if (!why_ || !why_().empty()) return schema;
@@ -122,8 +122,7 @@ class FieldSchema {
       value = kept;
       return fine;
     };
-    for (const double bound : {0.0, 1.0}) {
-      if (!std::integral<Number> && bound > 0) break;
+    for (const double bound : {0.0, std::integral<Number> ? 1.0 : 1e-3}) {
       if (!holds(bound - step) && holds(bound) && holds(bound + step)) schema["minimum"] = bound;
     }
     if constexpr (!std::integral<Number>) {
