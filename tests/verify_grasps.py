@@ -106,7 +106,14 @@ def check_contacts(robot, plan, here, object_from_base, report):
         share = 0
         if "pad_share" in plan["goals"]:
             share = np.interp(when, plan["goals/time"][()], plan["goals/pad_share"][:, m])
-        off = abs(np.linalg.norm((object_from_base @ np.r_[goal, 1])[:3] - asked) - radius)
+        off = np.linalg.norm((object_from_base @ np.r_[goal, 1])[:3] - asked) - radius
+        if text(contacts["origin"][k]) == "closed":
+            frames = plan["goals/time"][()]
+            after = min(np.searchsorted(frames, when), len(frames) - 1)
+            still = np.linalg.norm(np.subtract(*plan["goals/tip_position"][max(after - 1, 0):][:2, m]))
+            off = max(-off - still, off - still - np.linalg.norm(b - a))
+        else:
+            off = abs(off)
         if np.isfinite(off) and not off <= POINT + 0.05 * (1 - share):
             note("asked", off, POINT)
         own = surface.distance(a, b)[0] - radius

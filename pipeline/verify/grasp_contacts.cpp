@@ -59,6 +59,22 @@ double share_of(const Goals& goals, std::size_t tip, double time_s) {
   return std::lerp(goals.pad_share(at.before, tip), goals.pad_share(at.after, tip), at.share);
 }
 
+/// How much nearer to and farther from the centre of its ball than its radius a pad may have met
+/// the target.
+struct Slack {
+  double nearer = 0, farther = 0;
+};
+
+/// A closing finger may meet it with its capsule beside the ball, and has closed by the frame at or
+/// after the grasp.
+Slack slack_of_closing(const Goals& goals, std::size_t tip, double time_s,
+                       const RobotTable::Capsule& capsule) {
+  const GoalShare at = goal_share(goals, time_s);
+  const double still_m =
+      (goals.tip_position(at.after, tip) - goals.tip_position(at.before, tip)).norm();
+  return {still_m, still_m + (capsule.to - capsule.from).norm()};
+}
+
 /// Tips whose goals at the grasp are those of pads are the ones that touch, each once; closed are
 /// those whose goals are.
 void judge_who_touches(const RobotTable& robot, const Plan& plan, ViolationRuns& runs) {
@@ -130,9 +146,11 @@ bool judge_grasp_contacts(const RobotTable& robot, const Plan& plan, ViolationRu
     holds("point", std::abs(surface.distance(contact.point)), kPoint_m);
     const auto number = static_cast<std::size_t>(tip - robot.tips.begin());
     if (const auto goal = goal_at(plan.goals, number, time_s)) {
-      // The pad's ball was to touch there: its centre is its radius away, where nothing is nearer.
+      // The pad's ball was to touch there: its centre is its radius away.
       const double off = (object_from_base * *goal - contact.asked).norm() - pad.radius;
-      holds("asked", std::abs(off),
+      const bool closed = contact.origin == ContactOrigin::closed;
+      const Slack slack = closed ? slack_of_closing(plan.goals, number, time_s, capsule) : Slack();
+      holds("asked", std::max(-off - slack.nearer, off - slack.farther),
             kPoint_m + kBlended_m * (1 - share_of(plan.goals, number, time_s)));
     }
     const double gap = surface.distance(axis) - capsule.radius;

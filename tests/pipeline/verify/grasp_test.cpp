@@ -61,6 +61,19 @@ Plan grasping() {
 
 TEST(VerifyGrasp, AcceptsAnHonestGrasp) { EXPECT_EQ(found_in(grasping()), Causes()); }
 
+TEST(VerifyGrasp, AFingerThatWasClosedMayHaveMetTheTargetBesideItsBall) {
+  Plan plan = grasping();
+  PadContact& contact = plan.grasp.contacts[0];
+  contact.asked = Eigen::AngleAxisd(0.1, Vec3::UnitZ()) * contact.asked;
+  plan.goals.closed.assign(plan.goals.tip_position.cols, 0);
+  plan.goals.closed.back() = 1;
+  contact.origin = ContactOrigin::closed;
+  EXPECT_EQ(found_in(plan), Causes());
+  contact.origin = ContactOrigin::demonstrated;
+  plan.goals.closed.clear();
+  EXPECT_EQ(found_in(plan), Causes{"contact index/asked"});
+}
+
 TEST(VerifyGrasp, FindsWhatIsForged) {
   struct Case {
     const char* cause;
