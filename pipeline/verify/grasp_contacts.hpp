@@ -12,7 +12,7 @@ namespace morphe::verify {
 /// origin      closed, and the tip's goals do not close a finger; or the other way round
 /// link        the capsule is not that of the tip's pad (pad.hpp), or there is no such tip
 /// point       off the target's surface; 1e-5 m
-/// asked       likewise, or not the pad's radius away from where its goal has the pad's centre; of a
+/// asked       likewise, or not the pad's radius from where its goal has the pad's centre; of a
 ///             closed finger the radius and at most the capsule's length, to what it still closes
 ///             until the next frame
 /// pad         point - (radius + gap) normal is off the capsule's axis; 2e-5 m
