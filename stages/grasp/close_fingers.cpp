@@ -127,8 +127,8 @@ std::optional<Closing> close_finger(Probe& probe, double time_s, std::size_t tip
   std::vector<std::pair<int, double>> joints = closing_joints(robot, at, tip);
   const auto stop_before = [&](int capsule) {  // joints that move what touches
     const int frame = robot.capsules[static_cast<std::size_t>(capsule)].frame;
-    std::erase_if(joints,
-                  [&](const auto& joint) { return robot::moves(robot, joint.first, frame); });
+    return std::erase_if(
+        joints, [&](const auto& joint) { return robot::moves(robot, joint.first, frame); });
   };
   const auto turned = [&](const JointVector& from, double step) {
     JointVector to = from;
@@ -187,8 +187,7 @@ std::optional<Closing> close_finger(Probe& probe, double time_s, std::size_t tip
     bool stopped = false;
     for (const int c : probe.own) {
       if (c == pad_capsule || probe.from_target(c).distance > 0) continue;
-      stop_before(c);
-      stopped = true;
+      stopped |= stop_before(c) > 0;
     }
     if (!stopped) at = next;
   }

@@ -24,7 +24,7 @@ struct RodBeforeTheHand {
   collision::CollisionWorld world;
 
   RodBeforeTheHand(const RodBeforeTheHand&) = delete;
-  explicit RodBeforeTheHand(double from_palm) {
+  explicit RodBeforeTheHand(double from_palm, double up_the_fingers = 0.17) {
     for (std::size_t j = 7; j < robot.joints(); ++j) {
       const auto joint = static_cast<Eigen::Index>(j);
       q[joint] = robot.joint_names[j].ends_with("abduction") ? 0 : 0.1;
@@ -38,7 +38,7 @@ struct RodBeforeTheHand {
     rod.shape = Shape::cylinder;
     rod.size = {0.02, 0.2};
     rod.time = {0};
-    rod.position = {palm * Vec3(from_palm, 0, 0.17)};
+    rod.position = {palm * Vec3(from_palm, 0, up_the_fingers)};
     rod.orientation = {Quat(palm.linear()) * along_y};
     scene.objects = {rod};
     movement.target = "rod";
@@ -81,6 +81,21 @@ TEST(CloseFingers, UntilThePadTouches) {
 TEST(CloseFingers, WhatDoesNotReachStaysOpenAndSaysWhy) {
   const RodBeforeTheHand far(0.25);
   const ClosedFingers closed = close_fingers(far.world, 0.6, {2}, far.q);
+  EXPECT_TRUE(closed.closings.empty());
+  EXPECT_THAT(closed.open, ElementsAre(HasSubstr("middle_tip stays open")));
+}
+
+TEST(CloseFingers, AnInnerLinkThatBeginsInTheTargetStopsTheJointsBeforeItOnce) {
+  const RodBeforeTheHand at_the_knuckles(0.02, 0.13);
+  const auto proximal = std::ranges::find(at_the_knuckles.robot.capsules, "middle_proximal",
+                                          &RobotTable::Capsule::name);
+  collision::CollisionScratch scratch;
+  collision::pose_bodies(at_the_knuckles.world, at_the_knuckles.q, 0.6, scratch);
+  const collision::Separation apart = collision::capsule_solid(
+      scratch.bodies[static_cast<std::size_t>(proximal - at_the_knuckles.robot.capsules.begin())],
+      collision::solid_at(at_the_knuckles.world, 0), scratch.object_poses[0]);
+  ASSERT_LT(apart.distance, -0.005);
+  const ClosedFingers closed = close_fingers(at_the_knuckles.world, 0.6, {2}, at_the_knuckles.q);
   EXPECT_TRUE(closed.closings.empty());
   EXPECT_THAT(closed.open, ElementsAre(HasSubstr("middle_tip stays open")));
 }
