@@ -18,21 +18,14 @@ double off(const Pose& stored, const std::optional<Pose>& wanted) {
   return (stored.matrix() - wanted->matrix()).cwiseAbs().maxCoeff();
 }
 
-const Phase* last_of(const std::vector<Phase>& phases, PhaseKind kind) {
-  const Phase* found = nullptr;
-  for (const Phase& phase : phases)
-    if (phase.kind == kind) found = &phase;
-  return found;
-}
-
 /// When the hand takes an object and when it lets go.
 void judge_times(const Plan& plan, const SceneObject& object, ViolationRuns& runs) {
   const auto near = [](double a, double b) { return std::abs(a - b) <= kCarryingTime_s; };
-  const Phase* grasp = last_of(plan.movement.phases, PhaseKind::grasp);
+  const Phase* grasp = last_phase(plan.movement, PhaseKind::grasp);
   if (!grasp || !near(object.attach_s, grasp->end_s))
     runs.note_plan("scene", object.name, object.attach_s, grasp ? grasp->end_s : kNotSeen);
   if (!grasp) return;
-  const Phase* transport = last_of(plan.movement.phases, PhaseKind::transport);
+  const Phase* transport = last_phase(plan.movement, PhaseKind::transport);
   const double release_s =
       transport ? transport->end_s : std::max(plan.movement.end_s, grasp->end_s);
   // Parts of a movement have that of the whole.
@@ -45,9 +38,7 @@ void judge_carrying(const RobotTable& robot, const Plan& plan, const SceneObject
                     ViolationRuns& runs) {
   const bool timed = !std::isnan(object.attach_s) || !std::isnan(object.release_s);
   const bool target = object.name == plan.movement.target;
-  if (!timed && object.attached_frame.empty()) {
-    return;
-  }
+  if (!timed && object.attached_frame.empty()) return;
   const bool known = object.attached_frame.empty() ||
                      std::ranges::find(robot.frames, object.attached_frame,
                                        &RobotTable::Frame::name) != robot.frames.end();

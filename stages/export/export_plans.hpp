@@ -29,9 +29,8 @@ struct ExportReport {
 /// - csv: <demonstration>_<000>.csv and, with an approach and a retreat apart, …_approach.csv and
 ///   …_retreat.csv; of a group other than all: …_arm.csv, …_approach_arm.csv
 /// - ros, ros-json: the same with .yaml or .json, a JointTrajectory each
-/// - of a plan that names contacts, beside its trajectory: csv …_contacts.csv and …_squeeze.csv;
-/// ros
-///   and ros-json …_grasp.json; robomimic /grasps/demo_N
+/// - of a plan that names contacts, beside its trajectory: csv …_contacts.csv and …_squeeze.csv,
+///   ros and ros-json …_grasp.json, robomimic /grasps/demo_N
 /// - robomimic: robomimic.hdf5, all plans in one, without approach and retreat, which are no
 ///   demonstration; no file if no plan has a trajectory
 /// and index_<format>.json, which lists them.
