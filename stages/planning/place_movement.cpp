@@ -1,12 +1,8 @@
 #include "stages/planning/place_movement.hpp"
-#include "pipeline/motion/find_world_frames.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 
-#include "pipeline/collision/mesh_solid.hpp"
-#include "stages/grasp/demonstrated.hpp"
+#include "pipeline/motion/find_world_frames.hpp"
 #include "stages/map/coarse_grid.hpp"
 #include "stages/map/compass_search.hpp"
 #include "stages/map/frame_search.hpp"
@@ -95,34 +91,6 @@ std::vector<SceneObject> other_arm_beside(const Planner& planner,
   return capsules;
 }
 
-Tolerances tolerances_of(const PipelineConfig& config, const Contacts& contacts) {
-  Tolerances tolerances = config.check.tolerances;
-  if (contacts.asked) {
-    tolerances.contact_depth = config.grasp->penetration_m;
-  }
-  return tolerances;
-}
-
-namespace {
-
-/// Turns the goals of the tips that touched the target into goals of pads.
-std::vector<grasp::Touch> touch_target(PlacedMovement& placed, const Planner& planner,
-                                       const Movement& movement,
-                                       const std::vector<std::string>& given_up) {
-  const SceneObject* target = object_named(placed.scene.objects, movement.target);
-  if (!target) return {};
-  const auto mesh = collision::mesh_solid_of(*target, planner.config.scene.meshes);
-  std::vector<grasp::Touch> touches = grasp::demonstrated_touches(
-      planner.robot, placed.goals, movement, {*target, mesh.get()}, *planner.config.grasp);
-  std::erase_if(touches, [&](const grasp::Touch& touch) {
-    return std::ranges::find(given_up, planner.robot.tips[touch.tip].name) != given_up.end();
-  });
-  grasp::aim_pads(planner.robot, touches, movement, *target, placed.goals);
-  return touches;
-}
-
-}  // namespace
-
 PlacedMovement::PlacedMovement(const Planner& planner, const HumanMotion& motion,
                                const Movement& movement, const Scene& around, const Vec3& offset,
                                const Contacts& contacts) {
@@ -138,14 +106,7 @@ PlacedMovement::PlacedMovement(const Planner& planner, const HumanMotion& motion
   known = mapping_scene(config, scene, movement);
   world = collision::make_world(robot, known, movement, tolerances_of(config, contacts),
                                 config.scene.meshes);
-  if (contacts.asked) {
-    touches = touch_target(*this, planner, movement, contacts.given_up);
-    if (touches.empty() && !movement.target.empty()) {
-      notes.push_back(fmt::format(
-          "no contact: no fingertip's skin was within {:.0f} mm of {} for {:.0f} % of the grasp",
-          1e3 * config.grasp->near_m, movement.target, 100 * config.grasp->least_share));
-    }
-  }
+  if (contacts.asked) touch_target(planner, movement, contacts, *this);
   problem = map::make_mapping_problem(robot, goals, world, config.map, movement.phases);
   if (config.map.mode == map::MapMode::joint_to_joint) {
     problem.goals = map::joint_to_joint_goals(robot, motion.hand_angles, motion.time, goals);

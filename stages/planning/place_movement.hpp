@@ -3,6 +3,7 @@
 #include "pipeline/collision/world.hpp"
 #include "stages/grasp/touch.hpp"
 #include "stages/map/mapping_problem.hpp"
+#include "stages/planning/contacts.hpp"
 #include "stages/planning/planner.hpp"
 
 namespace morphe::planning {
@@ -19,15 +20,6 @@ Scene scene_around(const Planner& planner, const Demonstration& demonstration,
 std::vector<SceneObject> other_arm_beside(const Planner& planner,
                                           const Demonstration& demonstration,
                                           std::vector<std::string>& notes);
-
-/// Whether the goals of a movement ask for pads on what it grasps, or for tips near it.
-struct Contacts {
-  bool asked = false;
-  std::vector<std::string> given_up;  ///< tips that stay without
-};
-
-/// What a plan is judged by: with contacts, pads sink in by grasp.penetration at most.
-Tolerances tolerances_of(const PipelineConfig& config, const Contacts& contacts);
 
 /// A movement with the robot in its place, ready to be mapped. All but `around` in the base frame.
 struct PlacedMovement {
