@@ -155,10 +155,12 @@ def check_squeeze(robot, plan, here, base_from_object, motion, sample, report):
     for k, tip in enumerate(tips):
         if k not in presses and not (np.isnan(force[k]) and np.isnan(friction[k]).all()):
             report.add("squeeze", tip + "/force", force[k], np.nan)
-    if (len(touching) >= 2) != ("squeeze" in grasp):
-        return report.add("squeeze", "torque", np.nan, np.nan)
-    if not presses:
+    if "squeeze" not in grasp:  # nothing balances where the signed epsilon is not above 0
+        if len(touching) >= 2 and quality["epsilon_lower"] > 1e-3:
+            report.add("squeeze", "torque", np.nan, np.nan)
         return
+    if not presses:
+        return report.add("squeeze", "torque", np.nan, np.nan)
     torque, target = grasp["squeeze/torque"][()], grasp["squeeze/servo_target"][()]
     if not np.isfinite(np.r_[torque, target]).all():
         return report.add("finite", "grasp/squeeze", np.nan, np.nan)

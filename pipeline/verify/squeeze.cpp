@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kAgreeing = 1e-6;
 constexpr double kUnbalanced = 0.03, kLeast_N = 2e-3;
+constexpr double kClosed = 1e-3;  ///< epsilon as near as it is known
 
 /// The wrench of all forces, and the moments about the normals that could take part of it.
 struct Balance {
@@ -107,7 +108,11 @@ void judge_squeeze(const RobotTable& robot, const Plan& plan, const std::string&
     if (grasp.squeeze_torque.size() > 0) note("torque", kNotSeen, kNotSeen);
     return;
   }
-  if (!there) return note("torque", kNotSeen, kNotSeen);
+  if (!there) {
+    // Forces that hold an object in balance exist where the signed epsilon is above 0.
+    if (grasp.quality.epsilon_lower > kClosed) note("torque", kNotSeen, kNotSeen);
+    return;
+  }
   if (!grasp.squeeze_torque.allFinite() || !grasp.squeeze_posture.allFinite())
     return runs.note_plan("finite", "grasp/squeeze", kNotSeen, kNotSeen);
 

@@ -4,6 +4,15 @@
 #include <cmath>
 
 namespace morphe::grasp {
+namespace {
+
+/// A point, or the nearest one that far outside the surface.
+Vec3 outside(const collision::Solid& solid, double apart_m, const Vec3& point) {
+  const SurfacePoint nearest = nearest_surface(solid, point);
+  return nearest.distance < apart_m ? Vec3(nearest.point - apart_m * nearest.normal) : point;
+}
+
+}  // namespace
 
 std::vector<Touch> demonstrated_touches(const robot::Robot& robot, const Goals& goals,
                                         const Movement& movement, const collision::Solid& target,
@@ -41,25 +50,60 @@ std::vector<Touch> demonstrated_touches(const robot::Robot& robot, const Goals& 
   return touches;
 }
 
+void make_room(const robot::Robot& robot, const collision::Solid& target, double margin_m,
+               std::vector<Touch>& touches) {
+  constexpr int kRounds = 50;
+  constexpr double kEnough_m = 1e-4;
+  const auto place = [&](Touch& touch, const Vec3& near) {
+    const SurfacePoint at = nearest_surface(target, near);
+    touch.point = at.point;
+    touch.normal = at.normal;
+    touch.centre = at.point - robot.pads[touch.tip].radius * at.normal;
+  };
+  bool crowded = true;
+  for (int round = 0; round < kRounds && crowded; ++round) {
+    crowded = false;
+    for (std::size_t i = 0; i < touches.size(); ++i) {
+      for (std::size_t j = i + 1; j < touches.size(); ++j) {
+        const Vec3 between = touches[j].centre - touches[i].centre;
+        const double needed =
+            robot.pads[touches[i].tip].radius + robot.pads[touches[j].tip].radius + margin_m;
+        const double missing = needed - between.norm();
+        if (missing <= kEnough_m || between.norm() == 0) continue;
+        crowded = true;
+        const Vec3 step = (0.5 * missing / between.norm()) * between;
+        place(touches[i], touches[i].centre - step);
+        place(touches[j], touches[j].centre + step);
+      }
+    }
+  }
+}
+
 void aim_pads(const robot::Robot& robot, const std::vector<Touch>& touches,
-              const Movement& movement, const SceneObject& target, Goals& goals) {
+              const Movement& movement, const collision::Solid& target, Goals& goals) {
   if (touches.empty()) return;
   const HoldTime when = hold_time(movement);
   if (goals.pad_share.rows == 0) goals.pad_share = {goals.frames(), robot.tips.size(), 0.0};
-  const bool by_palm = !target.attached_frame.empty();
+  const bool by_palm = !target.object.attached_frame.empty();
   for (const Touch& touch : touches) {
     Vec3 way = Vec3::Zero();  // from tip to pad as the target was taken
     for (std::size_t f = 0; f < goals.frames(); ++f) {
       const double share = closed_share(when, goals.time[f]);
       Vec3& goal = goals.tip_position(f, touch.tip);
-      Vec3 pad = recorded_pose(target, goals.time[f]) * touch.centre;
-      if (by_palm && goals.time[f] > target.attach_s) {
+      const Pose base_from_target = recorded_pose(target.object, goals.time[f]);
+      const bool in_palm = by_palm && goals.time[f] > target.object.attach_s;
+      Vec3 pad = base_from_target * touch.centre;
+      if (in_palm) {
         pad = goal + way;
       } else if (seen(goal)) {
         way = pad - goal;
       }
       if (share == 0 || (!seen(goal) && share < 1)) continue;
       goal = share < 1 ? Vec3((1 - share) * goal + share * pad) : pad;
+      if (share < 1 && !in_palm) {
+        const double apart_m = std::sqrt(share) * robot.pads[touch.tip].radius;
+        goal = base_from_target * outside(target, apart_m, base_from_target.inverse() * goal);
+      }
       goals.pad_share(f, touch.tip) = share;
     }
   }

@@ -13,11 +13,17 @@ std::vector<Touch> demonstrated_touches(const robot::Robot& robot, const Goals& 
                                         const Movement& movement, const collision::Solid& target,
                                         const GraspOptions& options);
 
+/// Moves touches along the surface, no further than needed, until the pads' balls of neighbouring
+/// fingers are `margin_m` apart: a robot's fingers are wider than a person's.
+void make_room(const robot::Robot& robot, const collision::Solid& target, double margin_m,
+               std::vector<Touch>& touches);
+
 /// Goals that bring pads to where they touch: over the preshape the goal of each tip goes over from
 /// the tip where the person's was to the centre of the pad's ball beside the surface, and back
-/// after the release (closed_share()). The target is where it was recorded; in a hand that carries
-/// it by its palm the way from tip to pad stays what it was as it was taken.
+/// after the release (closed_share()); on its way a goal stays outside the target by that share of
+/// the ball's radius. The target is where it was recorded; in a hand that carries it by its palm
+/// the way from tip to pad stays what it was as it was taken.
 void aim_pads(const robot::Robot& robot, const std::vector<Touch>& touches,
-              const Movement& movement, const SceneObject& target, Goals& goals);
+              const Movement& movement, const collision::Solid& target, Goals& goals);
 
 }  // namespace morphe::grasp

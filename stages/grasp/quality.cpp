@@ -108,23 +108,32 @@ std::vector<closure::ForceBound> joint_bounds(const Touching& touching, double t
   return bounds;
 }
 
-constexpr double kFaint = 0.05;  ///< of the force asked for: no squeeze
+constexpr double kFaint = 0.05;     ///< of the force asked for: no squeeze
+constexpr double kBalanced = 1e-3;  ///< of the largest force, that may be left over
+
+bool balances(const closure::Squeeze& squeeze, const GraspOptions& options) {
+  return squeeze.largest_n >= kFaint * options.squeeze_force &&
+         squeeze.residual.norm() <= kBalanced * squeeze.largest_n;
+}
 
 /// Evenly shared and well inside the cones, or as near to that as balances: the first one that
-/// presses with half of the force asked for, else the one that presses most.
+/// presses with half of the force asked for, else the one that presses most. Nothing balances: no
+/// forces.
 closure::Squeeze squeeze_of(const Touching& touch, const GraspOptions& options) {
   struct Way {
     double share, friction_use;
   };
   const double share = options.squeeze_share;
   closure::Squeeze best;
-  for (const Way way : {Way{share, 0.7}, Way{share, 0.95}, Way{share / 3, 0.95}, Way{0, 0.95}}) {
+  for (const Way way :
+       {Way{share, 0.7}, Way{share, 0.95}, Way{share / 3, 0.95}, Way{0, 0.95}, Way{0, 1}}) {
     closure::SqueezeOptions asked;
     asked.largest_n = options.squeeze_force;
     asked.share = way.share;
     asked.friction_use = way.friction_use;
     closure::Squeeze found = closure::share_forces(touch.set, closure::Wrench::Zero(), asked,
                                                    joint_bounds(touch, options.joint_torque));
+    if (!balances(found, options)) continue;
     const bool enough = found.largest_n >= 0.5 * options.squeeze_force;
     if (enough || best.forces.empty() || found.largest_n > best.largest_n) best = std::move(found);
     if (enough) break;
@@ -159,7 +168,7 @@ void judge_grasp(const collision::CollisionWorld& world, double time_s, const Ve
   quality.given = can_give(touch, options.joint_torque);
 
   const closure::Squeeze shared = squeeze_of(touch, options);
-  if (shared.largest_n < kFaint * options.squeeze_force) return;  // nothing balances
+  if (shared.forces.empty()) return;
   Eigen::VectorXd forces(touch.lever.rows());
   for (std::size_t c = 0; c < touch.rows.size(); ++c) {
     PadContact& contact = grasp.contacts[touch.rows[c]];

@@ -165,12 +165,9 @@ Outcome<MapResult> map_movement(const MappingProblem& problem, Goals& goals,
   return {std::move(result), {}};
 }
 
-MapResult map_again(const MappingProblem& problem, Goals& goals, MapResult before,
-                    const MapOptions& options, std::uint64_t seed) {
-  const Course course = smooth_movement(problem, before.path.position, options);
-  MapResult result = result_of(problem, tracked_by(problem, goals), goals, course.q, options, seed);
-  result.candidates = std::move(before.candidates);
-  return result;
+MapResult judge_path(const MappingProblem& problem, Goals& goals, const JointRows& q,
+                     const MapOptions& options, std::uint64_t seed) {
+  return result_of(problem, tracked_by(problem, goals), goals, q, options, seed);
 }
 
 }  // namespace morphe::map

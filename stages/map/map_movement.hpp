@@ -23,9 +23,9 @@ struct MapResult {
 Outcome<MapResult> map_movement(const MappingProblem& problem, Goals& goals,
                                 const MapOptions& options, std::uint64_t seed);
 
-/// The same after goals changed a little: the path settles beside where it was, candidates stay.
-MapResult map_again(const MappingProblem& problem, Goals& goals, MapResult before,
-                    const MapOptions& options, std::uint64_t seed);
+/// Any path of the movement, measured and judged as if it had been mapped; fills goals.reachable.
+MapResult judge_path(const MappingProblem& problem, Goals& goals, const JointRows& q,
+                     const MapOptions& options, std::uint64_t seed);
 
 /// The problem of a movement: goals frame by frame, with the weights of their phases, and the world
 /// to stay clear of.

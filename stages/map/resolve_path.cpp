@@ -60,13 +60,11 @@ JointRows solve_window(const MappingProblem& problem, const std::vector<std::siz
   return solve::minimise_movement(movement, start, options).q;
 }
 
-}  // namespace
-
-JointPath resolve_path(const MappingProblem& problem, const JointPath& path,
-                       const std::vector<Finding>& findings, const MapOptions& options,
-                       double reach_s) {
+/// Re-solves each window: at some of its frames first, then at all.
+JointPath resolve_windows(const MappingProblem& problem, const JointPath& path,
+                          const std::vector<Window>& windows, const MapOptions& options) {
   JointPath resolved = path;
-  for (const Window& window : windows_around(findings, problem.time, reach_s)) {
+  for (const Window& window : windows) {
     const std::size_t begin = window.first - std::min(window.first, kHeldFrames);
     const std::size_t end = std::min(problem.frames(), window.end + kHeldFrames);
     std::vector<std::size_t> all(end - begin);
@@ -89,6 +87,23 @@ JointPath resolve_path(const MappingProblem& problem, const JointPath& path,
     }
   }
   return resolved;
+}
+
+}  // namespace
+
+JointPath resolve_path(const MappingProblem& problem, const JointPath& path,
+                       const std::vector<Finding>& findings, const MapOptions& options,
+                       double reach_s) {
+  return resolve_windows(problem, path, windows_around(findings, problem.time, reach_s), options);
+}
+
+JointPath resolve_between(const MappingProblem& problem, const JointPath& path, double begin_s,
+                          double end_s, const MapOptions& options) {
+  const auto first = std::ranges::lower_bound(problem.time, begin_s);
+  const auto end = std::ranges::upper_bound(problem.time, end_s);
+  if (first >= end) return path;
+  const auto frame = [&](auto at) { return static_cast<std::size_t>(at - problem.time.begin()); };
+  return resolve_windows(problem, path, {{frame(first), frame(end)}}, options);
 }
 
 }  // namespace morphe::map

@@ -14,4 +14,8 @@ JointPath resolve_path(const MappingProblem& problem, const JointPath& path,
                        const std::vector<Finding>& findings, const MapOptions& options,
                        double reach_s = 0.3);
 
+/// The same for the frames of a time, from where the path is.
+JointPath resolve_between(const MappingProblem& problem, const JointPath& path, double begin_s,
+                          double end_s, const MapOptions& options);
+
 }  // namespace morphe::map

@@ -3,74 +3,179 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "pipeline/collision/mesh_solid.hpp"
 #include "pipeline/math/seed.hpp"
+#include "stages/check/check_path.hpp"
 #include "stages/grasp/close_fingers.hpp"
 #include "stages/grasp/demonstrated.hpp"
-#include "stages/planning/place_movement.hpp"
+#include "stages/map/frame_search.hpp"
+#include "stages/map/map_movement.hpp"
+#include "stages/map/resolve_path.hpp"
+#include "stages/planning/firmness.hpp"
+#include "stages/planning/re_solve.hpp"
+#include "stages/planning/repair_movement.hpp"
 
 namespace morphe::planning {
 namespace {
 
-bool is_among(const std::vector<std::string>& tips, const robot::Robot& robot, std::size_t tip) {
-  return std::ranges::find(tips, robot.tips[tip].name) != tips.end();
+constexpr Firmness kFirm{1000, 0.2};  ///< the path keeps clear as where it is re-solved firmly
+constexpr double kLessExact = 1000;   ///< it settles beside another: values this much less exact
+
+/// A movement whose tips are about to touch its target.
+struct Approaching {
+  const Planner& planner;
+  const collision::CollisionWorld& world;
+  const SceneObject& target;
+  std::uint64_t seed;
+};
+
+/// A plan with the contacts of some tips, and why it cannot be executed so.
+struct Attempt {
+  Plan plan;
+  Contacts contacts;
+  Refusal refusal;
+};
+
+map::MappingProblem problem_of(const Approaching& of, const Plan& plan) {
+  return map::make_mapping_problem(of.planner.robot, plan.goals, of.world, of.planner.config.map,
+                                   plan.movement.phases);
+}
+
+/// The frame in which the hand has taken the target; frames() if none.
+std::size_t frame_of_grasp(const Goals& goals, const grasp::HoldTime& when) {
+  const auto at = std::ranges::lower_bound(goals.time, when.begin_s);
+  return static_cast<std::size_t>(at - goals.time.begin());
+}
+
+/// Pads and closed fingers as goals, and the path from which they are sought: where it was, more
+/// and more turned to a posture that touches.
+void aim_hand(const Approaching& of, const std::vector<std::string>& given_up, Attempt& attempt) {
+  const robot::Robot& robot = of.planner.robot;
+  Goals& goals = attempt.plan.goals;
+  const grasp::HoldTime when = grasp::hold_time(attempt.plan.movement);
+  const std::size_t frame = frame_of_grasp(goals, when);
+  grasp::aim_pads(robot, attempt.contacts.touches, attempt.plan.movement,
+                  {of.target, of.world.meshes[static_cast<std::size_t>(of.world.target)].get()},
+                  goals);
+  if (frame == goals.frames()) return;
+  JointRows& path = attempt.plan.path.position;
+  const JointVector before = path.row(static_cast<Eigen::Index>(frame)).transpose();
+  map::MappingScratch scratch;
+  const JointVector touching = map::solve_frame(as_firm(problem_of(of, attempt.plan), kFirm), frame,
+                                                before, of.planner.config.map.solver, scratch)
+                                   .x;
+  for (std::size_t f = 0; f < goals.frames(); ++f) {
+    const double share = grasp::closed_share(when, goals.time[f]);
+    if (share == 0) continue;
+    path.row(static_cast<Eigen::Index>(f)) += share * (touching - before).transpose();
+  }
+  if (!of.planner.config.grasp->close_fingers) return;
+  std::vector<std::size_t> tips = grasp::tips_without_goals(robot, goals, when);
+  std::erase_if(tips, [&](std::size_t tip) {
+    return std::ranges::find(given_up, robot.tips[tip].name) != given_up.end();
+  });
+  const grasp::ClosedFingers closed =
+      grasp::close_fingers(of.world, goals.time[frame], tips, touching);
+  std::ranges::copy(closed.open, std::back_inserter(attempt.contacts.notes));
+  grasp::aim_closings(robot, closed.closings, attempt.plan.movement, of.target, path, goals);
+  for (const grasp::Closing& closing : closed.closings) {
+    attempt.contacts.touches.push_back(closing.touch);
+  }
+}
+
+/// The path settled beside where it is, from where the hand begins to shape.
+JointRows settled(const map::MappingProblem& problem, const Plan& plan, map::MapOptions options) {
+  options.movement.relative_value *= kLessExact;
+  return map::resolve_between(as_firm(problem, kFirm), plan.path,
+                              grasp::hold_time(plan.movement).open_s, plan.movement.end_s, options)
+      .position;
+}
+
+Attempt touch_with(const Approaching& of, const std::vector<grasp::Touch>& touches,
+                   const std::vector<std::string>& given_up, const Plan& by_tips) {
+  const PipelineConfig& config = of.planner.config;
+  Attempt attempt{by_tips, {touches, {}}, {}};
+  Plan& plan = attempt.plan;
+  aim_hand(of, given_up, attempt);
+  const map::MappingProblem problem = problem_of(of, plan);
+  collision::CollisionWorld with_room = of.world;
+  with_room.tolerances.margin += kRoom;
+  const auto findings_in = [&](const collision::CollisionWorld& world, const JointPath& path) {
+    return check::check_path(world, plan.goals, plan.movement, path, config.check);
+  };
+  const ReSolving solving{problem, config.map,
+                          [&](const JointPath& path) { return findings_in(with_room, path); }};
+  plan.path.position = settled(problem, plan, config.map);
+  const JointRows mapped = plan.path.position;
+  plan.remaining = findings_in(with_room, plan.path);
+  if (!plan.remaining.empty()) {
+    Outcome<repair::RepairResult> freed = repair::repair_path(
+        {repair::if_nearly_free(firmly(solving))}, {plan.path, plan.remaining}, config.repair);
+    plan.path = std::move(freed.value.path);
+    plan.certificate.repaired = true;
+    std::ranges::move(freed.value.steps, std::back_inserter(plan.repair));
+    plan.remaining = findings_in(of.world, plan.path);
+    if (!plan.remaining.empty()) {
+      attempt.refusal = std::move(freed.refusal);
+      return attempt;
+    }
+  }
+  map::MapResult judged = map::judge_path(problem, plan.goals, mapped, config.map,
+                                          math::seed_from(of.seed, "contacts"));
+  plan.mapped = std::move(judged.mapped);
+  plan.certificate.natural_posture_error = judged.posture_error_rad;
+  return attempt;
 }
 
 }  // namespace
 
-Tolerances tolerances_of(const PipelineConfig& config, const Contacts& contacts) {
+Tolerances with_contacts(const PipelineConfig& config) {
   Tolerances tolerances = config.check.tolerances;
-  if (contacts.asked) {
-    tolerances.contact_depth = config.grasp->penetration_m;
-  }
+  tolerances.contact_depth = config.grasp->penetration_m;
   return tolerances;
 }
 
-void touch_target(const Planner& planner, const Movement& movement, const Contacts& contacts,
-                  PlacedMovement& placed) {
+Contacts touch_target(const Planner& planner, const collision::CollisionWorld& world,
+                      std::uint64_t seed, Plan& plan) {
   const grasp::GraspOptions& options = *planner.config.grasp;
-  if (const SceneObject* target = object_named(placed.scene.objects, movement.target)) {
-    const auto mesh = collision::mesh_solid_of(*target, planner.config.scene.meshes);
-    placed.touches = grasp::demonstrated_touches(planner.robot, placed.goals, movement,
-                                                 {*target, mesh.get()}, options);
-    std::erase_if(placed.touches, [&](const grasp::Touch& touch) {
-      return is_among(contacts.given_up, planner.robot, touch.tip);
-    });
-    grasp::aim_pads(planner.robot, placed.touches, movement, *target, placed.goals);
+  const SceneObject* target = object_named(plan.scene.objects, plan.movement.target);
+  if (!target) return {};
+  if (planner.config.map.mode == map::MapMode::joint_to_joint) {
+    return {{}, {"no contact: joint-to-joint mapping does not follow the tips"}};
   }
-  if (placed.touches.empty() && !movement.target.empty()) {
-    placed.notes.push_back(fmt::format(
-        "no contact: no fingertip's skin was within {:.0f} mm of {} for {:.0f} % of the grasp",
-        1e3 * options.near_m, movement.target, 100 * options.least_share));
+  const auto mesh = collision::mesh_solid_of(*target, planner.config.scene.meshes);
+  std::vector<grasp::Touch> touches = grasp::demonstrated_touches(
+      planner.robot, plan.goals, plan.movement, {*target, mesh.get()}, options);
+  if (touches.empty()) {
+    return {{},
+            {fmt::format("no contact: no fingertip's skin was within {:.0f} mm of {} for {:.0f} % "
+                         "of the grasp",
+                         1e3 * options.near_m, target->name, 100 * options.least_share)}};
   }
-}
-
-void close_other_fingers(const Planner& planner, const collision::CollisionWorld& world,
-                         const std::vector<std::string>& given_up, std::uint64_t seed, Plan& plan,
-                         PlacedMovement& placed, map::MapResult& mapped) {
-  const grasp::HoldTime when = grasp::hold_time(plan.movement);
-  const bool tips_count = planner.config.map.mode != map::MapMode::joint_to_joint;
-  if (placed.touches.empty() || world.target < 0 || !tips_count) return;
-  const auto at = std::ranges::lower_bound(plan.goals.time, when.begin_s);
-  if (at == plan.goals.time.end()) return;
-  const auto frame = at - plan.goals.time.begin();
-  std::vector<std::size_t> tips = grasp::tips_without_goals(planner.robot, plan.goals, when);
-  std::erase_if(tips, [&](std::size_t tip) { return is_among(given_up, planner.robot, tip); });
-  const grasp::ClosedFingers closed =
-      grasp::close_fingers(world, *at, tips, mapped.path.position.row(frame).transpose());
-  const std::vector<grasp::Closing>& closings = closed.closings;
-  placed.notes.insert(placed.notes.end(), closed.open.begin(), closed.open.end());
-  if (closings.empty()) return;
-  const SceneObject& target = world.scene->objects[static_cast<std::size_t>(world.target)];
-  grasp::aim_closings(planner.robot, closings, plan.movement, target, mapped.path.position,
-                      plan.goals);
-  placed.problem = map::make_mapping_problem(planner.robot, plan.goals, placed.world,
-                                             planner.config.map, plan.movement.phases);
-  mapped = map::map_again(placed.problem, plan.goals, std::move(mapped), planner.config.map,
-                          math::seed_from(seed, "closed"));
-  for (const grasp::Closing& closing : closings) placed.touches.push_back(closing.touch);
+  grasp::make_room(planner.robot, {*target, mesh.get()}, world.tolerances.margin, touches);
+  const Approaching of{planner, world, *target, seed};
+  Attempt first = touch_with(of, touches, {}, plan);
+  if (!first.refusal) {
+    plan = std::move(first.plan);
+    return std::move(first.contacts);
+  }
+  const std::vector<std::string> tips =
+      tips_in_the_way(planner.robot, first.plan.goals, first.plan.remaining);
+  std::erase_if(touches, [&](const grasp::Touch& touch) {
+    return std::ranges::find(tips, planner.robot.tips[touch.tip].name) != tips.end();
+  });
+  if (!tips.empty() && !touches.empty()) {
+    Attempt second = touch_with(of, touches, tips, plan);
+    if (!second.refusal) {
+      plan = std::move(second.plan);
+      second.contacts.notes.push_back(given_up_sentence(tips, first.refusal));
+      return std::move(second.contacts);
+    }
+  }
+  return {{}, {given_up_sentence({}, first.refusal)}};
 }
 
 std::vector<std::string> tips_in_the_way(const robot::Robot& robot, const Goals& goals,
@@ -91,6 +196,13 @@ std::vector<std::string> tips_in_the_way(const robot::Robot& robot, const Goals&
     if (concerned) tips.push_back(name);
   }
   return tips;
+}
+
+std::string given_up_sentence(const std::vector<std::string>& tips, const Refusal& refusal) {
+  return fmt::format(
+      "{} given up: {}, {}",
+      tips.empty() ? "contacts" : fmt::format("contact of {}", fmt::join(tips, ", ")),
+      name_of(refusal.reason), refusal.detail);
 }
 
 }  // namespace morphe::planning

@@ -5,34 +5,34 @@
 #include <vector>
 
 #include "pipeline/collision/world.hpp"
-#include "stages/map/map_movement.hpp"
+#include "stages/grasp/touch.hpp"
 #include "stages/planning/planner.hpp"
 
 namespace morphe::planning {
 
-struct PlacedMovement;
+/// What a plan with contacts is judged by: pads sink in by grasp.penetration at most.
+Tolerances with_contacts(const PipelineConfig& config);
 
-/// Whether the goals of a movement ask for pads on what it grasps, or for tips near it.
 struct Contacts {
-  bool asked = false;
-  std::vector<std::string> given_up;  ///< tips that stay without
+  std::vector<grasp::Touch> touches;  ///< that the goals ask for; none: the plan is what it was
+  std::vector<std::string> notes;     ///< a sentence each
 };
 
-/// What a plan is judged by: with contacts, pads sink in by grasp.penetration at most.
-Tolerances tolerances_of(const PipelineConfig& config, const Contacts& contacts);
-
-/// Turns the goals of the tips that touched the target into goals of pads.
-void touch_target(const Planner& planner, const Movement& movement, const Contacts& contacts,
-                  PlacedMovement& placed);
-
-/// Closes the fingers without goals onto the target, from where the mapped hand has taken it.
-void close_other_fingers(const Planner& planner, const collision::CollisionWorld& world,
-                         const std::vector<std::string>& given_up, std::uint64_t seed, Plan& plan,
-                         PlacedMovement& placed, map::MapResult& mapped);
+/// Pads on the target instead of tips near it, for a plan whose path follows the tips: its goals
+/// become those of pads, the other fingers close, and the path settles beside where it was, clear
+/// of the whole scene; where it is not free then, it is re-solved gently. What is still in the way
+/// costs the fingers in question their contacts, once; then all. Nothing is searched and no repair
+/// is repeated: goals of pads lie beside those of tips, and so do the paths. `world` is that of
+/// plan.scene, with the plan's tolerances.
+Contacts touch_target(const Planner& planner, const collision::CollisionWorld& world,
+                      std::uint64_t seed, Plan& plan);
 
 /// Tips with contacts that findings speak of: they are away from their goals, or their links
 /// collide.
 std::vector<std::string> tips_in_the_way(const robot::Robot& robot, const Goals& goals,
                                          const std::vector<Finding>& findings);
+
+/// "contacts given up: tracking, thumb_tip ...", or those of some tips.
+std::string given_up_sentence(const std::vector<std::string>& tips, const Refusal& refusal);
 
 }  // namespace morphe::planning

@@ -92,8 +92,7 @@ std::vector<SceneObject> other_arm_beside(const Planner& planner,
 }
 
 PlacedMovement::PlacedMovement(const Planner& planner, const HumanMotion& motion,
-                               const Movement& movement, const Scene& around, const Vec3& offset,
-                               const Contacts& contacts) {
+                               const Movement& movement, const Scene& around, const Vec3& offset) {
   const PipelineConfig& config = planner.config;
   const robot::Robot& robot = planner.robot;
   const Pose base_from_world = base_from_motion(planner, motion, movement, offset);
@@ -104,9 +103,8 @@ PlacedMovement::PlacedMovement(const Planner& planner, const HumanMotion& motion
   goals = map::make_goals(robot, motion, movement, base_from_world);
   if (config.map.free_offset.limit_m > 0) goals.free_offset = offset;
   known = mapping_scene(config, scene, movement);
-  world = collision::make_world(robot, known, movement, tolerances_of(config, contacts),
-                                config.scene.meshes);
-  if (contacts.asked) touch_target(planner, movement, contacts, *this);
+  world =
+      collision::make_world(robot, known, movement, config.check.tolerances, config.scene.meshes);
   problem = map::make_mapping_problem(robot, goals, world, config.map, movement.phases);
   if (config.map.mode == map::MapMode::joint_to_joint) {
     problem.goals = map::joint_to_joint_goals(robot, motion.hand_angles, motion.time, goals);

@@ -1,9 +1,7 @@
 #pragma once
 
 #include "pipeline/collision/world.hpp"
-#include "stages/grasp/touch.hpp"
 #include "stages/map/mapping_problem.hpp"
-#include "stages/planning/contacts.hpp"
 #include "stages/planning/planner.hpp"
 
 namespace morphe::planning {
@@ -26,7 +24,7 @@ struct PlacedMovement {
   /// `offset` moves the base from where the placement puts it, along the world's axes [m]: as if
   /// it were added to `placement.shoulder_offset`.
   PlacedMovement(const Planner& planner, const HumanMotion& motion, const Movement& movement,
-                 const Scene& around, const Vec3& offset, const Contacts& contacts = {});
+                 const Scene& around, const Vec3& offset);
   PlacedMovement(const PlacedMovement&) = delete;
   PlacedMovement& operator=(const PlacedMovement&) = delete;
 
@@ -34,10 +32,8 @@ struct PlacedMovement {
   WorldFrames frames;
   std::string nowhere;  ///< a sentence: what an object stands on is not there; "" if all is
   Goals goals;
-  std::vector<grasp::Touch> touches;  ///< that the goals ask for
-  std::vector<std::string> notes;     ///< on contacts, a sentence each
-  Scene known;                        ///< the part of the scene that the mapping keeps clear of
-  collision::CollisionWorld world;    ///< of `known`
+  Scene known;                      ///< the part of the scene that the mapping keeps clear of
+  collision::CollisionWorld world;  ///< of `known`
   map::MappingProblem problem;
 };
 

@@ -14,6 +14,7 @@
 #include "stages/map/map_movement.hpp"
 #include "stages/planning/approach.hpp"
 #include "stages/planning/begin_plan.hpp"
+#include "stages/planning/contacts.hpp"
 #include "stages/planning/place_movement.hpp"
 #include "stages/planning/plan_sentences.hpp"
 #include "stages/planning/repair_movement.hpp"
@@ -111,7 +112,7 @@ void finish(const Planner& planner, const collision::CollisionWorld& world, Plan
 }
 
 /// The grasp of an executable plan, its approach, and what a user must know of it.
-void complete(const Planner& planner, const Setting& setting, const PlacedMovement& placed,
+void complete(const Planner& planner, const Setting& setting, const Contacts& contacts,
               const collision::CollisionWorld& world, Plan& plan, StageSeconds& seconds) {
   const PipelineConfig& config = planner.config;
   const std::string only_near = certify::only_near(plan.goals, plan.tolerances, plan.certificate);
@@ -130,7 +131,7 @@ void complete(const Planner& planner, const Setting& setting, const PlacedMoveme
     const double at_s =
         plan.trajectory.demonstration_time[static_cast<std::size_t>(plan.grasp.sample)];
     plan.grasp.contacts =
-        grasp::measure_contacts(world, placed.touches, plan.grasp.hand_posture, at_s);
+        grasp::measure_contacts(world, contacts.touches, plan.grasp.hand_posture, at_s);
     if (config.grasp) {
       const Vec3 down = -plan.world.base_from_world.linear().col(2);
       grasp::judge_grasp(world, at_s, down, *config.grasp, plan.grasp);
@@ -140,20 +141,52 @@ void complete(const Planner& planner, const Setting& setting, const PlacedMoveme
   for (const std::string& sentence :
        {warnings(world, plan.goals, plan.movement, setting.motion, plan.trajectory,
                  config.retime.mode == retime::Tempo::kept),
-        joined(placed.notes), not_humanlike(plan.certificate, plan.goals),
+        joined(contacts.notes), no_squeeze(plan.grasp), not_humanlike(plan.certificate, plan.goals),
         unchecked_sentence(planner.robot.unchecked_links)}) {
     if (!sentence.empty()) plan.detail += (plan.detail.empty() ? "" : "; ") + sentence;
   }
 }
 
-Plan plan_with(const Contacts& contacts, const Planner& planner, const Setting& setting,
-               StageSeconds& seconds) {
+/// Whether contacts may be what a path needs: it is free, or nothing but the target is in its way.
+bool may_touch(const Plan& plan) {
+  return std::ranges::all_of(plan.remaining, [&](const Finding& finding) {
+    return finding.second == plan.movement.target;
+  });
+}
+
+/// The plan with contacts, if it can be executed so; otherwise the reason stands in the notes.
+bool plan_contacts(const Planner& planner, const Setting& setting,
+                   const collision::CollisionWorld& by_tips, Contacts& contacts, Plan& plan,
+                   StageSeconds& seconds) {
+  Plan touching = plan;
+  touching.tolerances = with_contacts(planner.config);
+  collision::CollisionWorld world = by_tips;
+  world.tolerances = touching.tolerances;
+  contacts =
+      timed(seconds, "grasp", [&] { return touch_target(planner, world, setting.seed, touching); });
+  if (contacts.touches.empty()) return false;
+  finish(planner, world, touching, seconds);
+  if (touching.has_trajectory()) {
+    complete(planner, setting, contacts, world, touching, seconds);
+  }
+  if (touching.has_trajectory()) {
+    plan = std::move(touching);
+    return true;
+  }
+  contacts = {{}, {given_up_sentence({}, {touching.reason, touching.detail})}};
+  return false;
+}
+
+}  // namespace
+
+Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
+                   const HumanMotion& recorded, const Movement& movement, StageSeconds& seconds,
+                   const std::optional<Vec3>& known_offset) {
   const PipelineConfig& config = planner.config;
+  const Setting setting = set_up(planner, demonstration, recorded, movement, seconds, known_offset);
   Plan plan = setting.begun;
-  plan.tolerances = tolerances_of(config, contacts);
   if (setting.refusal) return fail(std::move(plan), setting.refusal);
-  PlacedMovement placed(planner, setting.motion, plan.movement, setting.around, setting.offset,
-                        contacts);
+  PlacedMovement placed(planner, setting.motion, plan.movement, setting.around, setting.offset);
   plan.scene = placed.scene;
   plan.world = placed.frames;
   plan.goals = placed.goals;
@@ -168,12 +201,6 @@ Plan plan_with(const Contacts& contacts, const Planner& planner, const Setting& 
   });
   if (mapping.refusal) return fail(std::move(plan), mapping.refusal);
   map::MapResult& mapped = mapping.value;
-  if (contacts.asked && config.grasp->close_fingers) {
-    timed(seconds, "map", [&] {
-      close_other_fingers(planner, world, contacts.given_up, setting.seed, plan, placed, mapped);
-      return true;
-    });
-  }
   plan.mapped = std::move(mapped.mapped);
   plan.path = mapped.path;
   plan.certificate.natural_posture_error = mapped.posture_error_rad;
@@ -181,6 +208,7 @@ Plan plan_with(const Contacts& contacts, const Planner& planner, const Setting& 
   plan.findings = timed(seconds, "check", [&] {
     return check::check_path(world, plan.goals, plan.movement, plan.path, config.check);
   });
+  Refusal refusal;
   if (!plan.findings.empty()) {
     Outcome<repair::RepairResult> repaired = timed(seconds, "repair", [&] {
       return repair_movement(planner, placed, world, plan, mapped, setting.seed);
@@ -189,37 +217,16 @@ Plan plan_with(const Contacts& contacts, const Planner& planner, const Setting& 
     plan.repair = std::move(repaired.value.steps);
     plan.remaining = std::move(repaired.value.remaining);
     plan.certificate.repaired = repaired.value.repaired;
-    if (repaired.refusal) return fail(std::move(plan), repaired.refusal);
+    refusal = std::move(repaired.refusal);
   }
+  Contacts contacts;
+  if (config.grasp && may_touch(plan) &&
+      plan_contacts(planner, setting, world, contacts, plan, seconds)) {
+    return plan;
+  }
+  if (refusal) return fail(std::move(plan), refusal);
   finish(planner, world, plan, seconds);
-  if (plan.has_trajectory()) complete(planner, setting, placed, world, plan, seconds);
-  return plan;
-}
-
-}  // namespace
-
-Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
-                   const HumanMotion& recorded, const Movement& movement, StageSeconds& seconds,
-                   const std::optional<Vec3>& known_offset) {
-  const Setting setting = set_up(planner, demonstration, recorded, movement, seconds, known_offset);
-  const auto planned = [&](const Contacts& contacts) {
-    return plan_with(contacts, planner, setting, seconds);
-  };
-  if (!planner.config.grasp) return planned({});
-  const Plan plan = planned({true, {}});
-  if (plan.has_trajectory() || plan.goals.pad_share.rows == 0) return plan;
-  const std::vector<std::string> in_the_way =
-      tips_in_the_way(planner.robot, plan.goals, plan.remaining);
-  for (const Contacts& fewer : {Contacts{true, in_the_way}, Contacts{}}) {
-    if (fewer.asked && fewer.given_up.empty()) continue;
-    Plan another = planned(fewer);
-    if (!another.has_trajectory()) continue;
-    const std::string which =
-        fewer.asked ? fmt::format("contact of {}", fmt::join(fewer.given_up, ", ")) : "contacts";
-    another.detail += fmt::format("{}{} given up: {}, {}", another.detail.empty() ? "" : "; ",
-                                  which, name_of(plan.reason), plan.detail);
-    return another;
-  }
+  if (plan.has_trajectory()) complete(planner, setting, contacts, world, plan, seconds);
   return plan;
 }
 

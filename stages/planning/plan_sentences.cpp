@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "pipeline/collision/mesh_solid.hpp"
 #include "pipeline/motion/arm_estimated.hpp"
@@ -69,6 +70,13 @@ std::string warnings(const collision::CollisionWorld& world, const Goals& goals,
   }
   sentences.insert(sentences.end(), motion.problems.begin(), motion.problems.end());
   return joined(sentences);
+}
+
+std::string no_squeeze(const Grasp& grasp) {
+  const bool judged = !std::isnan(grasp.quality.epsilon_upper);
+  if (!judged || grasp.squeeze_torque.size() > 0) return "";
+  return fmt::format("no squeeze: no forces of these contacts balance (epsilon {:.2f})",
+                     grasp.quality.epsilon_upper);
 }
 
 std::string not_humanlike(const Certificate& certificate, const Goals& goals) {

@@ -19,6 +19,9 @@ std::string warnings(const collision::CollisionWorld& world, const Goals& goals,
                      const Movement& movement, const HumanMotion& motion,
                      const Trajectory& trajectory, bool kept);
 
+/// "", or that pads touch but cannot hold.
+std::string no_squeeze(const Grasp& grasp);
+
 /// "", or that the upper arm points elsewhere than the person's.
 std::string not_humanlike(const Certificate& certificate, const Goals& goals);
 

@@ -14,10 +14,6 @@ namespace {
 using repair::Checked;
 using repair::Rung;
 
-/// A repaired path keeps this much more than the margin where it can: the curve through it is
-/// smoothed, and certified to a tenth of a millimetre [m].
-constexpr double kRoom = 2e-4;
-
 }  // namespace
 
 Outcome<repair::RepairResult> repair_movement(const Planner& planner, const PlacedMovement& placed,

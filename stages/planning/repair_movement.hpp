@@ -8,6 +8,10 @@
 
 namespace morphe::planning {
 
+/// A repaired path keeps this much more than the margin where it can: the curve through it is
+/// smoothed, and certified to a tenth of a millimetre [m].
+inline constexpr double kRoom = 2e-4;
+
 /// Joins mapping, check and repair: the smallest change that makes a movement's plan free, the
 /// least first. Its mapping is re-solved against `world`, the whole scene, gently; nothing more if
 /// that leaves a dead end; then firmly; then likewise the mapping's other candidates; then a

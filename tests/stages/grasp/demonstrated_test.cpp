@@ -77,6 +77,24 @@ TEST(DemonstratedTouches, NeedTheSkinToBeNearForHalfOfTheTime) {
   EXPECT_LT(held.touches()[0].confidence, 0.9);
 }
 
+TEST(MakeRoom, MovesPadsApartAlongTheSurfaceAndNoFurther) {
+  HeldCylinder held;
+  for (std::size_t f = 0; f < held.goals.frames(); ++f) {
+    held.goals.tip_position(f, 2) = held.goals.tip_position(f, 1) + held.turn * Vec3(0, 0, 0.018);
+  }
+  std::vector<Touch> touches = held.touches();
+  ASSERT_EQ(touches.size(), 3U);
+  const std::vector<Touch> before = touches;
+  make_room(reference(), held.target, 0.001, touches);
+  EXPECT_EQ(touches[0].point, before[0].point) << "the thumb has room";
+  EXPECT_NEAR((touches[2].centre - touches[1].centre).norm(), 0.023, 2e-4);
+  EXPECT_LT((touches[1].point - Vec3(0, 0.03, -0.0225)).norm(), 2e-4) << "half of 5 mm each";
+  EXPECT_LT((touches[2].point - Vec3(0, 0.03, 0.0005)).norm(), 2e-4);
+  for (const Touch& touch : touches) {
+    EXPECT_NEAR(touch.point.head<2>().norm(), 0.03, 1e-9) << "on the surface";
+  }
+}
+
 TEST(AimPads, TakeGoalsFromTipsToPadsOverThePreshape) {
   HeldCylinder held;
   const Goals before = held.goals;
@@ -94,6 +112,19 @@ TEST(AimPads, TakeGoalsFromTipsToPadsOverThePreshape) {
     EXPECT_GE(share, held.goals.pad_share(f > 0 ? f - 1 : 0, 0));
   }
   EXPECT_NEAR(held.goals.pad_share(70, 0), 0.5, 1e-9) << "half-way through the preshape";
+}
+
+TEST(AimPads, KeepGoalsOutsideTheTargetOnTheirWay) {
+  HeldCylinder held;
+  for (std::size_t f = 50; f < 100; ++f) {  // the index comes right through the cylinder
+    held.goals.tip_position(f, 1) = held.in_base({0, 0.041 - 2 * 0.01 * double(100 - f) * 0.08, 0});
+  }
+  aim_pads(reference(), held.touches(), held.movement, held.target, held.goals);
+  for (std::size_t f = 50; f < 100; ++f) {
+    const Vec3 at = held.turn.inverse() * (held.goals.tip_position(f, 1) - held.place);
+    const double apart = at.head<2>().norm() - 0.03;
+    EXPECT_GE(apart, held.goals.pad_share(f, 1) * 0.011 - 1e-9) << held.goals.time[f];
+  }
 }
 
 TEST(ClosedShare, FallsAgainAfterTheRelease) {

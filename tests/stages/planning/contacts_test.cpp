@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -72,11 +73,30 @@ TEST(Contacts, TheSqueezeBalancesInsideTheConesAndTorquesAreItsForces) {
   EXPECT_LT((10 * beyond - plan.grasp.squeeze_torque).norm(), 1e-9);
 }
 
+TEST(Contacts, ThatCannotHoldHaveNoSqueezeAndThePlanSaysSo) {
+  const Plan plan = planned_drink({"grasp.friction=0.01"});
+  ASSERT_TRUE(plan.executable()) << plan.detail;
+  EXPECT_LT(plan.grasp.quality.epsilon_upper, 0) << "ice";
+  EXPECT_EQ(plan.grasp.squeeze_torque.size(), 0);
+  EXPECT_TRUE(std::isnan(plan.grasp.contacts.at(0).force));
+  EXPECT_THAT(plan.detail, HasSubstr("no squeeze: no forces of these contacts balance"));
+}
+
 TEST(Contacts, AreOnlyThereWhereTheConfigAsksForThem) {
   const Plan plan = planned_drink({});
   EXPECT_EQ(plan.tolerances.contact_depth, 0.005);
   EXPECT_EQ(plan.goals.pad_share.rows, 0U);
   EXPECT_TRUE(plan.grasp.contacts.empty());
+}
+
+TEST(Contacts, WhereNothingTouchesThePlanIsTheOneByTips) {
+  const Plan by_tips = planned_drink({});
+  const Plan plan = planned_drink({"grasp.near=0.0001", "grasp.pad_depth=0"});
+  ASSERT_TRUE(plan.executable()) << plan.detail;
+  EXPECT_THAT(plan.detail, HasSubstr("no contact: no fingertip's skin was within"));
+  EXPECT_EQ(plan.tolerances.contact_depth, by_tips.tolerances.contact_depth);
+  EXPECT_EQ(plan.trajectory.position, by_tips.trajectory.position) << "bit for bit";
+  EXPECT_EQ(plan.goals.pad_share.rows, 0U);
 }
 
 }  // namespace
