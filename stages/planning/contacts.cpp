@@ -24,6 +24,10 @@ namespace {
 constexpr Firmness kFirm{1000, 0.2};  ///< the path keeps clear as where it is re-solved firmly
 constexpr double kLessExact = 1000;   ///< it settles beside another: values this much less exact
 
+/// Before its last moments of closing the hand keeps off the target where it can, though touching
+/// is allowed from the preshape on: fingers that rub along an object push it over [s].
+constexpr double kClosing_s = 0.3;
+
 /// A movement whose tips are about to touch its target.
 struct Approaching {
   const Planner& planner;
@@ -87,10 +91,15 @@ void aim_hand(const Approaching& of, const std::vector<std::string>& given_up, A
 }
 
 /// The path settled beside where it is, from where the hand begins to shape.
-JointRows settled(const map::MappingProblem& problem, const Plan& plan, map::MapOptions options) {
+JointRows settled(const Approaching& of, const Plan& plan) {
+  const grasp::HoldTime when = grasp::hold_time(plan.movement);
+  collision::CollisionWorld keeping_off = of.world;
+  keeping_off.touch_begin_s = std::max(of.world.touch_begin_s, when.begin_s - kClosing_s);
+  map::MapOptions options = of.planner.config.map;
   options.movement.relative_value *= kLessExact;
-  return map::resolve_between(as_firm(problem, kFirm), plan.path,
-                              grasp::hold_time(plan.movement).open_s, plan.movement.end_s, options)
+  const map::MappingProblem problem =
+      as_firm(problem_of({of.planner, keeping_off, of.target, of.seed}, plan), kFirm);
+  return map::resolve_between(problem, plan.path, when.open_s, plan.movement.end_s, options)
       .position;
 }
 
@@ -101,6 +110,8 @@ Attempt touch_with(const Approaching& of, const std::vector<grasp::Touch>& touch
   Plan& plan = attempt.plan;
   aim_hand(of, given_up, attempt);
   const map::MappingProblem problem = problem_of(of, plan);
+  plan.path.position = settled(of, plan);
+  const JointRows mapped = plan.path.position;
   collision::CollisionWorld with_room = of.world;
   with_room.tolerances.margin += kRoom;
   const auto findings_in = [&](const collision::CollisionWorld& world, const JointPath& path) {
@@ -108,8 +119,6 @@ Attempt touch_with(const Approaching& of, const std::vector<grasp::Touch>& touch
   };
   const ReSolving solving{problem, config.map,
                           [&](const JointPath& path) { return findings_in(with_room, path); }};
-  plan.path.position = settled(problem, plan, config.map);
-  const JointRows mapped = plan.path.position;
   plan.remaining = findings_in(with_room, plan.path);
   if (!plan.remaining.empty()) {
     Outcome<repair::RepairResult> freed = repair::repair_path(
