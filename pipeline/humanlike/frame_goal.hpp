@@ -53,6 +53,7 @@ struct FrameGoal {
   std::vector<Vec3> tip_position;     ///< [m]
   std::vector<Quat> tip_orientation;  ///< [m]
   std::vector<double> pad_share;      ///< [m] as Goals::pad_share, or empty
+  std::vector<Vec3> pad_normal;       ///< [m] unit, inwards, where a pad is to touch; or empty
   std::vector<std::uint8_t> closed;   ///< [m] as Goals::closed, or empty
   Quat hand = unseen_rotation();      ///< base_from_hand
   /// Human arm in the common base frame.

@@ -10,6 +10,7 @@
 #include "pipeline/humanlike/joint_angle_term.hpp"
 #include "pipeline/humanlike/joint_distance_term.hpp"
 #include "pipeline/humanlike/natural_posture_term.hpp"
+#include "pipeline/humanlike/pad_direction_term.hpp"
 #include "pipeline/humanlike/thumb_distance_term.hpp"
 #include "pipeline/humanlike/tip_orientation_term.hpp"
 #include "pipeline/humanlike/tip_position_term.hpp"
@@ -20,6 +21,7 @@ namespace morphe::humanlike {
 /// Every term there is, in the order in which they are summed and in which a config names them.
 using Terms = std::tuple<TipPosition,          //
                          TipOrientation,       //
+                         PadDirection,         //
                          ThumbDistance,        //
                          HandOrientation,      //
                          JointDistance,        //

@@ -54,6 +54,7 @@ inline humanlike::FrameObjective usual_objective() {
   humanlike::FrameObjective o;
   o.get<humanlike::TipPosition>().weight = 20000;
   o.get<humanlike::TipOrientation>().weight = 0.01;
+  o.get<humanlike::PadDirection>().weight = 0.05;
   o.get<humanlike::HandOrientation>().weight = 0.01;
   o.get<humanlike::JointDistance>().weight = 1;
   o.get<humanlike::FingerJointDistance>().weight = 0.1;

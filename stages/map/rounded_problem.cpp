@@ -31,6 +31,7 @@ void goal_to_grid(humanlike::FrameGoal& goal) {
   all_to_grid(goal.tip_position);
   all_to_grid(goal.tip_orientation);
   for (double& share : goal.pad_share) to_grid(kRadians, share);
+  all_to_grid(goal.pad_normal);
   to_grid(goal.hand);
   for (Vec3* point : {&goal.shoulder, &goal.elbow, &goal.wrist}) to_grid(*point);
   all_to_grid(goal.finger_joint);

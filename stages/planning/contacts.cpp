@@ -43,9 +43,20 @@ struct Attempt {
   Refusal refusal;
 };
 
-map::MappingProblem problem_of(const Approaching& of, const Plan& plan) {
-  return map::make_mapping_problem(of.planner.robot, plan.goals, of.world, of.planner.config.map,
-                                   plan.movement.phases);
+/// Its goals, with the directions of pads beside them.
+map::MappingProblem problem_of(const Approaching& of, const Attempt& attempt) {
+  const Plan& plan = attempt.plan;
+  map::MappingProblem problem = map::make_mapping_problem(
+      of.planner.robot, plan.goals, of.world, of.planner.config.map, plan.movement.phases);
+  for (std::size_t f = 0; f < problem.frames(); ++f) {
+    const Eigen::Matrix3d turn = recorded_pose(of.target, problem.time[f]).linear();
+    std::vector<Vec3>& normals = problem.goals[f].pad_normal;
+    normals.assign(of.planner.robot.tips.size(), unseen_point());
+    for (const grasp::Touch& touch : attempt.contacts.touches) {
+      if (touch.origin == ContactOrigin::demonstrated) normals[touch.tip] = turn * touch.normal;
+    }
+  }
+  return problem;
 }
 
 /// The frame in which the hand has taken the target; frames() if none.
@@ -68,7 +79,7 @@ void aim_hand(const Approaching& of, const std::vector<std::string>& given_up, A
   JointRows& path = attempt.plan.path.position;
   const JointVector before = path.row(static_cast<Eigen::Index>(frame)).transpose();
   map::MappingScratch scratch;
-  const JointVector touching = map::solve_frame(as_firm(problem_of(of, attempt.plan), kFirm), frame,
+  const JointVector touching = map::solve_frame(as_firm(problem_of(of, attempt), kFirm), frame,
                                                 before, of.planner.config.map.solver, scratch)
                                    .x;
   for (std::size_t f = 0; f < goals.frames(); ++f) {
@@ -91,14 +102,15 @@ void aim_hand(const Approaching& of, const std::vector<std::string>& given_up, A
 }
 
 /// The path settled beside where it is, from where the hand begins to shape.
-JointRows settled(const Approaching& of, const Plan& plan) {
+JointRows settled(const Approaching& of, const Attempt& attempt) {
+  const Plan& plan = attempt.plan;
   const grasp::HoldTime when = grasp::hold_time(plan.movement);
   collision::CollisionWorld keeping_off = of.world;
   keeping_off.touch_begin_s = std::max(of.world.touch_begin_s, when.begin_s - kClosing_s);
   map::MapOptions options = of.planner.config.map;
   options.movement.relative_value *= kLessExact;
   const map::MappingProblem problem =
-      as_firm(problem_of({of.planner, keeping_off, of.target, of.seed}, plan), kFirm);
+      as_firm(problem_of({of.planner, keeping_off, of.target, of.seed}, attempt), kFirm);
   return map::resolve_between(problem, plan.path, when.open_s, plan.movement.end_s, options)
       .position;
 }
@@ -109,8 +121,8 @@ Attempt touch_with(const Approaching& of, const std::vector<grasp::Touch>& touch
   Attempt attempt{by_tips, {touches, {}}, {}};
   Plan& plan = attempt.plan;
   aim_hand(of, given_up, attempt);
-  const map::MappingProblem problem = problem_of(of, plan);
-  plan.path.position = settled(of, plan);
+  const map::MappingProblem problem = problem_of(of, attempt);
+  plan.path.position = settled(of, attempt);
   const JointRows mapped = plan.path.position;
   collision::CollisionWorld with_room = of.world;
   with_room.tolerances.margin += kRoom;

@@ -23,6 +23,13 @@ class Terms : public testing::Test {
     goal.finger_joint.fill(unseen_point());
   }
 
+  void set_pad_normals() {
+    goal.pad_share.assign(robot.tips.size(), 0.5);
+    goal.pad_normal.assign(robot.tips.size(), unseen_point());
+    goal.pad_normal[0] = Vec3(1, 2, -2) / 3;
+    goal.pad_normal[2] = -Vec3::UnitY();
+  }
+
   void set_every_goal() {
     for (std::size_t i = 0; i < robot.tips.size(); ++i) {
       const double shift = 0.1 * static_cast<double>(i);
@@ -87,6 +94,8 @@ TEST_F(Terms, ExactHessian) {
   FrameObjective objective;
   objective.get<TipPosition>().weight = 1000;
   objective.get<TipOrientation>() = {0.5, 1e-3};
+  set_pad_normals();
+  objective.get<PadDirection>().weight = 0.7;
   objective.get<JointDistance>().weight = objective.get<FingerJointDistance>().weight = 1;
   objective.get<NaturalPosture>().weight = 1e-3;
   objective.get<NaturalPosture>().joints = {{19, 16, 0.1, {4}}};
@@ -165,6 +174,11 @@ TEST_F(Terms, TipOrientation) {
   set_every_goal();
   expect_gradient(TipOrientation{0.01});
 }
+TEST_F(Terms, PadDirection) {
+  set_every_goal();
+  set_pad_normals();
+  expect_gradient(PadDirection{0.3});
+}
 TEST_F(Terms, JointDistance) {
   set_every_goal();
   expect_gradient(JointDistance{1});
@@ -181,6 +195,20 @@ TEST_F(Terms, NaturalPosture) {
   NaturalPosture posture{1e-3, {}};
   posture.joints = {{12, 9, 0.1, {2}}, {13, -1, 0.2, {2}}};
   expect_gradient(posture);
+}
+
+TEST_F(Terms, PadDirectionIsTheChordBetweenPadAndNormal) {
+  const JointVector q = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
+  std::vector<Pose> poses;
+  robot::forward(robot, q, poses);
+  const Eigen::Matrix3d tip = robot::tip_pose(robot, poses, 1).linear();
+  goal.pad_share.assign(robot.tips.size(), 0.5);
+  goal.pad_normal.assign(robot.tips.size(), unseen_point());
+  const double angle = 40 * std::numbers::pi / 180;
+  goal.pad_normal[1] = tip * Vec3(std::cos(angle), 0, std::sin(angle));
+  EXPECT_NEAR(value(PadDirection{1}, q), 0.5 * 4 * std::pow(std::sin(angle / 2), 2), 1e-12);
+  goal.pad_normal[1] = tip.col(0);
+  EXPECT_NEAR(value(PadDirection{1}, q), 0, 1e-12);
 }
 
 TEST_F(Terms, OrientationCountsHalfTheAngle) {
