@@ -230,42 +230,58 @@ bool stays_inside(const math::JointSpline& spline, Eigen::Index joint, Eigen::In
   return true;
 }
 
+/// Coefficients with the rest of a missed end added there; it fades out over `fade` knots.
+Eigen::VectorXd with_end(Eigen::VectorXd coefficient, double missing, bool first, Eigen::Index flat,
+                         Eigen::Index fade) {
+  for (Eigen::Index k = 0; k < flat + fade; ++k) {
+    const double along = static_cast<double>(std::max<Eigen::Index>(0, k - flat + 1)) /
+                         static_cast<double>(fade + 1);
+    const double share = 1 - along * along * along * (10 + along * (6 * along - 15));
+    coefficient[first ? k : coefficient.size() - 1 - k] += share * missing;
+  }
+  return coefficient;
+}
+
 /// Where an end was missed for all its weight, the rest is added to the coefficients there and
-/// fades out over some knots; where that would leave a joint's limits, what rests at the end stays
-/// there for a moment and the coefficients keep inside; not where that would change much.
+/// fades out over some knots, over fewer where that would leave a joint's limits; where these leave
+/// them, too, what rests at the end stays there for a moment and the coefficients keep inside; not
+/// where that would change much.
 void meet_ends(const RobotTable& robot, const JointRows& samples, math::JointSpline& spline) {
   constexpr Eigen::Index kFlat = 5, kFade = 25;  // a knot's value is the mean of five coefficients
-  constexpr double kRest = 1e-4;                 // nearer to the end: as good as at rest [rad]
+  constexpr Eigen::Index kShortest = 5;
+  constexpr double kRest = 1e-4;  // nearer to the end: as good as at rest [rad]
   const Eigen::Index count = spline.coefficient.rows();
-  const Eigen::Index fade = std::min(kFade, count / 2 - kFlat);
-  if (fade < 1) return;
+  const Eigen::Index longest = std::min(kFade, count / 2 - kFlat);
+  if (longest < 1) return;
   JointRows there;
   for (const bool first : {true, false}) {
     math::evaluate(spline, first ? 0 : spline.length, there);
     const Eigen::RowVectorXd missing = samples.row(first ? 0 : samples.rows() - 1) - there.row(0);
-    const Eigen::Index reach = std::min(spline.intervals, kFlat + fade);
+    const Eigen::Index reach = std::min(spline.intervals, kFlat + longest);
+    const Eigen::Index from = first ? 0 : spline.intervals - reach;
     for (Eigen::Index joint = 0; joint < missing.size(); ++joint) {
       if (std::abs(missing[joint]) <= 2 * kLimitInset) continue;
-      const Eigen::VectorXd before = spline.coefficient.col(joint);
-      for (Eigen::Index k = 0; k < kFlat + fade; ++k) {
-        const double along = static_cast<double>(std::max<Eigen::Index>(0, k - kFlat + 1)) /
-                             static_cast<double>(fade + 1);
-        const double share = 1 - along * along * along * (10 + along * (6 * along - 15));
-        spline.coefficient(first ? k : count - 1 - k, joint) += share * missing[joint];
-      }
-      const Eigen::Index from = first ? 0 : spline.intervals - reach;
       const double lower = robot.lower[joint] + 0.5 * kLimitInset,
                    upper = robot.upper[joint] - 0.5 * kLimitInset;
-      if (stays_inside(spline, joint, from, from + reach, lower, upper)) continue;
-      for (Eigen::Index k = 0; k < kFlat + fade; ++k) {
+      const auto inside = [&] {
+        return stays_inside(spline, joint, from, from + reach, lower, upper);
+      };
+      const Eigen::VectorXd before = spline.coefficient.col(joint);
+      const auto fading = [&](Eigen::Index fade) {
+        spline.coefficient.col(joint) = with_end(before, missing[joint], first, kFlat, fade);
+      };
+      Eigen::Index fade = longest;
+      fading(fade);
+      while (!inside() && fade / 2 >= kShortest) fading(fade /= 2);
+      if (inside()) continue;
+      fading(longest);
+      for (Eigen::Index k = 0; k < kFlat + longest; ++k) {
         double& c = spline.coefficient(first ? k : count - 1 - k, joint);
         const double end = there(0, joint) + missing[joint];
         c = k < kFlat && std::abs(c - end) < kRest ? end : std::clamp(c, lower, upper);
       }
       const double change = (spline.coefficient.col(joint) - before).cwiseAbs().maxCoeff();
-      if (change > 2 * kRest || !stays_inside(spline, joint, from, from + reach, lower, upper)) {
-        spline.coefficient.col(joint) = before;
-      }
+      if (change > 2 * kRest || !inside()) spline.coefficient.col(joint) = before;
     }
   }
 }

@@ -27,7 +27,7 @@ TEST(Contacts, PadsTouchTheCupAndAnotherFingerCloses) {
   const Plan plan = planned_drink({"grasp.close_fingers=true"});
   ASSERT_TRUE(plan.executable()) << plan.detail;
   EXPECT_EQ(plan.tolerances.contact_depth, 0.001);
-  ASSERT_EQ(plan.grasp.contacts.size(), 3U);
+  ASSERT_GE(plan.grasp.contacts.size(), 3U);
   const SceneObject& cup = *object_named(plan.scene.objects, plan.movement.target);
   for (const PadContact& contact : plan.grasp.contacts) {
     EXPECT_GT(contact.gap, -0.001) << contact.tip;

@@ -128,6 +128,27 @@ TEST(FitPath, MeetsItsEndsHoweverMuchIsSmoothed) {
   EXPECT_LT((at.row(0) - y.row(149)).norm(), 1e-6);
 }
 
+TEST(FitPath, MeetsItsEndsWhereTheCurveReachesALimitSoonAfter) {
+  std::vector<double> clock;
+  JointRows y(150, 1);
+  for (int i = 0; i < 150; ++i) {
+    clock.push_back(0.01 * i);
+    y(i, 0) = std::max(0.0, 0.06 - 0.006 * i) + (i == 0 ? -0.002 : 0.0);  // a corner at the end
+  }
+  FitTolerance loose;
+  loose.duration_s = 0.08;
+  loose.joint_rad = 0.05;
+  const PathFit fitted =
+      fit_path(bare_robot(1, 0, 3), clock, y, std::vector<double>(150, 4), loose, 0.01);
+  JointRows at;
+  math::evaluate(fitted.spline, 0, at);
+  EXPECT_NEAR(at(0, 0), y(0, 0), 1e-6);
+  for (int i = 0; i <= 1490; ++i) {
+    math::evaluate(fitted.spline, 0.001 * i, at);
+    EXPECT_GE(at(0, 0), 0) << i;
+  }
+}
+
 TEST(FitPath, NoiseIsRemovedWithinTheTipsTolerance) {
   const RobotTable robot = planar_arm();
   std::mt19937 random(7);
