@@ -21,8 +21,9 @@ FROM_HOME = SOURCE / "configs/pipelines/pa10_dlr_hit2_from_home.yaml"
 NO_LIES = {"a_sample_left_out", "every_nth_sample", "a_position_moved", "a_velocity_changed",
            "an_acceleration_changed", "a_joint_shifted_throughout", "an_object_of_another_size",
            "mapped_elsewhere"}
-# These plans have an approach, and no goals of orientation.
-NOT_HERE = {"an_approach_nobody_asked_for", "a_mapped_turn_less", "orientation_error_max_in_the_certificate"}
+# These plans have an approach, no goals of orientation, and no pad that sinks in.
+NOT_HERE = {"an_approach_nobody_asked_for", "a_mapped_turn_less", "orientation_error_max_in_the_certificate",
+            "a_penetration_deeper"}
 
 
 def setUpModule():
