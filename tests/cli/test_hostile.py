@@ -1,5 +1,6 @@
 """Files that somebody made to hurt, outputs that are in the way, streams that take nothing, two runs
-at once: one clear error and exit 2, or the result; nothing else is touched."""
+at once: one clear error and exit 2, or the result; nothing else is touched. MORPHE_RACES=200 in the
+environment begins so many pairs of runs."""
 import os
 import random
 import shutil
@@ -15,6 +16,7 @@ from many import COUNT, ManyCase
 from support import MORPHE, REFERENCE, SOURCE, CommandCase, main, morphe, planned_sample, sha256
 
 ESCAPE = "\x1b[31m"
+RACES = int(os.environ.get("MORPHE_RACES", 25))
 
 
 def setUpModule():
@@ -174,7 +176,7 @@ class Runs(ManyCase):
 
     def test_two_runs_at_once_in_a_new_folder(self):
         """One works, the other says so; begun again it finds everything done."""
-        for turn in range(25):
+        for turn in range(RACES):
             out = self.folder / f"new/{turn}"
             command = [MORPHE, *map(str, self.command(out, "--jobs", 1, "--quiet"))]
             two = [subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
@@ -186,6 +188,7 @@ class Runs(ManyCase):
                 self.assertIn(f"{out}: another run is at work in this folder\n", said)
             self.same_bytes(out)
             self.assertEqual(sorted(os.listdir(out)), ["journal.sqlite", "plans.h5"])
+            shutil.rmtree(out)
 
     def test_a_run_that_fails_takes_nothing_from_one_that_works(self):
         process = self.start()
