@@ -7,7 +7,7 @@ namespace morphe::verify {
 namespace {
 
 constexpr double kResolution = 1e-6;
-constexpr int kMostHalvings = 40;
+constexpr int kMostHalvings = 40, kMostParts = 2000;
 
 /// Speed towards an end with so much way left to it.
 BrakingUse use_of(const RobotTable::BrakingCurve& curve, double speed, double way) {
@@ -46,7 +46,7 @@ double steepest(const RobotTable::BrakingCurve& curve, const Interval& way, cons
 }
 
 void search(const RobotTable::BrakingCurve& curve, const Quintic& quintic, const Direction& towards,
-            double a, double b, int halvings, BrakingUse& worst) {
+            double a, double b, int halvings, int& parts, BrakingUse& worst) {
   const double middle = 0.5 * (a + b);
   BrakingUse here = use_of(curve, towards.sign * derivative(quintic, 1, middle),
                            towards.sign * (towards.end - derivative(quintic, 0, middle)));
@@ -61,8 +61,12 @@ void search(const RobotTable::BrakingCurve& curve, const Quintic& quintic, const
       std::min(use_of(curve, speed.high, way.low).ratio,
                here.ratio + half_s * steepest(curve, way, speed, towards.of(over[2])));
   if (halvings == 0 || !(bound > worst.ratio * (1 + kResolution))) return;
-  search(curve, quintic, towards, a, middle, halvings - 1, worst);
-  search(curve, quintic, towards, middle, b, halvings - 1, worst);
+  if (--parts < 0) {
+    worst.ratio = bound;
+    return;
+  }
+  search(curve, quintic, towards, a, middle, halvings - 1, parts, worst);
+  search(curve, quintic, towards, middle, b, halvings - 1, parts, worst);
 }
 
 }  // namespace
@@ -71,8 +75,9 @@ BrakingUse worst_braking(const RobotTable::BrakingCurve& curve, const Quintic& q
                          double known) {
   BrakingUse worst;
   worst.ratio = known;
-  search(curve, quintic, {1, curve.upper_end}, 0, 1, kMostHalvings, worst);
-  search(curve, quintic, {-1, curve.lower_end}, 0, 1, kMostHalvings, worst);
+  int parts = kMostParts;
+  search(curve, quintic, {1, curve.upper_end}, 0, 1, kMostHalvings, parts, worst);
+  search(curve, quintic, {-1, curve.lower_end}, 0, 1, kMostHalvings, parts, worst);
   return worst;
 }
 

@@ -13,7 +13,8 @@ struct BrakingUse {
 
 /// The greatest over the piece, to 1e-6 of it: on a part of it no ratio exceeds the greatest speed
 /// there over the least that is left, nor that in its middle by more than its steepest change, and
-/// parts are halved until that settles it. Parts that cannot exceed `known` are not looked into.
+/// parts are halved until that settles it. Parts that cannot exceed `known` are not looked into;
+/// what 2000 halvings have not settled is as bad as it may be.
 BrakingUse worst_braking(const RobotTable::BrakingCurve& curve, const Quintic& quintic,
                          double known);
 

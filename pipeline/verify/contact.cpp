@@ -22,6 +22,10 @@ constexpr double kResolution_m = 1e-5;
 constexpr double kStoredClearance_m = 1e-4;
 /// More travel than this between two samples is not worth bisecting: it counts as a violation.
 constexpr double kHopeless_m = 10;
+/// So often intervals are halved to prove them, ten metres at every 0.01 mm; what is not proved by
+/// then counts as a violation. As often to find the least clearance, which is as small as it may be
+/// where that was not enough.
+constexpr int kHalvings = 1000000;
 
 /// How far any point of an object has travelled since its first sample, at each of its samples.
 struct ObjectTravel {
@@ -134,7 +138,7 @@ class ContactJudge {
       const double value = distance(pair, everywhere + travel);
       if (value >= everywhere + travel - kDistanceTolerance_m) continue;
       const bool violated = !(value >= here - kDistanceTolerance_m);
-      if (!violated && travel > kBand_m && travel < kHopeless_m) {
+      if (!violated && travel > kBand_m && travel < kHopeless_m && halvings_left_ > 0) {
         open.push_back(index);
       } else {
         const double required = violated ? here : everywhere;
@@ -142,6 +146,7 @@ class ContactJudge {
       }
     }
     if (open.empty()) return;
+    --halvings_left_;
     judge_interval(piece, s0, middle, open);
     judge_interval(piece, middle, s1, open);
   }
@@ -160,9 +165,15 @@ class ContactJudge {
       const bool touching = pair.may_touch && window_.contains(stretch.middle_s, stretch.middle_s);
       if (!touching) clearance = std::min(clearance, value);
       const bool settled = value - travel >= clearance - kResolution_m;
-      if (!settled && travel > 0.1 * kResolution_m && travel < kHopeless_m) open.push_back(index);
+      if (settled || !(travel > 0.1 * kResolution_m && travel < kHopeless_m)) continue;
+      if (sweeps_left_ > 0) {
+        open.push_back(index);
+      } else {
+        clearance = std::min(clearance, value - travel);
+      }
     }
     if (open.empty()) return;
+    --sweeps_left_;
     const double middle = 0.5 * (s0 + s1);
     sweep(piece, s0, middle, open, clearance);
     sweep(piece, middle, s1, open, clearance);
@@ -260,6 +271,7 @@ class ContactJudge {
   const Plan& plan_;
   const Curve& curve_;
   ViolationRuns& runs_;
+  int halvings_left_ = kHalvings, sweeps_left_ = kHalvings;
   std::vector<ContactPair> pairs_;
   TouchWindow window_;
   std::vector<ObjectTravel> travels_;

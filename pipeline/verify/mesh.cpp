@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kTouching_m = 1e-9;
+constexpr int kMostParts = 20000;  ///< of a segment, to find how deep it lies
 
 /// Distance of a point to a triangle's inner part, infinity if its foot lies beside it.
 double face_distance(const Mesh::Triangle& t, const Vec3& point) {
@@ -79,14 +80,20 @@ bool ahead(const Mesh::Triangle& t, const Vec3& point) {
 }
 
 /// How deep the segment's deepest point lies; no point is nearer to it than the way along it tells.
-void deepen(const Mesh& mesh, const Segment& segment, double& deepest) {
+/// Where it was halved too often, as deep as it may lie.
+void deepen(const Mesh& mesh, const Segment& segment, int& parts, double& deepest) {
   const Vec3 middle = 0.5 * (segment.from + segment.to);
   const double apart = surface_distance(mesh, {middle, middle}, kInfinity);
   const double depth = inside(mesh, middle) ? apart : -apart;
   deepest = std::max(deepest, depth);
-  if (depth + 0.5 * (segment.to - segment.from).norm() <= 1.05 * deepest + 1e-5) return;
-  deepen(mesh, {segment.from, middle}, deepest);
-  deepen(mesh, {middle, segment.to}, deepest);
+  const double most = depth + 0.5 * (segment.to - segment.from).norm();
+  if (most <= 1.05 * deepest + 1e-5) return;
+  if (--parts < 0) {
+    deepest = std::max(deepest, most);
+    return;
+  }
+  deepen(mesh, {segment.from, middle}, parts, deepest);
+  deepen(mesh, {middle, segment.to}, parts, deepest);
 }
 
 }  // namespace
@@ -116,7 +123,8 @@ double segment_mesh_distance(const Mesh& mesh, const Segment& segment, double en
   // Clear of all surfaces it is inside as a whole, or not at all.
   if (apart > kTouching_m && !inside(mesh, segment.from)) return apart;
   double deepest = 0;
-  deepen(mesh, segment, deepest);
+  int parts = kMostParts;
+  deepen(mesh, segment, parts, deepest);
   return -deepest;
 }
 

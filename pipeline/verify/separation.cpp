@@ -77,7 +77,8 @@ double segment_solid_distance(const SceneObject& solid, const Segment& segment, 
   double low = 0, high = 1;
   double inner_low = 1 - kGolden, inner_high = kGolden;
   double value_low = at(inner_low), value_high = at(inner_high);
-  while ((high - low) * length > 1e-9) {
+  constexpr int kMostSteps = 100;  // further apart than numbers are
+  for (int step = 0; step < kMostSteps && (high - low) * length > 1e-9; ++step) {
     if (value_low < value_high) {
       high = inner_high;
       inner_high = inner_low;

@@ -1,6 +1,7 @@
 #include "pipeline/verify/smoothness.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -27,19 +28,61 @@ void add_speed(const std::vector<Vec3>& points, double step_s, std::size_t tips,
   }
 }
 
-/// Joint positions of the curve at the instants k h.
-std::vector<JointVector> positions_at(const Curve& curve, double step_s) {
+/// Gives the joint positions of the curve at the instants k h, one after the other.
+template <class Take>
+void positions_at(const Curve& curve, double step_s, const Take& take) {
   const std::vector<double>& time = curve.trajectory->time;
-  std::vector<JointVector> positions;
+  JointVector position;
   std::size_t piece = 0;
   for (std::size_t k = 0;; ++k) {
     const double t = time.front() + static_cast<double>(k) * step_s;
-    if (t > time.back() + 1e-9 * step_s) return positions;
+    if (t > time.back() + 1e-9 * step_s) return;
     while (piece + 1 < curve.pieces && time[piece + 1] <= t) ++piece;
     const double share = (t - time[piece]) / (time[piece + 1] - time[piece]);
-    positions.emplace_back();
-    curve.position_at(piece, std::min(share, 1.0), positions.back());
+    curve.position_at(piece, std::min(share, 1.0), position);
+    take(position);
   }
+}
+
+using Complex = std::complex<double>;
+
+/// e^(-2 pi i share)
+Complex turned(double share) { return std::polar(1.0, -2 * std::numbers::pi * share); }
+
+/// x[k] becomes sum over i of x[i] e^(-2 pi i k / n), n = x.size() a power of two: the even and the
+/// odd ones by themselves (Cooley and Tukey 1965).
+void transform(std::vector<Complex>& x) {
+  if (x.size() == 1) return;
+  const std::size_t half = x.size() / 2;
+  std::vector<Complex> even(half), odd(half);
+  for (std::size_t i = 0; i < half; ++i) {
+    even[i] = x[2 * i];
+    odd[i] = x[2 * i + 1];
+  }
+  transform(even);
+  transform(odd);
+  for (std::size_t k = 0; k < half; ++k) {
+    const Complex part = turned(static_cast<double>(k) / static_cast<double>(x.size())) * odd[k];
+    x[k] = even[k] + part;
+    x[k + half] = even[k] - part;
+  }
+}
+
+constexpr std::size_t kPadding = 16;
+
+/// Magnitudes of the spectrum of speed, padded with zeros to kPadding times the least power of two
+/// that it fits in: one transform for every kPadding-th of them, of the speed turned.
+std::vector<double> spectrum(const std::vector<double>& speed) {
+  const std::size_t size = std::bit_ceil(speed.size()), padded = kPadding * size;
+  std::vector<double> magnitude(padded);
+  for (std::size_t first = 0; first < kPadding; ++first) {
+    std::vector<Complex> x(size, 0);
+    for (std::size_t i = 0; i < speed.size(); ++i)
+      x[i] = speed[i] * turned(static_cast<double>(first * i) / static_cast<double>(padded));
+    transform(x);
+    for (std::size_t k = 0; k < size; ++k) magnitude[kPadding * k + first] = std::abs(x[k]);
+  }
+  return magnitude;
 }
 
 bool is_motion(const std::vector<double>& speed, double step_s) {
@@ -59,18 +102,20 @@ Speeds mean_speeds(const RobotTable& robot, const Goals& goals, const Curve& cur
     if (has_goal_throughout(goals, tip)) tips.push_back(tip);
   }
   if (tips.empty() || !(speeds.step_s > 0)) return speeds;
-  std::vector<std::vector<Pose>> frames;
-  for (const JointVector& q : positions_at(curve, speeds.step_s)) {
-    frame_poses(robot, q, frames.emplace_back());
-  }
-  for (const std::size_t tip : tips) {
-    const RobotTable::Tip& which = robot.tips[tip];
-    std::vector<Vec3> robots, humans;
-    for (const std::vector<Pose>& poses : frames) {
-      robots.push_back(in_base(poses, which.frame, which.transform.translation()));
+  std::vector<std::vector<Vec3>> robots(tips.size());
+  std::vector<Pose> poses;
+  positions_at(curve, speeds.step_s, [&](const JointVector& q) {
+    frame_poses(robot, q, poses);
+    for (std::size_t k = 0; k < tips.size(); ++k) {
+      const RobotTable::Tip& which = robot.tips[tips[k]];
+      robots[k].push_back(in_base(poses, which.frame, which.transform.translation()));
     }
-    for (std::size_t f = 0; f < goals.frames(); ++f) humans.push_back(goals.tip_position(f, tip));
-    add_speed(robots, speeds.step_s, tips.size(), speeds.robot);
+  });
+  for (std::size_t k = 0; k < tips.size(); ++k) {
+    std::vector<Vec3> humans;
+    for (std::size_t f = 0; f < goals.frames(); ++f)
+      humans.push_back(goals.tip_position(f, tips[k]));
+    add_speed(robots[k], speeds.step_s, tips.size(), speeds.robot);
     add_speed(humans, speeds.step_s, tips.size(), speeds.human);
   }
   return speeds;
@@ -78,16 +123,11 @@ Speeds mean_speeds(const RobotTable& robot, const Goals& goals, const Curve& cur
 
 double sparc(const std::vector<double>& speed, double step_s) {
   if (!is_motion(speed, step_s)) return kNotSeen;
-  const double instants = 16 * std::exp2(std::ceil(std::log2(static_cast<double>(speed.size()))));
-  std::vector<double> magnitude;
-  for (double k = 0; k < instants && k / (instants * step_s) <= 10 * (1 + 1e-12); ++k) {
-    std::complex<double> sum = 0;
-    for (std::size_t i = 0; i < speed.size(); ++i) {
-      const double turns = std::fmod(k * static_cast<double>(i), instants) / instants;
-      sum += std::polar(speed[i], -2 * std::numbers::pi * turns);
-    }
-    magnitude.push_back(std::abs(sum));
-  }
+  std::vector<double> magnitude = spectrum(speed);
+  const double per_hz = static_cast<double>(magnitude.size()) * step_s;
+  const double up_to_10_hz = std::floor(10 * (1 + 1e-12) * per_hz);
+  if (up_to_10_hz + 1 < static_cast<double>(magnitude.size()))
+    magnitude.resize(static_cast<std::size_t>(up_to_10_hz) + 1);
   const double greatest = *std::max_element(magnitude.begin(), magnitude.end());
   const auto above = std::find_if(magnitude.rbegin(), magnitude.rend(),
                                   [&](double m) { return m >= 0.05 * greatest; });

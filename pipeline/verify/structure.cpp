@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "pipeline/verify/magnitudes.hpp"
 #include "pipeline/verify/separation.hpp"
 
 namespace morphe::verify {
@@ -176,14 +177,15 @@ bool judge_structure(const RobotTable& robot, const Plan& plan, ViolationRuns& r
   bool good = judge_motion(robot, plan.trajectory, runs);
   good = judge_goals(robot, plan, runs) && good;
   for (const SceneObject& object : plan.scene.objects) good = judge_object(object, runs) && good;
-  if (good) judge_coverage(plan, runs);
-  return good;
+  if (!good || !judge_magnitudes(robot, plan, runs)) return false;
+  judge_coverage(plan, runs);
+  return true;
 }
 
 bool judge_transfer_structure(const RobotTable& robot, const Plan& plan, const Trajectory& transfer,
                               bool at_its_end, ViolationRuns& runs) {
   if (transfer.samples() == 0 || plan.trajectory.samples() == 0) return false;
-  if (!judge_motion(robot, transfer, runs)) return false;
+  if (!judge_motion(robot, transfer, runs) || !judge_magnitudes(transfer, runs)) return false;
   const JointRows& way = plan.trajectory.position;
   const double gap = at_its_end
                          ? (transfer.position.bottomRows(1) - way.topRows(1)).cwiseAbs().maxCoeff()

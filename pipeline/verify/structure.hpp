@@ -8,8 +8,8 @@ namespace morphe::verify {
 
 /// Whether status and content go together, shapes fit, numbers are numbers, time runs on from 0 and
 /// demonstration_time never back; the trajectory must lead through the goals' time, to 1e-6 s, and
-/// no finding may remain. Notes `structure`, `finite` and `time`. False if the motion cannot be
-/// judged any further.
+/// no finding may remain; magnitudes are those of a plan (magnitudes.hpp). Notes `structure`,
+/// `finite` and `time`. False if the motion cannot be judged any further.
 bool judge_structure(const RobotTable& robot, const Plan& plan, ViolationRuns& runs);
 
 /// The same for an approach or a retreat, which have no goals: its last (`at_its_end`) or first

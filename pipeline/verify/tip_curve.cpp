@@ -14,6 +14,8 @@ constexpr double kBetween_m = 1e-4;
 constexpr double kTipBand_m = 1e-5;
 /// More travel than this between two samples is not worth bisecting: it counts as a violation.
 constexpr double kTipHopeless_m = 10;
+/// So often intervals are halved; what is not proved by then counts as a violation.
+constexpr int kTipHalvings = 1000000;
 
 /// A stretch of a piece without a frame of the goals or a border of a phase inside: goals are
 /// linear there, and one tolerance holds.
@@ -131,7 +133,7 @@ class TipJudge {
       const double way = tip_way(piece, tip, half) + half_s * goal_speed(tip, middle_s);
       if (error + way <= tolerance + kBetween_m) continue;
       const bool violated = !(error <= tolerance + kBetween_m);
-      if (!violated && way > kTipBand_m && way < kTipHopeless_m) {
+      if (!violated && way > kTipBand_m && way < kTipHopeless_m && halvings_left_ > 0) {
         open.push_back(tip);
       } else {
         note(tip,
@@ -140,6 +142,8 @@ class TipJudge {
              error, tolerance);
       }
     }
+    if (open.empty()) return;
+    --halvings_left_;
     bisect(piece, {part.from, middle}, tolerance, open);
     bisect(piece, {middle, part.to}, tolerance, open);
   }
@@ -186,6 +190,7 @@ class TipJudge {
   const Curve& curve_;
   ViolationRuns& runs_;
   std::vector<PadBall> pads_;
+  int halvings_left_ = kTipHalvings;
   std::vector<JointVector> levers_;  ///< [tips]
   std::vector<double> slips_;        ///< [tips] from the tip to its pad [m]
   std::vector<double> borders_;      ///< of goals and phases [demonstration time, s]

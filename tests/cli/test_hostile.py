@@ -1,6 +1,7 @@
 """Files that somebody made to hurt, outputs that are in the way, streams that take nothing, two runs
 at once: one clear error and exit 2, or the result; nothing else is touched. MORPHE_RACES=200 in the
 environment begins so many pairs of runs."""
+import json
 import os
 import random
 import shutil
@@ -381,6 +382,33 @@ class Hdf5(CommandCase):
         for thread in both:
             thread.join()
         self.assertEqual(failures, [])
+
+
+class Verify(CommandCase):
+    def test_numbers_that_no_plan_has(self):
+        """On each of these it worked without end, or took all memory."""
+        file = self.folder / "plans.h5"
+
+        def capsule(plans):
+            to = plans["robot/capsules/to"][()]
+            to[3, 0] = 1e200
+            plans["robot/capsules/to"][...] = to
+
+        def last(plans):
+            plans["plans/ADL001AR1/000/trajectory/time"][-1] = 1e12
+
+        def goals(plans):
+            time = plans["plans/ADL001AR1/000/goals/time"]
+            time[...] = time[0] + 1e-12 * np.arange(len(time))
+        for spoil, subject in ((capsule, "robot/capsules"), (last, "trajectory/time"), (goals, "goals/time")):
+            with self.subTest(subject):
+                shutil.copy(SAMPLE, file)
+                with h5py.File(file, "r+") as plans:
+                    spoil(plans)
+                result = morphe("verify", file, "--json")
+                self.assertEqual(result.returncode, 1, result.stderr)
+                self.assertIn(("structure", subject), {(row["cause"], row["subject"])
+                                                       for row in json.loads(result.stdout)["violations"]})
 
 
 class Yaml(CommandCase):
