@@ -98,27 +98,22 @@ void set_range(RandomPath& out, double margin) {
   out.robot.upper = out.path.position.colwise().maxCoeff().transpose().array() + margin;
 }
 
-}  // namespace
+struct Sizes {
+  int joints, waypoints;  ///< at most
+  double longest_step_s;  ///< of a few waypoints
+  double farthest;        ///< of those that lie anywhere [rad]
+};
 
-RandomPath smooth_path(std::uint64_t seed, std::uint64_t index, int joints, int waypoints,
-                       double duration_s) {
-  math::RandomStream random(seed, fmt::format("path {}", index));
-  RandomPath out = begin_path(random, joints, waypoints, duration_s);
-  add_sines(random, out.path);
-  set_range(out, 1);
-  return out;
-}
-
-RandomPath random_path(std::uint64_t seed, std::uint64_t index) {
-  math::RandomStream random(seed, fmt::format("path {}", index));
-  const int joints = 1 + static_cast<int>(random.uniform(0, 44));
-  const int waypoints = static_cast<int>(std::lround(log_between(random, 2, 2000)));
-  const double step_s = waypoints < 30 ? random.uniform(0.01, 0.3) : random.uniform(0.004, 0.02);
+RandomPath draw_path(math::RandomStream random, const Sizes& most) {
+  const int joints = 1 + static_cast<int>(random.uniform(0, most.joints));
+  const int waypoints = static_cast<int>(std::lround(log_between(random, 2, most.waypoints)));
+  const double step_s =
+      waypoints < 30 ? random.uniform(0.01, most.longest_step_s) : random.uniform(0.004, 0.02);
   RandomPath out = begin_path(random, joints, waypoints, step_s * waypoints);
   JointPath& path = out.path;
   if (waypoints < 30 && random.chance(0.5)) {
     for (Eigen::Index i = 0; i < path.position.size(); ++i) {
-      path.position.data()[i] = random.uniform(-1, 1);
+      path.position.data()[i] = random.uniform(-most.farthest, most.farthest);
     }
   } else {
     add_sines(random, path);
@@ -139,6 +134,28 @@ RandomPath random_path(std::uint64_t seed, std::uint64_t index) {
   }
   if (random.chance(0.15)) out.robot.jerk.setConstant(std::numeric_limits<double>::infinity());
   set_range(out, random.chance(0.3) ? 0 : 0.5);
+  return out;
+}
+
+}  // namespace
+
+RandomPath smooth_path(std::uint64_t seed, std::uint64_t index, int joints, int waypoints,
+                       double duration_s) {
+  math::RandomStream random(seed, fmt::format("path {}", index));
+  RandomPath out = begin_path(random, joints, waypoints, duration_s);
+  add_sines(random, out.path);
+  set_range(out, 1);
+  return out;
+}
+
+RandomPath random_path(std::uint64_t seed, std::uint64_t index) {
+  return draw_path({seed, fmt::format("path {}", index)}, {44, 2000, 0.3, 1});
+}
+
+RandomPath small_path(std::uint64_t seed, std::uint64_t index) {
+  math::RandomStream random(seed, fmt::format("sample rate {}", index));
+  RandomPath out = draw_path({seed, fmt::format("small path {}", index)}, {4, 12, 0.06, 0.2});
+  out.sample_rate_hz = log_between(random, 50, 500);
   return out;
 }
 

@@ -14,8 +14,12 @@ namespace morphe::study {
 struct RandomPath {
   RobotTable robot;
   JointPath path;
+  double sample_rate_hz = 500;
 };
 RandomPath random_path(std::uint64_t seed, std::uint64_t index);
+
+/// The same of 1 to 4 joints and 2 to 12 waypoints, sampled at 50 to 500 Hz.
+RandomPath small_path(std::uint64_t seed, std::uint64_t index);
 
 /// A smooth random path of sines without any of that, through `waypoints` points in `duration_s`.
 RandomPath smooth_path(std::uint64_t seed, std::uint64_t index, int joints, int waypoints,

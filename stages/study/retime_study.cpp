@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <limits>
 
 #include "pipeline/collision/certified.hpp"
@@ -20,21 +22,23 @@ namespace morphe::study {
 namespace {
 
 constexpr double kSpare = 1.2;  ///< mode duration: times the fastest
+constexpr std::size_t kModes = count_of<retime::Tempo>();
+constexpr double kTolerance = 1e-6;  ///< of a limit, as verify has it
 
-/// What became of one path in the three modes.
+/// What became of one path in the modes.
 struct PathOutcome {
-  std::array<Refusal, 3> refusal;
-  std::array<SeenLimits, 3> seen;
-  std::array<double, 3> took_s{};
+  std::array<Refusal, kModes> refusal;
+  std::array<SeenLimits, kModes> seen;
+  std::array<double, kModes> took_s{};
 };
 
-PathOutcome score_path(std::uint64_t seed, std::uint64_t index) {
-  const RandomPath random = random_path(seed, index);
+PathOutcome score_path(const RandomPath& random) {
   PathOutcome out;
   double fastest_s = 0;
-  for (std::size_t mode = 0; mode < 3; ++mode) {
+  for (std::size_t mode = 0; mode < kModes; ++mode) {
     retime::RetimeOptions options;
     options.mode = static_cast<retime::Tempo>(mode);
+    options.sample_rate_hz = random.sample_rate_hz;
     if (options.mode == retime::Tempo::duration)
       options.duration_s = std::max(0.05, kSpare * fastest_s);
     Outcome<retime::RetimeResult> result;
@@ -48,54 +52,78 @@ PathOutcome score_path(std::uint64_t seed, std::uint64_t index) {
   return out;
 }
 
-void random_paths(const RetimeStudyOptions& options, const StudyRun& study, StudyResult& result) {
-  std::vector<PathOutcome> all;
-  parallel::for_each<PathOutcome>(
-      study.quick ? options.quick_paths : options.paths, study.jobs,
-      [&](std::uint64_t index) { return score_path(options.seed, index); },
-      [&](const PathOutcome& outcome) {
-        for (std::size_t mode = 0; mode < 3; ++mode) {
-          if (!outcome.refusal[mode]) continue;
-          study.progress(fmt::format("random path {}, mode {}: {}, {}", all.size(),
-                                     name_of(static_cast<retime::Tempo>(mode)),
-                                     name_of(outcome.refusal[mode].reason),
-                                     outcome.refusal[mode].detail));
-        }
-        all.push_back(outcome);
-        if (all.size() % 200 == 0) study.progress(fmt::format("{} random paths", all.size()));
-      });
-  for (std::size_t mode = 0; mode < 3; ++mode) {
-    const Case of = {{"paths", "random"},
-                     {"mode", std::string(name_of(static_cast<retime::Tempo>(mode)))}};
-    std::size_t solved = 0;
-    SeenLimits worst{0, 0, 0, -std::numeric_limits<double>::infinity(), true, true};
-    std::vector<double> took_s;
-    for (const PathOutcome& path : all) {
-      took_s.push_back(path.took_s[mode]);
-      if (path.refusal[mode]) continue;
-      ++solved;
-      const SeenLimits& seen = path.seen[mode];
-      worst.velocity = std::max(worst.velocity, seen.velocity);
-      worst.acceleration = std::max(worst.acceleration, seen.acceleration);
-      worst.jerk = std::max(worst.jerk, seen.jerk);
-      worst.beyond = std::max(worst.beyond, seen.beyond);
-      worst.at_rest = worst.at_rest && seen.at_rest;
-      worst.time_increases = worst.time_increases && seen.time_increases;
-    }
-    const auto row = [&](const char* metric, const char* unit, double value) -> StudyRow& {
-      result.rows.push_back(row_of(of, metric, unit, value, all.size()));
-      return result.rows.back();
-    };
-    row("solved", "1", static_cast<double>(solved) / static_cast<double>(all.size())).at_least = 1;
-    row("largest velocity over its limit", "1", worst.velocity).at_most = 1.001;
-    row("largest acceleration over its limit", "1", worst.acceleration).at_most = 1.001;
-    row("largest jerk over its limit", "1", worst.jerk).at_most = 1.01;
-    row("farthest beyond a position limit", "rad", worst.beyond).at_most = 0;
-    row("all at rest at both ends", "1", worst.at_rest).at_least = 1;
-    row("time always increases", "1", worst.time_increases).at_least = 1;
-    row("time of one, median", "s", math::quantile(took_s, 0.5)).timed = true;
-    row("time of one, 99th percentile", "s", math::quantile(took_s, 0.99)).timed = true;
+/// All laws of one mode.
+struct Laws {
+  std::size_t solved = 0, broken = 0;
+  SeenLimits worst{0, 0, 0, -std::numeric_limits<double>::infinity(), true, true};
+  std::vector<double> took_s;
+
+  void add(const Refusal& refusal, const SeenLimits& seen, double took) {
+    took_s.push_back(took);
+    if (refusal) return;
+    ++solved;
+    const double most = std::max({seen.velocity, seen.acceleration, seen.jerk});
+    const bool good =
+        most <= 1 + kTolerance && seen.beyond <= 0 && seen.at_rest && seen.time_increases;
+    broken += good ? 0 : 1;
+    worst.velocity = std::max(worst.velocity, seen.velocity);
+    worst.acceleration = std::max(worst.acceleration, seen.acceleration);
+    worst.jerk = std::max(worst.jerk, seen.jerk);
+    worst.beyond = std::max(worst.beyond, seen.beyond);
+    worst.at_rest = worst.at_rest && seen.at_rest;
+    worst.time_increases = worst.time_increases && seen.time_increases;
   }
+};
+
+void tell(const Laws& laws, const Case& of, StudyResult& result) {
+  const std::size_t all = laws.took_s.size();
+  const auto row = [&](const char* metric, const char* unit, double value) -> StudyRow& {
+    result.rows.push_back(row_of(of, metric, unit, value, all));
+    return result.rows.back();
+  };
+  row("solved", "1", static_cast<double>(laws.solved) / static_cast<double>(all)).at_least = 1;
+  row("laws that break a limit", "1", static_cast<double>(laws.broken)).at_most = 0;
+  row("largest velocity over its limit", "1", laws.worst.velocity).at_most = 1.001;
+  row("largest acceleration over its limit", "1", laws.worst.acceleration).at_most = 1.001;
+  row("largest jerk over its limit", "1", laws.worst.jerk).at_most = 1.01;
+  row("farthest beyond a position limit", "rad", laws.worst.beyond).at_most = 0;
+  row("all at rest at both ends", "1", laws.worst.at_rest).at_least = 1;
+  row("time always increases", "1", laws.worst.time_increases).at_least = 1;
+  row("time of one, median", "s", math::quantile(laws.took_s, 0.5)).timed = true;
+  row("time of one, 99th percentile", "s", math::quantile(laws.took_s, 0.99)).timed = true;
+}
+
+void random_laws(const char* paths, int count, const StudyRun& study,
+                 const std::function<RandomPath(std::uint64_t)>& path, StudyResult& result) {
+  std::array<Laws, kModes> laws;
+  std::size_t done = 0;
+  const std::size_t step = count > 20000 ? 10000 : 200;
+  parallel::for_each<PathOutcome>(
+      count, study.jobs, [&](std::uint64_t index) { return score_path(path(index)); },
+      [&](const PathOutcome& outcome) {
+        for (std::size_t mode = 0; mode < kModes; ++mode) {
+          laws[mode].add(outcome.refusal[mode], outcome.seen[mode], outcome.took_s[mode]);
+          if (outcome.refusal[mode])
+            study.progress(fmt::format("{} path {}, mode {}: {}, {}", paths, done,
+                                       name_of(static_cast<retime::Tempo>(mode)),
+                                       name_of(outcome.refusal[mode].reason),
+                                       outcome.refusal[mode].detail));
+        }
+        if (++done % step == 0) study.progress(fmt::format("{} paths, {}", done, paths));
+      });
+  for (std::size_t mode = 0; mode < kModes; ++mode)
+    tell(laws[mode],
+         {{"paths", paths}, {"mode", std::string(name_of(static_cast<retime::Tempo>(mode)))}},
+         result);
+}
+
+void random_paths(const RetimeStudyOptions& options, const StudyRun& study, StudyResult& result) {
+  random_laws(
+      "random", study.quick ? options.quick_paths : options.paths, study,
+      [&](std::uint64_t index) { return random_path(options.seed, index); }, result);
+  random_laws(
+      "small", study.quick ? options.quick_small_paths : options.small_paths, study,
+      [&](std::uint64_t index) { return small_path(options.seed, index); }, result);
 }
 
 void optimum(const RetimeStudyOptions& options, const StudyRun& study, StudyResult& result) {
@@ -179,7 +207,8 @@ void trials(const RetimeStudyOptions& options, const StudyRun& study, StudyResul
 }  // namespace
 
 std::string why_invalid(const RetimeStudyOptions& o) {
-  if (o.paths < 1 || o.quick_paths < 1 || o.optimum_paths < 1 || o.quick_optimum_paths < 1) {
+  if (std::min({o.paths, o.quick_paths, o.small_paths, o.quick_small_paths, o.optimum_paths,
+                o.quick_optimum_paths}) < 1) {
     return "numbers of paths must be positive";
   }
   if (o.pipeline.empty() != o.manifest.empty()) return "pipeline and manifest go together";
