@@ -16,6 +16,14 @@
 namespace morphe::files {
 namespace {
 
+#if defined(__has_feature)  // clang
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define MORPHE_SANITIZED
+#endif
+#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define MORPHE_SANITIZED
+#endif
+
 #if defined(__x86_64__)
 #define MORPHE_AUDIT_ARCH AUDIT_ARCH_X86_64
 #elif defined(__aarch64__)
@@ -79,7 +87,7 @@ void confine_to_reading(std::uint64_t seconds, std::uint64_t bytes) {
   std::signal(SIGXCPU, SIG_DFL);
   limit(RLIMIT_CPU, seconds, seconds + 1);
   limit(RLIMIT_CORE, 0, 0);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#ifndef MORPHE_SANITIZED
   limit(RLIMIT_DATA, bytes, bytes);  // a sanitizer's own memory would be beyond
 #else
   static_cast<void>(bytes);

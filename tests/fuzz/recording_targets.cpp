@@ -11,7 +11,8 @@ namespace {
 constexpr double kLongest_s = 20;
 
 Target target_of(const std::string& format) {
-  return {"import-" + format, [format](std::string_view bytes) {
+  return {"import-" + format,
+          [format](std::string_view bytes) {
             imports::ManifestEntry entry;
             entry.file = as_file(bytes, "recording").string();
             entry.format = format;
@@ -23,7 +24,8 @@ Target target_of(const std::string& format) {
             const double length_s = longest_s(report_streams(read.streams));
             if (length_s < kLongest_s && longest_s(report_streams(read.calibration)) < kLongest_s)
               reconstruct::reconstruct(read, {}, {});
-          }};
+          },
+          format == "egodex-hdf5"};
 }
 
 }  // namespace

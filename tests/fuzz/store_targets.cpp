@@ -41,7 +41,9 @@ void read_demonstrations(std::string_view bytes) {
 }  // namespace
 
 std::vector<Target> store_targets() {
-  return {{"bytes", read_bytes}, {"plans", read_plans}, {"demonstrations", read_demonstrations}};
+  return {{"bytes", read_bytes},
+          {"plans", read_plans, true},
+          {"demonstrations", read_demonstrations, true}};
 }
 
 }  // namespace morphe::fuzz

@@ -43,10 +43,12 @@ void read_set(std::string_view bytes) {
 }
 
 Target mesh(const std::string& ending) {
-  return {"mesh-" + ending, [ending](std::string_view bytes) {
+  return {"mesh-" + ending,
+          [ending](std::string_view bytes) {
             SceneObject mesh;
             collision::load_mesh(as_file(bytes, "a." + ending), 1, false, mesh);
-          }};
+          },
+          true};
 }
 
 }  // namespace
