@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
 
 #include "pipeline/motion/counted.hpp"
 #include "pipeline/parallel/ordered_map.hpp"
@@ -22,6 +25,12 @@ void count_goals(const Plan& plan, BatchSummary& summary) {
         ++summary.out_of_reach;
     }
   }
+}
+
+double all_steps_s(const BatchSummary& summary) {
+  double sum = 0;
+  for (const auto& [stage, seconds] : summary.stage_seconds) sum += seconds;
+  return sum;
 }
 
 }  // namespace
@@ -45,6 +54,8 @@ BatchSummary summary_of(const DemonstrationOutcome& outcome) {
         ++summary.reasons[std::string(name_of(plan.reason))];
         break;
     }
+    if (plan.mapped.position.rows() > 0) ++summary.mapped;
+    summary.frames += plan.mapped.position.rows();
     count_goals(plan, summary);
   }
   summary.stage_seconds = outcome.stage_seconds;
@@ -61,6 +72,8 @@ void add(const BatchSummary& more, BatchSummary& sum) {
   sum.failed += more.failed;
   for (const auto& [reason, count] : more.reasons) sum.reasons[reason] += count;
   for (const auto& [stage, seconds] : more.stage_seconds) sum.stage_seconds[stage] += seconds;
+  sum.mapped += more.mapped;
+  sum.frames += more.frames;
   sum.goals += more.goals;
   sum.out_of_reach += more.out_of_reach;
   sum.reused += more.reused;
@@ -110,11 +123,33 @@ std::string summary_text_for_people(const BatchSummary& summary) {
   return text;
 }
 
-std::string stage_seconds_text(const BatchSummary& summary) {
-  std::string text;
+double frames_per_second(const BatchSummary& summary) {
+  const double seconds = all_steps_s(summary);
+  return seconds > 0 ? static_cast<double>(summary.frames) / seconds : 0;
+}
+
+std::map<std::string, double> movement_ms(const BatchSummary& summary) {
+  std::map<std::string, double> ms;
+  if (summary.mapped == 0) return ms;
   for (const auto& [stage, seconds] : summary.stage_seconds)
-    text += fmt::format("{}{} {:.2f} s", text.empty() ? "steps, over all threads: " : ", ", stage,
-                        seconds);
+    ms[stage] = 1e3 * seconds / static_cast<double>(summary.mapped);
+  return ms;
+}
+
+std::string speed_text(const BatchSummary& summary) {
+  if (summary.mapped == 0) return "";
+  const std::map<std::string, double> by_stage = movement_ms(summary);
+  std::vector<std::pair<std::string, double>> steps(by_stage.begin(), by_stage.end());
+  std::ranges::stable_sort(steps, std::ranges::greater{}, &std::pair<std::string, double>::second);
+  std::string text =
+      fmt::format("{} planned, {:.0f} for each second of a core; {:.0f} ms a movement",
+                  counted(summary.frames, "frame"), frames_per_second(summary),
+                  1e3 * all_steps_s(summary) / static_cast<double>(summary.mapped));
+  const char* before = ": ";
+  for (const auto& [stage, ms] : steps) {
+    if (ms < 0.5) continue;
+    text += fmt::format("{}{} {:.0f}", std::exchange(before, ", "), stage, ms);
+  }
   return text;
 }
 
@@ -128,6 +163,9 @@ std::string summary_json(const BatchSummary& summary) {
                                     {"failed", summary.failed},
                                     {"reasons", summary.reasons},
                                     {"stage_seconds", summary.stage_seconds},
+                                    {"frames", summary.frames},
+                                    {"frames_per_second", frames_per_second(summary)},
+                                    {"movement_ms", movement_ms(summary)},
                                     {"reused", summary.reused}};
   return json.dump(2);
 }

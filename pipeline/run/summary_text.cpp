@@ -16,6 +16,8 @@ std::string summary_text(const BatchSummary& s) {
                         {"failed", s.failed},
                         {"reasons", s.reasons},
                         {"stage_seconds", s.stage_seconds},
+                        {"mapped", s.mapped},
+                        {"frames", s.frames},
                         {"goals", s.goals},
                         {"out_of_reach", s.out_of_reach}}
       .dump();
@@ -34,6 +36,8 @@ BatchSummary summary_from_text(const std::string& text) {
     json.at("failed").get_to(s.failed);
     json.at("reasons").get_to(s.reasons);
     json.at("stage_seconds").get_to(s.stage_seconds);
+    s.mapped = json.value("mapped", std::int64_t{0});  // likewise
+    s.frames = json.value("frames", std::int64_t{0});
     json.at("goals").get_to(s.goals);
     json.at("out_of_reach").get_to(s.out_of_reach);
   } catch (const nlohmann::json::exception&) {

@@ -172,7 +172,9 @@ void print_table(const RunArguments& arguments, const RobotRun& one) {
     if (!choice.only.empty())
       fmt::print("shown: {} of {} plans\n", rows.size(), one.summary.movements);
   }
-  fmt::print("{}\n{}: {}\n", plan_table_foot(robot, one.summary), one.plans().string(),
+  const std::string speed = run::speed_text(one.summary);
+  fmt::print("{}\n{}{}{}: {}\n", plan_table_foot(robot, one.summary), speed,
+             speed.empty() ? "" : "\n", one.plans().string(),
              run::summary_text_for_people(one.summary));
 }
 
@@ -233,7 +235,6 @@ void print_results(const RunArguments& arguments, const std::vector<RobotRun>& r
   for (const RobotRun& one : runs) {
     if (several) fmt::print("{}\n", one.name);
     print_table(arguments, one);
-    if (arguments.verbose) fmt::print("{}\n", run::stage_seconds_text(one.summary));
     if (several) {
       fmt::print("\n");
       robots.emplace_back(one.name, one.plans());
@@ -309,8 +310,7 @@ Command run_command(CLI::App& app) {
                "Plan everything anew, including what an earlier run in the folder finished");
   app.add_flag("--quiet", arguments->quiet, "No progress and no table, the summary alone");
   app.add_flag("--verbose", arguments->verbose,
-               "A line for each demonstration, also on a terminal, with why it is planned; at the "
-               "end the seconds that each step took")
+               "A line for each demonstration, also on a terminal, with why it is planned")
       ->excludes("--quiet");
   app.add_flag("--explain", arguments->explain, "Say for each demonstration why it is planned");
   app.add_flag("--report", arguments->report,

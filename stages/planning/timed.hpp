@@ -1,17 +1,19 @@
 #pragma once
 
-#include <chrono>
 #include <map>
 #include <string>
 
+#include "pipeline/parallel/thread_seconds.hpp"
+
 namespace morphe::planning {
 
-/// What a step makes; its wall clock is added to the summary's stage_seconds.
+/// What a step makes; the processor time of its thread, which is all that it uses, is added to the
+/// summary's stage_seconds.
 template <class Step>
 auto timed(std::map<std::string, double>& seconds, const char* stage, const Step& step) {
-  const auto begin = std::chrono::steady_clock::now();
+  const double begin_s = parallel::thread_seconds();
   auto result = step();
-  seconds[stage] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  seconds[stage] += parallel::thread_seconds() - begin_s;
   return result;
 }
 

@@ -40,7 +40,8 @@ class ShippedSample(unittest.TestCase):
     def test_prints_a_summary_as_json_and_nothing_else(self):
         summary = json.loads(self.result.stdout)
         self.assertEqual(list(summary), ["demonstrations", "movements", "executable", "approximate",
-                                         "infeasible", "repaired", "failed", "reasons", "stage_seconds", "reused"])
+                                         "infeasible", "repaired", "failed", "reasons", "stage_seconds", "frames",
+                                         "frames_per_second", "movement_ms", "reused"])
         self.assertEqual(summary["demonstrations"], len(DEMONSTRATIONS))
         self.assertEqual(summary["movements"], len(self.plans))
         self.assertEqual(summary["executable"], len(self.moving()))
