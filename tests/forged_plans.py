@@ -767,7 +767,8 @@ def clearances(robot, plan, name):
     if not motion:
         return None
     phases = list(zip(plan["phases/name"].asstr(), plan["phases/begin_s"], plan["phases/end_s"]))
-    return verify_plans.check_contacts(robot, plan, motion, phases, np.full(len(motion["time"]), np.nan), report)[1]
+    told = np.full(len(motion["time"]), np.nan)
+    return verify_plans.check_contacts(robot, plan, motion, phases, told, report, substeps=1)[1]
 
 
 def keep(file):
@@ -789,16 +790,16 @@ def verified(morphe, file):
     return found, ""
 
 
-def repair(file, found, honest):
+def beyond_repair(rows):
+    return bool({row["cause"] for row in rows} - {"certificate", "clearance"})
+
+
+def repair(file, found):
     """Gives each plan the certificate that verify computed, and the clearance of samples."""
     changed = False
     robot = Robot(file["robot"])
     for path, rows in found.items():
-        if not path or path in honest:
-            continue
         plan = file["plans"][path]
-        if {row["cause"] for row in rows} - {"certificate", "clearance"}:
-            continue  # found already
         for row in rows:
             changed = True
             if row["cause"] == "certificate" and row["subject"] in plan["certificate"].attrs:
@@ -818,32 +819,42 @@ class Tally:
         self.wrong = []
 
 
+def leave_out(path, plans):
+    with h5py.File(path, "r+") as file:
+        for plan in plans:
+            del file["plans"][plan.split("/")[0]]
+
+
 def judge_batch(morphe, path, kinds, honest, tally):
-    """One file of forged plans: verified, repaired where that may help, verified again; what is accepted
-    goes to the judge. What cannot even be read is found, and left out."""
-    left = dict(kinds)
-    for attempt in range(3 + len(kinds)):
+    """One file of forged plans: verified, repaired where that may help, verified again, at most three
+    times; what is found for good is left out, as is what cannot even be read. What is accepted goes to
+    the judge: nothing else can break the claim."""
+    left, rounds = dict(kinds), 0
+    while left and rounds < 3:
         found, refusal = verified(morphe, path)
         if found is None:
             place = re.search(r":/plans/([^/]+/[^/:]+)", refusal)
             gone = [place[1]] if place and place[1] in left else list(left)
-            tally.found.update(left.pop(plan) for plan in gone)
-            if not left:
-                return
-            with h5py.File(path, "r+") as file:
-                for plan in gone:
-                    del file["plans"][plan.split("/")[0]]
+        else:
+            rounds += 1
+            if any(row["cause"] != "structure" for row in found.get("", [])):  # of the file
+                gone = list(left)
+            else:
+                gone = [plan for plan in left if found.get(plan) and (
+                    rounds == 3 or plan in honest or beyond_repair(found[plan]))]
+        tally.found.update(left.pop(plan) for plan in gone)
+        if not left:
+            return
+        leave_out(path, gone)
+        if found is None:
             continue
-        if attempt >= 2 + len(kinds) - len(left):
-            break
         with h5py.File(path, "r+") as file:
-            if not repair(file, found, honest):
+            if not repair(file, {plan: found[plan] for plan in left if found.get(plan)}):
                 break
-    of_the_file = [row for row in found.get("", []) if row["cause"] != "structure"]
     with h5py.File(path) as file:
         robot = Robot(file["robot"])
         for plan, kind in left.items():
-            if found.get(plan) or of_the_file:
+            if found.get(plan):
                 tally.found[kind] += 1
                 continue
             tally.missed[kind] += 1

@@ -91,12 +91,12 @@ def is_grasping(phases, time):
     return sum(((time >= begin) & (time <= end) for name, begin, end in phases
                 if name in ("grasp", "hold")), np.zeros(len(time), bool))
 
-def dense(robot, motion):
-    """The samples, and SUBSTEPS - 1 points between: positions, poses, clock, demonstration time."""
-    inner = evaluate(quintics(motion)[0], 0, np.arange(SUBSTEPS) / SUBSTEPS)
+def dense(robot, motion, substeps=SUBSTEPS):
+    """The samples, and substeps - 1 points between: positions, poses, clock, demonstration time."""
+    inner = evaluate(quintics(motion)[0], 0, np.arange(substeps) / substeps)
     inner += motion["position"][:-1, :, None]
     q = np.concatenate([inner.transpose(0, 2, 1).reshape(-1, inner.shape[1]), motion["position"][-1:]])
-    spread = lambda x: np.interp(np.arange(len(q)) / SUBSTEPS, np.arange(len(x)), x)
+    spread = lambda x: np.interp(np.arange(len(q)) / substeps, np.arange(len(x)), x)
     return robot.frame_poses(q), spread(motion["time"]), spread(motion["demonstration_time"])
 
 def check_tracking(robot, plan, motion, phases, report):
@@ -205,7 +205,7 @@ def into_object(group, time):
         return points - place + 2 * turn[:, :1] * back + 2 * np.cross(back, turn[:, 1:])
     return into
 
-def into_carried(robot, group, motion, poses, time):
+def into_carried(robot, group, motion, poses, time, substeps):
     """As into_object, but from attach_s to release_s the object moves with its attached frame, and
     then stays; both at the first sample from then on."""
     recorded, held = into_object(group, time), group.attrs
@@ -214,14 +214,14 @@ def into_carried(robot, group, motion, poses, time):
     if "attached_frame" not in held or taken == len(samples) or samples[taken] >= samples[-1]:
         return recorded
     hand = poses[:, [text(name) for name in robot.frame_names].index(text(held["attached_frame"]))]
-    at = lambda point: recorded(np.tile(point, (len(time), 1)))[taken * SUBSTEPS]
+    at = lambda point: recorded(np.tile(point, (len(time), 1)))[taken * substeps]
     object_from_base = np.eye(4)
     object_from_base[:3] = np.c_[np.transpose([at(e) - at(np.zeros(3)) for e in np.eye(3)]), at(np.zeros(3))]
-    hand_from_object = np.linalg.inv(object_from_base @ hand[taken * SUBSTEPS])
+    hand_from_object = np.linalg.inv(object_from_base @ hand[taken * substeps])
     base_from_object = hand @ hand_from_object
     released = np.searchsorted(samples, held.get("release_s", np.inf))
     if released < len(samples):
-        base_from_object[time > samples[released]] = hand[released * SUBSTEPS] @ hand_from_object
+        base_from_object[time > samples[released]] = hand[released * substeps] @ hand_from_object
     carried = np.linalg.inv(base_from_object)
     def into(points):
         moved = np.einsum("nij,nj->ni", carried[:, :3, :3], points) + carried[:, :3, 3]
@@ -234,16 +234,16 @@ def touch_times(phases, time):
     ends = named("grasp") + named("hold") + named("transport") or [(0, -np.inf)]
     return (time >= min(begins)[0] - 1e-9) & (time <= max(end for _, end in ends) + 1e-9)
 
-def check_contacts(robot, plan, motion, phases, stored, report):
+def check_contacts(robot, plan, motion, phases, stored, report, substeps=SUBSTEPS):
     """The least clearance, and that of each sample, of which `stored` is what is said."""
-    (poses, clock, time), caps = dense(robot, motion), robot.capsules
+    (poses, clock, time), caps = dense(robot, motion, substeps), robot.capsules
     ends = [(in_base(poses, frame, a), in_base(poses, frame, b))
             for frame, a, b in zip(caps["frame"], caps["from"], caps["to"])]
     middles = [(a + b) / 2 for a, b in ends]
     halves = [np.linalg.norm(b - a, axis=1) / 2 for a, b in ends]
     window = touch_times(phases, time)
     margin, depth, least = plan.attrs["margin"], plan.attrs["contact_depth"], np.inf
-    sampled = np.arange(len(time)) % SUBSTEPS == 0
+    sampled = np.arange(len(time)) % substeps == 0
     own = np.full(len(time), np.inf)  # clearance of each instant; exact up to what is stored at samples
     told = np.where(np.isfinite(stored), stored + BETWEEN, np.inf)
     def judge(cause, subject, bound, exact, touching):
@@ -258,7 +258,7 @@ def check_contacts(robot, plan, motion, phases, stored, report):
         least = min(least, distance[~touching].min(initial=np.inf))
         own[~touching] = np.minimum(own, distance)[~touching]
         report.add_runs(cause, subject, ~(distance >= required - DISTANCE), required - distance,
-                        lambda k: (distance[k], required[k], (k + SUBSTEPS // 2) // SUBSTEPS, clock[k]))
+                        lambda k: (distance[k], required[k], (k + substeps // 2) // substeps, clock[k]))
 
     for i, j in itertools.combinations(range(len(ends)), 2):
         if caps["frame"][i] == caps["frame"][j] or (i, j) in robot.allowed:
@@ -275,7 +275,7 @@ def check_contacts(robot, plan, motion, phases, stored, report):
             lambda p: signed_distance(shape, size, p))
         exact = mesh.segment_distance if mesh else functools.partial(segment_solid_distance, shape, size)
         target = name == text(plan.attrs["target"])
-        into = into_carried(robot, group, motion, poses, time) if target else into_object(group, time)
+        into = into_carried(robot, group, motion, poses, time, substeps) if target else into_object(group, time)
         for i in range(len(ends)):
             a, b, radius = into(ends[i][0]), into(ends[i][1]), caps["radius"][i]
             judge("object", robot.capsule_names[i] + "/" + name,
