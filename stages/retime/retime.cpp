@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <optional>
 
 #include "pipeline/math/braking.hpp"
@@ -149,7 +150,13 @@ struct Attempt {
   double worst = 0;
 };
 
+/// What takes longer than an hour is no motion: sampled, it would take all memory.
 void sample(const PacedPath& paced_path, double rate_hz, Attempt& attempt) {
+  constexpr double kLongest_s = 3600;
+  if (static_cast<double>(attempt.paced.periods) > kLongest_s * rate_hz + 2) {
+    attempt.worst = std::numeric_limits<double>::infinity();
+    return;
+  }
   attempt.sampled = sample_law(paced_path, attempt.paced, rate_hz);
   attempt.hasty = haste(paced_path, attempt.sampled.trajectory);
   attempt.worst = *std::max_element(attempt.hasty.begin(), attempt.hasty.end());
@@ -181,7 +188,7 @@ bool follow_freely(PacedPath& paced_path, const Pace& pace, double rate_hz, Atte
   if (!std::isfinite(attempt.worst)) return false;
   for (int stretch = 0; attempt.worst > 1 && stretch < kCorrections; ++stretch) {
     const auto moving = static_cast<double>(attempt.paced.periods - 2);
-    const double longer = std::ceil(moving * attempt.worst * (1 + kInside));
+    const double longer = std::min(kMostPeriods, std::ceil(moving * attempt.worst * (1 + kInside)));
     attempt.paced.periods = 2 + static_cast<Eigen::Index>(longer);
     sample(paced_path, rate_hz, attempt);
   }
@@ -273,7 +280,8 @@ Outcome<RetimeResult> retime(const RobotTable& robot, const JointPath& path,
     if (!follow_freely(paced_path, pace, rate_hz, attempt)) {
       return {std::move(result),
               {Reason::limit,
-               "no slowdown brings the path within the joints' velocity, acceleration and jerk"}};
+               "no slowdown brings the path within the joints' velocity, acceleration and jerk in "
+               "an hour"}};
     }
   }
   result.trajectory = std::move(attempt.sampled.trajectory);

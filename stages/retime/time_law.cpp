@@ -71,8 +71,8 @@ TimeLaw fastest_law(const PacedPath& paced_path) {
 }
 
 Eigen::Index least_periods(const TimeLaw& law, double rate_hz) {
-  return std::max<Eigen::Index>(
-             1, static_cast<Eigen::Index>(std::ceil(law.duration_s * rate_hz - 1e-9))) +
+  return std::max<Eigen::Index>(1, static_cast<Eigen::Index>(std::min(
+                                       kMostPeriods, std::ceil(law.duration_s * rate_hz - 1e-9)))) +
          2;
 }
 

@@ -26,6 +26,7 @@ struct PacedLaw {
   Eigen::Index periods = 0;
   Eigen::Index rest = 0;  ///< further periods, at rest at the end
 };
+constexpr double kMostPeriods = 1e12;  ///< more are told as so many
 /// Periods that a law's samples take at least.
 Eigen::Index least_periods(const TimeLaw& law, double rate_hz);
 

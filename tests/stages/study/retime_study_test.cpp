@@ -32,6 +32,23 @@ TEST(RetimeStudy, RandomPathsHoldTheirLimits) {
   }
 }
 
+/// Its law stood still for so long that the samples took all memory.
+TEST(RetimeStudy, NoPathTakesLongerThanAnHour) {
+  const RandomPath random = small_path(3, 10613);
+  for (const retime::Tempo mode : {retime::Tempo::human, retime::Tempo::fastest}) {
+    retime::RetimeOptions options;
+    options.mode = mode;
+    options.sample_rate_hz = random.sample_rate_hz;
+    const Outcome<retime::RetimeResult> result =
+        retime::retime(random.robot, random.path, Movement{}, options);
+    if (result.refusal) {
+      EXPECT_EQ(result.refusal.reason, Reason::limit);
+    } else {
+      EXPECT_LE(result.value.trajectory.time.back(), 3600);
+    }
+  }
+}
+
 TEST(RetimeStudy, WithinHalfAPercentOfTheLeastTime) {
   for (std::uint64_t index = 0; index < 3; ++index) {
     const RandomPath random = smooth_path(3, index, 1 + 4 * static_cast<int>(index), 100, 1.5);
