@@ -8,7 +8,7 @@ namespace morphe::humanlike {
 /// pad, n the inward normal of the surface it is to touch (FrameGoal::pad_normal), φ the angle
 /// between them.
 struct PadDirection {
-  static constexpr Group kGroup = Group::tip_position;
+  static constexpr Group kGroup = Group::tip_orientation;
   double weight = 0;
   void add(const RobotState& state, const FrameGoal& goal, double share, Loads& loads) const;
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <unsupported/Eigen/FFT>
 
 #include "pipeline/verify/frame_poses.hpp"
 
@@ -49,25 +50,6 @@ using Complex = std::complex<double>;
 /// e^(-2 pi i share)
 Complex turned(double share) { return std::polar(1.0, -2 * std::numbers::pi * share); }
 
-/// x[k] becomes sum over i of x[i] e^(-2 pi i k / n), n = x.size() a power of two: the even and the
-/// odd ones by themselves (Cooley and Tukey 1965).
-void transform(std::vector<Complex>& x) {
-  if (x.size() == 1) return;
-  const std::size_t half = x.size() / 2;
-  std::vector<Complex> even(half), odd(half);
-  for (std::size_t i = 0; i < half; ++i) {
-    even[i] = x[2 * i];
-    odd[i] = x[2 * i + 1];
-  }
-  transform(even);
-  transform(odd);
-  for (std::size_t k = 0; k < half; ++k) {
-    const Complex part = turned(static_cast<double>(k) / static_cast<double>(x.size())) * odd[k];
-    x[k] = even[k] + part;
-    x[k + half] = even[k] - part;
-  }
-}
-
 constexpr std::size_t kPadding = 16;
 
 /// Magnitudes of the spectrum of speed, padded with zeros to kPadding times the least power of two
@@ -75,11 +57,13 @@ constexpr std::size_t kPadding = 16;
 std::vector<double> spectrum(const std::vector<double>& speed) {
   const std::size_t size = std::bit_ceil(speed.size()), padded = kPadding * size;
   std::vector<double> magnitude(padded);
+  Eigen::FFT<double> transform;
+  std::vector<Complex> turned_speed(size), x;
   for (std::size_t first = 0; first < kPadding; ++first) {
-    std::vector<Complex> x(size, 0);
     for (std::size_t i = 0; i < speed.size(); ++i)
-      x[i] = speed[i] * turned(static_cast<double>(first * i) / static_cast<double>(padded));
-    transform(x);
+      turned_speed[i] =
+          speed[i] * turned(static_cast<double>(first * i) / static_cast<double>(padded));
+    transform.fwd(x, turned_speed);
     for (std::size_t k = 0; k < size; ++k) magnitude[kPadding * k + first] = std::abs(x[k]);
   }
   return magnitude;

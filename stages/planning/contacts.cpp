@@ -124,14 +124,13 @@ Attempt touch_with(const Approaching& of, const std::vector<grasp::Touch>& touch
   const map::MappingProblem problem = problem_of(of, attempt);
   plan.path.position = settled(of, attempt);
   const JointRows mapped = plan.path.position;
-  collision::CollisionWorld with_room = of.world;
-  with_room.tolerances.margin += kRoom;
+  const collision::CollisionWorld roomy = with_room(of.world);
   const auto findings_in = [&](const collision::CollisionWorld& world, const JointPath& path) {
     return check::check_path(world, plan.goals, plan.movement, path, config.check);
   };
   const ReSolving solving{problem, config.map,
-                          [&](const JointPath& path) { return findings_in(with_room, path); }};
-  plan.remaining = findings_in(with_room, plan.path);
+                          [&](const JointPath& path) { return findings_in(roomy, path); }};
+  plan.remaining = findings_in(roomy, plan.path);
   if (!plan.remaining.empty()) {
     Outcome<repair::RepairResult> freed = repair::repair_path(
         {repair::if_nearly_free(firmly(solving))}, {plan.path, plan.remaining}, config.repair);

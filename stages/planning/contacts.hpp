@@ -20,10 +20,10 @@ struct Contacts {
 
 /// Pads on the target instead of tips near it, for a plan whose path follows the tips: its goals
 /// become those of pads, the other fingers close, and the path settles beside where it was, clear
-/// of the whole scene; where it is not free then, it is re-solved gently. What is still in the way
-/// costs the fingers in question their contacts, once; then all. Nothing is searched and no repair
-/// is repeated: goals of pads lie beside those of tips, and so do the paths. `world` is that of
-/// plan.scene, with the plan's tolerances.
+/// of the whole scene; where it is nearly free then, it is re-solved firmly. What is still in the
+/// way costs the fingers in question their contacts, once; then all. Nothing is searched: goals of
+/// pads lie beside those of tips, and so do the paths. `world` is that of plan.scene, with the
+/// plan's tolerances.
 Contacts touch_target(const Planner& planner, const collision::CollisionWorld& world,
                       std::uint64_t seed, Plan& plan);
 

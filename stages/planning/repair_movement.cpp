@@ -16,6 +16,11 @@ using repair::Rung;
 
 }  // namespace
 
+collision::CollisionWorld with_room(collision::CollisionWorld world) {
+  world.tolerances.margin += 2e-4;
+  return world;
+}
+
 Outcome<repair::RepairResult> repair_movement(const Planner& planner, const PlacedMovement& placed,
                                               const collision::CollisionWorld& world,
                                               const Plan& plan, const map::MapResult& mapped,
@@ -27,18 +32,15 @@ Outcome<repair::RepairResult> repair_movement(const Planner& planner, const Plac
     return check::check_path(of, plan.goals, plan.movement, path, config.check);
   };
   const repair::Check check = [&](const JointPath& path) { return findings_in(world, path); };
-  collision::CollisionWorld world_with_room = world;
-  world_with_room.tolerances.margin += kRoom;
-  const repair::Check with_room = [&](const JointPath& path) {
-    return findings_in(world_with_room, path);
-  };
+  const collision::CollisionWorld roomy = with_room(world);
+  const repair::Check keeps_room = [&](const JointPath& path) { return findings_in(roomy, path); };
 
   const Checked start{plan.path, plan.findings};
-  const ReSolving solving{whole, config.map, with_room};
+  const ReSolving solving{whole, config.map, keeps_room};
   std::vector<Hold> holds;  // postures that hold goals at which the path failed
   NewCourses courses(whole, config.map, holds, static_cast<std::size_t>(config.repair.searches),
                      seed);
-  repair::Surroundings around{world, config.repair, seed, with_room, {}};
+  repair::Surroundings around{world, config.repair, seed, keeps_room, {}};
 
   const Rung a_detour{"detour", [&](const Checked& best) { return repair::detour(around, best); }};
   std::vector<Rung> ladder{a_detour};

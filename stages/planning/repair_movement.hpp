@@ -8,9 +8,9 @@
 
 namespace morphe::planning {
 
-/// A repaired path keeps this much more than the margin where it can: the curve through it is
-/// smoothed, and certified to a tenth of a millimetre [m].
-inline constexpr double kRoom = 2e-4;
+/// A repaired path keeps 0.2 mm more than the margin where it can: the curve through it is
+/// smoothed, and certified to a tenth of a millimetre.
+collision::CollisionWorld with_room(collision::CollisionWorld world);
 
 /// Joins mapping, check and repair: the smallest change that makes a movement's plan free, the
 /// least first. Its mapping is re-solved against `world`, the whole scene, gently; nothing more if

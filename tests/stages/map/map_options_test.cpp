@@ -57,6 +57,7 @@ TEST(MapMode, LeavesOutWhatItSays) {
   EXPECT_EQ(made(MapMode::inverse_kinematics).get<humanlike::HandOrientation>().weight,
             usual.get<humanlike::HandOrientation>().weight);
   EXPECT_EQ(made(MapMode::fingertip_only).get<humanlike::TipOrientation>().weight, 0);
+  EXPECT_EQ(made(MapMode::fingertip_only).get<humanlike::PadDirection>().weight, 0);
   EXPECT_EQ(made(MapMode::fingertip_only).get<humanlike::HandOrientation>().weight, 0);
   EXPECT_GT(made(MapMode::joint_to_joint).get<humanlike::ChainPosition>().weight, 0);
   EXPECT_GT(made(MapMode::joint_to_joint).get<humanlike::JointAngle>().weight, 0);
