@@ -1,10 +1,9 @@
 #include "pipeline/math/quintic.hpp"
 
-#include "pipeline/math/braking.hpp"
-
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
+
+#include "pipeline/math/braking.hpp"
 
 namespace morphe::math {
 namespace {
@@ -108,6 +107,28 @@ void raise(LimitUse& use, const Range& range, double limit, std::size_t sample,
   raise(use, std::max(-range.least, range.greatest) / limit, sample, joint);
 }
 
+/// Least and greatest Bézier point of a polynomial on [0, 1] from its power coefficients.
+template <std::size_t N>
+Range bezier_range(std::array<double, N> b) {
+  constexpr std::size_t degree = N - 1;
+  double share = 1;  // 1 / C(degree, k)
+  for (std::size_t k = 0; k <= degree; ++k) {
+    b[k] *= share;
+    share *= static_cast<double>(k + 1) / static_cast<double>(std::max<std::size_t>(1, degree - k));
+  }
+  for (std::size_t round = 1; round <= degree; ++round) {
+    for (std::size_t k = degree; k >= round; --k) b[k] += b[k - 1];
+  }
+  const auto [least, greatest] = std::minmax_element(b.begin(), b.end());
+  return {*least, *greatest};
+}
+
+template <std::size_t N>
+bool surely_below(const std::array<double, N>& power, double limit) {
+  const Range range = bezier_range(power);
+  return range.least >= -limit && range.greatest <= limit;
+}
+
 }  // namespace
 
 QuinticPiece quintic_piece(const JointState& begin, const JointState& end, double duration) {
@@ -150,26 +171,16 @@ QuinticExtremes extremes(const QuinticPiece& piece, double from_s, double to_s) 
 bool surely_within(const QuinticPiece& piece, double velocity, double acceleration, double jerk) {
   const auto& c = piece.coefficient;
   const double t = piece.duration;
-  // Largest Bézier point: of a degree, from power coefficients d.
-  const auto largest = [](const auto& d) {
-    std::array<double, std::tuple_size_v<std::remove_cvref_t<decltype(d)>>> b{};
-    const std::size_t degree = d.size() - 1;
-    double share = 1;  // 1 / C(degree, k)
-    for (std::size_t k = 0; k <= degree; ++k) {
-      b[k] = d[k] * share;
-      share *=
-          static_cast<double>(k + 1) / static_cast<double>(std::max<std::size_t>(1, degree - k));
-    }
-    double most = std::abs(b[0]);
-    for (std::size_t round = 1; round <= degree; ++round) {
-      for (std::size_t k = degree; k >= round; --k) b[k] += b[k - 1];
-    }
-    for (const double value : b) most = std::max(most, std::abs(value));
-    return most;
-  };
-  return largest(std::array{c[1], 2 * c[2], 3 * c[3], 4 * c[4], 5 * c[5]}) <= velocity * t &&
-         largest(std::array{2 * c[2], 6 * c[3], 12 * c[4], 20 * c[5]}) <= acceleration * t * t &&
-         largest(std::array{6 * c[3], 24 * c[4], 60 * c[5]}) <= jerk * t * t * t;
+  return surely_below(std::array{c[1], 2 * c[2], 3 * c[3], 4 * c[4], 5 * c[5]}, velocity * t) &&
+         surely_below(std::array{2 * c[2], 6 * c[3], 12 * c[4], 20 * c[5]}, acceleration * t * t) &&
+         surely_below(std::array{6 * c[3], 24 * c[4], 60 * c[5]}, jerk * t * t * t);
+}
+
+double beyond(const QuinticPiece& piece, double lower, double upper) {
+  const Range bounds = bezier_range(piece.coefficient);
+  if (bounds.least >= lower && bounds.greatest <= upper) return 0;
+  const Range position = extremes(piece).position;
+  return std::max({0.0, lower - position.least, position.greatest - upper});
 }
 
 LimitReport limit_report(const RobotTable& robot, const Trajectory& trajectory) {

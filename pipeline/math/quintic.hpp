@@ -40,6 +40,8 @@ QuinticExtremes extremes(const QuinticPiece& piece, double from_s, double to_s);
 /// Whether the Bézier points of velocity, acceleration and jerk, which enclose each curve, lie
 /// within the limits: a quick yes; a no says nothing.
 bool surely_within(const QuinticPiece& piece, double velocity, double acceleration, double jerk);
+/// How far its positions lie beyond [lower, upper] at most; 0: nowhere. Exact.
+double beyond(const QuinticPiece& piece, double lower, double upper);
 
 /// Largest |value| / limit over all joints and the whole trajectory, on the quintics (velocity: of
 /// the braking curves too); the sample is the one before the place, -1 for an empty trajectory.

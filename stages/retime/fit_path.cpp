@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "pipeline/math/banded.hpp"
+#include "pipeline/math/quintic.hpp"
 #include "pipeline/robot/forward.hpp"
 #include "pipeline/robot/tree.hpp"
 #include "stages/retime/inside_limits.hpp"
@@ -218,14 +219,21 @@ double fit(const RobotTable& robot, const std::vector<double>& clock, const Join
   return excess;
 }
 
-/// Whether a joint's curve is inside its limits on the knots from `from` to `to` and between.
+/// Whether a joint's curve is inside its limits between the knots `from` and `to`: each interval is
+/// the quintic that meets its two ends.
 bool stays_inside(const math::JointSpline& spline, Eigen::Index joint, Eigen::Index from,
                   Eigen::Index to, double lower, double upper) {
-  constexpr int kPoints = 8;  // a knot's interval
   JointRows at;
-  for (Eigen::Index k = from * kPoints; k <= to * kPoints; ++k) {
-    math::evaluate(spline, spline.step() * static_cast<double>(k) / kPoints, at);
-    if (at(0, joint) < lower || at(0, joint) > upper) return false;
+  const auto state_at = [&](Eigen::Index knot) {
+    math::evaluate(spline, spline.step() * static_cast<double>(knot), at);
+    return math::JointState{at(0, joint), at(1, joint), at(2, joint)};
+  };
+  math::JointState begin = state_at(from);
+  for (Eigen::Index knot = from + 1; knot <= to; ++knot) {
+    const math::JointState end = state_at(knot);
+    if (math::beyond(math::quintic_piece(begin, end, spline.step()), lower, upper) > 0)
+      return false;
+    begin = end;
   }
   return true;
 }

@@ -12,6 +12,7 @@
 #include "pipeline/math/braking.hpp"
 #include "pipeline/math/quintic.hpp"
 #include "stages/retime/fit_path.hpp"
+#include "stages/retime/inside_limits.hpp"
 #include "stages/retime/time_law.hpp"
 
 namespace morphe::retime {
@@ -92,6 +93,13 @@ PacedPath make_paced_path(const RobotTable& robot, const JointPath& path, const 
   return paced_path;
 }
 
+/// How many times slower a step has to be whose quintic leaves the joint's range so far, where the
+/// path does not: what it misses of a smooth path between two samples falls with the sixth power of
+/// the time between them. The path keeps half of kLimitInset from its limits.
+double slower_inside(double beyond_rad) {
+  return std::pow(1 + beyond_rad / (0.5 * kLimitInset), 1.0 / 6);
+}
+
 /// How many times slower each step between samples would have to be to hold the path's limits; 0
 /// where it surely does.
 std::vector<double> haste(const PacedPath& paced_path, const Trajectory& trajectory) {
@@ -106,6 +114,10 @@ std::vector<double> haste(const PacedPath& paced_path, const Trajectory& traject
     }
     for (Eigen::Index joint = 0; joint < trajectory.position.cols(); ++joint) {
       const math::QuinticPiece piece = math::quintic_piece(trajectory, i, joint);
+      const double lower = paced_path.robot->lower[joint], upper = paced_path.robot->upper[joint];
+      const double beyond = math::beyond(piece, lower, upper);
+      const bool fixed = upper - lower < 4 * kLimitInset;  // kept to half of that at best
+      if (beyond > 0 && !fixed) worst = std::max(worst, slower_inside(beyond));
       if (math::surely_within(piece, paced_path.velocity[joint], paced_path.acceleration[joint],
                               paced_path.jerk[joint])) {
         continue;
@@ -280,8 +292,8 @@ Outcome<RetimeResult> retime(const RobotTable& robot, const JointPath& path,
     if (!follow_freely(paced_path, pace, rate_hz, attempt)) {
       return {std::move(result),
               {Reason::limit,
-               "no slowdown brings the path within the joints' velocity, acceleration and jerk in "
-               "an hour"}};
+               "no slowdown brings the path within the joints' range, velocity, acceleration and "
+               "jerk in an hour"}};
     }
   }
   result.trajectory = std::move(attempt.sampled.trajectory);

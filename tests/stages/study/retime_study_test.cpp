@@ -32,6 +32,20 @@ TEST(RetimeStudy, RandomPathsHoldTheirLimits) {
   }
 }
 
+/// They left their range: 6442 and 7715 between samples that were too far apart for their quintics,
+/// 4998 and 15713 because the path itself did between two knots, after its end was met.
+TEST(RetimeStudy, PathsThatTouchTheirRangeStayInside) {
+  for (const std::uint64_t index : {4998u, 6442u, 7715u, 15713u}) {
+    const RandomPath random = small_path(1, index);
+    retime::RetimeOptions options;
+    options.sample_rate_hz = random.sample_rate_hz;
+    const Outcome<retime::RetimeResult> result =
+        retime::retime(random.robot, random.path, Movement{}, options);
+    ASSERT_EQ(result.refusal.reason, Reason::none) << index << ": " << result.refusal.detail;
+    EXPECT_LE(seen_limits(random.robot, result.value.trajectory).beyond, 0) << index;
+  }
+}
+
 /// Its law stood still for so long that the samples took all memory.
 TEST(RetimeStudy, NoPathTakesLongerThanAnHour) {
   const RandomPath random = small_path(3, 10613);
