@@ -80,7 +80,8 @@ void make_room(const robot::Robot& robot, const collision::Solid& target, double
 }
 
 void aim_pads(const robot::Robot& robot, const std::vector<Touch>& touches,
-              const Movement& movement, const collision::Solid& target, Goals& goals) {
+              const Movement& movement, const collision::Solid& target, double aperture_m,
+              Goals& goals) {
   if (touches.empty()) return;
   const HoldTime when = hold_time(movement);
   if (goals.pad_share.rows == 0) goals.pad_share = {goals.frames(), robot.tips.size(), 0.0};
@@ -101,7 +102,8 @@ void aim_pads(const robot::Robot& robot, const std::vector<Touch>& touches,
       if (share == 0 || (!seen(goal) && share < 1)) continue;
       goal = share < 1 ? Vec3((1 - share) * goal + share * pad) : pad;
       if (share < 1 && !in_palm) {
-        const double apart_m = std::sqrt(share) * robot.pads[touch.tip].radius;
+        const double apart_m =
+            std::sqrt(share) * robot.pads[touch.tip].radius + 4 * share * (1 - share) * aperture_m;
         goal = base_from_target * outside(target, apart_m, base_from_target.inverse() * goal);
       }
       goals.pad_share(f, touch.tip) = share;

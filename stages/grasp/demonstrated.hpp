@@ -20,11 +20,12 @@ void make_room(const robot::Robot& robot, const collision::Solid& target, double
 
 /// Goals that bring pads to where they touch: over the preshape the goal of each tip goes over from
 /// the tip where the person's was to the centre of the pad's ball beside the surface, and back
-/// after the release (closed_share()); on its way a goal stays outside the target, by the
-/// root of its share of the ball's radius: a finger comes from the side as well. The target is
-/// where it was recorded; in a hand that carries it by its palm the way from tip to pad stays what
-/// it was as it was taken.
+/// after the release (closed_share()). On its way a goal stays outside the target by
+/// sqrt(share) radius + 4 share (1 - share) aperture: a finger comes from the side as well, and the
+/// hand opens around what it is to take before it closes. The target is where it was recorded; in a
+/// hand that carries it by its palm the way from tip to pad stays what it was as it was taken.
 void aim_pads(const robot::Robot& robot, const std::vector<Touch>& touches,
-              const Movement& movement, const collision::Solid& target, Goals& goals);
+              const Movement& movement, const collision::Solid& target, double aperture_m,
+              Goals& goals);
 
 }  // namespace morphe::grasp

@@ -9,6 +9,7 @@ struct GraspOptions {
   double pad_depth_m = 0.011;    ///< from a person's fingertip (the finger's axis) to the skin
   double near_m = 0.010;         ///< skin this near to the surface touches it
   double least_share = 0.5;      ///< of a tip's seen frames in grasp and hold in which it touches
+  double aperture_m = 0.005;     ///< skin keeps this far from the object halfway to it
   bool close_fingers = true;     ///< fingers without goals are closed onto the object
   double penetration_m = 0.001;  ///< of pads into the object; takes check.contact_depth's place
   double friction = 0.8;         ///< coefficient
@@ -24,6 +25,7 @@ void fields(Fields& f, GraspOptions& o) {
   f("pad_depth", o.pad_depth_m);
   f("near", o.near_m);
   f("least_share", o.least_share);
+  f("aperture", o.aperture_m);
   f("close_fingers", o.close_fingers);
   f("penetration", o.penetration_m);
   f("friction", o.friction);

@@ -17,6 +17,7 @@ std::string why_invalid(const GraspOptions& o) {
   if (!(o.pad_depth_m >= 0)) return "pad_depth must not be negative";
   if (!(o.near_m > 0)) return "near must be above 0";
   if (!(o.least_share > 0 && o.least_share <= 1)) return "least_share must be above 0, at most 1";
+  if (!(o.aperture_m >= 0)) return "aperture must not be negative";
   if (!(o.penetration_m >= 0)) return "penetration must not be negative";
   if (!(o.friction >= 0)) return "friction must not be negative";
   if (!(o.torsion_m >= 0)) return "torsion must not be negative";

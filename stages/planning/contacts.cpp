@@ -22,7 +22,7 @@ namespace morphe::planning {
 namespace {
 
 constexpr Firmness kFirm{1000, 0.2};  ///< the path keeps clear as where it is re-solved firmly
-constexpr double kLessExact = 1000;   ///< it settles beside another: values this much less exact
+constexpr double kLessExact = 10;     ///< it settles beside another: values this much less exact
 
 /// Before its last moments of closing the hand keeps off the target where it can, though touching
 /// is allowed from the preshape on: fingers that rub along an object push it over [s].
@@ -74,7 +74,7 @@ void aim_hand(const Approaching& of, const std::vector<std::string>& given_up, A
   const std::size_t frame = frame_of_grasp(goals, when);
   grasp::aim_pads(robot, attempt.contacts.touches, attempt.plan.movement,
                   {of.target, of.world.meshes[static_cast<std::size_t>(of.world.target)].get()},
-                  goals);
+                  of.planner.config.grasp->aperture_m, goals);
   if (frame == goals.frames()) return;
   JointRows& path = attempt.plan.path.position;
   const JointVector before = path.row(static_cast<Eigen::Index>(frame)).transpose();
