@@ -29,6 +29,7 @@ Command study_command(CLI::App& app) {
     run::OutputFolder folder(arguments->out);
     study::StudyRun run;
     run.config = arguments->config;
+    run.folder = folder.path();
     run.quick = arguments->quick;
     run.jobs = threads_of(arguments->jobs);
     run.progress = [quiet = arguments->quiet](const std::string& line) {

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "pipeline/config/did_you_mean.hpp"
+#include "stages/study/grasp_options.hpp"
 #include "stages/study/hands_options.hpp"
 #include "stages/study/mapping_options.hpp"
 #include "stages/study/paper_options.hpp"
@@ -22,13 +23,14 @@ struct Entry {
   config::Schema (*schema)(const config::Meanings&, bool);
 };
 
-constexpr std::array<Entry, 6> kStudies{
+constexpr std::array<Entry, 7> kStudies{
     {{"recordings", recordings_study, config::schema_of<RecordingsStudyOptions>},
      {"paper", paper_study, config::schema_of<PaperStudyOptions>},
      {"mapping", mapping_study, config::schema_of<MappingStudyOptions>},
      {"repair", repair_study, config::schema_of<RepairStudyOptions>},
      {"retime", retime_study, config::schema_of<RetimeStudyOptions>},
-     {"hands", hands_study, config::schema_of<HandsStudyOptions>}}};
+     {"hands", hands_study, config::schema_of<HandsStudyOptions>},
+     {"grasp", grasp_study, config::schema_of<GraspStudyOptions>}}};
 
 }  // namespace
 

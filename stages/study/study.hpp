@@ -41,6 +41,8 @@ struct StudyResult {
 
 struct StudyRun {
   std::filesystem::path config;
+  std::filesystem::path
+      folder;          ///< of the results, for what a study writes as it goes on; "": none
   bool quick = false;  ///< the small version that the tests run
   int jobs = 1;
   std::function<void(const std::string&)> progress;  ///< a line about what is done
@@ -65,5 +67,8 @@ StudyResult repair_study(const config::ConfigNode& config, const StudyRun& run);
 StudyResult retime_study(const config::ConfigNode& config, const StudyRun& run);
 /// Hands alone: tips, pinches and smoothness beside what peers publish.
 StudyResult hands_study(const config::ConfigNode& config, const StudyRun& run);
+/// Grasps with contacts as goals, held against where the person touched and against plain fingertip
+/// goals. The plans go to plans/SET-HAND-VARIANT.h5 in the run's folder.
+StudyResult grasp_study(const config::ConfigNode& config, const StudyRun& run);
 
 }  // namespace morphe::study

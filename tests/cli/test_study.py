@@ -215,5 +215,74 @@ class HandsStudy(CommandCase):
         self.assertEqual(figures["Morphe", "largest step in 10 ms"]["n"], 2067)
 
 
+class GraspStudy(CommandCase):
+    """The shipped study's small version: objects of known contacts in a hand, planned both ways."""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        from support import Path, temporary_folder
+        holder = temporary_folder()
+        cls.addClassCleanup(holder.cleanup)
+        cls.out, cls.alone = Path(holder.name) / "two", Path(holder.name) / "one"
+        config = SOURCE / "configs/studies/grasp.yaml"
+        for out, jobs in ((cls.out, 2), (cls.alone, 1)):
+            result = morphe("study", config, "--quick", "--out", out, "--jobs", jobs)
+            assert result.returncode == 0, result.stderr
+        rows = json.loads((cls.out / "results.json").read_text())["rows"]
+        cls.rows = {(row["case"]["set"], row["case"]["variant"], row["metric"]): row
+                    for row in rows}
+
+    def test_contacts_are_nearer_to_the_known_ones_than_fingertips_are(self):
+        metric = "contact points from the known ones, median"
+        contacts = self.rows["synthetic", "contacts", metric]
+        self.assertEqual(contacts["n"], 6)  # thumb, index and middle finger of two grasps
+        self.assertLess(contacts["ours"], self.rows["synthetic", "fingertips", metric]["ours"])
+        self.assertTrue(contacts["holds"])
+
+    def test_pads_sink_in_by_no_more_than_a_millimetre(self):
+        for name in ("synthetic", "drinking"):
+            row = self.rows[name, "contacts", "penetration of pads, deepest"]
+            self.assertGreater(row["n"], 0)
+            self.assertTrue(row["holds"], row)
+
+    def test_contacts_of_an_inferred_cup_count_for_nothing(self):
+        metrics = {metric for name, _, metric in self.rows if name == "drinking"}
+        self.assertIn("contacts that touch", metrics)
+        self.assertNotIn("contact points from the known ones, median", metrics)
+
+    def test_a_contact_is_kept_or_given_up(self):
+        for name in ("synthetic", "drinking"):
+            asked, given_up, touch = (self.rows[name, "contacts", metric]["ours"] for metric in
+                                      ("contacts asked", "contacts given up", "contacts that touch"))
+            self.assertGreater(asked, 0)
+            self.assertLessEqual(given_up + touch, asked)
+
+    def test_the_plans_can_be_verified(self):
+        names = sorted(path.name for path in (self.out / "plans").iterdir())
+        self.assertEqual(names, sorted(f"{name}-pa10_dlr_hit2-{variant}.h5"
+                                       for name in ("synthetic", "adroit", "drinking")
+                                       for variant in ("contacts", "fingertips")))
+        for name in names:
+            with self.subTest(name):
+                printed = self.succeeds("verify", self.out / "plans" / name).stdout
+                self.assertRegex(printed, " 0 violations")
+
+    def test_the_number_of_threads_changes_no_byte(self):
+        for name in ("results.json", "results.csv", "results.h5",
+                     "plans/synthetic-pa10_dlr_hit2-contacts.h5"):
+            self.assertEqual(sha256(self.out / name), sha256(self.alone / name), name)
+
+    def test_a_baseline_with_contacts_is_none(self):
+        text = (SOURCE / "configs/studies/grasp.yaml").read_text()
+        text = text.replace("{name: fingertips}", "{name: fingertips, set: [grasp.near=0.020]}")
+        config = self.folder / "grasp.yaml"
+        config.write_text(text.replace("../pipelines", f"{SOURCE}/configs/pipelines"))
+        result = morphe("study", config, "--quick", "--out", self.folder / "out")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("`fingertips` none", result.stderr)
+        self.assertFalse((self.folder / "out").exists())
+
+
 if __name__ == "__main__":
     main()
