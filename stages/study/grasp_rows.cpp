@@ -82,12 +82,14 @@ void variant_rows(const Case& of, const std::vector<GraspPair>& pairs,
 }
 
 void contact_rows(const Case& of, const std::vector<GraspPair>& pairs, StudyResult& result) {
-  std::size_t run = 0, without = 0, asked = 0, kept = 0, touched = 0, closed = 0, closed_touch = 0;
+  std::size_t run = 0, without = 0, known = 0, asked = 0, kept = 0, touched = 0, closed = 0,
+              closed_touch = 0;
   for (const GraspPair& pair : pairs) {
     const GraspScore& score = pair.contacts;
     if (!score.runs) continue;
     ++run;
     without += score.demonstrated + score.closed == 0 ? 1 : 0;
+    known += score.errors.size();
     asked += pair.asked;
     kept += std::min(score.demonstrated, pair.asked);
     touched += score.touched;
@@ -97,6 +99,7 @@ void contact_rows(const Case& of, const std::vector<GraspPair>& pairs, StudyResu
   const auto row = [&](const char* metric, std::size_t value) {
     result.rows.push_back(row_of(of, metric, "1", static_cast<double>(value), run));
   };
+  row("contacts known", known);
   row("contacts asked", asked);
   row("contacts given up", asked - kept);
   row("contacts that touch", touched);

@@ -164,6 +164,7 @@ TEST(GraspRows, CompareWhatIsExecutableBothWays) {
   EXPECT_EQ(duration.n, 2U);
   EXPECT_EQ(duration.ours, 1.75);
   EXPECT_EQ(row("contacts over fingertips", "duration, ratio, median").ours, 1.25);
+  EXPECT_EQ(row("contacts", "contacts known").ours, 3) << "one each of those that run";
   EXPECT_EQ(row("contacts", "contacts asked").ours, 9);
   EXPECT_EQ(row("contacts", "contacts given up").ours, 3);
   EXPECT_EQ(row("contacts", "contacts that touch").ours, 6);
