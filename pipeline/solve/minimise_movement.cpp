@@ -11,10 +11,12 @@ namespace {
 using Eigen::Index;
 
 /// Half of D's share at a step bounds what a frame's own model may be wrong by. Where it did not,
-/// the damping that would have been enough; where it was far too much, less.
+/// the damping that would have been enough; where it was far too much, less. If a step that is not
+/// taken blames no frame, all are damped: the same step again would end the same.
 void adapt(const MovementPoint& from, const MovementPoint& to, bool taken, JointVector& damping) {
-  constexpr double kLeast = 1e-6, kFall = 5, kRise = 1000, kRiseIfTaken = 2;
+  constexpr double kLeast = 1e-6, kFall = 5, kRise = 1000, kRiseIfTaken = 2, kRiseOfAll = 4;
   JointVector step, bent;
+  bool any_wrong = false;
   for (Index f = 0; f < from.q.rows(); ++f) {
     const Quadratic& model = from.models[static_cast<std::size_t>(f)];
     step = (to.q.row(f) - from.q.row(f)).transpose();
@@ -25,12 +27,14 @@ void adapt(const MovementPoint& from, const MovementPoint& to, bool taken, Joint
                          step.dot(model.gradient + 0.5 * bent);
     const double enough = 2 * wrong / squared;
     if (enough > damping[f]) {
+      any_wrong = true;
       damping[f] = taken ? std::min(enough, kRiseIfTaken * damping[f])
                          : std::clamp(enough, 2 * damping[f], kRise * damping[f]);
     } else if (taken && enough < damping[f] / 4) {
       damping[f] = std::max(damping[f] / kFall, kLeast);
     }
   }
+  if (!taken && !any_wrong) damping *= kRiseOfAll;
 }
 
 void clamp(const MovementProblem& problem, JointRows& q) {
@@ -43,8 +47,9 @@ void clamp(const MovementProblem& problem, JointRows& q) {
 
 MovementMinimum minimise_movement(const MovementProblem& problem, const JointRows& start,
                                   const MovementOptions& options) {
-  constexpr int kPatience = 2;      // steps that may go uphill
-  constexpr double kFarUphill = 2;  // and how high, times the value below
+  constexpr int kPatience = 2;        // steps that may go uphill
+  constexpr double kFarUphill = 1.1;  // and how high, times the value below
+  constexpr double kFirstDamping = 10;
   constexpr double kMostDamping = 1e12;
   MovementPoint now, next, left, over;  // `left` by a step uphill to `over`
   now.q = start;
@@ -55,7 +60,7 @@ MovementMinimum minimise_movement(const MovementProblem& problem, const JointRow
   hessian.resize(problem.frames, start.cols());
   const DifferenceCurvature between = difference_curvature(problem);
   JointRows step;
-  JointVector damping = JointVector::Constant(now.q.rows(), 0.1);
+  JointVector damping = JointVector::Constant(now.q.rows(), kFirstDamping);
   int uphill = 0, small = 0;
   MovementMinimum result;
   while (result.iterations < options.iterations && small < 2 &&
