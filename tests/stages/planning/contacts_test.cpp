@@ -13,6 +13,7 @@
 namespace morphe::planning {
 namespace {
 
+using testing::AnyOf;
 using testing::HasSubstr;
 
 Plan planned_drink(const std::vector<std::string>& settings) {
@@ -38,7 +39,7 @@ TEST(Contacts, PadsTouchTheCupAndAnotherFingerCloses) {
               1e-6)
         << "inwards";
   }
-  EXPECT_EQ(plan.grasp.contacts[2].tip, "middle_tip");
+  EXPECT_THAT(plan.grasp.contacts[2].tip, AnyOf("middle_tip", "ring_tip")) << "seen by no marker";
   EXPECT_EQ(plan.grasp.contacts[2].origin, ContactOrigin::closed);
   EXPECT_THAT(plan.detail, HasSubstr("little_tip stays open"));
 }
