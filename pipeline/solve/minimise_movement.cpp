@@ -49,7 +49,7 @@ MovementMinimum minimise_movement(const MovementProblem& problem, const JointRow
                                   const MovementOptions& options) {
   constexpr int kPatience = 2;        // steps that may go uphill
   constexpr double kFarUphill = 1.1;  // and how high, times the value below
-  constexpr double kFirstDamping = 10;
+  constexpr double kFirstDamping = 3;
   constexpr double kMostDamping = 1e12;
   MovementPoint now, next, left, over;  // `left` by a step uphill to `over`
   now.q = start;
