@@ -122,11 +122,9 @@ class Forged(CommandCase):
             plan["grasp/contacts/point"][0, 0] = np.nan
         self.finds("finite", f"grasp/contacts/{tip}", none)
 
-        def shallower(plan):  # than the pads are
-            depth = -plan["grasp/contacts/gap"][()].min()
-            self.assertGreater(depth, 0)
-            plan.attrs["contact_depth"] = 0.5 * depth
-        deepest = {subject for cause, subject in self.forge(shallower) if cause == "contact"}
+        def wider(plan):  # the pads sink into the cup by 2 mm, 1 mm is allowed
+            plan["scene/cup"].attrs["size"] = plan["scene/cup"].attrs["size"] + [0.002, 0]
+        deepest = {subject for cause, subject in self.forge(wider) if cause == "contact"}
         self.assertTrue(any(subject.endswith("/penetration") for subject in deepest), deepest)
 
     def test_quality(self):
