@@ -83,8 +83,8 @@ std::string taken(const Source& source, const Plan& plan) {
   if (!finished) return "";
   std::string text;
   for (const auto& [stage, seconds] : finished->summary.stage_seconds) {
-    if (seconds < 0.05) continue;
-    text += fmt::format("{}{} {:.1f} s", text.empty() ? "" : ", ", stage, seconds);
+    if (seconds < 0.001) continue;
+    text += fmt::format("{}{} {:.0f} ms", text.empty() ? "" : ", ", stage, 1e3 * seconds);
   }
   return text.empty() ? "" : fmt::format("  {:<13} {} (its whole recording)\n", "took", text);
 }
