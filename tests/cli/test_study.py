@@ -7,7 +7,8 @@ import xml.etree.ElementTree as ElementTree
 import h5py
 import numpy as np
 
-from support import SOURCE, CommandCase, json, line_of, main, morphe, replace, sha256
+from support import (SOURCE, CommandCase, Path, json, line_of, main, morphe, replace, sha256,
+                     temporary_folder)
 
 RECORDINGS = SOURCE / "configs/studies/recordings.yaml"
 SMALL = """\
@@ -20,19 +21,25 @@ synthetic:
 """
 
 
+def run_twice(case, config):
+    """The small version with two threads in case.out, and with one in case.alone."""
+    holder = temporary_folder()
+    case.addClassCleanup(holder.cleanup)
+    case.out, case.alone = Path(holder.name) / "two", Path(holder.name) / "one"
+    results = []
+    for out, jobs in ((case.out, 2), (case.alone, 1)):
+        results.append(morphe("study", config, "--quick", "--out", out, "--jobs", jobs))
+        assert results[-1].returncode == 0, results[-1].stderr
+    return results
+
+
 class ShippedStudy(CommandCase):
     """One run for all that is asked of it: it takes seconds."""
 
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        from support import Path, temporary_folder
-        holder = temporary_folder()
-        cls.addClassCleanup(holder.cleanup)
-        cls.out, cls.alone = Path(holder.name) / "two", Path(holder.name) / "one"
-        cls.result = morphe("study", RECORDINGS, "--quick", "--out", cls.out, "--jobs", 2)
-        cls.other = morphe("study", RECORDINGS, "--quick", "--out", cls.alone, "--jobs", 1)
-        assert cls.result.returncode == 0, cls.result.stderr
+        cls.result, cls.other = run_twice(cls, RECORDINGS)
         cls.rows = json.loads((cls.out / "results.json").read_text())["rows"]
 
     def test_every_figure_is_within_what_is_wanted(self):
@@ -221,14 +228,7 @@ class GraspStudy(CommandCase):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        from support import Path, temporary_folder
-        holder = temporary_folder()
-        cls.addClassCleanup(holder.cleanup)
-        cls.out, cls.alone = Path(holder.name) / "two", Path(holder.name) / "one"
-        config = SOURCE / "configs/studies/grasp.yaml"
-        for out, jobs in ((cls.out, 2), (cls.alone, 1)):
-            result = morphe("study", config, "--quick", "--out", out, "--jobs", jobs)
-            assert result.returncode == 0, result.stderr
+        run_twice(cls, SOURCE / "configs/studies/grasp.yaml")
         rows = json.loads((cls.out / "results.json").read_text())["rows"]
         cls.rows = {(row["case"]["set"], row["case"]["variant"], row["metric"]): row
                     for row in rows}
