@@ -248,7 +248,7 @@ table("tips_elsewhere", _tip)
 
 # Tolerances and config
 
-for _name in ("margin", "contact_depth", "tracking_grasp", "tracking", "out_of_reach_share", "farthest_tip"):
+for _name in ("margin", "contact_depth", "link_depth", "tracking_grasp", "tracking", "out_of_reach_share", "farthest_tip"):
     def _forge(f, name=_name):
         need(name in f.plan.attrs)
         f.plan.attrs[name] = f.plan.attrs[name] * (1 + f.sign * min(0.9, 1e-3 * f.size))

@@ -243,10 +243,11 @@ def check_contacts(robot, plan, motion, phases, stored, report, substeps=SUBSTEP
     halves = [np.linalg.norm(b - a, axis=1) / 2 for a, b in ends]
     window = touch_times(phases, time)
     margin, depth, least = plan.attrs["margin"], plan.attrs["contact_depth"], np.inf
+    pads, of_links = {capsule for capsule, _ in robot.pads()}, plan.attrs.get("link_depth", depth)
     sampled = np.arange(len(time)) % substeps == 0
     own = np.full(len(time), np.inf)  # clearance of each instant; exact up to what is stored at samples
     told = np.where(np.isfinite(stored), stored + BETWEEN, np.inf)
-    def judge(cause, subject, bound, exact, touching):
+    def judge(cause, subject, bound, exact, touching, depth=0):
         nonlocal least
         required = np.where(touching, -depth, margin)
         wanted = np.maximum(required, least)
@@ -281,7 +282,7 @@ def check_contacts(robot, plan, motion, phases, stored, report, substeps=SUBSTEP
             judge("object", robot.capsule_names[i] + "/" + name,
                   outside((a + b) / 2) - halves[i] - radius,
                   lambda near: exact(a[near], b[near]) - radius,
-                  window & target & bool(caps["may_touch_target"][i]))
+                  window & target & bool(caps["may_touch_target"][i]), depth if i in pads else of_links)
     here = np.where(np.isinf(own[sampled]), np.nan, own[sampled])
     good = (np.abs(stored - here) <= BETWEEN) | (np.isnan(stored) & np.isnan(here))
     report.add_runs("clearance", "trajectory", ~good, np.abs(stored - here),

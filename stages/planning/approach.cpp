@@ -7,6 +7,7 @@
 #include "pipeline/math/seed.hpp"
 #include "stages/certify/certify.hpp"
 #include "stages/planning/planner.hpp"
+#include "stages/repair/ladder.hpp"
 #include "stages/repair/transfer.hpp"
 
 namespace morphe::planning {
@@ -51,8 +52,7 @@ std::string no_way(const collision::CollisionWorld& world, const JointVector& fr
                        collision::first_name(world, pair), collision::second_name(world, pair),
                        -pair.slack());
   }
-  return fmt::format("no free path in {} attempts of {} iterations", repair.attempts,
-                     repair.iterations);
+  return repair::no_free_path(repair);
 }
 
 /// Back the way it came: the plan's own motion and then its approach, last sample first.

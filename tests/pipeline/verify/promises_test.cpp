@@ -244,13 +244,14 @@ TEST(VerifyPromises, FindsWhatWasNotAskedFor) {
   EXPECT_EQ(causes_in(planar::plan(), &finer), Causes{"config goals"});
 }
 
-TEST(VerifyPromises, ContactsMayBeGivenUpWithTheirDepth) {
+TEST(VerifyPromises, FindsALinkDepthThatIsNotTheConfigs) {
   Asked wanted = asked();
-  wanted.contact_depth = 0.001;
-  EXPECT_EQ(causes_in(planar::plan(), &wanted), Causes());
+  wanted.tolerances.link_depth = 0.0;
+  EXPECT_EQ(causes_in(planar::plan(), &wanted), Causes{"config link_depth"});
   Plan plan = planar::plan();
-  plan.goals.pad_share = {plan.goals.frames(), 2, 0.0};
-  EXPECT_EQ(causes_in(plan, &wanted), Causes{"config contact_depth"});
+  plan.tolerances.link_depth = 0.002;
+  const Asked without = asked();
+  EXPECT_EQ(causes_in(plan, &without), Causes{"config link_depth"});
 }
 
 TEST(VerifyPromises, FindsAnApproachThatIsMissingOrDoesNotBeginAtHome) {

@@ -131,6 +131,37 @@ TEST(AimPads, KeepGoalsOutsideTheTargetByTheApertureOnTheirWay) {
   }
 }
 
+TEST(MovedTo, TouchesTheNearestPointOfTheSurface) {
+  const HeldCylinder held;
+  Touch touch = held.touches()[1];
+  touch = moved_to(reference(), held.target, {0.05, 0, 0.02}, touch);
+  EXPECT_EQ(touch.tip, 1U);
+  EXPECT_LT((touch.point - Vec3(0.03, 0, 0.02)).norm(), 1e-12);
+  EXPECT_LT((touch.normal - Vec3(-1, 0, 0)).norm(), 1e-12);
+  EXPECT_LT((touch.centre - Vec3(0.041, 0, 0.02)).norm(), 1e-12) << "a radius outside";
+}
+
+TEST(KeepOutside, TakesGoalsAsFarOutAsThePadIsThickAndLeavesOthers) {
+  HeldCylinder held;
+  for (std::size_t f = 0; f < held.goals.frames(); ++f) {
+    held.goals.tip_position(f, 0) = held.in_base({-0.028, 0, 0.01});  // 2 mm inside
+  }
+  const Goals before = held.goals;
+  keep_outside(reference(), {0, 2, 3}, held.movement, held.target, held.goals);
+  for (std::size_t f = 0; f < before.frames(); ++f) {
+    const double share = closed_share(hold_time(held.movement), before.time[f]);
+    const Vec3 at = held.turn.inverse() * (held.goals.tip_position(f, 0) - held.place);
+    if (share > 0) {
+      EXPECT_NEAR(at.x(), -0.03 - std::sqrt(share) * 0.011, 1e-9) << before.time[f];
+    } else {
+      EXPECT_EQ(held.goals.tip_position(f, 0), before.tip_position(f, 0));
+    }
+    EXPECT_EQ(held.goals.tip_position(f, 1), before.tip_position(f, 1)) << "not asked for";
+    EXPECT_EQ(held.goals.tip_position(f, 2), before.tip_position(f, 2)) << "outside already";
+    EXPECT_FALSE(seen(held.goals.tip_position(f, 3))) << "never seen";
+  }
+}
+
 TEST(ClosedShare, FallsAgainAfterTheRelease) {
   Movement movement;
   movement.end_s = 5;
