@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "pipeline/robot/files/description.hpp"
+#include "tests/pipeline/collision/meshes.hpp"
 
 namespace morphe::grasp {
 namespace {
@@ -77,6 +78,52 @@ TEST(DemonstratedTouches, NeedTheSkinToBeNearForHalfOfTheTime) {
   held.options.near_m = 0.013;
   ASSERT_EQ(held.touches().size(), 2U);
   EXPECT_LT(held.touches()[0].confidence, 0.9);
+}
+
+/// What a person touches who holds that shape where the cylinder was.
+std::vector<Touch> touches_of(HeldCylinder held, const SceneObject& shape,
+                              const collision::MeshSolid* mesh) {
+  SceneObject target = shape;
+  target.time = held.target.time;
+  target.position = held.target.position;
+  target.orientation = held.target.orientation;
+  return demonstrated_touches(reference(), held.goals, held.movement, {target, mesh}, held.options);
+}
+
+TEST(DemonstratedTouches, OfAMeshAreThoseOfTheBoxThatItIs) {
+  const HeldCylinder held;
+  SceneObject box;
+  box.name = "cup";
+  box.shape = Shape::box;
+  box.size = {0.06, 0.06, 0.1};
+  const collision::MeshObject mesh = collision::box_mesh({0.06, 0.06, 0.1});
+  const std::vector<Touch> of_box = touches_of(held, box, nullptr),
+                           of_mesh = touches_of(held, mesh, mesh.solid.get());
+  ASSERT_EQ(of_box.size(), 2U);
+  ASSERT_EQ(of_mesh.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(of_mesh[i].tip, of_box[i].tip);
+    EXPECT_LT((of_mesh[i].point - of_box[i].point).norm(), 1e-12);
+    EXPECT_LT((of_mesh[i].normal - of_box[i].normal).norm(), 1e-12);
+    EXPECT_LT((of_mesh[i].centre - of_box[i].centre).norm(), 1e-12);
+    EXPECT_NEAR(of_mesh[i].confidence, of_box[i].confidence, 1e-9);
+  }
+}
+
+TEST(DemonstratedTouches, OfARingAreOnItsTubeWhereTheSkinIs) {
+  HeldCylinder held;  // a ring about z: the thumb inside of it, the index outside
+  const double ring = 0.045, tube = 0.01;
+  for (std::size_t f = 100; f < held.goals.frames(); ++f) {
+    held.goals.tip_position(f, 0) = held.in_base({-(ring - tube - 0.011), 0, 0});
+    held.goals.tip_position(f, 1) = held.in_base({0, ring + tube + 0.011, 0});
+  }
+  const collision::MeshObject mesh = collision::torus_mesh(ring, tube, 96, 48);
+  const std::vector<Touch> touches = touches_of(held, mesh, mesh.solid.get());
+  ASSERT_EQ(touches.size(), 3U) << "the middle finger beside them, 60 mm from the middle";
+  EXPECT_LT((touches[0].point - Vec3(-(ring - tube), 0, 0)).norm(), 5e-4);
+  EXPECT_LT((touches[0].normal - Vec3(-1, 0, 0)).norm(), 0.1) << "into the tube, outwards";
+  EXPECT_LT((touches[1].point - Vec3(0, ring + tube, 0)).norm(), 1e-4);
+  EXPECT_LT((touches[1].normal - Vec3(0, -1, 0)).norm(), 0.1);
 }
 
 TEST(MakeRoom, MovesPadsApartAlongTheSurfaceAndNoFurther) {
