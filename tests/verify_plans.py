@@ -17,6 +17,7 @@ from verify_promises import check_promises, check_transfer
 
 POINTS, SUBSTEPS = np.linspace(0, 1, 33), 4  # of each quintic: for the limits, for contacts and tips
 RELATIVE, REST, DISTANCE = 1e-6, 1e-9, 1e-6  # of a limit; rad/s and rad/s^2; m
+TRANSFER_END = 1e-6  # rad or m that an approach or a retreat may be off the trajectory where they meet
 COVERAGE = 1e-6  # s of the goals' time that may be left out at an end
 BETWEEN = 1e-4  # m that a tip may be farther from its goal between samples; of a sample's clearance
 DERIVATIVES = ("position", "velocity", "acceleration")
@@ -370,8 +371,8 @@ def check_plan(robot, path, plan):
     for name, end, meets in (("approach", -1, motion["position"][0]), ("retreat", 0, motion["position"][-1])):
         transfer = Report(path + "/" + name)
         if name in plan and (way := read_motion(robot, plan[name], transfer)):
-            if not (gap := np.abs(way["position"][end] - meets).max()) <= 1e-4:
-                transfer.add("structure", name, gap, 1e-4)
+            if not (gap := np.abs(way["position"][end] - meets).max()) <= TRANSFER_END:
+                transfer.add("structure", name, gap, TRANSFER_END)
             check_limits(robot, way, transfer)
             check_contacts(robot, plan, way, phases, plan[name]["clearance"][()], transfer)
             check_transfer(plan, name, transfer)
