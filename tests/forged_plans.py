@@ -593,7 +593,7 @@ def an_approach_that_begins_elsewhere(f):
 
 @lie("approach and retreat")
 def an_approach_off_the_plan(f):
-    f.plan[transfer(f)]["position"][..., f.joint()] += f.sign * 2e-3 * f.size
+    f.plan[transfer(f)]["position"][..., f.joint()] += f.sign * 1e-6 * f.size
 
 @lie("approach and retreat")
 def a_clock_inside_of_the_grasp(f):

@@ -278,6 +278,9 @@ TEST(VerifyPromises, FindsAnApproachThatIsMissingOrDoesNotBeginAtHome) {
   plan.retreat = {};
   wanted.home->posture = planar::position_at(0);
   EXPECT_EQ(causes_in(plan, &wanted), Causes());
+  // It stands aside, by less than could pass once: neither at home nor where the trajectory begins.
+  plan.approach.position.col(0).array() += 1e-5;
+  EXPECT_EQ(causes_in(plan, &wanted), (Causes{"structure approach", "transfer home"}));
 }
 
 TEST(VerifyPromises, FindsAnObstacleOfTheConfigThatIsMissingOrElsewhere) {
