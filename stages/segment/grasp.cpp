@@ -64,7 +64,6 @@ void end_at_object(const HandSignals& signals, const std::vector<Contact>& conta
   std::size_t first = last;
   while (first > 0 && contact->distance[first - 1] <= kAtSurface) --first;
   grasp.end_s = moved.begin_s;
-  if (first == last) return;
   const double there_s = signals.time(static_cast<double>(first));
   grasp.begin_s =
       std::clamp(there_s, grasp.begin_s, std::max(grasp.begin_s, grasp.end_s - least_s));
