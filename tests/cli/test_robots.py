@@ -59,13 +59,10 @@ class Robots(CommandCase):
                 self.assertLess(math.degrees(angles[len(angles) // 2]), 22, name)
 
     def test_the_door_recordings_on_other_robots(self):
-        # Around the handle four fingers of the Allegro, twice as thick as a person's, are farther than
-        # 12 mm from where the five were.
-        for name, least in (("ur5e_shadow", 5), ("iiwa14_allegro", 1)):
+        for name in ("ur5e_shadow", "iiwa14_allegro"):
             out = self.folder / name
             report = self.json_of("run", SOURCE / f"configs/pipelines/{name}_adroit.yaml", "--out", out)
-            self.assertGreaterEqual(report["executable"], least, name)
-            self.assertLessEqual(set(report["reasons"]), {"tracking", "goal_in_collision"}, name)
+            self.assertGreaterEqual(report["executable"], 4, name)
             self.succeeds("verify", out / "plans.h5")
 
     def test_what_is_wrong_is_said_with_its_entry(self):
