@@ -30,7 +30,7 @@ constexpr double kLessExact = 10;     ///< it settles beside another: values thi
 constexpr double kClosing_s = 0.3;
 
 /// A pad that does not come to where it is to touch, touches where it comes instead, if that is no
-/// farther along the surface: that it touches matters more than where.
+/// farther from where it was to touch at first: that it touches matters more than where.
 constexpr double kFarthestMove_m = 0.015;
 constexpr int kMoves = 3;
 
@@ -51,7 +51,7 @@ struct Wanted {
   std::vector<grasp::Touch> touches;
   std::vector<std::string> given_up;      ///< tips that do not touch any more
   std::vector<std::size_t> kept_outside;  ///< tips whose goals are kept out of the target
-  std::string moved;                      ///< a sentence if contacts were
+  std::vector<std::string> moved;         ///< tips that touch beside where they were to at first
   int moves = 0;
 };
 
@@ -169,8 +169,9 @@ Attempt try_out(const Approaching& of, const Wanted& wanted, const Plan& by_tips
 }
 
 /// Lets tips that nothing but tracking keeps from their touches touch where their pads are in the
-/// grasp; false if there are none.
-bool move_touches(const Approaching& of, const Attempt& attempt, Wanted& wanted) {
+/// grasp; false if there are none. `first`: where they were to touch at first.
+bool move_touches(const Approaching& of, const Attempt& attempt,
+                  const std::vector<grasp::Touch>& first, Wanted& wanted) {
   const Plan& plan = attempt.plan;
   const robot::Robot& robot = of.planner.robot;
   const std::size_t frame = frame_of_grasp(plan.goals, grasp::hold_time(plan.movement));
@@ -180,21 +181,20 @@ bool move_touches(const Approaching& of, const Attempt& attempt, Wanted& wanted)
   robot::forward(robot, plan.path.position.row(static_cast<Eigen::Index>(frame)).transpose(),
                  base_from_frame);
   const Pose target_from_base = recorded_pose(of.target, plan.goals.time[frame]).inverse();
-  std::vector<std::string> moved;
+  bool any = false;
   for (grasp::Touch& touch : wanted.touches) {
     const std::string& tip = robot.tips[touch.tip].name;
     if (std::ranges::find(plan.remaining, tip, &Finding::first) == plan.remaining.end()) continue;
     const Vec3 pad = robot::goal_point(robot, base_from_frame, touch.tip, 1);
     const grasp::Touch there = grasp::moved_to(robot, of.solid(), target_from_base * pad, touch);
-    if ((there.point - touch.point).norm() > kFarthestMove_m) continue;
-    moved.push_back(tip);
+    const auto at_first = std::ranges::find(first, touch.tip, &grasp::Touch::tip);
+    if ((there.point - at_first->point).norm() > kFarthestMove_m) continue;
+    if (std::ranges::find(wanted.moved, tip) == wanted.moved.end()) wanted.moved.push_back(tip);
     touch = there;
+    any = true;
   }
-  if (moved.empty()) return false;
-  ++wanted.moves;
-  wanted.moved =
-      fmt::format("contact of {} moved along {}", fmt::join(moved, ", "), of.target.name);
-  return true;
+  if (any) ++wanted.moves;
+  return any;
 }
 
 /// Keeps the goals of tips outside that are in the way though they are not to touch; false if there
@@ -224,6 +224,8 @@ bool give_up(const robot::Robot& robot, const Attempt& attempt, Wanted& wanted) 
   std::erase_if(wanted.touches, [&](const grasp::Touch& touch) {
     return std::ranges::find(tips, robot.tips[touch.tip].name) != tips.end();
   });
+  std::erase_if(wanted.moved,
+                [&](const std::string& tip) { return std::ranges::find(tips, tip) != tips.end(); });
   std::ranges::copy(tips, std::back_inserter(wanted.given_up));
   return !tips.empty();
 }
@@ -262,27 +264,31 @@ Refusal touch_target(const Planner& planner, const collision::CollisionWorld& wo
     if (plan.remaining.empty()) return {};
   }
   Wanted wanted;
-  wanted.touches = std::move(contacts.touches);
-  const bool any = !wanted.touches.empty();
+  wanted.touches = contacts.touches;
+  const std::vector<grasp::Touch> first = std::move(contacts.touches);
   Refusal why;
   while (true) {
     Attempt attempt = try_out(of, wanted, plan);
     if (!attempt.refusal) {
       std::ranges::move(attempt.contacts.notes, std::back_inserter(contacts.notes));
-      if (!wanted.moved.empty()) contacts.notes.push_back(wanted.moved);
-      if (!wanted.given_up.empty())
+      if (!wanted.moved.empty()) {
+        contacts.notes.push_back(fmt::format("contact of {} moved along {}",
+                                             fmt::join(wanted.moved, ", "), target.name));
+      }
+      if (!wanted.given_up.empty()) {
         contacts.notes.push_back(given_up_sentence(wanted.given_up, why));
+      }
       contacts.touches = std::move(attempt.contacts.touches);
       plan = std::move(attempt.plan);
       return {};
     }
     if (!why) why = attempt.refusal;
-    if (move_touches(of, attempt, wanted)) continue;
+    if (move_touches(of, attempt, first, wanted)) continue;
     const bool another = keep_more_outside(planner.robot, attempt, wanted) ||
                          give_up(planner.robot, attempt, wanted);
-    if (another && (!any || !wanted.touches.empty())) continue;
+    if (another && (first.empty() || !wanted.touches.empty())) continue;
     contacts = {{}, {given_up_sentence({}, why)}};
-    if (any) return why;
+    if (!first.empty()) return why;
     plan = std::move(attempt.plan);
     return {attempt.refusal.reason,
             fmt::format("{}; the tips' goals lie deeper in {} than pads and links may sink",

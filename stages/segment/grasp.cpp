@@ -7,7 +7,8 @@ namespace morphe::segment {
 namespace {
 
 constexpr double kLonelyGrasp_s = 0.3;
-constexpr double kClosing_s = 0.1;  ///< the hand may close this much after it has arrived
+constexpr double kClosing_s = 0.1;        ///< the hand may close this much after it has arrived
+constexpr double kFartherThanObject = 2;  ///< the wrist goes, of the way of what it has taken
 
 const ObjectMotion* first_motion(const std::vector<ObjectMotion>& motions,
                                  const HandSignals& signals, const std::vector<Bout>& bouts) {
@@ -42,6 +43,25 @@ bool goes_on_reaching(const HandSignals& signals, const SegmentOptions& options,
   const Vec3 way = reach.to - reach.from;
   return *widest - *at(bout.begin_s) < 0.5 * closed && wrist.dot(way) > 0 &&
          wrist.norm() > kWithWrist * (bout.to - bout.from).norm();
+}
+
+/// When the hand that sets out at `out_s` has what it moves: from there on the wrist goes no
+/// farther than kFartherThanObject times as far as the object until that is seen to move. A hand
+/// that pauses before it arrives goes farther.
+double has_taken(const HandSignals& signals, const ObjectMotion& motion, double object_way,
+                 double out_s) {
+  const std::size_t seen = signals.frame(motion.begin_s);
+  const double way = kFartherThanObject * object_way;
+  double nearer = 0;
+  for (std::size_t i = seen; i > 0 && signals.time(static_cast<double>(i)) > out_s; --i) {
+    const double farther = (signals.wrist[i - 1] - signals.wrist[seen]).norm();
+    if (farther > way) {
+      const double share = (farther - way) / (farther - nearer);
+      return std::max(out_s, signals.time(static_cast<double>(i - 1) + share));
+    }
+    nearer = farther;
+  }
+  return out_s;
 }
 
 void last_at_least(double least_s, double from_s, double to_s, GraspTimes& grasp) {
@@ -94,6 +114,12 @@ GraspTimes find_grasp(const HandSignals& signals, const SegmentOptions& options,
   } else {
     grasp.end_s = bouts[next].begin_s;
     grasp.end_confidence = bouts[next].begin_confidence;
+  }
+  if (moved && !alone && options.until_taken) {
+    const double later_s =
+        has_taken(signals, *moved, options.object_motion, grasp.end_s) - grasp.end_s;
+    grasp.begin_s += later_s;
+    grasp.end_s += later_s;
   }
   const double begin_s = bouts.front().begin_s;
   grasp.opening = opening_in(signals, options, begin_s, grasp.begin_s, grasp.end_s);

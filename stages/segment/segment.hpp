@@ -28,7 +28,9 @@ struct SegmentOptions {
   double least_grasp = 0.06;  ///< length of a grasp without a pause, around the slowest point [s]
   double object_motion = 0.005;  ///< a recorded object that went this far is being moved [m]
   double touch_hold = 0.1;  ///< how much of the hold after a reach without a grasp is planned [s]
-  bool whole = false;       ///< the recording is one movement without phases, whatever moves in it
+  bool until_taken =
+      false;           ///< a hand that pauses before it has what it moves grasps where it has it
+  bool whole = false;  ///< the recording is one movement without phases, whatever moves in it
   PhaseKind plan_until = PhaseKind::grasp;  ///< grasp, transport or return: the last phase planned
 };
 template <class Fields>
@@ -46,6 +48,7 @@ void fields(Fields& f, SegmentOptions& o) {
   f("least_grasp", o.least_grasp);
   f("object_motion", o.object_motion);
   f("touch_hold", o.touch_hold);
+  f("until_taken", o.until_taken);
   f("whole", o.whole);
   f("plan_until", o.plan_until);
 }

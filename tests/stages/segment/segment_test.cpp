@@ -221,6 +221,45 @@ TEST(Segment, ARecordedObjectThatMovesMarksTheTransport) {
   EXPECT_NEAR(phase(movements[0], PhaseKind::grasp).end_s, 1.9 + rise_s(0.05, 0.9), 0.01);
 }
 
+TEST(Segment, AHandThatPausesBeforeItHasTheObjectGraspsWhereItHasIt) {
+  SyntheticHand hand = drinking_hand();
+  const SyntheticHand::Stroke& lift = hand.strokes[1];
+  const auto gone_m = [&](double t) {
+    return SyntheticHand::progress((t - lift.begin_s) / lift.length_s) * lift.by.norm();
+  };
+  for (double before_m = 0; before_m < 0.06; before_m += 0.002) {  // it has gone on by so much
+    SceneObject box;
+    box.name = "box";
+    for (int i = 0; i <= 500; ++i) {
+      const double t = 0.01 * i;
+      box.time.push_back(t);
+      box.position.push_back(Vec3(0.23, 0.35, 0.08) +
+                             std::max(0.0, gone_m(t) - before_m) * lift.by.normalized());
+      box.orientation.push_back(Quat::Identity());
+    }
+    SegmentOptions options;
+    const double set_out_s =
+        phase(segment(hand.motion(), options, {box}).at(0), PhaseKind::grasp).end_s;
+    EXPECT_NEAR(set_out_s, 1.9 + rise_s(0.05, 0.9), 0.01);
+    options.until_taken = true;
+    const Movement movement = segment(hand.motion(), options, {box}).at(0);
+    expect_in_order(movement);
+    // The object is seen to move within a frame after it has gone object_motion; the hand, which
+    // has it as it has gone before_m, is then twice object_motion farther than at the grasp's end.
+    const double seen_s = [&] {
+      double t = lift.begin_s;
+      while (gone_m(t) < before_m + options.object_motion) t += 0.01;
+      return t;
+    }();
+    const double taken_s = phase(movement, PhaseKind::grasp).end_s;
+    if (taken_s > set_out_s + 1e-9) {
+      EXPECT_NEAR(gone_m(seen_s) - gone_m(taken_s), 2 * options.object_motion, 2e-4) << before_m;
+    } else {
+      EXPECT_LT(gone_m(seen_s) - gone_m(set_out_s), 2 * options.object_motion) << before_m;
+    }
+  }
+}
+
 TEST(Segment, PhasesKeepTheirOrderWhereverTheObjectMoves) {
   for (double lift_s = 1.0; lift_s < 4.5; lift_s += 0.03) {
     SceneObject box;
