@@ -119,7 +119,8 @@ void aim_hand(const Approaching& of, const std::vector<std::string>& given_up, A
   }
 }
 
-/// The path settled beside where it is, from where the hand begins to shape.
+/// The path settled beside where it is. All of it: where the hand shapes late, the wrist begins to
+/// turn before.
 JointRows settled(const Approaching& of, const Attempt& attempt) {
   const Plan& plan = attempt.plan;
   const grasp::HoldTime when = grasp::hold_time(plan.movement);
@@ -129,7 +130,8 @@ JointRows settled(const Approaching& of, const Attempt& attempt) {
   options.movement.relative_value *= kLessExact;
   const map::MappingProblem problem =
       as_firm(problem_of({of.planner, keeping_off, of.target, of.seed}, attempt), kFirm);
-  return map::resolve_between(problem, plan.path, when.open_s, plan.movement.end_s, options)
+  return map::resolve_between(problem, plan.path, plan.movement.begin_s, plan.movement.end_s,
+                              options)
       .position;
 }
 
