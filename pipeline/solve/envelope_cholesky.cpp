@@ -46,7 +46,9 @@ bool EnvelopeCholesky::factorise(const Eigen::MatrixXd& hessian, double damping,
     const double own = hessian(variable, variable) + damping;
     const double pivot = own - Eigen::Map<const JointVector>(row + begin, i - begin).squaredNorm();
     if (!(pivot > 1e-14 * std::abs(own))) {
-      missing = std::max(-pivot, 1e-12 * std::abs(own)) / squared_length_at(i);
+      const double squared = squared_length_at(i);
+      missing = std::max(-pivot, 1e-12 * std::abs(own)) / squared;
+      curvature = pivot / squared;
       return false;
     }
     inverse_pivot[i] = 1 / std::sqrt(pivot);

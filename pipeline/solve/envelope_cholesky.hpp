@@ -13,7 +13,9 @@ namespace morphe::solve {
 /// positive definite H will do; a full one costs n³/6. No allocation after the first call.
 class EnvelopeCholesky {
  public:
-  double missing = 0;  ///< where factorise failed: at least so much more damping is needed
+  double missing = 0;     ///< where factorise failed: at least so much more damping is needed
+  JointVector direction;  ///< and along this, the last variable first,
+  double curvature = 0;   ///< H + damping I is so curved
 
   /// False if a pivot is not clearly positive: then nothing can be solved. Of H the lower triangle
   /// is read.
@@ -26,7 +28,7 @@ class EnvelopeCholesky {
 
   JointRows rows;                   ///< L, the last variable first
   std::vector<Eigen::Index> first;  ///< of each row
-  JointVector inverse_pivot, direction;
+  JointVector inverse_pivot;
 };
 
 }  // namespace morphe::solve
