@@ -248,7 +248,7 @@ table("tips_elsewhere", _tip)
 
 # Tolerances and config
 
-for _name in ("margin", "contact_depth", "tracking_grasp", "tracking", "out_of_reach_share", "farthest_tip"):
+for _name in ("margin", "contact_depth", "link_depth", "tracking_grasp", "tracking", "out_of_reach_share", "farthest_tip"):
     def _forge(f, name=_name):
         need(name in f.plan.attrs)
         f.plan.attrs[name] = f.plan.attrs[name] * (1 + f.sign * min(0.9, 1e-3 * f.size))
@@ -593,7 +593,7 @@ def an_approach_that_begins_elsewhere(f):
 
 @lie("approach and retreat")
 def an_approach_off_the_plan(f):
-    f.plan[transfer(f)]["position"][..., f.joint()] += f.sign * 2e-3 * f.size
+    f.plan[transfer(f)]["position"][..., f.joint()] += f.sign * 1e-6 * f.size
 
 @lie("approach and retreat")
 def a_clock_inside_of_the_grasp(f):

@@ -18,7 +18,7 @@ PairSeparation MotionPairs::pair_of(std::size_t number) const {
   pair.object = true;
   pair.capsule = static_cast<int>(k / objects());
   pair.other = static_cast<int>(k % objects());
-  if (touches(pair)) pair.required = -world.tolerances.contact_depth;
+  if (touches(pair)) pair.required = -touch_depth_m(world, pair.capsule);
   return pair;
 }
 

@@ -100,8 +100,14 @@ bool may_touch(const CollisionWorld& world, int capsule, int object, double time
          world.robot->capsules[static_cast<std::size_t>(capsule)].may_touch_target;
 }
 
+double touch_depth_m(const CollisionWorld& world, int capsule) {
+  const Tolerances& allowed = world.tolerances;
+  return robot::is_pad(*world.robot, capsule) ? allowed.contact_depth
+                                              : allowed.link_depth.value_or(allowed.contact_depth);
+}
+
 double required_m(const CollisionWorld& world, int capsule, int object, double time_s) {
-  return may_touch(world, capsule, object, time_s) ? -world.tolerances.contact_depth
+  return may_touch(world, capsule, object, time_s) ? -touch_depth_m(world, capsule)
                                                    : world.tolerances.margin;
 }
 

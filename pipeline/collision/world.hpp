@@ -24,9 +24,10 @@ struct CarriedTarget {
 
 /// What must stay apart in one movement, everything in the robot's base frame. Robot and scene must
 /// outlive it. All pairs of capsules but the allowed ones, and every capsule against every object.
-/// A capsule that may touch the target may sink `contact_depth` into it while touching is allowed
-/// (preshape to release, borders included). Objects are where they were recorded, the target in the
-/// hand too unless carry_target() told where the hand took hold of it.
+/// A capsule that may touch the target may sink `contact_depth` into it (one that is no pad:
+/// `link_depth`, if that is given) while touching is allowed (preshape to release, borders
+/// included). Objects are where they were recorded, the target in the hand too unless
+/// carry_target() told where the hand took hold of it.
 struct CollisionWorld {
   const robot::Robot* robot = nullptr;
   const Scene* scene = nullptr;
@@ -64,7 +65,7 @@ struct PairSeparation {
   int other = 0;  ///< capsule, or object if `object`
   bool object = false;
   Separation separation;
-  double required = 0;  ///< the margin, or -contact_depth where touching is allowed [m]
+  double required = 0;  ///< required_m() [m]
   double slack() const { return separation.distance - required; }
 };
 
@@ -91,7 +92,9 @@ struct CollisionScratch {
 
 /// Whether a capsule may touch an object at a demonstration time.
 bool may_touch(const CollisionWorld& world, int capsule, int object, double time_s);
-/// How far the two must stay apart then: the margin, or -contact_depth where touching is allowed.
+/// How deep a capsule that may touch the target may sink into it [m].
+double touch_depth_m(const CollisionWorld& world, int capsule);
+/// How far the two must stay apart then: the margin, or -touch_depth_m where touching is allowed.
 double required_m(const CollisionWorld& world, int capsule, int object, double time_s);
 
 /// Fills the scratch with all bodies at joint position q and demonstration time t.

@@ -16,12 +16,12 @@
 namespace morphe::files {
 namespace {
 
-#if defined(__has_feature)  // clang
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define MORPHE_SANITIZED
+#elif defined(__has_feature)  // clang; other headers define it for g++, too
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
 #define MORPHE_SANITIZED
 #endif
-#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define MORPHE_SANITIZED
 #endif
 
 #if defined(__x86_64__)
@@ -46,6 +46,9 @@ constexpr long kReading[] = {
     SYS_rt_sigprocmask, SYS_rt_sigreturn, SYS_restart_syscall, SYS_exit,        SYS_exit_group,
 #ifdef SYS_stat
     SYS_stat,           SYS_lstat,        SYS_access,
+#endif
+#ifdef MORPHE_SANITIZED
+    SYS_sigaltstack,  // asked for before whatever does not return
 #endif
 };
 

@@ -14,10 +14,9 @@ namespace morphe {
 struct Asked {
   RobotTable robot;  ///< as the stored inputs describe it
   std::string config_sha256;
-  Tolerances tolerances;                ///< of plans without contacts
-  std::optional<double> contact_depth;  ///< of plans with contacts; none: these are not asked for
-  double goal_step_s = 0.01;            ///< between the frames of the goals
-  double limit_share = 1;               ///< of velocity, acceleration and jerk that a motion uses
+  Tolerances tolerances;
+  double goal_step_s = 0.01;  ///< between the frames of the goals
+  double limit_share = 1;     ///< of velocity, acceleration and jerk that a motion uses
   /// The last phase that is planned; none: parts of movements, or recordings as a whole.
   std::optional<PhaseKind> plan_until;
   std::string carrier;  ///< frame that carries the target, "" if its recorded way does

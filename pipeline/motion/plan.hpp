@@ -187,10 +187,11 @@ struct Certificate {
 
 /// What the plan was judged by; `verify` reads it from the file.
 struct Tolerances {
-  double margin = 0.001;          ///< clearance asked for [m]
-  double contact_depth = 0.005;   ///< allowed penetration of the target [m]
-  double tracking_grasp = 0.005;  ///< tips from their goals in grasp and hold [m]
-  double tracking = 0.020;        ///< elsewhere [m]
+  double margin = 0.001;             ///< clearance asked for [m]
+  double contact_depth = 0.005;      ///< allowed penetration of the target [m]
+  std::optional<double> link_depth;  ///< by links that are no pads; none: contact_depth [m]
+  double tracking_grasp = 0.005;     ///< tips from their goals in grasp and hold [m]
+  double tracking = 0.020;           ///< elsewhere [m]
   /// A plan of which more goals are out of reach, or a tip farther from its goal, is approximate.
   double out_of_reach_share = 0.5;  ///< of all fingertip goals, below 1
   double farthest_tip = 0.05;       ///< [m]

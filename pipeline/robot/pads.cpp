@@ -1,5 +1,7 @@
 #include "pipeline/robot/pads.hpp"
 
+#include <algorithm>
+
 #include "pipeline/robot/forward.hpp"
 #include "pipeline/robot/robot.hpp"
 #include "pipeline/robot/tree.hpp"
@@ -31,6 +33,10 @@ std::vector<Pad> find_pads(const RobotTable& robot) {
     }
   }
   return pads;
+}
+
+bool is_pad(const Robot& robot, int capsule) {
+  return std::ranges::any_of(robot.pads, [&](const Pad& pad) { return pad.capsule == capsule; });
 }
 
 Vec3 goal_point(const Robot& robot, const std::vector<Pose>& base_from_frame, std::size_t tip,

@@ -21,6 +21,9 @@ struct Pad {
 /// [tips] Of several capsules that move with a tip, the one that ends nearest to it.
 std::vector<Pad> find_pads(const RobotTable& robot);
 
+/// Whether a capsule is that of a pad.
+bool is_pad(const Robot& robot, int capsule);
+
 /// The point of a tip's link at a share of the way from the tip to the centre of its pad, which a
 /// goal asks for (Goals::pad_share), in the base frame [m].
 Vec3 goal_point(const Robot& robot, const std::vector<Pose>& base_from_frame, std::size_t tip,

@@ -68,9 +68,10 @@ std::string place_in(const store::Hdf5Group& group, const std::string& name,
 }
 
 std::string unit_of_attribute(const std::string& name) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 13> kUnits{{
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kUnits{{
       {"margin", "m"},
       {"contact_depth", "m"},
+      {"link_depth", "m"},
       {"tracking", "m"},
       {"tracking_grasp", "m"},
       {"clearance", "m"},

@@ -185,6 +185,7 @@ void lay_out_plan(Io& io, T& plan) {
   if constexpr (Io::reading) {  // files of earlier versions say nothing of it
     plan.tolerances.out_of_reach_share = plan.tolerances.farthest_tip = kNotSeen;
   }
+  io.maybe("link_depth", plan.tolerances.link_depth);
   io.maybe("out_of_reach_share", plan.tolerances.out_of_reach_share);
   io.maybe("farthest_tip", plan.tolerances.farthest_tip);
   io.group("goals", [&](Io& in) { lay_out_goals(in, plan.goals); });

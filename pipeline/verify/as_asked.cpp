@@ -18,14 +18,12 @@ void judge_tolerances(const Plan& plan, const Asked& asked, ViolationRuns& runs)
     if (!same_number(is, should)) runs.note_plan("config", name, is, should);
   };
   holds("margin", own.margin, wanted.margin);
+  holds("contact_depth", own.contact_depth, wanted.contact_depth);
+  holds("link_depth", own.link_depth.value_or(kNotSeen), wanted.link_depth.value_or(kNotSeen));
   holds("tracking_grasp", own.tracking_grasp, wanted.tracking_grasp);
   holds("tracking", own.tracking, wanted.tracking);
   holds("out_of_reach_share", own.out_of_reach_share, wanted.out_of_reach_share);
   holds("farthest_tip", own.farthest_tip, wanted.farthest_tip);
-  const bool without = plan.grasp.contacts.empty() && plan.goals.pad_share.rows == 0;
-  const bool given_up = without && same_number(own.contact_depth, wanted.contact_depth);
-  if (!given_up)
-    holds("contact_depth", own.contact_depth, asked.contact_depth.value_or(wanted.contact_depth));
 }
 
 void judge_times(const Plan& plan, const Asked& asked, ViolationRuns& runs) {

@@ -6,9 +6,8 @@
 namespace morphe::verify {
 
 /// Notes `config` where a plan with a trajectory is not what was asked for:
-/// margin, contact_depth, tracking_grasp, tracking, out_of_reach_share, farthest_tip
-///                    other than the config's; with contacts asked for, contact_depth is theirs, or
-///                    that of plans without where the plan has none and asks for none
+/// margin, contact_depth, link_depth, tracking_grasp, tracking, out_of_reach_share, farthest_tip
+///                    other than the config's
 /// goals              frames that are not the config's step apart; 1e-6 s
 /// start_s, end_s     other than where the first phase begins and the last that is to be planned
 ///                    ends; 1e-9 s

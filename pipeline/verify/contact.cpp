@@ -107,7 +107,7 @@ class ContactJudge {
     double here = kInfinity;
     for (const ContactPair& pair : pairs_) {
       const bool touching = pair.may_touch && window_.contains(time_s, time_s);
-      const double required = required_distance(touching);
+      const double required = required_distance(pair, touching);
       const double enough =
           touching ? required : std::max({required, clearance, std::min(told, here)});
       const double value = distance(pair, enough);
@@ -132,9 +132,10 @@ class ContactJudge {
     for (const std::size_t index : pairs) {
       const ContactPair& pair = pairs_[index];
       const double travel = travel_in(stretch, pair);
-      const double everywhere =
-          required_distance(pair.may_touch && window_.contains(stretch.begin_s, stretch.end_s));
-      const double here = required_distance(pair.may_touch && window_.contains(middle_s, middle_s));
+      const double everywhere = required_distance(
+          pair, pair.may_touch && window_.contains(stretch.begin_s, stretch.end_s));
+      const double here =
+          required_distance(pair, pair.may_touch && window_.contains(middle_s, middle_s));
       const double value = distance(pair, everywhere + travel);
       if (value >= everywhere + travel - kDistanceTolerance_m) continue;
       const bool violated = !(value >= here - kDistanceTolerance_m);
@@ -211,8 +212,10 @@ class ContactJudge {
     return travel + std::max(here - moved.at(stretch.begin_s), moved.at(stretch.end_s) - here);
   }
 
-  double required_distance(bool touching) const {
-    return touching ? -plan_.tolerances.contact_depth : plan_.tolerances.margin;
+  double required_distance(const ContactPair& pair, bool touching) const {
+    const Tolerances& allowed = plan_.tolerances;
+    if (!touching) return allowed.margin;
+    return -(pair.pad ? allowed.contact_depth : allowed.link_depth.value_or(allowed.contact_depth));
   }
 
   void take(const JointVector& q, double time_s) {

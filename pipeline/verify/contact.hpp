@@ -12,6 +12,7 @@ struct ContactPair {
   int capsule = 0, other = 0;
   bool object = false;
   bool may_touch = false;  ///< touching finger or palm against the target
+  bool pad = false;        ///< the capsule is that of a pad
   double radii = 0;        ///< taken off the distance of the axes [m]
   JointVector lever;       ///< [n] relative travel per radian [m/rad]
   std::string subject;     ///< "capsule/capsule"
@@ -29,11 +30,11 @@ TouchWindow touch_window(const std::vector<Phase>& phases);
 /// both at the base), then each capsule against each object that can_judge().
 std::vector<ContactPair> contact_pairs(const RobotTable& robot, const Plan& plan);
 
-/// Notes `self` and `object` wherever a pair is closer than the plan's margin (or deeper than its
-/// contact depth where it may touch), at the samples and all along between them, and `clearance`
-/// where the one that is stored for a sample is not its own, to 1e-4 m. Returns the least
-/// distance along the whole curve of pairs where they may not touch, to 0.01 mm, +infinity if there
-/// are none.
+/// Notes `self` and `object` wherever a pair is closer than the plan's margin (or, where it may
+/// touch, deeper than its contact depth; a capsule that is no pad: than its link depth, if it has
+/// one), at the samples and all along between them, and `clearance` where the one that is stored
+/// for a sample is not its own, to 1e-4 m. Returns the least distance along the whole curve of
+/// pairs where they may not touch, to 0.01 mm, +infinity if there are none.
 double judge_contacts(const RobotTable& robot, const Plan& plan, const Curve& curve,
                       ViolationRuns& runs);
 

@@ -4,6 +4,7 @@
 
 #include "pipeline/verify/contact.hpp"
 #include "pipeline/verify/frame_poses.hpp"
+#include "pipeline/verify/pad.hpp"
 #include "pipeline/verify/separation.hpp"
 
 namespace morphe::verify {
@@ -43,17 +44,20 @@ std::vector<ContactPair> contact_pairs(const RobotTable& robot, const Plan& plan
     for (int j = i + 1; j < capsules; ++j) {
       const RobotTable::Capsule& b = robot.capsules[static_cast<std::size_t>(j)];
       if (a.frame == b.frame || allowed(robot, i, j)) continue;
-      pairs.push_back({i, j, false, false, a.radius + b.radius, relative_lever(robot, i, j),
+      pairs.push_back({i, j, false, false, false, a.radius + b.radius, relative_lever(robot, i, j),
                        a.name + "/" + b.name});
     }
   }
+  const std::vector<PadBall> pads = pad_balls(robot);
   for (int i = 0; i < capsules; ++i) {
     const RobotTable::Capsule& a = robot.capsules[static_cast<std::size_t>(i)];
+    const bool pad =
+        std::any_of(pads.begin(), pads.end(), [&](const PadBall& one) { return one.capsule == i; });
     for (std::size_t k = 0; k < plan.scene.objects.size(); ++k) {
       const SceneObject& object = plan.scene.objects[k];
       if (!can_judge(object)) continue;
       const bool target = !plan.movement.target.empty() && object.name == plan.movement.target;
-      pairs.push_back({i, static_cast<int>(k), true, target && a.may_touch_target, a.radius,
+      pairs.push_back({i, static_cast<int>(k), true, target && a.may_touch_target, pad, a.radius,
                        relative_lever(robot, i, -1), a.name + "/" + object.name});
     }
   }

@@ -6,12 +6,12 @@
 
 #include "pipeline/verify/magnitudes.hpp"
 #include "pipeline/verify/separation.hpp"
+#include "pipeline/verify/transfer.hpp"
 
 namespace morphe::verify {
 namespace {
 
 constexpr double kCoverage_s = 1e-6;
-constexpr double kJoint_rad = 1e-4;  ///< less than the pull of a limit on the end of a spline
 
 bool all_finite(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
@@ -190,9 +190,8 @@ bool judge_transfer_structure(const RobotTable& robot, const Plan& plan, const T
   const double gap = at_its_end
                          ? (transfer.position.bottomRows(1) - way.topRows(1)).cwiseAbs().maxCoeff()
                          : (transfer.position.topRows(1) - way.bottomRows(1)).cwiseAbs().maxCoeff();
-  if (gap > kJoint_rad) {
-    runs.note_plan("structure", at_its_end ? "approach" : "retreat", gap, kJoint_rad);
-  }
+  if (!(gap <= kTransferEnd))
+    runs.note_plan("structure", at_its_end ? "approach" : "retreat", gap, kTransferEnd);
   return true;
 }
 

@@ -13,7 +13,7 @@ namespace morphe::verify {
 bool judge_structure(const RobotTable& robot, const Plan& plan, ViolationRuns& runs);
 
 /// The same for an approach or a retreat, which have no goals: its last (`at_its_end`) or first
-/// sample is where the trajectory begins or ends. False also if there is none.
+/// sample is where the trajectory begins or ends, to kTransferEnd. False also if there is none.
 bool judge_transfer_structure(const RobotTable& robot, const Plan& plan, const Trajectory& transfer,
                               bool at_its_end, ViolationRuns& runs);
 

@@ -6,7 +6,7 @@
 namespace morphe::verify {
 namespace {
 
-constexpr double kStandsStill_s = 1e-9, kHome = 1e-3;
+constexpr double kStandsStill_s = 1e-9;
 
 }  // namespace
 
@@ -29,7 +29,7 @@ void judge_transfer(const Plan& plan, const Trajectory& motion, Transfer which, 
   const Eigen::Index end = approach ? 0 : motion.position.rows() - 1;
   const double off =
       (motion.position.row(end).transpose() - asked->home->posture).cwiseAbs().maxCoeff();
-  if (!(off <= kHome)) runs.note_plan("transfer", "home", off, kHome);
+  if (!(off <= kTransferEnd)) runs.note_plan("transfer", "home", off, kTransferEnd);
 }
 
 void judge_share(const LimitUse& use, double share, ViolationRuns& runs) {

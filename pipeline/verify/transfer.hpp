@@ -8,11 +8,15 @@ namespace morphe::verify {
 /// An approach, at the end of which the trajectory begins, or a retreat, which begins at its end.
 enum class Transfer { approach, retreat };
 
+/// So far an end of it may be off what it meets [rad, m]: five times what a path's end is inside of
+/// a joint's limit, and what the export joins.
+constexpr double kTransferEnd = 1e-6;
+
 /// Notes `transfer` for what such a motion promises beside limits and contacts:
 /// demonstration_time  another than that of the trajectory's end that it meets: the clock stands
 ///                     still, or touching would be allowed meanwhile; 1e-9 s
 /// phase               another than rest
-/// home                its other end is off the posture that was asked for; 1e-3 rad or m
+/// home                its other end is off the posture that was asked for, kTransferEnd
 void judge_transfer(const Plan& plan, const Trajectory& motion, Transfer which, const Asked* asked,
                     ViolationRuns& runs);
 

@@ -90,6 +90,14 @@ std::string off_goals(const RobotTable& robot, const Trajectory& trajectory,
                      1e3 * errors.worst_tolerance);
 }
 
+std::string off_goals(const RobotTable& robot, const TipBetween& between) {
+  if (!(between.excess > 0)) return "";
+  return fmt::format(
+      "tip {} is {:.2f} mm from its goal after sample {} ({:.3f} s), {:.2f} mm allowed",
+      robot.tips[static_cast<std::size_t>(between.tip)].name, 1e3 * between.error, between.sample,
+      between.time_s, 1e3 * between.tolerance);
+}
+
 }  // namespace
 
 Outcome<Certificate> certify_motion(const collision::CollisionWorld& world, Trajectory& trajectory,
@@ -137,7 +145,10 @@ Outcome<Certificate> certify(const collision::CollisionWorld& around, const Goal
   c.orientation_error_max = errors.orientation_max;
   c.upper_arm_error_max = errors.upper_arm_max;
   c.upper_arm_error_mean = errors.upper_arm_mean;
-  const std::string off = off_goals(*world.robot, trajectory, errors);
+  std::string off = off_goals(*world.robot, trajectory, errors);
+  if (off.empty())
+    off = off_goals(*world.robot,
+                    farthest_between(*world.robot, goals, movement, world.tolerances, trajectory));
   if (!result.refusal && !off.empty()) result.refusal = {Reason::tracking, off};
 
   const double human_s =

@@ -14,8 +14,9 @@ Outcome<Certificate> certify_motion(const collision::CollisionWorld& world, Traj
 ///   limits     position, velocity, acceleration, jerk: exact extremes of every piece;
 ///   contacts   certified over the whole motion, not only at samples; a failure is `smoothing` if
 ///              the path was certified free before retiming (`path_was_free`), else `collision`;
-///   tracking   tips against goals interpolated at the samples' demonstration times, with
-///              tracking_grasp in the phases grasp and hold and tracking elsewhere.
+///   tracking   tips against goals interpolated at the samples' demonstration times, and every 2 ms
+///              between samples that are farther apart, with tracking_grasp in the phases grasp and
+///              hold and tracking elsewhere.
 /// Fills in the trajectory's clearance, and the certificate as far as it can be. Refused: limit,
 /// smoothing, collision, tracking, the first that fails in this order, with sample or time, what
 /// and how much.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pipeline/humanlike/metrics.hpp"
+#include "pipeline/math/quintic.hpp"
 #include "pipeline/motion/goals_at.hpp"
 #include "pipeline/robot/forward.hpp"
 
@@ -22,6 +23,19 @@ struct Mean {
 
 double angle_of(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
+/// Of a tip, or of its pad's centre, from its goal at a demonstration time; NaN: no goal there.
+double goal_error(const robot::Robot& robot, const std::vector<Pose>& base_from_frame,
+                  const Goals& goals, std::size_t tip, double time_s) {
+  const Vec3 goal = tip_goal_at(goals, tip, time_s);
+  if (!seen(goal)) return kNotSeen;
+  const double share = pad_share_at(goals, tip, time_s);
+  return (robot::goal_point(robot, base_from_frame, tip, share) - goal).norm();
+}
+
+double tolerance_of(const Tolerances& tolerances, bool grasp) {
+  return grasp ? tolerances.tracking_grasp : tolerances.tracking;
+}
+
 }  // namespace
 
 GoalErrors goal_errors(const robot::Robot& robot, const Goals& goals, const Movement& movement,
@@ -34,7 +48,7 @@ GoalErrors goal_errors(const robot::Robot& robot, const Goals& goals, const Move
   for (std::size_t sample = 0; sample < trajectory.samples(); ++sample) {
     const double time_s = trajectory.demonstration_time[sample];
     const bool grasp = grasping_at(movement, time_s);
-    const double tolerance = grasp ? tolerances.tracking_grasp : tolerances.tracking;
+    const double tolerance = tolerance_of(tolerances, grasp);
     robot::forward(robot, trajectory.position.row(static_cast<Eigen::Index>(sample)).transpose(),
                    base_from_frame);
     for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
@@ -44,10 +58,8 @@ GoalErrors goal_errors(const robot::Robot& robot, const Goals& goals, const Move
         const double angle = angle_between(Quat(base_from_tip.linear()), turned);
         out.orientation_max = std::fmax(out.orientation_max, angle);
       }
-      const Vec3 goal = tip_goal_at(goals, tip, time_s);
-      if (!seen(goal)) continue;
-      const double share = pad_share_at(goals, tip, time_s);
-      const double error = (robot::goal_point(robot, base_from_frame, tip, share) - goal).norm();
+      const double error = goal_error(robot, base_from_frame, goals, tip, time_s);
+      if (std::isnan(error)) continue;
       position.add(error);
       out.position_max = std::fmax(out.position_max, error);
       if (grasp) out.position_grasp = std::fmax(out.position_grasp, error);
@@ -72,6 +84,44 @@ GoalErrors goal_errors(const robot::Robot& robot, const Goals& goals, const Move
   out.position_mean = position.value();
   out.upper_arm_mean = upper_arm.value();
   out.humanlikeness = humanlikeness.value();
+  return out;
+}
+
+TipBetween farthest_between(const robot::Robot& robot, const Goals& goals, const Movement& movement,
+                            const Tolerances& tolerances, const Trajectory& trajectory) {
+  constexpr double kStep_s = 0.002, kHair = 1e-6;
+  TipBetween out;
+  if (goals.frames() == 0) return out;
+  const auto joints = static_cast<std::size_t>(trajectory.position.cols());
+  std::vector<math::QuinticPiece> pieces(joints);
+  JointVector q(trajectory.position.cols());
+  std::vector<Pose> base_from_frame;
+  for (std::size_t sample = 0; sample + 1 < trajectory.samples(); ++sample) {
+    const double step_s = trajectory.time[sample + 1] - trajectory.time[sample];
+    const double parts = std::ceil(step_s / kStep_s - kHair);
+    if (parts < 2) continue;
+    for (std::size_t joint = 0; joint < joints; ++joint)
+      pieces[joint] = math::quintic_piece(trajectory, sample, static_cast<Eigen::Index>(joint));
+    for (double part = 1; part < parts; ++part) {
+      const double share = part / parts;
+      for (std::size_t joint = 0; joint < joints; ++joint)
+        q[static_cast<Eigen::Index>(joint)] = math::value_at(pieces[joint], share * step_s);
+      robot::forward(robot, q, base_from_frame);
+      const double time_s = std::lerp(trajectory.demonstration_time[sample],
+                                      trajectory.demonstration_time[sample + 1], share);
+      const double tolerance = tolerance_of(tolerances, grasping_at(movement, time_s));
+      for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
+        const double error = goal_error(robot, base_from_frame, goals, tip, time_s);
+        if (std::isnan(error) || error - tolerance <= out.excess) continue;
+        out = {error - tolerance,
+               error,
+               tolerance,
+               trajectory.time[sample] + share * step_s,
+               static_cast<int>(sample),
+               static_cast<int>(tip)};
+      }
+    }
+  }
   return out;
 }
 

@@ -20,4 +20,15 @@ struct GoalErrors {
 GoalErrors goal_errors(const robot::Robot& robot, const Goals& goals, const Movement& movement,
                        const Tolerances& tolerances, const Trajectory& trajectory);
 
+/// The tip farthest beyond what is tolerated between samples that are more than 2 ms apart, on the
+/// quintic that a controller runs, looked at every 2 ms at least; sample: the one before it.
+/// Samples that are not farther apart speak for what is between them.
+struct TipBetween {
+  double excess = kNotSeen, error = kNotSeen, tolerance = kNotSeen;  ///< [m]; NaN: none was seen
+  double time_s = 0;                                                 ///< of the trajectory
+  int sample = -1, tip = -1;
+};
+TipBetween farthest_between(const robot::Robot& robot, const Goals& goals, const Movement& movement,
+                            const Tolerances& tolerances, const Trajectory& trajectory);
+
 }  // namespace morphe::certify

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <string_view>
 
 #include "pipeline/motion/goals_at.hpp"
@@ -31,7 +32,7 @@ std::string words_of(const Miss& miss) {
 std::string words_of(const Contact& contact) {
   const double distance_m = contact.required_m - contact.missing_m;
   const std::string asked =
-      contact.required_m < 0
+      contact.key != "check.margin"
           ? fmt::format("{:.1f} mm of overlap allowed", -kMm * contact.required_m)
           : fmt::format("{:.1f} mm apart asked for", kMm * contact.required_m);
   return fmt::format("{} and {} {} {:.1f} mm at {:.2f}-{:.2f} s, {}", contact.first, contact.second,
@@ -39,25 +40,27 @@ std::string words_of(const Contact& contact) {
                      contact.begin_s, contact.end_s, asked);
 }
 
-/// What a margin or contact depth that lets all contacts pass has to be; "" if none can.
+/// What a margin or the depths that let all contacts pass have to be; "" if none can.
 std::string tolerance_of_contacts(const Shortfall& shortfall, std::vector<std::string>& settings) {
-  double margin_m = kNotSeen, depth_m = kNotSeen;
+  double margin_m = kNotSeen;
+  std::map<std::string_view, double> depths_m;
   for (const Contact& contact : shortfall.contacts) {
     const double distance_m = contact.required_m - contact.missing_m;
-    if (contact.required_m >= 0) margin_m = std::fmin(margin_m, distance_m);
-    if (contact.required_m < 0) depth_m = std::fmax(depth_m, -distance_m);
+    if (contact.key == "check.margin") {
+      margin_m = std::fmin(margin_m, distance_m);
+    } else {
+      double& depth_m = depths_m.emplace(contact.key, 0).first->second;
+      depth_m = std::max(depth_m, -distance_m);
+    }
   }
   if (margin_m < 1e-4) return "";
-  std::string words;
   if (!std::isnan(margin_m)) {
     settings.push_back(fmt::format("check.margin={:.4f}", std::floor(1e4 * margin_m - 0.5) / 1e4));
-    words = words_of(shortfall.contacts.front());
   }
-  if (!std::isnan(depth_m)) {
-    settings.push_back(fmt::format("check.contact_depth={:.4f}", tolerance_for(depth_m)));
-    words = words_of(shortfall.contacts.front());
+  for (const auto& [key, depth_m] : depths_m) {
+    settings.push_back(fmt::format("{}={:.4f}", key, tolerance_for(depth_m)));
   }
-  return words;
+  return words_of(shortfall.contacts.front());
 }
 
 /// What would let the path pass as it is, if tolerances can.

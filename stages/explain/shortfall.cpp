@@ -38,15 +38,25 @@ void find_misses(const robot::Robot& robot, const Plan& plan, Shortfall& shortfa
   }
 }
 
-double required_of(const collision::CollisionWorld& world, const Finding& finding) {
+Contact contact_of(const collision::CollisionWorld& world, const Finding& finding) {
+  Contact contact{
+      finding.first, finding.second,          finding.begin_s, finding.end_s,
+      finding.depth, world.tolerances.margin, "check.margin",  finding.cause != Cause::self};
   const auto named = [](const auto& list, const std::string& name) {
     const auto it = std::ranges::find_if(list, [&](const auto& one) { return one.name == name; });
     return it == list.end() ? -1 : static_cast<int>(it - list.begin());
   };
   const int capsule = named(world.robot->capsules, finding.first);
   const int object = named(world.scene->objects, finding.second);
-  if (finding.cause == Cause::self || capsule < 0 || object < 0) return world.tolerances.margin;
-  return collision::required_m(world, capsule, object, 0.5 * (finding.begin_s + finding.end_s));
+  if (finding.cause == Cause::self || capsule < 0 || object < 0) return contact;
+  const double middle_s = 0.5 * (finding.begin_s + finding.end_s);
+  contact.required_m = collision::required_m(world, capsule, object, middle_s);
+  if (!collision::may_touch(world, capsule, object, middle_s)) return contact;
+  const bool pad = robot::is_pad(*world.robot, capsule);
+  contact.key = !world.tolerances.link_depth ? "check.contact_depth"
+                : pad                        ? "grasp.penetration"
+                                             : "grasp.link_penetration";
+  return contact;
 }
 
 }  // namespace
@@ -64,11 +74,7 @@ Shortfall shortfall_of(const robot::Robot& robot, const Plan& plan) {
       plan.remaining.empty() && plan.repair.empty() ? plan.findings : plan.remaining;
   std::ranges::stable_sort(left, std::greater{}, &Finding::depth);
   for (const Finding& finding : left) {
-    if (is_collision(finding.cause)) {
-      shortfall.contacts.push_back({finding.first, finding.second, finding.begin_s, finding.end_s,
-                                    finding.depth, required_of(world, finding),
-                                    finding.cause != Cause::self});
-    }
+    if (is_collision(finding.cause)) shortfall.contacts.push_back(contact_of(world, finding));
     if (finding.cause == Cause::jump) shortfall.jumps.push_back(finding);
     if (finding.cause == Cause::limit) shortfall.limits.push_back(finding);
   }

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pipeline/motion/plan.hpp"
@@ -22,7 +23,8 @@ struct Contact {
   std::string first, second;
   double begin_s = 0, end_s = 0;  ///< demonstration time
   double missing_m = 0;           ///< of what is required
-  double required_m = 0;          ///< the margin, or minus the contact depth
+  double required_m = 0;          ///< the margin, or minus the depth that is allowed
+  std::string_view key;           ///< of the config, which asks for that
   bool with_object = false;
 };
 

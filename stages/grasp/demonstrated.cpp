@@ -37,29 +37,27 @@ std::vector<Touch> demonstrated_touches(const robot::Robot& robot, const Goals& 
       sum += nearest.point;
     }
     if (touching == 0 || touching < options.least_share * seen_frames) continue;
-    const Vec3 mean = sum / touching;
-    const SurfacePoint at = nearest_surface(target, mean);
     Touch touch;
     touch.tip = tip;
-    touch.point = at.point;
-    touch.normal = at.normal;
-    touch.centre = at.point - robot.pads[tip].radius * at.normal;
     touch.confidence = touching / seen_frames * std::exp(-gaps / touching / options.near_m);
-    touches.push_back(touch);
+    touches.push_back(moved_to(robot, target, sum / touching, touch));
   }
   return touches;
+}
+
+Touch moved_to(const robot::Robot& robot, const collision::Solid& target, const Vec3& near,
+               Touch touch) {
+  const SurfacePoint at = nearest_surface(target, near);
+  touch.point = at.point;
+  touch.normal = at.normal;
+  touch.centre = at.point - robot.pads[touch.tip].radius * at.normal;
+  return touch;
 }
 
 void make_room(const robot::Robot& robot, const collision::Solid& target, double margin_m,
                std::vector<Touch>& touches) {
   constexpr int kRounds = 50;
   constexpr double kEnough_m = 1e-4;
-  const auto place = [&](Touch& touch, const Vec3& near) {
-    const SurfacePoint at = nearest_surface(target, near);
-    touch.point = at.point;
-    touch.normal = at.normal;
-    touch.centre = at.point - robot.pads[touch.tip].radius * at.normal;
-  };
   bool crowded = true;
   for (int round = 0; round < kRounds && crowded; ++round) {
     crowded = false;
@@ -72,8 +70,9 @@ void make_room(const robot::Robot& robot, const collision::Solid& target, double
         if (missing <= kEnough_m || between.norm() == 0) continue;
         crowded = true;
         const Vec3 step = (0.5 * missing / between.norm()) * between;
-        place(touches[i], touches[i].centre - step);
-        place(touches[j], touches[j].centre + step);
+        const Vec3 first = touches[i].centre - step, second = touches[j].centre + step;
+        touches[i] = moved_to(robot, target, first, touches[i]);
+        touches[j] = moved_to(robot, target, second, touches[j]);
       }
     }
   }
@@ -107,6 +106,23 @@ void aim_pads(const robot::Robot& robot, const std::vector<Touch>& touches,
         goal = base_from_target * outside(target, apart_m, base_from_target.inverse() * goal);
       }
       goals.pad_share(f, touch.tip) = share;
+    }
+  }
+}
+
+void keep_outside(const robot::Robot& robot, const std::vector<std::size_t>& tips,
+                  const Movement& movement, const collision::Solid& target, Goals& goals) {
+  const HoldTime when = hold_time(movement);
+  for (const std::size_t tip : tips) {
+    if (robot.pads[tip].capsule < 0) continue;
+    for (std::size_t f = 0; f < goals.frames(); ++f) {
+      const double share = closed_share(when, goals.time[f]);
+      Vec3& goal = goals.tip_position(f, tip);
+      if (share == 0 || !seen(goal)) continue;
+      const Pose base_from_target = recorded_pose(target.object, goals.time[f]);
+      const Vec3 in_target = base_from_target.inverse() * goal;
+      const Vec3 kept = outside(target, std::sqrt(share) * robot.pads[tip].radius, in_target);
+      if (kept != in_target) goal = base_from_target * kept;
     }
   }
 }

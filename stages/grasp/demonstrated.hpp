@@ -18,6 +18,10 @@ std::vector<Touch> demonstrated_touches(const robot::Robot& robot, const Goals& 
 void make_room(const robot::Robot& robot, const collision::Solid& target, double margin_m,
                std::vector<Touch>& touches);
 
+/// The same touch at the surface's point nearest to `near` [target frame, m].
+Touch moved_to(const robot::Robot& robot, const collision::Solid& target, const Vec3& near,
+               Touch touch);
+
 /// Goals that bring pads to where they touch: over the preshape the goal of each tip goes over from
 /// the tip where the person's was to the centre of the pad's ball beside the surface, and back
 /// after the release (closed_share()). On its way a goal stays outside the target by
@@ -27,5 +31,11 @@ void make_room(const robot::Robot& robot, const collision::Solid& target, double
 void aim_pads(const robot::Robot& robot, const std::vector<Touch>& touches,
               const Movement& movement, const collision::Solid& target, double aperture_m,
               Goals& goals);
+
+/// Keeps the goals of tips that are not to touch as far outside of the target as their pads are
+/// thick (closed_share() of it): a person's fingertip beside what others hold is thinner than a
+/// robot's, and the shape that it lies against less exact.
+void keep_outside(const robot::Robot& robot, const std::vector<std::size_t>& tips,
+                  const Movement& movement, const collision::Solid& target, Goals& goals);
 
 }  // namespace morphe::grasp

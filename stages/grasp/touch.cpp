@@ -19,6 +19,7 @@ std::string why_invalid(const GraspOptions& o) {
   if (!(o.least_share > 0 && o.least_share <= 1)) return "least_share must be above 0, at most 1";
   if (!(o.aperture_m >= 0)) return "aperture must not be negative";
   if (!(o.penetration_m >= 0)) return "penetration must not be negative";
+  if (!(o.link_penetration_m >= 0)) return "link_penetration must not be negative";
   if (!(o.friction >= 0)) return "friction must not be negative";
   if (!(o.torsion_m >= 0)) return "torsion must not be negative";
   if (!(o.mass_kg > 0)) return "mass must be above 0";

@@ -7,12 +7,25 @@
 #include "pipeline/math/seed.hpp"
 #include "stages/certify/certify.hpp"
 #include "stages/planning/planner.hpp"
+#include "stages/repair/ladder.hpp"
 #include "stages/repair/transfer.hpp"
 
 namespace morphe::planning {
 namespace {
 
-/// Timed and certified; smoothing that makes it collide is taken back.
+/// What stands at one end must be where the other motion, or the robot at home, is [rad, m].
+constexpr double kEnds = 1e-6;
+
+double off_ends(const JointPath& path, const Trajectory& trajectory) {
+  const auto off = [](const auto& own, const auto& asked) {
+    return (own - asked).cwiseAbs().maxCoeff();
+  };
+  return std::max(off(trajectory.position.topRows(1), path.position.topRows(1)),
+                  off(trajectory.position.bottomRows(1), path.position.bottomRows(1)));
+}
+
+/// Timed and certified; smoothing that makes it collide, or that misses an end (where a joint
+/// leaves its limit at once), is taken back.
 Refusal run_along(const Planner& planner, const collision::CollisionWorld& world,
                   const JointPath& path, const ApproachOptions& options, double time_s,
                   Trajectory& trajectory) {
@@ -30,6 +43,8 @@ Refusal run_along(const Planner& planner, const collision::CollisionWorld& world
     std::ranges::fill(trajectory.demonstration_time, time_s);
     std::ranges::fill(trajectory.phase, PhaseKind::rest);
     Refusal refusal = certify::certify_motion(world, trajectory).refusal;
+    if (const double off = off_ends(path, trajectory); !refusal && !(off <= kEnds))
+      refusal = {Reason::smoothing, fmt::format("an end of it is missed by {:.2g} rad or m", off)};
     const bool smoothed = time_law.tip_tolerance + time_law.joint_tolerance > 0;
     if (refusal.reason != Reason::smoothing || !smoothed) return refusal;
     time_law.tip_tolerance = time_law.joint_tolerance = 0;
@@ -51,8 +66,7 @@ std::string no_way(const collision::CollisionWorld& world, const JointVector& fr
                        collision::first_name(world, pair), collision::second_name(world, pair),
                        -pair.slack());
   }
-  return fmt::format("no free path in {} attempts of {} iterations", repair.attempts,
-                     repair.iterations);
+  return repair::no_free_path(repair);
 }
 
 /// Back the way it came: the plan's own motion and then its approach, last sample first.

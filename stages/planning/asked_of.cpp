@@ -100,8 +100,7 @@ Asked asked_of(const PlanFileHeader& header) {
     throw InputError(files.as_stored(error.what()));
   }
   asked.config_sha256 = files::sha256(header.config);
-  asked.tolerances = config.check.tolerances;
-  if (config.grasp) asked.contact_depth = config.grasp->penetration_m;
+  asked.tolerances = tolerances_of(config);
   asked.goal_step_s = 1 / config.reconstruct.rate_hz;
   asked.limit_share = config.retime.limit_share;
   if (!config.parts && !config.segment.whole) asked.plan_until = config.segment.plan_until;

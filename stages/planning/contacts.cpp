@@ -8,6 +8,7 @@
 
 #include "pipeline/collision/mesh_solid.hpp"
 #include "pipeline/math/seed.hpp"
+#include "pipeline/robot/forward.hpp"
 #include "stages/check/check_path.hpp"
 #include "stages/grasp/close_fingers.hpp"
 #include "stages/grasp/demonstrated.hpp"
@@ -28,15 +29,33 @@ constexpr double kLessExact = 10;     ///< it settles beside another: values thi
 /// is allowed from the preshape on: fingers that rub along an object push it over [s].
 constexpr double kClosing_s = 0.3;
 
+/// A pad that does not come to where it is to touch, touches where it comes instead, if that is no
+/// farther along the surface: that it touches matters more than where.
+constexpr double kFarthestMove_m = 0.015;
+constexpr int kMoves = 3;
+
 /// A movement whose tips are about to touch its target.
 struct Approaching {
   const Planner& planner;
   const collision::CollisionWorld& world;
   const SceneObject& target;
   std::uint64_t seed;
+
+  collision::Solid solid() const {
+    return collision::solid_at(world, static_cast<std::size_t>(world.target));
+  }
 };
 
-/// A plan with the contacts of some tips, and why it cannot be executed so.
+/// What is asked of the tips.
+struct Wanted {
+  std::vector<grasp::Touch> touches;
+  std::vector<std::string> given_up;      ///< tips that do not touch any more
+  std::vector<std::size_t> kept_outside;  ///< tips whose goals are kept out of the target
+  std::string moved;                      ///< a sentence if contacts were
+  int moves = 0;
+};
+
+/// A plan with the contacts of some tips, or of none, and why it cannot be executed so.
 struct Attempt {
   Plan plan;
   Contacts contacts;
@@ -72,8 +91,7 @@ void aim_hand(const Approaching& of, const std::vector<std::string>& given_up, A
   Goals& goals = attempt.plan.goals;
   const grasp::HoldTime when = grasp::hold_time(attempt.plan.movement);
   const std::size_t frame = frame_of_grasp(goals, when);
-  grasp::aim_pads(robot, attempt.contacts.touches, attempt.plan.movement,
-                  {of.target, of.world.meshes[static_cast<std::size_t>(of.world.target)].get()},
+  grasp::aim_pads(robot, attempt.contacts.touches, attempt.plan.movement, of.solid(),
                   of.planner.config.grasp->aperture_m, goals);
   if (frame == goals.frames()) return;
   JointRows& path = attempt.plan.path.position;
@@ -115,12 +133,12 @@ JointRows settled(const Approaching& of, const Attempt& attempt) {
       .position;
 }
 
-Attempt touch_with(const Approaching& of, const std::vector<grasp::Touch>& touches,
-                   const std::vector<std::string>& given_up, const Plan& by_tips) {
+Attempt try_out(const Approaching& of, const Wanted& wanted, const Plan& by_tips) {
   const PipelineConfig& config = of.planner.config;
-  Attempt attempt{by_tips, {touches, {}}, {}};
+  Attempt attempt{by_tips, {wanted.touches, {}}, {}};
   Plan& plan = attempt.plan;
-  aim_hand(of, given_up, attempt);
+  grasp::keep_outside(of.planner.robot, wanted.kept_outside, plan.movement, of.solid(), plan.goals);
+  if (!wanted.touches.empty()) aim_hand(of, wanted.given_up, attempt);
   const map::MappingProblem problem = problem_of(of, attempt);
   plan.path.position = settled(of, attempt);
   const JointRows mapped = plan.path.position;
@@ -132,8 +150,8 @@ Attempt touch_with(const Approaching& of, const std::vector<grasp::Touch>& touch
                           [&](const JointPath& path) { return findings_in(roomy, path); }};
   plan.remaining = findings_in(roomy, plan.path);
   if (!plan.remaining.empty()) {
-    Outcome<repair::RepairResult> freed = repair::repair_path(
-        {repair::if_nearly_free(firmly(solving))}, {plan.path, plan.remaining}, config.repair);
+    Outcome<repair::RepairResult> freed =
+        repair::repair_path({repair::if_nearly_free(firmly(solving))}, {plan.path, plan.remaining});
     plan.path = std::move(freed.value.path);
     plan.certificate.repaired = true;
     std::ranges::move(freed.value.steps, std::back_inserter(plan.repair));
@@ -150,72 +168,135 @@ Attempt touch_with(const Approaching& of, const std::vector<grasp::Touch>& touch
   return attempt;
 }
 
-}  // namespace
-
-Tolerances with_contacts(const PipelineConfig& config) {
-  Tolerances tolerances = config.check.tolerances;
-  tolerances.contact_depth = config.grasp->penetration_m;
-  return tolerances;
+/// Lets tips that nothing but tracking keeps from their touches touch where their pads are in the
+/// grasp; false if there are none.
+bool move_touches(const Approaching& of, const Attempt& attempt, Wanted& wanted) {
+  const Plan& plan = attempt.plan;
+  const robot::Robot& robot = of.planner.robot;
+  const std::size_t frame = frame_of_grasp(plan.goals, grasp::hold_time(plan.movement));
+  if (frame == plan.goals.frames() || wanted.moves == kMoves) return false;
+  if (std::ranges::any_of(plan.remaining, is_collision, &Finding::cause)) return false;
+  std::vector<Pose> base_from_frame;
+  robot::forward(robot, plan.path.position.row(static_cast<Eigen::Index>(frame)).transpose(),
+                 base_from_frame);
+  const Pose target_from_base = recorded_pose(of.target, plan.goals.time[frame]).inverse();
+  std::vector<std::string> moved;
+  for (grasp::Touch& touch : wanted.touches) {
+    const std::string& tip = robot.tips[touch.tip].name;
+    if (std::ranges::find(plan.remaining, tip, &Finding::first) == plan.remaining.end()) continue;
+    const Vec3 pad = robot::goal_point(robot, base_from_frame, touch.tip, 1);
+    const grasp::Touch there = grasp::moved_to(robot, of.solid(), target_from_base * pad, touch);
+    if ((there.point - touch.point).norm() > kFarthestMove_m) continue;
+    moved.push_back(tip);
+    touch = there;
+  }
+  if (moved.empty()) return false;
+  ++wanted.moves;
+  wanted.moved =
+      fmt::format("contact of {} moved along {}", fmt::join(moved, ", "), of.target.name);
+  return true;
 }
 
-Contacts touch_target(const Planner& planner, const collision::CollisionWorld& world,
-                      std::uint64_t seed, Plan& plan) {
+/// Keeps the goals of tips outside that are in the way though they are not to touch; false if there
+/// are no such tips, or they are outside already.
+bool keep_more_outside(const robot::Robot& robot, const Attempt& attempt, Wanted& wanted) {
+  bool more = false;
+  for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
+    const auto touches = [&](const grasp::Touch& touch) { return touch.tip == tip; };
+    if (std::ranges::any_of(attempt.contacts.touches, touches) ||
+        std::ranges::find(wanted.kept_outside, tip) != wanted.kept_outside.end() ||
+        !in_the_way(robot, tip, attempt.plan.remaining))
+      continue;
+    wanted.kept_outside.push_back(tip);
+    more = true;
+  }
+  return more;
+}
+
+/// Takes their contacts from tips that are in the way; false if none is.
+bool give_up(const robot::Robot& robot, const Attempt& attempt, Wanted& wanted) {
+  std::vector<std::string> tips;
+  for (const grasp::Touch& touch : attempt.contacts.touches) {
+    if (in_the_way(robot, touch.tip, attempt.plan.remaining)) {
+      tips.push_back(robot.tips[touch.tip].name);
+    }
+  }
+  std::erase_if(wanted.touches, [&](const grasp::Touch& touch) {
+    return std::ranges::find(tips, robot.tips[touch.tip].name) != tips.end();
+  });
+  std::ranges::copy(tips, std::back_inserter(wanted.given_up));
+  return !tips.empty();
+}
+
+}  // namespace
+
+Contacts wanted_contacts(const Planner& planner, const collision::CollisionWorld& world,
+                         const Plan& plan) {
   const grasp::GraspOptions& options = *planner.config.grasp;
-  const SceneObject* target = object_named(plan.scene.objects, plan.movement.target);
-  if (!target) return {};
+  if (world.target < 0) return {};
   if (planner.config.map.mode == map::MapMode::joint_to_joint) {
     return {{}, {"no contact: joint-to-joint mapping does not follow the tips"}};
   }
-  const auto mesh = collision::mesh_solid_of(*target, planner.config.scene.meshes);
-  std::vector<grasp::Touch> touches = grasp::demonstrated_touches(
-      planner.robot, plan.goals, plan.movement, {*target, mesh.get()}, options);
-  if (touches.empty()) {
-    return {{},
-            {fmt::format("no contact: no fingertip's skin was within {:.0f} mm of {} for {:.0f} % "
-                         "of the grasp",
-                         1e3 * options.near_m, target->name, 100 * options.least_share)}};
+  const collision::Solid target =
+      collision::solid_at(world, static_cast<std::size_t>(world.target));
+  Contacts wanted{
+      grasp::demonstrated_touches(planner.robot, plan.goals, plan.movement, target, options), {}};
+  grasp::make_room(planner.robot, target, world.tolerances.margin, wanted.touches);
+  if (wanted.touches.empty()) {
+    wanted.notes = {
+        fmt::format("no contact: no fingertip's skin was within {:.0f} mm of {} for {:.0f} % "
+                    "of the grasp",
+                    1e3 * options.near_m, target.object.name, 100 * options.least_share)};
   }
-  grasp::make_room(planner.robot, {*target, mesh.get()}, world.tolerances.margin, touches);
-  const Approaching of{planner, world, *target, seed};
-  Attempt first = touch_with(of, touches, {}, plan);
-  if (!first.refusal) {
-    plan = std::move(first.plan);
-    return std::move(first.contacts);
-  }
-  const std::vector<std::string> tips =
-      tips_in_the_way(planner.robot, first.plan.goals, first.plan.remaining);
-  std::erase_if(touches, [&](const grasp::Touch& touch) {
-    return std::ranges::find(tips, planner.robot.tips[touch.tip].name) != tips.end();
-  });
-  if (!tips.empty() && !touches.empty()) {
-    Attempt second = touch_with(of, touches, tips, plan);
-    if (!second.refusal) {
-      plan = std::move(second.plan);
-      second.contacts.notes.push_back(given_up_sentence(tips, first.refusal));
-      return std::move(second.contacts);
-    }
-  }
-  return {{}, {given_up_sentence({}, first.refusal)}};
+  return wanted;
 }
 
-std::vector<std::string> tips_in_the_way(const robot::Robot& robot, const Goals& goals,
-                                         const std::vector<Finding>& findings) {
-  std::vector<std::string> tips;
-  for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
-    bool touches = false;
-    for (std::size_t f = 0; f < goals.frames(); ++f) {
-      touches = touches || goals.pad_share(f, tip) > 0;
-    }
-    if (!touches) continue;
-    const std::string &name = robot.tips[tip].name,
-                      &link =
-                          robot.capsules[static_cast<std::size_t>(robot.pads[tip].capsule)].name;
-    const bool concerned = std::ranges::any_of(findings, [&](const Finding& finding) {
-      return finding.first == name || finding.first == link || finding.second == link;
-    });
-    if (concerned) tips.push_back(name);
+Refusal touch_target(const Planner& planner, const collision::CollisionWorld& world,
+                     std::uint64_t seed, Contacts& contacts, Plan& plan) {
+  if (world.target < 0) return {};
+  const SceneObject& target = plan.scene.objects[static_cast<std::size_t>(world.target)];
+  const Approaching of{planner, world, target, seed};
+  if (contacts.touches.empty()) {
+    plan.remaining =
+        check::check_path(world, plan.goals, plan.movement, plan.path, planner.config.check);
+    if (plan.remaining.empty()) return {};
   }
-  return tips;
+  Wanted wanted;
+  wanted.touches = std::move(contacts.touches);
+  const bool any = !wanted.touches.empty();
+  Refusal why;
+  while (true) {
+    Attempt attempt = try_out(of, wanted, plan);
+    if (!attempt.refusal) {
+      std::ranges::move(attempt.contacts.notes, std::back_inserter(contacts.notes));
+      if (!wanted.moved.empty()) contacts.notes.push_back(wanted.moved);
+      if (!wanted.given_up.empty())
+        contacts.notes.push_back(given_up_sentence(wanted.given_up, why));
+      contacts.touches = std::move(attempt.contacts.touches);
+      plan = std::move(attempt.plan);
+      return {};
+    }
+    if (!why) why = attempt.refusal;
+    if (move_touches(of, attempt, wanted)) continue;
+    const bool another = keep_more_outside(planner.robot, attempt, wanted) ||
+                         give_up(planner.robot, attempt, wanted);
+    if (another && (!any || !wanted.touches.empty())) continue;
+    contacts = {{}, {given_up_sentence({}, why)}};
+    if (any) return why;
+    plan = std::move(attempt.plan);
+    return {attempt.refusal.reason,
+            fmt::format("{}; the tips' goals lie deeper in {} than pads and links may sink",
+                        attempt.refusal.detail, target.name)};
+  }
+}
+
+bool in_the_way(const robot::Robot& robot, std::size_t tip, const std::vector<Finding>& findings) {
+  const std::string& name = robot.tips[tip].name;
+  const int pad = robot.pads[tip].capsule;
+  const std::string link = pad < 0 ? "" : robot.capsules[static_cast<std::size_t>(pad)].name;
+  return std::ranges::any_of(findings, [&](const Finding& finding) {
+    return finding.first == name || (pad >= 0 && (finding.first == link || finding.second == link));
+  });
 }
 
 std::string given_up_sentence(const std::vector<std::string>& tips, const Refusal& refusal) {

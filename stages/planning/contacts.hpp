@@ -10,27 +10,29 @@
 
 namespace morphe::planning {
 
-/// What a plan with contacts is judged by: pads sink in by grasp.penetration at most.
-Tolerances with_contacts(const PipelineConfig& config);
-
 struct Contacts {
-  std::vector<grasp::Touch> touches;  ///< that the goals ask for; none: the plan is what it was
-  std::vector<std::string> notes;     ///< a sentence each
+  std::vector<grasp::Touch> touches;
+  std::vector<std::string> notes;  ///< a sentence each
 };
 
-/// Pads on the target instead of tips near it, for a plan whose path follows the tips: its goals
-/// become those of pads, the other fingers close, and the path settles beside where it was, clear
-/// of the whole scene; where it is nearly free then, it is re-solved firmly. What is still in the
-/// way costs the fingers in question their contacts, once; then all. Nothing is searched: goals of
-/// pads lie beside those of tips, and so do the paths. `world` is that of plan.scene, with the
-/// plan's tolerances.
-Contacts touch_target(const Planner& planner, const collision::CollisionWorld& world,
-                      std::uint64_t seed, Plan& plan);
+/// Where the person touched the target of a plan whose path follows the tips; none: the notes say
+/// why, if there is a target.
+Contacts wanted_contacts(const Planner& planner, const collision::CollisionWorld& world,
+                         const Plan& plan);
 
-/// Tips with contacts that findings speak of: they are away from their goals, or their links
-/// collide.
-std::vector<std::string> tips_in_the_way(const robot::Robot& robot, const Goals& goals,
-                                         const std::vector<Finding>& findings);
+/// Pads on the target instead of tips near it: the goals become those of pads, the other fingers
+/// close, and the path settles beside where it was, clear of the whole scene; where it is nearly
+/// free then, it is re-solved firmly. A pad that does not come to its place touches beside it; the
+/// goals of tips that are in the way without touching are kept out of the target; what is in the
+/// way still costs the fingers in question their contacts. Without contacts the tips only keep out
+/// of the target, as far as `world` asks for it. Nothing is searched: goals of pads lie beside
+/// those of tips, and so do the paths. `world` is that of plan.scene, with the plan's tolerances.
+/// Refused: no contact could be kept, or the tips cannot keep out.
+Refusal touch_target(const Planner& planner, const collision::CollisionWorld& world,
+                     std::uint64_t seed, Contacts& contacts, Plan& plan);
+
+/// Whether findings speak of a tip: it is away from its goals, or its own link collides.
+bool in_the_way(const robot::Robot& robot, std::size_t tip, const std::vector<Finding>& findings);
 
 /// "contacts given up: tracking, thumb_tip ...", or those of some tips.
 std::string given_up_sentence(const std::vector<std::string>& tips, const Refusal& refusal);

@@ -188,6 +188,15 @@ std::string name_of_entry(const config::ConfigNode& entry,
 
 }  // namespace
 
+Tolerances tolerances_of(const PipelineConfig& config) {
+  Tolerances tolerances = config.check.tolerances;
+  if (config.grasp) {
+    tolerances.contact_depth = config.grasp->penetration_m;
+    tolerances.link_depth = config.grasp->link_penetration_m;
+  }
+  return tolerances;
+}
+
 LoadedConfig load_config(const std::filesystem::path& file,
                          const std::vector<std::string>& settings, const Terms& terms) {
   Paths files;

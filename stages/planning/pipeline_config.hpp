@@ -72,6 +72,10 @@ void fields(Fields& f, PipelineConfig& o) {
   f("parts", o.parts);
 }
 
+/// What a plan is judged by: with the section `grasp`, pads and links sink into the target as it
+/// says.
+Tolerances tolerances_of(const PipelineConfig& config);
+
 /// A config with everything that it names.
 struct LoadedConfig {
   PipelineConfig options;

@@ -154,27 +154,30 @@ bool may_touch(const Plan& plan) {
   });
 }
 
-/// The plan with contacts, if it can be executed so; otherwise the reason stands in the notes.
-bool plan_contacts(const Planner& planner, const Setting& setting,
-                   const collision::CollisionWorld& by_tips, Contacts& contacts, Plan& plan,
-                   StageSeconds& seconds) {
-  Plan touching = plan;
-  touching.tolerances = with_contacts(planner.config);
-  collision::CollisionWorld world = by_tips;
-  world.tolerances = touching.tolerances;
-  contacts =
-      timed(seconds, "grasp", [&] { return touch_target(planner, world, setting.seed, touching); });
-  if (contacts.touches.empty()) return false;
-  finish(planner, world, touching, seconds);
-  if (touching.has_trajectory()) {
-    complete(planner, setting, contacts, world, touching, seconds);
+/// The plan with its hand on the target, as the section `grasp` asks for it; where contacts are
+/// given up, the one by tips, as far out of the target.
+Plan plan_on_target(const Planner& planner, const Setting& setting,
+                    const collision::CollisionWorld& world, const Plan& by_tips,
+                    const Refusal& refused_by_tips, StageSeconds& seconds) {
+  Contacts contacts =
+      timed(seconds, "grasp", [&] { return wanted_contacts(planner, world, by_tips); });
+  while (true) {
+    const bool any = !contacts.touches.empty();
+    Plan plan = by_tips;
+    if (!any && refused_by_tips) return fail(std::move(plan), refused_by_tips);
+    plan.tolerances = world.tolerances;
+    const Refusal refused = timed(seconds, "grasp", [&] {
+      return touch_target(planner, world, setting.seed, contacts, plan);
+    });
+    if (!refused) {
+      finish(planner, world, plan, seconds);
+      if (plan.has_trajectory()) complete(planner, setting, contacts, world, plan, seconds);
+      if (plan.has_trajectory() || !any) return plan;
+      contacts = {{}, {given_up_sentence({}, {plan.reason, plan.detail})}};
+    } else if (!any) {
+      return fail(std::move(plan), refused);
+    }
   }
-  if (touching.has_trajectory()) {
-    plan = std::move(touching);
-    return true;
-  }
-  contacts = {{}, {given_up_sentence({}, {touching.reason, touching.detail})}};
-  return false;
 }
 
 }  // namespace
@@ -194,8 +197,8 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
   if (!grasp_seen(plan.goals, plan.movement)) {
     return fail(std::move(plan), {Reason::no_goal, "no fingertip was seen in the grasp"});
   }
-  const collision::CollisionWorld world = collision::make_world(
-      planner.robot, plan.scene, plan.movement, plan.tolerances, config.scene.meshes);
+  collision::CollisionWorld world = collision::make_world(planner.robot, plan.scene, plan.movement,
+                                                          plan.tolerances, config.scene.meshes);
   Outcome<map::MapResult> mapping = timed(seconds, "map", [&] {
     return map::map_movement(placed.problem, plan.goals, config.map, setting.seed);
   });
@@ -219,14 +222,13 @@ Plan plan_movement(const Planner& planner, const Demonstration& demonstration,
     plan.certificate.repaired = repaired.value.repaired;
     refusal = std::move(repaired.refusal);
   }
-  Contacts contacts;
-  if (config.grasp && may_touch(plan) &&
-      plan_contacts(planner, setting, world, contacts, plan, seconds)) {
-    return plan;
+  if (config.grasp && may_touch(plan)) {
+    world.tolerances = tolerances_of(config);
+    return plan_on_target(planner, setting, world, plan, refusal, seconds);
   }
   if (refusal) return fail(std::move(plan), refusal);
   finish(planner, world, plan, seconds);
-  if (plan.has_trajectory()) complete(planner, setting, contacts, world, plan, seconds);
+  if (plan.has_trajectory()) complete(planner, setting, {}, world, plan, seconds);
   return plan;
 }
 

@@ -65,7 +65,10 @@ Outcome<repair::RepairResult> repair_movement(const Planner& planner, const Plac
         other_courses,
     };
   }
-  Outcome<repair::RepairResult> repaired = repair::repair_path(ladder, start, config.repair);
+  Outcome<repair::RepairResult> repaired = repair::repair_path(ladder, start);
+  if (repaired.refusal.reason == Reason::no_path) {
+    repaired.refusal.detail += "; " + repair::no_free_path(config.repair);
+  }
   if (repaired.refusal && check(repaired.value.path).empty()) {
     return {{std::move(repaired.value.path), true, {}, std::move(repaired.value.steps)}, {}};
   }

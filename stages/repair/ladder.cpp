@@ -35,16 +35,11 @@ const Finding* worst_of(const std::vector<Finding>& findings) {
 }
 
 /// The worst of what is left.
-Refusal refusal_of(const std::vector<Finding>& remaining, const RepairOptions& options) {
+Refusal refusal_of(const std::vector<Finding>& remaining) {
   constexpr std::array kReasons{Reason::no_path, Reason::limit, Reason::jump, Reason::tracking};
   const Finding* worst = worst_of(remaining);
   if (!worst) return {};
-  std::string detail = sentence(*worst);
-  if (is_collision(worst->cause)) {
-    detail += fmt::format("; no free path in {} attempts of {} iterations", options.attempts,
-                          options.iterations);
-  }
-  return {kReasons.at(static_cast<std::size_t>(order_of(worst->cause))), detail};
+  return {kReasons.at(static_cast<std::size_t>(order_of(worst->cause))), sentence(*worst)};
 }
 
 }  // namespace
@@ -111,16 +106,20 @@ Rung if_nearly_free(Rung rung) {
           }};
 }
 
-Outcome<RepairResult> repair_path(const std::vector<Rung>& ladder, Checked start,
-                                  const RepairOptions& options) {
+Outcome<RepairResult> repair_path(const std::vector<Rung>& ladder, Checked start) {
   const bool clean = start.findings.empty() || start.path.position.rows() == 0;
   Made made = clean ? Made{std::move(start)} : climb(ladder, std::move(start));
   const std::vector<Finding>& remaining = made.checked.findings;
-  if (!made.refusal) made.refusal = refusal_of(remaining, options);
+  if (!made.refusal) made.refusal = refusal_of(remaining);
   const bool repaired = !clean && remaining.empty();
   return {{std::move(made.checked.path), repaired, std::move(made.checked.findings),
            std::move(made.steps)},
           std::move(made.refusal)};
+}
+
+std::string no_free_path(const RepairOptions& options) {
+  return fmt::format("no free path in {} attempts of {} iterations", options.attempts,
+                     options.iterations);
 }
 
 std::string sentence(const Finding& finding) {

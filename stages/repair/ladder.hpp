@@ -60,8 +60,10 @@ struct RepairResult {
 
 /// Climbs, and says what is left: what stopped a rung, or the worst finding, collisions first.
 /// Refused: start_in_collision, goal_in_collision, unreachable, no_path, limit, jump, tracking.
-Outcome<RepairResult> repair_path(const std::vector<Rung>& ladder, Checked start,
-                                  const RepairOptions& options);
+Outcome<RepairResult> repair_path(const std::vector<Rung>& ladder, Checked start);
+
+/// "no free path in 3 attempts of 3000 iterations": how long a way around was looked for.
+std::string no_free_path(const RepairOptions& options);
 
 /// "object: palm – cup from 1.200 s to 1.300 s, 0.0040 m too much".
 std::string sentence(const Finding& finding);

@@ -66,6 +66,7 @@ Json row_json(const RobotTable& robot, const Plan& plan, const std::string& path
                        {"contact_depth", plan.tolerances.contact_depth},
                        {"tracking_grasp", plan.tolerances.tracking_grasp},
                        {"tracking", plan.tolerances.tracking}};
+  if (plan.tolerances.link_depth) row["tolerances"]["link_depth"] = *plan.tolerances.link_depth;
   row["estimated"] = plan.goals.estimated;
   row["unchecked_links"] = robot.unchecked_links;
   row["mirrored"] = plan.hand != robot.side;

@@ -73,9 +73,7 @@ Penetration deepest_penetration(const collision::CollisionWorld& world,
           -collision::capsule_solid(scratch.bodies[c], collision::solid_at(world, target),
                                     scratch.object_poses[target])
                .distance;
-      const bool pad = std::ranges::any_of(
-          robot.pads, [&](const robot::Pad& one) { return one.capsule == static_cast<int>(c); });
-      double& most = pad ? deepest.pads : deepest.others;
+      double& most = robot::is_pad(robot, static_cast<int>(c)) ? deepest.pads : deepest.others;
       most = std::max(most, depth);
     }
   }

@@ -106,8 +106,7 @@ Plan repair_plainly(const planning::LoadedConfig& loaded, const Plan& undisturbe
   const repair::Checked start{plan.path, check(plan.path)};
   const repair::Rung a_detour{
       "detour", [&](const repair::Checked& best) { return repair::detour(around, best); }};
-  const Outcome<repair::RepairResult> repaired =
-      repair::repair_path({a_detour}, start, loaded.options.repair);
+  const Outcome<repair::RepairResult> repaired = repair::repair_path({a_detour}, start);
   plan.path = repaired.value.path;
   plan.reason = repaired.refusal.reason;
   plan.detail = repaired.refusal.detail;

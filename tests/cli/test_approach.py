@@ -30,12 +30,21 @@ class Approach(CommandCase):
             way = plan["trajectory/position"]
             for group, at_home, meets in (("approach", 0, way[0]), ("retreat", -1, way[-1])):
                 position = plan[group]["position"][()]
-                np.testing.assert_allclose(position[at_home], home, atol=1e-6)
-                np.testing.assert_allclose(position[-1 - at_home], meets, atol=1e-6)
+                np.testing.assert_allclose(position[at_home], home, rtol=0, atol=1e-6)
+                np.testing.assert_allclose(position[-1 - at_home], meets, rtol=0, atol=1e-6)
                 self.assertGreater(plan[group]["clearance"][()].min(), 0.001)
                 # Half of the limits at most.
                 velocity = np.abs(plan[group]["velocity"][()]) / file["robot/velocity"][()]
                 self.assertLessEqual(velocity.max(), 0.5 + 1e-6)
+
+    def test_a_finger_that_leaves_its_limit_at_home(self):
+        # Smoothed, the approach began 3e-6 rad beside the open hand.
+        plans = self.run_it(SOURCE / "configs/pipelines/rm75_inspire.yaml", ("--set", "approach.back=true"))
+        self.assertEqual(self.json_of("verify", plans)["violations"], [])
+        with h5py.File(plans) as file:
+            home = np.clip(0, file["robot/lower"], file["robot/upper"])
+            approach = file["plans/ADL001DR2/000/approach/position"][0]
+            np.testing.assert_allclose(approach, home, rtol=0, atol=1e-6)
 
     def test_a_home_in_collision(self):
         # The fingers bent through each other's way, the arm into the table.
@@ -62,11 +71,11 @@ class Approach(CommandCase):
             file.write(f"extends: {SOURCE}/configs/pipelines/pa10_dlr_hit2.yaml\napproach: {{{approach}}}\n")
         return config
 
-    def run_it(self, config):
+    def run_it(self, config, settings=SMALL):
         manifest = f"{self.folder}/one.yaml"
         with open(manifest, "w") as file:
             file.write(ONE_RECORDING)
-        result = morphe("run", config, "--dataset", manifest, "--out", f"{self.folder}/out", *SMALL)
+        result = morphe("run", config, "--dataset", manifest, "--out", f"{self.folder}/out", *settings)
         self.assertEqual(result.returncode, 0, result.stderr)
         return f"{self.folder}/out/plans.h5"
 

@@ -304,10 +304,10 @@ TEST(CarriedTarget, WhatEndsAtTheGraspCarriesNothing) {
   c.time = {0, 0.2, 0.4, 0.6, 0.8, 1};
   carry_target(c.time, c.position, c.world);
   EXPECT_EQ(c.world.carried.frame, -1);
-  c = Carrying();
-  c.scene.objects[0].attached_frame = "nobody";
-  carry_target(c.time, c.position, c.world);
-  EXPECT_EQ(c.world.carried.frame, -1);
+  Carrying nobody;
+  nobody.scene.objects[0].attached_frame = "nobody";
+  carry_target(nobody.time, nobody.position, nobody.world);
+  EXPECT_EQ(nobody.world.carried.frame, -1);
 }
 
 TEST(CarriedTarget, VerdictsHoldUnderDenseSampling) {

@@ -62,6 +62,21 @@ TEST(MakeWorld, TouchingLastsFromPreshapeToRelease) {
   EXPECT_EQ(make_world(robot, scene, movement, {}).target, -1);
 }
 
+TEST(MakeWorld, LinksThatAreNoPadsHaveADepthOfTheirOwn) {
+  RandomBodies random(33);
+  RobotTable table = random_robot(random);
+  table.tips.push_back({"tip", static_cast<int>(table.frames.size()) - 1, Pose::Identity(), 1});
+  const robot::Robot robot(table);
+  const Scene scene = random_scene(random);
+  CollisionWorld world = make_world(robot, scene, grasping(), {});
+  const int pad = static_cast<int>(table.capsules.size()) - 1;
+  EXPECT_EQ(required_m(world, pad - 1, 4, 0.5), -0.005);
+  world.tolerances.link_depth = 0.0005;
+  EXPECT_EQ(required_m(world, pad, 4, 0.5), -0.005);
+  EXPECT_EQ(required_m(world, pad - 1, 4, 0.5), -0.0005);
+  EXPECT_EQ(required_m(world, pad - 1, 4, 0.1), world.tolerances.margin);
+}
+
 /// Every pair, without the shortcuts.
 std::vector<PairSeparation> all_pairs(const CollisionWorld& world, double time_s,
                                       const CollisionScratch& scratch) {

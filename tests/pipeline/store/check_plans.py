@@ -126,7 +126,7 @@ with h5py.File(sys.argv[1]) as file:
     assert list(file["plans"]) == ["zz"] and list(file["plans/zz"]) == ["000", "001"]
     full, bare = file["plans/zz/000"], file["plans/zz/001"]
     for plan in (full, bare):
-        attributes(plan, PLAN_ATTRIBUTES)
+        attributes(plan, PLAN_ATTRIBUTES + (["link_depth"] if plan is full else []))
         attributes(plan["certificate"], CERTIFICATE)
         attributes(plan["goals"], ["common_base_offset"])
         assert text(plan["mapped/status"].attrs["meaning"]) == \

@@ -172,6 +172,7 @@ void expect_same(const Plan& a, const Plan& b) {
   EXPECT_SAME(detail);
   EXPECT_SAME(tolerances.margin);
   EXPECT_SAME(tolerances.contact_depth);
+  EXPECT_SAME(tolerances.link_depth);
   EXPECT_SAME(tolerances.tracking_grasp);
   EXPECT_SAME(tolerances.tracking);
   EXPECT_SAME(tolerances.out_of_reach_share);

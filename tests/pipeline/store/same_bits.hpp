@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -28,6 +29,10 @@ bool same_bits(const Eigen::MatrixBase<Derived>& a, const Eigen::MatrixBase<Deri
 }
 inline bool same_bits(const Quat& a, const Quat& b) { return same_bits(a.coeffs(), b.coeffs()); }
 inline bool same_bits(const Pose& a, const Pose& b) { return same_bits(a.matrix(), b.matrix()); }
+template <class T>
+bool same_bits(const std::optional<T>& a, const std::optional<T>& b) {
+  return a.has_value() == b.has_value() && (!a || same_bits(*a, *b));
+}
 template <class T>
 bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
   if (a.size() != b.size()) return false;

@@ -216,7 +216,7 @@ Plan full_plan(const std::string& demonstration, int movement) {
                    "cup"};
   plan.reason = Reason::none;
   plan.detail = "It holds.";
-  plan.tolerances = {0.002, 0.004, 0.006, 0.03, 0.25, 0.04};
+  plan.tolerances = {0.002, 0.004, 0.001, 0.006, 0.03, 0.25, 0.04};
   plan.goals.time = number.many(4);
   plan.goals.tip_position = number.points(4, 2);
   plan.goals.pad_share = Table<double>(4, 2, 0.25);

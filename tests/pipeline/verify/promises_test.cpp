@@ -244,13 +244,14 @@ TEST(VerifyPromises, FindsWhatWasNotAskedFor) {
   EXPECT_EQ(causes_in(planar::plan(), &finer), Causes{"config goals"});
 }
 
-TEST(VerifyPromises, ContactsMayBeGivenUpWithTheirDepth) {
+TEST(VerifyPromises, FindsALinkDepthThatIsNotTheConfigs) {
   Asked wanted = asked();
-  wanted.contact_depth = 0.001;
-  EXPECT_EQ(causes_in(planar::plan(), &wanted), Causes());
+  wanted.tolerances.link_depth = 0.0;
+  EXPECT_EQ(causes_in(planar::plan(), &wanted), Causes{"config link_depth"});
   Plan plan = planar::plan();
-  plan.goals.pad_share = {plan.goals.frames(), 2, 0.0};
-  EXPECT_EQ(causes_in(plan, &wanted), Causes{"config contact_depth"});
+  plan.tolerances.link_depth = 0.002;
+  const Asked without = asked();
+  EXPECT_EQ(causes_in(plan, &without), Causes{"config link_depth"});
 }
 
 TEST(VerifyPromises, FindsAnApproachThatIsMissingOrDoesNotBeginAtHome) {
@@ -277,6 +278,9 @@ TEST(VerifyPromises, FindsAnApproachThatIsMissingOrDoesNotBeginAtHome) {
   plan.retreat = {};
   wanted.home->posture = planar::position_at(0);
   EXPECT_EQ(causes_in(plan, &wanted), Causes());
+  // It stands aside, by less than could pass once: neither at home nor where the trajectory begins.
+  plan.approach.position.col(0).array() += 1e-5;
+  EXPECT_EQ(causes_in(plan, &wanted), (Causes{"structure approach", "transfer home"}));
 }
 
 TEST(VerifyPromises, FindsAnObstacleOfTheConfigThatIsMissingOrElsewhere) {

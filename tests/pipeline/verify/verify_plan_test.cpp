@@ -323,6 +323,22 @@ TEST(VerifyPlan, LetsOnlyAllowedCapsulesTouchTheTargetAndOnlyInTime) {
   EXPECT_EQ(found[0].limit, -0.0019);
 }
 
+TEST(VerifyPlan, LinksThatAreNoPadsHaveADepthOfTheirOwn) {
+  RobotTable robot = planar::robot();
+  RobotTable::Capsule knuckle = robot.capsules[3];  // ends before the distal link does
+  knuckle.name = "knuckle";
+  knuckle.to -= 0.001 * (knuckle.to - knuckle.from).normalized();
+  robot.capsules.push_back(knuckle);
+  Plan plan = planar::plan();
+  EXPECT_TRUE(of("object", verify(plan, robot)).empty());
+  plan.tolerances.link_depth = 0.0005;
+  const auto found = of("object", verify(plan, robot));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].subject, "knuckle/cup");
+  EXPECT_EQ(found[0].limit, -0.0005);
+  EXPECT_NEAR(found[0].value, -0.001, 1e-4);
+}
+
 TEST(VerifyPlan, FindsTheRobotInItsOwnWay) {
   RobotTable robot = planar::robot();
   robot.capsules[3].to = Vec3(-0.1, 0, 0);  // the distal link reaches back into the forearm

@@ -45,15 +45,17 @@ struct Case {
   Goals goals = goals_off_by(Vec3::Zero());
   Trajectory trajectory = sweep(kSweep);
   Mapped mapped;
+  Tolerances tolerances;
   bool path_was_free = true;
 
   Case() {
     movement.end_s = 0.8;
     trajectory.demonstration_time = {0, 0.8};
+    tolerances.tracking = 0.1;  // goals go straight and steadily from one end to the other
   }
   Outcome<Certificate> run() {
     const collision::CollisionWorld world =
-        collision::make_world(robot, scene, movement, Tolerances{});
+        collision::make_world(robot, scene, movement, tolerances);
     return certify(world, goals, movement, trajectory, mapped, path_was_free);
   }
 };
@@ -138,6 +140,29 @@ TEST(Certify, TrackingIsTighterInTheGrasp) {
   EXPECT_EQ(result.refusal.reason, Reason::tracking);
   EXPECT_THAT(result.refusal.detail, testing::HasSubstr("thumb_tip is 6.00 mm"));
   EXPECT_NEAR(result.value.position_error_grasp, 0.006, 1e-12);
+}
+
+TEST(Certify, ATipBetweenSamplesIsFound) {
+  Case c;
+  // The tip leaves its goal, which stands still, and comes back to it: accelerations of 16 rad/s^2
+  // at both ends of a second make 2 * 16 / 64 rad in the middle.
+  c.trajectory = sweep(0);
+  c.trajectory.demonstration_time = {0, 0.8};
+  c.trajectory.acceleration.col(0).setConstant(16);
+  c.robot.acceleration.setConstant(100);
+  c.robot.velocity.setConstant(10);
+  c.robot.jerk.setConstant(1000);
+  for (Vec3& goal : c.goals.tip_position.values)
+    if (seen(goal)) goal = turned(0, 0.55, 0.04);
+  const double way = 2 * std::sin(0.25) * Vec3(0.55, 0.04, 0).norm();
+  c.tolerances.tracking = 1.001 * way;
+  EXPECT_EQ(c.run().refusal.reason, Reason::none) << c.run().refusal.detail;
+  c.tolerances.tracking = 0.999 * way;
+  const Outcome<Certificate> result = c.run();
+  EXPECT_EQ(result.refusal.reason, Reason::tracking);
+  EXPECT_THAT(result.refusal.detail,
+              testing::HasSubstr("mm from its goal after sample 0 (0.500 s)"));
+  EXPECT_NEAR(result.value.position_error_max, 0, 1e-12);  // of samples
 }
 
 TEST(Certify, MarksWhatWasRepaired) {

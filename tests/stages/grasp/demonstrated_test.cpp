@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "pipeline/robot/files/description.hpp"
+#include "tests/pipeline/collision/meshes.hpp"
 
 namespace morphe::grasp {
 namespace {
@@ -79,6 +80,52 @@ TEST(DemonstratedTouches, NeedTheSkinToBeNearForHalfOfTheTime) {
   EXPECT_LT(held.touches()[0].confidence, 0.9);
 }
 
+/// What a person touches who holds that shape where the cylinder was.
+std::vector<Touch> touches_of(HeldCylinder held, const SceneObject& shape,
+                              const collision::MeshSolid* mesh) {
+  SceneObject target = shape;
+  target.time = held.target.time;
+  target.position = held.target.position;
+  target.orientation = held.target.orientation;
+  return demonstrated_touches(reference(), held.goals, held.movement, {target, mesh}, held.options);
+}
+
+TEST(DemonstratedTouches, OfAMeshAreThoseOfTheBoxThatItIs) {
+  const HeldCylinder held;
+  SceneObject box;
+  box.name = "cup";
+  box.shape = Shape::box;
+  box.size = {0.06, 0.06, 0.1};
+  const collision::MeshObject mesh = collision::box_mesh({0.06, 0.06, 0.1});
+  const std::vector<Touch> of_box = touches_of(held, box, nullptr),
+                           of_mesh = touches_of(held, mesh, mesh.solid.get());
+  ASSERT_EQ(of_box.size(), 2U);
+  ASSERT_EQ(of_mesh.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(of_mesh[i].tip, of_box[i].tip);
+    EXPECT_LT((of_mesh[i].point - of_box[i].point).norm(), 1e-12);
+    EXPECT_LT((of_mesh[i].normal - of_box[i].normal).norm(), 1e-12);
+    EXPECT_LT((of_mesh[i].centre - of_box[i].centre).norm(), 1e-12);
+    EXPECT_NEAR(of_mesh[i].confidence, of_box[i].confidence, 1e-9);
+  }
+}
+
+TEST(DemonstratedTouches, OfARingAreOnItsTubeWhereTheSkinIs) {
+  HeldCylinder held;  // a ring about z: the thumb inside of it, the index outside
+  const double ring = 0.045, tube = 0.01;
+  for (std::size_t f = 100; f < held.goals.frames(); ++f) {
+    held.goals.tip_position(f, 0) = held.in_base({-(ring - tube - 0.011), 0, 0});
+    held.goals.tip_position(f, 1) = held.in_base({0, ring + tube + 0.011, 0});
+  }
+  const collision::MeshObject mesh = collision::torus_mesh(ring, tube, 96, 48);
+  const std::vector<Touch> touches = touches_of(held, mesh, mesh.solid.get());
+  ASSERT_EQ(touches.size(), 3U) << "the middle finger beside them, 60 mm from the middle";
+  EXPECT_LT((touches[0].point - Vec3(-(ring - tube), 0, 0)).norm(), 5e-4);
+  EXPECT_LT((touches[0].normal - Vec3(-1, 0, 0)).norm(), 0.1) << "into the tube, outwards";
+  EXPECT_LT((touches[1].point - Vec3(0, ring + tube, 0)).norm(), 1e-4);
+  EXPECT_LT((touches[1].normal - Vec3(0, -1, 0)).norm(), 0.1);
+}
+
 TEST(MakeRoom, MovesPadsApartAlongTheSurfaceAndNoFurther) {
   HeldCylinder held;
   for (std::size_t f = 0; f < held.goals.frames(); ++f) {
@@ -128,6 +175,37 @@ TEST(AimPads, KeepGoalsOutsideTheTargetByTheApertureOnTheirWay) {
     const double share = held.goals.pad_share(f, 1);
     EXPECT_GE(apart, std::sqrt(share) * 0.011 + 4 * share * (1 - share) * 0.01 - 1e-9)
         << held.goals.time[f];
+  }
+}
+
+TEST(MovedTo, TouchesTheNearestPointOfTheSurface) {
+  const HeldCylinder held;
+  Touch touch = held.touches()[1];
+  touch = moved_to(reference(), held.target, {0.05, 0, 0.02}, touch);
+  EXPECT_EQ(touch.tip, 1U);
+  EXPECT_LT((touch.point - Vec3(0.03, 0, 0.02)).norm(), 1e-12);
+  EXPECT_LT((touch.normal - Vec3(-1, 0, 0)).norm(), 1e-12);
+  EXPECT_LT((touch.centre - Vec3(0.041, 0, 0.02)).norm(), 1e-12) << "a radius outside";
+}
+
+TEST(KeepOutside, TakesGoalsAsFarOutAsThePadIsThickAndLeavesOthers) {
+  HeldCylinder held;
+  for (std::size_t f = 0; f < held.goals.frames(); ++f) {
+    held.goals.tip_position(f, 0) = held.in_base({-0.028, 0, 0.01});  // 2 mm inside
+  }
+  const Goals before = held.goals;
+  keep_outside(reference(), {0, 2, 3}, held.movement, held.target, held.goals);
+  for (std::size_t f = 0; f < before.frames(); ++f) {
+    const double share = closed_share(hold_time(held.movement), before.time[f]);
+    const Vec3 at = held.turn.inverse() * (held.goals.tip_position(f, 0) - held.place);
+    if (share > 0) {
+      EXPECT_NEAR(at.x(), -0.03 - std::sqrt(share) * 0.011, 1e-9) << before.time[f];
+    } else {
+      EXPECT_EQ(held.goals.tip_position(f, 0), before.tip_position(f, 0));
+    }
+    EXPECT_EQ(held.goals.tip_position(f, 1), before.tip_position(f, 1)) << "not asked for";
+    EXPECT_EQ(held.goals.tip_position(f, 2), before.tip_position(f, 2)) << "outside already";
+    EXPECT_FALSE(seen(held.goals.tip_position(f, 3))) << "never seen";
   }
 }
 

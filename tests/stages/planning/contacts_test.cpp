@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/collision/world.hpp"
+#include "pipeline/robot/files/description.hpp"
 #include "stages/planning/pipeline_config.hpp"
 #include "stages/planning/plan_movement.hpp"
 #include "tests/stages/planning/shipped_reach.hpp"
@@ -28,6 +30,7 @@ TEST(Contacts, PadsTouchTheCupAndAnotherFingerCloses) {
   const Plan plan = planned_drink({"grasp.close_fingers=true"});
   ASSERT_TRUE(plan.executable()) << plan.detail;
   EXPECT_EQ(plan.tolerances.contact_depth, 0.001);
+  EXPECT_EQ(plan.tolerances.link_depth, 0.0);
   ASSERT_GE(plan.grasp.contacts.size(), 3U);
   const SceneObject& cup = *object_named(plan.scene.objects, plan.movement.target);
   for (const PadContact& contact : plan.grasp.contacts) {
@@ -86,18 +89,47 @@ TEST(Contacts, ThatCannotHoldHaveNoSqueezeAndThePlanSaysSo) {
 TEST(Contacts, AreOnlyThereWhereTheConfigAsksForThem) {
   const Plan plan = planned_drink({});
   EXPECT_EQ(plan.tolerances.contact_depth, 0.005);
+  EXPECT_FALSE(plan.tolerances.link_depth);
   EXPECT_EQ(plan.goals.pad_share.rows, 0U);
   EXPECT_TRUE(plan.grasp.contacts.empty());
 }
 
-TEST(Contacts, WhereNothingTouchesThePlanIsTheOneByTips) {
-  const Plan by_tips = planned_drink({});
-  const Plan plan = planned_drink({"grasp.near=0.0001", "grasp.pad_depth=0"});
+/// The least room at any sample when pads may sink in by 1 mm, and other links not at all [m].
+double least_room(const Plan& plan) {
+  const robot::Robot robot(
+      robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table);
+  Tolerances tolerances = plan.tolerances;
+  tolerances.contact_depth = 0.001;
+  tolerances.link_depth = 0;
+  const collision::CollisionWorld world =
+      collision::make_world(robot, plan.scene, plan.movement, tolerances);
+  collision::CollisionScratch scratch;
+  double least = kInfinity;
+  for (std::size_t i = 0; i < plan.trajectory.samples(); ++i) {
+    const JointVector q = plan.trajectory.position.row(static_cast<Eigen::Index>(i)).transpose();
+    least = std::min(
+        least,
+        collision::least_slack(world, q, plan.trajectory.demonstration_time[i], scratch).slack());
+  }
+  return least;
+}
+
+TEST(Contacts, WhereNothingTouchesThePlanIsTheOneByTipsAndKeepsOutOfTheTarget) {
+  const std::vector<std::string> nobody{"grasp.near=0.0001", "grasp.pad_depth=0"};
+  std::vector<std::string> deeper = nobody;
+  deeper.insert(deeper.end(), {"grasp.penetration=0.005", "grasp.link_penetration=0.005"});
+  const Plan by_tips = planned_drink({}), plan = planned_drink(deeper);
   ASSERT_TRUE(plan.executable()) << plan.detail;
   EXPECT_THAT(plan.detail, HasSubstr("no contact: no fingertip's skin was within"));
-  EXPECT_EQ(plan.tolerances.contact_depth, by_tips.tolerances.contact_depth);
   EXPECT_EQ(plan.trajectory.position, by_tips.trajectory.position) << "bit for bit";
   EXPECT_EQ(plan.goals.pad_share.rows, 0U);
+
+  // A cup that is wider than the tips are apart.
+  const std::string wide = "scene.target.pad_depth=0.008";
+  const Plan deep = planned_drink({wide}), out = planned_drink({wide, nobody[0], nobody[1]});
+  ASSERT_TRUE(deep.executable() && out.executable()) << deep.detail << out.detail;
+  EXPECT_LT(least_room(deep), -1e-4) << "or there is nothing to keep out of";
+  EXPECT_GE(least_room(out), -1e-6);
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ TEST(Ladder, ARungMayEndIt) {
                      ADD_FAILURE() << "no rung can help";
                      return Made{best};
                    }};
-  const Outcome<RepairResult> result = repair_path({dead_end, never}, {path, findings}, {});
+  const Outcome<RepairResult> result = repair_path({dead_end, never}, {path, findings});
   EXPECT_EQ(result.refusal.reason, Reason::unreachable);
   EXPECT_EQ(result.refusal.detail, "no posture");
   EXPECT_FALSE(result.value.repaired);
