@@ -251,7 +251,8 @@ table("tips_elsewhere", _tip)
 for _name in ("margin", "contact_depth", "link_depth", "tracking_grasp", "tracking", "out_of_reach_share", "farthest_tip"):
     def _forge(f, name=_name):
         need(name in f.plan.attrs)
-        f.plan.attrs[name] = f.plan.attrs[name] * (1 + f.sign * min(0.9, 1e-3 * f.size))
+        stored, off = f.plan.attrs[name], min(0.9, 1e-3 * f.size)
+        f.plan.attrs[name] = stored * (1 + f.sign * off) if stored else 1e-3 * off
     _forge.__name__ = f"{_name}_of_its_own"
     lie("tolerances and config")(_forge)
 

@@ -7,8 +7,7 @@ namespace morphe::segment {
 namespace {
 
 constexpr double kLonelyGrasp_s = 0.3;
-constexpr double kAtSurface = 0.025;  ///< a tip (the finger's axis) that touches is this near [m]
-constexpr double kClosing_s = 0.1;    ///< the hand may close this much after it has arrived
+constexpr double kClosing_s = 0.1;  ///< the hand may close this much after it has arrived
 
 const ObjectMotion* first_motion(const std::vector<ObjectMotion>& motions,
                                  const HandSignals& signals, const std::vector<Bout>& bouts) {
@@ -50,24 +49,6 @@ void last_at_least(double least_s, double from_s, double to_s, GraspTimes& grasp
   if (missing_s <= 0) return;
   grasp.begin_s = std::max(from_s, grasp.begin_s - missing_s / 2);
   grasp.end_s = std::min(to_s, grasp.begin_s + least_s);
-}
-
-/// A hand that sets out before it has come to what it carries is still reaching: the grasp ends as
-/// the object moves, and begins where a tip comes to its surface, if one does, `least_s` before
-/// that at the latest.
-void end_at_object(const HandSignals& signals, const std::vector<Contact>& contacts,
-                   const ObjectMotion& moved, double least_s, GraspTimes& grasp) {
-  const auto contact = std::ranges::find(contacts, moved.object, &Contact::object);
-  if (contact == contacts.end() || moved.begin_s <= grasp.end_s) return;
-  if (!(contact->distance[signals.frame(grasp.end_s)] > kAtSurface)) return;
-  const std::size_t last = signals.frame(moved.begin_s);
-  std::size_t first = last;
-  while (first > 0 && contact->distance[first - 1] <= kAtSurface) --first;
-  grasp.end_s = moved.begin_s;
-  if (first == last) return;
-  const double there_s = signals.time(static_cast<double>(first));
-  grasp.begin_s =
-      std::clamp(there_s, grasp.begin_s, std::max(grasp.begin_s, grasp.end_s - least_s));
 }
 
 }  // namespace
@@ -113,7 +94,6 @@ GraspTimes find_grasp(const HandSignals& signals, const SegmentOptions& options,
   } else {
     grasp.end_s = bouts[next].begin_s;
     grasp.end_confidence = bouts[next].begin_confidence;
-    if (moved) end_at_object(signals, contacts, *moved, options.least_grasp, grasp);
   }
   const double begin_s = bouts.front().begin_s;
   grasp.opening = opening_in(signals, options, begin_s, grasp.begin_s, grasp.end_s);

@@ -24,11 +24,10 @@ struct GraspTimes {
 
 /// The grasp of one movement's bouts, the first of which is the reach (or its first part). If a
 /// recorded object moves with the hand, the transport is the bout in which it does: smaller ones
-/// before it are the hand closing; if no tip is at the object as that bout begins, the hand is
-/// still on its way, and the grasp ends as the object moves. Otherwise the transport is the next
-/// bout, and it was a grasp if the opening widened and closed again, or a recorded object was held
-/// for least_grasp before the transport. The reach goes on over a pause in which the hand stays
-/// open; `weak` are the bouts too small to be transports, which may still be the last of the reach.
+/// before it are the hand closing. Otherwise the transport is the next bout, and it was a grasp if
+/// the opening widened and closed again, or a recorded object was held for least_grasp before the
+/// transport. The reach goes on over a pause in which the hand stays open; `weak`
+/// are the bouts too small to be transports, which may still be the last of the reach.
 GraspTimes find_grasp(const HandSignals& signals, const SegmentOptions& options,
                       const std::vector<ObjectMotion>& motions,
                       const std::vector<Contact>& contacts, const std::vector<Bout>& bouts,

@@ -96,12 +96,11 @@ TEST(Recordings, OneReachInEachAdroitDemonstrationAndAReturnAfterTheRelease) {
   const struct {
     const char* name;
     double begin, end;  ///< 0-based rows: from 10 % of the way until the palm is 8 cm away
-    double turned;      ///< row in which the handle has gone 5 mm
-  } demonstrations[] = {{"door_demo_06", 19, 48, 74},
-                        {"door_demo_08", 17, 42, 68},
-                        {"door_demo_11", 14, 37, 55},
-                        {"door_demo_12", 18, 47, 79},
-                        {"door_demo_13", 15, 42, 75}};
+  } demonstrations[] = {{"door_demo_06", 19, 48},
+                        {"door_demo_08", 17, 42},
+                        {"door_demo_11", 14, 37},
+                        {"door_demo_12", 18, 47},
+                        {"door_demo_13", 15, 42}};
   for (const auto& expected : demonstrations) {
     const auto movements = movements_of("adroit-dapg", expected.name);
     ASSERT_EQ(movements.size(), 1u) << expected.name;
@@ -110,8 +109,6 @@ TEST(Recordings, OneReachInEachAdroitDemonstrationAndAReturnAfterTheRelease) {
     EXPECT_LT(moving.front().begin_s, 0.01 * expected.begin) << expected.name;
     EXPECT_GT(moving.front().end_s, 0.01 * expected.end) << expected.name;
     EXPECT_EQ(moving[1].kind, PhaseKind::transport) << expected.name;
-    // The hand does not stop at the handle: it closes as it sets out to pull.
-    EXPECT_NEAR(moving[1].begin_s, 0.01 * expected.turned, 0.02) << expected.name;
     EXPECT_EQ(moving.back().kind, PhaseKind::go_back) << expected.name;
   }
 }

@@ -221,29 +221,6 @@ TEST(Segment, ARecordedObjectThatMovesMarksTheTransport) {
   EXPECT_NEAR(phase(movements[0], PhaseKind::grasp).end_s, 1.9 + rise_s(0.05, 0.9), 0.01);
 }
 
-TEST(Segment, AHandThatSetsOutBeforeItIsAtTheObjectGraspsUntilTheObjectMoves) {
-  const HumanMotion motion = drinking_hand().motion();
-  const auto tip_at = [&](double time_s) {
-    return motion.tip(static_cast<std::size_t>(std::lround(time_s / 0.01)), kIndex);
-  };
-  SceneObject box;
-  box.name = "box";
-  box.shape = Shape::sphere;
-  box.size = {0.02};
-  for (int i = 0; i <= 500; ++i) {  // the hand sets out at 1.9 s, and meets it at 2.2 s
-    box.time.push_back(0.01 * i);
-    box.position.push_back(tip_at(std::max(0.01 * i, 2.2)));
-    box.orientation.push_back(Quat::Identity());
-  }
-  const auto movements = segment(motion, {}, {box});
-  ASSERT_EQ(movements.size(), 1u);
-  const Phase& grasp = phase(movements[0], PhaseKind::grasp);
-  EXPECT_NEAR(grasp.end_s, 2.2, 0.03);
-  EXPECT_GE(grasp.end_s - grasp.begin_s, SegmentOptions{}.least_grasp - 1e-9);
-  EXPECT_GT(grasp.begin_s, 2.05) << "where the tip comes to its surface";
-  expect_in_order(movements[0]);
-}
-
 TEST(Segment, PhasesKeepTheirOrderWhereverTheObjectMoves) {
   for (double lift_s = 1.0; lift_s < 4.5; lift_s += 0.03) {
     SceneObject box;
