@@ -78,7 +78,7 @@ Descents thorough(const solve::MinimiseOptions& options) {
 
 Descents quick(const solve::MinimiseOptions& options) {
   const Descents descents = thorough(options);
-  return {limited(descents.first, 25), limited(descents.then, 10)};
+  return {limited(descents.first, 40), limited(descents.then, 10)};
 }
 
 std::vector<solve::Minimum> search_frame(const MappingProblem& problem, std::size_t frame,

@@ -52,7 +52,7 @@ bool same_course(const Twins& twins, const JointRows& a, const JointRows& b) {
 
 /// Iterations after which the jumps are gone and a sequence shows what it is worth, and how many of
 /// the best are smoothed to the end: the others wait for repair, which changes them anyway.
-constexpr int kLook = 5;
+constexpr int kLook = 7;
 constexpr std::size_t kSmoothed = 2;
 constexpr double kComparing = 10;  ///< times the share of their value that the last steps gain
 
