@@ -77,7 +77,7 @@ void make_convex(MovementPoint& point, const Held& held, const JointVector& damp
     const double least = kLeast * hessian.diagonal().cwiseAbs().maxCoeff();
     for (Index k = 0; k < 2 * held.cols(); ++k) {
       if (factor.factorise(hessian, damping[f], own_held)) break;
-      down = factor.direction.reverse().normalized();
+      down = factor.direction.normalized();
       hessian += (std::max(damping[f] - factor.curvature, least) * down) * down.transpose();
     }
   }
