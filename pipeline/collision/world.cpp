@@ -113,8 +113,12 @@ double required_m(const CollisionWorld& world, int capsule, int object, double t
 
 void pose_bodies(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
                  CollisionScratch& scratch) {
+  robot::forward(*world.robot, q, scratch.base_from_frame);
+  place_bodies(world, time_s, scratch);
+}
+
+void place_bodies(const CollisionWorld& world, double time_s, CollisionScratch& scratch) {
   const RobotTable& robot = *world.robot;
-  robot::forward(robot, q, scratch.base_from_frame);
   scratch.bodies.resize(robot.capsules.size());
   scratch.balls.resize(robot.capsules.size());
   for (std::size_t i = 0; i < robot.capsules.size(); ++i) {
@@ -183,6 +187,11 @@ PairSeparation least_slack(const CollisionWorld& world, const Eigen::Ref<const J
 void near_pairs(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
                 double below_m, CollisionScratch& scratch, std::vector<PairSeparation>& out) {
   pose_bodies(world, q, time_s, scratch);
+  near_pairs(world, time_s, below_m, scratch, out);
+}
+
+void near_pairs(const CollisionWorld& world, double time_s, double below_m,
+                CollisionScratch& scratch, std::vector<PairSeparation>& out) {
   out.clear();
   visit_near(
       world, scratch, below_m,

@@ -101,6 +101,9 @@ double required_m(const CollisionWorld& world, int capsule, int object, double t
 void pose_bodies(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
                  CollisionScratch& scratch);
 
+/// The same where the scratch's base_from_frame is that of a joint position already.
+void place_bodies(const CollisionWorld& world, double time_s, CollisionScratch& scratch);
+
 /// Whether every pair has slack >= 0 at joint position q and demonstration time t.
 bool is_free(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
              CollisionScratch& scratch);
@@ -114,6 +117,10 @@ PairSeparation least_slack(const CollisionWorld& world, const Eigen::Ref<const J
 /// capsule with its objects.
 void near_pairs(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
                 double below_m, CollisionScratch& scratch, std::vector<PairSeparation>& out);
+
+/// The same of bodies that are placed already.
+void near_pairs(const CollisionWorld& world, double time_s, double below_m,
+                CollisionScratch& scratch, std::vector<PairSeparation>& out);
 
 /// Least distance over the pairs that may not touch at this time [m]: what a trajectory's
 /// `clearance` holds. +infinity if there is none.

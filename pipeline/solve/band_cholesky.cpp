@@ -72,9 +72,9 @@ BandCholesky::Block BandCholesky::block(std::size_t frame, Index before) {
   return {columns(frame, before), n_, n_, Eigen::OuterStride<>(padded_)};
 }
 
-bool BandCholesky::factorise() {
+bool BandCholesky::factorise(std::size_t first) {
   const auto frames = inverse_.size() / static_cast<std::size_t>(padded_);
-  for (std::size_t frame = 0; frame < frames; ++frame) {
+  for (std::size_t frame = first; frame < frames; ++frame) {
     const Index reach = std::min(static_cast<Index>(frame), kBandBlocks);
     for (Index before = reach; before >= 0; --before) {
       if (!factorise_block(frame, before, reach)) return false;

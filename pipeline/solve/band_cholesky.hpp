@@ -21,8 +21,9 @@ class BandCholesky {
   /// The block of `frame` with itself, of which the lower triangle counts, or with the frame one,
   /// two or three before.
   Block block(std::size_t frame, Eigen::Index before);
-  /// False if A is not positive definite.
-  bool factorise();
+  /// False if A is not positive definite. The block rows before `first` are still those of the last
+  /// factorise(), and only the others were filled in since.
+  bool factorise(std::size_t first = 0);
   /// b [frames * n] becomes x.
   void solve(Eigen::VectorXd& b);
 

@@ -1,89 +1,91 @@
 #include "pipeline/solve/envelope_cholesky.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace morphe::solve {
+namespace {
 
 using Eigen::Index;
+using Lanes = Eigen::Array4d;
+constexpr Index kLanes = Lanes::SizeAtCompileTime;
+
+Index padded(Index count) { return (count + kLanes - 1) / kLanes * kLanes; }
+
+/// Subtracts a multiple of `other` from the first `count` entries of `row`, and of what pads them.
+void subtract(double* row, double multiple, const double* other, Index count) {
+  for (Index k = 0; k < count; k += kLanes) {
+    Eigen::Map<Lanes>(row + k) -= multiple * Eigen::Map<const Lanes>(other + k);
+  }
+}
+
+}  // namespace
+
+/// The entries of s_p from `from` to before p.
+Eigen::Map<const JointVector> EnvelopeCholesky::before(Index pivot, Index from) const {
+  return {rows.data() + pivot * rows.cols() + from, pivot - from};
+}
 
 bool EnvelopeCholesky::factorise(const Eigen::MatrixXd& hessian, double damping,
                                  const std::vector<char>& held) {
   const Index n = hessian.rows();
   if (rows.rows() != n) {
-    rows.resize(n, n);
-    first.resize(static_cast<std::size_t>(n));
+    rows.setZero(n, padded(n));
     inverse_pivot.resize(n);
   }
-  for (Index i = 0; i < n; ++i) {
-    const Index variable = n - 1 - i;
-    double* row = rows.data() + i * n;
-    Index begin = i;
-    if (!held[static_cast<std::size_t>(variable)]) {
-      // Column `variable` of the lower triangle, from the bottom upwards.
-      const double* column = hessian.data() + variable * n;
-      for (Index j = 0; j < i; ++j) {
-        const Index other = n - 1 - j;
-        const double entry = held[static_cast<std::size_t>(other)] ? 0 : column[other];
-        row[j] = entry;
-        if (entry != 0 && begin == i) begin = j;
-      }
+  for (Index p = 0; p < n; ++p) {
+    double* row = rows.data() + p * rows.cols();
+    if (held[static_cast<std::size_t>(p)]) {
+      std::fill_n(row, p + 1, 0);
+    } else {
+      std::copy_n(hessian.data() + p * n, p + 1, row);
+      row[p] += damping;
     }
-    first[static_cast<std::size_t>(i)] = begin;
-    for (Index j = begin; j < i; ++j) {
-      const Index from = std::max(begin, first[static_cast<std::size_t>(j)]);
-      const double* other = rows.data() + j * n;
-      double sum = row[j];
-      if (j > from) {
-        sum -= Eigen::Map<const JointVector>(row + from, j - from)
-                   .dot(Eigen::Map<const JointVector>(other + from, j - from));
-      }
-      row[j] = sum * inverse_pivot[j];
-    }
-    if (held[static_cast<std::size_t>(variable)]) {
-      inverse_pivot[i] = 1;
+  }
+  for (Index j = 0; j < n; ++j) {
+    if (held[static_cast<std::size_t>(j)]) rows.col(j).tail(n - j).setZero();
+  }
+  for (Index p = n; p-- > 0;) {
+    double* row = rows.data() + p * rows.cols();
+    if (held[static_cast<std::size_t>(p)]) {
+      inverse_pivot[p] = 1;
       continue;
     }
-    const double own = hessian(variable, variable) + damping;
-    const double pivot = own - Eigen::Map<const JointVector>(row + begin, i - begin).squaredNorm();
-    if (!(pivot > 1e-14 * std::abs(own))) {
-      missing = std::max(-pivot, 1e-12 * std::abs(own)) / squared_length_at(i);
+    if (!(row[p] > 1e-14 * std::abs(hessian(p, p) + damping))) {
+      const double squared = squared_length_at(p);
+      missing = std::max(-row[p], 1e-12 * std::abs(hessian(p, p) + damping)) / squared;
+      curvature = row[p] / squared;
       return false;
     }
-    inverse_pivot[i] = 1 / std::sqrt(pivot);
+    inverse_pivot[p] = 1 / std::sqrt(row[p]);
+    for (Index k = 0; k < p; ++k) row[k] *= inverse_pivot[p];
+    for (Index k = 0; k < p; ++k) {
+      if (row[k] != 0) subtract(rows.data() + k * rows.cols(), row[k], row, k + 1);
+    }
   }
   return true;
 }
 
-/// ‖v‖² of the v with v_i = 1 and nothing after row i for which vᵀ H v is row i's pivot.
-double EnvelopeCholesky::squared_length_at(Index i) {
-  direction.setZero(rows.rows());
-  direction[i] = 1;
-  for (Index k = first[static_cast<std::size_t>(i)]; k < i; ++k) direction[k] = -rows(i, k);
-  for (Index k = i; k-- > 0;) {
-    const Index begin = first[static_cast<std::size_t>(k)], length = k - begin;
-    direction[k] *= inverse_pivot[k];
-    direction.segment(begin, length) -=
-        direction[k] * Eigen::Map<const JointVector>(rows.data() + k * rows.cols() + begin, length);
+/// ‖v‖² of the v with v_p = 1 and nothing before p for which vᵀ (H + damping I) v is p's pivot.
+double EnvelopeCholesky::squared_length_at(Index pivot) {
+  const Index n = rows.rows();
+  direction.setZero(n);
+  direction[pivot] = 1;
+  for (Index k = pivot + 1; k < n; ++k) {
+    direction[k] = -before(k, pivot).dot(direction.segment(pivot, k - pivot)) * inverse_pivot[k];
   }
-  return direction.dot(direction);
+  return direction.squaredNorm();
 }
 
 void EnvelopeCholesky::solve(JointVector& right_side) const {
   const Index n = right_side.size();
-  // In the order of elimination the vector is read backwards.
-  right_side.reverseInPlace();
-  for (Index i = 0; i < n; ++i) {
-    const Index begin = first[static_cast<std::size_t>(i)], length = i - begin;
-    const Eigen::Map<const JointVector> row(rows.data() + i * n + begin, length);
-    right_side[i] = (right_side[i] - row.dot(right_side.segment(begin, length))) * inverse_pivot[i];
+  for (Index p = n; p-- > 0;) {
+    right_side[p] *= inverse_pivot[p];
+    right_side.head(p) -= right_side[p] * before(p);
   }
-  for (Index i = n; i-- > 0;) {
-    const Index begin = first[static_cast<std::size_t>(i)], length = i - begin;
-    const Eigen::Map<const JointVector> row(rows.data() + i * n + begin, length);
-    right_side[i] *= inverse_pivot[i];
-    right_side.segment(begin, length) -= right_side[i] * row;
+  for (Index p = 0; p < n; ++p) {
+    right_side[p] = (right_side[p] - before(p).dot(right_side.head(p))) * inverse_pivot[p];
   }
-  right_side.reverseInPlace();
 }
 
 }  // namespace morphe::solve

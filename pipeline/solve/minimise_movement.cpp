@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "pipeline/solve/movement_correction.hpp"
 #include "pipeline/solve/movement_model.hpp"
 #include "pipeline/solve/movement_step.hpp"
 
@@ -13,19 +14,15 @@ using Eigen::Index;
 /// Half of D's share at a step bounds what a frame's own model may be wrong by. Where it did not,
 /// the damping that would have been enough; where it was far too much, less. If a step that is not
 /// taken blames no frame, all are damped: the same step again would end the same.
-void adapt(const MovementPoint& from, const MovementPoint& to, bool taken, JointVector& damping) {
+void adapt(const MovementPoint& from, const JointRows& aimed, const MovementPoint& to, bool taken,
+           JointVector& damping) {
   constexpr double kLeast = 1e-6, kFall = 5, kRise = 1000, kRiseIfTaken = 2, kRiseOfAll = 4;
-  JointVector step, bent;
+  const JointVector wrong = wrong_by(from, aimed, to);
   bool any_wrong = false;
   for (Index f = 0; f < from.q.rows(); ++f) {
-    const Quadratic& model = from.models[static_cast<std::size_t>(f)];
-    step = (to.q.row(f) - from.q.row(f)).transpose();
-    const double squared = step.squaredNorm();
+    const double squared = (aimed.row(f) - from.q.row(f)).squaredNorm();
     if (squared == 0) continue;
-    bent.noalias() = model.hessian * step;
-    const double wrong = to.models[static_cast<std::size_t>(f)].value - model.value -
-                         step.dot(model.gradient + 0.5 * bent);
-    const double enough = 2 * wrong / squared;
+    const double enough = 2 * wrong[f] / squared;
     if (enough > damping[f]) {
       any_wrong = true;
       damping[f] = taken ? std::min(enough, kRiseIfTaken * damping[f])
@@ -47,11 +44,9 @@ void clamp(const MovementProblem& problem, JointRows& q) {
 
 MovementMinimum minimise_movement(const MovementProblem& problem, const JointRows& start,
                                   const MovementOptions& options) {
-  constexpr int kPatience = 2;        // steps that may go uphill
-  constexpr double kFarUphill = 1.1;  // and how high, times the value below
   constexpr double kFirstDamping = 3;
   constexpr double kMostDamping = 1e12;
-  MovementPoint now, next, left, over;  // `left` by a step uphill to `over`
+  MovementPoint now, next, corrected;
   now.q = start;
   clamp(problem, now.q);
   evaluate(problem, now);
@@ -59,9 +54,27 @@ MovementMinimum minimise_movement(const MovementProblem& problem, const JointRow
   BandCholesky hessian;
   hessian.resize(problem.frames, start.cols());
   const DifferenceCurvature between = difference_curvature(problem);
-  JointRows step;
   JointVector damping = JointVector::Constant(now.q.rows(), kFirstDamping);
-  int uphill = 0, small = 0;
+  // A step's first correction where it gains less than kKept of what it promised; another one while
+  // it gains nothing, if what is missing is not many times what there is to gain.
+  constexpr int kCorrections = 3;
+  constexpr double kKept = 0.7, kNear = 10;
+  const auto step_to = [&](const JointRows& aimed) {
+    next.q = aimed;
+    evaluate(problem, next);
+    const double promised = now.value - next.value + wrong_by(now, aimed, next).sum();
+    for (int k = 0; k < kCorrections; ++k) {
+      const double gain = now.value - next.value;
+      if (k == 0 ? gain > kKept * promised : gain > 0 || -gain > kNear * promised) break;
+      correct(problem, between, now, aimed, next, damping, corrected.q);
+      clamp(problem, corrected.q);
+      evaluate(problem, corrected);
+      if (!(corrected.value < next.value)) break;
+      std::swap(next, corrected);
+    }
+  };
+  JointRows step, aimed;
+  int small = 0;
   MovementMinimum result;
   while (result.iterations < options.iterations && small < 2 &&
          damping.minCoeff() <= kMostDamping) {
@@ -70,31 +83,15 @@ MovementMinimum minimise_movement(const MovementProblem& problem, const JointRow
       damping *= 8;
       continue;
     }
-    next.q = now.q + step;
-    clamp(problem, next.q);
-    evaluate(problem, next);
-    const double before = uphill > 0 ? left.value : now.value;
-    if (next.value < before) {
-      small = before - next.value < options.relative_value * before ? small + 1 : 0;
-      adapt(now, next, true, damping);
-      std::swap(now, next);
-      uphill = 0;
-    } else if (uphill < kPatience && next.value < kFarUphill * before) {
-      if (uphill++ == 0) {
-        std::swap(left, now);
-        over = next;
-      }
-      std::swap(now, next);
-    } else {
-      if (uphill > 0) {
-        std::swap(now, left);
-        std::swap(next, over);
-      }
-      adapt(now, next, false, damping);
-      uphill = 0;
-    }
+    aimed = now.q + step;
+    clamp(problem, aimed);
+    step_to(aimed);
+    const bool taken = next.value < now.value;
+    adapt(now, aimed, next, taken, damping);
+    if (!taken) continue;
+    small = now.value - next.value < options.relative_value * now.value ? small + 1 : 0;
+    std::swap(now, next);
   }
-  if (uphill > 0) std::swap(now, left);
   result.converged = small == 2;
   result.q = now.q;
   result.value = now.value;

@@ -39,8 +39,8 @@ struct MovementMinimum {
 /// Newton's method on the block-banded model: each step minimises within the bounds (a primal-dual
 /// active set method) the model and D, a damping of every frame's own. The smoothness penalty is
 /// quadratic, so that only the frames' own models can be wrong; D follows what each was wrong by.
-/// Along a curved valley a good step leaves the floor, so that a few may go uphill before they must
-/// have gained together. Deterministic.
+/// A step that gains less than it promised is corrected before it is judged
+/// (movement_correction.hpp): along a curved valley a good one leaves the floor. Deterministic.
 MovementMinimum minimise_movement(const MovementProblem& problem, const JointRows& start,
                                   const MovementOptions& options);
 

@@ -1,8 +1,8 @@
 #include "pipeline/solve/movement_step.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
+
+#include "pipeline/solve/envelope_cholesky.hpp"
 
 namespace morphe::solve {
 namespace {
@@ -10,11 +10,12 @@ namespace {
 using Eigen::Index;
 using Held = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// H + D with held variables cut out.
+/// H + D with held variables cut out, from a frame on.
 void damped_hessian(const DifferenceCurvature& between, const MovementPoint& point,
-                    const Held& held, const JointVector& damping, BandCholesky& hessian) {
+                    const Held& held, const JointVector& damping, Index first,
+                    BandCholesky& hessian) {
   const Index frames = point.q.rows(), n = point.q.cols();
-  for (Index f = 0; f < frames; ++f) {
+  for (Index f = first; f < frames; ++f) {
     const auto frame = static_cast<std::size_t>(f);
     hessian.clear(frame);
     auto own = hessian.block(frame, 0);
@@ -37,10 +38,12 @@ void damped_hessian(const DifferenceCurvature& between, const MovementPoint& poi
 }
 
 /// Holds free variables that the step takes out of the bounds, on them, and frees held ones that
-/// the slope of the model draws back inside; by how much the bounds were left.
+/// the slope of the model draws back inside; by how much the bounds were left, and the first frame
+/// of those changed.
 double change_held(const MovementProblem& problem, const JointRows& q, const JointRows& slope,
-                   JointRows& step, Held& held) {
+                   JointRows& step, Held& held, Index& first) {
   double outside = 0;
+  first = q.rows();
   for (Index f = 0; f < q.rows(); ++f) {
     for (Index j = 0; j < q.cols(); ++j) {
       const double to = q(f, j) + step(f, j), lower = problem.lower[j], upper = problem.upper[j];
@@ -48,10 +51,12 @@ double change_held(const MovementProblem& problem, const JointRows& q, const Joi
         const double inwards = to > 0.5 * (lower + upper) ? slope(f, j) : -slope(f, j);
         if (inwards <= 0) continue;
         held(f, j) = false;
+        first = std::min(first, f);
       } else {
         if (to >= lower && to <= upper) continue;
         step(f, j) = (to < lower ? lower : upper) - q(f, j);
         held(f, j) = true;
+        first = std::min(first, f);
         outside = std::max(outside, std::max(lower - to, to - upper));
       }
     }
@@ -60,27 +65,21 @@ double change_held(const MovementProblem& problem, const JointRows& q, const Joi
 }
 
 /// Takes the negative curvature out of every frame's own model, where free variables see it and the
-/// damping does not outweigh it.
+/// damping does not outweigh it: direction by direction, as the factorization meets them.
 void make_convex(MovementPoint& point, const Held& held, const JointVector& damping) {
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> own;
-  Eigen::LLT<Eigen::MatrixXd> factor;
-  Eigen::MatrixXd free;
+  constexpr double kLeast = 1e-9;  // of the largest curvature: clearly positive
+  EnvelopeCholesky factor;
+  std::vector<char> own_held(static_cast<std::size_t>(held.cols()));
+  JointVector down;
   for (Index f = 0; f < point.q.rows(); ++f) {
     Eigen::MatrixXd& hessian = point.models[static_cast<std::size_t>(f)].hessian;
-    free = hessian;
-    for (Index j = 0; j < held.cols(); ++j) {
-      if (!held(f, j)) continue;
-      free.row(j).setZero();
-      free.col(j).setZero();
-      free(j, j) = 1;
+    for (Index j = 0; j < held.cols(); ++j) own_held[static_cast<std::size_t>(j)] = held(f, j);
+    const double least = kLeast * hessian.diagonal().cwiseAbs().maxCoeff();
+    for (Index k = 0; k < 2 * held.cols(); ++k) {
+      if (factor.factorise(hessian, damping[f], own_held)) break;
+      down = factor.direction.normalized();
+      hessian += (std::max(damping[f] - factor.curvature, least) * down) * down.transpose();
     }
-    free.diagonal().array() += damping[f];
-    factor.compute(free);
-    if (factor.info() == Eigen::Success) continue;
-    free.diagonal().array() -= damping[f];
-    own.compute(free);
-    const Eigen::MatrixXd& axes = own.eigenvectors();
-    hessian += axes * (-own.eigenvalues()).cwiseMax(0).asDiagonal() * axes.transpose();
   }
 }
 
@@ -88,7 +87,7 @@ void make_convex(MovementPoint& point, const Held& held, const JointVector& damp
 bool bounded_step(const MovementProblem& problem, const DifferenceCurvature& between,
                   MovementPoint& now, const JointRows& g, const JointVector& damping,
                   BandCholesky& hessian, JointRows& step) {
-  constexpr int kChanges = 2;
+  constexpr int kChanges = 3;
   constexpr double kOutside = 1e-4;  // clamping may cut off
   const Index frames = now.q.rows(), n = now.q.cols();
   Held held(frames, n);
@@ -99,11 +98,12 @@ bool bounded_step(const MovementProblem& problem, const DifferenceCurvature& bet
     }
   }
   step.setZero(frames, n);
+  Index first = 0;  // frame with another set of held variables
   for (int change = 0; change < kChanges; ++change) {
-    damped_hessian(between, now, held, damping, hessian);
-    if (!hessian.factorise()) {
+    damped_hessian(between, now, held, damping, first, hessian);
+    if (!hessian.factorise(static_cast<std::size_t>(first))) {
       make_convex(now, held, damping);
-      damped_hessian(between, now, held, damping, hessian);
+      damped_hessian(between, now, held, damping, 0, hessian);
       if (!hessian.factorise()) return false;
     }
     JointRows right = held.select(0, -g);
@@ -115,7 +115,7 @@ bool bounded_step(const MovementProblem& problem, const DifferenceCurvature& bet
     hessian.solve(solved);
     step = Eigen::Map<const JointRows>(solved.data(), frames, n);
     const JointRows slope = g + multiply(between, now, damping, step);
-    if (change_held(problem, now.q, slope, step, held) <= kOutside) break;
+    if (change_held(problem, now.q, slope, step, held, first) <= kOutside) break;
   }
   return true;
 }

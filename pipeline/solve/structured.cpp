@@ -104,13 +104,17 @@ bool minimise_model(const BoundedProblem& problem, double damping, double longes
 /// The model's step within the bounds, damped until its entries are near or below the radius.
 Step bounded_step(const BoundedProblem& problem, double radius, StructuredScratch& scratch) {
   // Directions in which nothing is known to be curved would magnify round-off without a floor.
-  double damping = 1e-12 * scratch.now.hessian.diagonal().cwiseAbs().maxCoeff();
+  constexpr double kFloor = 1e-12, kNone = 1e-6;
+  const double largest = scratch.now.hessian.diagonal().cwiseAbs().maxCoeff();
+  double damping = kFloor * largest;
+  // Less would mostly not do: a good part of the last step's damping is needed again.
+  if (scratch.damping > kNone * largest) damping = std::max(damping, scratch.damping / 30);
   for (int attempt = 0; attempt < 40; ++attempt) {
     scratch.factor.missing = 0;
     if (minimise_model(problem, damping, 1.5 * radius, scratch)) break;
     if (scratch.factor.missing > 0) {
       // The last step's damping tells the order of magnitude; more than needed would cost steps.
-      damping += std::max({3 * damping, 2 * scratch.factor.missing, 0.03 * scratch.damping});
+      damping += std::max({3 * damping, 2 * scratch.factor.missing, 0.3 * scratch.damping});
       continue;
     }
     // As if the step were all along one curvature, that which the model has along it.

@@ -35,9 +35,17 @@ void add_clearance(const ClearanceTerm& term, const collision::CollisionWorld& w
                    const JointVector& q, double time_s, ClearanceScratch& scratch,
                    solve::Quadratic& model) {
   if (term.weight == 0) return;
-  collision::near_pairs(world, q, time_s, term.band_m, scratch.collision, scratch.pairs);
+  robot::forward(*world.robot, q, scratch.collision.base_from_frame);
+  add_clearance(term, world, time_s, scratch, model);
+}
+
+void add_clearance(const ClearanceTerm& term, const collision::CollisionWorld& world, double time_s,
+                   ClearanceScratch& scratch, solve::Quadratic& model) {
+  if (term.weight == 0) return;
+  collision::place_bodies(world, time_s, scratch.collision);
+  collision::near_pairs(world, time_s, term.band_m, scratch.collision, scratch.pairs);
   JointVector& slope = scratch.slope;
-  slope.resize(q.size());
+  slope.resize(model.gradient.size());
   for (const collision::PairSeparation& pair : scratch.pairs) {
     // What may touch may come as far as the surface.
     const double band = pair.required < 0 ? std::min(term.band_m, -pair.required) : term.band_m;

@@ -29,5 +29,8 @@ struct ClearanceScratch {
 void add_clearance(const ClearanceTerm& term, const collision::CollisionWorld& world,
                    const JointVector& q, double time_s, ClearanceScratch& scratch,
                    solve::Quadratic& model);
+/// The same where `scratch.collision.base_from_frame` is that of q already.
+void add_clearance(const ClearanceTerm& term, const collision::CollisionWorld& world, double time_s,
+                   ClearanceScratch& scratch, solve::Quadratic& model);
 
 }  // namespace morphe::map

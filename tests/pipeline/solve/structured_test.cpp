@@ -83,6 +83,22 @@ TEST(EnvelopeCholesky, SaysHowMuchDampingIsMissing) {
   EXPECT_TRUE(factor.factorise(h, 3.1, held));
 }
 
+TEST(EnvelopeCholesky, SaysAlongWhatTheCurvatureIsNotPositive) {
+  std::mt19937_64 random(3);
+  Eigen::MatrixXd h = tree_matrix(7, 3, random);
+  h(4, 4) = -30;
+  std::vector<char> held(static_cast<std::size_t>(h.rows()), 0);
+  held[8] = 1;
+  EnvelopeCholesky factor;
+  ASSERT_FALSE(factor.factorise(h, 0.5, held));
+  const JointVector& down = factor.direction;
+  EXPECT_EQ(down[8], 0);
+  EXPECT_LT(factor.curvature, 0);
+  const double curvature = down.dot(h * down) / down.squaredNorm() + 0.5;
+  EXPECT_NEAR(factor.curvature, curvature, 1e-10);
+  EXPECT_NEAR(factor.missing, -curvature, 1e-10);
+}
+
 /// The minimum inside the bounds is known by its slopes: none inwards on a bound, none elsewhere.
 TEST(Structured, BoundedQuadraticsEndWhereNoSlopeLeadsOn) {
   std::mt19937_64 random(2);
