@@ -35,6 +35,7 @@ bool EnvelopeCholesky::factorise(const Eigen::MatrixXd& hessian, double damping,
   }
   for (Index p = 0; p < n; ++p) {
     double* row = rows.data() + p * rows.cols();
+    std::fill(row + p + 1, row + padded(p + 1), 0);
     if (held[static_cast<std::size_t>(p)]) {
       std::fill_n(row, p + 1, 0);
     } else {
