@@ -8,6 +8,8 @@
 #include <sanitizer/tsan_interface.h>
 #endif
 
+#include <vector>
+
 namespace morphe::parallel {
 namespace {
 
@@ -25,6 +27,28 @@ void take_over([[maybe_unused]] void* place) {
 #endif
 }
 
+/// From here to the end of its block, by an exception too, `place` is this thread's.
+struct Turn {
+  explicit Turn(void* which) : place(which) { take_over(place); }
+  ~Turn() { hand_over(place); }
+  Turn(const Turn&) = delete;
+  Turn& operator=(const Turn&) = delete;
+  void* place;
+};
+
+/// The items in flight. A pipeline that an exception ends forgets what it was handed, so they are
+/// owned here: at most `count` are in flight and they leave in order, so item k has its slot, the
+/// k-th modulo `count`, for itself.
+struct InFlight {
+  explicit InFlight(std::size_t count) : slots(count) {}
+  ~InFlight() {
+    for (auto& slot : slots) take_over(&slot);
+  }
+  InFlight(const InFlight&) = delete;
+  InFlight& operator=(const InFlight&) = delete;
+  std::vector<std::shared_ptr<void>> slots;
+};
+
 }  // namespace
 
 void run_ordered(const std::function<std::shared_ptr<void>()>& next,
@@ -34,34 +58,31 @@ void run_ordered(const std::function<std::shared_ptr<void>()>& next,
   using Item = std::shared_ptr<void>;
   const auto threads = static_cast<std::size_t>(jobs);
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  InFlight items(2 * threads);
+  std::size_t given = 0;
   char reading = 0, writing = 0;  // the serial filters: one call is handed over to the next
-  const auto read = tbb::make_filter<void, Item*>(filter_mode::serial_in_order,
-                                                  [&](tbb::flow_control& control) -> Item* {
-                                                    take_over(&reading);
-                                                    auto item = std::make_unique<Item>(next());
-                                                    hand_over(&reading);
-                                                    if (!*item) {
-                                                      control.stop();
-                                                      return nullptr;
-                                                    }
-                                                    hand_over(item.get());
-                                                    return item.release();
-                                                  });
+  const auto read = tbb::make_filter<void, Item*>(
+      filter_mode::serial_in_order, [&](tbb::flow_control& control) -> Item* {
+        const Turn turn(&reading);
+        Item& item = items.slots[given++ % items.slots.size()];
+        const Turn of_item(&item);
+        item = next();
+        if (!item) control.stop();
+        return &item;
+      });
   const auto map = tbb::make_filter<Item*, Item*>(filter_mode::parallel, [&](Item* item) {
-    take_over(item);
+    const Turn of_item(item);
     *item = work(*item);
-    hand_over(item);
     return item;
   });
   const auto emit = tbb::make_filter<Item*, void>(filter_mode::serial_in_order, [&](Item* item) {
-    take_over(item);
-    take_over(&writing);
-    const std::unique_ptr<Item> result(item);
-    write(*result);
-    hand_over(&writing);
+    const Turn of_item(item);
+    const Turn turn(&writing);
+    write(*item);
+    item->reset();
   });
   tbb::task_arena arena(jobs);
-  arena.execute([&] { tbb::parallel_pipeline(2 * threads, read & map & emit); });
+  arena.execute([&] { tbb::parallel_pipeline(items.slots.size(), read & map & emit); });
   take_over(&reading);
   take_over(&writing);
 }

@@ -1,5 +1,6 @@
 """`morphe verify` and tests/verify_plans.py accept what `run` wrote, and find every fault that is
-put into a copy of it."""
+put into a copy of it. MORPHE_SEARCH=small in the environment plans with a search that takes a second."""
+import os
 import shutil
 import unittest
 from pathlib import Path
@@ -11,6 +12,7 @@ import formats
 from support import (QUICK, REFERENCE, SOURCE, CommandCase, json, main, morphe, python_verify,
                      temporary_folder, write_two_recordings)
 
+SEARCH = {"small": QUICK, "whole": ()}[os.environ.get("MORPHE_SEARCH", "whole")]
 PLAN = "ADL001DR2/000"
 KEYS = ["plan", "sample", "time_s", "cause", "subject", "value", "limit"]
 
@@ -21,7 +23,7 @@ def setUpModule():
     unittest.addModuleCleanup(holder.cleanup)
     folder = Path(holder.name).resolve()
     result = morphe("run", REFERENCE, "--dataset", write_two_recordings(folder), "--out",
-                    folder / "out")
+                    folder / "out", *SEARCH)
     assert result.returncode == 0, result.stderr
     PLANS = folder / "out/plans.h5"
 
