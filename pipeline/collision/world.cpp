@@ -1,6 +1,7 @@
 #include "pipeline/collision/world.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "pipeline/robot/forward.hpp"
@@ -14,6 +15,19 @@ constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 bool apart(const CollisionScratch::Ball& a, const CollisionScratch::Ball& b, double distance_m) {
   const double least_m = a.radius + b.radius + distance_m;
   return least_m <= 0 || (a.centre - b.centre).squaredNorm() >= least_m * least_m;
+}
+
+/// Whether two capsules are at least so far apart along the line between their middles: a cheap
+/// look at those that lie side by side, whose balls meet.
+bool apart(const CapsuleBody& a, const CapsuleBody& b, double distance_m) {
+  const Vec3 along = (a.from + a.to) - (b.from + b.to);  // twice the way between the middles
+  const double squared = along.squaredNorm();
+  const double twice_gap_along =
+      squared - std::abs((a.to - a.from).dot(along)) - std::abs((b.to - b.from).dot(along));
+  const double twice_least_m = 2 * (a.radius + b.radius + distance_m);
+  return twice_gap_along > 0 && twice_least_m > 0
+             ? twice_gap_along * twice_gap_along >= twice_least_m * twice_least_m * squared
+             : twice_least_m <= 0;
 }
 
 /// At most the slack of what lies in the ball.
@@ -42,7 +56,10 @@ void visit_near(const CollisionWorld& world, CollisionScratch& scratch, const do
       beside = !apart(scratch.balls[first], scratch.groups[row], limit + pair.required);
     }
     if (!beside) continue;
-    if (apart(scratch.balls[first], scratch.balls[second], limit + pair.required)) continue;
+    if (apart(scratch.balls[first], scratch.balls[second], limit + pair.required) ||
+        apart(scratch.bodies[first], scratch.bodies[second], limit + pair.required)) {
+      continue;
+    }
     pair.capsule = i;
     pair.other = j;
     pair.separation = capsule_capsule(scratch.bodies[first], scratch.bodies[second]);

@@ -53,9 +53,14 @@ void add_clearance(const ClearanceTerm& term, const collision::CollisionWorld& w
     if (missing <= 0) continue;
     find_slope(world, pair, scratch.collision.base_from_frame, slope);
     model.value += term.weight * missing * missing;
-    model.gradient += (2 * term.weight * missing) * slope;
-    for (Eigen::Index j = 0; j < slope.size(); ++j) {  // few joints part two bodies
-      if (slope[j] != 0) model.hessian.col(j) += (2 * term.weight * slope[j]) * slope;
+    scratch.parts.clear();
+    for (Eigen::Index j = 0; j < slope.size(); ++j) {
+      if (slope[j] != 0) scratch.parts.push_back(j);
+    }
+    for (const Eigen::Index j : scratch.parts) {
+      model.gradient[j] += 2 * term.weight * missing * slope[j];
+      const double heavy = 2 * term.weight * slope[j];
+      for (const Eigen::Index i : scratch.parts) model.hessian(i, j) += heavy * slope[i];
     }
   }
 }

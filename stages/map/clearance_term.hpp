@@ -23,7 +23,8 @@ std::string why_invalid(const ClearanceTerm& term);
 struct ClearanceScratch {
   collision::CollisionScratch collision;
   std::vector<collision::PairSeparation> pairs;
-  JointVector slope;  ///< [n] of the slack missing from the band
+  JointVector slope;                ///< [n] of the slack missing from the band
+  std::vector<Eigen::Index> parts;  ///< joints that part the two bodies of a pair: few
 };
 
 void add_clearance(const ClearanceTerm& term, const collision::CollisionWorld& world,
