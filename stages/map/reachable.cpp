@@ -68,7 +68,7 @@ class Judge {
 
   bool proven_out_of_reach(std::size_t frame) const {
     const humanlike::FrameGoal& goal = problem_.goals[frame];
-    const double met = std::sqrt(static_cast<double>(goal.tips_seen())) * options_.tolerance_m;
+    const double met = met_m(frame);
     return std::ranges::any_of(out_of_reach_, [&](const OutOfReach& other) {
       return other.error_m - goals_apart(*problem_.robot, goal, problem_.goals[other.frame]) > met;
     });
@@ -78,9 +78,13 @@ class Judge {
   bool found(std::size_t frame, const JointVector& near) {
     constexpr double kSameValue = 1e-4;  // relative
     constexpr int kOftenEnough = 8;      // descents that end in the least value: it is the least
+    constexpr double kHopeless = 2;      // times the least, after the first steps of a descent
     const MappingProblem plain = tips_alone(problem_, frame);
-    solve::MinimiseOptions as_exact = options_.solver;
+    solve::MinimiseOptions first_steps = options_.solver, as_exact = options_.solver;
+    first_steps.relative_value = std::max(first_steps.relative_value, 1e-2);
     as_exact.relative_value = std::max(as_exact.relative_value, 1e-4 * kSameValue);
+    const double tip_weight = plain.objective.get<humanlike::TipPosition>().weight;
+    const double met = tip_weight * met_m(frame) * met_m(frame);
     std::mt19937_64 random(math::seed_from(seed_, "frame", frame));
     std::vector<JointVector> starts{near};
     int random_starts = options_.starts;
@@ -93,19 +97,24 @@ class Judge {
     best.value = std::numeric_limits<double>::infinity();
     int ended_there = 0;
     for (std::size_t i = 0; i < starts.size() && ended_there < kOftenEnough; ++i) {
-      solve::Minimum minimum = solve_frame(plain, 0, starts[i], as_exact, scratch_);
-      if (drawn(frame, minimum.x)) return true;
+      solve::Minimum minimum = solve_frame(plain, 0, starts[i], first_steps, scratch_);
+      if (minimum.value > kHopeless * best.value) continue;
+      minimum = solve_frame(plain, 0, minimum.x, as_exact, scratch_);
+      if (minimum.value <= met && drawn(frame, minimum.x)) return true;
       if (minimum.value < (1 - kSameValue) * best.value) ended_there = 0;
       if (minimum.value < (1 + kSameValue) * best.value) ++ended_there;
       if (minimum.value < best.value) best = std::move(minimum);
     }
-    const double error_m =
-        std::sqrt(best.value / plain.objective.get<humanlike::TipPosition>().weight);
-    out_of_reach_.push_back({frame, error_m, best.x});
+    out_of_reach_.push_back({frame, std::sqrt(best.value / tip_weight), best.x});
     return false;
   }
 
  private:
+  /// The greatest error of a frame whose tips all meet their goals: root of the sum of squares.
+  double met_m(std::size_t frame) const {
+    return std::sqrt(static_cast<double>(problem_.goals[frame].tips_seen())) * options_.tolerance_m;
+  }
+
   struct OutOfReach {
     std::size_t frame;
     double error_m;  ///< the least that a search found

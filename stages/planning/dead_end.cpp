@@ -11,8 +11,10 @@
 namespace morphe::planning {
 namespace {
 
-constexpr std::size_t kFrames = 6;  ///< looked at for one path
-constexpr double kNearly = 5e-4;    ///< nearer to good enough: another search may do [m]
+constexpr std::size_t kFrames = 6;    ///< looked at for one path
+constexpr double kNearly = 5e-4;      ///< nearer to good enough: another search may do [m]
+constexpr int kFirstLook = 40;        ///< evaluations from each start
+constexpr std::size_t kToTheEnd = 6;  ///< the best of what these found, solved as exactly as asked
 
 /// Frames nearest to the beginning, middle and end of each finding, the worst finding first.
 std::vector<std::size_t> frames_of(std::vector<Finding> findings, const std::vector<double>& time) {
@@ -37,11 +39,17 @@ double attached_from(const collision::CollisionWorld& world) {
   return target.attached_frame.empty() ? kNotSeen : target.attach_s;
 }
 
-double sum_of_depths(const std::vector<Finding>& findings) {
-  double sum = 0;
-  for (const Finding& finding : findings) sum += finding.depth;
-  return sum;
-}
+/// A posture that was looked at for a frame.
+struct Looked {
+  JointVector q;
+  std::vector<Finding> findings;
+
+  double badness() const {
+    double sum = 0;
+    for (const Finding& finding : findings) sum += finding.depth;
+    return sum;
+  }
+};
 
 /// One frame of the movement, and how bad the best posture for it is.
 struct Moment {
@@ -72,30 +80,38 @@ std::optional<DeadEnd> find_dead_end(const map::MappingProblem& problem,
   for (const std::size_t frame : frames_of(checked.findings, problem.time)) {
     if (problem.time[frame] >= attached_from(*problem.world)) continue;
     const Moment moment{problem, frame, check};
-    DeadEnd end{Reason::unreachable, problem.time[frame], 0, {}};
-    double least = std::numeric_limits<double>::infinity();
-    bool held = false;
-    const auto attempt = [&](const JointVector& start) {
-      const JointVector q = map::solve_frame(decided, frame, start, options.solver, scratch).x;
-      const std::vector<Finding> left = moment.findings(q);
-      ++end.tried;
-      if (left.empty()) {
-        holds.push_back({frame, q});
-        held = true;
-      } else if (const double sum = sum_of_depths(left); sum < least) {
-        least = sum;
-        end.nearest = *std::ranges::max_element(left, {}, &Finding::depth);
-      }
+    const auto look = [&](const JointVector& start, const solve::MinimiseOptions& solver) {
+      const JointVector q = map::solve_frame(decided, frame, start, solver, scratch).x;
+      return Looked{q, moment.findings(q)};
     };
-    attempt(checked.path.position.row(static_cast<Eigen::Index>(frame)).transpose());
-    if (held) continue;
+    const JointVector on_path = checked.path.position.row(static_cast<Eigen::Index>(frame));
+    std::vector<Looked> looked{look(on_path, options.solver)};
+    const auto held = [&] { return looked.back().findings.empty(); };
+    if (held()) {
+      holds.push_back({frame, looked.back().q});
+      continue;
+    }
     for (const solve::Minimum& start : map::search_frame(
              firm_problem, frame, 2 * options.starts, 2 * options.starts,
              map::quick(options.solver), math::seed_from(seed, "dead end", frame), scratch)) {
-      attempt(start.x);
-      if (held) break;
+      looked.push_back(look(start.x, map::limited(options.solver, kFirstLook)));
+      if (held()) break;
     }
-    if (held || least < kNearly) continue;
+    if (!held()) {
+      std::ranges::stable_sort(looked, {}, &Looked::badness);
+      const std::size_t best = std::min(kToTheEnd, looked.size());
+      for (std::size_t i = 0; i < best && !held(); ++i) {
+        looked.push_back(look(looked[i].q, options.solver));
+      }
+    }
+    if (held()) {
+      holds.push_back({frame, looked.back().q});
+      continue;
+    }
+    const Looked& best = *std::ranges::min_element(looked, {}, &Looked::badness);
+    if (best.badness() < kNearly) continue;
+    DeadEnd end{Reason::unreachable, problem.time[frame], static_cast<int>(looked.size()),
+                *std::ranges::max_element(best.findings, {}, &Finding::depth)};
     for (const solve::Minimum& start : map::search_frame(
              alone, frame, options.starts, options.candidates, map::quick(options.solver),
              math::seed_from(seed, "dead end alone", frame), scratch)) {
