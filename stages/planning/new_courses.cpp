@@ -1,38 +1,60 @@
 #include "stages/planning/new_courses.hpp"
 
+#include <optional>
 #include <utility>
 
 #include "pipeline/math/seed.hpp"
+#include "stages/map/movement_search.hpp"
 #include "stages/planning/firmness.hpp"
 
 namespace morphe::planning {
+namespace {
 
-NewCourses::NewCourses(const map::MappingProblem& whole, const map::MapOptions& options,
-                       const std::vector<Hold>& holds, std::size_t searches, std::uint64_t seed)
-    : problem_(as_firm(whole, {100})),
-      options_(options),
-      holds_(holds),
-      searches_(searches),
-      seed_(seed) {}
-
-std::optional<JointPath> NewCourses::operator()(bool nearer) {
-  nearer_ = nearer_ || nearer;
-  if (next_hold_ < holds_.size()) {
-    const Hold& hold = holds_[next_hold_++];
-    return path_of(map::course_through(problem_, hold.frame, hold.q, options_).q);
-  }
-  if (next_ == courses_.size()) {
-    if (searched_ == searches_ || !nearer_) return std::nullopt;
-    nearer_ = false;
-    courses_ =
-        map::search_movement(problem_, options_, math::seed_from(seed_, "search", ++searched_));
-    next_ = 0;
-  }
-  return path_of(map::smooth_movement(problem_, courses_[next_++].q, options_).q);
+map::MappingProblem in_sight_of_all(const map::MappingProblem& whole) {
+  return as_firm(whole, {100});
 }
 
-JointPath NewCourses::path_of(JointRows q) const {
-  return {std::move(q), std::vector<Origin>(problem_.frames(), Origin::resolved), problem_.time};
+std::optional<JointPath> path_of(const map::MappingProblem& problem, JointRows q) {
+  return JointPath{std::move(q), std::vector<Origin>(problem.frames(), Origin::resolved),
+                   problem.time};
+}
+
+}  // namespace
+
+repair::NextCourse courses_through(const map::MappingProblem& whole, const map::MapOptions& options,
+                                   const std::vector<Hold>& holds) {
+  return [&, next = std::size_t{0}](bool) mutable -> std::optional<JointPath> {
+    if (next == holds.size()) return std::nullopt;
+    const Hold& hold = holds[next++];
+    const map::MappingProblem problem = in_sight_of_all(whole);
+    return path_of(problem, map::course_through(problem, hold.frame, hold.q, options).q);
+  };
+}
+
+repair::NextCourse kept_courses(const map::MappingProblem& whole,
+                                const std::vector<JointRows>& courses) {
+  return [&, next = std::size_t{0}](bool) mutable -> std::optional<JointPath> {
+    if (next == courses.size()) return std::nullopt;
+    return path_of(whole, courses[next++]);
+  };
+}
+
+repair::NextCourse searched_courses(const map::MappingProblem& whole,
+                                    const map::MapOptions& options, int searches,
+                                    std::uint64_t seed) {
+  return [&, seed, searches, searched = 0, came_nearer = true, next = std::size_t{0},
+          courses = std::vector<map::Course>()](bool nearer) mutable -> std::optional<JointPath> {
+    came_nearer = came_nearer || nearer;
+    const map::MappingProblem problem = in_sight_of_all(whole);
+    if (next == courses.size()) {
+      if (searched == searches || !came_nearer) return std::nullopt;
+      came_nearer = false;
+      const auto number = static_cast<std::size_t>(++searched);
+      courses = map::search_movement(problem, options, math::seed_from(seed, "search", number));
+      next = 0;
+    }
+    return path_of(problem, map::smooth_movement(problem, courses[next++].q, options).q);
+  };
 }
 
 }  // namespace morphe::planning

@@ -1,10 +1,9 @@
 #include "stages/planning/re_solve.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "stages/map/resolve_path.hpp"
 #include "stages/planning/firmness.hpp"
@@ -56,30 +55,6 @@ Rung firmly(const ReSolving& solving) {
   return one_of("re-solve firmly", {re_solved(solving, "clearance 1000 times as heavy", {1000}),
                                     re_solved(solving, "10000 times, just free", {10000, 0.2}),
                                     re_solved(solving, "tips and freedom alone", kFirmest, true)});
-}
-
-Rung candidates(const ReSolving& solving, const std::vector<JointRows>& courses,
-                std::vector<Rung> rungs) {
-  const auto make = [solving, &courses, rungs = std::move(rungs)](const Checked& from) {
-    Made best{from};
-    std::vector<RepairStep> steps;
-    for (const JointRows& course : courses) {
-      if (best.checked.findings.empty()) break;
-      Checked other{from.path, {}};
-      other.path.position = course;
-      std::ranges::fill(other.path.origin, Origin::resolved);
-      other.findings = solving.check(other.path);
-      Made made = repair::climb(rungs, std::move(other));
-      const bool nearer = repair::less_bad(made.checked.findings, best.checked.findings);
-      steps.push_back(repair::step_of(fmt::format("candidate {}", steps.size() + 1), best.checked,
-                                      made, nearer));
-      if (nearer) best = std::move(made);
-    }
-    best.steps = std::move(steps);
-    if (courses.empty()) best.ended = "the mapping kept no other course";
-    return best;
-  };
-  return {"other courses of the mapping", make};
 }
 
 }  // namespace morphe::planning

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "stages/map/map_options.hpp"
 #include "stages/map/mapping_problem.hpp"
 #include "stages/repair/ladder.hpp"
@@ -22,10 +20,5 @@ repair::Rung gently(const ReSolving& solving);
 /// The same, as firmly as it takes: for tips that gave way to clearance nobody asked for, just
 /// free; at last tips and freedom alone decide.
 repair::Rung firmly(const ReSolving& solving);
-
-/// The mapping's other courses, each of them changed by `rungs`: the first without findings, or the
-/// least bad of them all and the path.
-repair::Rung candidates(const ReSolving& solving, const std::vector<JointRows>& courses,
-                        std::vector<repair::Rung> rungs);
 
 }  // namespace morphe::planning

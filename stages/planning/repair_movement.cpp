@@ -1,11 +1,13 @@
 #include "stages/planning/repair_movement.hpp"
 
-#include <functional>
+#include <utility>
+#include <vector>
 
 #include "stages/check/check_path.hpp"
 #include "stages/planning/dead_end.hpp"
 #include "stages/planning/new_courses.hpp"
 #include "stages/planning/re_solve.hpp"
+#include "stages/repair/detour.hpp"
 #include "stages/repair/other_courses.hpp"
 
 namespace morphe::planning {
@@ -38,8 +40,7 @@ Outcome<repair::RepairResult> repair_movement(const Planner& planner, const Plac
   const Checked start{plan.path, plan.findings};
   const ReSolving solving{whole, config.map, keeps_room};
   std::vector<Hold> holds;  // postures that hold goals at which the path failed
-  NewCourses courses(whole, config.map, holds, static_cast<std::size_t>(config.repair.searches),
-                     seed);
+  repair::CourseEnds ends;
   repair::Surroundings around{world, config.repair, seed, keeps_room, {}};
 
   const Rung a_detour{"detour", [&](const Checked& best) { return repair::detour(around, best); }};
@@ -55,14 +56,21 @@ Outcome<repair::RepairResult> repair_movement(const Planner& planner, const Plac
     const Rung a_detour_from_the_mapped_path{
         "detour from the mapped path",
         [&](const Checked& best) { return repair::detour_from(start, around, best); }};
-    const Rung other_courses{"other courses through the whole scene", [&](const Checked& best) {
-                               return repair::other_courses(around, std::ref(courses), best);
-                             }};
+    std::vector<Rung> with_a_detour = around.win_back;
+    with_a_detour.push_back(repair::detour_where_all_collide(around));
     ladder = {
-        gently(solving), unless_a_dead_end,
-        firmly(solving), candidates(solving, mapped.candidates, around.win_back),
-        a_detour,        a_detour_from_the_mapped_path,
-        other_courses,
+        gently(solving),
+        unless_a_dead_end,
+        firmly(solving),
+        repair::other_courses("courses through free postures", around.win_back, keeps_room,
+                              courses_through(whole, config.map, holds), ends),
+        repair::other_courses("other courses of the mapping", around.win_back, keeps_room,
+                              kept_courses(whole, mapped.candidates), ends),
+        a_detour,
+        a_detour_from_the_mapped_path,
+        repair::other_courses(
+            "other courses through the whole scene", std::move(with_a_detour), keeps_room,
+            searched_courses(whole, config.map, config.repair.searches, seed), ends),
     };
   }
   Outcome<repair::RepairResult> repaired = repair::repair_path(ladder, start);

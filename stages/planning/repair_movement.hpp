@@ -14,9 +14,9 @@ collision::CollisionWorld with_room(collision::CollisionWorld world);
 
 /// Joins mapping, check and repair: the smallest change that makes a movement's plan free, the
 /// least first. Its mapping is re-solved against `world`, the whole scene, gently; nothing more if
-/// that leaves a dead end; then firmly; then likewise the mapping's other candidates; then a
-/// detour, also from the mapped path; at last all of that from other courses, searched in the whole
-/// scene. Samples far from findings keep their bits but in other courses.
+/// that leaves a dead end; then firmly; then likewise other courses, through free postures and
+/// those of the mapping; then a detour, also from the mapped path; at last all of that from courses
+/// searched in the whole scene. Samples far from findings keep their bits but in other courses.
 Outcome<repair::RepairResult> repair_movement(const Planner& planner, const PlacedMovement& placed,
                                               const collision::CollisionWorld& world,
                                               const Plan& plan, const map::MapResult& mapped,

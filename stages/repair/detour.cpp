@@ -113,6 +113,15 @@ Made detour(const Surroundings& around, const Checked& from) {
   return made;
 }
 
+Rung detour_where_all_collide(const Surroundings& around) {
+  return {"detour", [&around](const Checked& best) {
+            if (std::ranges::all_of(best.findings, is_collision, &Finding::cause)) {
+              return detour(around, best);
+            }
+            return Made{best, {}, false, "not tried: a way around cures collisions alone"};
+          }};
+}
+
 Made detour_from(const Checked& mapped, const Surroundings& around, const Checked& best) {
   if (collides(best.findings)) return {best, {}, false, "not tried: the path collides as it is"};
   Made made = detour(around, mapped);

@@ -26,6 +26,9 @@ struct Surroundings {
 /// the reason. Depends on its arguments alone.
 Made detour(const Surroundings& around, const Checked& from);
 
+/// The rung of a detour for paths that nothing but collisions is wrong with.
+Rung detour_where_all_collide(const Surroundings& around);
+
 /// For a path that is free but not where it should be: the detour from the mapped path instead.
 Made detour_from(const Checked& mapped, const Surroundings& around, const Checked& best);
 

@@ -26,14 +26,6 @@ int order_of(Cause cause) {
   return cause == Cause::limit ? 1 : cause == Cause::jump ? 2 : 3;
 }
 
-/// nullptr: there is none.
-const Finding* worst_of(const std::vector<Finding>& findings) {
-  const auto worst = std::ranges::min_element(findings, {}, [](const Finding& finding) {
-    return std::pair(order_of(finding.cause), -finding.depth);
-  });
-  return worst == findings.end() ? nullptr : &*worst;
-}
-
 /// The worst of what is left.
 Refusal refusal_of(const std::vector<Finding>& remaining) {
   constexpr std::array kReasons{Reason::no_path, Reason::limit, Reason::jump, Reason::tracking};
@@ -46,6 +38,13 @@ Refusal refusal_of(const std::vector<Finding>& remaining) {
 
 bool less_bad(const std::vector<Finding>& a, const std::vector<Finding>& b) {
   return badness(a) < badness(b);
+}
+
+const Finding* worst_of(const std::vector<Finding>& findings) {
+  const auto worst = std::ranges::min_element(findings, {}, [](const Finding& finding) {
+    return std::pair(order_of(finding.cause), -finding.depth);
+  });
+  return worst == findings.end() ? nullptr : &*worst;
 }
 
 bool nearly_free(const std::vector<Finding>& findings) {

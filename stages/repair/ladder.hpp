@@ -22,6 +22,10 @@ using Check = std::function<std::vector<Finding>(const JointPath&)>;
 /// those of everything else.
 bool less_bad(const std::vector<Finding>& a, const std::vector<Finding>& b);
 
+/// What is spoken of first: collisions, then limits, jumps, tips; the deepest of each. nullptr:
+/// there is none.
+const Finding* worst_of(const std::vector<Finding>& findings);
+
 /// So near to free that firmer re-solving may make it so: nothing by more than a centimetre (limits
 /// and jumps: 0.01 rad).
 bool nearly_free(const std::vector<Finding>& findings);

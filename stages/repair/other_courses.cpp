@@ -3,54 +3,62 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace morphe::repair {
 namespace {
 
-/// The same things wrong at the same times, and about as much.
-bool alike(const std::vector<Finding>& a, const std::vector<Finding>& b) {
-  constexpr double kAsMuch = 0.2;
-  return std::ranges::equal(a, b, [](const Finding& x, const Finding& y) {
-    return x.cause == y.cause && x.first == y.first && x.second == y.second &&
-           x.begin_s <= y.end_s && y.begin_s <= x.end_s &&
-           std::abs(x.depth - y.depth) <= kAsMuch * std::max(x.depth, y.depth);
+/// Whether the same is wrong at the same time, and about as much or more.
+bool fails_there(const std::vector<Finding>& findings, const Finding& place) {
+  constexpr double kAboutAsMuch = 0.8;
+  return std::ranges::any_of(findings, [&](const Finding& finding) {
+    return finding.cause == place.cause && finding.first == place.first &&
+           finding.second == place.second && finding.begin_s <= place.end_s &&
+           place.begin_s <= finding.end_s && finding.depth >= kAboutAsMuch * place.depth;
   });
+}
+
+/// Whether so many failed where this does that no other will do.
+bool often_enough(const CourseEnds& ends, const std::vector<Finding>& best) {
+  constexpr int kOftenEnough = 4;
+  return std::ranges::count_if(ends, [&](const std::vector<Finding>& findings) {
+           return fails_there(findings, *worst_of(best));
+         }) >= kOftenEnough;
 }
 
 }  // namespace
 
-Made other_courses(const Surroundings& around, const NextCourse& next, const Checked& from) {
-  constexpr int kOftenEnough = 4;  // courses that end with the same findings: no other will do
-  int ended_there = 0, number = 0;
-  bool nearer = true;
-  Made best{from};
-  std::vector<RepairStep> steps;
-  while (!best.checked.findings.empty() && ended_there < kOftenEnough) {
-    std::optional<JointPath> course = next(nearer);
-    if (!course) break;
-    ++number;
-    Checked checked{std::move(*course), {}};
-    checked.findings = around.check(checked.path);
-    Made made = climb(around.win_back, std::move(checked));
-    const bool detour_may_do =
-        std::ranges::all_of(made.checked.findings, is_collision, &Finding::cause);
-    if (detour_may_do) made = detour(around, made.checked);
-    nearer = less_bad(made.checked.findings, best.checked.findings);
-    steps.push_back(step_of(fmt::format("course {}", number), best.checked, made, nearer));
-    const bool same = alike(made.checked.findings, best.checked.findings);
-    if (same) ++ended_there;
-    if (!nearer) continue;
-    if (!same) ended_there = 0;
-    best = std::move(made);
-  }
-  best.steps = std::move(steps);
-  best.ended = best.checked.findings.empty() ? ""
-               : ended_there >= kOftenEnough ? "four courses ended with the same findings"
-               : number == 0                 ? "there is no other course"
-                                             : "no further course";
-  return best;
+Rung other_courses(std::string name, std::vector<Rung> rungs, Check check, NextCourse courses,
+                   CourseEnds& ends) {
+  const auto make = [rungs = std::move(rungs), check = std::move(check),
+                     courses = std::move(courses), &ends](const Checked& from) {
+    NextCourse next = courses;
+    bool nearer = true;
+    Made best{from};
+    std::vector<RepairStep> steps;
+    while (!best.checked.findings.empty()) {
+      if (often_enough(ends, best.checked.findings)) {
+        best.ended = "four courses failed at the same place";
+        break;
+      }
+      std::optional<JointPath> course = next(nearer);
+      if (!course) {
+        best.ended = steps.empty() ? "there is no other course" : "no further course";
+        break;
+      }
+      Checked checked{std::move(*course), {}};
+      checked.findings = check(checked.path);
+      Made made = climb(rungs, std::move(checked));
+      ends.push_back(made.checked.findings);
+      nearer = less_bad(made.checked.findings, best.checked.findings);
+      steps.push_back(
+          step_of(fmt::format("course {}", steps.size() + 1), best.checked, made, nearer));
+      if (nearer) best = std::move(made);
+    }
+    best.steps = std::move(steps);
+    return best;
+  };
+  return {std::move(name), make};
 }
 
 }  // namespace morphe::repair

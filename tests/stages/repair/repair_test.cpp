@@ -45,8 +45,12 @@ struct Repair {
     add("detour", [&](const Checked& best) { return detour(around, best); });
     add("from the mapped path",
         [&](const Checked& best) { return detour_from(start, around, best); });
-    if (next)
-      add("courses", [&](const Checked& best) { return other_courses(around, next, best); });
+    CourseEnds ends;
+    if (next) {
+      std::vector<Rung> rungs = around.win_back;
+      rungs.push_back(detour_where_all_collide(around));
+      ladder.push_back(other_courses("courses", std::move(rungs), check, next, ends));
+    }
     return repair_path(ladder, start);
   }
 };
@@ -222,27 +226,28 @@ TEST(Repair, AnotherCourseWhereTheGoalIsInCollision) {
   EXPECT_EQ(asked, 1);
 }
 
-TEST(Repair, StopsWhereCoursesEndWithTheSameFindings) {
+TEST(Repair, StopsWhereCoursesFailAtTheSamePlace) {
   const Bench bench({});
   const JointPath path = sweep(kFrom, kTo);
-  // Of the path and of the courses one after the other: the second is at other moments.
-  const std::vector<Finding> findings{{0.50, 0.52, Cause::tracking, "tip", "", 0.0045},
-                                      {0.50, 0.52, Cause::tracking, "tip", "", 0.0041},
-                                      {0.70, 0.75, Cause::tracking, "tip", "", 0.0044},
-                                      {0.51, 0.52, Cause::tracking, "tip", "", 0.0042},
-                                      {0.50, 0.51, Cause::tracking, "tip", "", 0.0060},
-                                      {0.50, 0.52, Cause::tracking, "tip", "", 0.0040},
-                                      {0.50, 0.52, Cause::tracking, "tip", "", 0.0043},
-                                      {0.50, 0.52, Cause::tracking, "tip", "", 0.0041}};
+  const auto tip = [](double begin_s, double end_s, double depth_m) {
+    return Finding{begin_s, end_s, Cause::tracking, "tip", "", depth_m};
+  };
+  const Finding thumb{0.1, 0.2, Cause::tracking, "thumb", "", 0.002};
+  // Of the path and of the courses one after the other: the second fails at another time, the
+  // fourth by much less there, and by more elsewhere.
+  const std::vector<std::vector<Finding>> findings{
+      {tip(0.50, 0.52, 0.0045)},        {tip(0.50, 0.52, 0.0041)},        {tip(0.70, 0.75, 0.0044)},
+      {tip(0.51, 0.52, 0.0042), thumb}, {tip(0.50, 0.51, 0.0030), thumb}, {tip(0.50, 0.52, 0.0040)},
+      {tip(0.40, 0.60, 0.0200)},        {tip(0.50, 0.52, 0.0041)}};
   Repair repair{bench};
   std::size_t course = 0;
-  repair.check = [&](const JointPath&) { return std::vector<Finding>{findings.at(course)}; };
+  repair.check = [&](const JointPath&) { return findings.at(course); };
   repair.next = [&](bool) {
     ++course;
     return std::optional(path);
   };
   const Outcome<RepairResult> result = repair(path);
-  EXPECT_EQ(course, 6u) << "neither the second nor the fourth are like the path";
+  EXPECT_EQ(course, 6u) << "neither the second nor the fourth fail where the path does";
   EXPECT_EQ(result.refusal.reason, Reason::tracking);
   ASSERT_EQ(result.value.remaining.size(), 1u);
   EXPECT_EQ(result.value.remaining[0].depth, 0.0040);
