@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "pipeline/verify/carried.hpp"
 #include "pipeline/verify/frame_poses.hpp"
@@ -26,6 +27,9 @@ constexpr double kHopeless_m = 10;
 /// then counts as a violation. As often to find the least clearance, which is as small as it may be
 /// where that was not enough.
 constexpr int kHalvings = 1000000;
+/// Pairs are known to be apart by so many times what they can travel in a piece, if that is cheap
+/// to tell: then the next pieces need not look.
+constexpr double kAhead = 8;
 
 /// How far any point of an object has travelled since its first sample, at each of its samples.
 struct ObjectTravel {
@@ -72,6 +76,9 @@ class ContactJudge {
       travels_.push_back(object_travel(object));
       meshes_.push_back(object.shape == Shape::mesh ? make_mesh(object) : Mesh());
     }
+    levers_.resize(static_cast<Eigen::Index>(pairs_.size()), robot.lower.size());
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
+      levers_.row(static_cast<Eigen::Index>(i)) = pairs_[i].lever;
     carried_ = carried_target(robot, plan, *curve.trajectory);
     if (carried_.object < 0) return;
     const SceneObject& target = plan.scene.objects[static_cast<std::size_t>(carried_.object)];
@@ -83,14 +90,20 @@ class ContactJudge {
   }
 
   double run() {
-    double clearance = std::numeric_limits<double>::infinity();
-    std::vector<std::size_t> all(pairs_.size());
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+    double clearance = kInfinity;
+    forget();
     for (std::size_t sample = 0; sample <= curve_.pieces; ++sample) {
       judge_sample(sample, clearance);
-      if (sample < curve_.pieces) judge_interval(sample, 0, 1, all);
+      if (sample == curve_.pieces) break;
+      const Stretch piece = stretch(sample, 0, 1);
+      judge_interval(
+          piece, near_in(piece, [&](const ContactPair& pair) { return required_in(pair, piece); }));
     }
-    for (std::size_t piece = 0; piece < curve_.pieces; ++piece) sweep(piece, 0, 1, all, clearance);
+    forget();
+    for (std::size_t sample = 0; sample < curve_.pieces; ++sample) {
+      const Stretch piece = stretch(sample, 0, 1);
+      sweep(piece, near_in(piece, [&](const ContactPair&) { return clearance; }), clearance);
+    }
     return clearance;
   }
 
@@ -100,17 +113,25 @@ class ContactJudge {
     const double time_s = curve_.trajectory->demonstration_time[sample];
     const CurvePoint place{static_cast<int>(2 * sample), static_cast<int>(sample),
                            curve_.trajectory->time[sample]};
-    take(curve_.trajectory->position.row(row).transpose(), time_s);
     const double stored = curve_.trajectory->clearance[sample];
     // Where it is not told what to look up to, the least distance is looked for.
     const double told = std::isfinite(stored) ? stored + kStoredClearance_m : kInfinity;
     double here = kInfinity;
-    for (const ContactPair& pair : pairs_) {
+    bool placed = false;
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      const ContactPair& pair = pairs_[i];
       const bool touching = pair.may_touch && window_.contains(time_s, time_s);
       const double required = required_distance(pair, touching);
       const double enough =
           touching ? required : std::max({required, clearance, std::min(told, here)});
+      if (known(i, enough)) {
+        if (!touching) here = std::min(here, bound_[i]);
+        continue;
+      }
+      if (!std::exchange(placed, true))
+        take(curve_.trajectory->position.row(row).transpose(), time_s);
       const double value = distance(pair, enough);
+      bound_[i] = value;
       if (!touching) here = std::min(here, value);
       if (!(value >= required - kDistanceTolerance_m))
         note(pair, place, value, required, required - value);
@@ -122,48 +143,95 @@ class ContactJudge {
                std::abs(stored - here));
   }
 
-  /// Proves the pairs clear for s in [s0, s1], bisecting for those that are not proved at once.
-  void judge_interval(std::size_t piece, double s0, double s1,
-                      const std::vector<std::size_t>& pairs) {
-    const double middle = 0.5 * (s0 + s1);
-    const Stretch stretch = take_middle(piece, s0, s1);
-    const double middle_s = stretch.middle_s;
+  /// A part of a piece, s in [s0, s1]: its demonstration times, and half its duration.
+  struct Stretch {
+    std::size_t piece = 0;
+    double s0 = 0, s1 = 1;
+    double begin_s = 0, middle_s = 0, end_s = 0, half_s = 0;
+
+    double middle() const { return 0.5 * (s0 + s1); }
+  };
+
+  Stretch stretch(std::size_t piece, double s0, double s1) const {
+    const auto& time = curve_.trajectory->time;
+    return {piece,
+            s0,
+            s1,
+            curve_.demonstration_time_at(piece, s0),
+            curve_.demonstration_time_at(piece, 0.5 * (s0 + s1)),
+            curve_.demonstration_time_at(piece, s1),
+            0.5 * (s1 - s0) * (time[piece + 1] - time[piece])};
+  }
+
+  /// Nothing is known of any pair.
+  void forget() { bound_.assign(pairs_.size(), -kInfinity); }
+
+  /// Whether a pair is as far apart as that, by where it was before. What the hand takes up or
+  /// leaves may be elsewhere at once: nothing is known of it.
+  bool known(std::size_t index, double enough) const {
+    const ContactPair& pair = pairs_[index];
+    return !(pair.object && pair.other == carried_.object) && bound_[index] >= enough;
+  }
+
+  /// The pairs that may come nearer than `enough(pair)` in a piece, as far as it can be told from
+  /// where they were when last looked at and how far they can have travelled since.
+  template <class Enough>
+  std::vector<std::size_t> near_in(const Stretch& piece, const Enough& enough) {
+    by_joints_.noalias() =
+        levers_ * curve_.speed.row(static_cast<Eigen::Index>(piece.piece)).transpose();
+    std::vector<std::size_t> near;
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      const ContactPair& pair = pairs_[i];
+      double travel = piece.half_s * by_joints_[static_cast<Eigen::Index>(i)];
+      if (pair.object) travel += object_travel_in(piece, pair);
+      bound_[i] -= 2 * travel;
+      if (!known(i, enough(pair))) near.push_back(i);
+    }
+    return near;
+  }
+
+  /// Proves the pairs clear in a stretch, bisecting for those that are not proved at once.
+  void judge_interval(const Stretch& part, const std::vector<std::size_t>& pairs) {
+    if (pairs.empty()) return;
+    take_middle(part);
     std::vector<std::size_t> open;
     for (const std::size_t index : pairs) {
       const ContactPair& pair = pairs_[index];
-      const double travel = travel_in(stretch, pair);
-      const double everywhere = required_distance(
-          pair, pair.may_touch && window_.contains(stretch.begin_s, stretch.end_s));
+      const double travel = travel_in(part, pair);
+      const double everywhere = required_in(pair, part);
       const double here =
-          required_distance(pair, pair.may_touch && window_.contains(middle_s, middle_s));
-      const double value = distance(pair, everywhere + travel);
+          required_distance(pair, pair.may_touch && window_.contains(part.middle_s, part.middle_s));
+      const double value = distance(pair, everywhere + kAhead * travel);
+      bound_[index] = value - travel;
       if (value >= everywhere + travel - kDistanceTolerance_m) continue;
       const bool violated = !(value >= here - kDistanceTolerance_m);
       if (!violated && travel > kBand_m && travel < kHopeless_m && halvings_left_ > 0) {
         open.push_back(index);
       } else {
         const double required = violated ? here : everywhere;
-        note(pair, place(piece, middle), value, required, required - value);
+        note(pair, place(part.piece, part.middle()), value, required, required - value);
       }
     }
     if (open.empty()) return;
     --halvings_left_;
-    judge_interval(piece, s0, middle, open);
-    judge_interval(piece, middle, s1, open);
+    judge_interval(stretch(part.piece, part.s0, part.middle()), open);
+    judge_interval(stretch(part.piece, part.middle(), part.s1), open);
   }
 
-  /// Lowers the clearance to the least distance over s in [s0, s1] of pairs that may not touch, as
-  /// far as it lies more than the resolution below.
-  void sweep(std::size_t piece, double s0, double s1, const std::vector<std::size_t>& pairs,
-             double& clearance) {
-    const Stretch stretch = take_middle(piece, s0, s1);
+  /// Lowers the clearance to the least distance in a stretch of pairs that may not touch, as far as
+  /// it lies more than the resolution below.
+  void sweep(const Stretch& part, const std::vector<std::size_t>& pairs, double& clearance) {
+    if (pairs.empty()) return;
+    take_middle(part);
     std::vector<std::size_t> open;
     for (const std::size_t index : pairs) {
       const ContactPair& pair = pairs_[index];
-      if (pair.may_touch && window_.contains(stretch.begin_s, stretch.end_s)) continue;
-      const double travel = travel_in(stretch, pair);
-      const double value = distance(pair, clearance + travel);
-      const bool touching = pair.may_touch && window_.contains(stretch.middle_s, stretch.middle_s);
+      bound_[index] = -kInfinity;
+      if (pair.may_touch && window_.contains(part.begin_s, part.end_s)) continue;
+      const double travel = travel_in(part, pair);
+      const double value = distance(pair, clearance + kAhead * travel);
+      bound_[index] = value - travel;
+      const bool touching = pair.may_touch && window_.contains(part.middle_s, part.middle_s);
       if (!touching) clearance = std::min(clearance, value);
       const bool settled = value - travel >= clearance - kResolution_m;
       if (settled || !(travel > 0.1 * kResolution_m && travel < kHopeless_m)) continue;
@@ -175,41 +243,39 @@ class ContactJudge {
     }
     if (open.empty()) return;
     --sweeps_left_;
-    const double middle = 0.5 * (s0 + s1);
-    sweep(piece, s0, middle, open, clearance);
-    sweep(piece, middle, s1, open, clearance);
+    sweep(stretch(part.piece, part.s0, part.middle()), open, clearance);
+    sweep(stretch(part.piece, part.middle(), part.s1), open, clearance);
   }
 
-  /// A part of a piece: its demonstration times, and half its duration.
-  struct Stretch {
-    Eigen::Index piece = 0;
-    double begin_s = 0, middle_s = 0, end_s = 0, half_s = 0;
-  };
-
   /// All bodies are placed where they are at the middle.
-  Stretch take_middle(std::size_t piece, double s0, double s1) {
-    const double middle = 0.5 * (s0 + s1);
-    const auto& time = curve_.trajectory->time;
-    const Stretch stretch{static_cast<Eigen::Index>(piece), curve_.demonstration_time_at(piece, s0),
-                          curve_.demonstration_time_at(piece, middle),
-                          curve_.demonstration_time_at(piece, s1),
-                          0.5 * (s1 - s0) * (time[piece + 1] - time[piece])};
-    curve_.position_at(piece, middle, q_);
-    take(q_, stretch.middle_s);
-    return stretch;
+  void take_middle(const Stretch& part) {
+    curve_.position_at(part.piece, part.middle(), q_);
+    take(q_, part.middle_s);
   }
 
   /// How much nearer a pair can come than at the middle.
-  double travel_in(const Stretch& stretch, const ContactPair& pair) const {
+  double travel_in(const Stretch& part, const ContactPair& pair) const {
     const bool target = pair.object && pair.other == carried_.object;
-    const JointVector& lever = target && carried_.in_hand(stretch.middle_s)
+    const JointVector& lever = target && carried_.in_hand(part.middle_s)
                                    ? in_hand_lever_[static_cast<std::size_t>(pair.capsule)]
                                    : pair.lever;
-    const double travel = stretch.half_s * curve_.speed.row(stretch.piece).dot(lever);
-    if (!pair.object || (target && stretch.middle_s >= carried_.begin_s)) return travel;
+    const double by_joints =
+        part.half_s * curve_.speed.row(static_cast<Eigen::Index>(part.piece)).dot(lever);
+    const bool still = target && part.middle_s >= carried_.begin_s;
+    return !pair.object || still ? by_joints : by_joints + object_travel_in(part, pair);
+  }
+
+  /// Of the object alone, as it was recorded.
+  double object_travel_in(const Stretch& part, const ContactPair& pair) const {
     const ObjectTravel& moved = travels_[static_cast<std::size_t>(pair.other)];
-    const double here = moved.at(stretch.middle_s);
-    return travel + std::max(here - moved.at(stretch.begin_s), moved.at(stretch.end_s) - here);
+    if (moved.travelled.size() == 1) return 0;
+    const double here = moved.at(part.middle_s);
+    return std::max(here - moved.at(part.begin_s), moved.at(part.end_s) - here);
+  }
+
+  /// All along a stretch.
+  double required_in(const ContactPair& pair, const Stretch& part) const {
+    return required_distance(pair, pair.may_touch && window_.contains(part.begin_s, part.end_s));
   }
 
   double required_distance(const ContactPair& pair, bool touching) const {
@@ -281,6 +347,9 @@ class ContactJudge {
   std::vector<Mesh> meshes_;  ///< [objects] empty where the object is none
   Carried carried_;
   std::vector<JointVector> in_hand_lever_;  ///< [capsules] relative to the carried target
+  JointRows levers_;                        ///< [pairs, n] theirs
+  JointVector by_joints_;                   ///< [pairs] fastest approach in the piece at hand [m/s]
+  std::vector<double> bound_;  ///< [pairs] no nearer than this at the end of what was looked at [m]
   Snapshot now_;
   JointVector q_;
 };

@@ -33,8 +33,10 @@ struct Knots {
 
 /// Zero of p between a and b, where p is monotone and changes sign.
 double crossing(const Polynomial& p, double a, double b) {
+  // To a billionth of the interval: what turns there is off by the square of that.
+  constexpr int kOften = 30;
   const bool rising = p(b) > 0;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < kOften; ++i) {
     const double middle = 0.5 * (a + b);
     ((p(middle) > 0) == rising ? b : a) = middle;
   }

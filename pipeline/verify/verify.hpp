@@ -73,10 +73,10 @@ MORPHE_EXPORT std::vector<Violation> verify_plan(const RobotTable& robot,
 using AskedOf = std::function<Asked(const PlanFileHeader&)>;
 
 /// Every plan of a plans.h5, of which there must be one, and the robot's table; without `asked_of`
-/// nothing of it is held against the file's config and inputs. Throws InputError if the file cannot
-/// be read.
+/// nothing of it is held against the file's config and inputs. On `jobs` threads, with the same
+/// report. Throws InputError if the file cannot be read.
 MORPHE_EXPORT VerifyReport verify_file(const std::filesystem::path& file,
-                                       const AskedOf& asked_of = {});
+                                       const AskedOf& asked_of = {}, int jobs = 1);
 
 /// {executable, approximate, infeasible, violations: [{plan, sample, time_s, cause, subject, value,
 /// limit, unit}]}; a number that is not finite is null.

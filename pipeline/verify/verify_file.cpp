@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
+#include <utility>
 
 #include "pipeline/motion/input_error.hpp"
+#include "pipeline/parallel/ordered_map.hpp"
 #include "pipeline/store/plan_file.hpp"
 #include "pipeline/verify/as_asked.hpp"
 #include "pipeline/verify/verify.hpp"
@@ -41,26 +44,43 @@ std::optional<Asked> judge_header(const store::PlanReader& reader, const AskedOf
   }
 }
 
+using NamedPlan = std::pair<std::string, Plan>;
+
+struct Judged {
+  Status status = Status::infeasible;
+  std::vector<Violation> violations;
+};
+
 }  // namespace
 
-VerifyReport verify_file(const std::filesystem::path& file, const AskedOf& asked_of) {
+VerifyReport verify_file(const std::filesystem::path& file, const AskedOf& asked_of, int jobs) {
   const store::PlanReader reader(file);
   VerifyReport report;
   ViolationRuns of_the_file("");
   judge_numbers(reader.plan_paths(), of_the_file);
   const std::optional<Asked> asked = judge_header(reader, asked_of, of_the_file);
   report.violations = of_the_file.finish();
-  for (std::size_t i = 0; i < reader.plan_paths().size(); ++i) {
-    const Plan plan = reader.read(i);
-    const Status status = plan.status();
-    ++(status == Status::executable    ? report.executable
-       : status == Status::approximate ? report.approximate
-                                       : report.infeasible);
-    const std::vector<Violation> found = verify_plan(
-        reader.robot(), reader.plan_paths()[i], plan, reader.header().config,
-        asked && asked->robot.joint_names == reader.robot().joint_names ? &*asked : nullptr);
-    report.violations.insert(report.violations.end(), found.begin(), found.end());
-  }
+  const bool comparable = asked && asked->robot.joint_names == reader.robot().joint_names;
+  parallel::OrderedMap<NamedPlan, Judged> map;
+  map.next = [&, i = std::size_t{0}]() mutable {
+    if (i == reader.plan_paths().size()) return std::unique_ptr<NamedPlan>();
+    const std::string& path = reader.plan_paths()[i];
+    return std::make_unique<NamedPlan>(path, reader.read(i++));
+  };
+  map.work = [&](const NamedPlan& named) {
+    const auto& [path, plan] = named;
+    return std::make_unique<Judged>(
+        Judged{plan.status(), verify_plan(reader.robot(), path, plan, reader.header().config,
+                                          comparable ? &*asked : nullptr)});
+  };
+  map.write = [&](const Judged& judged) {
+    ++(judged.status == Status::executable    ? report.executable
+       : judged.status == Status::approximate ? report.approximate
+                                              : report.infeasible);
+    report.violations.insert(report.violations.end(), judged.violations.begin(),
+                             judged.violations.end());
+  };
+  parallel::run(map, jobs);
   return report;
 }
 

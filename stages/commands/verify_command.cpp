@@ -5,6 +5,7 @@
 
 #include "pipeline/verify/verify.hpp"
 #include "stages/commands/commands.hpp"
+#include "stages/commands/jobs_option.hpp"
 #include "stages/commands/plans_file.hpp"
 #include "stages/planning/asked_of.hpp"
 
@@ -13,14 +14,16 @@ namespace morphe::commands {
 Command verify_command(CLI::App& app) {
   struct Arguments {
     std::string file;
+    int jobs = 0;
     bool json = false;
   };
   const auto arguments = std::make_shared<Arguments>();
   app.add_option("FILE", arguments->file, "plans.h5, or a run's folder")->required();
+  add_jobs_option(app, arguments->jobs);
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] {
-    const verify::VerifyReport report =
-        verify::verify_file(plans_file(arguments->file), planning::asked_of);
+    const verify::VerifyReport report = verify::verify_file(
+        plans_file(arguments->file), planning::asked_of, threads_of(arguments->jobs));
     fmt::print("{}",
                arguments->json ? verify::verify_json(report) + "\n" : verify::verify_text(report));
     return report.violations.empty() ? 0 : 1;
