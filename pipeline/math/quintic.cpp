@@ -123,10 +123,19 @@ Range bezier_range(std::array<double, N> b) {
   return {*least, *greatest};
 }
 
-template <std::size_t N>
-bool surely_below(const std::array<double, N>& power, double limit) {
-  const Range range = bezier_range(power);
-  return range.least >= -limit && range.greatest <= limit;
+template <class... Values>
+Range range_of(double first, Values... others) {
+  Range range{first, first};
+  ((range.least = std::min(range.least, others)), ...);
+  ((range.greatest = std::max(range.greatest, others)), ...);
+  return range;
+}
+
+template <class... Values>
+double greatest_of(Values... values) {
+  double greatest = 0;
+  ((greatest = std::max(greatest, std::abs(values))), ...);
+  return greatest;
 }
 
 }  // namespace
@@ -168,12 +177,33 @@ QuinticExtremes extremes(const QuinticPiece& piece, double from_s, double to_s) 
           scaled(over[3], rate * rate * rate)};
 }
 
-bool surely_within(const QuinticPiece& piece, double velocity, double acceleration, double jerk) {
-  const auto& c = piece.coefficient;
-  const double t = piece.duration;
-  return surely_below(std::array{c[1], 2 * c[2], 3 * c[3], 4 * c[4], 5 * c[5]}, velocity * t) &&
-         surely_below(std::array{2 * c[2], 6 * c[3], 12 * c[4], 20 * c[5]}, acceleration * t * t) &&
-         surely_below(std::array{6 * c[3], 24 * c[4], 60 * c[5]}, jerk * t * t * t);
+void enclose(const Trajectory& trajectory, std::size_t sample, Enclosure& enclosure) {
+  const auto row = static_cast<Eigen::Index>(sample);
+  const Eigen::Index joints = trajectory.position.cols();
+  for (Eigen::ArrayXd* bound : {&enclosure.lowest, &enclosure.highest, &enclosure.velocity,
+                                &enclosure.acceleration, &enclosure.jerk}) {
+    bound->resize(joints);
+  }
+  const double h = trajectory.time[sample + 1] - trajectory.time[sample];
+  const double *q = &trajectory.position(row, 0), *next_q = &trajectory.position(row + 1, 0);
+  const double *v = &trajectory.velocity(row, 0), *next_v = &trajectory.velocity(row + 1, 0);
+  const double *a = &trajectory.acceleration(row, 0),
+               *next_a = &trajectory.acceleration(row + 1, 0);
+  for (Eigen::Index j = 0; j < joints; ++j) {
+    // The points of each derivative are the differences of the one below; those of the velocity
+    // have the way as their mean.
+    const double v0 = v[j], v1 = v0 + h / 4 * a[j], v4 = next_v[j], v3 = v4 - h / 4 * next_a[j];
+    const double v2 = 5 / h * (next_q[j] - q[j]) - (v0 + v1 + v3 + v4);
+    const double a0 = a[j], a1 = 4 / h * (v2 - v1), a2 = 4 / h * (v3 - v2), a3 = next_a[j];
+    const double q1 = q[j] + h / 5 * v0, q2 = q1 + h / 5 * v1;
+    const double q4 = next_q[j] - h / 5 * v4, q3 = q4 - h / 5 * v3;
+    const auto [lowest, highest] = range_of(q[j], q1, q2, q3, q4, next_q[j]);
+    enclosure.lowest[j] = lowest;
+    enclosure.highest[j] = highest;
+    enclosure.velocity[j] = greatest_of(v0, v1, v2, v3, v4);
+    enclosure.acceleration[j] = greatest_of(a0, a1, a2, a3);
+    enclosure.jerk[j] = 3 / h * greatest_of(a1 - a0, a2 - a1, a3 - a2);
+  }
 }
 
 double beyond(const QuinticPiece& piece, double lower, double upper) {
@@ -185,8 +215,23 @@ double beyond(const QuinticPiece& piece, double lower, double upper) {
 
 LimitReport limit_report(const RobotTable& robot, const Trajectory& trajectory) {
   LimitReport report;
+  Enclosure within;
+  const auto holds = [](const LimitUse& use, double value, double limit) {
+    return use.sample >= 0 && value <= use.ratio * limit;
+  };
   for (std::size_t sample = 0; sample + 1 < trajectory.samples(); ++sample) {
+    enclose(trajectory, sample, within);
     for (Eigen::Index joint = 0; joint < trajectory.position.cols(); ++joint) {
+      const double room = std::min(within.lowest[joint] - robot.lower[joint],
+                                   robot.upper[joint] - within.highest[joint]);
+      if (report.margin_sample >= 0 && room >= report.position_margin &&
+          holds(report.velocity, within.velocity[joint], robot.velocity[joint]) &&
+          holds(report.acceleration, within.acceleration[joint], robot.acceleration[joint]) &&
+          holds(report.jerk, within.jerk[joint], robot.jerk[joint]) &&
+          std::ranges::find(robot.braking_curves, joint, &RobotTable::BrakingCurve::joint) ==
+              robot.braking_curves.end()) {
+        continue;  // nothing of it is the worst so far
+      }
       const QuinticPiece piece = quintic_piece(trajectory, sample, joint);
       const QuinticExtremes over = extremes(piece);
       raise(report.velocity, over.velocity, robot.velocity[joint], sample, joint);

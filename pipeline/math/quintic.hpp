@@ -37,9 +37,15 @@ struct QuinticExtremes {
 QuinticExtremes extremes(const QuinticPiece& piece);
 /// Over [from_s, to_s] of it alone.
 QuinticExtremes extremes(const QuinticPiece& piece, double from_s, double to_s);
-/// Whether the Bézier points of velocity, acceleration and jerk, which enclose each curve, lie
-/// within the limits: a quick yes; a no says nothing.
-bool surely_within(const QuinticPiece& piece, double velocity, double acceleration, double jerk);
+/// What every joint keeps to between two samples, by the Bézier points that enclose each curve: no
+/// less than its exact extremes, and quickly known.
+struct Enclosure {
+  Eigen::ArrayXd lowest, highest;               ///< [joints] position
+  Eigen::ArrayXd velocity, acceleration, jerk;  ///< [joints] greatest magnitudes
+};
+/// Between samples `sample` and `sample` + 1.
+void enclose(const Trajectory& trajectory, std::size_t sample, Enclosure& enclosure);
+
 /// How far its positions lie beyond [lower, upper] at most; 0: nowhere. Exact.
 double beyond(const QuinticPiece& piece, double lower, double upper);
 

@@ -103,25 +103,30 @@ double slower_inside(double beyond_rad) {
 /// How many times slower each step between samples would have to be to hold the path's limits; 0
 /// where it surely does.
 std::vector<double> haste(const PacedPath& paced_path, const Trajectory& trajectory) {
+  const RobotTable& robot = *paced_path.robot;
   std::vector<double> out;
+  math::Enclosure within;
   for (std::size_t i = 0; i + 1 < trajectory.samples(); ++i) {
     double worst = 0;
-    for (const RobotTable::BrakingCurve& curve : paced_path.robot->braking_curves) {
+    for (const RobotTable::BrakingCurve& curve : robot.braking_curves) {
       const math::QuinticPiece piece = math::quintic_piece(trajectory, i, curve.joint);
       // Below the limit, how far does not matter.
       const double limit = paced_path.braking_share;
       worst = std::max(worst, math::braking_ratio(curve, piece, limit) / limit);
     }
+    math::enclose(trajectory, i, within);
     for (Eigen::Index joint = 0; joint < trajectory.position.cols(); ++joint) {
+      const double lower = robot.lower[joint], upper = robot.upper[joint];
+      if (within.lowest[joint] >= lower && within.highest[joint] <= upper &&
+          within.velocity[joint] <= paced_path.velocity[joint] &&
+          within.acceleration[joint] <= paced_path.acceleration[joint] &&
+          within.jerk[joint] <= paced_path.jerk[joint]) {
+        continue;
+      }
       const math::QuinticPiece piece = math::quintic_piece(trajectory, i, joint);
-      const double lower = paced_path.robot->lower[joint], upper = paced_path.robot->upper[joint];
       const double beyond = math::beyond(piece, lower, upper);
       const bool fixed = upper - lower < 4 * kLimitInset;  // kept to half of that at best
       if (beyond > 0 && !fixed) worst = std::max(worst, slower_inside(beyond));
-      if (math::surely_within(piece, paced_path.velocity[joint], paced_path.acceleration[joint],
-                              paced_path.jerk[joint])) {
-        continue;
-      }
       const math::QuinticExtremes over = math::extremes(piece);
       const auto ratio = [](const math::Range& range, double limit) {
         return std::max(-range.least, range.greatest) / limit;

@@ -75,6 +75,74 @@ TEST(Quintic, BeyondARangeIsWhatTheExtremesSay) {
   }
 }
 
+/// Two samples of some joints in random states.
+Trajectory random_step(std::mt19937& random, Eigen::Index joints, double duration_s) {
+  std::uniform_real_distribution<double> any(-1, 1);
+  Trajectory trajectory;
+  trajectory.time = {0, duration_s};
+  trajectory.position = JointRows::NullaryExpr(2, joints, [&] { return any(random); });
+  trajectory.velocity = 3 * JointRows::NullaryExpr(2, joints, [&] { return any(random); });
+  trajectory.acceleration = 20 * JointRows::NullaryExpr(2, joints, [&] { return any(random); });
+  return trajectory;
+}
+
+TEST(Quintic, AnEnclosureHoldsItsCurves) {
+  std::mt19937 random(5);
+  Enclosure within;
+  double closest = 1e9;  // of an enclosure to the velocity it encloses
+  for (int trial = 0; trial < 200; ++trial) {
+    const Trajectory step = random_step(random, 7, trial % 2 == 0 ? 0.002 : 0.8);
+    enclose(step, 0, within);
+    for (Eigen::Index joint = 0; joint < 7; ++joint) {
+      const QuinticExtremes over = extremes(quintic_piece(step, 0, joint));
+      const auto magnitude = [](const Range& range) {
+        return std::max(-range.least, range.greatest);
+      };
+      EXPECT_LE(within.lowest[joint], over.position.least + 1e-12);
+      EXPECT_GE(within.highest[joint], over.position.greatest - 1e-12);
+      EXPECT_GE(within.velocity[joint], magnitude(over.velocity) * (1 - 1e-12));
+      EXPECT_GE(within.acceleration[joint], magnitude(over.acceleration) * (1 - 1e-10));
+      EXPECT_GE(within.jerk[joint], magnitude(over.jerk) * (1 - 1e-8));
+      closest = std::min(closest, within.velocity[joint] / magnitude(over.velocity));
+    }
+  }
+  EXPECT_LT(closest, 1.01);
+}
+
+TEST(Quintic, ReportsTheWorstOfManySteps) {
+  std::mt19937 random(6);
+  constexpr Eigen::Index kSamples = 40, kJoints = 5;
+  std::uniform_real_distribution<double> any(-1, 1);
+  Trajectory trajectory;
+  for (Eigen::Index i = 0; i < kSamples; ++i)
+    trajectory.time.push_back(0.1 * static_cast<double>(i));
+  for (JointRows* rows : {&trajectory.position, &trajectory.velocity, &trajectory.acceleration})
+    *rows = JointRows::NullaryExpr(kSamples, kJoints, [&] { return any(random); });
+  RobotTable robot;
+  robot.joint_names.assign(kJoints, "a");
+  robot.lower = JointVector::Constant(kJoints, -3);
+  robot.upper = JointVector::Constant(kJoints, 3);
+  robot.velocity = robot.acceleration = robot.jerk = JointVector::LinSpaced(kJoints, 1, 2);
+  double velocity = 0, acceleration = 0, jerk = 0, margin = 1e9;
+  for (std::size_t i = 0; i + 1 < trajectory.samples(); ++i) {
+    for (Eigen::Index j = 0; j < kJoints; ++j) {
+      const QuinticExtremes over = extremes(quintic_piece(trajectory, i, j));
+      const auto use = [&](const Range& range) {
+        return std::max(-range.least, range.greatest) / robot.velocity[j];
+      };
+      velocity = std::max(velocity, use(over.velocity));
+      acceleration = std::max(acceleration, use(over.acceleration));
+      jerk = std::max(jerk, use(over.jerk));
+      margin = std::min({margin, over.position.least + 3, 3 - over.position.greatest});
+    }
+  }
+  const LimitReport report = limit_report(robot, trajectory);
+  EXPECT_EQ(report.velocity.ratio, velocity);
+  EXPECT_EQ(report.acceleration.ratio, acceleration);
+  EXPECT_EQ(report.jerk.ratio, jerk);
+  EXPECT_EQ(report.position_margin, margin);
+}
+
 TEST(Quintic, JudgesATrajectoryBetweenItsSamples) {
   RobotTable robot;
   robot.joint_names = {"a"};
