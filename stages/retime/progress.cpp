@@ -51,13 +51,14 @@ double clock_at(const ProgressLaw& law, double time_s) {
   const auto after = std::upper_bound(law.time.begin(), law.time.end(), time_s);
   if (after == law.time.end()) return clock_at(law.clock, law.clock.length).u;
   const auto i = static_cast<std::size_t>(after - law.time.begin()) - 1;
+  constexpr double kSettled = 1e-8;  // of a cell; what is left is its square
   const double from = static_cast<double>(i) * law.cell;
-  double w = from;
+  double w = from + law.cell * (time_s - law.time[i]) / (law.time[i + 1] - law.time[i]);
   for (int step = 0; step < 8; ++step) {
     const double off = time_s - law.time[i] - duration_between(law.progress, from, w);
     const double move = off * std::sqrt(square_at(law.progress, w));
     w = std::clamp(w + move, from, from + law.cell);
-    if (std::abs(move) < 1e-16) break;
+    if (std::abs(move) < kSettled * law.cell) break;
   }
   return clock_at(law.clock, w).u;
 }
