@@ -49,16 +49,28 @@ Eigen::MatrixXd best_correction(const Eigen::MatrixXd& d, int first, int last, d
   return normal.ldlt().solve(right);
 }
 
+bool inside_limits(const RobotTable& robot, const JointRows& rows) {
+  const auto below = rows.rowwise() - robot.lower.transpose();
+  const auto above = rows.rowwise() - robot.upper.transpose();
+  return (below.array() >= 0).all() && (above.array() <= 0).all();
+}
+
+/// Whether the steps to the rows in (first, last] are free; `at` is looked at first and those far
+/// from it last: where one candidate fails, the next one is likely to. It becomes where this does.
 bool rows_free(const ClearWorld& world, const std::vector<double>& times, const JointRows& rows,
-               int first, int last, collision::CollisionScratch& scratch) {
-  const RobotTable& robot = *world.around.robot;
-  JointVector from = rows.row(first), to;
-  for (int k = first + 1; k <= last; ++k, from = to) {
-    to = rows.row(k);
-    if ((to.array() < robot.lower.array()).any() || (to.array() > robot.upper.array()).any())
-      return false;
+               int first, int last, collision::CollisionScratch& scratch, int& at) {
+  const auto free = [&](int k) {
     const auto sample = static_cast<std::size_t>(k);
-    if (!line_free(world, from, to, times[sample - 1], times[sample], scratch)) return false;
+    return line_free(world, rows.row(k - 1), rows.row(k), times[sample - 1], times[sample],
+                     scratch);
+  };
+  const int begin = std::clamp(at, first + 1, last);
+  for (int away = 0; away < last - first; ++away) {
+    for (const int k : {begin + away, begin - away - 1}) {
+      if (k <= first || k > last || free(k)) continue;
+      at = k;
+      return false;
+    }
   }
   return true;
 }
@@ -134,6 +146,7 @@ void draw_in(const ClearWorld& world, const std::vector<double>& times, const Jo
   if (rows < 3) return;
   const double length = std::max(2.0, rows / 8.0);
   collision::CollisionScratch scratch;
+  int failed_at = rows / 2;
   for (int attempt = 0; attempt < attempts; ++attempt) {
     const int half_size = std::max(2, rows >> (1 + random() % 4));
     const int middle = 1 + below(rows - 2, random);
@@ -148,11 +161,17 @@ void draw_in(const ClearWorld& world, const std::vector<double>& times, const Jo
     }
     const Eigen::MatrixXd d = planned - original;
     const Eigen::MatrixXd towards =
-        best_correction(d, first, last, length) - d.middleRows(first + 1, last - first - 1);
+        (best_correction(d, first, last, length) - d.middleRows(first + 1, last - first - 1)) *
+        chosen.asDiagonal();
+    if (towards.isZero(0)) continue;
     for (const double step : kSteps) {
       JointRows candidate = planned;
-      candidate.middleRows(first + 1, last - first - 1) += step * towards * chosen.asDiagonal();
-      if (!rows_free(world, times, candidate, first, last, scratch)) continue;
+      auto moved = candidate.middleRows(first + 1, last - first - 1);
+      moved += step * towards;
+      if (!inside_limits(*world.around.robot, moved) ||
+          !rows_free(world, times, candidate, first, last, scratch, failed_at)) {
+        continue;
+      }
       planned = std::move(candidate);
       break;
     }
