@@ -123,5 +123,26 @@ TEST_F(VerifyFile, AgreesWithThePythonScriptOnEveryMutation) {
   }
 }
 
+TEST_F(VerifyFile, IsTheSameOnAnyNumberOfThreads) {
+  const std::filesystem::path file = folder_ / "plans.h5";
+  PlanFileHeader header;
+  header.software = "morphe test";
+  store::PlanWriter writer(file, header, planar::robot());
+  for (int index = 0; index < 12; ++index) {
+    Plan plan = planar::plan();
+    plan.movement.index = index;
+    if (index % 3 == 1) plan.trajectory.velocity(30 + index, 0) = 2.5;
+    if (index % 4 == 2) plan.goals.tip_position(75, 1).z() += 0.008;
+    writer.add(plan);
+  }
+  writer.finish();
+  const VerifyReport alone = verify_file(file);
+  EXPECT_EQ(alone.executable, 12);
+  EXPECT_GE(alone.violations.size(), 7u);
+  for (const int jobs : {2, 5}) {
+    EXPECT_EQ(verify_json(verify_file(file, {}, jobs)), verify_json(alone)) << jobs;
+  }
+}
+
 }  // namespace
 }  // namespace morphe::verify

@@ -74,7 +74,7 @@ TEST_F(ReachableFrames, NotBeyondALimit) {
     robot::Robot stiff = robot;
     stiff.lower = stiff.upper = middle;  // only the last joint of the thumb turns
     stiff.upper[9] += 0.1;
-    problem.robot = &stiff;
+    problem.robot = world.robot = &stiff;
     JointVector there = middle;
     there[9] += 0.05 + beyond;
     set_goals(there, 1);
