@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/collision/world.hpp"
 #include "pipeline/math/statistics.hpp"
 #include "pipeline/motion/human_motion.hpp"
 #include "pipeline/robot/forward.hpp"
@@ -40,6 +41,20 @@ double rms_acceleration(const Tips& tips, const std::vector<double>& time) {
     }
   }
   return std::sqrt(sum / static_cast<double>(count));
+}
+
+/// Of the hand with itself: no other pairs than a plan's are looked at.
+void score_overlaps(const robot::Robot& robot, const JointRows& q, HandScores& scores) {
+  const Scene nothing;
+  const collision::CollisionWorld world = collision::make_world(robot, nothing, {}, {});
+  collision::CollisionScratch scratch;
+  Eigen::Index overlapping = 0;
+  for (Eigen::Index f = 0; f < q.rows(); ++f) {
+    const double clearance = collision::clearance(world, q.row(f).transpose(), 0, scratch);
+    overlapping += clearance < 0 ? 1 : 0;
+    scores.deepest_m = std::max(scores.deepest_m, -clearance);
+  }
+  scores.overlapping = static_cast<double>(overlapping) / static_cast<double>(q.rows());
 }
 
 std::size_t tip_of(const robot::Robot& robot, std::size_t finger) {
@@ -85,6 +100,7 @@ HandScores score_hand(const robot::Robot& robot, const HandCourse& course, doubl
   }
   scores.acceleration =
       rms_acceleration(tips, course.time) / rms_acceleration(course.goals, course.time);
+  score_overlaps(robot, course.q, scores);
   return scores;
 }
 

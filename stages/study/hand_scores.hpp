@@ -14,6 +14,8 @@ struct HandScores {
   double correlation = kNotSeen;   ///< thumb-index distance with the human's, all frames
   double largest_step_rad = 0;     ///< of any joint, per 10 ms
   double acceleration = kNotSeen;  ///< rms of tips', robot's over that of their goals
+  double overlapping = 0;          ///< share of frames in which capsules of two links overlap
+  double deepest_m = 0;            ///< by how much, at most
 };
 
 /// What a method makes of a recording: tips and goals [F][tips] in one frame.

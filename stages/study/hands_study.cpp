@@ -80,6 +80,8 @@ void add_rows(const HandScores& scores, const Case& of, bool ours, const Studied
   StudyRow& acceleration =
       row("tips' acceleration over their goals'", "1", scores.acceleration, frames);
   if (ours) acceleration.at_most = kMostAcceleration;
+  row("frames in which the hand overlaps itself", "1", scores.overlapping, frames);
+  row("its deepest overlap", "mm", 1e3 * scores.deepest_m, frames);
 }
 
 double processor_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }

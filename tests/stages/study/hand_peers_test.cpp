@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/collision/fcl_engine.hpp"
 #include "pipeline/robot/files/description.hpp"
 #include "pipeline/robot/forward.hpp"
 #include "stages/study/hand_scores.hpp"
@@ -91,6 +92,33 @@ TEST_F(HandPeers, FollowARobotLikeHuman) {
   }
   EXPECT_NEAR(score_hand(robot, same, 0.2).acceleration, 1, 1e-9);
   EXPECT_NEAR(score_hand(robot, same, 0.2).tip_mean_m, 0, 1e-12);
+}
+
+/// FCL is asked the same of the same capsules.
+TEST_F(HandPeers, OverlapsAreThoseThatFclFinds) {
+  std::mt19937_64 random(7);
+  HandCourse course;
+  course.q.resize(200, static_cast<Eigen::Index>(robot.joints()));
+  const Scene nothing;
+  Tolerances touching;
+  touching.margin = 0;
+  const collision::CollisionWorld world = collision::make_world(robot, nothing, {}, touching);
+  collision::FclEngine fcl(world);
+  collision::CollisionScratch scratch;
+  int overlapping = 0;
+  for (int f = 0; f < 200; ++f) {
+    const JointVector q = random_position(robot, random);
+    course.q.row(f) = q.transpose();
+    course.time.push_back(0.01 * f);
+    course.human.push_back(tips_at(q));
+    overlapping += fcl.free(q, 0, scratch) ? 0 : 1;
+  }
+  course.goals = course.human;
+  const HandScores scores = score_hand(robot, course, 0.04);
+  EXPECT_GT(overlapping, 0);
+  EXPECT_LT(overlapping, 200);
+  EXPECT_DOUBLE_EQ(scores.overlapping, overlapping / 200.0);
+  EXPECT_GT(scores.deepest_m, 0);
 }
 
 }  // namespace
