@@ -19,36 +19,69 @@ Four load(const double* from) {
 }
 void store(const Four& four, double* to) { std::memcpy(to, &four, sizeof four); }
 
-/// target [4 kRows, 4] -= left [4 kRows, depth] * right [4, depth]ᵀ; all have columns `stride`
-/// apart.
+/// Four columns of a block of the factor, `stride` apart.
+struct Panel {
+  const double* left;   ///< what stands before the target's rows
+  const double* right;  ///< what stands before the four rows whose pivots these columns have
+  Index depth;          ///< columns before
+  Index stride;
+};
+
+/// sum = target [4 kRows, 4] - left rightᵀ, of the columns from `first` on.
 template <int kRows>
-void subtract_product(const double* left, const double* right, Index depth, Index stride,
-                      double* target) {
-  Four sum[kRows][kWidth];
+void subtract_product(const Panel& panel, Index row, Index first, const double* target,
+                      Four (&sum)[kRows][kWidth]) {
   for (Index c = 0; c < kWidth; ++c) {
-    for (Index r = 0; r < kRows; ++r) sum[r][c] = load(target + c * stride + r * kWidth);
+    for (Index r = 0; r < kRows; ++r) {
+      sum[r][c] = load(target + c * panel.stride + row + r * kWidth);
+    }
   }
-  for (Index k = 0; k < depth; ++k, left += stride, right += stride) {
+  const double* left = panel.left + first * panel.stride + row;
+  const double* right = panel.right + first * panel.stride;
+  for (Index k = first; k < panel.depth; ++k, left += panel.stride, right += panel.stride) {
     Four rows[kRows];
     for (Index r = 0; r < kRows; ++r) rows[r] = load(left + r * kWidth);
     for (Index c = 0; c < kWidth; ++c) {
       for (Index r = 0; r < kRows; ++r) sum[r][c] -= rows[r] * right[c];
     }
   }
+}
+
+template <int kRows>
+void store(const Four (&sum)[kRows][kWidth], Index row, Index stride, double* target) {
   for (Index c = 0; c < kWidth; ++c) {
-    for (Index r = 0; r < kRows; ++r) store(sum[r][c], target + c * stride + r * kWidth);
+    for (Index r = 0; r < kRows; ++r) store(sum[r][c], target + c * stride + row + r * kWidth);
   }
 }
 
-/// The same for any multiple of 4 rows.
-void subtract_product(Index rows, const double* left, const double* right, Index depth,
-                      Index stride, double* target) {
-  Index r = 0;
-  for (; r + 12 <= rows; r += 12) {
-    subtract_product<3>(left + r, right, depth, stride, target + r);
+/// Rows of the panel below its pivots, or of another block: target = (target - left rightᵀ) L⁻ᵀ.
+template <int kRows>
+void divide(const Panel& panel, const double* inverse, Index row, Index first, double* target) {
+  Four sum[kRows][kWidth];
+  subtract_product(panel, row, first, target, sum);
+  const double* pivots = panel.right + panel.depth * panel.stride;
+  for (Index c = 0; c < kWidth; ++c) {
+    for (Index d = 0; d < c; ++d) {
+      const double factor = pivots[d * panel.stride + c];
+      for (Index r = 0; r < kRows; ++r) sum[r][c] -= factor * sum[r][d];
+    }
+    for (Index r = 0; r < kRows; ++r) sum[r][c] *= inverse[c];
   }
-  if (rows - r == 8) subtract_product<2>(left + r, right, depth, stride, target + r);
-  if (rows - r == 4) subtract_product<1>(left + r, right, depth, stride, target + r);
+  store(sum, row, panel.stride, target);
+}
+
+/// The four rows with the panel's own pivots. False if one is not positive.
+bool divide_own(const Panel& panel, Index row, Index first, double* target, double* inverse) {
+  Four sum[1][kWidth];
+  subtract_product(panel, row, first, target, sum);
+  for (Index c = 0; c < kWidth; ++c) {
+    for (Index d = 0; d < c; ++d) sum[0][c] -= sum[0][d][c] * sum[0][d];
+    if (!(sum[0][c][c] > 0)) return false;
+    inverse[c] = 1 / std::sqrt(sum[0][c][c]);
+    sum[0][c] *= inverse[c];
+  }
+  store(sum, row, panel.stride, target);
+  return true;
 }
 
 }  // namespace
@@ -68,8 +101,12 @@ void BandCholesky::clear(std::size_t frame) {
   for (Index j = n_; j < padded_; ++j) own[j * padded_ + j] = 1;  // beyond the matrix: the identity
 }
 
-BandCholesky::Block BandCholesky::block(std::size_t frame, Index before) {
-  return {columns(frame, before), n_, n_, Eigen::OuterStride<>(padded_)};
+BandCholesky::Own BandCholesky::own(std::size_t frame) {
+  return {columns(frame, 0), n_, n_, Eigen::OuterStride<>(padded_)};
+}
+
+BandCholesky::Diagonal BandCholesky::between(std::size_t frame, Index before) {
+  return {columns(frame, before), n_, Eigen::InnerStride<>(padded_ + 1)};
 }
 
 bool BandCholesky::factorise(std::size_t first) {
@@ -84,33 +121,30 @@ bool BandCholesky::factorise(std::size_t first) {
 }
 
 /// L_fe = (A_fe - sum over c < e of L_fc L_ecᵀ) L_ee⁻ᵀ for e = f - before, four columns at a time;
-/// of the last block only what is on the diagonal or below. False if a pivot is not positive.
+/// of the last block only what is on the diagonal or below. The first block of a row, a diagonal
+/// one over a transposed factor, has nothing below its diagonal: there neither rows nor columns of
+/// zeros are gone through. False if a pivot is not positive.
 bool BandCholesky::factorise_block(std::size_t frame, Index before, Index reach) {
   const std::size_t other = frame - static_cast<std::size_t>(before);
   const Index blocks = reach - before;  // that both rows have before this one
-  const double* left = columns(frame, reach);
-  const double* right = columns(other, blocks);
   double* target = columns(frame, before);
   double* inverse = inverse_.data() + static_cast<Index>(other) * padded_;
   for (Index j = 0; j < padded_; j += kWidth) {
-    const Index top = before > 0 ? 0 : j;
-    const Index depth = blocks * padded_ + j;
-    subtract_product(padded_ - top, left + top, right + j, depth, padded_,
-                     target + j * padded_ + top);
-    const double* pivots = right + depth * padded_;  // columns j … j + 3 of L_ee
-    for (Index c = j; c < j + kWidth; ++c) {
-      double* column = target + c * padded_;
-      for (Index d = j; d < c; ++d) {
-        const double factor = pivots[(d - j) * padded_ + c];
-        const double* known = target + d * padded_;
-        for (Index i = top; i < padded_; ++i) column[i] -= factor * known[i];
-      }
-      if (before == 0) {
-        if (!(column[c] > 0)) return false;
-        inverse[c] = 1 / std::sqrt(column[c]);
-      }
-      for (Index i = top; i < padded_; ++i) column[i] *= inverse[c];
+    const Panel panel{columns(frame, reach), columns(other, blocks) + j, blocks * padded_ + j,
+                      padded_};
+    double* column = target + j * padded_;
+    const auto first = [&](Index row) { return reach > 0 ? row : 0; };
+    Index row = 0;
+    if (before == 0) {
+      if (!divide_own(panel, j, first(j), column, inverse + j)) return false;
+      row = j + kWidth;
     }
+    const Index end = before > 0 && blocks == 0 ? j + kWidth : padded_;
+    for (; row + 3 * kWidth <= end; row += 3 * kWidth) {
+      divide<3>(panel, inverse + j, row, first(row), column);
+    }
+    if (end - row == 2 * kWidth) divide<2>(panel, inverse + j, row, first(row), column);
+    if (end - row == kWidth) divide<1>(panel, inverse + j, row, first(row), column);
   }
   return true;
 }

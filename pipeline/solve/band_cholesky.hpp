@@ -5,22 +5,25 @@
 
 namespace morphe::solve {
 
-/// A x = b for a symmetric positive definite A of n x n blocks that is zero more than kBandBlocks
-/// blocks off its diagonal: what frames in a row make that differences of third order join. By the
-/// block Cholesky factor, 12 n³ operations a frame, row of blocks by row of blocks, in a kernel
-/// that keeps 12 x 4 numbers in registers; solves of a size after the first allocate nothing.
+/// A x = b for a symmetric positive definite A of n x n blocks whose blocks off its diagonal are
+/// diagonal themselves, and zero more than kBandBlocks off: what frames in a row make that
+/// differences of third order join. By the block Cholesky factor, 9 n³ operations a frame, row of
+/// blocks by row of blocks, in a kernel that keeps 12 x 4 numbers in registers; solves of a size
+/// after the first allocate nothing.
 class BandCholesky {
  public:
   static constexpr Eigen::Index kBandBlocks = 3;
-  using Block = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+  using Own = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+  using Diagonal = Eigen::Map<Eigen::VectorXd, 0, Eigen::InnerStride<>>;
 
   void resize(std::size_t frames, Eigen::Index n);
   /// Block row `frame` of A's lower half, all zero: to be filled in before factorise() replaces it
   /// by the factor's.
   void clear(std::size_t frame);
-  /// The block of `frame` with itself, of which the lower triangle counts, or with the frame one,
-  /// two or three before.
-  Block block(std::size_t frame, Eigen::Index before);
+  /// The block of `frame` with itself, of which the lower triangle counts.
+  Own own(std::size_t frame);
+  /// The diagonal of that with the frame one, two or three before.
+  Diagonal between(std::size_t frame, Eigen::Index before);
   /// False if A is not positive definite. The block rows before `first` are still those of the last
   /// factorise(), and only the others were filled in since.
   bool factorise(std::size_t first = 0);

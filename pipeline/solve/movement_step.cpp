@@ -18,7 +18,7 @@ void damped_hessian(const DifferenceCurvature& between, const MovementPoint& poi
   for (Index f = first; f < frames; ++f) {
     const auto frame = static_cast<std::size_t>(f);
     hessian.clear(frame);
-    auto own = hessian.block(frame, 0);
+    auto own = hessian.own(frame);
     own = point.models[frame].hessian;
     own.diagonal().array() += damping[f];
     own.diagonal() += between[frame].col(0);
@@ -29,9 +29,9 @@ void damped_hessian(const DifferenceCurvature& between, const MovementPoint& poi
       own(j, j) = 1;
     }
     for (Index before = 1; before <= std::min(f, BandCholesky::kBandBlocks); ++before) {
-      auto block = hessian.block(frame, before);
+      auto joined = hessian.between(frame, before);
       for (Index j = 0; j < n; ++j) {
-        if (!held(f, j) && !held(f - before, j)) block(j, j) = between[frame](j, before);
+        if (!held(f, j) && !held(f - before, j)) joined[j] = between[frame](j, before);
       }
     }
   }

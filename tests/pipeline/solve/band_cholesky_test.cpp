@@ -11,26 +11,37 @@ namespace {
 
 using Eigen::Index;
 
-/// A random positive definite matrix within the band: L Lᵀ of a banded L.
+/// A random positive definite matrix of full blocks that diagonal ones join, within the band.
 Eigen::MatrixXd banded(Index frames, Index n, std::mt19937& random) {
   std::normal_distribution<double> normal;
-  Eigen::MatrixXd factor = Eigen::MatrixXd::Zero(frames * n, frames * n);
-  for (Index i = 0; i < frames * n; ++i) {
-    for (Index j = 0; j < i; ++j) {
-      if (i / n - j / n <= BandCholesky::kBandBlocks) factor(i, j) = normal(random);
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(frames * n, frames * n);
+  for (Index f = 0; f < frames; ++f) {
+    Eigen::MatrixXd own(n, n);
+    for (double& value : own.reshaped()) value = normal(random);
+    matrix.block(f * n, f * n, n, n) = own * own.transpose();
+    for (Index before = 1; before <= std::min(f, BandCholesky::kBandBlocks); ++before) {
+      for (Index j = 0; j < n; ++j) {
+        const Index row = f * n + j, column = row - before * n;
+        const double joins = normal(random);
+        matrix(row, column) = matrix(column, row) = joins;
+        matrix(row, row) += std::abs(joins);
+        matrix(column, column) += std::abs(joins);
+      }
     }
-    factor(i, i) = 2 * std::sqrt(4.0 * static_cast<double>(n)) + std::abs(normal(random));
   }
-  return factor * factor.transpose();
+  matrix.diagonal().array() += 0.01;
+  return matrix;
 }
 
 void fill(const Eigen::MatrixXd& dense, Index n, BandCholesky& band) {
   const Index frames = dense.rows() / n;
   band.resize(static_cast<std::size_t>(frames), n);
   for (Index f = 0; f < frames; ++f) {
-    band.clear(static_cast<std::size_t>(f));
-    for (Index before = 0; before <= std::min(f, BandCholesky::kBandBlocks); ++before) {
-      band.block(static_cast<std::size_t>(f), before) = dense.block(f * n, (f - before) * n, n, n);
+    const auto frame = static_cast<std::size_t>(f);
+    band.clear(frame);
+    band.own(frame) = dense.block(f * n, f * n, n, n);
+    for (Index before = 1; before <= std::min(f, BandCholesky::kBandBlocks); ++before) {
+      band.between(frame, before) = dense.block(f * n, (f - before) * n, n, n).diagonal();
     }
   }
 }
