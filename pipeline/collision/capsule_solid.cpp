@@ -34,7 +34,7 @@ double box_distance(const Vec3& point, const Vec3& half, Vec3& gradient) {
 }
 
 double cylinder_distance(const Vec3& point, double radius, double half_length, Vec3& gradient) {
-  const double from_axis = point.head<2>().norm();
+  const double from_axis = std::hypot(point.x(), point.y());
   const Vec3 radial =
       from_axis > 0 ? Vec3(point.x() / from_axis, point.y() / from_axis, 0) : Vec3(Vec3::UnitX());
   double sign = 1;
@@ -45,7 +45,7 @@ double cylinder_distance(const Vec3& point, double radius, double half_length, V
     return std::max(beyond_side, beyond_end);
   }
   const double side = std::max(beyond_side, 0.0), end = std::max(beyond_end, 0.0);
-  const double distance = std::sqrt(side * side + end * end);
+  const double distance = std::hypot(side, end);
   gradient = (side * radial + end * sign * Vec3::UnitZ()) / distance;
   return distance;
 }
@@ -65,11 +65,8 @@ struct Deepest {
   Vec3 normal;    ///< direction in which moving the whole segment changes the minimum
 };
 
-/// Cuts the segment down by the sign of the slope, which never falls along it: at its zero as the
-/// ends' slopes tell, moved towards the middle, and never so far from it that halving would need
-/// more probes in all, since at an edge the slope jumps (ITP of Oliveira and Takahashi, 2021). At
-/// the end the slopes on both sides tell how the two gradients weigh in that of the minimum: their
-/// sum must not change along the segment.
+/// Halves the segment by the sign of the slope. At the end the slopes on both sides tell how the
+/// two gradients weigh in that of the minimum: their sum must not change along the segment.
 Deepest deepest_point(const Solid& solid, const Vec3& from, const Vec3& to) {
   const Vec3 along = to - from;
   Deepest best;
@@ -91,24 +88,14 @@ Deepest deepest_point(const Solid& solid, const Vec3& from, const Vec3& to) {
     return best;
   }
   const double resolution = kResolution_m / along.norm();
-  constexpr double kTowardsMiddle = 0.2;
-  double most = 1;  // that halving would leave, one probe late
   while (high - low > resolution) {
     const double middle = 0.5 * (low + high);
-    const double zero = (high_slope * low - low_slope * high) / (high_slope - low_slope);
-    const double moved =
-        std::min(std::abs(middle - zero),
-                 std::max(kTowardsMiddle * (high - low) * (high - low), 0.5 * resolution));
-    const double near = std::abs(middle - zero) - moved;
-    const double room = std::max(most - 0.5 * (high - low), 0.0);
-    const double at = middle + std::copysign(std::min(near, room), zero - middle);
-    most *= 0.5;
-    const double slope = probe(at, best.gradient);
+    const double slope = probe(middle, best.gradient);
     if (slope == 0) {
       best.normal = best.gradient;
       return best;
     }
-    (slope < 0 ? low : high) = at;
+    (slope < 0 ? low : high) = middle;
     (slope < 0 ? low_slope : high_slope) = slope;
     (slope < 0 ? low_gradient : high_gradient) = best.gradient;
   }
