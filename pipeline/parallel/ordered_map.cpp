@@ -27,6 +27,10 @@ void take_over([[maybe_unused]] void* place) {
 #endif
 }
 
+/// What was written before a loop began is there for its threads. Its address is known without
+/// looking at the loop's functions, which are such a thing.
+char begun = 0;
+
 /// From here to the end of its block, by an exception too, `place` is this thread's.
 struct Turn {
   explicit Turn(void* which) : place(which) { take_over(place); }
@@ -63,6 +67,7 @@ void run_ordered(const std::function<std::shared_ptr<void>()>& next,
   char reading = 0, writing = 0;  // the serial filters: one call is handed over to the next
   const auto read = tbb::make_filter<void, Item*>(
       filter_mode::serial_in_order, [&](tbb::flow_control& control) -> Item* {
+        take_over(&begun);
         const Turn turn(&reading);
         Item& item = items.slots[given++ % items.slots.size()];
         const Turn of_item(&item);
@@ -71,24 +76,27 @@ void run_ordered(const std::function<std::shared_ptr<void>()>& next,
         return &item;
       });
   const auto map = tbb::make_filter<Item*, Item*>(filter_mode::parallel, [&](Item* item) {
+    take_over(&begun);
     const Turn of_item(item);
     *item = work(*item);
     return item;
   });
   const auto emit = tbb::make_filter<Item*, void>(filter_mode::serial_in_order, [&](Item* item) {
+    take_over(&begun);
     const Turn of_item(item);
     const Turn turn(&writing);
     write(*item);
     item->reset();
   });
   tbb::task_arena arena(jobs);
+  hand_over(&begun);
   arena.execute([&] { tbb::parallel_pipeline(items.slots.size(), read & map & emit); });
   take_over(&reading);
   take_over(&writing);
 }
 
 void for_each_index(std::size_t count, const std::function<void(std::size_t)>& work) {
-  char begun = 0, done = 0;
+  char done = 0;
   hand_over(&begun);
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, count, 1),
