@@ -1,9 +1,11 @@
 """What the end-to-end tests share. Every test file is a script of its own:
 /usr/bin/python3 -B test_run.py BUILD/morphe [unittest options]"""
+import fcntl
 import hashlib
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -61,15 +63,34 @@ def write_two_recordings(folder):
     return manifest
 
 
+def shared_run(config, *arguments, dataset=None):
+    """The folder of a run that many tests read: made by the first that asks, kept beside the program
+    and made anew when the program changes. `two recordings` as the dataset is TWO_RECORDINGS. Nobody
+    may write into it: a test that alters plans copies them first. stdout.txt holds what was printed."""
+    program = MORPHE.stat()
+    key = repr((program.st_mtime_ns, program.st_size, str(config), list(map(str, arguments)), str(dataset)))
+    shared = MORPHE.parent / "shared_runs" / hashlib.sha256(key.encode()).hexdigest()[:16]
+    shared.parent.mkdir(exist_ok=True)
+    with open(shared.with_suffix(".lock"), "w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        if not (shared / "stdout.txt").exists():
+            shutil.rmtree(shared, ignore_errors=True)
+            shared.mkdir()
+            if dataset == "two recordings":
+                dataset = write_two_recordings(shared)
+            given = ["--dataset", dataset] if dataset else []
+            result = morphe("run", config, *given, "--out", shared / "out", *arguments)
+            assert result.returncode == 0, result.stderr
+            (shared / "stdout.txt").write_text(result.stdout)
+    return shared
+
+
 def planned_sample(*settings):
-    """For setUpModule: two shipped recordings, planned with a small search; the plans.h5."""
+    """For setUpModule: two shipped recordings, planned with a small search; a plans.h5 of its own."""
     holder = temporary_folder()
     unittest.addModuleCleanup(holder.cleanup)
-    folder = Path(holder.name).resolve()
-    result = morphe("run", REFERENCE, "--dataset", write_two_recordings(folder), "--out",
-                    folder / "out", *QUICK, *settings)
-    assert result.returncode == 0, result.stderr
-    return folder / "out/plans.h5"
+    shared = shared_run(REFERENCE, *QUICK, *settings, dataset="two recordings")
+    return Path(shutil.copy(shared / "out/plans.h5", Path(holder.name).resolve()))
 
 
 def line_of(file, needle):
