@@ -3,14 +3,13 @@
 links from, and the table against the rules of the house.
 
   includes_test.py [ROOT]        the check
-  includes_test.py --self-test   plants one bad include or row of each kind in a copy; each must be found
+  includes_test.py --self-test   plants one bad include or row of each kind in what was read; each must be found
 """
 
+import functools
 import pathlib
 import re
-import shutil
 import sys
-import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PLAN = "cmake/folders.txt"
@@ -87,6 +86,7 @@ class Plan:
                 yield f"no step includes another: {path} names {there}"
 
 
+@functools.cache
 def folder_of(path):
     return pathlib.PurePosixPath(path).parent.as_posix()
 
@@ -110,30 +110,38 @@ def complaint(source, bracket, target, plan):
     return ""
 
 
-def check(root):
-    plan = Plan((root / PLAN).read_text(encoding="utf-8"))
-    found, files, used = list(plan.wrong), 0, {}
-    for top in ("pipeline", "stages"):
-        for path in sorted((root / top).rglob("*")):
-            if path.suffix not in {".hpp", ".cpp", ".h", ".c"}:
-                continue
-            files += 1
-            source = path.relative_to(root).as_posix()
-            home = folder_of(source)
-            if home not in plan.folders:
-                found.append(f"{source}: {PLAN} has no folder {home}")
-            for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-                match = INCLUDE.match(line)
-                if not match:
-                    continue
-                used.setdefault(home, set()).add(folder_of(match.group(2)))
-                wrong = complaint(source, *match.groups(), plan)
-                if wrong:
-                    found.append(f"{source}:{number}: {match.group(2)}: {wrong}")
+@functools.cache
+def includes_of(text):
+    """[(line, bracket, header)]; the self-test asks for the same text again with every fault."""
+    found = ((number, INCLUDE.match(line)) for number, line in enumerate(text.splitlines(), 1))
+    return [(number, *match.groups()) for number, match in found if match]
+
+
+def sources_of(root):
+    """{path: text} of the table and of every source under pipeline/ and stages/."""
+    files = [path for top in ("pipeline", "stages") for path in sorted((root / top).rglob("*"))
+             if path.suffix in {".hpp", ".cpp", ".h", ".c"}]
+    return {path.relative_to(root).as_posix(): path.read_text(encoding="utf-8") for path in [root / PLAN, *files]}
+
+
+def check(sources):
+    plan = Plan(sources[PLAN])
+    found, used = list(plan.wrong), {}
+    for source, text in sources.items():
+        if source == PLAN:
+            continue
+        home = folder_of(source)
+        if home not in plan.folders:
+            found.append(f"{source}: {PLAN} has no folder {home}")
+        for number, bracket, header in includes_of(text):
+            used.setdefault(home, set()).add(folder_of(header))
+            wrong = complaint(source, bracket, header, plan)
+            if wrong:
+                found.append(f"{source}:{number}: {header}: {wrong}")
     for home, (folders, _) in plan.folders.items():
         for there in sorted(folders - used.get(home, set())):
             found.append(f"{PLAN}: {home}: nothing in it includes {there}")
-    return found, files
+    return found
 
 
 PLANTED = [
@@ -178,27 +186,16 @@ ALLOWED = [
 
 
 def self_test():
-    failures = []
-    with tempfile.TemporaryDirectory() as folder:
-        copy = pathlib.Path(folder)
-        for top in ("pipeline", "stages", "cmake"):
-            shutil.copytree(ROOT / top, copy / top)
-        before, _ = check(copy)
-        plants = [(name, line, True) for name, line in PLANTED]
-        plants += [(PLAN, row, True) for row in PLANTED_ROWS]
-        plants += [(name, line, False) for name, line in ALLOWED]
-        for name, line, bad in plants:
-            path = copy / name
-            text = path.read_text(encoding="utf-8") if path.exists() else None
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text((text or "") + line + "\n", encoding="utf-8")
-            found = [entry for entry in check(copy)[0] if entry not in before]
-            if bad != (len(found) >= 1 and found[0].startswith(name + ":")):
-                failures.append(f"{name}: {line}: {'not found' if bad else found}")
-            if text is None:
-                path.unlink()
-            else:
-                path.write_text(text, encoding="utf-8")
+    failures, sources = [], sources_of(ROOT)
+    before = set(check(sources))
+    plants = [(name, line, True) for name, line in PLANTED]
+    plants += [(PLAN, row, True) for row in PLANTED_ROWS]
+    plants += [(name, line, False) for name, line in ALLOWED]
+    for name, line, bad in plants:
+        planted = {**sources, name: sources.get(name, "") + line + "\n"}
+        found = [entry for entry in check(planted) if entry not in before]
+        if bad != (len(found) >= 1 and found[0].startswith(name + ":")):
+            failures.append(f"{name}: {line}: {'not found' if bad else found}")
     return failures
 
 
@@ -207,10 +204,11 @@ def main(arguments):
         failures = self_test()
         print("\n".join(failures) or f"{len(PLANTED) + len(PLANTED_ROWS)} planted faults found, none too many")
         return 1 if failures else 0
-    found, files = check(pathlib.Path(arguments[0]) if arguments else ROOT)
-    if not files:
+    sources = sources_of(pathlib.Path(arguments[0]) if arguments else ROOT)
+    found = check(sources)
+    if len(sources) == 1:
         found.append("no sources were found")
-    print("\n".join(found) or f"{files} files, every arrow as drawn")
+    print("\n".join(found) or f"{len(sources) - 1} files, every arrow as drawn")
     return 1 if found else 0
 
 

@@ -3,7 +3,7 @@
 no namespace defines a type twice, and no folder's type is called like a noun of pipeline/motion/.
 
   names_test.py [ROOT]        the check
-  names_test.py --self-test   plants one fault of each kind in a copy; each must be found
+  names_test.py --self-test   plants one fault of each kind in what was read; each must be found
 
 A folder's namespace is morphe:: and its name (robot/files: robot); the nouns of pipeline/motion/
 and what stages/library/ adds to them are in morphe itself; import and export, which C++ keeps for
@@ -11,11 +11,10 @@ itself, are imports and exports. What is unnamed in a .cpp file has internal lin
 may not be called like one that the file could see.
 """
 
+import functools
 import pathlib
 import re
-import shutil
 import sys
-import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 KEPT_BY_CPP = {"import": "imports", "export": "exports"}
@@ -38,10 +37,13 @@ def namespace_of(path):
     return NOUNS if folder in ("motion", "library") else f"{NOUNS}::{KEPT_BY_CPP.get(folder, folder)}"
 
 
+@functools.cache
 def types_of(text):
-    """(line, namespace, name) of every type at namespace scope; "{}" stands for an unnamed one."""
+    """[(line, namespace, name)] of every type at namespace scope; "{}" stands for an unnamed one. The
+    self-test asks for the same text again with every fault."""
     text = NOISE.sub(lambda found: "\n" * found.group().count("\n"), text)
     text = TEMPLATE.sub("", text)
+    found_types = []
     scopes = []  # a namespace's name, or None for any other brace
     for found in TOKEN.finditer(text):
         if found["namespace"]:
@@ -52,18 +54,27 @@ def types_of(text):
             if scopes:
                 scopes.pop()
         elif None not in scopes:
-            yield (text.count("\n", 0, found.start()) + 1, "::".join(scopes), found["name"] or found["alias"])
+            line = text.count("\n", 0, found.start()) + 1
+            found_types.append((line, "::".join(scopes), found["name"] or found["alias"]))
+    return found_types
 
 
-def check(root):
-    found, seen, files = [], {}, []
-    for top in ("pipeline", "stages"):
-        files += [path for path in sorted((root / top).rglob("*")) if path.suffix in {".hpp", ".cpp"}]
-    for path in files:
-        source = path.relative_to(root).as_posix()
-        text = path.read_text(encoding="utf-8")
+@functools.cache
+def opened_by(text):
+    return set(re.findall(r"^namespace (morphe[\w:]*) \{", DECLARED.sub("", text), re.M))
+
+
+def sources_of(root):
+    """{path: text} of every source under pipeline/ and stages/."""
+    files = [path for top in ("pipeline", "stages") for path in (root / top).rglob("*") if path.suffix in {".hpp", ".cpp"}]
+    return {path.relative_to(root).as_posix(): path.read_text(encoding="utf-8") for path in files}
+
+
+def check(sources):
+    found, seen = [], {}
+    for source, text in sorted(sources.items()):
         own = namespace_of(source)
-        opened = set(re.findall(r"^namespace (morphe[\w:]*) \{", DECLARED.sub("", text), re.M))
+        opened = opened_by(text)
         if opened - {own}:
             found.append(f"{source}:1: opens {', '.join(sorted(opened - {own}))}, not {own}")
         for line, namespace, name in types_of(text):
@@ -78,7 +89,7 @@ def check(root):
         for visible in hidden:
             if (visible, name) in seen and namespace.startswith(NOUNS):
                 found.append(f"{places[0]}: {name} hides {visible}::{name}: {seen[visible, name][0]}")
-    return found, len(files)
+    return found
 
 
 PLANTED = [
@@ -100,19 +111,13 @@ ALLOWED = [
 
 
 def self_test():
-    failures = []
-    with tempfile.TemporaryDirectory() as folder:
-        copy = pathlib.Path(folder)
-        for top in ("pipeline", "stages"):
-            shutil.copytree(ROOT / top, copy / top)
-        before, _ = check(copy)
-        for name, text in PLANTED + ALLOWED:
-            (copy / name).write_text(text, encoding="utf-8")
-            found = [entry for entry in check(copy)[0] if entry not in before]
-            bad = (name, text) in PLANTED
-            if bad != (len(found) >= 1 and "planted" in found[0]):
-                failures.append(f"{name}: {text!r}: {'not found' if bad else found}")
-            (copy / name).unlink()
+    failures, sources = [], sources_of(ROOT)
+    before = set(check(sources))
+    for name, text in PLANTED + ALLOWED:
+        found = [entry for entry in check({**sources, name: text}) if entry not in before]
+        bad = (name, text) in PLANTED
+        if bad != (len(found) >= 1 and "planted" in found[0]):
+            failures.append(f"{name}: {text!r}: {'not found' if bad else found}")
     return failures
 
 
@@ -121,10 +126,11 @@ def main(arguments):
         failures = self_test()
         print("\n".join(failures) or f"{len(PLANTED)} planted faults found, none too many")
         return 1 if failures else 0
-    found, files = check(pathlib.Path(arguments[0]) if arguments else ROOT)
-    if not files:
+    sources = sources_of(pathlib.Path(arguments[0]) if arguments else ROOT)
+    found = check(sources)
+    if not sources:
         found.append("no sources were found")
-    print("\n".join(found) or f"{files} files, one type a name")
+    print("\n".join(found) or f"{len(sources)} files, one type a name")
     return 1 if found else 0
 
 
