@@ -105,16 +105,23 @@ Segments draw_segments(const Voxels& voxels, const std::vector<Vec3>& points, st
 /// The segments that cover all points at a growth, greedily; empty if that takes more than `most`.
 std::vector<std::size_t> chosen(const Segments& segments, std::size_t points, double growth_m,
                                 std::size_t most) {
-  std::vector<std::uint8_t> covered(points, 0);
+  constexpr float kCovered = std::numeric_limits<float>::infinity();
+  std::vector<float> covered(points, 0);  // added to a distance: beyond every reach
   std::size_t left = points;
   std::vector<std::size_t> choice;
+  // A segment can only add fewer points the more is covered: who cannot beat the best is not asked.
+  std::vector<std::int32_t> at_most(segments.bodies.size(),
+                                    std::numeric_limits<std::int32_t>::max());
   while (left > 0 && choice.size() < most) {
-    std::size_t best = 0, gain = 0;
+    std::size_t best = 0;
+    std::int32_t gain = 0;
     for (std::size_t s = 0; s < segments.bodies.size(); ++s) {
+      if (at_most[s] <= gain) continue;
       const auto reach = static_cast<float>(segments.bodies[s].radius + growth_m);
       const float* distance = segments.distance.data() + s * points;
-      std::size_t fresh = 0;
-      for (std::size_t p = 0; p < points; ++p) fresh += !covered[p] && distance[p] <= reach;
+      std::int32_t fresh = 0;
+      for (std::size_t p = 0; p < points; ++p) fresh += distance[p] + covered[p] <= reach;
+      at_most[s] = fresh;
       if (fresh > gain) {
         gain = fresh;
         best = s;
@@ -123,11 +130,9 @@ std::vector<std::size_t> chosen(const Segments& segments, std::size_t points, do
     if (gain == 0) return {};
     const auto reach = static_cast<float>(segments.bodies[best].radius + growth_m);
     for (std::size_t p = 0; p < points; ++p) {
-      if (!covered[p] && segments.distance[best * points + p] <= reach) {
-        covered[p] = 1;
-        --left;
-      }
+      if (segments.distance[best * points + p] + covered[p] <= reach) covered[p] = kCovered;
     }
+    left -= static_cast<std::size_t>(gain);
     choice.push_back(best);
   }
   return left == 0 ? choice : std::vector<std::size_t>{};
