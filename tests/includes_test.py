@@ -13,7 +13,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PLAN = "cmake/folders.txt"
-PRECOMPILED = "cmake/precompiled.hpp"  # a folder's own begins with it
+PRECOMPILED = "cmake/precompiled.hpp"
 
 # Open to every folder, as the table says.
 OPEN = ("Eigen/", "unsupported/Eigen/", "fmt/")
@@ -45,6 +45,7 @@ class Plan:
         self.packages, self.folders, self.wrong = {}, {}, []
         last_name = {}  # collision -> pipeline/collision
         users = {}
+        light = {}  # path -> where it is named
         for number, line in enumerate(text.splitlines(), 1):
             words = line.split()
             if not words or words[0].startswith("#"):
@@ -55,6 +56,9 @@ class Plan:
                 # A CMake target may hold "::".
                 head, _, headers = " ".join(words[1:]).partition(" : ")
                 self.packages[words[1]] = ("once" in head.split(), tuple(headers.split()))
+                continue
+            if words[0] == "light":
+                light |= dict.fromkeys(words[1:], where)
                 continue
             path = parts[0][0]
             folders = [last_name.get(name, name) for name in (parts[1] if len(parts) > 1 else [])]
@@ -74,6 +78,7 @@ class Plan:
                 self.wrong.append(f"{where}: there is a folder called {name} already")
             last_name[name] = path
             self.folders[path] = (set(folders), set(packages))
+        self.wrong += [f"{where}: there is no folder {path}" for path, where in light.items() if path not in self.folders]
 
     @staticmethod
     def against_rules(path, folders):
@@ -99,7 +104,7 @@ def complaint(source, bracket, target, plan):
         there = folder_of(target)
         return "" if there == home or there in folders else f"{PLAN} draws no arrow from {home} to {there}"
     if target == PRECOMPILED:
-        return "" if source.endswith("/precompiled.hpp") else f"{PRECOMPILED} is the compiler's business"
+        return f"{PRECOMPILED} is the compiler's business"
     if bracket == '"':
         return "not written from the repository's root"
     for name, (_, headers) in plan.packages.items():
@@ -177,6 +182,7 @@ PLANTED_ROWS = [
     "folder stages/planted : : nothing",
     "folder stages/human",
     "folder pipeline/planted : check",
+    "light stages/planted",
 ]
 ALLOWED = [
     ("stages/planning/planted.cpp", '#include "stages/repair/ladder.hpp"\n#include "stages/map/map_movement.hpp"'),

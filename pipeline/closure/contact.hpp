@@ -10,6 +10,9 @@ namespace morphe::closure {
 /// A force [N] and the torque about the reference point, divided by the torque scale [N]. Twists,
 /// which weigh wrenches, are of the same type: u·w with u = (u_f, u_t).
 using Wrench = Eigen::Matrix<double, 6, 1>;
+/// Up to seven wrenches as columns. Its size is a type of its own, so that Eigen compiles one
+/// factorization for all who solve with such columns.
+using WrenchColumns = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 7>;
 
 /// Where a finger presses, in the object's frame.
 struct Contact {

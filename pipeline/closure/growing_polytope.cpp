@@ -13,7 +13,7 @@ GrowingPolytope::GrowingPolytope(const std::vector<Wrench>& corners)
   for (const Wrench& corner : corners) centre_ += corner / static_cast<double>(corners.size());
   // x = corner 0 + E y: barycentric coordinate k > 0 is y_k, and falls fastest against row k of E's
   // pseudo-inverse: outwards through the facet without corner k.
-  Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 6> edges(6, dimension_);
+  WrenchColumns edges(6, dimension_);
   for (int k = 0; k < dimension_; ++k) {
     edges.col(k) = corners[static_cast<std::size_t>(k) + 1] - corners[0];
   }

@@ -35,7 +35,7 @@ struct Corral {
 std::array<double, 8> affine_shares(const Corral& corral) {
   std::array<double, 8> shares{};
   const int edges = corral.count - 1;
-  Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 7> matrix(6, edges);
+  WrenchColumns matrix(6, edges);
   for (int k = 0; k < edges; ++k) {
     matrix.col(k) = corral.point[static_cast<std::size_t>(k) + 1] - corral.point[0];
   }

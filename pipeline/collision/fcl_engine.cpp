@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "pipeline/collision/mesh_solid.hpp"
+#include "pipeline/math/rotation.hpp"
 
 namespace morphe::collision {
 namespace {
@@ -65,7 +66,7 @@ Pose pose_of(const CapsuleBody& body) {
   Pose pose = Pose::Identity();
   pose.translation() = 0.5 * (body.from + body.to);
   if (body.from != body.to) {
-    pose.linear() = Quat::FromTwoVectors(Vec3::UnitZ(), body.to - body.from).toRotationMatrix();
+    pose.linear() = math::shortest_rotation(Vec3::UnitZ(), body.to - body.from).toRotationMatrix();
   }
   return pose;
 }

@@ -1,6 +1,5 @@
 #include "pipeline/cover/cover.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include "pipeline/cover/surface.hpp"
 #include "pipeline/cover/voxels.hpp"
 #include "pipeline/math/random_stream.hpp"
+#include "pipeline/math/rotation.hpp"
 
 namespace morphe::cover {
 namespace {
@@ -254,7 +254,7 @@ std::array<std::vector<Vec3>, 2> halves(const std::vector<Vec3>& points) {
   for (const Vec3& point : points) middle += point / static_cast<double>(points.size());
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const Vec3& point : points) spread += (point - middle) * (point - middle).transpose();
-  const Vec3 way = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(2);
+  const Vec3 way = math::principal_axes(spread).axes.col(2);
   std::array<std::vector<Vec3>, 2> parts;
   for (const Vec3& point : points) parts[way.dot(point - middle) > 0 ? 1 : 0].push_back(point);
   return parts;
@@ -267,9 +267,9 @@ CapsuleBody about(const std::vector<Vec3>& points) {
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const Vec3& point : points)
     spread += (point - middle) * (point - middle).transpose() / static_cast<double>(points.size());
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
-  const Vec3 half = std::sqrt(std::max(0.0, axes.eigenvalues()[2] - axes.eigenvalues()[1])) *
-                    axes.eigenvectors().col(2);
+  const math::PrincipalAxes principal = math::principal_axes(spread);
+  const Vec3 half =
+      std::sqrt(std::max(0.0, principal.moments[2] - principal.moments[1])) * principal.axes.col(2);
   CapsuleBody capsule{middle - half, middle + half, 0};
   capsule.radius = farthest(points, capsule.from, capsule.to);
   return capsule;

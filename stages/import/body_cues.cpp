@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <string>
 
+#include "pipeline/math/rotation.hpp"
 #include "pipeline/motion/side.hpp"
 
 namespace morphe::imports {
@@ -44,7 +44,7 @@ Vec3 least_travel(const std::vector<Vec3>& track) {
     if (seen(point)) spread += (point - mean) * (point - mean).transpose();
   }
   if (!spread.allFinite() || spread.trace() <= 0) return unseen_point();
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
+  return math::principal_axes(spread).axes.col(0);
 }
 
 /// How far from where it was first seen a track goes, and whether it is still there.

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "pipeline/math/rigid.hpp"
+#include "pipeline/math/rotation.hpp"
 #include "pipeline/motion/counted.hpp"
 #include "pipeline/motion/input_error.hpp"
 
@@ -76,8 +76,7 @@ Eigen::Matrix3d axes_of(const Points& shape) {
   for (const Vec3& point : shape) {
     if (seen(point)) spread += (point - mean) * (point - mean).transpose();
   }
-  const Eigen::Matrix3d principal =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
+  const Eigen::Matrix3d principal = math::principal_axes(spread).axes;
   int order[] = {0, 1, 2};
   Eigen::Matrix3d best = principal;
   double nearest = -1;

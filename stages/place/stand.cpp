@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "pipeline/math/rotation.hpp"
+
 namespace morphe::place {
 namespace {
 
@@ -29,7 +31,7 @@ Vec3 middle_of(Mount mount, const Vec3& up) {
 }
 
 /// The rotation of a base with this axis that turns least from upright.
-Quat upright_to(const Vec3& up) { return Quat::FromTwoVectors(Vec3::UnitZ(), up).normalized(); }
+Quat upright_to(const Vec3& up) { return math::shortest_rotation(Vec3::UnitZ(), up).normalized(); }
 
 /// Even on the unit sphere's part from z = least to 1 about an axis.
 Vec3 in_cap(const Vec3& axis, double least, math::RandomStream& random) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/math/rotation.hpp"
 #include "stages/reconstruct/hand_fit.hpp"
 #include "stages/reconstruct/streams.hpp"
 
@@ -79,7 +80,7 @@ std::optional<FittedHand> fit_hand(const std::vector<HandKeypoints>& frames,
       missed[finger].add((points.middle_joint[finger] - joints[keypoint_of(finger, 1)]).norm());
       const Quat& modelled = points.tip_orientation[finger];
       fitted.tip_orientation(i, finger) =
-          (Quat::FromTwoVectors(modelled * Vec3::UnitZ(), tip - joints[keypoint_of(finger, 2)]) *
+          (math::shortest_rotation(modelled * Vec3::UnitZ(), tip - joints[keypoint_of(finger, 2)]) *
            modelled)
               .normalized();
     }

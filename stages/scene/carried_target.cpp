@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "pipeline/math/rotation.hpp"
 #include "stages/scene/inferred.hpp"
 
 namespace morphe::scene {
@@ -26,7 +27,7 @@ std::optional<Grip> grip_at(const HumanMotion& motion, std::size_t frame) {
 Quat turn_between(const Grip& from, const Grip& to) {
   const Quat hand =
       seen(from.hand) && seen(to.hand) ? to.hand * from.hand.conjugate() : Quat::Identity();
-  return (Quat::FromTwoVectors(hand * from.line, to.line) * hand).normalized();
+  return (math::shortest_rotation(hand * from.line, to.line) * hand).normalized();
 }
 
 }  // namespace

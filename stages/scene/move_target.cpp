@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "pipeline/math/rotation.hpp"
 #include "stages/scene/configured_body.hpp"
 #include "stages/scene/inferred.hpp"
 
@@ -63,7 +64,7 @@ bool move_elbow(const Vec3& shoulder, const Vec3& from_wrist, const Vec3& to_wri
   const double distance = after.norm();
   if (!(distance > 0) || !(before.norm() > 0)) return false;
   const Vec3 along = after / distance;
-  Vec3 aside = Quat::FromTwoVectors(before, after) * (elbow - shoulder);
+  Vec3 aside = math::shortest_rotation(before, after) * (elbow - shoulder);
   aside -= along * along.dot(aside);
   // The elbow's foot on the line by the law of cosines.
   const double foot =

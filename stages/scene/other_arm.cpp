@@ -9,6 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include "pipeline/math/rotation.hpp"
+
 namespace morphe::scene {
 namespace {
 
@@ -108,7 +110,7 @@ SceneObject capsule_between(const char* name, double radius_m, const std::vector
   for (std::size_t i = 0; i < time.size(); ++i) {
     const Vec3 along = to[i] - from[i];
     if (!(along.norm() > kNoDirection_m)) continue;
-    turn = (Quat::FromTwoVectors(turn * Vec3::UnitZ(), along) * turn).normalized();
+    turn = (math::shortest_rotation(turn * Vec3::UnitZ(), along) * turn).normalized();
     body.time.push_back(time[i]);
     body.position.emplace_back((from[i] + to[i]) / 2);
     body.orientation.push_back(turn);

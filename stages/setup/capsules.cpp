@@ -1,11 +1,11 @@
 #include "stages/setup/capsules.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "pipeline/cover/cover.hpp"
+#include "pipeline/math/rotation.hpp"
 #include "pipeline/robot/tree.hpp"
 
 namespace morphe::setup {
@@ -17,8 +17,7 @@ constexpr double kSameEnd_m = 0.001;
 /// As thick as a rod of the link's inertia: I about its long axis = m r² / 2, which is the least of
 /// the three.
 double thickness(const robot::UrdfInertia& inertia) {
-  const Vec3 moments =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia.inertia).eigenvalues();
+  const Vec3 moments = math::principal_axes(inertia.inertia).moments;
   if (!(inertia.mass > 0) || !(moments[0] > 0)) return 0;
   return std::sqrt(2 * moments[0] / inertia.mass);
 }

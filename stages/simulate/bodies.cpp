@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "pipeline/math/rotation.hpp"
+
 namespace morphe::simulate {
 namespace {
 
@@ -62,7 +64,7 @@ std::vector<Inertia> robot_inertias(const RobotTable& robot, double density) {
       const Vec3 along = capsule.to - capsule.from;
       Inertia part = unit_capsule(capsule.radius, along.norm());
       const Eigen::Matrix3d turn =
-          Quat::FromTwoVectors(Vec3::UnitZ(), along.norm() > 0 ? along : Vec3::UnitZ()).matrix();
+          math::shortest_rotation(Vec3::UnitZ(), along.norm() > 0 ? along : Vec3::UnitZ()).matrix();
       part.mass *= density;
       part.about_centre = density * turn * part.about_centre * turn.transpose();
       part.centre = 0.5 * (capsule.from + capsule.to);

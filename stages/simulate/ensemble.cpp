@@ -6,6 +6,7 @@
 
 #include "pipeline/files/sha256.hpp"
 #include "pipeline/math/random_stream.hpp"
+#include "pipeline/math/rotation.hpp"
 #include "pipeline/math/seed.hpp"
 #include "pipeline/parallel/ordered_map.hpp"
 #include "pipeline/physics/model.hpp"
@@ -33,7 +34,7 @@ Variation variation_of(const PreparedPlan& plan, const SimulateOptions& options,
   variation.friction = friction;
   variation.mass_kg = drawn(random, options.mass_kg, options.mass_range);
   const Eigen::Matrix3d plane =
-      Quat::FromTwoVectors(Vec3::UnitZ(), plan.world.up).toRotationMatrix();
+      math::shortest_rotation(Vec3::UnitZ(), plan.world.up).toRotationMatrix();
   const double right = random.uniform(-kShift_m, kShift_m);
   const double forward = random.uniform(-kShift_m, kShift_m);
   const double turn = random.uniform(-kTurn_deg, kTurn_deg) * kDegree;

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "pipeline/math/rotation.hpp"
 #include "pipeline/robot/tree.hpp"
 
 namespace morphe::simulate {
@@ -169,7 +170,7 @@ class Writer {
       if (stands_around(world_, k))
         text_ += object_geom(object, name_of_object(k), recorded_pose(object, object.time.front()));
     }
-    Pose plane = make_pose(Vec3::Zero(), Quat::FromTwoVectors(Vec3::UnitZ(), world_.up) *
+    Pose plane = make_pose(Vec3::Zero(), math::shortest_rotation(Vec3::UnitZ(), world_.up) *
                                              Quat(Eigen::AngleAxisd(kTilt_rad, Vec3::UnitX())));
     plane.translation() =
         lowest(target_object(), variation_.base_from_target, world_.up) * world_.up;

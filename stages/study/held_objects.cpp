@@ -5,6 +5,7 @@
 
 #include "pipeline/collision/distance.hpp"
 #include "pipeline/human/hand.hpp"
+#include "pipeline/math/rotation.hpp"
 #include "pipeline/robot/hand_bones.hpp"
 
 namespace morphe::study {
@@ -34,7 +35,7 @@ Vec3 circle_centre(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 /// Axes x, y, z of which z (or x) is given, turned about it by an angle.
 Eigen::Matrix3d axes_about(const Vec3& axis, double angle_rad) {
-  const Quat to_axis = Quat::FromTwoVectors(Vec3::UnitZ(), axis);
+  const Quat to_axis = math::shortest_rotation(Vec3::UnitZ(), axis);
   return (to_axis * Eigen::AngleAxisd(angle_rad, Vec3::UnitZ())).toRotationMatrix();
 }
 

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "pipeline/collision/fcl_engine.hpp"
+#include "pipeline/math/rotation.hpp"
 #include "tests/pipeline/collision/meshes.hpp"
 #include "tests/pipeline/collision/random_bodies.hpp"
 
@@ -31,7 +32,7 @@ std::unique_ptr<fcl::CollisionGeometry<double>> shape_of(const SceneObject& soli
 double fcl_distance(const CapsuleBody& body, const SceneObject& solid, const Pose& pose) {
   const fcl::Capsule<double> capsule(body.radius, (body.to - body.from).norm());
   const Pose at = make_pose(0.5 * (body.from + body.to),
-                            Quat::FromTwoVectors(Vec3::UnitZ(), body.to - body.from));
+                            math::shortest_rotation(Vec3::UnitZ(), body.to - body.from));
   fcl::DistanceRequest<double> request;
   request.distance_tolerance = 1e-9;
   fcl::DistanceResult<double> result;

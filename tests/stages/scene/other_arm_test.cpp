@@ -1,4 +1,5 @@
 #include "stages/scene/other_arm.hpp"
+#include "pipeline/math/rotation.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -103,7 +104,7 @@ TEST(OtherArm, GapsAreCrossedStraightAndSaid) {
 TEST(OtherArm, AHandWithoutFingersGoesOnFromItsWrist) {
   LeftArm arm;
   arm.motion.tip = Table<Vec3>(201, kFingers, unseen_point());
-  const Quat down = Quat::FromTwoVectors(Vec3::UnitZ(), -Vec3::UnitZ());
+  const Quat down = math::shortest_rotation(Vec3::UnitZ(), -Vec3::UnitZ());
   for (std::size_t i = 0; i < 100; ++i) arm.motion.wrist_orientation[i] = down;
   std::vector<std::string> notes;
   const auto capsules = other_arm_capsules({}, arm.motion, notes);

@@ -1,4 +1,5 @@
 #include "stages/simulate/model_text.hpp"
+#include "pipeline/math/rotation.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -81,7 +82,7 @@ TEST(ModelText, ATargetStandsOnItsSupport) {
   Plan plan = cup_plan();
   SimulatedWorld world = world_of(gripper(), plan.scene);
   world.up = Vec3(0, 0.6, 0.8);  // a base that is tilted: the cup stands along `up`, far away
-  const Pose pose = make_pose(Vec3(3, 0, 0.1), Quat::FromTwoVectors(Vec3::UnitZ(), world.up));
+  const Pose pose = make_pose(Vec3(3, 0, 0.1), math::shortest_rotation(Vec3::UnitZ(), world.up));
   const physics::Model model(
       model_text(world, {0.8, 0.002, 0.3, pose}, SimulateOptions(), Around::world));
   physics::State state(model);
