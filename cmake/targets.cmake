@@ -60,8 +60,9 @@ if(MORPHE_COMPARE_TYPES)
   target_compile_options(morphe_flags INTERFACE -flto)
   target_link_options(morphe_flags INTERFACE -flto=auto -Werror=odr -Werror=lto-type-mismatch)
 endif()
-# Eigen and fmt are open to every folder: linked everywhere, so that one precompiled header fits all.
-target_link_libraries(morphe_flags INTERFACE Eigen3::Eigen fmt::fmt)
+# What the precompiled header includes is linked everywhere, so that one fits all; which folder may
+# include it says folders.txt.
+target_link_libraries(morphe_flags INTERFACE Eigen3::Eigen fmt::fmt nlohmann_json::nlohmann_json)
 
 # A compiler cache is used where there is one; it has to be told that a precompiled header is as
 # good as what it was made from.
@@ -72,11 +73,20 @@ if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   target_compile_options(morphe_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
 endif()
 
-# What nearly every file includes, parsed once.
+# morphe_precompiled(TARGET OPTION HEADER…): what nearly every file includes, parsed once for all
+# that are compiled with the same options.
 file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/precompiled.cpp CONTENT "")
-add_library(morphe_precompiled OBJECT ${CMAKE_BINARY_DIR}/precompiled.cpp)
-target_link_libraries(morphe_precompiled PRIVATE morphe_flags)
-target_precompile_headers(morphe_precompiled PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp)
+function(morphe_precompiled target option)
+  add_library(${target} OBJECT ${CMAKE_BINARY_DIR}/precompiled.cpp)
+  target_link_libraries(${target} PRIVATE morphe_flags)
+  target_compile_options(${target} PRIVATE ${option})
+  target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp ${ARGN})
+endfunction()
+# Folders that folders.txt calls light compute nothing in loops: the time that compiling them with all
+# optimisations takes would never come back.
+set(morphe_light $<$<CONFIG:Release>:-O1>)
+morphe_precompiled(morphe_precompiled "")
+morphe_precompiled(morphe_precompiled_light "${morphe_light}")
 
 # morphe_packages(PATH VARIABLE): the CMake targets of the packages that folders.txt gives a folder.
 # morphe_folder(PATH): one static library for one folder, morphe_<last name> (robot/files:
@@ -101,9 +111,9 @@ function(morphe_folder path folders packages)
   endforeach()
   if(sources)
     add_library(${target} STATIC ${sources})
-    # A folder of which nearly every file includes a heavy package precompiles it in a header of its own.
-    if(EXISTS ${PROJECT_SOURCE_DIR}/${path}/precompiled.hpp)
-      target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/${path}/precompiled.hpp)
+    if(path IN_LIST light_folders)
+      target_compile_options(${target} PRIVATE ${morphe_light})
+      target_precompile_headers(${target} REUSE_FROM morphe_precompiled_light)
     else()
       target_precompile_headers(${target} REUSE_FROM morphe_precompiled)
     endif()
@@ -116,13 +126,16 @@ endfunction()
 
 # Every folder of the plan.
 function(morphe_folders)
-  file(STRINGS ${plan} rows REGEX "^(package|folder) ")
+  file(STRINGS ${plan} rows REGEX "^(package|light|folder) ")
   foreach(row IN LISTS rows)
     string(REGEX REPLACE " +" ";" words "${row}")
     list(POP_FRONT words kind name)
     if(kind STREQUAL "package")
       list(REMOVE_ITEM words once)
       list(GET words 0 package_${name})
+      continue()
+    elseif(kind STREQUAL "light")
+      list(APPEND light_folders ${name} ${words})
       continue()
     endif()
     set(folders)

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kTouching_m = 1e-9;
-constexpr int kMostParts = 20000;  ///< of a segment, to find how deep it lies
+constexpr int kMaxSegmentParts = 20000;  ///< of a segment, to find how deep it lies
 
 /// Distance of a point to a triangle's inner part, infinity if its foot lies beside it.
 double face_distance(const Mesh::Triangle& t, const Vec3& point) {
@@ -123,7 +123,7 @@ double segment_mesh_distance(const Mesh& mesh, const Segment& segment, double en
   // Clear of all surfaces it is inside as a whole, or not at all.
   if (apart > kTouching_m && !inside(mesh, segment.from)) return apart;
   double deepest = 0;
-  int parts = kMostParts;
+  int parts = kMaxSegmentParts;
   deepen(mesh, segment, parts, deepest);
   return -deepest;
 }

@@ -3,21 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <optional>
 #include <set>
+
+#include "stages/import/column_label.hpp"
 
 namespace morphe::imports {
 namespace {
 
 constexpr std::size_t kMostJoints = 2000;  // a body with both hands has about 100
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\0'; }
 
@@ -57,7 +52,7 @@ class Words {
 
   void expect(std::string_view word) {
     const std::string found(next());
-    if (lower(found) != lower(word)) fail(word, fmt::format("expected, not '{}'", found));
+    if (small(found) != small(word)) fail(word, fmt::format("expected, not '{}'", found));
   }
 
   [[noreturn]] void fail(std::string_view key, std::string_view message) const {
@@ -70,7 +65,7 @@ class Words {
 };
 
 std::optional<BvhChannel> channel_of(std::string_view word) {
-  const std::string name = lower(word);
+  const std::string name = small(word);
   if (name.empty() || name[0] < 'x' || name[0] > 'z') return std::nullopt;
   const std::string_view kind = std::string_view(name).substr(1);
   if (kind != "position" && kind != "rotation") return std::nullopt;
@@ -89,7 +84,7 @@ class Hierarchy {
     open(words_.rest_of_line());
     while (!open_.empty()) {
       const std::string_view found = words_.next();
-      const std::string word = lower(found);
+      const std::string word = small(found);
       if (word == "offset" && !here().has_offset) {
         for (Eigen::Index axis = 0; axis < 3; ++axis) joint().offset[axis] = number("OFFSET");
         here().has_offset = true;
@@ -175,11 +170,11 @@ double read_setting(Words& words, const files::CsvText& text, std::string_view k
   if (line.empty()) words.fail(key, "is missing: the file ends before it");
   line += " " + words.rest_of_line();
   std::string squeezed;
-  for (const char c : lower(line)) {
+  for (const char c : small(line)) {
     if (!is_blank(c)) squeezed += c;
   }
   std::string wanted;
-  for (const char c : lower(key)) {
+  for (const char c : small(key)) {
     if (!is_blank(c)) wanted += c;
   }
   wanted += ':';

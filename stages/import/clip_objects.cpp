@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using files::NpyArray;
 
-constexpr double kSame_m = 1e-6;  ///< poses of an object that both hands hold
+constexpr double kSamePosition_m = 1e-6;  ///< poses of an object that both hands hold
 
 /// The poses [first, first + count) of an array of 4 x 4 matrices.
 void add_poses(const ClipArrays& clip, const NpyArray& array, std::size_t first, std::size_t count,
@@ -76,7 +76,7 @@ void add_object(SceneObject object, std::vector<SceneObject>& objects) {
 
 bool same_path(const SceneObject& a, const SceneObject& b) {
   for (std::size_t k = 0; k < std::min(a.position.size(), b.position.size()); ++k) {
-    if ((a.position[k] - b.position[k]).norm() > kSame_m) return false;
+    if ((a.position[k] - b.position[k]).norm() > kSamePosition_m) return false;
   }
   return a.position.size() == b.position.size();
 }

@@ -14,17 +14,12 @@
 
 #include "pipeline/files/csv.hpp"
 #include "pipeline/motion/input_error.hpp"
+#include "stages/import/column_label.hpp"
 #include "stages/import/format.hpp"
 #include "stages/import/rename.hpp"
 
 namespace morphe::imports {
 namespace {
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
 
 /// The cells of a line; empty ones at its end are padding.
 std::vector<std::string_view> cells_of(const files::CsvText& text, std::size_t line) {
@@ -52,7 +47,7 @@ struct MotHeader {
 MotHeader read_mot_header(const files::CsvText& text) {
   MotHeader header;
   for (std::size_t line = 1; line <= text.lines.size(); ++line) {
-    std::string here = lower(text.lines[line - 1]);
+    std::string here = small(text.lines[line - 1]);
     here.erase(std::find(here.begin(), here.end(), ','), here.end());
     std::erase_if(here, [](char c) { return c == ' ' || c == '\t'; });
     if (here == "endheader") {
@@ -67,7 +62,7 @@ MotHeader read_mot_header(const files::CsvText& text) {
 }
 
 bool is_translation(const std::string& column) {
-  const std::string name = lower(column);
+  const std::string name = small(column);
   return name.ends_with("_tx") || name.ends_with("_ty") || name.ends_with("_tz") ||
          name.find("trans") != std::string::npos;
 }
@@ -90,7 +85,7 @@ double radians_of(const files::CsvText& text, const MotHeader& header,
 /// Says so where the header is wrong about how much there is.
 void compare_count(const files::CsvText& text, const MotHeader& header, const std::string& key,
                    std::size_t found, const char* what, std::vector<std::string>& reports) {
-  const auto said = header.value.find(lower(key));
+  const auto said = header.value.find(small(key));
   if (said == header.value.end()) return;
   if (text.number(header.end, key, said->second) == static_cast<double>(found)) return;
   reports.push_back(fmt::format("{} says {}, the file holds {} {}: those were taken", key,
@@ -100,7 +95,7 @@ void compare_count(const files::CsvText& text, const MotHeader& header, const st
 /// A number, or NaN where a program wrote that it has none.
 double number_or_nan(const files::CsvText& text, std::size_t line, const std::string& column,
                      std::string_view cell) {
-  return lower(cell) == "nan" ? kNotSeen : text.number(line, column, cell);
+  return small(cell) == "nan" ? kNotSeen : text.number(line, column, cell);
 }
 
 std::vector<std::string> read_columns(const files::CsvText& text, std::size_t line) {
@@ -111,7 +106,7 @@ std::vector<std::string> read_columns(const files::CsvText& text, std::size_t li
     if (!known.emplace(cell).second) text.fail(line, cell, "the column stands twice");
     columns.emplace_back(cell);
   }
-  if (columns.empty() || lower(columns[0]) != "time") {
+  if (columns.empty() || small(columns[0]) != "time") {
     text.fail(line, "time", "the first column must be called this");
   }
   return columns;
@@ -120,7 +115,7 @@ std::vector<std::string> read_columns(const files::CsvText& text, std::size_t li
 }  // namespace
 
 bool recognises_mot(std::string_view head) {
-  const std::string text = lower(head);
+  const std::string text = small(head);
   return text.find("endheader") != std::string::npos &&
          (text.find("nrows") != std::string::npos || text.find("indegrees") != std::string::npos ||
           text.find("datatype") != std::string::npos);

@@ -7,7 +7,7 @@
 namespace morphe::imports {
 namespace {
 
-constexpr double kStill_m = 0.020, kSame_m = 0.0005;
+constexpr double kStandingWander_m = 0.020, kSameWander_m = 0.0005;
 constexpr std::size_t kWidest = 3;  ///< a single marker may have been taken for another
 constexpr double kLeastSeen = 0.1;
 
@@ -66,7 +66,7 @@ bool stands_still(const RecordingSketch& sketch) {
   const std::size_t count = std::min(kWidest, widest.size());
   std::ranges::nth_element(widest, widest.begin() + static_cast<std::ptrdiff_t>(count - 1),
                            std::greater<>());
-  return widest[count - 1] < kStill_m;
+  return widest[count - 1] < kStandingWander_m;
 }
 
 bool same_recording(const RecordingSketch& a, const RecordingSketch& b) {
@@ -77,7 +77,7 @@ bool same_recording(const RecordingSketch& a, const RecordingSketch& b) {
     if (there == b.points.end() || *there != a.points[k]) continue;
     ++shared;
     const auto at = static_cast<std::size_t>(there - b.points.begin());
-    if (std::abs(a.wander[k] - b.wander[at]) > kSame_m) return false;
+    if (std::abs(a.wander[k] - b.wander[at]) > kSameWander_m) return false;
   }
   return 2 * shared > a.points.size();
 }

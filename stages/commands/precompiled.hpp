@@ -1,4 +1,0 @@
-#include "cmake/precompiled.hpp"
-
-#include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
