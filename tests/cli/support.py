@@ -2,6 +2,7 @@
 /usr/bin/python3 -B test_run.py BUILD/morphe [unittest options]"""
 import fcntl
 import hashlib
+import io
 import json
 import os
 import re
@@ -10,9 +11,12 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
+from unittest import mock
 
 SOURCE = Path(__file__).resolve().parents[2]
+sys.path.append(str(SOURCE / "tests"))
 MORPHE = Path(sys.argv.pop(1)).resolve()
 REFERENCE = SOURCE / "configs/pipelines/pa10_dlr_hit2.yaml"
 RECORDINGS = SOURCE / "datasets/ue-adl"
@@ -26,6 +30,7 @@ recordings:
   - {file: recorded/ADL001DR2.csv, static: recorded/ADL001_static.csv, upper_arm: 0.274, forearm: 0.254}
   - {file: recorded/ADL001AR1.csv, static: recorded/ADL001_static.csv, upper_arm: 0.274, forearm: 0.254}
 """
+ONE_RECORDING = TWO_RECORDINGS.rpartition("  - ")[0]
 
 
 def morphe(*arguments, cwd=None):
@@ -33,8 +38,20 @@ def morphe(*arguments, cwd=None):
 
 
 def python_verify(file):
-    return subprocess.run([sys.executable, SOURCE / "tests/verify_plans.py", file, "--json"],
-                          capture_output=True, text=True)
+    """What tests/verify_plans.py says, in this process: one of its own takes longer to begin than to judge."""
+    import verify_plans  # h5py and numpy, which not every test needs
+    said, complaint = io.StringIO(), io.StringIO()
+    arguments = ["verify_plans.py", str(file), "--json"]
+    with mock.patch.object(sys, "argv", arguments), redirect_stdout(said), redirect_stderr(complaint):
+        code = verify_plans.main()
+    return subprocess.CompletedProcess(arguments, code, said.getvalue(), complaint.getvalue())
+
+
+def add_copy(file, plan, name):
+    """Adds to a plans.h5 that is open a copy of one of its plans as NAME/000, and returns it."""
+    group = file["plans"].create_group(name, track_order=True)
+    file.copy(file["plans"][plan], group, "000")
+    return group["000"]
 
 
 def estimate_arm(plan):
@@ -55,20 +72,26 @@ def temporary_folder():
     return tempfile.TemporaryDirectory(prefix="morphe_cli_")
 
 
-def write_two_recordings(folder):
+def write_recordings(folder, text):
     """A manifest that names the shipped files by relative paths."""
     os.symlink(RECORDINGS, folder / "recorded")
-    manifest = folder / "two.yaml"
-    manifest.write_text(TWO_RECORDINGS)
+    manifest = folder / "recordings.yaml"
+    manifest.write_text(text)
     return manifest
+
+
+def write_two_recordings(folder):
+    return write_recordings(folder, TWO_RECORDINGS)
 
 
 def shared_run(config, *arguments, dataset=None):
     """The folder of a run that many tests read: made by the first that asks, kept beside the program
-    and made anew when the program changes. `two recordings` as the dataset is TWO_RECORDINGS. Nobody
-    may write into it: a test that alters plans copies them first. stdout.txt holds what was printed."""
-    program = MORPHE.stat()
-    key = repr((program.st_mtime_ns, program.st_size, str(config), list(map(str, arguments)), str(dataset)))
+    and made anew when the program, a config or a recording changes. The dataset may be `two recordings`
+    (TWO_RECORDINGS) or `one recording` (ONE_RECORDING). Nobody may write into it: a test that alters
+    plans copies them first. stdout.txt holds what was printed."""
+    given = [MORPHE, *(path for top in ("configs", "datasets") for path in (SOURCE / top).rglob("*"))]
+    made = max(path.stat().st_mtime_ns for path in given)
+    key = repr((made, MORPHE.stat().st_size, str(config), list(map(str, arguments)), str(dataset)))
     shared = MORPHE.parent / "shared_runs" / hashlib.sha256(key.encode()).hexdigest()[:16]
     shared.parent.mkdir(exist_ok=True)
     with open(shared.with_suffix(".lock"), "w") as lock:
@@ -76,10 +99,11 @@ def shared_run(config, *arguments, dataset=None):
         if not (shared / "stdout.txt").exists():
             shutil.rmtree(shared, ignore_errors=True)
             shared.mkdir()
-            if dataset == "two recordings":
-                dataset = write_two_recordings(shared)
-            given = ["--dataset", dataset] if dataset else []
-            result = morphe("run", config, *given, "--out", shared / "out", *arguments)
+            shipped = {"two recordings": TWO_RECORDINGS, "one recording": ONE_RECORDING}
+            if dataset in shipped:
+                dataset = write_recordings(shared, shipped[dataset])
+            words = ["--dataset", dataset] if dataset else []
+            result = morphe("run", config, *words, "--out", shared / "out", *arguments)
             assert result.returncode == 0, result.stderr
             (shared / "stdout.txt").write_text(result.stdout)
     return shared

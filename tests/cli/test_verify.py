@@ -1,31 +1,26 @@
 """`morphe verify` and tests/verify_plans.py accept what `run` wrote, and find every fault that is
-put into a copy of it. MORPHE_SEARCH=small in the environment plans with a search that takes a second."""
-import os
+put into a copy of it."""
 import shutil
-import unittest
-from pathlib import Path
 
 import h5py
 import numpy as np
 
 import formats
-from support import (QUICK, REFERENCE, SOURCE, CommandCase, json, main, morphe, python_verify,
-                     temporary_folder, write_two_recordings)
+from support import (QUICK, REFERENCE, SOURCE, CommandCase, add_copy, json, main, morphe, python_verify,
+                     shared_run, write_two_recordings)
 
-SEARCH = {"small": QUICK, "whole": ()}[os.environ.get("MORPHE_SEARCH", "whole")]
 PLAN = "ADL001DR2/000"
+COARSE = ("--set", "retime.sample_rate_hz=50")  # not 200: a plan is judged in a quarter of the time
 KEYS = ["plan", "sample", "time_s", "cause", "subject", "value", "limit"]
 
 
 def setUpModule():
     global PLANS
-    holder = temporary_folder()
-    unittest.addModuleCleanup(holder.cleanup)
-    folder = Path(holder.name).resolve()
-    result = morphe("run", REFERENCE, "--dataset", write_two_recordings(folder), "--out",
-                    folder / "out", *SEARCH)
-    assert result.returncode == 0, result.stderr
-    PLANS = folder / "out/plans.h5"
+    PLANS = shared_run(REFERENCE, *QUICK, *COARSE, dataset="two recordings") / "out/plans.h5"
+
+
+def json_verify(file):
+    return morphe("verify", file, "--json")
 
 
 class Untouched(CommandCase):
@@ -47,125 +42,164 @@ class OtherRecordings(CommandCase):
         for config, dataset in (("adroit", adroit), ("obstacle", write_two_recordings(self.folder))):
             out = self.folder / config
             summary = self.json_of("run", SOURCE / f"configs/pipelines/pa10_dlr_hit2_{config}.yaml",
-                                   "--dataset", dataset, "--out", out, *QUICK)
+                                   "--dataset", dataset, "--out", out, *QUICK, *COARSE)
             self.assertGreater(summary["executable"], 0, config)
             for result in (morphe("verify", out / "plans.h5", "--json"), python_verify(out / "plans.h5")):
                 self.assertEqual(json.loads(result.stdout)["violations"], [])
 
 
 class Damaged(CommandCase):
-    """Each test changes one thing of one plan. Both programs must exit with 1 and report it."""
+    """Each damage changes one thing of one plan, and returns the cause and the subject that both programs
+    must report, at one of some samples, and what else is asked of the rows of `morphe verify`. All stand
+    in one file, beside the plans as they were, of which nothing may be said."""
 
     def setUp(self):
         super().setUp()
         self.copy = self.folder / "plans.h5"
         shutil.copy(PLANS, self.copy)
 
-    def edited(self):
-        file = h5py.File(self.copy, "r+")
-        self.addCleanup(file.close)
-        return file, file["plans"][PLAN]
-
-    def found(self, file, cause, subject, samples=None):
-        """Writes the edits, and returns what `morphe verify` says of this cause and subject."""
-        file.close()
-        own = morphe("verify", self.copy, "--json")
-        other = python_verify(self.copy)
-        for result, keys in ((own, [*KEYS, "unit"]), (other, KEYS)):
-            self.assertEqual(result.returncode, 1, result.stdout[:500] + result.stderr)
-            violations = json.loads(result.stdout)["violations"]
-            self.assertEqual({row["plan"] for row in violations}, {PLAN})
-            for row in violations:
-                self.assertEqual(sorted(row), sorted(keys))
-            rows = [row for row in violations
-                    if row["cause"] == cause and subject in row["subject"]]
-            self.assertTrue(rows, violations)
-            if samples is not None:
-                self.assertTrue([row for row in rows if row["sample"] in samples], rows)
+    def test_every_damage_is_found(self):
+        damages = {name: damage for name, damage in vars(Damages).items() if not name.startswith("_")}
+        with h5py.File(self.copy, "r+") as file:
+            wanted = {name: damage(self, file, add_copy(file, PLAN, name)) for name, damage in damages.items()}
+        own, other = (self.by_plan(program(self.copy), keys) for program, keys in
+                      ((json_verify, [*KEYS, "unit"]), (python_verify, KEYS)))
+        self.assertEqual((set(own), set(other)), (set(wanted), set(wanted)))
         text = morphe("verify", self.copy)
         self.assertEqual(text.returncode, 1)
-        self.assertIn(PLAN, text.stdout)
-        self.assertIn(cause, text.stdout)
-        return [row for row in json.loads(own.stdout)["violations"]
-                if row["cause"] == cause and subject in row["subject"]]
+        for name, (cause, subject, *more) in wanted.items():
+            with self.subTest(name):
+                rows, _ = (self.of(found[name], cause, subject, *more[:1]) for found in (own, other))
+                lines = [line for line in text.stdout.splitlines() if line.startswith(f"{name}/000: ")]
+                self.assertTrue(lines, text.stdout)
+                self.assertIn(cause, "\n".join(lines))
+                for judge in more[1:]:
+                    judge(rows)
 
-    def test_a_joint_beyond_its_limit(self):
-        file, plan = self.edited()
-        joint, sample = 3, 200
+    def by_plan(self, result, keys):
+        """The violations of every plan: {demonstration: rows}."""
+        self.assertEqual(result.returncode, 1, result.stdout[:500] + result.stderr)
+        found = {}
+        for row in json.loads(result.stdout)["violations"]:
+            self.assertEqual(sorted(row), sorted(keys))
+            demonstration, movement = row["plan"].split("/")
+            self.assertEqual(movement, "000")
+            found.setdefault(demonstration, []).append(row)
+        return found
+
+    def of(self, violations, cause, subject, samples=None):
+        """What is said of this cause and subject."""
+        rows = [row for row in violations if row["cause"] == cause and subject in row["subject"]]
+        self.assertTrue(rows, violations)
+        if samples is not None:
+            self.assertTrue([row for row in rows if row["sample"] in samples], rows)
+        return rows
+
+    def test_every_figure_of_the_certificate_is_recomputed(self):
+        # What lies in the mapping's config, the posture, is not repeated from the file alone.
+        changed = {"by_a_thousandth": set(), "by_a_hair": set()}
+        with h5py.File(self.copy, "r+") as file:
+            for (name, names), change in zip(changed.items(), (1e-3, 2e-8)):
+                certificate = add_copy(file, PLAN, name)["certificate"].attrs
+                for figure in set(formats.CERTIFICATE) - {"repaired"}:
+                    # To 0.1 mm the clearance, to 1e-9 the rest; jerk also to what rounding makes of it.
+                    if np.isfinite(certificate[figure]) and (
+                            change > 1e-6 or figure not in ("clearance", "jerk_ratio")):
+                        certificate[figure] += 2 * change * max(1, abs(certificate[figure]))
+                        names.add(figure)
+                certificate["repaired"] = np.uint8(1 - certificate["repaired"])
+                self.assertGreater(len(names), 14)
+        own, other = (json.loads(program(self.copy).stdout)["violations"] for program in (json_verify, python_verify))
+        self.assertEqual({row["plan"] for row in own}, {f"{name}/000" for name in changed})
+        for violations, judged in ((own, changed), (other, ["by_a_thousandth"])):
+            for name in judged:
+                rows = [row for row in violations if row["plan"] == f"{name}/000"]
+                self.assertEqual({row["cause"] for row in rows}, {"certificate"})
+                self.assertEqual({row["subject"] for row in rows} - {"repaired"}, changed[name])
+
+    def test_an_infeasible_plan_with_a_trajectory(self):
+        with h5py.File(self.copy, "r+") as file:
+            plan = file["plans"][PLAN]
+            plan.attrs["status"], plan.attrs["reason"] = np.bytes_("infeasible"), np.bytes_("no_goal")
+        self.refuses(morphe("verify", self.copy), f"{self.copy}:/plans/{PLAN}/trajectory")
+        self.assertEqual(python_verify(self.copy).returncode, 1)
+
+
+class Damages:
+    def a_joint_beyond_its_limit(self, file, plan):
+        joint, sample = 3, 50
         limit, name = file["robot/upper"][joint], file["robot/joint_names"].asstr()[joint]
         plan["trajectory/position"][sample, joint] = limit + 0.01
-        worst = max(self.found(file, "position", name, range(sample - 1, sample + 2)),
-                    key=lambda row: row["value"])
-        self.assertGreaterEqual(worst["value"], limit + 0.01 - 1e-9)
-        self.assertAlmostEqual(worst["limit"], limit)
 
-    def test_a_plan_out_of_reach_that_is_called_executable(self):
-        file, plan = self.edited()
+        def judge(rows):
+            worst = max(rows, key=lambda row: row["value"])
+            self.assertGreaterEqual(worst["value"], limit + 0.01 - 1e-9)
+            self.assertAlmostEqual(worst["limit"], limit)
+        return "position", name, range(sample - 1, sample + 2), judge
+
+    def a_plan_out_of_reach_that_is_called_executable(self, file, plan):
         plan["goals/reachable"][...] = 0
         plan.attrs["tracking"] = plan.attrs["tracking_grasp"] = 10.0  # whatever it allows
-        share, = self.found(file, "status", "out_of_reach_share")
-        self.assertEqual((share["value"], share["limit"]), (1, 0.5))
 
-    def test_a_tip_too_far_away_for_what_it_is_called(self):
-        file, plan = self.edited()
+        def judge(rows):
+            share, = rows
+            self.assertEqual((share["value"], share["limit"]), (1, 0.5))
+        return "status", "out_of_reach_share", None, judge
+
+    def a_tip_too_far_away_for_what_it_is_called(self, file, plan):
         plan.attrs["farthest_tip"] = largest = 0.5 * plan["certificate"].attrs["position_error_max"]
-        tip, = self.found(file, "status", "farthest_tip")
-        self.assertAlmostEqual(tip["value"], 2 * largest)
 
-    def test_an_executable_plan_that_is_called_approximate(self):
-        file, plan = self.edited()
+        def judge(rows):
+            tip, = rows
+            self.assertAlmostEqual(tip["value"], 2 * largest)
+        return "status", "farthest_tip", None, judge
+
+    def an_executable_plan_that_is_called_approximate(self, file, plan):
         plan.attrs["status"] = np.bytes_("approximate")
-        self.found(file, "status", "approximate")
+        return "status", "approximate"
 
-    def test_a_joint_below_its_limit(self):
-        file, plan = self.edited()
+    def a_joint_below_its_limit(self, file, plan):
         limit, name = file["robot/lower"][0], file["robot/joint_names"].asstr()[0]
-        plan["trajectory/position"][50, 0] = limit - 0.01
-        self.found(file, "position", name, range(49, 52))
+        plan["trajectory/position"][12, 0] = limit - 0.01
+        return "position", name, range(11, 14)
 
-    def test_a_velocity_raised(self):
-        file, plan = self.edited()
-        joint, sample = 5, 300
+    def a_velocity_raised(self, file, plan):
+        joint, sample = 5, 75
         limit, name = file["robot/velocity"][joint], file["robot/joint_names"].asstr()[joint]
         plan["trajectory/velocity"][sample, joint] = 1.5 * limit
-        worst = max(self.found(file, "velocity", name, range(sample - 1, sample + 2)),
-                    key=lambda row: row["value"])
-        self.assertGreaterEqual(worst["value"], 1.5 * limit - 1e-9)
-        self.assertAlmostEqual(worst["limit"], limit)
 
-    def test_an_end_that_is_not_at_rest(self):
-        file, plan = self.edited()
+        def judge(rows):
+            worst = max(rows, key=lambda row: row["value"])
+            self.assertGreaterEqual(worst["value"], 1.5 * limit - 1e-9)
+            self.assertAlmostEqual(worst["limit"], limit)
+        return "velocity", name, range(sample - 1, sample + 2), judge
+
+    def an_end_that_is_not_at_rest(self, file, plan):
         name = file["robot/joint_names"].asstr()[1]
         plan["trajectory/velocity"][0, 1] = 1e-3
-        self.found(file, "rest", name, [0])
+        return "rest", name, [0]
 
-    def test_a_clock_that_runs_back(self):
-        file, plan = self.edited()
+    def a_clock_that_runs_back(self, file, plan):
         times = plan["trajectory/time"][()]
-        plan["trajectory/time"][100] = times[98]
-        self.found(file, "time", "time", range(98, 102))
+        plan["trajectory/time"][25] = times[23]
+        return "time", "time", range(23, 27)
 
-    def test_a_number_that_is_none(self):
-        file, plan = self.edited()
+    def a_number_that_is_none(self, file, plan):
         plan["trajectory/position"][10, 2] = np.nan
-        self.found(file, "finite", "position")
+        return "finite", "position"
 
-    def test_the_table_raised_into_the_hand(self):
-        file, plan = self.edited()
+    def the_table_raised_into_the_hand(self, file, plan):
         index = list(file["robot/tips/name"].asstr()).index("index_tip")
         hand = plan["goals/tip_position"][len(plan["goals/time"]) // 2, index]
         plan["scene/table/position"][0] = hand
-        rows = self.found(file, "object", "/table")
-        self.assertLess(min(row["value"] for row in rows), 0)
+        return "object", "/table", None, lambda rows: self.assertLess(min(row["value"] for row in rows), 0)
 
-    def test_the_cup_moved_to_where_the_hand_starts(self):
-        file, plan = self.edited()
+    def the_cup_moved_to_where_the_hand_starts(self, file, plan):
         index = list(file["robot/tips/name"].asstr()).index("index_tip")
         plan["scene/cup/position"][0] = plan["goals/tip_position"][0, index]
-        self.found(file, "object", "/cup", range(100))  # up to the preshape
+        return "object", "/cup", range(25)  # up to the preshape
 
-    def test_an_object_added_in_the_path(self):
-        file, plan = self.edited()
+    def an_object_added_in_the_path(self, file, plan):
         tip = list(file["robot/tips/name"].asstr()).index("index_tip")
         frame = len(plan["goals/time"]) // 3
         ball = plan["scene"].create_group("ball", track_order=True)
@@ -180,56 +214,25 @@ class Damaged(CommandCase):
                 data.attrs["frame"] = np.bytes_(of)
         when = plan["goals/time"][frame]
         at = int(np.abs(plan["trajectory/demonstration_time"][()] - when).argmin())
-        rows = self.found(file, "object", "/ball")
-        self.assertTrue([row for row in rows if abs(row["sample"] - at) <= 20], (at, rows))
+        return "object", "/ball", None, lambda rows: self.assertTrue(
+            [row for row in rows if abs(row["sample"] - at) <= 5], (at, rows))
 
-    def test_a_goal_moved_by_10_mm_at_the_grasp(self):
-        file, plan = self.edited()
+    def a_goal_moved_by_10_mm_at_the_grasp(self, file, plan):
         names = list(file["robot/tips/name"].asstr())
         sample = plan["grasp"].attrs["sample"]
         when = plan["trajectory/demonstration_time"][sample]
         frame = int(np.abs(plan["goals/time"][()] - when).argmin())
         plan["goals/tip_position"][frame, names.index("thumb_tip"), 2] += 0.010
-        rows = self.found(file, "tracking", "thumb_tip")
-        self.assertTrue([row for row in rows if abs(row["sample"] - sample) <= 20], (sample, rows))
-        self.assertEqual({row["limit"] for row in rows}, {plan_tolerance()})
+        tolerance = plan.attrs["tracking_grasp"]
 
-    def test_a_certificate_that_promises_too_much(self):
-        file, plan = self.edited()
+        def judge(rows):
+            self.assertTrue([row for row in rows if abs(row["sample"] - sample) <= 5], (sample, rows))
+            self.assertEqual({row["limit"] for row in rows}, {tolerance})
+        return "tracking", "thumb_tip", None, judge
+
+    def a_certificate_that_promises_too_much(self, file, plan):
         plan["certificate"].attrs["clearance"] = 0.5
-        self.found(file, "certificate", "clearance", [-1])
-
-    def test_every_figure_of_the_certificate_is_recomputed(self):
-        # What lies in the mapping's config, the posture, is not repeated from the file alone.
-        for change, programs in ((1e-3, (morphe, lambda _, file, __: python_verify(file))),
-                                 (2e-8, (morphe,))):
-            shutil.copy(PLANS, self.copy)
-            file, plan = self.edited()
-            certificate, changed = plan["certificate"].attrs, set()
-            for name in set(formats.CERTIFICATE) - {"repaired"}:
-                # To 0.1 mm the clearance, to 1e-9 the rest; jerk also to what rounding makes of it.
-                if np.isfinite(certificate[name]) and (change > 1e-6 or name not in ("clearance", "jerk_ratio")):
-                    certificate[name] += 2 * change * max(1, abs(certificate[name]))
-                    changed.add(name)
-            certificate["repaired"] = np.uint8(1 - certificate["repaired"])
-            file.close()
-            self.assertGreater(len(changed), 14)
-            for program in programs:
-                rows = json.loads(program("verify", self.copy, "--json").stdout)["violations"]
-                self.assertEqual({row["cause"] for row in rows}, {"certificate"})
-                self.assertEqual({row["subject"] for row in rows} - {"repaired"}, changed)
-
-    def test_an_infeasible_plan_with_a_trajectory(self):
-        file, plan = self.edited()
-        plan.attrs["status"], plan.attrs["reason"] = np.bytes_("infeasible"), np.bytes_("no_goal")
-        file.close()
-        self.refuses(morphe("verify", self.copy), f"{self.copy}:/plans/{PLAN}/trajectory")
-        self.assertEqual(python_verify(self.copy).returncode, 1)
-
-
-def plan_tolerance():
-    with h5py.File(PLANS) as file:
-        return file["plans"][PLAN].attrs["tracking_grasp"]
+        return "certificate", "clearance", [-1]
 
 
 class Unreadable(CommandCase):
