@@ -12,7 +12,7 @@ OF_A_GRASP = ("grasp", "contact", "quality", "squeeze")
 
 
 def setUpModule():
-    """Sampled coarsely, so that a plan is judged in a quarter of the time."""
+    """Sampled coarsely, so that a plan is judged in a fraction of the time."""
     global PLANS
     PLANS = planned_sample("--set", "grasp.close_fingers=true", "--set", "retime.sample_rate_hz=50")
 

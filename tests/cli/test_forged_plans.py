@@ -2,20 +2,16 @@
 kind that tests/forged_plans.py knows, and accepts nothing that tests/verify_plans.py rejects. By hand, for
 hours: tests/forged_plans.py build/release/morphe PLANS.h5… --count 100000 --grasps 10000"""
 import re
-import sys
-import unittest
-from pathlib import Path
 
 import h5py
 import numpy as np
 
-from support import (MORPHE, QUICK, SOURCE, CommandCase, json, main, morphe, python_verify,
-                     temporary_folder, write_two_recordings)
+from support import MORPHE, QUICK, SOURCE, CommandCase, json, main, morphe, python_verify, shared_run
 
-sys.path.insert(0, str(SOURCE / "tests"))
 import forged_plans
 
 FROM_HOME = SOURCE / "configs/pipelines/pa10_dlr_hit2_from_home.yaml"
+HOME = {"S1": 1.6, "S2": -1.2, "S3": -1.7, "E1": 1.7, "E2": -1.5, "W1": 0.3, "W2": 0.2}  # rad
 # What is left may be a plan as good as the one before: another motion that holds all that it says.
 # Nor can it be told what was recorded, or what a joint that moves no tip was mapped to.
 NO_LIES = {"a_sample_left_out", "every_nth_sample", "a_position_moved", "a_velocity_changed",
@@ -27,15 +23,12 @@ NOT_HERE = {"an_approach_nobody_asked_for", "a_mapped_turn_less", "orientation_e
 
 
 def setUpModule():
-    """Sampled coarsely, so that a plan is judged in no time."""
+    """Sampled coarsely and at home not far from where the recordings begin, so that a plan is judged in no time."""
     global PLANS
-    holder = temporary_folder()
-    unittest.addModuleCleanup(holder.cleanup)
-    folder = Path(holder.name).resolve()
-    result = morphe("run", FROM_HOME, "--dataset", write_two_recordings(folder), "--out", folder / "out",
-                    *QUICK, "--set", "grasp.close_fingers=true", "--set", "retime.sample_rate_hz=50")
-    assert result.returncode == 0, result.stderr
-    PLANS = folder / "out/plans.h5"
+    home = ", ".join(f"{{joint: {joint}, value: {value}}}" for joint, value in HOME.items())
+    PLANS = shared_run(FROM_HOME, *QUICK, "--set", "grasp.close_fingers=true", "--set", "retime.sample_rate_hz=50",
+                       "--set", f"approach.home=[{home}]", "--set", "approach.limit_share=1",
+                       dataset="two recordings") / "out/plans.h5"
 
 
 class Forged(CommandCase):

@@ -10,7 +10,7 @@ from support import (QUICK, REFERENCE, SOURCE, CommandCase, add_copy, json, main
                      shared_run, write_two_recordings)
 
 PLAN = "ADL001DR2/000"
-COARSE = ("--set", "retime.sample_rate_hz=50")  # not 200: a plan is judged in a quarter of the time
+COARSE = ("--set", "retime.sample_rate_hz=50")  # not 500: a plan is judged in a fraction of the time
 KEYS = ["plan", "sample", "time_s", "cause", "subject", "value", "limit"]
 
 
