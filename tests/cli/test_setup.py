@@ -118,8 +118,11 @@ class Setup(CommandCase):
             (package / f"meshes/box.{kind}").write_bytes(made(size))
         names = [*kinds, "gone"]
         urdf = package / "urdf/made.urdf"
-        urdf.write_text(arm(5, lambda k: "<collision><origin xyz='0 0 0.1'/><geometry><mesh filename="
-                                         f"'package://made_description/meshes/box.{names[k - 1]}'/></geometry></collision>"))
+
+        def mesh(k):
+            return ("<collision><origin xyz='0 0 0.1'/><geometry><mesh filename="
+                    f"'package://made_description/meshes/box.{names[k - 1]}'/></geometry></collision>")
+        urdf.write_text(arm(5, mesh))
         out, said = self.set_up(urdf)
         self.assertEqual(said.count("box.gone"), 1, said)
         text = out.read_text()
@@ -134,9 +137,10 @@ class Setup(CommandCase):
             for corner in CUBE:
                 point = [c * s + o for c, s, o in zip(corner, size, (0, 0, 0.1))]
                 self.assertLess(min(outside(point, numbers) for numbers in held), 1.01e-3)
-        # The same elsewhere, where the package has to be named.
+        # Under another name, so that the package has to be named; one box is enough for that.
+        package = package.rename(self.folder / "renamed")
         elsewhere = self.folder / "alone.urdf"
-        elsewhere.write_text(urdf.read_text())
+        elsewhere.write_text(arm(3, lambda k: mesh(k) if k == 1 else ""))
         away, said = self.set_up(elsewhere)
         self.assertIn("made_description", said)
         named, said = self.set_up(elsewhere, "--package", f"made_description={package}")
