@@ -8,15 +8,25 @@ import shutil
 import struct
 import subprocess
 import termios
+from unittest import mock
 
 import h5py
 import numpy as np
 
-from many import COUNT, ManyCase
+from many import CONFIG, ManyCase
 from support import MORPHE, SOURCE, estimate_arm, json, main, morphe, sha256
 
 
-class Diff(ManyCase):
+class FewCase(ManyCase):
+    """Half as many recordings, of which plans are sampled at 50 Hz, not 500: compared in no time."""
+
+    @classmethod
+    def setUpClass(cls):
+        with mock.patch.multiple("many", COUNT=6, CONFIG=CONFIG + "retime: {sample_rate_hz: 50}\n"):
+            super().setUpClass()
+
+
+class Diff(FewCase):
     def setUp(self):
         super().setUp()
         self.other = self.folder / "other.h5"
@@ -213,7 +223,7 @@ class Diff(ManyCase):
         self.refuses(self.diff(), self.other)
 
 
-class Table(ManyCase):
+class Table(FewCase):
     """The table of `run` and `list`."""
 
     def rows(self, text):
@@ -283,7 +293,7 @@ class Table(ManyCase):
         return out.decode().replace("\r\n", "\n")
 
 
-class From(ManyCase):
+class From(FewCase):
     def test_the_same_bytes_without_the_config(self):
         self.succeeds("run", "--from", self.plain / "plans.h5", "--dataset", self.dataset, "--out",
                       self.out)
