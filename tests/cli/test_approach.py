@@ -3,20 +3,16 @@ verifiers, and a home that cannot be."""
 import h5py
 import numpy as np
 
-from support import QUICK, RECORDINGS, SOURCE, CommandCase, main, morphe, python_verify
+from support import (ONE_RECORDING, QUICK, SOURCE, CommandCase, main, morphe, python_verify, shared_run,
+                     write_recordings)
 
 FROM_HOME = SOURCE / "configs/pipelines/pa10_dlr_hit2_from_home.yaml"
 SMALL = (*QUICK, "--set", "map.key_frames=2", "--set", "map.reachable_starts=4")
-ONE_RECORDING = f"""\
-format: vicon-csv
-recordings:
-  - {{file: {RECORDINGS}/ADL001DR2.csv, static: {RECORDINGS}/ADL001_static.csv, upper_arm: 0.274, forearm: 0.254}}
-"""
 
 
 class Approach(CommandCase):
     def test_home_to_the_first_sample_and_back(self):
-        plans = self.run_it(FROM_HOME)
+        plans = shared_run(FROM_HOME, *SMALL, dataset="one recording") / "out/plans.h5"
         self.assertEqual(morphe("verify", plans).returncode, 0)
         self.assertEqual(python_verify(plans).returncode, 0)
         with h5py.File(plans) as file:
@@ -72,9 +68,7 @@ class Approach(CommandCase):
         return config
 
     def run_it(self, config, settings=SMALL):
-        manifest = f"{self.folder}/one.yaml"
-        with open(manifest, "w") as file:
-            file.write(ONE_RECORDING)
+        manifest = write_recordings(self.folder, ONE_RECORDING)
         result = morphe("run", config, "--dataset", manifest, "--out", f"{self.folder}/out", *settings)
         self.assertEqual(result.returncode, 0, result.stderr)
         return f"{self.folder}/out/plans.h5"

@@ -6,23 +6,18 @@ import h5py
 import numpy as np
 
 from formats import text
-from support import QUICK, REFERENCE, SOURCE, CommandCase, json, main, morphe, python_verify
+from support import (ONE_RECORDING, QUICK, REFERENCE, SOURCE, CommandCase, json, main, morphe, python_verify,
+                     shared_run, write_recordings)
 
 sys.path.insert(0, str(SOURCE / "tests"))
 from verify_plans import Robot, in_base
 
-RECORDING = """\
-format: vicon-csv
-recordings:
-  - {{file: {0}/ADL001DR2.csv, static: {0}/ADL001_static.csv, upper_arm: 0.274, forearm: 0.254}}
-"""
 PLAN = "ADL001DR2/000"
 
 
 class Carrying(CommandCase):
     def plan(self, *settings):
-        manifest = self.folder / "one.yaml"
-        manifest.write_text(RECORDING.format(SOURCE / "datasets/ue-adl"))
+        manifest = write_recordings(self.folder, ONE_RECORDING)
         self.plans = self.folder / "out/plans.h5"
         self.succeeds("run", REFERENCE, "--dataset", manifest, "--out", self.folder / "out", *QUICK,
                       "--set", "segment.plan_until=transport", *settings)
@@ -75,8 +70,7 @@ class Carrying(CommandCase):
             self.assertEqual(text(cup.attrs["attached_frame"]), file["robot/frames/name"].asstr()[file["robot"].attrs["palm_frame"]])
 
     def test_not_before_it_is_grasped(self):
-        self.plan("--set", "segment.plan_until=grasp")
-        with h5py.File(self.plans) as file:
+        with h5py.File(shared_run(REFERENCE, *QUICK, dataset="two recordings") / "out/plans.h5") as file:
             cup = file["plans"][PLAN]["scene/cup"]
             self.assertEqual(cup["time"].shape, (1,))
             self.assertNotIn("attached_frame", cup.attrs)

@@ -3,21 +3,14 @@ home and back, held against an evaluation of the quintics in NumPy."""
 import csv
 import json
 import shutil
-import unittest
-from pathlib import Path
 
 import h5py
 import numpy as np
 
-from support import QUICK, RECORDINGS, SOURCE, CommandCase, main, morphe, sha256, temporary_folder
+from support import QUICK, SOURCE, CommandCase, main, morphe, sha256, shared_run
 
 FROM_HOME = SOURCE / "configs/pipelines/pa10_dlr_hit2_from_home.yaml"
 SMALL = (*QUICK, "--set", "map.key_frames=2", "--set", "map.reachable_starts=4")
-ONE_RECORDING = f"""\
-format: vicon-csv
-recordings:
-  - {{file: {RECORDINGS}/ADL001DR2.csv, static: {RECORDINGS}/ADL001_static.csv, upper_arm: 0.274, forearm: 0.254}}
-"""
 NAME, PLAN = "ADL001DR2_000", "plans/ADL001DR2/000"
 ORDERS = ("position", "velocity", "acceleration")
 LIMITS = ("velocity", "acceleration", "jerk")
@@ -25,13 +18,7 @@ LIMITS = ("velocity", "acceleration", "jerk")
 
 def setUpModule():
     global PLANS
-    holder = temporary_folder()
-    unittest.addModuleCleanup(holder.cleanup)
-    folder = Path(holder.name).resolve()
-    (folder / "one.yaml").write_text(ONE_RECORDING)
-    result = morphe("run", FROM_HOME, "--dataset", folder / "one.yaml", "--out", folder / "out", *SMALL)
-    assert result.returncode == 0, result.stderr
-    PLANS = folder / "out/plans.h5"
+    PLANS = shared_run(FROM_HOME, *SMALL, dataset="one recording") / "out/plans.h5"
     with h5py.File(PLANS) as file:
         assert "approach" in file[PLAN] and "retreat" in file[PLAN], "the plan should be executable"
 

@@ -1,26 +1,29 @@
 """Recordings of hand trackers: what was recorded in one format is written in each of them and read."""
 import copy
 import json
+from pathlib import Path
 
 import h5py
 import numpy as np
 
 import tracked_hands
-from support import SOURCE, CommandCase, main, morphe
+from support import SOURCE, CommandCase, main, morphe, temporary_folder
 
 ADROIT = SOURCE / "datasets/adroit-dapg/recordings.yaml"
 TIPS = [f"right_{finger}_tip" for finger in tracked_hands.FINGERS]
 
 
 class HandTrackers(CommandCase):
-    def setUp(self):
-        super().setUp()
-        original = self.folder / "adroit.h5"
-        self.succeeds("import", ADROIT, "--forward", "recorded", "--out", original)
-        self.hands = tracked_hands.hands_of(original)
-        self.phases = {entry["name"]: entry["movements"]
-                       for entry in self.json_of("inspect", original)["demonstrations"]}
-        self.assertEqual(len(self.hands), 5)
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        with temporary_folder() as folder:
+            original = Path(folder) / "adroit.h5"
+            assert morphe("import", ADROIT, "--forward", "recorded", "--out", original).returncode == 0
+            cls.hands = tracked_hands.hands_of(original)
+            inspected = json.loads(morphe("inspect", original, "--json").stdout)
+        cls.phases = {entry["name"]: entry["movements"] for entry in inspected["demonstrations"]}
+        assert len(cls.hands) == 5
 
     def read(self, write, *options):
         """Writes all five, reads each; yields its name, what was written and the group."""

@@ -2,12 +2,13 @@
 says it, or what is read is right all the same."""
 import json
 import re
+from pathlib import Path
 
 import h5py
 import numpy as np
 
 import tracked_hands
-from support import SOURCE, CommandCase, main, morphe
+from support import SOURCE, CommandCase, main, morphe, temporary_folder
 
 ADROIT = SOURCE / "datasets/adroit-dapg/recordings.yaml"
 FOOT = 0.3048
@@ -92,11 +93,13 @@ def in_a_moving_frame(hand):
 
 
 class WrongRecordings(CommandCase):
-    def setUp(self):
-        super().setUp()
-        original = self.folder / "adroit.h5"
-        self.succeeds("import", ADROIT, "--forward", "recorded", "--out", original)
-        self.hand = tracked_hands.hands_of(original)["door_demo_06"]
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        with temporary_folder() as folder:
+            original = Path(folder) / "adroit.h5"
+            assert morphe("import", ADROIT, "--forward", "recorded", "--out", original).returncode == 0
+            cls.hand = tracked_hands.hands_of(original)["door_demo_06"]
 
     def answer(self, reader, file):
         options = {"optitrack-csv": ("--names", file.parent / "names.yaml")}.get(reader, ())
