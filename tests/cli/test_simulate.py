@@ -15,7 +15,8 @@ GRASP, TABLE = "ADL001DR2/000", "simulation.csv"
 
 
 def setUpModule():
-    global PLANS
+    """One simulation is made once: several tests read it, or go on from a copy of it."""
+    global PLANS, SIMULATED, PRINTED
     PLANS = planned_sample("--set", "grasp.close_fingers=true")
     with h5py.File(PLANS, "r+") as file:  # a second grasp, one that is infeasible, one that is broken
         plans = file["plans/ADL001DR2"]
@@ -28,6 +29,15 @@ def setUpModule():
     if "has no MuJoCo" in probe.stderr:
         assert probe.returncode == 2
         raise unittest.SkipTest("built without MuJoCo")
+    SIMULATED = PLANS.parent / "simulated"
+    done = morphe("simulate", PLANS, "--out", SIMULATED, *COARSE, "--ensemble", 2, "--jobs", 1)
+    assert done.returncode == 0, done.stderr
+    PRINTED = done.stdout
+
+
+# A step twice as long as usual does for what is no question of physics.
+COARSE = ("--directions", "none", "--step", 0.004)
+FINE = ("--directions", "none")
 
 
 def contents(folder):
@@ -35,16 +45,16 @@ def contents(folder):
 
 
 class Simulate(CommandCase):
-    def simulate(self, folder, *arguments, ensemble=2):
-        return self.succeeds("simulate", PLANS, "--out", self.folder / folder, "--directions", "none",
-                             "--ensemble", ensemble, *arguments)
+    def simulate(self, folder, *arguments, ensemble=2, how=COARSE):
+        return self.succeeds("simulate", PLANS, "--out", self.folder / folder, *how, "--ensemble", ensemble,
+                             *arguments)
 
     def rows(self, folder):
         with open(self.folder / folder / TABLE, newline="") as file:
             return list(csv.DictReader(file))
 
     def test_a_row_a_rollout_and_a_reason_for_every_plan_without(self):
-        result = self.simulate("out")
+        shutil.copytree(SIMULATED, self.folder / "out")
         self.assertEqual(self.simulate("out", "--json").stderr, "")
         rows = self.rows("out")
         by_plan = {name: [row for row in rows if row["plan"] == name] for name in
@@ -60,15 +70,14 @@ class Simulate(CommandCase):
         # The written trajectory is followed, whatever becomes of the grasp.
         self.assertLess(float(first["arm_error_deg"]), 0.2)
         self.assertLess(float(first["hand_error_deg"]), 1.0)
-        self.assertIn("2 plans simulated, 3 not", result.stdout)
-        self.assertIn("the plan is infeasible: no_path", result.stdout)
+        self.assertIn("2 plans simulated, 3 not", PRINTED)
+        self.assertIn("the plan is infeasible: no_path", PRINTED)
 
     def test_the_same_bytes_on_any_number_of_threads_and_after_a_kill(self):
-        self.simulate("one", "--jobs", "1")
         self.simulate("four", "--jobs", "4")
-        self.assertEqual(contents(self.folder / "one"), contents(self.folder / "four"))
-        arguments = [MORPHE, "simulate", PLANS, "--out", self.folder / "killed", "--directions",
-                     "none", "--ensemble", "2", "--jobs", "1"]
+        self.assertEqual(contents(self.folder / "four"), contents(SIMULATED))
+        arguments = [MORPHE, "simulate", PLANS, "--out", self.folder / "killed", *COARSE,
+                     "--ensemble", "2", "--jobs", "1"]
         process = subprocess.Popen(list(map(str, arguments)), stdout=subprocess.DEVNULL)
         first = self.folder / "killed/ADL001DR2_000.json"
         while process.poll() is None and not first.exists():
@@ -79,7 +88,7 @@ class Simulate(CommandCase):
         before = first.stat().st_mtime_ns
         self.simulate("killed")
         self.assertEqual(first.stat().st_mtime_ns, before)  # what was done is not done again
-        self.assertEqual(contents(self.folder / "killed"), contents(self.folder / "one"))
+        self.assertEqual(contents(self.folder / "killed"), contents(SIMULATED))
 
     def test_what_is_there_is_used_only_if_it_says_the_same(self):
         only = ("--only", GRASP)
@@ -106,14 +115,14 @@ class Simulate(CommandCase):
         self.assertEqual([file.name for file in self.folder.iterdir()], ["out"])
 
     def test_glue_always_lifts_and_ice_never(self):
-        self.simulate("glue", "--only", GRASP, "--friction", "10", "--torsion", "0.02", ensemble=2)
-        self.simulate("ice", "--only", GRASP, "--friction", "0.01", "--torsion", "0.0001", ensemble=2)
+        self.simulate("glue", "--only", GRASP, "--friction", "10", "--torsion", "0.02", how=FINE)
+        self.simulate("ice", "--only", GRASP, "--friction", "0.01", "--torsion", "0.0001", how=FINE)
         self.assertEqual([row["held"] for row in self.rows("glue")], ["1"] * 2)
         self.assertEqual([row["held"] for row in self.rows("ice")], ["0"] * 2)
 
     def test_newtons_tell_hold_from_fall(self):
         result = self.simulate("out", "--only", GRASP, "--friction-range", "0.1", "1.2",
-                               "--mass-range", "0.05", "3", ensemble=6)
+                               "--mass-range", "0.05", "3", ensemble=6, how=FINE)
         rows = self.rows("out")
         for row in rows:
             needed = float(row["needed_lift_N"])
