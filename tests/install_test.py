@@ -309,6 +309,11 @@ class Deb(Installed):
             self.assertTrue(any(name.startswith(library) for name in needed), needed)
         run("dpkg-query", "--show", *needed)  # they are names of packages
 
+    def test_cpack_says_what_it_lacks(self):
+        blind = [word for where in ("CMAKE_SYSTEM_PATH", "SYSTEM_ENVIRONMENT_PATH") for word in ("-D", f"CMAKE_FIND_USE_{where}=NO")]
+        said = run("cpack", "-G", "DEB", "--config", BUILD / "CPackConfig.cmake", "-B", self.folder / "none", *blind, exit_code=1)
+        self.assertIn("apt-get install dpkg-dev file", " ".join(said.split()))
+
 
 if __name__ == "__main__":
     BUILD, CXX, what = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2], sys.argv[3]
