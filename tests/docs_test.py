@@ -10,6 +10,8 @@
                                  meaning of a key stays with it; that of a new one has to be written),
                                  then what the README shows as printed
   docs_test.py --self-test       plants faults: each must be found, and a table be mended
+
+It takes more than 10 s: the documents show some eighty commands, among them 22 runs and 3 placements.
 """
 import pathlib
 import re

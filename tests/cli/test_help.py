@@ -1,5 +1,6 @@
 """What the program says to who does not know it: examples that work, words that were meant, what the
-shell completes, and whether everything is there."""
+shell completes, and whether everything is there. It takes more than 10 s: all examples of all commands
+are run."""
 import os
 import re
 import subprocess

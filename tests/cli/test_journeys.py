@@ -1,6 +1,6 @@
 """A stranger's recording: the first try may fail, but what it says to paste makes the second one work,
 and the geometry is right. The truth is that of shipped recordings, written in other formats with other
-names, units and axes."""
+names, units and axes. It takes more than 10 s: every recording is written, then imported up to two times and compared."""
 import os
 import subprocess
 

@@ -1,4 +1,5 @@
-"""morphe place: what it prints, writes and refuses."""
+"""morphe place: what it prints, writes and refuses. It takes more than 10 s: two searches for a place,
+one for people and one as JSON, and a run from there."""
 import re
 import xml.etree.ElementTree as ElementTree
 
