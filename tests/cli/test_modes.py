@@ -16,6 +16,7 @@ from support import (QUICK, RECORDINGS, REFERENCE, SOURCE, CommandCase, json, ma
 sys.path.insert(0, str(SOURCE / "tests"))
 from verify_plans import Robot  # noqa: E402
 
+COARSE = ("--set", "retime.sample_rate_hz=50")  # not 500: judged in a fraction of the time
 SMALL = (*QUICK, "--set", "map.reachable_starts=4")
 ONE_RECORDING = """\
 format: vicon-csv
@@ -44,7 +45,7 @@ parts:
 
 def ran(folder, config, dataset, *arguments):
     """The plans.h5 of a run, opened, and judged by both verifiers."""
-    result = morphe("run", config, "--dataset", dataset, "--out", folder, "--jobs", 2, "--json", *arguments)
+    result = morphe("run", config, "--dataset", dataset, "--out", folder, "--jobs", 2, "--json", *COARSE, *arguments)
     assert result.returncode == 0, result.stderr
     for verdict in (morphe("verify", folder / "plans.h5", "--json"), python_verify(folder / "plans.h5")):
         assert verdict.returncode == 0, verdict.stdout + verdict.stderr

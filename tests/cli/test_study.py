@@ -7,7 +7,7 @@ import xml.etree.ElementTree as ElementTree
 import h5py
 import numpy as np
 
-from support import (SOURCE, CommandCase, Path, json, line_of, main, morphe, replace, sha256,
+from support import (QUICK, SOURCE, CommandCase, Path, json, line_of, main, morphe, replace, sha256,
                      temporary_folder)
 
 RECORDINGS = SOURCE / "configs/studies/recordings.yaml"
@@ -21,16 +21,11 @@ synthetic:
 """
 
 
-def run_twice(case, config):
-    """The small version with two threads in case.out, and with one in case.alone."""
-    holder = temporary_folder()
-    case.addClassCleanup(holder.cleanup)
-    case.out, case.alone = Path(holder.name) / "two", Path(holder.name) / "one"
-    results = []
-    for out, jobs in ((case.out, 2), (case.alone, 1)):
-        results.append(morphe("study", config, "--quick", "--out", out, "--jobs", jobs))
-        assert results[-1].returncode == 0, results[-1].stderr
-    return results
+def with_whole_paths(study):
+    """The text of a shipped study that can stand anywhere."""
+    text = (SOURCE / f"configs/studies/{study}.yaml").read_text()
+    return text.replace("../../datasets", f"{SOURCE}/datasets").replace(" ../", f" {SOURCE}/configs/").replace(
+        "[../", f"[{SOURCE}/configs/")
 
 
 class ShippedStudy(CommandCase):
@@ -39,7 +34,11 @@ class ShippedStudy(CommandCase):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.result, cls.other = run_twice(cls, RECORDINGS)
+        holder = temporary_folder()
+        cls.addClassCleanup(holder.cleanup)
+        cls.out = Path(holder.name) / "out"
+        cls.result = morphe("study", RECORDINGS, "--quick", "--out", cls.out)
+        assert cls.result.returncode == 0, cls.result.stderr
         cls.rows = json.loads((cls.out / "results.json").read_text())["rows"]
 
     def test_every_figure_is_within_what_is_wanted(self):
@@ -82,11 +81,17 @@ class ShippedStudy(CommandCase):
         self.assertNotIn("missed", self.result.stdout)
 
     def test_the_number_of_threads_changes_no_byte(self):
-        self.assertEqual(self.other.returncode, 0, self.other.stderr)
-        names = sorted(path.name for path in self.out.iterdir())
-        self.assertEqual(names, sorted(path.name for path in self.alone.iterdir()))
+        """Of the same sets, with three recordings each of those that are made."""
+        config = self.folder / "recordings.yaml"
+        text = with_whole_paths("recordings").replace("    quick_count: 10\n", "")
+        config.write_text(re.sub("( +)config: .*", r"\g<0>\n\1quick_count: 3", text))
+        two, one = (self.folder / str(jobs) for jobs in (2, 1))
+        for out in (two, one):
+            self.succeeds("study", config, "--quick", "--out", out, "--jobs", out.name)
+        names = sorted(path.name for path in two.iterdir())
+        self.assertEqual(names, sorted(path.name for path in one.iterdir()))
         for name in names:
-            self.assertEqual(sha256(self.out / name), sha256(self.alone / name), name)
+            self.assertEqual(sha256(two / name), sha256(one / name), name)
 
     def test_plots_can_be_read(self):
         plots = sorted(self.out.glob("*.svg"))
@@ -223,15 +228,30 @@ class HandsStudy(CommandCase):
 
 
 class GraspStudy(CommandCase):
-    """The shipped study's small version: objects of known contacts in a hand, planned both ways."""
+    """The shipped study's small version with a small search: objects of known contacts in a hand, planned
+    both ways."""
 
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        run_twice(cls, SOURCE / "configs/studies/grasp.yaml")
+        holder = temporary_folder()
+        cls.addClassCleanup(holder.cleanup)
+        cls.base = Path(holder.name)
+        search = ", ".join(setting for setting in QUICK if "=" in setting)
+        text = with_whole_paths("grasp").replace("set: [grasp.near=0.010]", f"set: [grasp.near=0.010, {search}]")
+        cls.text = text.replace("{name: fingertips}", f"{{name: fingertips, set: [{search}]}}")
+        cls.out = cls.run_study("all", cls.text)
         rows = json.loads((cls.out / "results.json").read_text())["rows"]
         cls.rows = {(row["case"]["set"], row["case"]["variant"], row["metric"]): row
                     for row in rows}
+
+    @classmethod
+    def run_study(cls, name, text, *options):
+        config = cls.base / f"{name}.yaml"
+        config.write_text(text)
+        result = morphe("study", config, "--quick", "--out", cls.base / name, *options)
+        assert result.returncode == 0, result.stderr
+        return cls.base / name
 
     def test_contacts_are_nearer_to_the_known_ones_than_fingertips_are(self):
         metric = "contact points from the known ones, median"
@@ -269,15 +289,17 @@ class GraspStudy(CommandCase):
                 self.assertRegex(printed, " 0 violations")
 
     def test_the_number_of_threads_changes_no_byte(self):
+        """Of the set whose contacts are known."""
+        synthetic = self.text.partition("  - name: adroit")[0]
+        two, one = (self.run_study(f"jobs_{jobs}", synthetic, "--jobs", jobs) for jobs in (2, 1))
         for name in ("results.json", "results.csv", "results.h5",
                      "plans/synthetic-pa10_dlr_hit2-contacts.h5"):
-            self.assertEqual(sha256(self.out / name), sha256(self.alone / name), name)
+            self.assertEqual(sha256(two / name), sha256(one / name), name)
 
     def test_a_baseline_with_contacts_is_none(self):
-        text = (SOURCE / "configs/studies/grasp.yaml").read_text()
-        text = text.replace("{name: fingertips}", "{name: fingertips, set: [grasp.near=0.020]}")
         config = self.folder / "grasp.yaml"
-        config.write_text(text.replace("../pipelines", f"{SOURCE}/configs/pipelines"))
+        config.write_text(with_whole_paths("grasp").replace(
+            "{name: fingertips}", "{name: fingertips, set: [grasp.near=0.020]}"))
         result = morphe("study", config, "--quick", "--out", self.folder / "out")
         self.assertEqual(result.returncode, 2)
         self.assertIn("`fingertips` none", result.stderr)
