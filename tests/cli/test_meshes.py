@@ -1,5 +1,6 @@
 """Plans among triangle meshes: made, judged by `morphe verify` and by tests/verify_plans.py, and
-refused where a hand or its goal is in something closed."""
+refused where a hand or its goal is in something closed. Takes 13 s of processor time: ten scenes are
+planned in."""
 import shutil
 import struct
 import unittest

@@ -1,6 +1,7 @@
 """What `map` can be asked for beside the paper's objective: the baselines as modes, a free offset of
 the base, and hands without an arm or without five fingers. Truth: the files the goals come from, and
-kinematics of the tests' own (tests/verify_plans.py)."""
+kinematics of the tests' own (tests/verify_plans.py). Takes 18 s of processor time: ten plans are made, of which
+one is 20 s long, and judged by both verifiers."""
 import csv
 import os
 import sys

@@ -1,4 +1,5 @@
-"""morphe robot setup: a description from a URDF alone, and what hostile files come to."""
+"""morphe robot setup: a description from a URDF alone, and what hostile files come to. Takes 12 s of
+processor time: boxes and a gripper are covered with capsules."""
 import base64
 import json
 import math

@@ -1,4 +1,5 @@
-"""`morphe simulate`: a grasp of the sample in physics; resumed, on any number of threads, the same bytes."""
+"""`morphe simulate`: a grasp of the sample in physics; resumed, on any number of threads, the same bytes.
+Takes 20 s of processor time: 30 grasps are simulated."""
 import csv
 import json
 import shutil

