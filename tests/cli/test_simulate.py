@@ -111,7 +111,7 @@ class Simulate(CommandCase):
         self.assertEqual((rows[0]["friction"], rows[0]["held"]), ("0.01", "0"))
 
     def test_nothing_of_the_engine_is_left_behind(self):
-        self.succeeds("simulate", PLANS, "--out", "out", "--ensemble", "1", "--only",
+        self.succeeds("simulate", PLANS, "--out", "out", "--ensemble", "1", "--step", 0.004, "--only",
                       "ADL001DR2/001", cwd=self.folder)
         self.assertEqual([file.name for file in self.folder.iterdir()], ["out"])
 
