@@ -200,8 +200,7 @@ variants:
     def test_obstacles_in_the_way(self):
         study = SOURCE / "configs/studies"
         text = (study / "repair.yaml").read_text().replace("repair_pipeline.yaml", f"{study}/repair_pipeline.yaml")
-        # Looked at every 0.5 mm, half of what every plan keeps off the obstacle, and not every 0.1 mm.
-        out = self.rows_of(text.replace("../synthetic", f"{study}/../synthetic") + "step_m: 5e-4\n")
+        out = self.rows_of(text.replace("../synthetic", f"{study}/../synthetic"))
         rows = json.loads((out / "results.json").read_text())["rows"]
         ours = {row["metric"]: row["ours"] for row in rows
                 if row["case"] == {"obstacle": "all", "variant": "ours"}}
