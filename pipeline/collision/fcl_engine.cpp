@@ -49,7 +49,7 @@ Geometry shape_of(const SceneObject& object, double shrunk_m) {
 }
 
 Geometry mesh_of(const MeshSolid& mesh) {
-  const auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSS<double>>>();
+  const auto model = std::make_shared<fcl::BVHModel<fcl::OBB<double>>>();
   model->beginModel();
   for (const MeshSolid::Triangle& t : mesh.triangles) model->addTriangle(t.a, t.b, t.c);
   model->endModel();

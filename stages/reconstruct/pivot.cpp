@@ -1,9 +1,10 @@
 #include "stages/reconstruct/pivot.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+
+#include "pipeline/math/rotation.hpp"
 
 namespace morphe::reconstruct {
 
@@ -42,7 +43,11 @@ Pivot find_pivot(const std::vector<Pose>& world_from_a, const std::vector<Pose>&
     moved = (normal + weight * Matrix6::Identity()).ldlt().solve(right);
     residual = std::sqrt(std::max(0.0, moved.dot(normal * moved) - 2 * moved.dot(right) + apart));
   }
-  const double least = Eigen::SelfAdjointEigenSolver<Matrix6>(normal).eigenvalues()[0];
+  // The eigenvalues of [1 -T; -Tᵀ 1] are 1 ± the singular values of T, whose squares are those of
+  // TᵀT.
+  const Eigen::Matrix3d coupling = turn / frames;
+  const double largest = math::principal_axes(coupling.transpose() * coupling).moments[2];
+  const double least = 1 - std::sqrt(std::max(0.0, largest));
   return {prior.in_a + moved.head<3>(), prior.in_b + moved.tail<3>(), residual,
           std::max(residual, kFloor) / std::sqrt(std::max(0.0, least) + weight)};
 }
