@@ -86,8 +86,11 @@ endfunction()
 # Folders that folders.txt calls light compute nothing in loops: the time that compiling them with all
 # optimisations takes would never come back.
 set(morphe_light $<$<CONFIG:Release>:-O1>)
-# They are also the ones that read and write JSON.
-morphe_precompiled(morphe_precompiled "")
+# They are also the ones that read and write JSON. In what does compute g++ ends inlining when a source
+# has grown by 40 %: which of Eigen's functions that cuts off hangs on whatever else is in the source.
+# Precompiled headers bring their parameters with them: both sides need the same.
+set(morphe_full $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:--param=inline-unit-growth=100>)
+morphe_precompiled(morphe_precompiled "${morphe_full}")
 morphe_precompiled(morphe_precompiled_light "${morphe_light}" <nlohmann/json.hpp>)
 
 # morphe_packages(PATH VARIABLE): the CMake targets of the packages that folders.txt gives a folder.
@@ -117,6 +120,7 @@ function(morphe_folder path folders packages)
       target_compile_options(${target} PRIVATE ${morphe_light})
       target_precompile_headers(${target} REUSE_FROM morphe_precompiled_light)
     else()
+      target_compile_options(${target} PRIVATE ${morphe_full})
       target_precompile_headers(${target} REUSE_FROM morphe_precompiled)
     endif()
     target_link_libraries(${target} PUBLIC morphe_flags ${links} ${packages})

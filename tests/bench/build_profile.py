@@ -6,11 +6,13 @@
 Builds the release preset with its tests anew in DIR (build/profile), each compiler call timed by
 itself, and runs ctest; then prints tables of the folders and tests that take the most. Without a
 compiler cache; what is up to date in DIR is not built again, and keeps its times. --traces also
-compiles every source with clang's -ftime-trace, and adds tables of headers and templates; a template's
-time includes what it instantiates. --update writes the tables into CONTRIBUTING.md."""
+compiles every source of the program with clang's -ftime-trace, unoptimised, and adds tables of headers and
+templates; a template's time includes what it instantiates. --update writes the tables into CONTRIBUTING.md."""
 import argparse
 import collections
+import concurrent.futures
 import json
+import os
 import pathlib
 import re
 import resource
@@ -34,8 +36,8 @@ def launch(log, command):
     return code
 
 
-def run(*command):
-    subprocess.run([str(word) for word in command], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
+def run(*command, folder=ROOT):
+    subprocess.run([str(word) for word in command], cwd=folder, check=True, stdout=subprocess.DEVNULL)
 
 
 def built(build):
@@ -61,46 +63,71 @@ def by_folder(times):
 
 
 def by_test(build):
-    """Runs ctest one by one; {test: seconds}."""
-    run("ctest", "--test-dir", build, "--output-log", build / "tests.txt", "--quiet")
+    """Runs ctest, a test for each core at a time; {test: seconds}."""
+    run("ctest", "--test-dir", build, "--output-log", build / "tests.txt", "--quiet", "-j", os.cpu_count())
     said = (build / "tests.txt").read_text(encoding="utf-8")
     return collections.Counter({name: float(seconds) for name, seconds in
                                 re.findall(r"Test +#\d+: (\S+) [.]+ +Passed +([\d.]+) sec", said)})
 
 
+def trace(clang, source, out, folder):
+    """Compiles a source unoptimised; the events of clang's -ftime-trace."""
+    run(*clang, "-ftime-trace", "-c", source, "-o", out, folder=folder)
+    return json.loads(out.with_suffix(".json").read_text(encoding="utf-8"))["traceEvents"]
+
+
 def traces(build):
-    """Compiles what the build compiled with clang; ({header: s}, {template: s})."""
+    """Compiles the program's sources with clang, the precompiled header once; ({header: s}, {template: s})."""
     headers, templates = collections.Counter(), collections.Counter()
     out = build / "traces"
     out.mkdir(exist_ok=True)
-    for number, entry in enumerate(json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))):
-        words = shlex.split(entry["command"])
-        if not entry["file"].endswith(".cxx") and "/bench/" in entry["file"] or not entry["file"].endswith(("cxx", "cpp")):
-            continue
-        kept = [word for word in words if word.startswith(("-D", "-I", "-std", "-O", "-march", "-fPIC"))]
-        kept += [word for k, word in enumerate(words) if word == "-isystem" or words[k - 1] == "-isystem"]
-        trace = out / f"{number}.json"
-        subprocess.run(["clang++", *kept, "-w", "-include", ROOT / "cmake/precompiled.hpp", "-ftime-trace", "-c",
-                        entry["file"], "-o", trace.with_suffix(".o")], cwd=entry["directory"], check=False)
-        if trace.exists():
-            add_trace(json.loads(trace.read_text(encoding="utf-8"))["traceEvents"], headers, templates)
+    entries = [entry for entry in json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
+               if entry["file"].endswith("cxx") and "/tests/" not in entry["file"]]
+    flags = sorted({word for entry in entries for word in flags_of(entry["command"])})
+    clang = ["clang++", *flags, "-w", "-O0"]
+    header = out / "precompiled.pch"
+    add_trace(trace([*clang, "-x", "c++-header", "-Xclang", "-emit-pch"], ROOT / "cmake/precompiled.hpp", header, build), headers, templates)
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        jobs = [pool.submit(trace, [*clang, "-include-pch", header], entry["file"], out / f"{number}.o", entry["directory"])
+                for number, entry in enumerate(entries)]
+        for job in jobs:
+            add_trace(job.result(), headers, templates)
     return headers, templates
 
 
+def flags_of(command):
+    words = shlex.split(command)
+    for k, word in enumerate(words):
+        if word.startswith(("-D", "-I", "-std", "-march", "-fPIC")):
+            yield word
+        elif word == "-isystem":
+            yield f"-isystem{words[k + 1]}"
+
+
 def add_trace(events, headers, templates):
-    for event in events:
-        if event.get("name") == "Source":
-            name = re.sub(r".*/(include|include/eigen3|c\+\+/\d+)/", "", event["args"]["detail"])
-            headers[name.removeprefix(f"{ROOT}/")] += event["dur"] / 1e6
-        elif event.get("name") in ("InstantiateFunction", "InstantiateClass"):
-            templates[re.sub(r"<.*", "", event["args"]["detail"])] += event["dur"] / 1e6
+    """Adds a source's events; one inside another of the same name is in that one already."""
+    until = {}
+    for event in sorted((event for event in events if "dur" in event), key=lambda event: (event["ts"], -event["dur"])):
+        if event["name"] == "Source":
+            sums, name = headers, re.sub(r".*/(include|include/eigen3|c\+\+/\d+)/", "", event["args"]["detail"])
+            name = name.removeprefix(f"{ROOT}/")
+        elif event["name"] in ("InstantiateFunction", "InstantiateClass"):
+            sums, name = templates, re.sub(r"<.*", "", event["args"]["detail"])
+        else:
+            continue
+        if event["ts"] >= until.get(name, 0):
+            sums[name] += event["dur"] / 1e6
+            until[name] = event["ts"] + event["dur"]
 
 
-def table(title, counter, top):
+def table(title, counter, top, disjoint=True):
+    """The largest figures; with what the others sum up to, where no figure contains another."""
     rows = [f"| {title} | s |", "|---|---|"]
     rows += [f"| {name} | {seconds:.0f} |" for name, seconds in counter.most_common(top)]
-    rest = sum(seconds for _, seconds in counter.most_common()[top:])
-    return "\n".join(rows + ([f"| the other {len(counter) - top} | {rest:.0f} |"] if len(counter) > top else [])) + "\n"
+    others = [seconds for _, seconds in counter.most_common()[top:]]
+    if others and disjoint:
+        rows.append(f"| the other {len(others)} | {sum(others):.0f} |")
+    return "\n".join(rows) + "\n"
 
 
 def main():
@@ -116,13 +143,13 @@ def main():
     build = arguments.build.resolve()
     folders = by_folder(built(build))
     tables = [f"Measured on: {bench_build.machine()}.\n", table("compiling, by target: processor time", folders, arguments.top),
-              table("tests, one after the other: clock", by_test(build), arguments.top)]
+              table(f"tests, {os.cpu_count()} at a time: clock", by_test(build), arguments.top)]
     if arguments.traces:
         headers, templates = traces(build)
-        tables += [table("headers, with what they include: clang's clock", headers, arguments.top),
-                   table("templates, with what they instantiate: clang's clock", templates, arguments.top)]
+        tables += [table("headers, with all that they include: clang's clock", headers, arguments.top, disjoint=False),
+                   table("templates, with all that they instantiate: clang's clock", templates, arguments.top, disjoint=False)]
     text = "\n".join(tables)
-    print(text)
+    print(text, flush=True)
     if arguments.update:
         before, _, after = PAGE.read_text(encoding="utf-8").partition(BEGIN)
         PAGE.write_text(before + BEGIN + text + END + after.partition(END)[2], encoding="utf-8")
