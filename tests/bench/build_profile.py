@@ -71,8 +71,11 @@ def by_test(build):
 
 
 def trace(clang, source, out, folder):
-    """Compiles a source unoptimised; the events of clang's -ftime-trace."""
-    run(*clang, "-ftime-trace", "-c", source, "-o", out, folder=folder)
+    """Compiles a source unoptimised; the events of clang's -ftime-trace, none if clang cannot compile it."""
+    command = [str(word) for word in (*clang, "-ftime-trace", "-c", source, "-o", out)]
+    if subprocess.run(command, cwd=folder, check=False, stderr=subprocess.DEVNULL).returncode != 0:
+        print(f"clang cannot compile {source}: left out", file=sys.stderr)
+        return []
     return json.loads(out.with_suffix(".json").read_text(encoding="utf-8"))["traceEvents"]
 
 
@@ -104,6 +107,14 @@ def flags_of(command):
             yield f"-isystem{words[k + 1]}"
 
 
+def without_arguments(name):
+    """Eigen::Matrix<double, 6, 6>::Matrix<int> -> Eigen::Matrix::Matrix"""
+    count = 1
+    while count:
+        name, count = re.subn(r"<[^<>]*>", "", name)
+    return name
+
+
 def add_trace(events, headers, templates):
     """Adds a source's events; one inside another of the same name is in that one already."""
     until = {}
@@ -112,7 +123,7 @@ def add_trace(events, headers, templates):
             sums, name = headers, re.sub(r".*/(include|include/eigen3|c\+\+/\d+)/", "", event["args"]["detail"])
             name = name.removeprefix(f"{ROOT}/")
         elif event["name"] in ("InstantiateFunction", "InstantiateClass"):
-            sums, name = templates, re.sub(r"<.*", "", event["args"]["detail"])
+            sums, name = templates, without_arguments(event["args"]["detail"])
         else:
             continue
         if event["ts"] >= until.get(name, 0):
