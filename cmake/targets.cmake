@@ -51,8 +51,8 @@ if(MORPHE_SANITIZE)
   target_compile_options(morphe_flags INTERFACE -fsanitize=${MORPHE_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(morphe_flags INTERFACE -fsanitize=${MORPHE_SANITIZE})
 endif()
-# libFuzzer sees which branches an input takes. Checks of every pointer before it is used take a sixth of
-# the compiler's time: a wrong one is found when it is used, and scripts/test --asan has them.
+# libFuzzer sees which branches an input takes. Checks of every pointer before it is used take a
+# tenth to a quarter of the compiler's time: a wrong one is found when it is used, and scripts/test --asan has them.
 if(MORPHE_FUZZ)
   target_compile_options(morphe_flags INTERFACE -fsanitize=fuzzer-no-link -fno-sanitize=null,alignment,object-size)
 endif()
@@ -83,8 +83,8 @@ function(morphe_precompiled target option)
   target_compile_options(${target} PRIVATE ${option})
   target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp ${ARGN})
 endfunction()
-# Folders that folders.txt calls light compute nothing in loops: the time that compiling them with all
-# optimisations takes would never come back.
+# Folders that folders.txt calls light compute little in loops of their own: the time that compiling them
+# with all optimisations takes would hardly come back.
 set(morphe_light $<$<CONFIG:Release>:-O1>)
 # They are also the ones that read and write JSON. In what does compute g++ ends inlining when a source
 # has grown by 40 %: which of Eigen's functions that cuts off hangs on whatever else is in the source.
