@@ -86,12 +86,14 @@ endfunction()
 # Folders that folders.txt calls light compute little in loops of their own: the time that compiling them
 # with all optimisations takes would hardly come back.
 set(morphe_light $<$<CONFIG:Release>:-O1>)
-# They are also the ones that read and write JSON. In what does compute g++ ends inlining when a source
-# has grown by 40 %: which of Eigen's functions that cuts off hangs on whatever else is in the source.
-# Precompiled headers bring their parameters with them: both sides need the same.
-set(morphe_full $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:--param=inline-unit-growth=100>)
-morphe_precompiled(morphe_precompiled "${morphe_full}")
+# They are also the ones that read and write JSON.
+morphe_precompiled(morphe_precompiled "")
 morphe_precompiled(morphe_precompiled_light "${morphe_light}" <nlohmann/json.hpp>)
+
+# g++ ends inlining when a source has grown by 40 %: which of Eigen's functions that cuts off hangs on
+# whatever else is in the source. Precompiled headers bring their own parameters with them, so folders
+# that folders.txt calls inline do without one.
+set(morphe_inline $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:--param=inline-unit-growth=100>)
 
 # morphe_packages(PATH VARIABLE): the CMake targets of the packages that folders.txt gives a folder.
 # morphe_folder(PATH): one static library for one folder, morphe_<last name> (robot/files:
@@ -119,8 +121,9 @@ function(morphe_folder path folders packages)
     if(path IN_LIST light_folders)
       target_compile_options(${target} PRIVATE ${morphe_light})
       target_precompile_headers(${target} REUSE_FROM morphe_precompiled_light)
+    elseif(path IN_LIST inline_folders)
+      target_compile_options(${target} PRIVATE ${morphe_inline})
     else()
-      target_compile_options(${target} PRIVATE ${morphe_full})
       target_precompile_headers(${target} REUSE_FROM morphe_precompiled)
     endif()
     target_link_libraries(${target} PUBLIC morphe_flags ${links} ${packages})
@@ -132,7 +135,7 @@ endfunction()
 
 # Every folder of the plan.
 function(morphe_folders)
-  file(STRINGS ${plan} rows REGEX "^(package|light|folder) ")
+  file(STRINGS ${plan} rows REGEX "^(package|light|inline|folder) ")
   foreach(row IN LISTS rows)
     string(REGEX REPLACE " +" ";" words "${row}")
     list(POP_FRONT words kind name)
@@ -142,6 +145,9 @@ function(morphe_folders)
       continue()
     elseif(kind STREQUAL "light")
       list(APPEND light_folders ${name} ${words})
+      continue()
+    elseif(kind STREQUAL "inline")
+      list(APPEND inline_folders ${name} ${words})
       continue()
     endif()
     set(folders)

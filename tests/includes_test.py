@@ -45,7 +45,7 @@ class Plan:
         self.packages, self.folders, self.wrong = {}, {}, []
         last_name = {}  # collision -> pipeline/collision
         users = {}
-        light = {}  # path -> where it is named
+        flagged = {}  # path -> where it is said how it is compiled
         for number, line in enumerate(text.splitlines(), 1):
             words = line.split()
             if not words or words[0].startswith("#"):
@@ -57,8 +57,8 @@ class Plan:
                 head, _, headers = " ".join(words[1:]).partition(" : ")
                 self.packages[words[1]] = ("once" in head.split(), tuple(headers.split()))
                 continue
-            if words[0] == "light":
-                light |= dict.fromkeys(words[1:], where)
+            if words[0] in ("light", "inline"):
+                flagged |= dict.fromkeys(words[1:], where)
                 continue
             path = parts[0][0]
             folders = [last_name.get(name, name) for name in (parts[1] if len(parts) > 1 else [])]
@@ -78,7 +78,7 @@ class Plan:
                 self.wrong.append(f"{where}: there is a folder called {name} already")
             last_name[name] = path
             self.folders[path] = (set(folders), set(packages))
-        self.wrong += [f"{where}: there is no folder {path}" for path, where in light.items() if path not in self.folders]
+        self.wrong += [f"{where}: there is no folder {path}" for path, where in flagged.items() if path not in self.folders]
 
     @staticmethod
     def against_rules(path, folders):
