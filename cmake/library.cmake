@@ -1,4 +1,4 @@
-# libmorphe: what the headers in stages/library, pipeline/motion, store and verify show, with
+# libmorphe: what the headers in pipeline/library, core/motion, store and verify show, with
 # everything that it takes inside. Its packages are its own business; who links it sees Eigen alone.
 set(shown)
 foreach(folder motion store verify library)
@@ -8,7 +8,7 @@ add_library(libmorphe SHARED ${shown})
 target_link_libraries(libmorphe PRIVATE morphe_library PUBLIC Eigen3::Eigen)
 morphe_exports(libmorphe exports_library)
 target_compile_features(libmorphe INTERFACE cxx_std_20)
-# pipeline/motion/geometry.hpp refuses anything else.
+# core/motion/geometry.hpp refuses anything else.
 target_compile_definitions(libmorphe INTERFACE ${morphe_eigen})
 # Otherwise the linker looks into our packages, finds that they call functions of Eigen that the
 # program has, too, and shows them its own.
@@ -30,15 +30,15 @@ configure_package_config_file(cmake/MorpheConfig.cmake.in ${CMAKE_BINARY_DIR}/Mo
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/MorpheConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/MorpheConfig.cmake ${CMAKE_BINARY_DIR}/MorpheConfigVersion.cmake
   DESTINATION ${config_folder})
-install(FILES stages/library/morphe.hpp DESTINATION include/morphe)
-install(DIRECTORY pipeline/motion DESTINATION include/morphe/pipeline FILES_MATCHING PATTERN *.hpp
+install(FILES pipeline/library/morphe.hpp DESTINATION include/morphe)
+install(DIRECTORY core/motion DESTINATION include/morphe/core FILES_MATCHING PATTERN *.hpp
   # functions of Eigen's types, which would have to be shown
   PATTERN goals_at.hpp EXCLUDE PATTERN extent.hpp EXCLUDE PATTERN find_world_frames.hpp EXCLUDE)
-install(FILES pipeline/store/demonstration_file.hpp pipeline/store/plan_file.hpp DESTINATION include/morphe/pipeline/store)
-install(FILES pipeline/verify/verify.hpp DESTINATION include/morphe/pipeline/verify)
-# Where pipeline/files/shipped.hpp looks, from bin and from lib.
+install(FILES core/store/demonstration_file.hpp core/store/plan_file.hpp DESTINATION include/morphe/core/store)
+install(FILES stages/verify/verify.hpp stages/verify/violation.hpp DESTINATION include/morphe/stages/verify)
+# Where core/files/shipped.hpp looks, from bin and from lib.
 install(DIRECTORY configs datasets DESTINATION share/morphe)
-install(FILES stages/commands/completion.bash DESTINATION share/bash-completion/completions RENAME morphe)
+install(FILES pipeline/commands/completion.bash DESTINATION share/bash-completion/completions RENAME morphe)
 install(FILES LICENSE DESTINATION share/doc/morphe RENAME copyright)
 
 # cpack: one package for Debian with all of this. What it needs is read off the files themselves.

@@ -102,7 +102,7 @@ set(plan ${PROJECT_SOURCE_DIR}/cmake/folders.txt)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${plan})
 
 function(morphe_target_name path variable)
-  string(REGEX REPLACE "^(pipeline|stages)/" "" name ${path})
+  string(REGEX REPLACE "^(core|stages|pipeline)/" "" name ${path})
   string(REPLACE "/" "_" name ${name})
   set(${variable} morphe_${name} PARENT_SCOPE)
 endfunction()

@@ -1,5 +1,5 @@
 // What a plans.h5 holds: for each plan its status, how long the trajectory takes, what it keeps
-// clear by, and where the joints are at the grasp. Further fields: pipeline/motion/plan.hpp.
+// clear by, and where the joints are at the grasp. Further fields: core/motion/plan.hpp.
 //
 //   read_plans PLANS.h5
 #include <cstdio>

@@ -15,7 +15,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-COPIED = ("pipeline", "stages", "examples", "cmake", "configs", "docs", "tests", "scripts")
+COPIED = ("core", "stages", "pipeline", "examples", "cmake", "configs", "docs", "tests", "scripts")
 FLAGS = ["-std=c++20", "-O0", "-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-DFMT_SHARED", "-I/usr/include/eigen3",
          "-DEIGEN_MAX_ALIGN_BYTES=16", "-DEIGEN_MALLOC_ALREADY_ALIGNED=0"]
 
@@ -31,19 +31,19 @@ ORDER = re.compile(
 
 # What most files of the examples include is compiled once, for those files alone that reach it by
 # their own includes: a file that lacks one still does not compile. Tests include GoogleTest as well.
-COMMON = "pipeline/motion/scene.hpp"
+COMMON = "core/motion/scene.hpp"
 GTEST = "gtest/gtest.h"
 
 # An example's test is a program of its own: these files of the tree are all that it stands on.
 PROGRAMS = {
     "tests/stages/import/markers_csv_test.cpp": [
-        "stages/import/markers_csv.cpp", "stages/import/marker_columns.cpp", "stages/import/marker_recording.cpp",
-        "stages/import/conventions.cpp", "stages/import/rename.cpp", "stages/import/arm_names.cpp",
-        "stages/import/joints_of_points.cpp", "stages/import/rigid_bodies.cpp", "stages/import/hand_tracker.cpp",
-        "stages/import/hand_checks.cpp", "stages/import/hand_clip.cpp", "stages/import/hand_curl.cpp",
-        "stages/import/world_checks.cpp", "pipeline/math/statistics.cpp", "pipeline/motion/extent.cpp",
-        "pipeline/files/csv.cpp", "pipeline/files/text_encoding.cpp", "pipeline/motion/stream_report.cpp"],
-    "tests/pipeline/humanlike/range_middle_term_test.cpp": [],
+        "stages/import/formats/markers_csv.cpp", "stages/import/formats/marker_columns.cpp", "stages/import/formats/marker_recording.cpp",
+        "stages/import/recording/conventions.cpp", "stages/import/recording/rename.cpp", "stages/import/recording/arm_names.cpp",
+        "stages/import/formats/joints_of_points.cpp", "stages/import/formats/rigid_bodies.cpp", "stages/import/trackers/hand_tracker.cpp",
+        "stages/import/trackers/hand_checks.cpp", "stages/import/trackers/hand_clip.cpp", "stages/import/trackers/hand_curl.cpp",
+        "stages/import/trackers/world_checks.cpp", "core/math/statistics.cpp", "core/motion/extent.cpp",
+        "core/files/csv.cpp", "core/files/text_encoding.cpp", "core/motion/stream_report.cpp"],
+    "tests/core/humanlike/range_middle_term_test.cpp": [],
     "tests/stages/export/trajectory_jsonl_test.cpp": ["stages/export/trajectory_jsonl.cpp"],
     "tests/stages/dwell/dwell_test.cpp": ["stages/dwell/dwell.cpp"],
 }

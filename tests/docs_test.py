@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Holds the documents against the program and the sources.
 
-  docs_test.py MORPHE            links, tables of keys, the list of commands; then runs what the
+  docs_test.py MORPHE            links, tables of keys and folders, the list of commands; then runs what the
                                  READMEs, the tour, the page of controllers and those of the steps show,
                                  in a copy, and compares what is shown as printed: to the letter, where
                                  the build is the one that printed it (SHOWN_BY)
@@ -52,7 +52,7 @@ def anchors(markdown):
 
 def wrong_links():
     documents = [*ROOT.glob("*.md"), ROOT / "outputs/README.md"]
-    documents += [path for top in ("docs", "datasets") for path in (ROOT / top).rglob("*.md")]
+    documents += [path for top in ("docs", "datasets", "core", "stages", "pipeline") for path in (ROOT / top).rglob("*.md")]
     for document in documents:
         where = document.relative_to(ROOT)
         for link in re.findall(r"\]\(([^)\s]+)\)", FENCE.sub("", document.read_text(encoding="utf-8"))):
@@ -121,7 +121,7 @@ def as_written(default):
 
 def sources_of(struct):
     """The file that holds a struct and its fields()."""
-    for top in ("pipeline", "stages"):
+    for top in ("core", "stages", "pipeline"):
         for path in sorted((ROOT / top).rglob("*.hpp")):
             text = path.read_text(encoding="utf-8")
             if f"struct {struct} {{" in text and struct in [name for name, _ in FIELDS.findall(text)]:
@@ -136,7 +136,7 @@ parts = set()  # structs whose keys stand in the table of the struct that holds 
 
 def rows_of_terms(sources):
     """Those of the objective's terms: off, but for the weights that usual_objective() sets."""
-    for term in re.findall(r"\w+(?=,|$)", re.sub(r"\s|//", "", TERMS.search(text_of("pipeline/humanlike/terms.hpp"))[1])):
+    for term in re.findall(r"\w+(?=,|$)", re.sub(r"\s|//", "", TERMS.search(text_of("core/humanlike/terms.hpp"))[1])):
         for key, default in rows_of(sources_of(term), term):
             usual = re.search(rf"get<humanlike::{term}>\(\)\.weight = (\S+);", sources)
             yield key, as_written(plain(usual[1])) if usual else default
@@ -211,13 +211,40 @@ def wrong_keys():
     for name in with_tables():
         yield from wrong_tables(name, text_of(name))
         documented |= {comment.split()[-1] for comment, _ in TABLE.findall(text_of(name))}
-    for top in ("pipeline", "stages"):
+    for top in ("core", "stages", "pipeline"):
         for path in sorted((ROOT / top).rglob("*.[hc]pp")):
-            if path == ROOT / "pipeline/config/fields.hpp":
+            if path == ROOT / "core/config/fields.hpp":
                 continue
             for struct, _ in FIELDS.findall(path.read_text(encoding="utf-8")):
                 if struct not in documented | parts | {"FrameObjective"}:
                     yield f"docs: {struct} ({path.relative_to(ROOT)}) has no table"
+
+
+# --- folders -------------------------------------------------------------------------------------
+
+FOLDERS = re.compile(r"(<!-- folders: (.*?) -->\n)(.*?)(<!-- until here -->)", re.S)
+
+
+def table_of_folders(plan):
+    """A line for each row `folder PATH : FOLDER… : PACKAGE…` of a plan, with the first sentence of its README."""
+    lines = ["| folder | contents | includes |", "|---|---|---|"]
+    for path, others in re.findall(r"^folder (\S+)[ \t]*(?::([^:\n]*))?", text_of(plan), re.M):
+        readme = ROOT / path / "README.md"
+        sentence = readme.read_text(encoding="utf-8").split("\n\n", 1)[1].splitlines()[0] if readme.exists() else ""
+        lines.append(f"| [{path}](../{path}) | {sentence} | {' '.join(others.split())} |")
+    return "\n".join(lines) + "\n"
+
+
+def with_folders(text):
+    return FOLDERS.sub(lambda found: found[1] + table_of_folders(found[2]) + found[4], text)
+
+
+def wrong_folders():
+    for path in re.findall(r"^folder (\S+)", text_of("cmake/folders.txt"), re.M):
+        if not (ROOT / path / "README.md").exists():
+            yield f"{path}: has no README.md that says what it is and where to begin"
+    if with_folders(text_of("docs/design.md")) != text_of("docs/design.md"):
+        yield "docs/design.md: its table of folders is not that of cmake/folders.txt and the READMEs: --update"
 
 
 # --- commands ------------------------------------------------------------------------------------
@@ -272,7 +299,7 @@ QUOTED = re.compile(r"^\| (`+)(.+?)\1 \|", re.M)
 
 def wrong_messages(text):
     """What docs/troubleshooting.md says that the program prints, but for the `…` of each case."""
-    sources = "".join(path.read_text(encoding="utf-8") for top in ("pipeline", "stages")
+    sources = "".join(path.read_text(encoding="utf-8") for top in ("core", "stages", "pipeline")
                       for path in sorted((ROOT / top).rglob("*.cpp")))
     sources = re.sub(r'"\s*\n\s*"', "", sources)  # literals that stand one after the other
     for _, messages in QUOTED.findall(text):
@@ -430,6 +457,8 @@ def self_test():
     yield from wrong_tables("as it is", page)
     if with_keys(page) != page:
         yield "what is right is changed"
+    if with_folders("<!-- folders: cmake/folders.txt -->\n| old |\n<!-- until here -->").count("](../stages/") < 10:
+        yield "the table of folders is not made from the rows"
     for right, wrong, mended in PLANTED:
         planted = page.replace(right, wrong)
         if planted == page:
@@ -452,7 +481,8 @@ def main(arguments):
     if update:
         for name in with_tables():
             (ROOT / name).write_text(with_keys(text_of(name)), encoding="utf-8")
-    found = [*wrong_links(), *wrong_keys(), *wrong_commands(morphe)]
+        (ROOT / "docs/design.md").write_text(with_folders(text_of("docs/design.md")), encoding="utf-8")
+    found = [*wrong_links(), *wrong_keys(), *wrong_folders(), *wrong_commands(morphe)]
     found += wrong_messages(text_of("docs/troubleshooting.md"))
     if "--still" not in arguments:
         found += wrong_examples(morphe, update)

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""One name, one type: every file under pipeline/ and stages/ writes into the namespace of its folder,
-no namespace defines a type twice, and no folder's type is called like a noun of pipeline/motion/.
+"""One name, one type: every file under core/, stages/ and pipeline/ writes into the namespace of its folder,
+no namespace defines a type twice, and no folder's type is called like a noun of core/motion/.
 
   names_test.py [ROOT]        the check
   names_test.py --self-test   plants one fault of each kind in what was read; each must be found
 
-A folder's namespace is morphe:: and its name (robot/files: robot); the nouns of pipeline/motion/
-and what stages/library/ adds to them are in morphe itself; import and export, which C++ keeps for
+A folder's namespace is morphe:: and its name (robot/files: robot); the nouns of core/motion/
+and what pipeline/library/ adds to them are in morphe itself; import and export, which C++ keeps for
 itself, are imports and exports. What is unnamed in a .cpp file has internal linkage, but its types
 may not be called like one that the file could see.
 """
@@ -65,8 +65,8 @@ def opened_by(text):
 
 
 def sources_of(root):
-    """{path: text} of every source under pipeline/ and stages/."""
-    files = [path for top in ("pipeline", "stages") for path in (root / top).rglob("*") if path.suffix in {".hpp", ".cpp"}]
+    """{path: text} of every source under core/, stages/ and pipeline/."""
+    files = [path for top in ("core", "stages", "pipeline") for path in (root / top).rglob("*") if path.suffix in {".hpp", ".cpp"}]
     return {path.relative_to(root).as_posix(): path.read_text(encoding="utf-8") for path in files}
 
 
@@ -93,17 +93,17 @@ def check(sources):
 
 
 PLANTED = [
-    ("pipeline/collision/planted.hpp", "namespace morphe::collision {\nstruct CollisionWorld {\n};\n}\n"),
-    ("pipeline/collision/planted.cpp", "namespace morphe::collision {\nstruct Twice {};\nenum class Twice { a };\n}\n"),
-    ("pipeline/collision/planted.cpp", "namespace morphe::collision {\nusing CollisionWorld = int;\n}\n"),
-    ("pipeline/collision/planted.cpp", "namespace morphe::collision {\nstruct Plan final : Base {};\n}\n"),
-    ("pipeline/collision/planted.cpp", "namespace morphe::collision {\nnamespace {\nstruct CollisionWorld {};\n}\n}\n"),
-    ("pipeline/collision/planted.hpp", "namespace morphe::collision {\nclass MORPHE_EXPORT CollisionWorld {\n};\n}\n"),
-    ("pipeline/collision/planted.cpp", "namespace morphe::solve {\n}\n"),
+    ("core/collision/planted.hpp", "namespace morphe::collision {\nstruct CollisionWorld {\n};\n}\n"),
+    ("core/collision/planted.cpp", "namespace morphe::collision {\nstruct Twice {};\nenum class Twice { a };\n}\n"),
+    ("core/collision/planted.cpp", "namespace morphe::collision {\nusing CollisionWorld = int;\n}\n"),
+    ("core/collision/planted.cpp", "namespace morphe::collision {\nstruct Plan final : Base {};\n}\n"),
+    ("core/collision/planted.cpp", "namespace morphe::collision {\nnamespace {\nstruct CollisionWorld {};\n}\n}\n"),
+    ("core/collision/planted.hpp", "namespace morphe::collision {\nclass MORPHE_EXPORT CollisionWorld {\n};\n}\n"),
+    ("core/collision/planted.cpp", "namespace morphe::solve {\n}\n"),
     ("stages/map/planted.cpp", "namespace morphe {\nstruct Loose {};\n}\n"),
 ]
 ALLOWED = [
-    ("pipeline/collision/planted.cpp", "namespace morphe::collision {\nstruct CollisionWorld;\nstruct A { struct Plan {}; };\n}\n"),
+    ("core/collision/planted.cpp", "namespace morphe::collision {\nstruct CollisionWorld;\nstruct A { struct Plan {}; };\n}\n"),
     ("stages/map/planted.cpp", 'namespace morphe::map {\n// struct Plan {}\nconst char* a = "struct Plan {";\n}\n'),
     ("pipeline/run/planted.hpp", "namespace morphe::solve {\nstruct Minimum;  // elsewhere\n}\n"),
     ("stages/export/planted.cpp", "namespace morphe::exports {\nnamespace {\nstruct Row {};\n}\n}\n"),

@@ -5,7 +5,7 @@ other headers. The unity build compiles many files as one and would let a missin
   self_contained_test.py [ROOT]        the check
   self_contained_test.py --self-test   removes includes and uses foreign names; each must be found
 
-It reads the text alone. A name is a type, function or constant that a header of pipeline/ or stages/
+It reads the text alone. A name is a type, function or constant that a header of core/, stages/ or pipeline/
 declares at namespace scope. A type counts as used wherever its name stands, a function or constant
 where it is qualified by its folder's namespace, or called or named in a file of the same namespace.
 What it cannot see (macros, functions that several folders have, calls that only argument-
@@ -20,7 +20,7 @@ import sys
 import names_test
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-INCLUDE = re.compile(r'^#include "((?:pipeline|stages)/[^"]+)"', re.M)
+INCLUDE = re.compile(r'^#include "((?:core|stages|pipeline)/[^"]+)"', re.M)
 NAMESPACE = re.compile(r"\bnamespace\s+([\w:]*)\s*$")
 # Behind it, at namespace scope, a name is declared.
 NO_FUNCTION = "void|bool|operator|alignas|decltype|static_assert|requires|if|for|while|switch|return"
@@ -141,7 +141,7 @@ class Tree:
 
 def sources_of(root):
     return {path.relative_to(root).as_posix(): path.read_text(encoding="utf-8")
-            for top in ("pipeline", "stages") for path in (root / top).rglob("*.[ch]pp")}
+            for top in ("core", "stages", "pipeline") for path in (root / top).rglob("*.[ch]pp")}
 
 
 def check(sources, paths=None):
@@ -153,8 +153,8 @@ def check(sources, paths=None):
 # A file, what is removed from it or put at its end, and the name that is missing then.
 PLANTED = [
     ("stages/repair/ladder.cpp", None, "namespace morphe::repair { math::QuinticPiece planted(); }", "QuinticPiece"),
-    ("pipeline/cover/cover.cpp", '#include "pipeline/math/rotation.hpp"\n', "", "principal_axes"),
-    ("stages/scene/other_arm.cpp", '#include "pipeline/math/rotation.hpp"\n', "", "shortest_rotation"),
+    ("core/cover/cover.cpp", '#include "core/math/rotation.hpp"\n', "", "principal_axes"),
+    ("stages/scene/other_arm.cpp", '#include "core/math/rotation.hpp"\n', "", "shortest_rotation"),
 ]
 
 

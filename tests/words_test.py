@@ -12,26 +12,27 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+LAYERS = ("core", "stages", "pipeline")
 TABLE = re.compile(r"names_of\((\w+)\)\s*\{\s*return\s*\{(.*?)\}", re.S)
 # Words that are also the names of other things: of an object, of a chain of joints, of a kind of
 # obstacle that a study puts there. Where they are meant stands beside them.
 OTHERS = {
-    ("pipeline/collision", "table"): "the object that scene.table makes",
+    ("core/collision", "table"): "the object that scene.table makes",
     ("stages/scene/scene_options.cpp", "table"): "the object that scene.table makes",
     ("stages/check/check_collisions.cpp", "table"): "the object that scene.table makes",
     ("stages/scene/scene_options.cpp", "mesh"): "a key of the config, which has convex beside it",
-    ("pipeline/robot/files/places.cpp", "base"): "the frame",
-    ("stages/commands/inspect_report.cpp", "shoulder"): "the joint",
+    ("core/robot/files/places.cpp", "base"): "the frame",
+    ("pipeline/commands/inspect_report.cpp", "shoulder"): "the joint",
     ("stages/reconstruct/joint_centre.cpp", "shoulder"): "the joint",
-    ("stages/study/obstacles.cpp", "object"): "a kind of obstacle",
-    ("stages/study/obstacles.cpp", "reach"): "a kind of obstacle",
+    ("pipeline/study/obstacles.cpp", "object"): "a kind of obstacle",
+    ("pipeline/study/obstacles.cpp", "reach"): "a kind of obstacle",
 }
 
 
 def words(root):
     """{word: the enumerations that have it}"""
     found = {}
-    for path in sorted((root / "pipeline").rglob("*.hpp")) + sorted((root / "stages").rglob("*.hpp")):
+    for path in (path for top in LAYERS for path in sorted((root / top).rglob("*.hpp"))):
         for enumeration, body in TABLE.findall(path.read_text(encoding="utf-8")):
             for word in filter(None, re.findall(r'"([^"]*)"', body)):
                 found.setdefault(word, []).append(enumeration)
@@ -41,7 +42,7 @@ def words(root):
 def check(root):
     known, found = words(root), []
     either = re.compile(r'[=!]=\s*"([^"]*)"|"([^"]*)"\s*[=!]=')
-    for top in ("pipeline", "stages"):
+    for top in LAYERS:
         for path in sorted((root / top).rglob("*.[ch]pp")):
             name = path.relative_to(root).as_posix()
             for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
@@ -67,7 +68,7 @@ def self_test():
     for line in PLANTED:
         with tempfile.TemporaryDirectory() as folder:
             copy = pathlib.Path(folder)
-            for top in ("pipeline", "stages"):
+            for top in LAYERS:
                 shutil.copytree(ROOT / top, copy / top)
             (copy / "stages/map/planted.cpp").write_text(f"{line}\n", encoding="utf-8")
             if not any("planted.cpp:1:" in fault for fault in check(copy)):

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "pipeline/motion/counted.hpp"
-#include "pipeline/parallel/ordered_map.hpp"
+#include "core/motion/counted.hpp"
+#include "core/parallel/ordered_map.hpp"
 
 namespace morphe::run {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/motion/demonstration.hpp"
-#include "pipeline/motion/plan.hpp"
+#include "core/motion/demonstration.hpp"
+#include "core/motion/plan.hpp"
 
 namespace morphe::run {
 

@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "pipeline/config/node.hpp"
+#include "core/config/node.hpp"
 
 namespace morphe::run {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "pipeline/motion/input_error.hpp"
+#include "core/motion/input_error.hpp"
 
 struct sqlite3;
 struct sqlite3_stmt;

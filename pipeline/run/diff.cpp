@@ -8,10 +8,10 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/store/hdf5_file.hpp"
+#include "core/store/plan_file.hpp"
 #include "pipeline/run/config_changes.hpp"
 #include "pipeline/run/diff_place.hpp"
-#include "pipeline/store/hdf5_file.hpp"
-#include "pipeline/store/plan_file.hpp"
 
 namespace morphe::run {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/store/hdf5_file.hpp"
+#include "core/store/hdf5_file.hpp"
 
 namespace morphe::run {
 

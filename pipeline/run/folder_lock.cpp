@@ -9,7 +9,7 @@
 #include <cstring>
 #include <system_error>
 
-#include "pipeline/motion/input_error.hpp"
+#include "core/motion/input_error.hpp"
 
 namespace morphe::run {
 namespace {

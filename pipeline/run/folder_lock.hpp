@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "pipeline/files/unfinished.hpp"
+#include "core/files/unfinished.hpp"
 
 namespace morphe::run {
 

@@ -8,12 +8,12 @@
 #include <mutex>
 #include <system_error>
 
-#include "pipeline/files/sha256.hpp"
-#include "pipeline/motion/input_error.hpp"
+#include "core/files/sha256.hpp"
+#include "core/motion/input_error.hpp"
+#include "core/store/bytes.hpp"
 #include "pipeline/run/journal_tables.hpp"
 #include "pipeline/run/plans_print.hpp"
 #include "pipeline/run/summary_text.hpp"
-#include "pipeline/store/bytes.hpp"
 
 namespace morphe::run {
 namespace {

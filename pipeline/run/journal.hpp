@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/motion/plan.hpp"
-#include "pipeline/motion/robot_table.hpp"
+#include "core/motion/plan.hpp"
+#include "core/motion/robot_table.hpp"
 #include "pipeline/run/batch.hpp"
 #include "pipeline/run/shard.hpp"
 

@@ -10,13 +10,13 @@
 #include <queue>
 #include <utility>
 
-#include "pipeline/motion/counted.hpp"
-#include "pipeline/motion/input_error.hpp"
+#include "core/motion/counted.hpp"
+#include "core/motion/input_error.hpp"
+#include "core/store/bytes.hpp"
 #include "pipeline/run/config_changes.hpp"
 #include "pipeline/run/journal.hpp"
 #include "pipeline/run/plans_print.hpp"
 #include "pipeline/run/write_plans.hpp"
-#include "pipeline/store/bytes.hpp"
 
 namespace morphe::run {
 namespace {

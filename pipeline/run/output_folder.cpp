@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/motion/input_error.hpp"
+#include "core/motion/input_error.hpp"
 
 namespace morphe::run {
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "pipeline/files/sha256.hpp"
-#include "pipeline/motion/input_error.hpp"
-#include "pipeline/store/bytes.hpp"
-#include "pipeline/store/plan_file.hpp"
+#include "core/files/sha256.hpp"
+#include "core/motion/input_error.hpp"
+#include "core/store/bytes.hpp"
+#include "core/store/plan_file.hpp"
 
 namespace morphe::run {
 

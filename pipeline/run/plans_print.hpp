@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "pipeline/motion/plan.hpp"
+#include "core/motion/plan.hpp"
 
 namespace morphe::run {
 

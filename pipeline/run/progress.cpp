@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/motion/counted.hpp"
+#include "core/motion/counted.hpp"
 
 namespace morphe::run {
 namespace {

@@ -6,15 +6,15 @@
 #include <algorithm>
 #include <set>
 
-#include "pipeline/files/sha256.hpp"
-#include "pipeline/motion/input_error.hpp"
-#include "pipeline/parallel/ordered_map.hpp"
+#include "core/files/sha256.hpp"
+#include "core/motion/input_error.hpp"
+#include "core/parallel/ordered_map.hpp"
+#include "core/store/bytes.hpp"
+#include "core/store/consistency.hpp"
+#include "core/store/demonstration_file.hpp"
 #include "pipeline/run/config_changes.hpp"
 #include "pipeline/run/stop_signal.hpp"
 #include "pipeline/run/write_plans.hpp"
-#include "pipeline/store/bytes.hpp"
-#include "pipeline/store/consistency.hpp"
-#include "pipeline/store/demonstration_file.hpp"
 
 namespace morphe::run {
 namespace {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "pipeline/files/disk.hpp"
+#include "core/files/disk.hpp"
 #include "pipeline/run/batch.hpp"
 #include "pipeline/run/journal.hpp"
 #include "pipeline/run/progress.hpp"

@@ -4,7 +4,7 @@
 
 #include <system_error>
 
-#include "pipeline/motion/input_error.hpp"
+#include "core/motion/input_error.hpp"
 #include "pipeline/run/plans_print.hpp"
 
 namespace morphe::run {

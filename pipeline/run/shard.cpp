@@ -10,7 +10,7 @@
 #include <queue>
 #include <utility>
 
-#include "pipeline/motion/input_error.hpp"
+#include "core/motion/input_error.hpp"
 
 namespace morphe::run {
 namespace {

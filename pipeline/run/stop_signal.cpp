@@ -9,7 +9,7 @@
 #include <mutex>
 #include <utility>
 
-#include "pipeline/files/unfinished.hpp"
+#include "core/files/unfinished.hpp"
 
 namespace morphe::run {
 namespace {

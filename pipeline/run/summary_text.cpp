@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/motion/input_error.hpp"
+#include "core/motion/input_error.hpp"
 
 namespace morphe::run {
 

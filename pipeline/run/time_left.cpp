@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "pipeline/motion/geometry.hpp"
+#include "core/motion/geometry.hpp"
 
 namespace morphe::run {
 

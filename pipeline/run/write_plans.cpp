@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/motion/input_error.hpp"
-#include "pipeline/store/bytes.hpp"
+#include "core/motion/input_error.hpp"
+#include "core/store/bytes.hpp"
 
 namespace morphe::run {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "core/store/plan_file.hpp"
 #include "pipeline/run/journal.hpp"
-#include "pipeline/store/plan_file.hpp"
 
 namespace morphe::run {
 

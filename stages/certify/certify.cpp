@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "pipeline/collision/certified.hpp"
-#include "pipeline/math/quintic.hpp"
+#include "core/collision/certified.hpp"
+#include "core/math/quintic.hpp"
 #include "stages/certify/goal_errors.hpp"
 #include "stages/certify/smoothness.hpp"
 #include "stages/certify/trajectory_motion.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "pipeline/collision/world.hpp"
-#include "pipeline/motion/outcome.hpp"
-#include "pipeline/motion/plan.hpp"
+#include "core/collision/world.hpp"
+#include "core/motion/outcome.hpp"
+#include "core/motion/plan.hpp"
 
 namespace morphe::certify {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/humanlike/metrics.hpp"
-#include "pipeline/math/quintic.hpp"
-#include "pipeline/motion/goals_at.hpp"
-#include "pipeline/robot/forward.hpp"
+#include "core/humanlike/metrics.hpp"
+#include "core/math/quintic.hpp"
+#include "core/motion/goals_at.hpp"
+#include "core/robot/forward.hpp"
 
 namespace morphe::certify {
 namespace {

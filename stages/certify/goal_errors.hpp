@@ -1,7 +1,7 @@
 #pragma once
 
-#include "pipeline/motion/plan.hpp"
-#include "pipeline/robot/robot.hpp"
+#include "core/motion/plan.hpp"
+#include "core/robot/robot.hpp"
 
 namespace morphe::certify {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "pipeline/robot/forward.hpp"
+#include "core/robot/forward.hpp"
 
 namespace morphe::certify {
 namespace {

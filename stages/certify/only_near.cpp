@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/motion/goals_at.hpp"
+#include "core/motion/goals_at.hpp"
 
 namespace morphe::certify {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "pipeline/robot/forward.hpp"
+#include "core/robot/forward.hpp"
 #include "stages/certify/trajectory_motion.hpp"
 
 namespace morphe::certify {

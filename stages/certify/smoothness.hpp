@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "pipeline/motion/plan.hpp"
-#include "pipeline/motion/robot_table.hpp"
+#include "core/motion/plan.hpp"
+#include "core/motion/robot_table.hpp"
 
 namespace morphe::certify {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <memory>
 
-#include "pipeline/math/quintic.hpp"
+#include "core/math/quintic.hpp"
 
 namespace morphe::certify {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "pipeline/collision/certified.hpp"
-#include "pipeline/motion/plan.hpp"
+#include "core/collision/certified.hpp"
+#include "core/motion/plan.hpp"
 
 namespace morphe::certify {
 

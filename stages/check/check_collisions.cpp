@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/collision/fcl_engine.hpp"
+#include "core/collision/fcl_engine.hpp"
 
 namespace morphe::check {
 namespace {

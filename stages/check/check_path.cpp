@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "pipeline/motion/goals_at.hpp"
-#include "pipeline/robot/forward.hpp"
-#include "pipeline/robot/tree.hpp"
+#include "core/motion/goals_at.hpp"
+#include "core/robot/forward.hpp"
+#include "core/robot/tree.hpp"
 #include "stages/check/check_collisions.hpp"
 #include "stages/check/finding_rows.hpp"
 

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "pipeline/collision/certified.hpp"
-#include "pipeline/motion/plan.hpp"
+#include "core/collision/certified.hpp"
+#include "core/motion/plan.hpp"
 
 namespace morphe::check {
 

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <vector>
 
-#include "pipeline/motion/plan.hpp"
+#include "core/motion/plan.hpp"
 
 namespace morphe::check {
 

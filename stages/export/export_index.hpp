@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/math/quintic.hpp"
-#include "pipeline/motion/plan.hpp"
-#include "pipeline/motion/robot_table.hpp"
+#include "core/math/quintic.hpp"
+#include "core/motion/plan.hpp"
+#include "core/motion/robot_table.hpp"
 #include "stages/export/joint_group.hpp"
 #include "stages/export/plan_motions.hpp"
 

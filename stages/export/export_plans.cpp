@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/motion/input_error.hpp"
-#include "pipeline/store/plan_file.hpp"
+#include "core/motion/input_error.hpp"
+#include "core/store/plan_file.hpp"
 #include "stages/export/grasp_files.hpp"
 #include "stages/export/robomimic.hpp"
 #include "stages/export/ros_trajectory.hpp"

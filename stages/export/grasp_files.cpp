@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "pipeline/store/json_layout.hpp"
-#include "pipeline/store/plan_layout.hpp"
+#include "core/store/json_layout.hpp"
+#include "core/store/plan_layout.hpp"
 #include "stages/export/csv_cell.hpp"
 #include "stages/export/joint_group.hpp"
 

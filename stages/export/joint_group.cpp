@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "pipeline/motion/input_error.hpp"
-#include "pipeline/robot/tree.hpp"
+#include "core/motion/input_error.hpp"
+#include "core/robot/tree.hpp"
 
 namespace morphe::exports {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "pipeline/math/quintic.hpp"
+#include "core/math/quintic.hpp"
 
 namespace morphe::exports {
 namespace {

@@ -6,9 +6,9 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/motion/input_error.hpp"
-#include "pipeline/robot/forward.hpp"
-#include "pipeline/store/layout.hpp"
+#include "core/motion/input_error.hpp"
+#include "core/robot/forward.hpp"
+#include "core/store/layout.hpp"
 
 namespace morphe::exports {
 namespace {

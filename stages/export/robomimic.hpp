@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "pipeline/motion/plan.hpp"
-#include "pipeline/motion/robot_table.hpp"
+#include "core/motion/plan.hpp"
+#include "core/motion/robot_table.hpp"
 #include "stages/export/robomimic_file.hpp"
 
 namespace morphe::exports {

@@ -6,9 +6,9 @@
 #include <cassert>
 #include <optional>
 
-#include "pipeline/store/array_codec.hpp"
-#include "pipeline/store/hdf5_file.hpp"
-#include "pipeline/store/plan_layout.hpp"
+#include "core/store/array_codec.hpp"
+#include "core/store/hdf5_file.hpp"
+#include "core/store/plan_layout.hpp"
 
 namespace morphe::exports {
 namespace {

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "pipeline/files/part_file.hpp"
-#include "pipeline/motion/geometry.hpp"
-#include "pipeline/motion/plan.hpp"
+#include "core/files/part_file.hpp"
+#include "core/motion/geometry.hpp"
+#include "core/motion/plan.hpp"
 
 namespace morphe::exports {
 

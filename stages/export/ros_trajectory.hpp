@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "pipeline/motion/plan.hpp"
+#include "core/motion/plan.hpp"
 #include "stages/export/joint_group.hpp"
 
 namespace morphe::exports {

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "pipeline/motion/input_error.hpp"
+#include "core/motion/input_error.hpp"
 
 namespace morphe::exports {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/files/part_file.hpp"
+#include "core/files/part_file.hpp"
 
 namespace morphe::exports {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/robot/forward.hpp"
-#include "pipeline/robot/tree.hpp"
+#include "core/robot/forward.hpp"
+#include "core/robot/tree.hpp"
 
 namespace morphe::grasp {
 namespace {

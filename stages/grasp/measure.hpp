@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pipeline/collision/world.hpp"
+#include "core/collision/world.hpp"
 #include "stages/grasp/touch.hpp"
 
 namespace morphe::grasp {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/closure/ferrari_canny.hpp"
-#include "pipeline/closure/gravity_margin.hpp"
-#include "pipeline/closure/share_forces.hpp"
-#include "pipeline/collision/distance.hpp"
-#include "pipeline/robot/forward.hpp"
+#include "core/closure/ferrari_canny.hpp"
+#include "core/closure/gravity_margin.hpp"
+#include "core/closure/share_forces.hpp"
+#include "core/collision/distance.hpp"
+#include "core/robot/forward.hpp"
 
 namespace morphe::grasp {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pipeline/collision/world.hpp"
+#include "core/collision/world.hpp"
 #include "stages/grasp/grasp_options.hpp"
 
 namespace morphe::grasp {

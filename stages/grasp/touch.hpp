@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "pipeline/collision/distance.hpp"
-#include "pipeline/motion/plan.hpp"
-#include "pipeline/robot/robot.hpp"
+#include "core/collision/distance.hpp"
+#include "core/motion/plan.hpp"
+#include "core/robot/robot.hpp"
 #include "stages/grasp/grasp_options.hpp"
 
 namespace morphe::grasp {

@@ -1,7 +1,7 @@
-#include "pipeline/files/part_file.hpp"
-#include "pipeline/store/demonstration_file.hpp"
+#include "core/files/part_file.hpp"
+#include "core/store/demonstration_file.hpp"
+#include "stages/import/folders/manifest.hpp"
 #include "stages/import/import.hpp"
-#include "stages/import/manifest.hpp"
 
 namespace morphe::imports {
 

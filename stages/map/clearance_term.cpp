@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "pipeline/robot/forward.hpp"
-#include "pipeline/robot/tree.hpp"
+#include "core/robot/forward.hpp"
+#include "core/robot/tree.hpp"
 
 namespace morphe::map {
 namespace {

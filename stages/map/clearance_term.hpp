@@ -1,7 +1,7 @@
 #pragma once
 
-#include "pipeline/collision/world.hpp"
-#include "pipeline/solve/quadratic.hpp"
+#include "core/collision/world.hpp"
+#include "core/solve/quadratic.hpp"
 
 namespace morphe::map {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "pipeline/solve/minimise_movement.hpp"
+#include "core/solve/minimise_movement.hpp"
 #include "stages/map/mapping_problem.hpp"
 
 namespace morphe::map {

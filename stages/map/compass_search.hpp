@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "pipeline/motion/geometry.hpp"
+#include "core/motion/geometry.hpp"
 
 namespace morphe::map {
 

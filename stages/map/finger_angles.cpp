@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/humanlike/loads.hpp"
-#include "pipeline/humanlike/posed_like.hpp"
-#include "pipeline/robot/forward.hpp"
-#include "pipeline/robot/tree.hpp"
-#include "pipeline/solve/minimise.hpp"
+#include "core/humanlike/loads.hpp"
+#include "core/humanlike/posed_like.hpp"
+#include "core/robot/forward.hpp"
+#include "core/robot/tree.hpp"
+#include "core/solve/minimise.hpp"
 #include "stages/map/finger_curve.hpp"
 
 namespace morphe::map {

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "pipeline/human/hand.hpp"
-#include "pipeline/humanlike/metrics.hpp"
-#include "pipeline/motion/robot_table.hpp"
+#include "core/human/hand.hpp"
+#include "core/humanlike/metrics.hpp"
+#include "core/motion/robot_table.hpp"
 
 namespace morphe::map {
 

@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "pipeline/solve/minimise.hpp"
+#include "core/solve/minimise.hpp"
 #include "stages/map/mapping_problem.hpp"
 
 namespace morphe::map {

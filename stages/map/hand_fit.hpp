@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "pipeline/motion/hand_bones.hpp"
-#include "pipeline/motion/human_motion.hpp"
+#include "core/motion/hand_bones.hpp"
+#include "core/motion/human_motion.hpp"
 
 namespace morphe::map {
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "pipeline/humanlike/arm_chain.hpp"
-#include "pipeline/humanlike/posed_like.hpp"
-#include "pipeline/robot/forward.hpp"
-#include "pipeline/robot/tree.hpp"
+#include "core/humanlike/arm_chain.hpp"
+#include "core/humanlike/posed_like.hpp"
+#include "core/robot/forward.hpp"
+#include "core/robot/tree.hpp"
 #include "stages/map/finger_angles.hpp"
 
 namespace morphe::map {

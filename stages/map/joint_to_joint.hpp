@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "pipeline/humanlike/frame_goal.hpp"
-#include "pipeline/motion/plan.hpp"
-#include "pipeline/robot/robot.hpp"
+#include "core/humanlike/frame_goal.hpp"
+#include "core/motion/plan.hpp"
+#include "core/robot/robot.hpp"
 
 namespace morphe::map {
 

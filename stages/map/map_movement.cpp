@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "pipeline/humanlike/arm_chain.hpp"
-#include "pipeline/humanlike/metrics.hpp"
-#include "pipeline/math/seed.hpp"
-#include "pipeline/robot/forward.hpp"
+#include "core/humanlike/arm_chain.hpp"
+#include "core/humanlike/metrics.hpp"
+#include "core/math/seed.hpp"
+#include "core/robot/forward.hpp"
 #include "stages/map/finger_curve.hpp"
 #include "stages/map/movement_search.hpp"
 #include "stages/map/nearest.hpp"

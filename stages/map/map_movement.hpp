@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "pipeline/motion/outcome.hpp"
+#include "core/motion/outcome.hpp"
 #include "stages/map/map_options.hpp"
 #include "stages/map/mapping_problem.hpp"
 

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "pipeline/humanlike/frame_objective.hpp"
-#include "pipeline/solve/minimise.hpp"
-#include "pipeline/solve/minimise_movement.hpp"
+#include "core/humanlike/frame_objective.hpp"
+#include "core/solve/minimise.hpp"
+#include "core/solve/minimise_movement.hpp"
 #include "stages/map/clearance_term.hpp"
 #include "stages/map/movement_cost.hpp"
 #include "stages/map/phase_weights.hpp"

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "pipeline/collision/world.hpp"
-#include "pipeline/humanlike/frame_objective.hpp"
-#include "pipeline/motion/plan.hpp"
+#include "core/collision/world.hpp"
+#include "core/humanlike/frame_objective.hpp"
+#include "core/motion/plan.hpp"
 #include "stages/map/clearance_term.hpp"
 
 namespace morphe::map {

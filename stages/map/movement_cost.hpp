@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "pipeline/motion/robot_table.hpp"
+#include "core/motion/robot_table.hpp"
 
 namespace morphe::map {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "pipeline/math/seed.hpp"
+#include "core/math/seed.hpp"
 #include "stages/map/coarse_grid.hpp"
 #include "stages/map/frame_search.hpp"
 #include "stages/map/rounded_problem.hpp"

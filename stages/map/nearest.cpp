@@ -1,6 +1,6 @@
 #include "stages/map/nearest.hpp"
 
-#include "pipeline/robot/forward.hpp"
+#include "core/robot/forward.hpp"
 #include "stages/map/frame_search.hpp"
 #include "stages/map/reachable.hpp"
 

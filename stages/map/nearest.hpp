@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "pipeline/solve/minimise.hpp"
+#include "core/solve/minimise.hpp"
 #include "stages/map/mapping_problem.hpp"
 
 namespace morphe::map {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/humanlike/frame_goal.hpp"
-#include "pipeline/motion/movement.hpp"
+#include "core/humanlike/frame_goal.hpp"
+#include "core/motion/movement.hpp"
 
 namespace morphe::map {
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "pipeline/robot/forward.hpp"
-#include "pipeline/robot/tree.hpp"
+#include "core/robot/forward.hpp"
+#include "core/robot/tree.hpp"
 #include "stages/map/finger_curve.hpp"
 
 namespace morphe::map {

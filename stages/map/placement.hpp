@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/motion/plan.hpp"
-#include "pipeline/motion/robot_table.hpp"
+#include "core/motion/plan.hpp"
+#include "core/motion/robot_table.hpp"
 
 namespace morphe::map {
 

@@ -4,8 +4,8 @@
 #include <limits>
 #include <random>
 
-#include "pipeline/math/seed.hpp"
-#include "pipeline/robot/pull_tips.hpp"
+#include "core/math/seed.hpp"
+#include "core/robot/pull_tips.hpp"
 #include "stages/map/coarse_grid.hpp"
 #include "stages/map/frame_search.hpp"
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "pipeline/solve/minimise.hpp"
+#include "core/solve/minimise.hpp"
 #include "stages/map/mapping_problem.hpp"
 
 namespace morphe::map {

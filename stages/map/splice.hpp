@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "pipeline/motion/geometry.hpp"
+#include "core/motion/geometry.hpp"
 
 namespace morphe::map {
 

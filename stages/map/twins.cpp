@@ -6,8 +6,8 @@
 #include <numbers>
 #include <random>
 
-#include "pipeline/robot/forward.hpp"
-#include "pipeline/robot/tree.hpp"
+#include "core/robot/forward.hpp"
+#include "core/robot/tree.hpp"
 
 namespace morphe::map {
 namespace {

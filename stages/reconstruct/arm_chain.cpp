@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "pipeline/human/arm_angles.hpp"
+#include "core/human/arm_angles.hpp"
 #include "stages/reconstruct/human_limits.hpp"
 
 namespace morphe::reconstruct {

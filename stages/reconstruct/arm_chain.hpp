@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "pipeline/human/arm.hpp"
-#include "pipeline/motion/human_motion.hpp"
+#include "core/human/arm.hpp"
+#include "core/motion/human_motion.hpp"
 
 namespace morphe::reconstruct {
 
@@ -16,7 +16,7 @@ namespace morphe::reconstruct {
 void keep_bone_lengths(HumanMotion& motion, const std::optional<human::ArmLengths>& known = {});
 
 /// Fills `arm_angles` from shoulder, elbow, wrist and the hand's orientation, where all are seen
-/// (pipeline/human/arm_angles; the trunk is taken to face Y). Residuals: "arm angles", what elbow
+/// (core/human/arm_angles; the trunk is taken to face Y). Residuals: "arm angles", what elbow
 /// or wrist are missed by for the limits' sake, and "arm angles, hand", the rotation that the hand
 /// is missed by times 0.1 m. No rows if no frame has them all.
 void add_arm_angles(HumanMotion& motion);

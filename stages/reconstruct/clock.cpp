@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/math/low_pass.hpp"
+#include "core/math/low_pass.hpp"
 
 namespace morphe::reconstruct {
 namespace {
 
 constexpr double kTimeTolerance = 1e-9;  // [s]
-// No recording comes near (pipeline/store/workable.hpp); memory would.
+// No recording comes near (core/store/workable.hpp); memory would.
 constexpr double kMostInstants = 1e8, kMostRefined = 1e5;
 
 /// Natural cubic spline through the points of one run.

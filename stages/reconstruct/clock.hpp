@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "pipeline/motion/geometry.hpp"
+#include "core/motion/geometry.hpp"
 #include "stages/reconstruct/reconstruct.hpp"
 
 namespace morphe::reconstruct {

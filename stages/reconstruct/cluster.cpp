@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "pipeline/math/statistics.hpp"
+#include "core/math/statistics.hpp"
 #include "stages/reconstruct/gaps.hpp"
 
 namespace morphe::reconstruct {

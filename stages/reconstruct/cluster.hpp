@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "pipeline/math/rigid.hpp"
+#include "core/math/rigid.hpp"
 
 namespace morphe::reconstruct {
 

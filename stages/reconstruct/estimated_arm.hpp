@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "pipeline/human/arm.hpp"
+#include "core/human/arm.hpp"
 #include "stages/reconstruct/reconstruct.hpp"
 
 namespace morphe::reconstruct {

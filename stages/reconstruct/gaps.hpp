@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/motion/geometry.hpp"
-#include "pipeline/motion/human_motion.hpp"
+#include "core/motion/geometry.hpp"
+#include "core/motion/human_motion.hpp"
 
 namespace morphe::reconstruct {
 

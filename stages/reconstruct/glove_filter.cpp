@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/math/low_pass.hpp"
+#include "core/math/low_pass.hpp"
 
 namespace morphe::reconstruct {
 namespace {

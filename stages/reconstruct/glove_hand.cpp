@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/human/glove.hpp"
-#include "pipeline/robot/hand_bones.hpp"
+#include "core/human/glove.hpp"
+#include "core/robot/hand_bones.hpp"
 #include "stages/reconstruct/glove_filter.hpp"
 
 namespace morphe::reconstruct {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "pipeline/human/hand.hpp"
-#include "pipeline/motion/demonstration.hpp"
+#include "core/human/hand.hpp"
+#include "core/motion/demonstration.hpp"
 #include "stages/reconstruct/clock.hpp"
 
 namespace morphe::reconstruct {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "pipeline/robot/forward.hpp"
+#include "core/robot/forward.hpp"
 
 namespace morphe::reconstruct {
 namespace {

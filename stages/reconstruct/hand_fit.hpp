@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "pipeline/human/hand.hpp"
+#include "core/human/hand.hpp"
 #include "stages/reconstruct/hand_shape.hpp"
 
 namespace morphe::reconstruct {

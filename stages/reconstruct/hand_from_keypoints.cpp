@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/math/rotation.hpp"
+#include "core/math/rotation.hpp"
 #include "stages/reconstruct/hand_fit.hpp"
 #include "stages/reconstruct/streams.hpp"
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/human/hand.hpp"
-#include "pipeline/math/rigid.hpp"
-#include "pipeline/math/statistics.hpp"
-#include "pipeline/robot/hand_proportions.hpp"
+#include "core/human/hand.hpp"
+#include "core/math/rigid.hpp"
+#include "core/math/statistics.hpp"
+#include "core/robot/hand_proportions.hpp"
 
 namespace morphe::reconstruct {
 namespace {

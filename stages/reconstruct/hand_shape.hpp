@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "pipeline/motion/human_motion.hpp"
-#include "pipeline/motion/robot_table.hpp"
+#include "core/motion/human_motion.hpp"
+#include "core/motion/robot_table.hpp"
 
 namespace morphe::reconstruct {
 

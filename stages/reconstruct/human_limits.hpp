@@ -1,7 +1,7 @@
 #pragma once
 
-#include "pipeline/motion/human_motion.hpp"
-#include "pipeline/motion/outcome.hpp"
+#include "core/motion/human_motion.hpp"
+#include "core/motion/outcome.hpp"
 #include "stages/reconstruct/reconstruct.hpp"
 
 namespace morphe::reconstruct {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "pipeline/motion/demonstration.hpp"
-#include "pipeline/motion/human_motion.hpp"
+#include "core/motion/demonstration.hpp"
+#include "core/motion/human_motion.hpp"
 
 namespace morphe::reconstruct {
 

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kWristPitch = 20, kWristYaw = 21;  ///< glove sensors
 
 /// Flexion and radial deviation of the wrist from the forearm's direction in the hand's frame,
-/// (-sin f, -sin d cos f, cos d cos f) as in pipeline/human/arm_angles.
+/// (-sin f, -sin d cos f, cos d cos f) as in core/human/arm_angles.
 std::array<std::vector<double>, 2> wrist_angles(const HumanMotion& motion) {
   std::array<std::vector<double>, 2> angles;
   for (std::size_t i = 0; i < motion.time.size(); ++i) {

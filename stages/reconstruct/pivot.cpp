@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/math/rotation.hpp"
+#include "core/math/rotation.hpp"
 
 namespace morphe::reconstruct {
 

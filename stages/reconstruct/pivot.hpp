@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "pipeline/motion/geometry.hpp"
+#include "core/motion/geometry.hpp"
 
 namespace morphe::reconstruct {
 

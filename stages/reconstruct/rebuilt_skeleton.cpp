@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/motion/arm_estimated.hpp"
+#include "core/motion/arm_estimated.hpp"
 #include "stages/reconstruct/arm_chain.hpp"
 #include "stages/reconstruct/hand_from_keypoints.hpp"
 #include "stages/reconstruct/skeleton_joints.hpp"

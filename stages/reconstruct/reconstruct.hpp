@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "pipeline/motion/demonstration.hpp"
-#include "pipeline/motion/human_motion.hpp"
+#include "core/motion/demonstration.hpp"
+#include "core/motion/human_motion.hpp"
 
 namespace morphe::reconstruct {
 
@@ -83,7 +83,7 @@ std::string why_invalid(const HumanOptions& options);
 /// centre by its calibrated offset before filtering; upper arm and forearm keep their median
 /// lengths; the arm's angles follow in closed form. A shoulder and elbow that were not tracked are
 /// estimated and listed in `estimated`. Fingertips that were recorded are taken as they are; a
-/// glove's angles become fingers by pipeline/human/hand, its clock corrected first (align_clocks).
+/// glove's angles become fingers by core/human/hand, its clock corrected first (align_clocks).
 HumanMotion reconstruct(const Demonstration& demonstration, const ReconstructOptions& options,
                         const HumanOptions& human);
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/human/hand.hpp"
+#include "core/human/hand.hpp"
 
 namespace morphe::reconstruct {
 namespace {

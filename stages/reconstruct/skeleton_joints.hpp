@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/motion/demonstration.hpp"
-#include "pipeline/motion/human_motion.hpp"
+#include "core/motion/demonstration.hpp"
+#include "core/motion/human_motion.hpp"
 
 namespace morphe::reconstruct {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/motion/demonstration.hpp"
+#include "core/motion/demonstration.hpp"
 
 namespace morphe::reconstruct {
 

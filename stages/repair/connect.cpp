@@ -15,7 +15,7 @@
 #include <cassert>
 #include <string_view>
 
-#include "pipeline/math/seed.hpp"
+#include "core/math/seed.hpp"
 
 namespace morphe::repair {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "pipeline/math/seed.hpp"
+#include "core/math/seed.hpp"
 #include "stages/repair/plan_interval.hpp"
 
 namespace morphe::repair {

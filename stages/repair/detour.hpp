@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "pipeline/collision/certified.hpp"
+#include "core/collision/certified.hpp"
 #include "stages/repair/ladder.hpp"
 
 namespace morphe::repair {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "pipeline/robot/tree.hpp"
+#include "core/robot/tree.hpp"
 
 namespace morphe::repair {
 namespace {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "pipeline/collision/certified.hpp"
+#include "core/collision/certified.hpp"
 
 namespace morphe::repair {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/motion/outcome.hpp"
-#include "pipeline/motion/plan.hpp"
+#include "core/motion/outcome.hpp"
+#include "core/motion/plan.hpp"
 #include "stages/repair/repair_options.hpp"
 
 namespace morphe::repair {

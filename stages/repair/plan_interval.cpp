@@ -4,7 +4,7 @@
 #include <numeric>
 #include <random>
 
-#include "pipeline/math/seed.hpp"
+#include "core/math/seed.hpp"
 #include "stages/repair/connect.hpp"
 #include "stages/repair/draw_in.hpp"
 

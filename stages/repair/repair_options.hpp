@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "pipeline/motion/named.hpp"
+#include "core/motion/named.hpp"
 
 namespace morphe::repair {
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "pipeline/collision/world.hpp"
+#include "core/collision/world.hpp"
 #include "stages/repair/repair_options.hpp"
 
 namespace morphe::repair {

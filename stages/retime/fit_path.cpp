@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "pipeline/math/banded.hpp"
-#include "pipeline/math/quintic.hpp"
-#include "pipeline/robot/forward.hpp"
-#include "pipeline/robot/tree.hpp"
+#include "core/math/banded.hpp"
+#include "core/math/quintic.hpp"
+#include "core/robot/forward.hpp"
+#include "core/robot/tree.hpp"
 #include "stages/retime/inside_limits.hpp"
 
 namespace morphe::retime {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "pipeline/math/joint_spline.hpp"
-#include "pipeline/motion/robot_table.hpp"
+#include "core/math/joint_spline.hpp"
+#include "core/motion/robot_table.hpp"
 
 namespace morphe::retime {
 

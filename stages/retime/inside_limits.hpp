@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pipeline/math/banded.hpp"
+#include "core/math/banded.hpp"
 
 namespace morphe::retime {
 

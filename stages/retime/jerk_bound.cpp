@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "pipeline/math/banded.hpp"
+#include "core/math/banded.hpp"
 
 namespace morphe::retime {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/math/braking.hpp"
-#include "pipeline/robot/forward.hpp"
+#include "core/math/braking.hpp"
+#include "core/robot/forward.hpp"
 
 namespace morphe::retime {
 namespace {

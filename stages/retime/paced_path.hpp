@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "pipeline/math/joint_spline.hpp"
-#include "pipeline/motion/movement.hpp"
+#include "core/math/joint_spline.hpp"
+#include "core/motion/movement.hpp"
 #include "stages/retime/path_clock.hpp"
 #include "stages/retime/reachability.hpp"
 

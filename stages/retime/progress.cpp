@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/math/joint_spline.hpp"
+#include "core/math/joint_spline.hpp"
 
 namespace morphe::retime {
 namespace {

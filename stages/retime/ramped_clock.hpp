@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pipeline/motion/geometry.hpp"
+#include "core/motion/geometry.hpp"
 
 namespace morphe::retime {
 

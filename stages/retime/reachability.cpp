@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/motion/geometry.hpp"
+#include "core/motion/geometry.hpp"
 
 namespace morphe::retime {
 namespace {

@@ -9,8 +9,8 @@
 #include <limits>
 #include <optional>
 
-#include "pipeline/math/braking.hpp"
-#include "pipeline/math/quintic.hpp"
+#include "core/math/braking.hpp"
+#include "core/math/quintic.hpp"
 #include "stages/retime/fit_path.hpp"
 #include "stages/retime/inside_limits.hpp"
 #include "stages/retime/time_law.hpp"

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "pipeline/motion/outcome.hpp"
-#include "pipeline/motion/plan.hpp"
-#include "pipeline/motion/robot_table.hpp"
+#include "core/motion/outcome.hpp"
+#include "core/motion/plan.hpp"
+#include "core/motion/robot_table.hpp"
 
 namespace morphe::retime {
 

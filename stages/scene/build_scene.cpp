@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "pipeline/motion/extent.hpp"
+#include "core/motion/extent.hpp"
 #include "stages/scene/configured_body.hpp"
 #include "stages/scene/inferred.hpp"
 #include "stages/scene/other_arm.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "pipeline/math/rotation.hpp"
+#include "core/math/rotation.hpp"
 #include "stages/scene/inferred.hpp"
 
 namespace morphe::scene {

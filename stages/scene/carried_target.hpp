@@ -1,8 +1,8 @@
 #pragma once
 
-#include "pipeline/motion/human_motion.hpp"
-#include "pipeline/motion/movement.hpp"
-#include "pipeline/motion/scene.hpp"
+#include "core/motion/human_motion.hpp"
+#include "core/motion/movement.hpp"
+#include "core/motion/scene.hpp"
 
 namespace morphe::scene {
 

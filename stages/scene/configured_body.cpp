@@ -1,5 +1,6 @@
 #include "stages/scene/configured_body.hpp"
-#include "pipeline/motion/extent.hpp"
+#include "core/motion/extent.hpp"
+#include "core/motion/world_frames.hpp"
 
 #include <fmt/format.h>
 

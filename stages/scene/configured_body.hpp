@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stages/scene/build_scene.hpp"
+#include "stages/scene/scene_options.hpp"
 
 namespace morphe::scene {
 

@@ -1,11 +1,13 @@
 #include "stages/scene/inferred.hpp"
-#include "pipeline/motion/extent.hpp"
+#include "core/motion/extent.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "core/motion/human_motion.hpp"
+#include "core/motion/movement.hpp"
 #include "stages/scene/configured_body.hpp"
 
 namespace morphe::scene {

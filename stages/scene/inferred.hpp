@@ -2,7 +2,9 @@
 
 #include <optional>
 
-#include "stages/scene/build_scene.hpp"
+#include "core/motion/human_motion.hpp"
+#include "core/motion/movement.hpp"
+#include "stages/scene/scene_options.hpp"
 
 namespace morphe::scene {
 

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "pipeline/math/rotation.hpp"
+#include "core/math/rotation.hpp"
+#include "core/motion/human_motion.hpp"
+#include "core/motion/movement.hpp"
 #include "stages/scene/configured_body.hpp"
 #include "stages/scene/inferred.hpp"
 

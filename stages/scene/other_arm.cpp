@@ -9,7 +9,8 @@
 #include <string_view>
 #include <utility>
 
-#include "pipeline/math/rotation.hpp"
+#include "core/math/rotation.hpp"
+#include "core/motion/human_motion.hpp"
 
 namespace morphe::scene {
 namespace {

@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "stages/scene/build_scene.hpp"
+#include "core/motion/human_motion.hpp"
+#include "stages/scene/scene_options.hpp"
 
 namespace morphe::scene {
 

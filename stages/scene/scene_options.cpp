@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <set>
 
-#include "pipeline/collision/mesh_file.hpp"
-#include "pipeline/config/fields.hpp"
-#include "pipeline/motion/counted.hpp"
-#include "pipeline/motion/extent.hpp"
-#include "pipeline/moveit/problem.hpp"
-#include "stages/scene/build_scene.hpp"
+#include "core/collision/mesh_file.hpp"
+#include "core/config/fields.hpp"
+#include "core/motion/counted.hpp"
+#include "core/motion/extent.hpp"
+#include "core/moveit/problem.hpp"
 #include "stages/scene/other_arm.hpp"
+#include "stages/scene/scene_options.hpp"
 #include "stages/scene/scene_schema.hpp"
 
 namespace morphe::scene {

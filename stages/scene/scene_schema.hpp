@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pipeline/config/schema.hpp"
+#include "core/config/schema.hpp"
 
 namespace morphe::scene {
 

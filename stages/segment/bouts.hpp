@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "stages/segment/segment.hpp"
+#include "stages/segment/segment_options.hpp"
 #include "stages/segment/signals.hpp"
 
 namespace morphe::segment {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "pipeline/motion/extent.hpp"
+#include "core/motion/extent.hpp"
 
 namespace morphe::segment {
 namespace {

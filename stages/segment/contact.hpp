@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/motion/human_motion.hpp"
-#include "pipeline/motion/scene.hpp"
+#include "core/motion/human_motion.hpp"
+#include "core/motion/scene.hpp"
 #include "stages/segment/objects.hpp"
 #include "stages/segment/signals.hpp"
 

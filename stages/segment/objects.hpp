@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/motion/scene.hpp"
+#include "core/motion/scene.hpp"
 
 namespace morphe::segment {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stages/segment/segment.hpp"
+#include "stages/segment/segment_options.hpp"
 #include "stages/segment/signals.hpp"
 
 namespace morphe::segment {

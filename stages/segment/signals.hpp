@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "pipeline/motion/human_motion.hpp"
+#include "core/motion/human_motion.hpp"
 
 namespace morphe::segment {
 

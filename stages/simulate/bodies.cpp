@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "pipeline/math/rotation.hpp"
+#include "core/math/rotation.hpp"
 
 namespace morphe::simulate {
 namespace {

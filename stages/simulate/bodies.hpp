@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "pipeline/motion/robot_table.hpp"
-#include "pipeline/motion/scene.hpp"
+#include "core/motion/robot_table.hpp"
+#include "core/motion/scene.hpp"
 
 namespace morphe::simulate {
 

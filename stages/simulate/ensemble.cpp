@@ -4,13 +4,13 @@
 #include <cmath>
 #include <optional>
 
-#include "pipeline/files/sha256.hpp"
-#include "pipeline/math/random_stream.hpp"
-#include "pipeline/math/rotation.hpp"
-#include "pipeline/math/seed.hpp"
-#include "pipeline/parallel/ordered_map.hpp"
-#include "pipeline/physics/model.hpp"
-#include "pipeline/store/fingerprint.hpp"
+#include "core/files/sha256.hpp"
+#include "core/math/random_stream.hpp"
+#include "core/math/rotation.hpp"
+#include "core/math/seed.hpp"
+#include "core/parallel/ordered_map.hpp"
+#include "core/physics/model.hpp"
+#include "core/store/fingerprint.hpp"
 
 namespace morphe::simulate {
 

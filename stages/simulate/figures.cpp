@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "pipeline/math/statistics.hpp"
+#include "core/math/statistics.hpp"
 
 namespace morphe::simulate {
 namespace {

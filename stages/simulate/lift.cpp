@@ -3,8 +3,8 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 
-#include "pipeline/robot/forward.hpp"
-#include "pipeline/robot/tree.hpp"
+#include "core/robot/forward.hpp"
+#include "core/robot/tree.hpp"
 
 namespace morphe::simulate {
 namespace {

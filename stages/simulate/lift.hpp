@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "pipeline/robot/robot.hpp"
+#include "core/robot/robot.hpp"
 
 namespace morphe::simulate {
 

@@ -7,8 +7,8 @@
 #include <iterator>
 #include <utility>
 
-#include "pipeline/math/rotation.hpp"
-#include "pipeline/robot/tree.hpp"
+#include "core/math/rotation.hpp"
+#include "core/robot/tree.hpp"
 
 namespace morphe::simulate {
 namespace {

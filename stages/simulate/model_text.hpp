@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/motion/robot_table.hpp"
-#include "pipeline/motion/scene.hpp"
+#include "core/motion/robot_table.hpp"
+#include "core/motion/scene.hpp"
 #include "stages/simulate/bodies.hpp"
 #include "stages/simulate/options.hpp"
 #include "stages/simulate/servos.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/closure/gravity_margin.hpp"
-#include "pipeline/collision/distance.hpp"
+#include "core/closure/gravity_margin.hpp"
+#include "core/collision/distance.hpp"
 
 namespace morphe::simulate {
 namespace {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "pipeline/motion/named.hpp"
+#include "core/motion/named.hpp"
 #include "stages/simulate/servo_file.hpp"
 
 namespace morphe::simulate {

@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
-#include "pipeline/collision/distance.hpp"
-#include "pipeline/collision/mesh_solid.hpp"
-#include "pipeline/robot/forward.hpp"
+#include "core/collision/distance.hpp"
+#include "core/collision/mesh_solid.hpp"
+#include "core/robot/forward.hpp"
 #include "stages/simulate/lift.hpp"
 
 namespace morphe::simulate {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "pipeline/motion/named.hpp"
+#include "core/motion/named.hpp"
 #include "stages/simulate/rollout.hpp"
 
 namespace morphe::simulate {

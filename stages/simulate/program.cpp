@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/math/quintic.hpp"
+#include "core/math/quintic.hpp"
 #include "stages/simulate/lift.hpp"
 #include "stages/simulate/options.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "pipeline/motion/plan.hpp"
-#include "pipeline/robot/robot.hpp"
+#include "core/motion/plan.hpp"
+#include "core/robot/robot.hpp"
 #include "stages/simulate/squeeze.hpp"
 
 namespace morphe::simulate {

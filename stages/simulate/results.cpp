@@ -9,9 +9,9 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/motion/input_error.hpp"
-#include "pipeline/motion/version.hpp"
-#include "pipeline/physics/model.hpp"
+#include "core/motion/input_error.hpp"
+#include "core/motion/version.hpp"
+#include "core/physics/model.hpp"
 
 namespace morphe::simulate {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "pipeline/physics/state.hpp"
-#include "pipeline/robot/tree.hpp"
+#include "core/physics/state.hpp"
+#include "core/robot/tree.hpp"
 #include "stages/simulate/lift.hpp"
 #include "stages/simulate/newtons.hpp"
 #include "stages/simulate/watch.hpp"

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "pipeline/motion/named.hpp"
+#include "core/motion/named.hpp"
 #include "stages/simulate/model_text.hpp"
 #include "stages/simulate/program.hpp"
 #include "stages/simulate/squeeze.hpp"

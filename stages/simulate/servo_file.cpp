@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/config/fields.hpp"
+#include "core/config/fields.hpp"
 
 namespace morphe::simulate {
 

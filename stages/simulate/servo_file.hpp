@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "pipeline/motion/robot_table.hpp"
+#include "core/motion/robot_table.hpp"
 
 namespace morphe::simulate {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "pipeline/robot/robot.hpp"
+#include "core/robot/robot.hpp"
 #include "stages/simulate/options.hpp"
 
 namespace morphe::simulate {

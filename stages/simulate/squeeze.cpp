@@ -5,10 +5,10 @@
 #include <memory>
 #include <utility>
 
-#include "pipeline/collision/distance.hpp"
-#include "pipeline/collision/mesh_solid.hpp"
-#include "pipeline/robot/forward.hpp"
-#include "pipeline/robot/tree.hpp"
+#include "core/collision/distance.hpp"
+#include "core/collision/mesh_solid.hpp"
+#include "core/robot/forward.hpp"
+#include "core/robot/tree.hpp"
 
 namespace morphe::simulate {
 namespace {

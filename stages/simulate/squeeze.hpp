@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/motion/plan.hpp"
-#include "pipeline/robot/robot.hpp"
+#include "core/motion/plan.hpp"
+#include "core/robot/robot.hpp"
 #include "stages/simulate/servos.hpp"
 
 namespace morphe::simulate {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/physics/state.hpp"
+#include "core/physics/state.hpp"
 #include "stages/simulate/rollout.hpp"
 
 namespace morphe::simulate {

@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/closure/ferrari_canny.hpp"
-#include "pipeline/closure/gravity_margin.hpp"
-#include "pipeline/closure/share_forces.hpp"
-#include "tests/pipeline/closure/grasps.hpp"
-#include "tests/pipeline/closure/polygon_hull.hpp"
+#include "core/closure/ferrari_canny.hpp"
+#include "core/closure/gravity_margin.hpp"
+#include "core/closure/share_forces.hpp"
+#include "tests/core/closure/grasps.hpp"
+#include "tests/core/closure/polygon_hull.hpp"
 
 namespace morphe::closure {
 namespace {

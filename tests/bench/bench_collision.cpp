@@ -16,11 +16,11 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/collision/certified.hpp"
-#include "pipeline/collision/fcl_engine.hpp"
-#include "pipeline/robot/files/description.hpp"
-#include "tests/pipeline/collision/random_pairs.hpp"
-#include "tests/pipeline/collision/thin_walls.hpp"
+#include "core/collision/certified.hpp"
+#include "core/collision/fcl_engine.hpp"
+#include "core/robot/files/description.hpp"
+#include "tests/core/collision/random_pairs.hpp"
+#include "tests/core/collision/thin_walls.hpp"
 #include "tests/support/random_positions.hpp"
 
 namespace morphe {

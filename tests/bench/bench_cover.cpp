@@ -18,9 +18,9 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/collision/convex_hull.hpp"
-#include "pipeline/collision/mesh_file.hpp"
-#include "pipeline/cover/cover.hpp"
+#include "core/collision/convex_hull.hpp"
+#include "core/collision/mesh_file.hpp"
+#include "core/cover/cover.hpp"
 
 namespace morphe {
 namespace {

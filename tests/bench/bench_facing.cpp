@@ -15,11 +15,11 @@
 #include <string>
 #include <vector>
 
-#include "stages/import/facing.hpp"
+#include "pipeline/planning/pipeline_config.hpp"
+#include "pipeline/planning/plan_movement.hpp"
+#include "stages/import/guess/facing.hpp"
+#include "stages/import/guess/turn_demonstration.hpp"
 #include "stages/import/import.hpp"
-#include "stages/import/turn_demonstration.hpp"
-#include "stages/planning/pipeline_config.hpp"
-#include "stages/planning/plan_movement.hpp"
 
 namespace morphe {
 namespace {

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "pipeline/robot/files/description.hpp"
-#include "pipeline/robot/forward.hpp"
+#include "core/robot/files/description.hpp"
+#include "core/robot/forward.hpp"
 
 namespace morphe {
 namespace {

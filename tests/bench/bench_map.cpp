@@ -8,10 +8,10 @@
 #include <numbers>
 #include <random>
 
-#include "pipeline/robot/files/description.hpp"
-#include "pipeline/robot/files/generate.hpp"
-#include "pipeline/robot/forward.hpp"
-#include "pipeline/solve/structured.hpp"
+#include "core/robot/files/description.hpp"
+#include "core/robot/files/generate.hpp"
+#include "core/robot/forward.hpp"
+#include "core/solve/structured.hpp"
 #include "tests/bench/bench_map_problems.hpp"
 #ifdef MORPHE_KDL
 #include "tests/bench/bench_map_kdl.hpp"

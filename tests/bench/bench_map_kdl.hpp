@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pipeline/motion/robot_table.hpp"
+#include "core/motion/robot_table.hpp"
 
 namespace morphe {
 

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <random>
 
-#include "pipeline/robot/forward.hpp"
+#include "core/robot/forward.hpp"
 
 namespace morphe {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/humanlike/frame_objective.hpp"
+#include "core/humanlike/frame_objective.hpp"
 
 namespace morphe {
 

@@ -14,8 +14,8 @@
 #include <thread>
 #include <vector>
 
-#include "pipeline/moveit/problem.hpp"
-#include "pipeline/robot/files/description.hpp"
+#include "core/moveit/problem.hpp"
+#include "core/robot/files/description.hpp"
 #include "stages/repair/connect.hpp"
 #include "stages/repair/draw_in.hpp"
 #include "stages/repair/repair_options.hpp"

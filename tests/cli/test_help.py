@@ -103,7 +103,7 @@ class Meant(CommandCase):
 class Completed(CommandCase):
     def complete(self, line, path=os.environ["PATH"]):
         """What bash would offer after a tab at the end of the line."""
-        script = (f'source "{SOURCE}/stages/commands/completion.bash"\n'
+        script = (f'source "{SOURCE}/pipeline/commands/completion.bash"\n'
                   'read -ra COMP_WORDS <<<"$LINE"\n[[ $LINE == *" " ]] && COMP_WORDS+=("")\n'
                   'COMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_morphe\nprintf "%s\\n" "${COMPREPLY[@]}"')
         done = subprocess.run(["bash", "-c", script], capture_output=True, text=True, cwd=self.folder,

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "pipeline/motion/input_error.hpp"
+#include "core/motion/input_error.hpp"
 #include "targets.hpp"
 
 namespace morphe::fuzz {

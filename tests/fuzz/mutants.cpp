@@ -12,8 +12,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "core/motion/input_error.hpp"
 #include "mutate.hpp"
-#include "pipeline/motion/input_error.hpp"
 #include "targets.hpp"
 
 namespace morphe::fuzz {

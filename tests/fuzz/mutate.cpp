@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "pipeline/math/random_stream.hpp"
+#include "core/math/random_stream.hpp"
 
 namespace morphe::fuzz {
 namespace {

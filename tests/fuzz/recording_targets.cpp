@@ -1,6 +1,7 @@
-#include "pipeline/motion/stream_report.hpp"
-#include "stages/import/format.hpp"
-#include "stages/import/read_recording.hpp"
+#include "core/motion/stream_report.hpp"
+#include "stages/import/folders/read_recording.hpp"
+#include "stages/import/folders/recording_formats.hpp"
+#include "stages/import/recording/format.hpp"
 #include "stages/reconstruct/reconstruct.hpp"
 #include "targets.hpp"
 

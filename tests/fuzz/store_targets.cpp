@@ -1,9 +1,9 @@
-#include "pipeline/motion/input_error.hpp"
-#include "pipeline/store/bytes.hpp"
-#include "pipeline/store/consistency.hpp"
-#include "pipeline/store/demonstration_file.hpp"
-#include "pipeline/store/harmless.hpp"
-#include "pipeline/store/plan_file.hpp"
+#include "core/motion/input_error.hpp"
+#include "core/store/bytes.hpp"
+#include "core/store/consistency.hpp"
+#include "core/store/demonstration_file.hpp"
+#include "core/store/harmless.hpp"
+#include "core/store/plan_file.hpp"
 #include "targets.hpp"
 
 namespace morphe::fuzz {

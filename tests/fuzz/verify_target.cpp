@@ -1,10 +1,10 @@
 #include <cstdint>
 #include <cstring>
 
-#include "pipeline/store/consistency.hpp"
-#include "pipeline/verify/verify.hpp"
+#include "core/store/consistency.hpp"
+#include "stages/verify/verify.hpp"
 #include "targets.hpp"
-#include "tests/pipeline/verify/planar_plan.hpp"
+#include "tests/stages/verify/planar_plan.hpp"
 
 namespace morphe::fuzz {
 namespace {

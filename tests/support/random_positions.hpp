@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "pipeline/motion/robot_table.hpp"
+#include "core/motion/robot_table.hpp"
 
 namespace morphe {
 

@@ -1,4 +1,4 @@
-"""What a page of `morphe report` holds, read by its contract (stages/report/page/README.md)."""
+"""What a page of `morphe report` holds, read by its contract (pipeline/report/page/README.md)."""
 import base64
 import json
 import re

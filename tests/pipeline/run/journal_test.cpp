@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "pipeline/motion/input_error.hpp"
+#include "core/motion/input_error.hpp"
 
 namespace morphe::run {
 namespace {

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "pipeline/motion/input_error.hpp"
-#include "pipeline/store/demonstration_file.hpp"
+#include "core/motion/input_error.hpp"
+#include "core/store/demonstration_file.hpp"
 #include "tests/support/two_link_arm.hpp"
 
 namespace morphe::run {

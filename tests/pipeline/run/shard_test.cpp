@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "pipeline/motion/input_error.hpp"
+#include "core/motion/input_error.hpp"
 
 namespace morphe::run {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "pipeline/motion/counted.hpp"
+#include "core/motion/counted.hpp"
 #include "pipeline/run/progress.hpp"
 
 namespace morphe::run {

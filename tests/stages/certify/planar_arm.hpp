@@ -1,7 +1,7 @@
 #pragma once
 
-#include "pipeline/motion/plan.hpp"
-#include "pipeline/motion/robot_table.hpp"
+#include "core/motion/plan.hpp"
+#include "core/motion/robot_table.hpp"
 
 namespace morphe::certify {
 

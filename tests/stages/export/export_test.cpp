@@ -4,7 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/motion/input_error.hpp"
+#include "core/motion/input_error.hpp"
 #include "stages/export/robomimic.hpp"
 #include "stages/export/ros_trajectory.hpp"
 #include "stages/export/trajectory_csv.hpp"

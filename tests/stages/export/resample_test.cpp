@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "pipeline/motion/input_error.hpp"
+#include "core/motion/input_error.hpp"
 #include "stages/export/joint_group.hpp"
 
 namespace morphe::exports {

@@ -4,8 +4,8 @@
 
 #include <numbers>
 
-#include "pipeline/robot/files/description.hpp"
-#include "pipeline/robot/forward.hpp"
+#include "core/robot/files/description.hpp"
+#include "core/robot/forward.hpp"
 #include "stages/grasp/measure.hpp"
 
 namespace morphe::grasp {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "pipeline/robot/files/description.hpp"
-#include "tests/pipeline/collision/meshes.hpp"
+#include "core/robot/files/description.hpp"
+#include "tests/core/collision/meshes.hpp"
 
 namespace morphe::grasp {
 namespace {

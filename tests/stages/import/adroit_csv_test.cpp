@@ -6,8 +6,8 @@
 #include <fstream>
 #include <random>
 
-#include "pipeline/motion/input_error.hpp"
-#include "stages/import/adroit_hand.hpp"
+#include "core/motion/input_error.hpp"
+#include "stages/import/formats/adroit_hand.hpp"
 #include "stages/import/import.hpp"
 
 namespace morphe::imports {

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "pipeline/store/hdf5_file.hpp"
-#include "stages/import/apple_hand.hpp"
+#include "core/store/hdf5_file.hpp"
+#include "stages/import/trackers/apple_hand.hpp"
 #include "tests/stages/import/recording_folder.hpp"
 
 namespace morphe::imports {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "stages/import/body_guess.hpp"
-#include "stages/import/conventions.hpp"
+#include "stages/import/guess/body_guess.hpp"
 #include "stages/import/import.hpp"
+#include "stages/import/recording/conventions.hpp"
 
 namespace morphe::imports {
 namespace {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stages/import/turn_demonstration.hpp"
+#include "stages/import/guess/turn_demonstration.hpp"
 #include "tests/stages/import/shipped_recordings.hpp"
 
 namespace morphe::imports {

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "stages/import/facing.hpp"
+#include "stages/import/guess/facing.hpp"
 #include "tests/stages/import/recording_folder.hpp"
 
 namespace morphe::imports {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/motion/geometry.hpp"
+#include "core/motion/geometry.hpp"
 
 namespace morphe::imports {
 

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
-#include "pipeline/files/text_encoding.hpp"
-#include "stages/import/plausible.hpp"
+#include "core/files/text_encoding.hpp"
+#include "stages/import/guess/plausible.hpp"
 #include "tests/stages/import/recording_folder.hpp"
 
 namespace morphe::imports {

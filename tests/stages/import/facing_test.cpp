@@ -1,4 +1,4 @@
-#include "stages/import/facing.hpp"
+#include "stages/import/guess/facing.hpp"
 
 #include <gmock/gmock.h>
 
@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "stages/import/guess/turn_demonstration.hpp"
 #include "stages/import/import.hpp"
-#include "stages/import/turn_demonstration.hpp"
 #include "tests/stages/import/shipped_recordings.hpp"
 
 namespace morphe::imports {

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "stages/import/umetrack_hand.hpp"
+#include "stages/import/trackers/umetrack_hand.hpp"
 #include "tests/stages/import/recording_folder.hpp"
 
 namespace morphe::imports {

@@ -1,8 +1,8 @@
-#include "stages/import/joint_order.hpp"
+#include "stages/import/clips/joint_order.hpp"
 
 #include <gtest/gtest.h>
 
-#include "pipeline/motion/input_error.hpp"
+#include "core/motion/input_error.hpp"
 
 namespace morphe::imports {
 namespace {

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "pipeline/human/glove.hpp"
-#include "pipeline/motion/input_error.hpp"
+#include "core/human/glove.hpp"
+#include "core/motion/input_error.hpp"
 #include "stages/import/import.hpp"
 
 namespace morphe::imports {

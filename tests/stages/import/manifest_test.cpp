@@ -1,4 +1,4 @@
-#include "stages/import/manifest.hpp"
+#include "stages/import/folders/manifest.hpp"
 
 #include "recording_folder.hpp"
 

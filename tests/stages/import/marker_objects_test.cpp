@@ -1,4 +1,4 @@
-#include "stages/import/marker_objects.hpp"
+#include "stages/import/folders/marker_objects.hpp"
 
 #include <gmock/gmock.h>
 

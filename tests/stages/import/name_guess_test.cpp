@@ -2,9 +2,9 @@
 
 #include <map>
 
-#include "stages/import/arm_names.hpp"
-#include "stages/import/name_guess.hpp"
-#include "stages/import/recorded_words.hpp"
+#include "stages/import/guess/name_guess.hpp"
+#include "stages/import/guess/recorded_words.hpp"
+#include "stages/import/recording/arm_names.hpp"
 
 namespace morphe::imports {
 namespace {

@@ -1,4 +1,4 @@
-#include "stages/import/name_words.hpp"
+#include "stages/import/recording/name_words.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
-#include "stages/import/format.hpp"
+#include "stages/import/formats/readers.hpp"
+#include "stages/import/recording/format.hpp"
 #include "tests/stages/import/recording_folder.hpp"
 
 namespace morphe::imports {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "stages/import/recording_sketch.hpp"
+#include "stages/import/folders/recording_sketch.hpp"
 
 namespace morphe::imports {
 namespace {

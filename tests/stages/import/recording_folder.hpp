@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/motion/input_error.hpp"
+#include "core/motion/input_error.hpp"
 #include "stages/import/import.hpp"
 
 namespace morphe::imports {

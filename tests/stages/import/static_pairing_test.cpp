@@ -1,8 +1,8 @@
-#include "stages/import/static_pairing.hpp"
+#include "stages/import/folders/static_pairing.hpp"
 
 #include <gtest/gtest.h>
 
-#include "stages/import/folder_files.hpp"
+#include "stages/import/folders/folder_files.hpp"
 
 namespace morphe::imports {
 namespace {

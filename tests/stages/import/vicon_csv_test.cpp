@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "stages/import/folders/recording_formats.hpp"
 #include "tests/stages/import/recording_folder.hpp"
 
 namespace morphe::imports {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/robot/files/description.hpp"
+#include "core/robot/files/description.hpp"
 #include "tests/support/finite_differences.hpp"
 #include "tests/support/random_positions.hpp"
 

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "pipeline/human/hand.hpp"
-#include "pipeline/humanlike/arm_chain.hpp"
-#include "pipeline/robot/files/description.hpp"
-#include "pipeline/robot/files/generate.hpp"
-#include "pipeline/robot/forward.hpp"
+#include "core/human/hand.hpp"
+#include "core/humanlike/arm_chain.hpp"
+#include "core/robot/files/description.hpp"
+#include "core/robot/files/generate.hpp"
+#include "core/robot/forward.hpp"
 #include "stages/map/finger_angles.hpp"
 #include "stages/map/map_movement.hpp"
 

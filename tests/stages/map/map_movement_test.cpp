@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "pipeline/robot/files/description.hpp"
-#include "pipeline/robot/forward.hpp"
+#include "core/robot/files/description.hpp"
+#include "core/robot/forward.hpp"
 #include "stages/map/resolve_path.hpp"
 
 namespace morphe::map {

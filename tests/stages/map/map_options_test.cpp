@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "pipeline/robot/files/description.hpp"
-#include "pipeline/robot/files/generate.hpp"
+#include "core/robot/files/description.hpp"
+#include "core/robot/files/generate.hpp"
 #include "stages/map/compass_search.hpp"
 #include "stages/map/frame_search.hpp"
 #include "stages/map/map_movement.hpp"

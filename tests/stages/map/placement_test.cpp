@@ -4,8 +4,8 @@
 
 #include <numbers>
 
-#include "pipeline/robot/files/description.hpp"
-#include "pipeline/robot/files/generate.hpp"
+#include "core/robot/files/description.hpp"
+#include "core/robot/files/generate.hpp"
 
 namespace morphe::map {
 namespace {

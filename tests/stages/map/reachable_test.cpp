@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/robot/files/description.hpp"
-#include "pipeline/robot/forward.hpp"
+#include "core/robot/files/description.hpp"
+#include "core/robot/forward.hpp"
 #include "stages/map/map_options.hpp"
 #include "tests/support/random_positions.hpp"
 

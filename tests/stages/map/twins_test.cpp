@@ -4,9 +4,9 @@
 
 #include <numbers>
 
-#include "pipeline/robot/forward.hpp"
+#include "core/robot/forward.hpp"
 #include "stages/map/map_options.hpp"
-#include "tests/pipeline/robot/shipped_robots.hpp"
+#include "tests/core/robot/shipped_robots.hpp"
 
 namespace morphe::map {
 namespace {

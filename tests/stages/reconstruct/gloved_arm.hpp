@@ -5,9 +5,9 @@
 #include <random>
 #include <vector>
 
-#include "pipeline/human/arm_angles.hpp"
-#include "pipeline/human/glove.hpp"
-#include "pipeline/motion/demonstration.hpp"
+#include "core/human/arm_angles.hpp"
+#include "core/human/glove.hpp"
+#include "core/motion/demonstration.hpp"
 
 namespace morphe::reconstruct {
 

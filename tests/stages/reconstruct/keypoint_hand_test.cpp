@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "pipeline/human/hand.hpp"
-#include "pipeline/robot/forward.hpp"
+#include "core/human/hand.hpp"
+#include "core/robot/forward.hpp"
 #include "stages/import/import.hpp"
 #include "stages/reconstruct/hand_from_keypoints.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "pipeline/human/arm_angles.hpp"
-#include "pipeline/human/hand.hpp"
+#include "core/human/arm_angles.hpp"
+#include "core/human/hand.hpp"
 #include "stages/import/import.hpp"
 #include "stages/reconstruct/mirror.hpp"
 #include "stages/reconstruct/reconstruct.hpp"

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "pipeline/math/statistics.hpp"
+#include "core/math/statistics.hpp"
 #include "stages/reconstruct/hand_frame.hpp"
 #include "stages/reconstruct/hand_from_keypoints.hpp"
 #include "stages/reconstruct/reconstruct.hpp"

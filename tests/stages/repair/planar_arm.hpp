@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "pipeline/collision/certified.hpp"
-#include "pipeline/motion/plan.hpp"
+#include "core/collision/certified.hpp"
+#include "core/motion/plan.hpp"
 
 namespace morphe::test {
 

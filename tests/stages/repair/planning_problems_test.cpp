@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "pipeline/moveit/problem.hpp"
+#include "core/moveit/problem.hpp"
 #include "stages/repair/connect.hpp"
 #include "stages/repair/draw_in.hpp"
 

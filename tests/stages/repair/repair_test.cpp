@@ -4,8 +4,8 @@
 
 #include <thread>
 
-#include "pipeline/robot/files/description.hpp"
-#include "pipeline/robot/forward.hpp"
+#include "core/robot/files/description.hpp"
+#include "core/robot/forward.hpp"
 #include "stages/repair/other_courses.hpp"
 #include "tests/stages/repair/planar_arm.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "pipeline/robot/forward.hpp"
+#include "core/robot/forward.hpp"
 
 namespace morphe::retime {
 namespace {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <random>
 
-#include "pipeline/config/fields.hpp"
-#include "pipeline/math/quintic.hpp"
+#include "core/config/fields.hpp"
+#include "core/math/quintic.hpp"
 
 namespace morphe::retime {
 namespace {

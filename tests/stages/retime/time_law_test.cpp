@@ -1,4 +1,4 @@
-// Closed forms; tests/stages/study holds the law against another method on a finer grid.
+// Closed forms; tests/pipeline/study holds the law against another method on a finer grid.
 #include "stages/retime/time_law.hpp"
 
 #include <gtest/gtest.h>

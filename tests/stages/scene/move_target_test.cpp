@@ -1,4 +1,5 @@
 #include "stages/scene/move_target.hpp"
+#include "stages/scene/build_scene.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "pipeline/config/fields.hpp"
+#include "core/config/fields.hpp"
 
 namespace morphe::scene {
 namespace {

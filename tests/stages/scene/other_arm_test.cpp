@@ -1,5 +1,6 @@
 #include "stages/scene/other_arm.hpp"
-#include "pipeline/math/rotation.hpp"
+#include "core/math/rotation.hpp"
+#include "stages/scene/build_scene.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

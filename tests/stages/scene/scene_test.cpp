@@ -4,8 +4,8 @@
 #include <fstream>
 #include <string_view>
 
-#include "pipeline/collision/mesh_solid.hpp"
-#include "pipeline/config/fields.hpp"
+#include "core/collision/mesh_solid.hpp"
+#include "core/config/fields.hpp"
 #include "stages/scene/build_scene.hpp"
 
 namespace morphe::scene {

@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
-#include "pipeline/motion/human_motion.hpp"
-#include "pipeline/motion/movement.hpp"
+#include "core/motion/human_motion.hpp"
+#include "core/motion/movement.hpp"
 
 namespace morphe::segment {
 

@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "pipeline/math/random_stream.hpp"
+#include "core/math/random_stream.hpp"
 #include "tests/stages/simulate/gripper.hpp"
 
 namespace morphe::simulate {

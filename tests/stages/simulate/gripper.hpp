@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "pipeline/motion/plan.hpp"
-#include "pipeline/robot/robot.hpp"
+#include "core/motion/plan.hpp"
+#include "core/robot/robot.hpp"
 
 namespace morphe::simulate {
 

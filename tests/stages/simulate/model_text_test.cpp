@@ -1,12 +1,12 @@
 #include "stages/simulate/model_text.hpp"
-#include "pipeline/math/rotation.hpp"
+#include "core/math/rotation.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "pipeline/physics/state.hpp"
-#include "pipeline/robot/forward.hpp"
-#include "tests/pipeline/robot/shipped_robots.hpp"
+#include "core/physics/state.hpp"
+#include "core/robot/forward.hpp"
+#include "tests/core/robot/shipped_robots.hpp"
 #include "tests/stages/simulate/gripper.hpp"
 
 namespace morphe::simulate {

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/math/quintic.hpp"
-#include "pipeline/robot/forward.hpp"
+#include "core/math/quintic.hpp"
+#include "core/robot/forward.hpp"
 #include "stages/simulate/lift.hpp"
-#include "tests/pipeline/robot/shipped_robots.hpp"
+#include "tests/core/robot/shipped_robots.hpp"
 #include "tests/stages/simulate/gripper.hpp"
 
 namespace morphe::simulate {

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/math/random_stream.hpp"
-#include "pipeline/parallel/for_each.hpp"
-#include "pipeline/physics/model.hpp"
-#include "pipeline/physics/state.hpp"
+#include "core/math/random_stream.hpp"
+#include "core/parallel/for_each.hpp"
+#include "core/physics/model.hpp"
+#include "core/physics/state.hpp"
 #include "stages/simulate/results.hpp"
 #include "tests/stages/simulate/gripper.hpp"
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "pipeline/motion/input_error.hpp"
+#include "core/motion/input_error.hpp"
 #include "stages/simulate/servos.hpp"
 #include "tests/stages/simulate/gripper.hpp"
 

@@ -1,0 +1,31 @@
+#include "core/closure/contact.hpp"
+
+#include <fmt/format.h>
+
+namespace morphe::closure {
+
+std::string why_invalid(const ContactSet& set) {
+  const Friction& friction = set.friction;
+  // Written so that NaN fails too.
+  if (!(friction.mu >= 0 && friction.mu < kInfinity)) return "friction must be 0 or more";
+  if (!(friction.gamma_m >= 0 && friction.gamma_m < kInfinity)) {
+    return "torsional friction must be 0 or more";
+  }
+  if (!(set.torque_scale_m > 0 && set.torque_scale_m < kInfinity)) {
+    return "the torque scale must be above 0";
+  }
+  if (!set.reference.allFinite()) return "the reference point is not a point";
+  for (std::size_t k = 0; k < set.contacts.size(); ++k) {
+    const Contact& contact = set.contacts[k];
+    if (!contact.point.allFinite()) return fmt::format("contact {}: its point is none", k);
+    if (!(std::abs(contact.normal.norm() - 1) < 1e-9)) {
+      return fmt::format("contact {}: its normal is no unit vector", k);
+    }
+    if (!(contact.share > 0 && contact.share < kInfinity)) {
+      return fmt::format("contact {}: its share must be above 0", k);
+    }
+  }
+  return "";
+}
+
+}  // namespace morphe::closure

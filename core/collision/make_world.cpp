@@ -1,0 +1,76 @@
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/collision/mesh_solid.hpp"
+#include "core/collision/world.hpp"
+
+namespace morphe::collision {
+namespace {
+
+/// That moves a capsule, -1: none.
+int moving_frame(const robot::Robot& robot, int capsule) {
+  const int frame = robot.capsules[static_cast<std::size_t>(capsule)].frame;
+  return frame < 0 ? -1 : robot.moving_frame[static_cast<std::size_t>(frame)];
+}
+
+std::vector<std::array<int, 2>> pairs_to_check(const robot::Robot& robot) {
+  const auto allowed = [&robot](int i, int j) {
+    return std::any_of(robot.allowed_pairs.begin(), robot.allowed_pairs.end(),
+                       [&](const auto& pair) {
+                         return (pair[0] == i && pair[1] == j) || (pair[0] == j && pair[1] == i);
+                       });
+  };
+  std::vector<std::array<int, 2>> pairs;
+  const int capsules = static_cast<int>(robot.capsules.size());
+  for (int i = 0; i < capsules; ++i) {
+    for (int j = i + 1; j < capsules; ++j) {
+      const bool rigid = moving_frame(robot, i) == moving_frame(robot, j);
+      if (!rigid && !allowed(i, j)) pairs.push_back({i, j});
+    }
+  }
+  return pairs;
+}
+
+void set_touching(const Movement& movement, CollisionWorld& world) {
+  double preshape_s = kNotSeen, grasp_s = kNotSeen, end_s = kNotSeen;
+  const auto lower = [](double& value, double with) {
+    if (!(value <= with)) value = with;
+  };
+  for (const Phase& phase : movement.phases) {
+    if (phase.kind == PhaseKind::preshape) lower(preshape_s, phase.begin_s);
+    if (phase.kind == PhaseKind::grasp) lower(grasp_s, phase.begin_s);
+    const bool holding = phase.kind == PhaseKind::grasp || phase.kind == PhaseKind::hold ||
+                         phase.kind == PhaseKind::transport;
+    if (holding && !(end_s >= phase.end_s)) end_s = phase.end_s;
+  }
+  const double begin_s = std::isnan(preshape_s) ? grasp_s : preshape_s;
+  if (std::isnan(begin_s) || std::isnan(end_s)) return;
+  world.touch_begin_s = begin_s;
+  world.touch_end_s = end_s;
+}
+
+}  // namespace
+
+CollisionWorld make_world(const robot::Robot& robot, const Scene& scene, const Movement& movement,
+                          const Tolerances& tolerances, const ReadyMeshes& ready) {
+  if (static_cast<std::size_t>(robot.capsule_levers.rows()) != robot.capsules.size()) {
+    throw std::logic_error("the robot's capsules changed after what follows from them was derived");
+  }
+  CollisionWorld world;
+  world.robot = &robot;
+  world.scene = &scene;
+  for (const SceneObject& object : scene.objects) {
+    world.meshes.push_back(mesh_solid_of(object, ready));
+  }
+  world.tolerances = tolerances;
+  if (!movement.target.empty()) {
+    const SceneObject* target = object_named(scene.objects, movement.target);
+    if (target) world.target = static_cast<int>(target - scene.objects.data());
+  }
+  if (world.target >= 0) set_touching(movement, world);
+  world.pairs = pairs_to_check(robot);
+  return world;
+}
+
+}  // namespace morphe::collision

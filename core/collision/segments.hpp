@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/motion/geometry.hpp"
+
+namespace morphe::collision {
+
+struct NearestOfSegments {
+  Vec3 on_first, on_second;
+  double squared = 0;  ///< of their distance
+};
+
+/// min over s, t in [0, 1] of |a + s (b - a) - c - t (d - c)|^2; a == b or c == d is a point.
+NearestOfSegments nearest_of_segments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+}  // namespace morphe::collision

@@ -1,0 +1,443 @@
+#include "core/config/node.hpp"
+
+#include <fmt/format.h>
+#include <yaml-cpp/anchor.h>
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <numbers>
+#include <set>
+#include <sstream>
+
+#include "core/config/did_you_mean.hpp"
+#include "core/files/printable.hpp"
+
+namespace morphe::config {
+
+namespace {
+
+constexpr std::size_t kMostValues = 1'000'000, kMostBytes = std::size_t{64} << 20;
+constexpr int kMostDepth = 100;
+
+/// Notices whether a document holds anything.
+struct Notice : YAML::EventHandler {
+  bool something = false;
+  int line = 0;
+
+  void notice(const YAML::Mark& mark) {
+    if (!something) line = mark.line + 1;
+    something = true;
+  }
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override { notice(mark); }
+  void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t,
+                const std::string&) override {
+    notice(mark);
+  }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t,
+                       YAML::EmitterStyle::value) override {
+    notice(mark);
+  }
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t,
+                  YAML::EmitterStyle::value) override {
+    notice(mark);
+  }
+  void OnMapEnd() override {}
+};
+
+/// The one document of a text. (YAML::LoadAll does not come to an end on some texts.)
+YAML::Node only_document(const std::string& text, const std::string& label) {
+  if (text.size() > kMostBytes)
+    throw InputError(fmt::format("{}: is longer than {} MB", label, kMostBytes >> 20));
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  Notice first, second;
+  if (parser.HandleNextDocument(first) && parser.HandleNextDocument(second) && second.something)
+    throw InputError(
+        fmt::format("{}:{}: a second document begins: there may be one", label, second.line));
+  return YAML::Load(text);
+}
+
+}  // namespace
+
+struct ConfigNode::Value {
+  enum class Kind { empty, scalar, list, map } kind = Kind::empty;
+  std::string scalar;
+  std::vector<std::pair<std::string, std::unique_ptr<Value>>> children;  ///< list: empty keys
+  std::string file;                                                      ///< it stands in this file
+  std::string origin;  ///< "FILE:LINE" or "--set a.b"
+  int line = 0;
+  bool read = false;
+  std::set<std::string, std::less<>> asked;  ///< keys that somebody looked for
+
+  std::map<std::string, Value*, std::less<>> by_key;  ///< of a map's children
+
+  Value* find(std::string_view key) const {
+    const auto found = by_key.find(key);
+    return found == by_key.end() ? nullptr : found->second;
+  }
+
+  void add(const std::string& key, std::unique_ptr<Value> child) {
+    if (kind == Kind::map) by_key[key] = child.get();
+    children.emplace_back(key, std::move(child));
+  }
+
+  void put(const std::string& key, std::unique_ptr<Value> child) {
+    for (auto& [name, there] : children) {
+      if (name != key) continue;
+      by_key[key] = child.get();
+      there = std::move(child);
+      return;
+    }
+    add(key, std::move(child));
+  }
+
+  void erase(std::string_view key) {
+    std::erase_if(children, [&](const auto& child) { return child.first == key; });
+    if (const auto found = by_key.find(key); found != by_key.end()) by_key.erase(found);
+  }
+
+  void mark_all_read() {
+    read = true;
+    for (const auto& entry : children) entry.second->mark_all_read();
+  }
+
+  /// Names of children that nobody has asked for.
+  std::vector<std::string> strangers() const {
+    std::vector<std::string> names;
+    for (const auto& entry : children) {
+      if (!asked.contains(entry.first)) names.push_back(entry.first);
+    }
+    return names;
+  }
+
+  std::unique_ptr<Value> clone() const {
+    auto copy = std::make_unique<Value>();
+    copy->kind = kind;
+    copy->scalar = scalar;
+    copy->file = file;
+    copy->origin = origin;
+    copy->line = line;
+    copy->read = read;
+    for (const auto& [key, child] : children) copy->add(key, child->clone());
+    return copy;
+  }
+
+  void extend(const Value& base) {
+    if (kind != Kind::map || base.kind != Kind::map) return;
+    for (const auto& [key, child] : base.children) {
+      if (Value* own = find(key)) {
+        own->extend(*child);
+      } else {
+        add(key, child->clone());
+      }
+    }
+  }
+
+  void set_file(const std::string& name) {
+    file = name;
+    for (auto& entry : children) entry.second->set_file(name);
+  }
+
+  /// What is left of a document to be converted: aliases may make much of little, or an endless
+  /// value of one that holds itself.
+  struct Budget {
+    std::size_t values = kMostValues;
+    int depth = kMostDepth;
+  };
+
+  static std::unique_ptr<Value> convert(const YAML::Node& node, const std::string& label,
+                                        Budget& budget) {
+    auto value = std::make_unique<Value>();
+    value->line = node.Mark().line + 1;
+    value->file = label;
+    value->origin = fmt::format("{}:{}", label, value->line);
+    if (budget.depth == 0) {
+      throw InputError(fmt::format("{}: is nested deeper than {} levels, or holds itself",
+                                   value->origin, kMostDepth));
+    }
+    if (budget.values == 0) {
+      throw InputError(
+          fmt::format("{}: the document holds more than {} values", value->origin, kMostValues));
+    }
+    --budget.values;
+    --budget.depth;
+    if (node.IsScalar()) {
+      value->kind = Kind::scalar;
+      value->scalar = node.Scalar();
+    } else if (node.IsSequence()) {
+      value->kind = Kind::list;
+      for (const YAML::Node& item : node) value->add("", convert(item, label, budget));
+    } else if (node.IsMap()) {
+      value->kind = Kind::map;
+      for (const auto& entry : node) {
+        const std::string key = entry.first.as<std::string>();
+        const int line = entry.first.Mark().line + 1;
+        if (value->find(key)) {
+          throw InputError(
+              fmt::format("{}:{}: {}: the key stands twice", label, line, files::printable(key)));
+        }
+        auto child = convert(entry.second, label, budget);
+        if (child->kind == Kind::empty) child->origin = fmt::format("{}:{}", label, line);
+        value->add(key, std::move(child));
+      }
+    }
+    ++budget.depth;
+    return value;
+  }
+};
+
+struct ConfigNode::Document {
+  std::filesystem::path file;
+  std::unique_ptr<Value> root;
+};
+
+namespace {
+
+std::string join(const std::string& path, std::string_view key) {
+  const std::string shown = files::printable(key);
+  return path.empty() ? shown : fmt::format("{}.{}", path, shown);
+}
+
+}  // namespace
+
+ConfigNode ConfigNode::load(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream || std::filesystem::is_directory(file)) {
+    throw InputError(fmt::format("{}: cannot be read{}", file.string(), did_you_mean_file(file)));
+  }
+  std::stringstream text;
+  text << stream.rdbuf();
+  if (stream.bad()) throw InputError(fmt::format("{}: cannot be read", file.string()));
+  ConfigNode node = parse(text.str(), file.string());
+  node.document_->file = file;
+  return node;
+}
+
+ConfigNode ConfigNode::parse(const std::string& text, const std::string& label) {
+  auto document = std::make_shared<Document>();
+  document->file = label;
+  try {
+    Value::Budget budget;
+    document->root = Value::convert(only_document(text, label), label, budget);
+  } catch (const YAML::Exception& error) {
+    throw InputError(
+        fmt::format("{}:{}: not valid YAML: {}", label, error.mark.line + 1, error.msg));
+  }
+  if (document->root->kind == Value::Kind::empty) {
+    throw InputError(fmt::format("{}: is empty", label));
+  }
+  Value* root = document->root.get();
+  return {std::move(document), root, ""};
+}
+
+bool ConfigNode::is_map() const { return value_->kind == Value::Kind::map; }
+bool ConfigNode::is_list() const { return value_->kind == Value::Kind::list; }
+bool ConfigNode::is_scalar() const { return value_->kind == Value::Kind::scalar; }
+bool ConfigNode::has(std::string_view key) const {
+  if (!is_map()) return false;
+  value_->asked.emplace(key);
+  Value* child = value_->find(key);
+  if (!child) return false;
+  if (child->kind == Value::Kind::empty) child->read = true;  // "key:" alone asks for the default
+  return child->kind != Value::Kind::empty;
+}
+
+std::vector<std::string> ConfigNode::keys() const {
+  std::vector<std::string> names;
+  for (const auto& entry : value_->children) names.push_back(entry.first);
+  return names;
+}
+
+ConfigNode ConfigNode::operator[](std::string_view key) const {
+  expect_map();
+  value_->asked.emplace(key);
+  Value* child = value_->find(key);
+  if (!child) {
+    const std::string stranger = nearest_word(key, value_->strangers());
+    throw InputError(
+        fmt::format("{}: {}: is missing{}", value_->origin, join(key_, key),
+                    stranger.empty() ? "" : fmt::format("; is '{}' meant for it?", stranger)));
+  }
+  child->read = true;
+  return {document_, child, join(key_, key)};
+}
+
+std::vector<ConfigNode> ConfigNode::items() const {
+  if (!is_list()) fail_shape("must be a list");
+  std::vector<ConfigNode> nodes;
+  for (std::size_t i = 0; i < value_->children.size(); ++i) {
+    nodes.push_back(
+        ConfigNode(document_, value_->children[i].second.get(), fmt::format("{}[{}]", key_, i)));
+  }
+  return nodes;
+}
+
+std::string ConfigNode::text() const {
+  if (!is_scalar()) fail_shape("must be a single value");
+  return value_->scalar;
+}
+
+bool ConfigNode::boolean() const {
+  const std::string word = text();
+  if (word == "true") return true;
+  if (word == "false") return false;
+  fail(fmt::format("must be true or false, not '{}'", word));
+}
+
+std::int64_t ConfigNode::integer() const {
+  const std::string word = text();
+  std::int64_t number = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  if (error != std::errc() || end != word.data() + word.size()) {
+    fail(fmt::format("must be a whole number, not '{}'", word));
+  }
+  return number;
+}
+
+double ConfigNode::number() const {
+  std::string word = text();
+  double factor = 1;
+  if (word.ends_with("deg")) {
+    factor = kDegree;
+    word.resize(word.size() - 3);
+    while (word.ends_with(' ')) word.pop_back();
+  }
+  const char* begin = word.data() + (word.starts_with('+') && !word.starts_with("+-") ? 1 : 0);
+  double number = 0;
+  const auto [end, error] = std::from_chars(begin, word.data() + word.size(), number);
+  if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(number)) {
+    fail(fmt::format("must be a number, not '{}'", text()));
+  }
+  return number * factor;
+}
+
+std::vector<double> ConfigNode::numbers() const {
+  std::vector<double> values;
+  for (const ConfigNode& item : items()) values.push_back(item.number());
+  return values;
+}
+
+Vec3 ConfigNode::vec3() const {
+  const std::vector<double> values = numbers();
+  if (values.size() != 3) fail(fmt::format("must have 3 numbers, not {}", values.size()));
+  return {values[0], values[1], values[2]};
+}
+
+std::vector<std::string> ConfigNode::texts() const {
+  std::vector<std::string> values;
+  for (const ConfigNode& item : items()) values.push_back(item.text());
+  return values;
+}
+
+void ConfigNode::set(const std::string& dotted_path, const std::string& value) {
+  const std::string label = fmt::format("--set {}", dotted_path);
+  std::unique_ptr<Value> replacement;
+  try {
+    Value::Budget budget;
+    replacement = Value::convert(only_document(value, label), label, budget);
+  } catch (const YAML::Exception& error) {
+    throw InputError(fmt::format("{}: not valid YAML: {}", label, error.msg));
+  }
+  replacement->origin = label;
+  replacement->set_file(document_->root->file);
+  Value* parent = value_;
+  std::stringstream path(dotted_path);
+  std::vector<std::string> steps;
+  for (std::string step; std::getline(path, step, '.');) steps.push_back(step);
+  if (steps.empty()) throw InputError("--set: needs a.b=value");
+  if (steps.size() > static_cast<std::size_t>(kMostDepth))
+    throw InputError(fmt::format("--set: names more than {} levels", kMostDepth));
+  for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
+    Value* child = parent->find(steps[i]);
+    if (!child) {
+      auto made = std::make_unique<Value>();
+      made->kind = Value::Kind::map;
+      made->origin = label;
+      made->file = document_->root->file;
+      child = made.get();
+      parent->add(steps[i], std::move(made));
+    }
+    if (child->kind == Value::Kind::empty) child->kind = Value::Kind::map;
+    if (child->kind != Value::Kind::map) {
+      throw InputError(fmt::format("{}: '{}' is not a section", label, steps[i]));
+    }
+    parent = child;
+  }
+  parent->put(steps.back(), std::move(replacement));
+}
+
+void ConfigNode::extend(const ConfigNode& base) { value_->extend(*base.value_); }
+
+void ConfigNode::erase(std::string_view key) { value_->erase(key); }
+
+ConfigNode ConfigNode::detached() const {
+  auto document = std::make_shared<Document>();
+  document->file = document_->file;
+  document->root = value_->clone();
+  Value* root = document->root.get();
+  return {std::move(document), root, key_};
+}
+
+void ConfigNode::add_unread(Problems& problems) const {
+  constexpr int kMost = 1000;  // nobody reads more
+  int found = 0;
+  const auto visit = [&](const auto& self, const Value& value, const std::string& path) -> void {
+    for (std::size_t i = 0; i < value.children.size() && found < kMost; ++i) {
+      const auto& [key, child] = value.children[i];
+      const bool in_map = value.kind == Value::Kind::map;
+      const std::string child_path = in_map ? join(path, key) : fmt::format("{}[{}]", path, i);
+      if (in_map && !child->read) {
+        ++found;
+        problems.add(fmt::format("{}: {}: unknown key{}", child->origin, child_path,
+                                 did_you_mean(key, {value.asked.begin(), value.asked.end()})));
+      } else {
+        self(self, *child, child_path);
+      }
+    }
+  };
+  visit(visit, *document_->root, value_ == document_->root.get() ? key_ : "");
+}
+
+void ConfigNode::expect_all_read() const {
+  Problems problems;
+  add_unread(problems);
+  problems.throw_any();
+}
+
+void ConfigNode::expect_map() const {
+  if (!is_map()) fail_shape("must be a mapping of keys to values");
+}
+
+void ConfigNode::fail_shape(const std::string& message) const {
+  value_->mark_all_read();
+  fail(message);
+}
+
+void ConfigNode::fail_below(const std::string& message) const {
+  const std::size_t end = message.find_first_of(": ");
+  const std::string key = message.substr(0, end);
+  if (end == std::string::npos || !is_map() || !has(key)) fail(message);
+  (*this)[key].fail(message.substr(message.find_first_not_of(": ", end)));
+}
+
+void ConfigNode::fail(const std::string& message) const {
+  throw InputError(key_.empty() ? fmt::format("{}: {}", value_->origin, message)
+                                : fmt::format("{}: {}: {}", value_->origin, key_, message));
+}
+
+std::filesystem::path ConfigNode::file() const { return value_->file; }
+std::filesystem::path ConfigNode::folder() const {
+  return std::filesystem::path(value_->file).parent_path();
+}
+int ConfigNode::line() const { return value_->line; }
+
+}  // namespace morphe::config

@@ -1,0 +1,94 @@
+#include "core/config/schema.hpp"
+
+#include <cxxabi.h>
+
+#include <cstdlib>
+
+#include "core/config/did_you_mean.hpp"
+
+namespace morphe::config {
+
+Schema number_schema() {
+  return {{"type", {"number", "string"}},
+          {"pattern", "^[-+]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][-+]?[0-9]+)? *(deg)?$"}};
+}
+
+Schema whole_number_schema() { return {{"type", "integer"}}; }
+Schema text_schema() { return {{"type", {"string", "number", "boolean"}}}; }
+Schema truth_schema() { return {{"type", "boolean"}}; }
+Schema choice_schema(const std::vector<std::string>& words) { return {{"enum", words}}; }
+Schema list_schema(const Schema& items) { return {{"type", "array"}, {"items", items}}; }
+
+Schema list_schema(const Schema& items, std::size_t count) {
+  return {{"type", "array"}, {"items", items}, {"minItems", count}, {"maxItems", count}};
+}
+
+namespace {
+
+/// "key:" alone asks for the default.
+void allow_nothing(Schema& schema) {
+  if (schema.contains("enum")) schema["enum"].push_back(nullptr);
+  if (!schema.contains("type")) return;
+  if (schema["type"].is_string()) schema["type"] = Schema::array({schema["type"]});
+  schema["type"].push_back("null");
+}
+
+}  // namespace
+
+Schema map_schema(const std::vector<SchemaKey>& keys) {
+  Schema properties = Schema::object(), required = Schema::array();
+  for (const SchemaKey& key : keys) {
+    Schema schema;
+    if (!key.meaning.empty()) schema["description"] = key.meaning;
+    schema.update(key.schema);
+    if (key.required) required.push_back(key.name);
+    if (!key.required) allow_nothing(schema);
+    properties[key.name] = std::move(schema);
+  }
+  Schema schema{
+      {"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
+  if (!required.empty()) schema["required"] = std::move(required);
+  return schema;
+}
+
+Schema schema_document(const std::string& title, Schema schema) {
+  Schema document{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", title}};
+  document.update(schema);
+  return document;
+}
+
+namespace {
+
+void add_strangers_below(const ConfigNode& node, const Schema& schema, Problems& problems) {
+  if (node.is_list() && schema.contains("items")) {
+    for (const ConfigNode& item : node.items()) {
+      add_strangers_below(item, schema["items"], problems);
+    }
+  }
+  if (!node.is_map() || !schema.contains("properties")) return;
+  const Schema& known = schema["properties"];
+  std::vector<std::string> names;
+  for (const auto& [name, value] : known.items()) names.push_back(name);
+  for (const std::string& key : node.keys()) {
+    if (known.contains(key)) {
+      add_strangers_below(node[key], known[key], problems);
+    } else {
+      problems.attempt([&] { node[key].fail("unknown key" + did_you_mean(key, names)); });
+    }
+  }
+}
+
+}  // namespace
+
+void add_strangers(const ConfigNode& node, const Schema& schema, Problems& problems) {
+  add_strangers_below(node.detached(), schema, problems);  // what is read here counts as unread
+}
+
+std::string type_name(const std::type_info& type) {
+  char* const plain = abi::__cxa_demangle(type.name(), nullptr, nullptr, nullptr);
+  const std::string name = plain ? plain : type.name();
+  std::free(plain);
+  return name.substr(name.rfind(':') + 1);
+}
+
+}  // namespace morphe::config

@@ -1,0 +1,156 @@
+#include "core/cover/surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/math/random_stream.hpp"
+
+namespace morphe::cover {
+namespace {
+
+constexpr int kRound = 24;  ///< facets about a cylinder
+
+void add_quad(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
+              std::vector<Triangle>& out) {
+  out.push_back({a, b, c});
+  out.push_back({a, c, d});
+}
+
+void add_box(const Pose& pose, const Vec3& half, std::vector<Triangle>& out) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3 n = half[axis] * Vec3::Unit(axis),
+               u = half[(axis + 1) % 3] * Vec3::Unit((axis + 1) % 3),
+               v = half[(axis + 2) % 3] * Vec3::Unit((axis + 2) % 3);
+    for (const double side : {1.0, -1.0}) {
+      add_quad(pose * (side * n + u + v), pose * (side * n - u + v), pose * (side * n - u - v),
+               pose * (side * n + u - v), out);
+    }
+  }
+}
+
+/// A surface of revolution about z through (radius, height) points.
+void add_round(const Pose& pose, const std::vector<Eigen::Vector2d>& profile,
+               std::vector<Triangle>& out) {
+  const double wider = 1 / std::cos(std::numbers::pi / kRound);  // facets touch the circle
+  const auto at = [&](const Eigen::Vector2d& p, int k) -> Vec3 {
+    const double angle = 2 * std::numbers::pi * k / kRound;
+    return pose * Vec3(wider * p.x() * std::cos(angle), wider * p.x() * std::sin(angle), p.y());
+  };
+  for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
+    for (int k = 0; k < kRound; ++k) {
+      add_quad(at(profile[i], k), at(profile[i], k + 1), at(profile[i + 1], k + 1),
+               at(profile[i + 1], k), out);
+    }
+  }
+}
+
+/// Of a ball whose two halves stand `length` apart.
+std::vector<Eigen::Vector2d> ball_profile(double radius, double length) {
+  constexpr int kSteps = 12;
+  const double wider = 1 / std::cos(std::numbers::pi / (2 * kSteps));
+  std::vector<Eigen::Vector2d> profile;
+  for (int k = 0; k <= kSteps; ++k) {
+    const double polar = std::numbers::pi * k / kSteps;
+    const double half = (2 * k < kSteps ? 0.5 : -0.5) * length;
+    if (2 * k == kSteps) profile.emplace_back(wider * radius, 0.5 * length);
+    profile.emplace_back(wider * radius * std::sin(polar), half + wider * radius * std::cos(polar));
+  }
+  return profile;
+}
+
+void add(const SceneObject& body, std::vector<Triangle>& out) {
+  const Pose pose =
+      body.position.empty() ? Pose::Identity() : make_pose(body.position[0], body.orientation[0]);
+  const auto& size = body.size;
+  switch (body.shape) {
+    case Shape::sphere:
+      return add_round(pose, ball_profile(size[0], 0), out);
+    case Shape::capsule:
+      return add_round(pose, ball_profile(size[0], size[1]), out);
+    case Shape::box:
+      return add_box(pose, 0.5 * Vec3(size[0], size[1], size[2]), out);
+    case Shape::cylinder:
+      return add_round(pose,
+                       {{0, 0.5 * size[1]},
+                        {size[0], 0.5 * size[1]},
+                        {size[0], -0.5 * size[1]},
+                        {0, -0.5 * size[1]}},
+                       out);
+    case Shape::mesh:
+      for (const Eigen::Vector3i& t : body.triangles) {
+        const auto corner = [&](int k) -> Vec3 {
+          return pose * body.vertices[static_cast<std::size_t>(t[k])];
+        };
+        out.push_back({corner(0), corner(1), corner(2)});
+      }
+  }
+}
+
+}  // namespace
+
+std::vector<Triangle> surface_of(const std::vector<SceneObject>& bodies) {
+  std::vector<Triangle> surface;
+  for (const SceneObject& body : bodies) add(body, surface);
+  return surface;
+}
+
+std::vector<Vec3> sample_area(const std::vector<Triangle>& surface, std::size_t count,
+                              const std::string& name) {
+  std::vector<double> upto;
+  double sum = 0;
+  for (const Triangle& t : surface) {
+    sum += 0.5 * (t.b - t.a).cross(t.c - t.a).norm();
+    upto.push_back(sum);
+  }
+  std::vector<Vec3> points;
+  if (!(sum > 0)) {  // flat: all that there is are its corners
+    for (const Triangle& t : surface) points.insert(points.end(), {t.a, t.b, t.c});
+    return points;
+  }
+  math::RandomStream random(1, name);
+  points.reserve(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    // Evenly spread along the area, at random within a triangle.
+    const double at =
+        sum * (static_cast<double>(k) + random.uniform()) / static_cast<double>(count);
+    const auto found = std::ranges::upper_bound(upto, at);
+    const auto index = static_cast<std::size_t>(std::min<std::ptrdiff_t>(
+        found - upto.begin(), static_cast<std::ptrdiff_t>(upto.size()) - 1));
+    const Triangle& t = surface[index];
+    double u = random.uniform(), v = random.uniform();
+    if (u + v > 1) {
+      u = 1 - u;
+      v = 1 - v;
+    }
+    points.emplace_back(t.a + u * (t.b - t.a) + v * (t.c - t.a));
+  }
+  return points;
+}
+
+std::vector<Vec3> outermost_corners(const std::vector<Triangle>& surface) {
+  std::vector<Vec3> corners;
+  if (surface.empty()) return corners;
+  // Fewer of a huge mesh, whose samples are dense anyway.
+  const int directions =
+      static_cast<int>(std::clamp<std::size_t>(60'000'000 / surface.size(), 30, 300));
+  for (int k = 0; k < directions; ++k) {  // along a spiral about the ball
+    const double z = 1 - (2 * k + 1.0) / directions, turn = 2.399963229728653 * k;
+    const double r = std::sqrt(1 - z * z);
+    const Vec3 direction(r * std::cos(turn), r * std::sin(turn), z);
+    Vec3 farthest = surface.front().a;
+    for (const Triangle& t : surface) {
+      for (const Vec3& corner : {t.a, t.b, t.c}) {
+        if (corner.dot(direction) > farthest.dot(direction)) farthest = corner;
+      }
+    }
+    corners.push_back(farthest);
+  }
+  std::ranges::sort(corners, [](const Vec3& a, const Vec3& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  });
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  return corners;
+}
+
+}  // namespace morphe::cover

@@ -1,0 +1,182 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "core/files/little_endian.hpp"
+#include "core/files/npy_header.hpp"
+#include "core/files/npz_file.hpp"
+#include "core/files/text_encoding.hpp"
+#include "core/motion/input_error.hpp"
+
+namespace morphe::files {
+namespace {
+
+constexpr std::size_t kAligned = 64;  ///< numpy begins the values at a multiple of this
+
+/// A number of half precision: 1 sign, 5 exponent, 10 fraction bits.
+double half(std::uint64_t bits) {
+  const int exponent = static_cast<int>(bits >> 10 & 31);
+  const double fraction = static_cast<double>(bits & 1023);
+  const double sign = (bits & 0x8000) != 0 ? -1 : 1;
+  if (exponent == 0) return sign * std::ldexp(fraction, -24);
+  if (exponent == 31) return fraction == 0 ? sign * HUGE_VAL : std::nan("");
+  return sign * std::ldexp(1024 + fraction, exponent - 25);
+}
+
+double value_of(std::uint64_t bits, char kind, std::size_t size) {
+  if (kind == 'f') {
+    if (size == 2) return half(bits);
+    if (size == 4) return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
+    return std::bit_cast<double>(bits);
+  }
+  if (kind == 'b') return bits == 0 ? 0 : 1;
+  if (kind == 'u' || size == 0) return static_cast<double>(bits);
+  const std::uint64_t sign = std::uint64_t{1} << (8 * size - 1);
+  return static_cast<double>(static_cast<std::int64_t>((bits ^ sign) - sign));
+}
+
+void append_utf8(std::uint32_t point, std::string& text) {
+  const auto more = [&](int shift) { text += static_cast<char>(0x80 | (point >> shift & 0x3F)); };
+  if (point < 0x80) {
+    text += static_cast<char>(point);
+  } else if (point < 0x800) {
+    text += static_cast<char>(0xC0 | point >> 6);
+    more(0);
+  } else if (point < 0x10000) {
+    text += static_cast<char>(0xE0 | point >> 12);
+    more(6);
+    more(0);
+  } else {
+    text += static_cast<char>(0xF0 | point >> 18);
+    more(12);
+    more(6);
+    more(0);
+  }
+}
+
+/// Code points of UTF-8 that is known to be valid.
+std::vector<std::uint32_t> code_points(std::string_view text) {
+  std::vector<std::uint32_t> points;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte & 0xC0) == 0x80 && !points.empty()) {
+      points.back() = points.back() << 6 | (byte & 0x3F);
+    } else {
+      points.push_back(byte < 0x80 ? byte : byte < 0xE0 ? byte & 0x1F : byte & 0x0F);
+    }
+  }
+  return points;
+}
+
+/// Where the value lies in the file that comes k-th with the last index fastest.
+std::size_t stored_at(std::size_t k, const NpyHeader& header) {
+  if (!header.first_fastest) return k;
+  std::size_t at = 0, stride = header.count;
+  for (std::size_t d = header.shape.size(); d-- > 0;) {
+    stride /= header.shape[d];
+    at += k % header.shape[d] * stride;
+    k /= header.shape[d];
+  }
+  return at;
+}
+
+struct Values {
+  std::string_view bytes;
+  const NpyHeader& header;
+  const NpyFault& fail;
+
+  std::uint64_t bits(std::size_t at, std::size_t size) const {
+    std::uint64_t value = little_endian(bytes, at, size);
+    if (!header.big_endian) return value;
+    std::uint64_t swapped = 0;
+    for (std::size_t k = 0; k < size; ++k, value >>= 8) swapped = swapped << 8 | (value & 0xFF);
+    return swapped;
+  }
+  double number(std::size_t k) const {
+    const std::size_t at = header.data + stored_at(k, header) * header.item;
+    return value_of(bits(at, header.item), header.kind, header.item);
+  }
+  std::string text(std::size_t k) const {
+    const std::size_t at = header.data + stored_at(k, header) * header.item;
+    std::string text;
+    if (header.kind == 'S') {
+      text = bytes.substr(at, header.item);
+      text.erase(text.find_last_not_of('\0') + 1);
+      return is_utf8(text) ? text : utf8_from_latin1(text);
+    }
+    for (std::size_t b = at; b < at + header.item; b += 4) {
+      const std::uint64_t point = bits(b, 4);
+      if (point > 0x10FFFF || (point >= 0xD800 && point < 0xE000)) {
+        fail("is damaged: it holds what is no character");
+      }
+      append_utf8(static_cast<std::uint32_t>(point), text);
+    }
+    text.erase(text.find_last_not_of('\0') + 1);
+    return text;
+  }
+};
+
+}  // namespace
+
+std::string shape_text(const std::vector<std::size_t>& shape) {
+  return fmt::format("({}{})", fmt::join(shape, ", "), shape.size() == 1 ? "," : "");
+}
+
+NpyArray read_npy(std::string_view bytes, const std::string& file, const std::string& key) {
+  const NpyFault fail = [&](const std::string& what) {
+    throw InputError(fmt::format("{}: {}: {}", file, key, what));
+  };
+  const NpyHeader header = read_npy_header(bytes, fail);
+  const Values values{bytes, header, fail};
+  NpyArray array;
+  array.name = key;
+  array.shape = header.shape;
+  const bool text = header.kind == 'U' || header.kind == 'S';
+  array.kind = text ? NpyKind::text : header.kind == 'f' ? NpyKind::number : NpyKind::whole;
+  for (std::size_t k = 0; k < header.count; ++k) {
+    if (text) {
+      array.text.push_back(values.text(k));
+    } else {
+      array.values.push_back(values.number(k));
+    }
+  }
+  return array;
+}
+
+std::string npy_bytes(const NpyArray& array) {
+  std::size_t longest = 1;
+  std::vector<std::vector<std::uint32_t>> texts;
+  for (const std::string& text : array.text) {
+    texts.push_back(code_points(text));
+    longest = std::max(longest, texts.back().size());
+  }
+  const std::string type = array.kind == NpyKind::text    ? fmt::format("<U{}", longest)
+                           : array.kind == NpyKind::whole ? "<i8"
+                                                          : "<f8";
+  std::string header = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': {}, }}", type,
+                                   shape_text(array.shape));
+  const std::size_t before = 10;  // magic, version, length
+  header.append(kAligned - (before + header.size() + 1) % kAligned, ' ');
+  header += '\n';
+  std::string bytes("\x93NUMPY\x01\x00", 8);
+  append_little_endian(header.size(), 2, bytes);
+  bytes += header;
+  for (const double value : array.values) {
+    append_little_endian(array.kind == NpyKind::whole
+                             ? static_cast<std::uint64_t>(static_cast<std::int64_t>(value))
+                             : std::bit_cast<std::uint64_t>(value),
+                         8, bytes);
+  }
+  for (const auto& points : texts) {
+    for (std::size_t k = 0; k < longest; ++k) {
+      append_little_endian(k < points.size() ? points[k] : 0, 4, bytes);
+    }
+  }
+  return bytes;
+}
+
+}  // namespace morphe::files

@@ -1,0 +1,158 @@
+#include "core/files/npy_header.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <optional>
+
+#include "core/files/little_endian.hpp"
+
+namespace morphe::files {
+namespace {
+
+constexpr std::string_view kMagic = "\x93NUMPY";
+constexpr std::size_t kLongestHeader = 10000;  ///< numpy's own limit
+constexpr std::size_t kMostValues = std::size_t{1} << 27;
+
+/// A reader of {'descr': '<f8', 'fortran_order': False, 'shape': (3, 4), }.
+struct Literal {
+  std::string_view rest;
+  const NpyFault& fail;
+
+  [[noreturn]] void broken() const {
+    fail("is damaged: its header is none of numpy's");
+    throw 0;  // not reached
+  }
+  bool take(std::string_view word) {
+    while (!rest.empty() && std::isspace(static_cast<unsigned char>(rest.front())) != 0) {
+      rest.remove_prefix(1);
+    }
+    if (!rest.starts_with(word)) return false;
+    rest.remove_prefix(word.size());
+    return true;
+  }
+  void expect(std::string_view word) {
+    if (!take(word)) broken();
+  }
+  std::string_view quoted() {
+    const char* const quote = take("'") ? "'" : "\"";
+    if (*quote == '"') expect("\"");
+    const std::size_t end = rest.find(quote);
+    if (end == std::string_view::npos) broken();
+    const std::string_view text = rest.substr(0, end);
+    rest.remove_prefix(end + 1);
+    return text;
+  }
+  std::size_t whole() {
+    take("");  // spaces
+    std::size_t value = 0;
+    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+    if (error != std::errc()) broken();
+    rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+    take("L");  // Python 2
+    return value;
+  }
+  std::vector<std::size_t> tuple() {
+    std::vector<std::size_t> values;
+    expect("(");
+    while (!take(")")) {
+      values.push_back(whole());
+      if (!take(",")) {
+        expect(")");
+        break;
+      }
+    }
+    return values;
+  }
+};
+
+void read_type(std::string_view type, NpyHeader& header, const NpyFault& fail) {
+  const std::string said(type);
+  if (type.size() >= 2 && type[1] == 'O') {
+    fail("holds Python objects: save it again as plain numbers or text (no dtype=object)");
+  }
+  if (type.size() < 3 || std::string_view("<>|=").find(type[0]) == std::string_view::npos) {
+    fail(fmt::format("is of type '{}', which is not read", said));
+  }
+  std::size_t size = 0;
+  const char* const end = type.data() + type.size();
+  const auto [stop, error] = std::from_chars(type.data() + 2, end, size);
+  const char kind = type[1];
+  const bool sized = error == std::errc() && stop == end;
+  const bool integer = size == 1 || size == 2 || size == 4 || size == 8;
+  const bool known = (kind == 'b' && size == 1) || ((kind == 'i' || kind == 'u') && integer) ||
+                     (kind == 'f' && (size == 2 || size == 4 || size == 8)) ||
+                     ((kind == 'U' || kind == 'S') && size <= kMostValues);
+  if (!sized || !known) {
+    fail(fmt::format("is of type '{}'; whole numbers, numbers of 2, 4 or 8 bytes and text are read",
+                     said));
+  }
+  header.kind = kind;
+  header.item = kind == 'U' ? 4 * size : size;
+  header.big_endian = type[0] == '>';
+}
+
+std::size_t count_of(const std::vector<std::size_t>& shape, const NpyFault& fail) {
+  if (std::ranges::find(shape, std::size_t{0}) != shape.end()) return 0;
+  std::size_t count = 1;
+  for (const std::size_t length : shape) {
+    if (length > kMostValues / count) fail("has more than 134 million values");
+    count *= length;
+  }
+  return count;
+}
+
+}  // namespace
+
+NpyHeader read_npy_header(std::string_view bytes, const NpyFault& fail) {
+  if (!bytes.starts_with(kMagic)) fail("is no .npy file");
+  if (bytes.size() < kMagic.size() + 4) fail("ends within its header");
+  const int version = static_cast<unsigned char>(bytes[kMagic.size()]);
+  if (version < 1 || version > 3) fail(fmt::format("is of version {} of .npy", version));
+  const std::size_t size_bytes = version == 1 ? 2 : 4, begin = kMagic.size() + 2 + size_bytes;
+  if (bytes.size() < begin) fail("ends within its header");
+  const std::size_t length = little_endian(bytes, kMagic.size() + 2, size_bytes);
+  if (length > kLongestHeader) fail("has a header that is too long");
+  if (bytes.size() - begin < length) fail("ends within its header");
+
+  NpyHeader header;
+  header.data = begin + length;
+  Literal literal{bytes.substr(begin, length), fail};
+  std::optional<std::string_view> type;
+  bool has_order = false, has_shape = false;
+  literal.expect("{");
+  while (!literal.take("}")) {
+    const std::string_view key = literal.quoted();
+    literal.expect(":");
+    if (key == "descr" && !type) {
+      if (literal.take("[")) fail("holds structures: save each of their fields by itself");
+      type = literal.quoted();
+    } else if (key == "fortran_order" && !has_order) {
+      has_order = true;
+      header.first_fastest = literal.take("True");
+      if (!header.first_fastest) literal.expect("False");
+    } else if (key == "shape" && !has_shape) {
+      has_shape = true;
+      header.shape = literal.tuple();
+    } else {
+      literal.broken();
+    }
+    if (!literal.take(",")) {
+      literal.expect("}");
+      break;
+    }
+  }
+  if (!type || !has_order || !has_shape) literal.broken();
+  read_type(*type, header, fail);
+  header.count = count_of(header.shape, fail);
+  const std::size_t held = bytes.size() - header.data;
+  if (header.item > 0 && header.count > held / header.item) {
+    fail(fmt::format("ends too early: {} bytes of values, where {} values have {} bytes each", held,
+                     header.count, header.item));
+  }
+  return header;
+}
+
+}  // namespace morphe::files

@@ -1,0 +1,84 @@
+#include "core/files/read_in_child.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdint>
+#include <cstring>
+#include <new>
+#include <system_error>
+
+#include "core/files/confine.hpp"
+#include "core/motion/input_error.hpp"
+
+namespace morphe::files {
+namespace {
+
+constexpr int kDone = 0, kTooLarge = 3, kThrew = 4;
+
+struct Limits {
+  std::uint64_t seconds, bytes;
+};
+
+Limits limits_for(std::uint64_t file_bytes) {
+  return {10 + (file_bytes >> 20), (std::uint64_t{1} << 30) + 32 * file_bytes};
+}
+
+int exit_code(const std::function<void()>& read) {
+  try {
+    read();
+  } catch (const InputError&) {
+  } catch (const std::bad_alloc&) {
+    return kTooLarge;
+  } catch (...) {
+    return kThrew;
+  }
+  return kDone;
+}
+
+[[noreturn]] void read_and_exit(const std::function<void()>& read, const Limits& limits) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  const int nowhere = ::open("/dev/null", O_RDWR | O_CLOEXEC);
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nowhere, stream);
+  confine_to_reading(limits.seconds, limits.bytes);
+  ::_exit(exit_code(read));
+}
+
+std::string fault_of(int status, const Limits& limits) {
+  if (WIFEXITED(status)) {
+    switch (WEXITSTATUS(status)) {
+      case kDone:
+        return "";
+      case kTooLarge:
+        return fmt::format("reading it takes more than {} MB of memory", limits.bytes >> 20);
+      default:
+        return "the library that reads it fails on it";
+    }
+  }
+  const int signal = WTERMSIG(status);
+  if (signal == SIGXCPU || signal == SIGKILL)
+    return fmt::format("reading it does not end within {} s", limits.seconds);
+  return fmt::format("the library that reads it ends in '{}' on it", ::strsignal(signal));
+}
+
+}  // namespace
+
+std::string fault_in_child(const std::filesystem::path& file, const std::function<void()>& read) {
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(file, error);
+  const Limits limits = limits_for(error ? 0 : bytes);
+  const pid_t child = ::fork();
+  if (child < 0) return fmt::format("no process can be made for it: {}", std::strerror(errno));
+  if (child == 0) read_and_exit(read, limits);
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return fault_of(status, limits);
+}
+
+}  // namespace morphe::files

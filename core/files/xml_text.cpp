@@ -1,0 +1,77 @@
+#include "core/files/xml_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "core/files/printable.hpp"
+#include "core/motion/input_error.hpp"
+
+namespace morphe::files {
+namespace {
+
+std::string in_words(const tinyxml2::XMLDocument& document) {
+  switch (document.ErrorID()) {
+    case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
+      return "it is empty";
+    case tinyxml2::XML_ERROR_PARSING:
+      return "an element has no end";
+    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
+      return "an element has the end of another";
+    case tinyxml2::XML_ERROR_PARSING_ELEMENT:
+      return "an element cannot be read";
+    case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
+      return "an attribute cannot be read";
+    case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:
+      return "elements are nested too deeply";
+    default:
+      return document.ErrorName();
+  }
+}
+
+}  // namespace
+
+XmlText::XmlText(const std::filesystem::path& path, const char* root) : file(path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::stringstream text;
+  text << stream.rdbuf();
+  if (!stream || std::filesystem::is_directory(path)) {
+    throw InputError(fmt::format("{}: cannot be read", path.string()));
+  }
+  document.Parse(text.str().c_str());
+  if (document.Error()) {
+    throw InputError(fmt::format("{}:{}: not valid XML: {}", path.string(),
+                                 std::max(1, document.ErrorLineNum()), in_words(document)));
+  }
+  const XmlElement* top = document.RootElement();
+  if (!top || std::strcmp(top->Value(), root) != 0) {
+    throw InputError(fmt::format("{}:{}: must begin with <{}>", path.string(),
+                                 top ? top->GetLineNum() : 1, root));
+  }
+}
+
+void XmlText::fail(const XmlElement& element, const std::string& key,
+                   const std::string& message) const {
+  throw InputError(fmt::format("{}:{}: {}: {}", file.string(), element.GetLineNum(), printable(key),
+                               printable(message)));
+}
+
+std::string XmlText::attribute(const XmlElement& element, const char* name) const {
+  const char* value = element.Attribute(name);
+  if (!value || !*value) fail(element, fmt::format("{}.{}", element.Value(), name), "is missing");
+  return value;
+}
+
+std::vector<const XmlElement*> children(const XmlElement& parent, const char* tag) {
+  std::vector<const XmlElement*> found;
+  for (const XmlElement* child = parent.FirstChildElement(tag); child;
+       child = child->NextSiblingElement(tag)) {
+    found.push_back(child);
+  }
+  return found;
+}
+
+}  // namespace morphe::files

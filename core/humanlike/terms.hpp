@@ -1,0 +1,36 @@
+#pragma once
+
+#include <tuple>
+
+#include "core/humanlike/chain_position_term.hpp"
+#include "core/humanlike/finger_joint_distance_term.hpp"
+#include "core/humanlike/given_terms.hpp"
+#include "core/humanlike/hand_orientation_term.hpp"
+#include "core/humanlike/hull_volume_term.hpp"
+#include "core/humanlike/joint_angle_term.hpp"
+#include "core/humanlike/joint_distance_term.hpp"
+#include "core/humanlike/natural_posture_term.hpp"
+#include "core/humanlike/pad_direction_term.hpp"
+#include "core/humanlike/thumb_distance_term.hpp"
+#include "core/humanlike/tip_orientation_term.hpp"
+#include "core/humanlike/tip_position_term.hpp"
+#include "core/humanlike/triangle_area_term.hpp"
+
+namespace morphe::humanlike {
+
+/// Every term there is, in the order in which they are summed and in which a config names them.
+using Terms = std::tuple<TipPosition,          //
+                         TipOrientation,       //
+                         PadDirection,         //
+                         ThumbDistance,        //
+                         HandOrientation,      //
+                         JointDistance,        //
+                         FingerJointDistance,  //
+                         TriangleArea,         //
+                         HullVolume,           //
+                         NaturalPosture,       //
+                         ChainPosition,        //
+                         JointAngle,           //
+                         GivenTerms>;
+
+}  // namespace morphe::humanlike

@@ -1,0 +1,47 @@
+#include "core/math/banded.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace morphe::math {
+namespace {
+
+template <class RightSide>
+void substitute(const BandedMatrix& m, RightSide& b) {
+  for (Eigen::Index i = 0; i < m.size; ++i) {
+    for (Eigen::Index d = 1; d <= std::min(m.band, i); ++d)
+      b.row(i) -= m.entry(i, d) * b.row(i - d);
+    b.row(i) /= m.entry(i, 0);
+  }
+  for (Eigen::Index i = m.size - 1; i >= 0; --i) {
+    b.row(i) /= m.entry(i, 0);
+    for (Eigen::Index d = 1; d <= std::min(m.band, i); ++d)
+      b.row(i - d) -= m.entry(i, d) * b.row(i);
+  }
+}
+
+}  // namespace
+
+bool factor(BandedMatrix& m) {
+  for (Eigen::Index i = 0; i < m.size; ++i) {
+    const Eigen::Index first = std::max<Eigen::Index>(0, i - m.band);
+    for (Eigen::Index j = first; j <= i; ++j) {
+      double sum = m.entry(i, i - j);
+      for (Eigen::Index k = std::max(first, j - m.band); k < j; ++k) {
+        sum -= m.entry(i, i - k) * m.entry(j, j - k);
+      }
+      if (j < i) {
+        m.entry(i, i - j) = sum / m.entry(j, 0);
+      } else {
+        if (!(sum > 0)) return false;
+        m.entry(i, 0) = std::sqrt(sum);
+      }
+    }
+  }
+  return true;
+}
+
+void solve_factored(const BandedMatrix& m, Eigen::Ref<Eigen::VectorXd> b) { substitute(m, b); }
+void solve_factored(const BandedMatrix& m, JointRows& b) { substitute(m, b); }
+
+}  // namespace morphe::math

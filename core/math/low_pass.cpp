@@ -1,0 +1,61 @@
+#include "core/math/low_pass.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace morphe::math {
+namespace {
+
+struct Butterworth {
+  double b0, b1, b2, a1, a2;
+
+  /// `k` is the tangent of the pre-warped cut-off.
+  explicit Butterworth(double k) {
+    const double scale = 1 / (1 + std::numbers::sqrt2 * k + k * k);
+    b0 = b2 = k * k * scale;
+    b1 = 2 * b0;
+    a1 = 2 * (k * k - 1) * scale;
+    a2 = (1 - std::numbers::sqrt2 * k + k * k) * scale;
+  }
+  /// In place, as if the first value had stood for ever.
+  void run(std::vector<double>& values) const {
+    double x1 = values.front(), x2 = x1, y1 = x1, y2 = x1;
+    for (double& value : values) {
+      const double y = b0 * value + b1 * x1 + b2 * x2 - a1 * y1 - a2 * y2;
+      x2 = x1;
+      x1 = value;
+      y2 = y1;
+      y1 = y;
+      value = y;
+    }
+  }
+};
+
+}  // namespace
+
+std::vector<double> low_pass(const std::vector<double>& values, double rate_hz, double cutoff_hz) {
+  assert(cutoff_hz > 0 && cutoff_hz < rate_hz / 2);
+  const std::size_t n = values.size();
+  if (n < 2) return values;
+  // A reflection as long as the filter remembers: it decays to 1e-6 in about three periods.
+  const std::size_t pad = std::min(n - 1, static_cast<std::size_t>(3 * rate_hz / cutoff_hz) + 1);
+  std::vector<double> padded;
+  padded.reserve(n + 2 * pad);
+  for (std::size_t i = pad; i > 0; --i) padded.push_back(2 * values.front() - values[i]);
+  padded.insert(padded.end(), values.begin(), values.end());
+  for (std::size_t i = 1; i <= pad; ++i) padded.push_back(2 * values.back() - values[n - 1 - i]);
+
+  // Two passes multiply the gains, so each has its own cut-off higher by (sqrt(2) - 1)^(-1/4).
+  const double widen = std::pow(std::numbers::sqrt2 - 1, -0.25);
+  const Butterworth filter(std::tan(std::numbers::pi * cutoff_hz / rate_hz) * widen);
+  filter.run(padded);
+  std::reverse(padded.begin(), padded.end());
+  filter.run(padded);
+  std::reverse(padded.begin(), padded.end());
+  const auto begin = padded.begin() + static_cast<std::ptrdiff_t>(pad);
+  return {begin, begin + static_cast<std::ptrdiff_t>(n)};
+}
+
+}  // namespace morphe::math

@@ -1,0 +1,110 @@
+#include "core/motion/stream_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace morphe {
+namespace {
+
+using IsSeen = std::function<bool(std::size_t row, std::size_t column)>;
+
+StreamReport report_stream(const std::string& name, const std::vector<double>& time,
+                           const std::vector<std::string>& columns, const IsSeen& is_seen) {
+  StreamReport report;
+  report.name = name;
+  report.columns = columns.size();
+  if (time.size() < 2) return report;
+  report.begin_s = time.front();
+  report.duration_s = time.back() - time.front();
+  report.rate_hz = static_cast<double>(time.size() - 1) / report.duration_s;
+  std::size_t there = 0;
+  for (std::size_t column = 0; column < columns.size(); ++column) {
+    std::size_t here = 0;
+    for (std::size_t row = 0; row < time.size(); ++row) {
+      if (is_seen(row, column)) {
+        ++here;
+        continue;
+      }
+      const std::size_t first = row;
+      while (row + 1 < time.size() && !is_seen(row + 1, column)) ++row;
+      ++report.gaps;
+      const double length_s = time[row] - time[first] + 1 / report.rate_hz;
+      if (length_s <= report.longest_gap_s) continue;
+      report.longest_gap_s = length_s;
+      report.longest_gap_of = columns[column];
+    }
+    if (here == 0) report.unseen.push_back(columns[column]);
+    there += here;
+  }
+  const std::size_t all = time.size() * columns.size();
+  report.seen = all == 0 ? 0 : static_cast<double>(there) / static_cast<double>(all);
+  return report;
+}
+
+StreamReport report_points(const std::string& name, const std::vector<double>& time,
+                           const std::vector<std::string>& columns, const Table<Vec3>& points) {
+  return report_stream(name, time, columns, [&](std::size_t row, std::size_t column) {
+    return seen(points(row, column));
+  });
+}
+
+StreamReport report_angles(const std::string& name, const std::vector<double>& time,
+                           const std::vector<std::string>& columns, const JointRows& angles) {
+  return report_stream(name, time, columns, [&](std::size_t row, std::size_t column) {
+    return std::isfinite(angles(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)));
+  });
+}
+
+const char* name_of(HandKind kind) {
+  switch (kind) {
+    case HandKind::glove:
+      return "glove";
+    case HandKind::joint_angles:
+      return "hand angles";
+    case HandKind::keypoints:
+      return "keypoints";
+    case HandKind::fingertips:
+      return "fingertips";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<StreamReport> report_streams(const Streams& streams) {
+  std::vector<StreamReport> reports;
+  if (const auto& s = streams.markers) {
+    reports.push_back(report_points("markers", s->time, s->names, s->position));
+  }
+  if (const auto& s = streams.sensors) {
+    reports.push_back(report_points("sensors", s->time, s->names, s->position));
+  }
+  if (const auto& s = streams.skeleton) {
+    reports.push_back(report_points("skeleton", s->time, s->names, s->position));
+  }
+  if (const auto& s = streams.arm_angles) {
+    reports.push_back(report_angles("arm_angles", s->time, s->joints, s->angles));
+  }
+  if (const auto& s = streams.hand) {
+    if (!s->names.empty()) {
+      reports.push_back(report_angles(name_of(s->kind), s->time, s->names, s->angles));
+    } else {
+      std::vector<std::string> points;
+      for (std::size_t k = 0; k < s->position.cols; ++k)
+        points.push_back(fmt::format("point {}", k));
+      reports.push_back(report_points(name_of(s->kind), s->time, points, s->position));
+    }
+  }
+  return reports;
+}
+
+double longest_s(const std::vector<StreamReport>& streams) {
+  double longest = 0;
+  for (const StreamReport& stream : streams) longest = std::max(longest, stream.duration_s);
+  return longest;
+}
+
+}  // namespace morphe

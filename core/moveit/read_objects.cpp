@@ -1,0 +1,67 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/moveit/reading.hpp"
+
+namespace morphe::moveit {
+
+Pose Frames::of(const config::ConfigNode& owner) const {
+  const bool stated = owner.has("header") && owner["header"].has("frame_id");
+  const std::string name = stated ? owner["header"]["frame_id"].text() : "";
+  const auto found = base_from.find(name);
+  if (found == base_from.end()) {
+    owner["header"]["frame_id"].fail(fmt::format("there is no fixed frame '{}'", name));
+  }
+  return found->second;
+}
+
+Frames read_frames(const config::ConfigNode& scene, const std::string& root_link,
+                   const Pose& base_from_world) {
+  Frames frames;
+  frames.base_from[""] = frames.base_from["world"] = base_from_world;
+  for (const config::ConfigNode& item : items_of(scene, "fixed_frame_transforms")) {
+    const Pose base_from_parent = frames.of(item);
+    frames.base_from[item["child_frame_id"].text()] =
+        base_from_parent * read_transform(item["transform"]);
+  }
+  if (!root_link.empty()) frames.base_from[root_link] = Pose::Identity();
+  return frames;
+}
+
+Scene read_objects(const config::ConfigNode& scene, const Frames& frames) {
+  Scene read;
+  const config::ConfigNode world = scene["world"];
+  if (world.has("octomap") && world["octomap"].has("octomap")) {
+    refuse(world["octomap"]["octomap"], "data", "an octomap is not understood");
+  }
+  const auto taken = [&](const std::string& name) {
+    return object_named(read.objects, name) != nullptr;
+  };
+  for (const config::ConfigNode& item : items_of(world, "collision_objects")) {
+    const std::string id = item["id"].text();
+    if (taken(id)) item["id"].fail(fmt::format("an object '{}' exists already", id));
+    refuse(item, "planes", "planes are not understood");
+    if (item.has("operation") && item["operation"].text() != "0") {
+      item["operation"].fail("must be 0: an object that is there");
+    }
+    Pose base_from_object = frames.of(item);
+    if (item.has("pose")) base_from_object = base_from_object * read_pose(item["pose"]);
+    int count = 0;
+    for (SceneObject& shape : read_shapes(item, base_from_object)) {
+      ++count;
+      do {
+        shape.name = count == 1 ? id : fmt::format("{}_{}", id, count);
+      } while (count > 1 && taken(shape.name) && ++count);
+      read.objects.push_back(std::move(shape));
+    }
+  }
+  return read;
+}
+
+Scene read_moveit_scene(const std::filesystem::path& scene_file) {
+  const config::ConfigNode scene = config::ConfigNode::load(scene_file);
+  return read_objects(scene, read_frames(scene, "", Pose::Identity()));
+}
+
+}  // namespace morphe::moveit

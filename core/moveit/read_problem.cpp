@@ -1,0 +1,166 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/moveit/reading.hpp"
+
+namespace morphe::moveit {
+namespace {
+
+constexpr double kLimitTolerance = 1e-6;  ///< files are written with rounded limits [rad]
+
+std::string place(const config::ConfigNode& node) {
+  return fmt::format("{}:{}", node.file().string(), node.line());
+}
+
+/// robot_state of a scene, start_state of a request.
+struct StateReader {
+  const RobotTable& robot;
+  JointVector position;
+  Pose world_from_base = Pose::Identity();
+  std::set<std::string> unknown;
+
+  void read(const config::ConfigNode& owner, const char* key) {
+    if (!owner.has(key)) return;
+    const config::ConfigNode state = owner[key];
+    refuse(state, "attached_collision_objects", "attached objects are not understood");
+    if (state.has("joint_state")) read_joints(state["joint_state"]);
+    if (state.has("multi_dof_joint_state")) read_base(state["multi_dof_joint_state"]);
+  }
+
+  void read_joints(const config::ConfigNode& node) {
+    if (!node.has("name") && !node.has("position")) return;
+    const std::vector<std::string> names = node["name"].texts();
+    const std::vector<double> values = node["position"].numbers();
+    if (names.size() != values.size()) {
+      node["position"].fail(
+          fmt::format("has {} numbers for {} joints", values.size(), names.size()));
+    }
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      const auto found = std::ranges::find(robot.joint_names, names[k]);
+      if (found == robot.joint_names.end()) {
+        unknown.insert(names[k]);
+      } else {
+        position[found - robot.joint_names.begin()] = values[k];
+      }
+    }
+  }
+
+  void read_base(const config::ConfigNode& node) {
+    const std::vector<config::ConfigNode> transforms = items_of(node, "transforms");
+    if (transforms.size() > 1) node["transforms"].fail("more than the base floats");
+    if (!transforms.empty()) world_from_base = read_transform(transforms.front());
+  }
+};
+
+void check_start(const config::ConfigNode& request, const RobotTable& robot, JointVector& start) {
+  for (std::size_t k = 0; k < robot.joints(); ++k) {
+    const auto j = static_cast<Eigen::Index>(k);
+    const auto fail = [&](const std::string& what) {
+      const std::string message = fmt::format("joint '{}' {}", robot.joint_names[k], what);
+      if (request.has("start_state")) request["start_state"].fail(message);
+      request.fail("start_state: " + message);
+    };
+    if (std::isnan(start[j])) fail("has no position, here or in the scene");
+    const double inside = std::clamp(start[j], robot.lower[j], robot.upper[j]);
+    if (std::abs(inside - start[j]) > kLimitTolerance) {
+      fail(fmt::format("starts at {}, outside its limits, {} to {}", start[j], robot.lower[j],
+                       robot.upper[j]));
+    }
+    start[j] = inside;
+  }
+}
+
+void allow_links(const robot::RobotDescription& robot, const std::string& one,
+                 const std::string& other, RobotTable& table) {
+  const int first = robot.links.at(one), second = robot.links.at(other);
+  const int count = static_cast<int>(table.capsules.size());
+  for (int i = 0; i < count; ++i) {
+    for (int k = i + 1; k < count; ++k) {
+      const int a = table.capsules[static_cast<std::size_t>(i)].frame;
+      const int b = table.capsules[static_cast<std::size_t>(k)].frame;
+      if ((a == first && b == second) || (a == second && b == first)) {
+        table.allowed_pairs.push_back({i, k});
+      }
+    }
+  }
+}
+
+/// Rows are lists of booleans, or {enabled: [...]} as the message has them.
+void read_matrix(const config::ConfigNode& scene, const robot::RobotDescription& robot,
+                 PlanningProblem& problem) {
+  if (!scene.has("allowed_collision_matrix")) return;
+  const config::ConfigNode matrix = scene["allowed_collision_matrix"];
+  if (!matrix.has("entry_names")) return;
+  const std::vector<std::string> names = matrix["entry_names"].texts();
+  const std::vector<config::ConfigNode> rows = matrix["entry_values"].items();
+  if (rows.size() != names.size()) matrix["entry_values"].fail("is not as long as entry_names");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::vector<config::ConfigNode> row =
+        (rows[i].is_map() ? rows[i]["enabled"] : rows[i]).items();
+    if (row.size() != names.size()) rows[i].fail("is not as long as entry_names");
+    for (std::size_t k = 0; k < i; ++k) {
+      if (!row[k].boolean()) continue;
+      if (robot.links.contains(names[i]) && robot.links.contains(names[k])) {
+        allow_links(robot, names[i], names[k], problem.robot);
+      } else {
+        problem.notes.push_back(fmt::format("{}: {} and {} may touch there, but stay checked",
+                                            place(rows[i]), names[i], names[k]));
+      }
+    }
+  }
+  auto& pairs = problem.robot.allowed_pairs;
+  std::ranges::sort(pairs);
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+}
+
+std::string root_link(const robot::RobotDescription& robot) {
+  const auto root = std::ranges::find_if(robot.links, [&](const auto& link) {
+    return robot.table.frames[static_cast<std::size_t>(link.second)].parent < 0;
+  });
+  return root == robot.links.end() ? "" : root->first;
+}
+
+void refuse_padding(const config::ConfigNode& scene, const char* key, const char* value,
+                    double neutral) {
+  for (const config::ConfigNode& item : items_of(scene, key)) {
+    if (item[value].number() != neutral) item[value].fail("padding is not understood");
+  }
+}
+
+}  // namespace
+
+PlanningProblem read_moveit_problem(const std::filesystem::path& scene_file,
+                                    const std::filesystem::path& request_file,
+                                    const robot::RobotDescription& robot) {
+  const config::ConfigNode scene = config::ConfigNode::load(scene_file),
+                           request = config::ConfigNode::load(request_file);
+  PlanningProblem problem;
+  problem.robot = robot.table;
+  StateReader state{
+      robot.table,
+      JointVector::Constant(static_cast<Eigen::Index>(robot.table.joints()), kNotSeen),
+      Pose::Identity(),
+      {}};
+  state.read(scene, "robot_state");
+  state.read(request, "start_state");
+  for (const std::string& joint : state.unknown) {
+    problem.notes.push_back(fmt::format("{}: joint {} is none that this robot moves: left as it is",
+                                        place(request), joint));
+  }
+  problem.start = state.position;
+  check_start(request, robot.table, problem.start);
+  refuse_padding(scene, "link_padding", "padding", 0);
+  refuse_padding(scene, "link_scale", "scale", 1);
+  refuse(request, "path_constraints", "path constraints are not understood");
+  refuse(request, "trajectory_constraints", "trajectory constraints are not understood");
+  const Frames frames = read_frames(scene, root_link(robot), state.world_from_base.inverse());
+  problem.scene = read_objects(scene, frames);
+  read_matrix(scene, robot, problem);
+  problem.goals = read_goals(request, robot, frames);
+  return problem;
+}
+
+}  // namespace morphe::moveit

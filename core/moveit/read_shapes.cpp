@@ -1,0 +1,154 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "core/moveit/reading.hpp"
+
+namespace morphe::moveit {
+namespace {
+
+std::vector<double> components(const config::ConfigNode& node,
+                               const std::vector<const char*>& names) {
+  std::vector<double> values;
+  if (node.is_map()) {
+    for (const char* name : names) values.push_back(node[name].number());
+  } else {
+    values = node.numbers();
+  }
+  if (values.size() != names.size()) {
+    node.fail(fmt::format("must have {} numbers, not {}", names.size(), values.size()));
+  }
+  return values;
+}
+
+Pose pose_of_keys(const config::ConfigNode& node, const char* position, const char* rotation) {
+  return make_pose(node.has(position) ? read_vector(node[position]) : Vec3(Vec3::Zero()),
+                   node.has(rotation) ? read_rotation(node[rotation]) : Quat::Identity());
+}
+
+SceneObject still_object(Shape shape, std::vector<double> size, const Pose& pose) {
+  SceneObject object;
+  object.shape = shape;
+  object.size = std::move(size);
+  object.time = {0};
+  object.position = {pose.translation()};
+  object.orientation = {Quat(pose.linear()).normalized()};
+  return object;
+}
+
+/// shape_msgs/SolidPrimitive: by number or name.
+enum class Primitive { box, sphere, cylinder };
+
+Primitive primitive_of(const config::ConfigNode& node) {
+  static constexpr std::array<const char*, 3> kNames{"box", "sphere", "cylinder"};
+  const std::string word = node.text();
+  for (std::size_t k = 0; k < kNames.size(); ++k) {
+    if (word == kNames[k] || word == std::to_string(k + 1)) return static_cast<Primitive>(k);
+  }
+  node.fail(fmt::format("must be box, sphere or cylinder, not '{}'", word));
+}
+
+SceneObject read_mesh(const config::ConfigNode& node, const Pose& base_from_mesh) {
+  SceneObject object = still_object(Shape::mesh, {}, base_from_mesh);
+  for (const config::ConfigNode& vertex : node["vertices"].items()) {
+    object.vertices.push_back(read_vector(vertex));
+  }
+  const auto count = static_cast<std::int64_t>(object.vertices.size());
+  for (const config::ConfigNode& item : node["triangles"].items()) {
+    const std::vector<config::ConfigNode> corners =
+        (item.is_map() ? item["vertex_indices"] : item).items();
+    if (corners.size() != 3) item.fail("must have 3 corners");
+    Eigen::Vector3i triangle;
+    for (int k = 0; k < 3; ++k) {
+      const std::int64_t corner = corners[static_cast<std::size_t>(k)].integer();
+      if (corner < 0 || corner >= count) {
+        item.fail(fmt::format("there is no vertex {}", corner));
+      }
+      triangle[k] = static_cast<int>(corner);
+    }
+    object.triangles.push_back(triangle);
+  }
+  if (object.triangles.empty()) node["triangles"].fail("has none");
+  return object;
+}
+
+}  // namespace
+
+Vec3 read_vector(const config::ConfigNode& node) {
+  const std::vector<double> v = components(node, {"x", "y", "z"});
+  return {v[0], v[1], v[2]};
+}
+
+Quat read_rotation(const config::ConfigNode& node) {
+  const std::vector<double> v = components(node, {"x", "y", "z", "w"});
+  const Quat rotation(v[3], v[0], v[1], v[2]);
+  const double length = rotation.norm();
+  if (length == 0) return Quat::Identity();
+  if (std::abs(length - 1) > 1e-3) node.fail(fmt::format("has length {}, not 1", length));
+  return rotation.normalized();
+}
+
+Pose read_pose(const config::ConfigNode& node) {
+  return pose_of_keys(node, "position", "orientation");
+}
+
+Pose read_transform(const config::ConfigNode& node) {
+  return pose_of_keys(node, "translation", "rotation");
+}
+
+std::vector<config::ConfigNode> items_of(const config::ConfigNode& node, const char* key) {
+  return node.has(key) ? node[key].items() : std::vector<config::ConfigNode>{};
+}
+
+void refuse(const config::ConfigNode& node, const char* key, const char* why) {
+  if (!node.has(key)) return;
+  const config::ConfigNode value = node[key];
+  const bool any = value.is_map()    ? !value.keys().empty()
+                   : value.is_list() ? !value.items().empty()
+                                     : !value.text().empty();
+  if (any) value.fail(why);
+}
+
+SceneObject read_primitive(const config::ConfigNode& node, const Pose& base_from_shape) {
+  const Primitive primitive = primitive_of(node["type"]);
+  std::vector<double> size = node["dimensions"].numbers();
+  static constexpr std::array<std::size_t, 3> kCount{3, 1, 2};
+  if (size.size() != kCount[static_cast<std::size_t>(primitive)]) {
+    node["dimensions"].fail(fmt::format("must have {} numbers, not {}",
+                                        kCount[static_cast<std::size_t>(primitive)], size.size()));
+  }
+  for (const double length : size) {
+    if (!(length > 0)) node["dimensions"].fail(fmt::format("must be positive, not {}", length));
+  }
+  switch (primitive) {
+    case Primitive::box:
+      return still_object(Shape::box, size, base_from_shape);
+    case Primitive::sphere:
+      return still_object(Shape::sphere, size, base_from_shape);
+    case Primitive::cylinder:  // height, radius there
+      break;
+  }
+  return still_object(Shape::cylinder, {size[1], size[0]}, base_from_shape);
+}
+
+std::vector<SceneObject> read_shapes(const config::ConfigNode& owner, const Pose& base_from_owner) {
+  std::vector<SceneObject> shapes;
+  const auto read = [&](const char* key, const char* pose_key, auto shape_of) {
+    const std::vector<config::ConfigNode> items = items_of(owner, key),
+                                          poses = items_of(owner, pose_key);
+    // MoveIt takes one shape without a pose to lie at its owner's.
+    if (poses.size() != items.size() && !(items.size() == 1 && poses.empty())) {
+      owner.fail(fmt::format("{} {}, but {} {}", items.size(), key, poses.size(), pose_key));
+    }
+    for (std::size_t k = 0; k < items.size(); ++k) {
+      const Pose owner_from_shape = poses.empty() ? Pose(Pose::Identity()) : read_pose(poses[k]);
+      shapes.push_back(shape_of(items[k], base_from_owner * owner_from_shape));
+    }
+  };
+  read("primitives", "primitive_poses", read_primitive);
+  read("meshes", "mesh_poses", read_mesh);
+  if (shapes.empty()) owner.fail("has no primitives and no meshes");
+  return shapes;
+}
+
+}  // namespace morphe::moveit

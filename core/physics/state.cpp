@@ -1,0 +1,160 @@
+#include "core/physics/state.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+
+#include "core/physics/engine.hpp"
+
+namespace morphe::physics {
+namespace {
+
+const mjModel& model_of(const Model& model) { return *model.compiled().model; }
+
+Quat quaternion(const mjtNum* from) { return Quat(from[0], from[1], from[2], from[3]); }
+
+std::vector<double> copied(const mjtNum* from, int count) { return {from, from + count}; }
+
+void copy_into(const std::vector<double>& from, mjtNum* to) { std::ranges::copy(from, to); }
+
+}  // namespace
+
+struct State::Running {
+  mjData* data = nullptr;
+  std::vector<int> carried;                    ///< degrees of freedom whose motors carry their load
+  std::vector<mjtNum> acceleration, inertial;  ///< [nv] that is carried, and the forces for it
+  ~Running() {
+    if (data) mj_deleteData(data);
+  }
+};
+
+State::State(const Model& model) : model_(&model), running_(std::make_unique<Running>()) {
+  const mjModel& m = model_of(model);
+  guarded([&] { running_->data = mj_makeData(&m); });
+  if (!running_->data) throw EngineError("no memory for a simulation");
+  for (int joint = 0; joint < m.njnt; ++joint) {
+    if (m.jnt_type[joint] == mjJNT_HINGE || m.jnt_type[joint] == mjJNT_SLIDE)
+      running_->carried.push_back(m.jnt_dofadr[joint]);
+  }
+  running_->acceleration.assign(static_cast<std::size_t>(m.nv), 0);
+  running_->inertial = running_->acceleration;
+}
+
+State::~State() = default;
+State::State(State&&) noexcept = default;
+
+double State::time_s() const { return running_->data->time; }
+
+void State::set_joint(int joint, double value) {
+  running_->data->qpos[model_of(*model_).jnt_qposadr[joint]] = value;
+}
+
+double State::joint(int joint) const {
+  return running_->data->qpos[model_of(*model_).jnt_qposadr[joint]];
+}
+
+void State::set_body(int body, const Pose& pose) {
+  const mjModel& m = model_of(*model_);
+  const int joint = m.body_jntadr[body];
+  assert(joint >= 0 && m.jnt_type[joint] == mjJNT_FREE);
+  const Quat turn(pose.linear());
+  const std::array<double, 7> values{pose.translation().x(),
+                                     pose.translation().y(),
+                                     pose.translation().z(),
+                                     turn.w(),
+                                     turn.x(),
+                                     turn.y(),
+                                     turn.z()};
+  std::ranges::copy(values, running_->data->qpos + m.jnt_qposadr[joint]);
+  std::fill_n(running_->data->qvel + m.jnt_dofadr[joint], 6, 0.0);
+}
+
+Pose State::body(int body) const {
+  const mjtNum* const at = running_->data->xpos + 3 * body;
+  return make_pose(Vec3(at[0], at[1], at[2]), quaternion(running_->data->xquat + 4 * body));
+}
+
+void State::set_control(int actuator, double value) { running_->data->ctrl[actuator] = value; }
+
+void State::set_acceleration(int joint, double value) {
+  running_->acceleration[static_cast<std::size_t>(model_of(*model_).jnt_dofadr[joint])] = value;
+}
+
+double State::asked(int actuator) const {
+  const mjModel& m = model_of(*model_);
+  const mjData& d = *running_->data;
+  const mjtNum* const gain = m.actuator_gainprm + mjNGAIN * actuator;
+  const mjtNum* const bias = m.actuator_biasprm + mjNBIAS * actuator;
+  return gain[0] * d.ctrl[actuator] + bias[0] + bias[1] * d.actuator_length[actuator] +
+         bias[2] * d.actuator_velocity[actuator];
+}
+
+double State::given(int actuator) const {
+  const mjModel& m = model_of(*model_);
+  const int dof = m.jnt_dofadr[m.actuator_trnid[2 * actuator]];
+  return running_->data->actuator_force[actuator] + running_->data->qfrc_applied[dof];
+}
+
+void State::push(int body, const Vec3& force) {
+  std::ranges::copy(force, running_->data->xfrc_applied + 6 * body);
+}
+
+void State::pose() {
+  guarded([&] { mj_forward(&model_of(*model_), running_->data); });
+}
+
+std::optional<std::string> State::step() {
+  const mjModel& m = model_of(*model_);
+  mjData& d = *running_->data;
+  const double before_s = d.time;
+  const std::string warning = guarded([&] {
+    mj_step1(&m, &d);
+    mj_mulM(&m, &d, running_->inertial.data(), running_->acceleration.data());
+    for (const int dof : running_->carried)
+      d.qfrc_applied[dof] = d.qfrc_bias[dof] + running_->inertial[static_cast<std::size_t>(dof)];
+    mj_step2(&m, &d);
+  });
+  if (!warning.empty()) return warning;
+  // A second warning of a kind is counted only.
+  for (int kind = 0; kind < mjNWARNING; ++kind) {
+    if (d.warning[kind].number > 0)
+      return mju_warningText(kind, static_cast<std::size_t>(d.warning[kind].lastinfo));
+  }
+  if (!(d.time > before_s)) return "the engine went back to its start";
+  return std::nullopt;
+}
+
+void State::touches(std::vector<Touch>& out) const {
+  const mjModel& m = model_of(*model_);
+  const mjData& d = *running_->data;
+  out.clear();
+  for (int k = 0; k < d.ncon; ++k) {
+    const mjContact& contact = d.contact[k];
+    if (contact.exclude != 0 || contact.efc_address < 0) continue;
+    std::array<mjtNum, 6> force{};
+    mj_contactForce(&m, &d, k, force.data());
+    out.push_back(
+        {contact.geom1, contact.geom2, Vec3(contact.pos[0], contact.pos[1], contact.pos[2]),
+         Vec3(contact.frame[0], contact.frame[1], contact.frame[2]), contact.dist, force[0]});
+  }
+}
+
+Snapshot State::snapshot() const {
+  const mjModel& m = model_of(*model_);
+  const mjData& d = *running_->data;
+  return {d.time, copied(d.qpos, m.nq), copied(d.qvel, m.nv), copied(d.ctrl, m.nu),
+          copied(d.qacc_warmstart, m.nv)};
+}
+
+void State::restore(const Snapshot& snapshot) {
+  mjData& d = *running_->data;
+  assert(static_cast<int>(snapshot.position.size()) == model_of(*model_).nq);
+  d.time = snapshot.time_s;
+  copy_into(snapshot.position, d.qpos);
+  copy_into(snapshot.velocity, d.qvel);
+  copy_into(snapshot.control, d.ctrl);
+  copy_into(snapshot.acceleration, d.qacc_warmstart);
+}
+
+}  // namespace morphe::physics

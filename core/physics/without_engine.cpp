@@ -1,0 +1,47 @@
+// What a build without MuJoCo has in place of the other sources here.
+#include <utility>
+
+#include "core/physics/model.hpp"
+#include "core/physics/state.hpp"
+
+namespace morphe::physics {
+
+struct Model::Compiled {};
+struct State::Running {};
+
+namespace {
+
+[[noreturn]] void fail() { throw EngineError("this build has no MuJoCo"); }
+
+}  // namespace
+
+std::string engine() { return ""; }
+
+Model::Model(const std::string&) { fail(); }
+Model::~Model() = default;
+Model::Model(Model&&) noexcept = default;
+int Model::body(const std::string&) const { fail(); }
+int Model::joint(const std::string&) const { fail(); }
+int Model::geom(const std::string&) const { fail(); }
+int Model::actuator(const std::string&) const { fail(); }
+int Model::geom_count() const { fail(); }
+
+State::State(const Model& model) : model_(&model) { fail(); }
+State::~State() = default;
+State::State(State&&) noexcept = default;
+double State::time_s() const { fail(); }
+void State::set_joint(int, double) { fail(); }
+double State::joint(int) const { fail(); }
+void State::set_body(int, const Pose&) { fail(); }
+Pose State::body(int) const { fail(); }
+void State::set_control(int, double) { fail(); }
+double State::asked(int) const { fail(); }
+double State::given(int) const { fail(); }
+void State::push(int, const Vec3&) { fail(); }
+void State::pose() { fail(); }
+std::optional<std::string> State::step() { fail(); }
+void State::touches(std::vector<Touch>&) const { fail(); }
+Snapshot State::snapshot() const { fail(); }
+void State::restore(const Snapshot&) { fail(); }
+
+}  // namespace morphe::physics

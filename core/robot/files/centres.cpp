@@ -1,0 +1,62 @@
+#include <algorithm>
+
+#include "core/robot/files/assembly.hpp"
+#include "core/robot/forward.hpp"
+
+namespace morphe::robot {
+namespace {
+
+/// The chain's hinges, each place once, without those at `skip`.
+std::vector<int> distinct_hinges(const Chain& chain, const std::vector<Pose>& base_from_frame,
+                                 int skip) {
+  const auto origin = [&](int frame) -> Vec3 {
+    return base_from_frame[static_cast<std::size_t>(frame)].translation();
+  };
+  std::vector<int> distinct;
+  for (const int hinge : chain.hinges) {
+    const auto same = [&](int other) {
+      return (origin(hinge) - origin(other)).norm() < kSamePoint_m;
+    };
+    if (!same(skip) && std::ranges::none_of(distinct, same)) distinct.push_back(hinge);
+  }
+  return distinct;
+}
+
+bool carries_something(const Assembly& assembly, const Chain& arm) {
+  return std::ranges::any_of(assembly.chains, [&](const Chain& chain) {
+    return chain.name != arm.name &&
+           hangs_on(assembly.table, chain.frames.front(), arm.frames.front());
+  });
+}
+
+bool is_finger(const RobotTable& table, const Chain& chain) {
+  return std::ranges::any_of(table.tips, [&](const RobotTable::Tip& tip) {
+    return tip.finger >= 0 && hangs_on(table, tip.frame, chain.frames.back());
+  });
+}
+
+}  // namespace
+
+void derive_centres(Assembly& assembly) {
+  RobotTable& table = assembly.table;
+  std::vector<Pose> base_from_frame;
+  forward(table, JointVector::Zero(static_cast<Eigen::Index>(table.joints())), base_from_frame);
+  std::vector<RobotTable::Centre> centres;
+  for (const Chain& chain : assembly.chains) {
+    const auto before = centres.size();
+    std::ranges::copy_if(table.centres, std::back_inserter(centres),
+                         [&](const RobotTable::Centre& c) { return c.chain == chain.name; });
+    if (centres.size() > before) continue;
+    if (chain.arm) {
+      std::vector<int> joints = distinct_hinges(chain, base_from_frame, table.shoulder_frame);
+      if (joints.size() > 1 && !carries_something(assembly, chain)) joints.pop_back();
+      for (const int frame : joints) centres.push_back({frame, "arm"});
+    } else if (is_finger(table, chain)) {
+      const std::vector<int> joints = distinct_hinges(chain, base_from_frame, chain.frames.front());
+      if (!joints.empty()) centres.push_back({joints.front(), chain.name});
+    }
+  }
+  table.centres = std::move(centres);
+}
+
+}  // namespace morphe::robot

@@ -1,0 +1,244 @@
+#include "core/robot/files/description.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/motion/human_motion.hpp"
+#include "core/robot/files/assembly.hpp"
+#include "core/robot/files/robot_schema.hpp"
+
+namespace morphe::robot {
+namespace {
+
+int read_finger(const config::ConfigNode& node) {
+  const std::string word = node.text();
+  if (word == "wrist") return -1;
+  for (std::size_t finger = 0; finger < kFingers; ++finger) {
+    if (word == kFingerNames[finger]) return static_cast<int>(finger);
+  }
+  if (word.size() == 1 && word[0] >= '0' && word[0] <= '4') return word[0] - '0';
+  node.fail(
+      fmt::format("must be thumb, index, middle, ring, little, wrist or 0 … 4, not '{}'", word));
+}
+
+void read_tip(Assembly& assembly, const FileScope& scope, const config::ConfigNode& node) {
+  const char* key = node.has("chain") ? "chain" : "frame";
+  const Anchor place = anchor_named(assembly, scope, node[key]);
+  RobotTable::Tip tip;
+  tip.name = scope.prefix + node["name"].text();
+  tip.frame = place.frame;
+  if (tip.frame < 0) node[key].fail("a tip must move with a frame");
+  tip.transform = place.frame_from_anchor * read_mount_of(node);
+  if (node.has("pad_depth")) {
+    tip.transform.translate(Vec3(-node["pad_depth"].number(), 0, 0));
+  }
+  if (node.has("along")) {
+    tip.along = node["along"].number();
+    if (tip.along < 0 || tip.along > 1) node["along"].fail("must be from 0 (index) to 1 (little)");
+    tip.finger = 1 + static_cast<int>(std::lround(3 * tip.along));
+  } else {
+    tip.finger = read_finger(node["finger"]);
+  }
+  for (const RobotTable::Tip& other : assembly.table.tips) {
+    if (other.name == tip.name)
+      node["name"].fail(fmt::format("a tip '{}' exists already", tip.name));
+  }
+  assembly.table.tips.push_back(std::move(tip));
+}
+
+/// Adds the fixed frames whose parents exist by now; the others stay in the list.
+void add_ready_frames(Assembly& assembly, const FileScope& scope,
+                      std::vector<config::ConfigNode>& nodes) {
+  for (auto node = nodes.begin(); node != nodes.end();) {
+    if (node->has("parent") && !is_known(assembly, scope, (*node)["parent"].text())) {
+      ++node;
+      continue;
+    }
+    const Anchor place = read_hanging(assembly, scope, *node);
+    RobotTable::Frame frame;
+    frame.parent = place.frame;
+    frame.transform = place.frame_from_anchor;
+    add_frame(assembly, scope, (*node)["name"], frame);
+    node = nodes.erase(node);
+  }
+}
+
+void read_chains_and_frames(Assembly& assembly, const FileScope& scope,
+                            const config::ConfigNode& root) {
+  DhConvention convention = DhConvention::modified;
+  if (root.has("convention")) convention = read_convention(root["convention"]);
+  std::vector<config::ConfigNode> fixed;
+  if (root.has("frames")) fixed = root["frames"].items();
+  add_ready_frames(assembly, scope, fixed);
+  if (root.has("chains")) {
+    for (const config::ConfigNode& chain : root["chains"].items()) {
+      assembly.problems.attempt([&] {
+        if (chain.has("joints")) {
+          read_chain(assembly, scope, convention, chain);
+        } else {
+          read_urdf_chain(assembly, scope, chain);
+        }
+        add_ready_frames(assembly, scope, fixed);
+      });
+    }
+  }
+  if (!assembly.problems.none()) return;
+  for (const config::ConfigNode& node : fixed) {
+    const config::ConfigNode parent = node["parent"];
+    const auto same = [&](const config::ConfigNode& other) {
+      return other["name"].text() == parent.text();
+    };
+    if (std::ranges::any_of(fixed, same)) continue;
+    (void)anchor_named(assembly, scope, parent);
+  }
+  if (!fixed.empty()) fixed.front()["parent"].fail("hangs on itself, by way of other frames");
+}
+
+void read_centres(Assembly& assembly, const FileScope& scope, const config::ConfigNode& list) {
+  for (const config::ConfigNode& node : list.items()) {
+    const config::ConfigNode chain = node["chain"];
+    const auto same = [&](const Chain& c) {
+      return c.name == scope.prefix + chain.text() || c.name == chain.text();
+    };
+    const auto meant = std::ranges::find_if(assembly.chains, same);
+    if (meant == assembly.chains.end()) {
+      chain.fail(fmt::format("there is no chain '{}'", chain.text()));
+    }
+    const config::ConfigNode frame = node["frame"];
+    (void)anchor_named(assembly, scope, frame);
+    const int index = frame_called(assembly, scope, frame.text());
+    if (index < 0) frame.fail("must be a frame");
+    assembly.table.centres.push_back({index, meant->arm ? "arm" : meant->name});
+  }
+}
+
+/// A frame's name below `key` replaces what an earlier file said.
+void read_frame_name(const Assembly& assembly, const FileScope& scope,
+                     const config::ConfigNode& root, const char* key, std::string& name) {
+  if (!root.has(key)) return;
+  const int frame = frame_called(assembly, scope, root[key].text());
+  if (frame < 0) root[key].fail(fmt::format("there is no frame or link '{}'", root[key].text()));
+  name = assembly.table.frames[static_cast<std::size_t>(frame)].name;
+}
+
+FileScope read_description(const config::ConfigNode& root, const Anchor& base,
+                           const std::string& prefix, Assembly& assembly);
+
+/// `hold: [{joint, at}]`
+void read_held(Assembly& assembly, const FileScope& scope, const config::ConfigNode& list) {
+  for (const config::ConfigNode& node : list.items()) {
+    assembly.problems.attempt([&] {
+      const std::string name = node["joint"].text();
+      const auto& names = assembly.table.joint_names;
+      auto joint = std::ranges::find(names, scope.prefix + name);
+      if (joint == names.end()) joint = std::ranges::find(names, name);
+      if (joint == names.end())
+        node["joint"].fail(fmt::format("there is no actuated joint '{}'", name));
+      const auto j = static_cast<std::size_t>(joint - names.begin());
+      const double at = node.has("at") ? node["at"].number() : 0;
+      if (at < assembly.lower[j] || at > assembly.upper[j])
+        node[node.has("at") ? "at" : "joint"].fail(fmt::format(
+            "{} is outside its limits, {} to {}", at, assembly.lower[j], assembly.upper[j]));
+      assembly.held.push_back({*joint, at});
+    });
+  }
+}
+
+/// `natural: [{joint, follow, value}]`
+void read_natural(Assembly& assembly, const FileScope& scope, const config::ConfigNode& list) {
+  const auto joint_named = [&](const config::ConfigNode& node) {
+    const auto& names = assembly.table.joint_names;
+    for (const std::string& name : {scope.prefix + node.text(), node.text()}) {
+      if (std::ranges::count(names, name) > 0) return name;
+    }
+    node.fail(fmt::format("there is no actuated joint '{}'", node.text()));
+  };
+  for (const config::ConfigNode& node : list.items()) {
+    assembly.problems.attempt([&] {
+      NaturalJoint joint{joint_named(node["joint"]), "", 0};
+      if (node.has("follow")) joint.follow = joint_named(node["follow"]);
+      if (node.has("value")) joint.value = node["value"].number();
+      assembly.natural.push_back(joint);
+    });
+  }
+}
+
+void read_part(Assembly& assembly, FileScope& scope, const config::ConfigNode& node) {
+  const Anchor place = read_hanging(assembly, scope, node);
+  drop_carriers_wrist(assembly, place);
+  if (node.has("generate")) return read_generated(assembly, place, node["generate"]);
+  const config::ConfigNode file = node["file"];
+  if (assembly.files.size() > 32) file.fail("more than 32 files: does one name itself?");
+  const std::string prefix = node.has("prefix") ? node["prefix"].text() : "";
+  const FileScope part = read_description(config::ConfigNode::load(node.folder() / file.text()),
+                                          place, scope.prefix + prefix, assembly);
+  scope.links.insert(part.links.begin(), part.links.end());
+}
+
+FileScope read_description(const config::ConfigNode& root, const Anchor& base,
+                           const std::string& prefix, Assembly& assembly) {
+  assembly.files.push_back(root.file());
+  FileScope scope{base, prefix, assembly.table.capsules.size()};
+  const auto attempt = [&](const auto& step) { assembly.problems.attempt(step); };
+  config::add_strangers(root, robot_schema(), assembly.problems);
+  const std::string name = root["name"].text();
+  if (root.has("parts")) {
+    for (const config::ConfigNode& part : root["parts"].items()) read_part(assembly, scope, part);
+  }
+  assembly.table.name = name;
+  if (root.has("generate")) read_generated(assembly, base, root["generate"]);
+  if (root.has("urdf")) read_urdf(assembly, scope, root["urdf"]);
+  read_chains_and_frames(assembly, scope, root);
+  assembly.problems.throw_any();  // the rest would only repeat what is missing
+  if (root.has("hold")) read_held(assembly, scope, root["hold"]);
+  attempt([&] { read_frame_name(assembly, scope, root, "shoulder", assembly.shoulder); });
+  attempt([&] { read_frame_name(assembly, scope, root, "palm", assembly.palm); });
+  if (root.has("tips")) {
+    for (const config::ConfigNode& tip : root["tips"].items())
+      attempt([&] { read_tip(assembly, scope, tip); });
+  }
+  if (root.has("side")) {
+    const std::optional<Side> side = morphe::named<Side>(root["side"].text());
+    if (side) assembly.table.side = *side;
+    if (!side) attempt([&] { root["side"].fail("must be left or right"); });
+  }
+  if (root.has("natural")) read_natural(assembly, scope, root["natural"]);
+  if (root.has("centres")) attempt([&] { read_centres(assembly, scope, root["centres"]); });
+  if (root.has("collision")) read_collision(assembly, scope, root["collision"]);
+  if (assembly.problems.none()) root.expect_all_read();
+  if (assembly.chains.empty() && assembly.problems.none()) root.fail("has no chains");
+  return scope;
+}
+
+RobotDescription loaded(const config::ConfigNode& root) {
+  const std::filesystem::path file = root.file();
+  Assembly assembly;
+  config::Problems& problems = assembly.problems;
+  problems.attempt([&] { read_description(root, Anchor{}, "", assembly); });
+  problems.throw_any();
+  if (assembly.palm.empty() && std::ranges::none_of(assembly.chains, &Chain::arm)) {
+    problems.add(fmt::format("{}:1: palm: is missing, and there is no chain 'arm' to end in it",
+                             file.string()));
+  }
+  if (assembly.table.tips.empty())
+    problems.add(fmt::format("{}:1: tips: are missing", file.string()));
+  problems.throw_any();
+  finish(assembly);
+  problems.throw_any();
+  return {std::move(assembly.table),   std::move(assembly.files), std::move(assembly.notes),
+          std::move(assembly.natural), std::move(assembly.links), std::move(assembly.urdfs)};
+}
+
+}  // namespace
+
+RobotDescription load_robot(const std::filesystem::path& file) {
+  return loaded(config::ConfigNode::load(file));
+}
+
+RobotDescription parse_robot(const std::string& text, const std::filesystem::path& file) {
+  return loaded(config::ConfigNode::parse(text, file.string()));
+}
+
+}  // namespace morphe::robot

@@ -1,0 +1,311 @@
+#include "core/robot/files/read_urdf.hpp"
+
+#include <console_bridge/console.h>
+#include <fmt/format.h>
+#include <urdf_parser/urdf_parser.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/robot/files/urdf_joints.hpp"
+
+namespace morphe::robot {
+namespace {
+
+/// Keeps urdfdom's messages off the console while it lives.
+class QuietConsole : console_bridge::OutputHandler {
+ public:
+  QuietConsole() { console_bridge::useOutputHandler(this); }
+  ~QuietConsole() override { console_bridge::restorePreviousOutputHandler(); }
+  std::string first = "is no URDF";
+
+ private:
+  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
+    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && !said_) first = text;
+    said_ = said_ || level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR;
+  }
+  bool said_ = false;
+};
+
+/// urdfdom asks for limits and efforts that may come from the description or are not needed, and
+/// reads what a picture alone needs: the one is put in, the other left out.
+void simplify(tinyxml2::XMLDocument& document) {
+  tinyxml2::XMLElement* robot = document.RootElement();
+  for (const char* tag : {"material", "transmission", "gazebo", "sensor"}) {
+    while (tinyxml2::XMLElement* extra = robot->FirstChildElement(tag)) robot->DeleteChild(extra);
+  }
+  for (auto* link = robot->FirstChildElement("link"); link;
+       link = link->NextSiblingElement("link")) {
+    for (const char* tag : {"visual", "inertial"}) {
+      while (tinyxml2::XMLElement* extra = link->FirstChildElement(tag)) link->DeleteChild(extra);
+    }
+  }
+  for (auto* joint = robot->FirstChildElement("joint"); joint;
+       joint = joint->NextSiblingElement("joint")) {
+    for (const char* tag : {"safety_controller", "calibration", "dynamics"}) {
+      while (tinyxml2::XMLElement* extra = joint->FirstChildElement(tag)) joint->DeleteChild(extra);
+    }
+    const std::string type = joint->Attribute("type");
+    if (type == "planar" || type == "floating") joint->SetAttribute("type", "fixed");
+    if (type != "revolute" && type != "prismatic" && type != "continuous") continue;
+    tinyxml2::XMLElement* limit = joint->FirstChildElement("limit");
+    if (!limit) limit = joint->InsertNewChildElement("limit");
+    for (const char* needed : {"effort", "velocity"}) {
+      if (!limit->Attribute(needed)) limit->SetAttribute(needed, 0);
+    }
+  }
+}
+
+urdf::ModelInterfaceSharedPtr parsed(const files::XmlText& text) {
+  tinyxml2::XMLDocument simple;
+  text.document.DeepCopy(&simple);
+  simplify(simple);
+  tinyxml2::XMLPrinter printer;
+  simple.Print(&printer);
+  QuietConsole console;
+  urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(printer.CStr());
+  if (!model) text.fail(text.root(), "robot", console.first);
+  return model;
+}
+
+struct Reader {
+  Assembly& assembly;
+  FileScope& scope;
+  const config::ConfigNode& node;  ///< of the key `urdf`
+  const files::XmlText& text;
+  const urdf::ModelInterface& model;
+  UrdfTree tree;
+  std::map<std::string, config::ConfigNode> own;  ///< what the description says of a joint
+
+  const urdf::Joint& of(const UrdfJoint& joint) const { return *model.joints_.at(joint.name); }
+  [[noreturn]] void fail(const UrdfJoint& joint, const char* part, const std::string& what) const {
+    text.fail(*joint.element, fmt::format("joint {}{}", joint.name, part), what);
+  }
+  bool driven(const UrdfJoint& joint) const {
+    return joint.kind != JointKind::fixed && !of(joint).mimic;
+  }
+  const UrdfJoint* find(const std::string& name) const {
+    const auto found = std::ranges::find(tree.joints, name, &UrdfJoint::name);
+    return found == tree.joints.end() ? nullptr : &*found;
+  }
+
+  /// What the description says of this joint; of all joints if the file says nothing.
+  std::optional<double> stated(const UrdfJoint& joint, const char* key,
+                               std::optional<double> written = std::nullopt) const {
+    const auto entry = own.find(joint.name);
+    if (entry != own.end() && entry->second.has(key)) return entry->second[key].number();
+    if (written) return written;
+    if (node.has(key)) return node[key].number();
+    return std::nullopt;
+  }
+
+  void read_own_limits() {
+    for (const char* key : {"velocity", "acceleration", "jerk"}) {
+      if (node.has(key) && !(node[key].number() > 0)) node[key].fail("must be above 0");
+    }
+    if (!node.has("limits")) return;
+    for (const config::ConfigNode& entry : node["limits"].items()) {
+      assembly.problems.attempt([&] {
+        const UrdfJoint* joint = find(entry["joint"].text());
+        if (!joint || joint->kind == JointKind::fixed) {
+          entry["joint"].fail(
+              fmt::format("there is no joint '{}' that moves", entry["joint"].text()));
+        }
+        if (!own.emplace(joint->name, entry).second) entry["joint"].fail("stands twice");
+      });
+    }
+  }
+
+  double positive(const UrdfJoint& joint, const char* key, std::optional<double> written) const {
+    const std::optional<double> value = stated(joint, key, written);
+    if (value && *value > 0 && std::isfinite(*value)) return *value;
+    if (value && *value < 0) fail(joint, fmt::format(".{}", key).c_str(), "must be above 0");
+    node.fail(
+        fmt::format("joint '{}' needs a{} {} above 0: in the URDF, for all joints (urdf.{}) "
+                    "or in urdf.limits",
+                    joint.name, *key == 'a' ? "n" : "", key, key));
+  }
+
+  void add_limits(const UrdfJoint& joint) {
+    const bool turns_round = joint.kind == JointKind::continuous;
+    const double round = 2 * std::numbers::pi;
+    const auto lower = stated(joint, "lower", turns_round ? -round : joint.lower);
+    const auto upper = stated(joint, "upper", turns_round ? round : joint.upper);
+    if (!lower || !upper) {
+      fail(joint, ".limit", "is missing; `lower` and `upper` may stand in urdf.limits");
+    }
+    if (*lower > *upper) own.at(joint.name)["upper"].fail("must be above lower");
+    const double velocity = positive(joint, "velocity", joint.velocity);
+    const double acceleration = positive(joint, "acceleration", std::nullopt);
+    const double jerk = positive(joint, "jerk", std::nullopt);
+    const std::string name = scope.prefix + joint.name;
+    if (std::ranges::count(assembly.table.joint_names, name) > 0) {
+      fail(joint, "", fmt::format("a joint '{}' exists already: give this part a `prefix`", name));
+    }
+    if (*lower == *upper) assembly.held.push_back({name, *lower});
+    read_braking(joint);
+    assembly.lower.push_back(*lower);
+    assembly.upper.push_back(*upper);
+    assembly.velocity.push_back(velocity);
+    assembly.acceleration.push_back(acceleration);
+    assembly.jerk.push_back(jerk);
+    assembly.table.joint_names.push_back(name);
+  }
+
+  /// `braking: {slope, drop, lower_end, upper_end}` of the next joint to be added.
+  void read_braking(const UrdfJoint& joint) {
+    const auto entry = own.find(joint.name);
+    if (entry == own.end() || !entry->second.has("braking")) return;
+    const config::ConfigNode braking = entry->second["braking"];
+    RobotTable::BrakingCurve curve;
+    curve.joint = static_cast<int>(assembly.table.joints());
+    curve.slope = braking["slope"].number();
+    curve.drop = braking["drop"].number();
+    curve.lower_end = braking["lower_end"].number();
+    curve.upper_end = braking["upper_end"].number();
+    if (!(curve.slope > 0)) braking["slope"].fail("must be above 0");
+    if (!(curve.drop >= 0)) braking["drop"].fail("must not be negative");
+    assembly.table.braking_curves.push_back(curve);
+  }
+
+  /// value = ratio * (driven joint) + offset, through any number of joints that copy each other.
+  void couple(const UrdfJoint& joint, RobotTable::Frame& frame) const {
+    const UrdfJoint* at = &joint;
+    for (std::size_t steps = 0; !driven(*at); ++steps) {
+      const urdf::Joint& urdf = of(*at);
+      if (steps > tree.joints.size()) fail(joint, ".mimic", "is coupled to itself");
+      const UrdfJoint* next = urdf.mimic ? find(urdf.mimic->joint_name) : nullptr;
+      if (!next || next->kind == JointKind::fixed) {
+        fail(joint, ".mimic",
+             fmt::format("there is no joint '{}' to copy", urdf.mimic->joint_name));
+      }
+      frame.offset += frame.ratio * urdf.mimic->offset;
+      frame.ratio *= urdf.mimic->multiplier;
+      at = next;
+    }
+    if (frame.ratio == 0) fail(joint, ".mimic.multiplier", "must not be 0");
+    frame.joint =
+        static_cast<int>(std::ranges::find(assembly.table.joint_names, scope.prefix + at->name) -
+                         assembly.table.joint_names.begin());
+  }
+
+  /// The limits of a joint that copies another; `enforce: false` leaves out those of its position.
+  void limit_coupled(const UrdfJoint& joint, int frame) {
+    RobotTable::CoupledLimit limit;
+    limit.frame = frame;
+    const auto entry = own.find(joint.name);
+    const bool enforced =
+        entry == own.end() || !entry->second.has("enforce") || entry->second["enforce"].boolean();
+    if (enforced) {
+      limit.lower = stated(joint, "lower", joint.lower).value_or(limit.lower);
+      limit.upper = stated(joint, "upper", joint.upper).value_or(limit.upper);
+    }
+    const auto most = [&](const char* key, std::optional<double> written, double& value) {
+      if (const auto given = stated(joint, key, written); given && *given > 0) value = *given;
+    };
+    most("velocity", joint.velocity, limit.velocity);
+    most("acceleration", std::nullopt, limit.acceleration);
+    most("jerk", std::nullopt, limit.jerk);
+    assembly.table.coupled_limits.push_back(limit);
+  }
+
+  /// A joint's frame has its name, a fixed one that of its link: joints and links have name spaces
+  /// of their own in a URDF, frames do not.
+  std::string free_name(const UrdfJoint& joint) const {
+    const bool fixed = joint.kind == JointKind::fixed;
+    const std::string name = scope.prefix + (fixed ? joint.child : joint.name);
+    if (!has_anchor(assembly, name)) return name;
+    const std::string other = scope.prefix + (fixed ? joint.name : joint.child);
+    if (!scope.links.contains(name) && !find(name)) {
+      fail(joint, "",
+           fmt::format("a frame or chain '{}' exists already: give this part a `prefix`", name));
+    }
+    if (!has_anchor(assembly, other)) return other;
+    return name + (fixed ? "_link" : "_joint");
+  }
+
+  int add_joint_frame(const UrdfJoint& joint) {
+    const urdf::Joint& urdf = of(joint);
+    RobotTable::Frame frame;
+    frame.name = free_name(joint);
+    frame.parent = scope.links.at(scope.prefix + joint.parent);
+    frame.transform = pose_of(urdf.parent_to_joint_origin_transform);
+    if (joint.kind != JointKind::fixed) {
+      frame.axis = Vec3(urdf.axis.x, urdf.axis.y, urdf.axis.z).normalized();
+      frame.slides = joint.kind == JointKind::prismatic;
+      couple(joint, frame);
+    }
+    assembly.table.frames.push_back(std::move(frame));
+    const int index = static_cast<int>(assembly.table.frames.size()) - 1;
+    if (urdf.mimic && joint.kind != JointKind::fixed) limit_coupled(joint, index);
+    return index;
+  }
+
+  int add_root_frame() {
+    RobotTable::Frame frame;
+    frame.name = scope.prefix + tree.root;
+    frame.parent = scope.base.frame;
+    frame.transform = scope.base.frame_from_anchor;
+    const bool taken = has_anchor(assembly, frame.name) || find(tree.root);
+    if (taken) frame.name += "_link";
+    if (has_anchor(assembly, frame.name)) {
+      text.fail(text.root(), "robot",
+                fmt::format("a frame '{}' exists already: give this part a `prefix`", frame.name));
+    }
+    assembly.table.frames.push_back(std::move(frame));
+    return static_cast<int>(assembly.table.frames.size()) - 1;
+  }
+
+  void add_link(const std::string& link, int frame) {
+    scope.links[scope.prefix + link] = frame;
+    assembly.links[scope.prefix + link] = frame;
+    assembly.urdfs.back().links[link] = frame;
+  }
+};
+
+bool read_shapes_key(const config::ConfigNode& node) {
+  if (!node.has("shapes")) return true;
+  const std::string word = node["shapes"].text();
+  if (word != "use" && word != "ignore") node["shapes"].fail("must be use or ignore");
+  return word == "use";
+}
+
+}  // namespace
+
+Pose pose_of(const urdf::Pose& pose) {
+  const auto& [x, y, z, w] = pose.rotation;
+  return make_pose({pose.position.x, pose.position.y, pose.position.z},
+                   Quat(w, x, y, z).normalized());
+}
+
+void read_urdf(Assembly& assembly, FileScope& scope, const config::ConfigNode& node) {
+  const std::filesystem::path file = node.folder() / node["file"].text();
+  const files::XmlText text(file, "robot");
+  assembly.files.push_back(file);
+  UrdfTree tree = urdf_tree(text);
+  const urdf::ModelInterfaceSharedPtr model = parsed(text);
+  Reader reader{assembly, scope, node, text, *model, std::move(tree), {}};
+  std::ranges::copy(reader.tree.notes, std::back_inserter(assembly.notes));
+  reader.read_own_limits();
+  config::Problems problems;
+  for (const UrdfJoint& joint : reader.tree.joints) {
+    if (reader.driven(joint)) problems.attempt([&] { reader.add_limits(joint); });
+  }
+  problems.throw_any();
+  assembly.urdfs.push_back({file, scope.prefix, {}});
+  reader.add_link(reader.tree.root, reader.add_root_frame());
+  for (const UrdfJoint& joint : reader.tree.joints) {
+    reader.add_link(joint.child, reader.add_joint_frame(joint));
+  }
+  const bool use_shapes = read_shapes_key(node);
+  const auto shapes_of = [&](const std::string& link) {
+    add_link_shapes(assembly, text, *model->links_.at(link), scope.links.at(scope.prefix + link),
+                    use_shapes, scope.prefix);
+  };
+  shapes_of(reader.tree.root);
+  for (const UrdfJoint& joint : reader.tree.joints) shapes_of(joint.child);
+  if (node.has("srdf")) read_srdf(assembly, scope, node.folder() / node["srdf"].text());
+}
+
+}  // namespace morphe::robot

@@ -1,0 +1,144 @@
+#include "core/robot/files/urdf_extras.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstring>
+
+#include "core/files/xml_text.hpp"
+#include "core/robot/files/urdf_joints.hpp"
+
+namespace morphe::robot {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Source {
+  const files::XmlText& text;
+  const UrdfSource& urdf;
+  const fs::path& folder;  ///< that the new file lies in
+
+  fs::path seen_from_folder(const std::string& file) const {
+    std::error_code ignored;
+    const fs::path here = fs::weakly_canonical(fs::absolute(folder), ignored);
+    const fs::path there =
+        fs::weakly_canonical(fs::absolute(urdf.file).parent_path() / file, ignored);
+    return there.lexically_proximate(here);
+  }
+
+  void rename_files(tinyxml2::XMLElement& element) const {
+    const char* name = element.Attribute("filename");
+    if (name && *name && !std::strstr(name, "://") && !fs::path(name).is_absolute()) {
+      element.SetAttribute("filename", seen_from_folder(name).generic_string().c_str());
+    }
+    for (auto* child = element.FirstChildElement(); child; child = child->NextSiblingElement()) {
+      rename_files(*child);
+    }
+  }
+
+  /// A material is often given once, at the top of the file.
+  void complete_material(tinyxml2::XMLElement& visual) const {
+    tinyxml2::XMLElement* material = visual.FirstChildElement("material");
+    const char* name = material ? material->Attribute("name") : nullptr;
+    if (!name) return;
+    if (material->NoChildren()) {
+      for (const files::XmlElement* given : files::children(text.root(), "material")) {
+        if (!given->Attribute("name", name)) continue;
+        for (const auto* part = given->FirstChild(); part; part = part->NextSibling()) {
+          material->InsertEndChild(part->DeepClone(visual.GetDocument()));
+        }
+        break;
+      }
+    }
+    material->SetAttribute("name", (urdf.prefix + name).c_str());
+  }
+
+  std::string copied(const files::XmlElement& element) const {
+    tinyxml2::XMLDocument copy;
+    auto* const top = element.DeepClone(&copy)->ToElement();
+    copy.InsertEndChild(top);
+    complete_material(*top);
+    rename_files(*top);
+    tinyxml2::XMLPrinter printer(nullptr, true);
+    copy.Print(&printer);
+    return printer.CStr();
+  }
+
+  void read_link(const files::XmlElement& link, UrdfExtra& extra) const {
+    extra.link = urdf.prefix + link.Attribute("name");
+    for (const char* tag : {"inertial", "visual", "collision"}) {
+      for (const files::XmlElement* element : files::children(link, tag)) {
+        extra.body += "    " + copied(*element) + "\n";
+        (*tag == 'i' ? extra.massive : *tag == 'v' ? extra.looks : extra.shaped) = true;
+      }
+    }
+  }
+
+  void read_joint(const files::XmlElement& joint, UrdfExtra& extra) const {
+    extra.joint = urdf.prefix + joint.Attribute("name");
+    extra.continuous = joint.Attribute("type", "continuous") != nullptr;
+    const files::XmlElement* limit = joint.FirstChildElement("limit");
+    const char* effort = limit ? limit->Attribute("effort") : nullptr;
+    const std::vector<double> number = effort ? numbers_of(effort) : std::vector<double>{};
+    if (number.size() == 1 && number.front() > 0) extra.effort = number.front();
+    const files::XmlElement* dynamics = joint.FirstChildElement("dynamics");
+    if (dynamics) extra.dynamics = "    " + copied(*dynamics) + "\n";
+  }
+
+  UrdfExtra& of_link(const std::string& link, std::vector<UrdfExtra>& extras) const {
+    return extras[static_cast<std::size_t>(urdf.links.at(link))];
+  }
+};
+
+/// "inertias: none is known", "inertias: not known of a, b"; "" if all are.
+std::string not_known(const char* what, const std::vector<std::string>& of, std::size_t all,
+                      const char* then) {
+  if (of.empty()) return "";
+  return of.size() == all ? fmt::format("{}: none is known{}", what, then)
+                          : fmt::format("{}: not known of {}{}", what, fmt::join(of, ", "), then);
+}
+
+}  // namespace
+
+std::vector<UrdfExtra> urdf_extras(const RobotDescription& robot, const fs::path& folder) {
+  std::vector<UrdfExtra> extras(robot.table.frames.size());
+  for (const UrdfSource& urdf : robot.urdfs) {
+    const files::XmlText text(urdf.file, "robot");
+    const Source source{text, urdf, folder};
+    for (const files::XmlElement* link : files::children(text.root(), "link")) {
+      source.read_link(*link, source.of_link(text.attribute(*link, "name"), extras));
+    }
+    for (const files::XmlElement* joint : files::children(text.root(), "joint")) {
+      const files::XmlElement* child = joint->FirstChildElement("child");
+      if (!child) continue;
+      source.read_joint(*joint, source.of_link(text.attribute(*child, "link"), extras));
+    }
+  }
+  return extras;
+}
+
+std::vector<std::string> unknown_of(const RobotTable& robot, const std::vector<UrdfExtra>& extras) {
+  std::vector<std::string> no_effort, no_mass, no_looks;
+  std::size_t joints = 0, links = 0;
+  for (std::size_t f = 0; f < extras.size(); ++f) {
+    const UrdfExtra& known = extras[f];
+    if (robot.frames[f].joint >= 0) {
+      ++joints;
+      if (!known.effort) no_effort.push_back(robot.frames[f].name);
+    }
+    if (known.link.empty() && robot.frames[f].joint < 0) continue;  // a mark, no body
+    ++links;
+    const std::string& name = known.link.empty() ? robot.frames[f].name : known.link;
+    if (!known.massive) no_mass.push_back(name);
+    if (!known.looks) no_looks.push_back(name);
+  }
+  std::vector<std::string> sentences;
+  for (std::string sentence :
+       {not_known("efforts", no_effort, joints, ", 0 stands for it"),
+        not_known("inertias", no_mass, links, ""), not_known("visuals", no_looks, links, "")}) {
+    if (!sentence.empty()) sentences.push_back(std::move(sentence));
+  }
+  return sentences;
+}
+
+}  // namespace morphe::robot

@@ -1,0 +1,233 @@
+#include "core/robot/files/urdf_joints.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <queue>
+#include <sstream>
+
+#include "core/config/problems.hpp"
+
+namespace morphe::robot {
+namespace {
+
+std::string key_of(const UrdfJoint& joint, const std::string& part) {
+  return fmt::format("joint {}{}", joint.name, part);
+}
+
+/// urdfdom would say what is no number, but not where.
+void check_numbers(const files::XmlText& urdf, const files::XmlElement& element,
+                   const std::string& owner) {
+  static constexpr std::array<const char*, 3> kVectors = {"xyz", "rpy", "size"};
+  static constexpr std::array<const char*, 8> kScalars = {
+      "radius", "length", "lower", "upper", "velocity", "effort", "multiplier", "offset"};
+  const auto check = [&](const char* name, std::size_t count) {
+    const char* text = element.Attribute(name);
+    if (text && numbers_of(text).size() != count) {
+      urdf.fail(element, fmt::format("{}.{}.{}", owner, element.Value(), name),
+                count == 1 ? fmt::format("must be a number, not '{}'", text)
+                           : fmt::format("must be {} numbers, not '{}'", count, text));
+    }
+  };
+  for (const char* name : kVectors) check(name, 3);
+  for (const char* name : kScalars) check(name, 1);
+  for (const files::XmlElement* child = element.FirstChildElement(); child;
+       child = child->NextSiblingElement()) {
+    check_numbers(urdf, *child, owner);
+  }
+}
+
+/// A number that check_numbers() let pass.
+std::optional<double> number(const files::XmlElement* element, const char* name) {
+  const char* text = element ? element->Attribute(name) : nullptr;
+  if (!text) return std::nullopt;
+  return numbers_of(text).front();
+}
+
+void read_limits(const files::XmlText& urdf, UrdfJoint& joint) {
+  if (const files::XmlElement* axis = joint.element->FirstChildElement("axis")) {
+    const std::vector<double> xyz = numbers_of(urdf.attribute(*axis, "xyz"));
+    if (std::ranges::all_of(xyz, [](double x) { return x == 0; })) {
+      urdf.fail(*axis, key_of(joint, ".axis"), "must not be zero");
+    }
+  }
+  const files::XmlElement* limit = joint.element->FirstChildElement("limit");
+  if (!limit) return;
+  joint.velocity = number(limit, "velocity");
+  if (joint.velocity && !(*joint.velocity > 0)) joint.velocity.reset();
+  if (joint.kind == JointKind::continuous) return;
+  joint.lower = number(limit, "lower").value_or(0);
+  joint.upper = number(limit, "upper").value_or(0);
+  if (*joint.lower == 0 && *joint.upper == 0) {  // written by programs that know none
+    joint.lower.reset();
+    joint.upper.reset();
+  } else if (*joint.lower > *joint.upper) {
+    urdf.fail(*limit, key_of(joint, ".limit.upper"), "must be above lower");
+  }
+}
+
+void read_kind(const files::XmlText& urdf, UrdfJoint& joint, UrdfTree& tree) {
+  const std::string type = urdf.attribute(*joint.element, "type");
+  if (type == "revolute") joint.kind = JointKind::revolute;
+  if (type == "continuous") joint.kind = JointKind::continuous;
+  if (type == "prismatic") joint.kind = JointKind::prismatic;
+  if (joint.kind != JointKind::fixed) return read_limits(urdf, joint);
+  if (type == "planar" || type == "floating") {
+    tree.notes.push_back(fmt::format("{}:{}: joint {} is {}: held where it is", urdf.file.string(),
+                                     joint.element->GetLineNum(), joint.name, type));
+  } else if (type != "fixed") {
+    urdf.fail(*joint.element, key_of(joint, ".type"),
+              fmt::format("must be revolute, continuous, prismatic or fixed, not '{}'", type));
+  }
+}
+
+std::map<std::string, const files::XmlElement*> named(const files::XmlText& urdf, const char* tag,
+                                                      config::Problems& problems) {
+  std::map<std::string, const files::XmlElement*> found;
+  for (const files::XmlElement* element : files::children(urdf.root(), tag)) {
+    problems.attempt([&] {
+      const std::string name = urdf.attribute(*element, "name");
+      if (!found.emplace(name, element).second) {
+        urdf.fail(*element, fmt::format("{} {}", tag, name), "stands twice");
+      }
+      check_numbers(urdf, *element, fmt::format("{} {}", tag, name));
+    });
+  }
+  return found;
+}
+
+UrdfJoint read_joint(const files::XmlText& urdf, const files::XmlElement& element,
+                     const std::map<std::string, const files::XmlElement*>& links,
+                     std::map<std::string, std::string>& joint_above, UrdfTree& tree) {
+  UrdfJoint joint;
+  joint.name = urdf.attribute(element, "name");
+  joint.element = &element;
+  const auto link = [&](const char* end) {
+    const files::XmlElement* node = element.FirstChildElement(end);
+    if (!node) urdf.fail(element, key_of(joint, "") + "." + end, "is missing");
+    std::string name = urdf.attribute(*node, "link");
+    if (!links.contains(name)) {
+      urdf.fail(*node, key_of(joint, "") + "." + end, fmt::format("there is no link '{}'", name));
+    }
+    return name;
+  };
+  joint.parent = link("parent");
+  joint.child = link("child");
+  if (const auto [above, first] = joint_above.emplace(joint.child, joint.name); !first) {
+    urdf.fail(element, key_of(joint, ".child"),
+              fmt::format("link '{}' hangs on joint '{}' already", joint.child, above->second));
+  }
+  read_kind(urdf, joint, tree);
+  return joint;
+}
+
+/// Parents first, else in the file's order; whatever cannot be reached from the root hangs in a
+/// loop.
+std::vector<UrdfJoint> sorted(const files::XmlText& urdf, std::vector<UrdfJoint> joints,
+                              const std::string& root) {
+  std::multimap<std::string, std::size_t> below;
+  for (std::size_t i = 0; i < joints.size(); ++i) below.emplace(joints[i].parent, i);
+  std::priority_queue<std::size_t, std::vector<std::size_t>, std::greater<>> ready;
+  const auto reach = [&](const std::string& link) {
+    for (auto [at, end] = below.equal_range(link); at != end; ++at) ready.push(at->second);
+    below.erase(link);
+  };
+  std::vector<UrdfJoint> order;
+  for (reach(root); !ready.empty();) {
+    const std::size_t next = ready.top();
+    ready.pop();
+    order.push_back(joints[next]);
+    reach(joints[next].child);
+  }
+  std::size_t first = joints.size();
+  for (const auto& [parent, joint] : below) first = std::min(first, joint);
+  if (first < joints.size()) {
+    urdf.fail(*joints[first].element, key_of(joints[first], ""), "is part of a loop");
+  }
+  return order;
+}
+
+void refuse_xacro(const files::XmlText& urdf) {
+  const auto is_xacro = [](const files::XmlElement& element) {
+    if (std::string_view(element.Value()).starts_with("xacro:")) return true;
+    for (const auto* a = element.FirstAttribute(); a; a = a->Next()) {
+      const std::string_view name = a->Name(), value = a->Value();
+      if (name.starts_with("xmlns:xacro") && element.FirstChildElement("link")) continue;
+      if (value.find("${") != std::string_view::npos) return true;
+    }
+    return false;
+  };
+  const auto look = [&](const auto& self, const files::XmlElement& element) -> void {
+    if (is_xacro(element)) {
+      urdf.fail(element, element.Value(),
+                "is xacro, which a URDF is made from: `xacro FILE.xacro > FILE.urdf`");
+    }
+    for (const auto* child = element.FirstChildElement(); child;
+         child = child->NextSiblingElement()) {
+      self(self, *child);
+    }
+  };
+  look(look, urdf.root());
+}
+
+std::string the_root(const files::XmlText& urdf,
+                     const std::map<std::string, std::string>& joint_above) {
+  std::string root;
+  for (const files::XmlElement* link : files::children(urdf.root(), "link")) {
+    const std::string name = link->Attribute("name");
+    if (joint_above.contains(name)) continue;
+    if (!root.empty()) {
+      urdf.fail(*link, "link " + name,
+                fmt::format("hangs on nothing, as '{}' does: there can be one root", root));
+    }
+    root = name;
+  }
+  return root;
+}
+
+}  // namespace
+
+std::vector<double> numbers_of(const std::string& text) {
+  std::vector<double> values;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    double value = 0;
+    if (word.starts_with('+')) word.erase(0, 1);
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
+      return {};
+    values.push_back(value);
+  }
+  return values;
+}
+
+UrdfTree urdf_tree(const files::XmlText& urdf) {
+  refuse_xacro(urdf);
+  const std::size_t count = files::children(urdf.root(), "link").size();
+  if (count > kMostLinks) {
+    urdf.fail(urdf.root(), "robot",
+              fmt::format("has {} links; up to {} are read", count, kMostLinks));
+  }
+  config::Problems problems;
+  const auto links = named(urdf, "link", problems);
+  (void)named(urdf, "joint", problems);
+  problems.throw_any();
+  UrdfTree tree;
+  std::vector<UrdfJoint> joints;
+  std::map<std::string, std::string> joint_above;  // of a link
+  for (const files::XmlElement* element : files::children(urdf.root(), "joint")) {
+    problems.attempt(
+        [&] { joints.push_back(read_joint(urdf, *element, links, joint_above, tree)); });
+  }
+  problems.throw_any();
+  if (joints.empty()) urdf.fail(urdf.root(), "robot", "has no joints");
+  tree.root = the_root(urdf, joint_above);
+  tree.joints = sorted(urdf, std::move(joints), tree.root);
+  return tree;
+}
+
+}  // namespace morphe::robot

@@ -1,0 +1,149 @@
+#include "core/robot/files/urdf_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/motion/named.hpp"
+#include "core/robot/files/assembly.hpp"
+
+namespace morphe::robot {
+namespace {
+
+using files::XmlElement;
+
+Vec3 vector_of(const XmlElement* element, const char* name, const Vec3& otherwise) {
+  const char* text = element ? element->Attribute(name) : nullptr;
+  const std::vector<double> n = text ? numbers_of(text) : std::vector<double>{};
+  return n.size() == 3 ? Vec3(n[0], n[1], n[2]) : otherwise;
+}
+
+double number_of(const XmlElement* element, const char* name) {
+  const char* text = element ? element->Attribute(name) : nullptr;
+  const std::vector<double> n = text ? numbers_of(text) : std::vector<double>{};
+  return n.size() == 1 ? n.front() : 0;
+}
+
+Pose origin_of(const XmlElement& owner) {
+  const XmlElement* origin = owner.FirstChildElement("origin");
+  const Vec3 rpy = vector_of(origin, "rpy", Vec3::Zero());
+  Pose pose = Pose::Identity();
+  pose.translate(vector_of(origin, "xyz", Vec3::Zero()));
+  pose.rotate(Eigen::AngleAxisd(rpy.z(), Vec3::UnitZ()) *
+              Eigen::AngleAxisd(rpy.y(), Vec3::UnitY()) *
+              Eigen::AngleAxisd(rpy.x(), Vec3::UnitX()));
+  return pose;
+}
+
+/// False if the element holds no shape that is known.
+bool read_shape(const XmlElement& element, UrdfShape& shape) {
+  const XmlElement* geometry = element.FirstChildElement("geometry");
+  const XmlElement* found = geometry ? geometry->FirstChildElement() : nullptr;
+  if (!found) return false;
+  shape.link_from_shape = origin_of(element);
+  const std::optional<Shape> kind = morphe::named<Shape>(found->Value());
+  if (!kind) return false;
+  shape.kind = *kind;
+  switch (shape.kind) {
+    case Shape::sphere:
+      shape.size = {number_of(found, "radius"), 0, 0};
+      break;
+    case Shape::box:
+      shape.size = vector_of(found, "size", Vec3::Zero());
+      break;
+    case Shape::cylinder:
+    case Shape::capsule:
+      shape.size = {number_of(found, "radius"), number_of(found, "length"), 0};
+      break;
+    case Shape::mesh:
+      const char* file = found->Attribute("filename");
+      shape.mesh = file ? file : "";
+      shape.size = vector_of(found, "scale", Vec3::Ones());
+  }
+  return true;
+}
+
+void read_link(const XmlElement& link, UrdfModel& model) {
+  const std::string name = link.Attribute("name");
+  for (const char* tag : {"collision", "visual"}) {
+    for (const XmlElement* element : files::children(link, tag)) {
+      UrdfShape shape;
+      shape.link = name;
+      shape.visual = *tag == 'v';
+      if (read_shape(*element, shape)) model.shapes.push_back(shape);
+    }
+  }
+  const XmlElement* inertial = link.FirstChildElement("inertial");
+  if (!inertial) return;
+  UrdfInertia inertia;
+  inertia.mass = number_of(inertial->FirstChildElement("mass"), "value");
+  inertia.link_from_inertia = origin_of(*inertial);
+  const XmlElement* tensor = inertial->FirstChildElement("inertia");
+  const auto entry = [&](const char* key) { return number_of(tensor, key); };
+  inertia.inertia << entry("ixx"), entry("ixy"), entry("ixz"), entry("ixy"), entry("iyy"),
+      entry("iyz"), entry("ixz"), entry("iyz"), entry("izz");
+  model.inertias.emplace(name, inertia);
+}
+
+/// The key `urdf` of a description that says nothing but what is missing.
+std::string completed(const UrdfModel& model, const AssumedLimits& assumed) {
+  std::string text = fmt::format(
+      "urdf:\n  file: '{}'\n  velocity: {}\n  acceleration: {}\n  jerk: {}\n  limits:\n",
+      model.file.filename().string(), assumed.velocity, assumed.acceleration, assumed.jerk);
+  for (const UrdfJoint& joint : model.tree.joints) {
+    const bool bounded = joint.kind == JointKind::revolute || joint.kind == JointKind::prismatic;
+    if (!bounded || joint.lower) continue;
+    if (joint.element->FirstChildElement("mimic")) continue;
+    text += fmt::format("    - {{joint: '{}', lower: -{}, upper: {}}}\n", joint.name,
+                        assumed.position, assumed.position);
+  }
+  if (text.ends_with("limits:\n")) text.erase(text.size() - 10);
+  return text;
+}
+
+}  // namespace
+
+const UrdfJoint* UrdfModel::joint(const std::string& called) const {
+  const auto found = std::ranges::find(tree.joints, called, &UrdfJoint::name);
+  return found == tree.joints.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> UrdfModel::link_of_frame() const {
+  std::vector<std::string> names(table.frames.size());
+  for (const auto& [link, frame] : links) names[static_cast<std::size_t>(frame)] = link;
+  return names;
+}
+
+UrdfModel load_urdf_model(const std::filesystem::path& file, const AssumedLimits& assumed) {
+  UrdfModel model;
+  model.file = file;
+  const files::XmlText text(file, "robot");
+  model.tree = urdf_tree(text);
+  const char* name = text.root().Attribute("name");
+  model.name = name && *name ? name : file.stem().string();
+  for (const XmlElement* link : files::children(text.root(), "link")) read_link(*link, model);
+
+  Assembly assembly;
+  FileScope scope;
+  const std::filesystem::path beside = file.parent_path() / "of the URDF";
+  const config::ConfigNode node =
+      config::ConfigNode::parse(completed(model, assumed), beside.string());
+  read_urdf(assembly, scope, node["urdf"]);
+  assembly.problems.throw_any();
+  for (UrdfJoint& joint : model.tree.joints) joint.element = nullptr;  // the text ends here
+  model.table = std::move(assembly.table);
+  model.table.capsules.clear();
+  const auto vector = [](const std::vector<double>& values) -> JointVector {
+    return Eigen::Map<const JointVector>(values.data(), static_cast<Eigen::Index>(values.size()));
+  };
+  model.table.lower = vector(assembly.lower);
+  model.table.upper = vector(assembly.upper);
+  model.table.velocity = vector(assembly.velocity);
+  model.table.acceleration = vector(assembly.acceleration);
+  model.table.jerk = vector(assembly.jerk);
+  model.links = std::move(assembly.links);
+  model.notes = std::move(assembly.notes);
+  return model;
+}
+
+}  // namespace morphe::robot

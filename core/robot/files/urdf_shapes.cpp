@@ -1,0 +1,158 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/robot/files/read_urdf.hpp"
+
+namespace morphe::robot {
+namespace {
+
+constexpr double kSame_m = 1e-9;
+constexpr int kMostOfOneBox = 8;
+
+using Capsule = RobotTable::Capsule;
+
+struct Shapes {
+  const urdf::Link& link;
+  std::vector<Capsule> capsules;  ///< in the link's frame
+
+  void add(const Vec3& from, const Vec3& to, double radius) {
+    Capsule capsule;
+    capsule.from = from;
+    capsule.to = to;
+    capsule.radius = radius;
+    capsules.push_back(std::move(capsule));
+  }
+
+  bool sphere_at(const Vec3& centre, double radius) const {
+    return std::ranges::any_of(link.collision_array, [&](const urdf::CollisionSharedPtr& c) {
+      const auto* sphere = dynamic_cast<const urdf::Sphere*>(c->geometry.get());
+      return sphere && std::abs(sphere->radius - radius) < kSame_m &&
+             (pose_of(c->origin).translation() - centre).norm() < kSame_m;
+    });
+  }
+
+  void add_cylinder(const Pose& pose, double radius, double length) {
+    const Vec3 from = pose * Vec3(0, 0, -length / 2), to = pose * Vec3(0, 0, length / 2);
+    const bool capsule = sphere_at(from, radius) && sphere_at(to, radius);
+    const double around = std::hypot(radius, length / 2);
+    const double long_volume = radius * radius * (4.0 / 3 * radius + length);
+    if (!capsule && 4.0 / 3 * around * around * around < long_volume) {
+      return add(pose.translation(), pose.translation(), around);
+    }
+    add(from, to, radius);
+  }
+
+  /// Along the longest side; side by side over the middle one, as many as make them about round.
+  void add_box(const Pose& pose, const Vec3& size) {
+    std::array<Eigen::Index, 3> axis = {0, 1, 2};
+    std::ranges::sort(axis, [&](Eigen::Index a, Eigen::Index b) { return size[a] > size[b]; });
+    const auto [first, second, third] = axis;
+    const double ratio = size[third] > 0 ? size[second] / size[third] : kMostOfOneBox;
+    const int count = std::clamp(static_cast<int>(std::lround(ratio)), 1, kMostOfOneBox);
+    const double breadth = size[second] / count;
+    const Vec3 along = 0.5 * size[first] * Vec3::Unit(first);
+    for (int k = 0; k < count; ++k) {
+      const Vec3 middle = (breadth * (k + 0.5) - size[second] / 2) * Vec3::Unit(second);
+      add(pose * Vec3(middle - along), pose * Vec3(middle + along),
+          0.5 * std::hypot(breadth, size[third]));
+    }
+  }
+
+  /// A sphere inside another capsule of the link says nothing new.
+  void drop_hidden_spheres() {
+    const auto hidden = [&](const Capsule& sphere) {
+      if (sphere.from != sphere.to) return false;
+      return std::ranges::any_of(capsules, [&](const Capsule& other) {
+        if (other.from == other.to) return false;
+        const Vec3 axis = other.to - other.from;
+        const double t =
+            std::clamp((sphere.from - other.from).dot(axis) / axis.squaredNorm(), 0.0, 1.0);
+        const double depth = (sphere.from - (other.from + t * axis)).norm() + sphere.radius;
+        return depth <= other.radius + kSame_m;
+      });
+    };
+    std::vector<Capsule> left;
+    std::ranges::copy_if(capsules, std::back_inserter(left), std::not_fn(hidden));
+    capsules = std::move(left);
+  }
+};
+
+const files::XmlElement& link_element(const files::XmlText& text, const std::string& name) {
+  for (const files::XmlElement* link : files::children(text.root(), "link")) {
+    if (name == link->Attribute("name")) return *link;
+  }
+  return text.root();
+}
+
+std::string free_name(const RobotTable& table, const std::string& wanted) {
+  const auto taken = [&](const std::string& name) {
+    return std::ranges::find(table.capsules, name, &Capsule::name) != table.capsules.end();
+  };
+  std::string name = wanted;
+  for (int k = 2; taken(name); ++k) name = fmt::format("{}_{}", wanted, k);
+  return name;
+}
+
+}  // namespace
+
+void add_link_shapes(Assembly& assembly, const files::XmlText& text, const urdf::Link& link,
+                     int frame, bool use_shapes, const std::string& prefix) {
+  const files::XmlElement& element = link_element(text, link.name);
+  const std::vector<const files::XmlElement*> elements = files::children(element, "collision");
+  Shapes shapes{link, {}};
+  const bool drawn = element.FirstChildElement("visual") != nullptr;
+  if (drawn || !link.collision_array.empty()) assembly.shaped.push_back(frame);
+  if (!use_shapes) return;
+  for (std::size_t k = 0; k < link.collision_array.size(); ++k) {
+    const urdf::Collision& collision = *link.collision_array[k];
+    const files::XmlElement& at = k < elements.size() ? *elements[k] : element;
+    const std::string key = fmt::format("link {}.collision", link.name);
+    const Pose pose = pose_of(collision.origin);
+    const std::size_t before = shapes.capsules.size();
+    if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(collision.geometry.get())) {
+      shapes.add(pose.translation(), pose.translation(), sphere->radius);
+    } else if (const auto* rod = dynamic_cast<const urdf::Cylinder*>(collision.geometry.get())) {
+      shapes.add_cylinder(pose, rod->radius, rod->length);
+    } else if (const auto* box = dynamic_cast<const urdf::Box*>(collision.geometry.get())) {
+      shapes.add_box(pose, {box->dim.x, box->dim.y, box->dim.z});
+    } else {
+      assembly.meshes[text.file.string()].push_back(link.name);
+    }
+    for (std::size_t i = before; i < shapes.capsules.size(); ++i) {
+      shapes.capsules[i].name = prefix + (collision.name.empty() ? link.name : collision.name);
+      if (!(shapes.capsules[i].radius > 0)) text.fail(at, key, "has no extent");
+    }
+  }
+  shapes.drop_hidden_spheres();
+  for (Capsule& capsule : shapes.capsules) {
+    capsule.name = free_name(assembly.table, capsule.name);
+    capsule.frame = frame;
+    assembly.table.capsules.push_back(std::move(capsule));
+  }
+}
+
+void read_srdf(Assembly& assembly, const FileScope& scope, const std::filesystem::path& file) {
+  const files::XmlText text(file, "robot");
+  assembly.files.push_back(file);
+  for (const files::XmlElement* pair : files::children(text.root(), "disable_collisions")) {
+    std::array<int, 2> frames{};
+    bool known = true;
+    for (const auto& [k, attribute] : {std::pair{0, "link1"}, std::pair{1, "link2"}}) {
+      const std::string link = text.attribute(*pair, attribute);
+      const auto found = scope.links.find(scope.prefix + link);
+      if (found == scope.links.end()) {
+        known = false;
+        assembly.notes.push_back(fmt::format("{}:{}: there is no link '{}': the pair is left out",
+                                             file.string(), pair->GetLineNum(), link));
+      } else {
+        frames[static_cast<std::size_t>(k)] = found->second;
+      }
+    }
+    if (known) assembly.allowed_frames.push_back(frames);
+  }
+}
+
+}  // namespace morphe::robot

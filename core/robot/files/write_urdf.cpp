@@ -1,0 +1,239 @@
+#include "core/robot/files/write_urdf.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "core/files/markup.hpp"
+#include "core/robot/files/urdf_extras.hpp"
+
+namespace morphe::robot {
+namespace {
+
+std::string numbers(const Vec3& v) {
+  const Vec3 positive = v.array() + 0.0;  // no -0
+  return fmt::format("{} {} {}", positive.x(), positive.y(), positive.z());
+}
+
+/// Roll, pitch, yaw with R = Rz(yaw) Ry(pitch) Rx(roll), exact at pitch ±90 degrees too: what yaw
+/// cannot tell there, roll takes up.
+Vec3 rpy_of(const Eigen::Matrix3d& r) {
+  const double yaw = std::atan2(r(1, 0), r(0, 0));
+  const double pitch = std::atan2(-r(2, 0), std::hypot(r(0, 0), r(1, 0)));
+  const Eigen::Matrix3d rolled =
+      (Eigen::AngleAxisd(-pitch, Vec3::UnitY()) * Eigen::AngleAxisd(-yaw, Vec3::UnitZ()))
+          .toRotationMatrix() *
+      r;
+  return {std::atan2(rolled(2, 1), rolled(1, 1)), pitch, yaw};
+}
+
+std::string origin(const Pose& pose) {
+  return fmt::format("<origin xyz=\"{}\" rpy=\"{}\"/>", numbers(pose.translation()),
+                     numbers(rpy_of(pose.linear())));
+}
+
+std::string shape(const std::string& name, const Pose& pose, const std::string& geometry) {
+  return fmt::format("    <collision name=\"{}\">{}<geometry>{}</geometry></collision>\n",
+                     files::xml_escaped(name), origin(pose), geometry);
+}
+
+std::string capsule_shapes(const RobotTable::Capsule& capsule) {
+  const auto sphere = [&](const std::string& name, const Vec3& at) {
+    return shape(name, make_pose(at, Quat::Identity()),
+                 fmt::format("<sphere radius=\"{}\"/>", capsule.radius));
+  };
+  const Vec3 axis = capsule.to - capsule.from;
+  if (axis.isZero(0)) return sphere(capsule.name, capsule.from);
+  Pose middle = Pose::Identity();
+  middle.translation() = 0.5 * (capsule.from + capsule.to);
+  middle.linear().col(2) = axis.normalized();
+  middle.linear().col(0) = axis.unitOrthogonal();
+  middle.linear().col(1) = middle.linear().col(2).cross(middle.linear().col(0));
+  return shape(
+             capsule.name, middle,
+             fmt::format("<cylinder radius=\"{}\" length=\"{}\"/>", capsule.radius, axis.norm())) +
+         sphere(capsule.name + "_from", capsule.from) + sphere(capsule.name + "_to", capsule.to);
+}
+
+std::string capsules_of(const RobotTable& robot, int frame) {
+  std::string shapes;
+  for (const RobotTable::Capsule& capsule : robot.capsules) {
+    if (capsule.frame == frame) shapes += capsule_shapes(capsule);
+  }
+  return shapes;
+}
+
+std::string link(const std::string& name, const std::string& body) {
+  if (body.empty()) return fmt::format("  <link name=\"{}\"/>\n", files::xml_escaped(name));
+  return fmt::format("  <link name=\"{}\">\n{}  </link>\n", files::xml_escaped(name), body);
+}
+
+/// A joint and the link below it.
+struct Names {
+  std::string joint, link;
+};
+
+std::string joint(const Names& names, const char* type, const std::string& parent, const Pose& pose,
+                  const std::string& more) {
+  return fmt::format(
+      "  <joint name=\"{}\" type=\"{}\">\n    <parent link=\"{}\"/>\n    <child link=\"{}\"/>\n"
+      "    {}\n{}  </joint>\n",
+      files::xml_escaped(names.joint), type, files::xml_escaped(parent),
+      files::xml_escaped(names.link), origin(pose), more);
+}
+
+struct Writer {
+  const RobotTable& robot;
+  const std::vector<UrdfExtra>& extras;  ///< [frames], or none
+  std::vector<Names> names;              ///< [frames]
+  std::set<std::string> joints_taken, links_taken;
+  std::string root;     ///< the name of the root link
+  int root_frame = -1;  ///< the frame that it is, -1: none
+  std::string text;
+
+  const UrdfExtra& extra(std::size_t frame) const {
+    static const UrdfExtra kNone;
+    return extras.empty() ? kNone : extras[frame];
+  }
+
+  static std::string free_name(std::string name, const char* more, std::set<std::string>& taken) {
+    while (!taken.insert(name).second) name += more;
+    return name;
+  }
+
+  /// The one frame at the base, if it is a URDF's root and the base itself has no shape.
+  int find_root() const {
+    if (extras.empty() || extras.front().link.empty() || !extras.front().joint.empty()) return -1;
+    for (std::size_t f = 1; f < robot.frames.size(); ++f) {
+      if (robot.frames[f].parent < 0) return -1;
+    }
+    const RobotTable::Frame& first = robot.frames.front();
+    const bool still = first.joint < 0 && first.transform.isApprox(Pose::Identity(), 0);
+    return still && capsules_of(robot, -1).empty() ? 0 : -1;
+  }
+
+  void name_all() {
+    root_frame = find_root();
+    // The names of a URDF are kept; those of other frames give way.
+    names.resize(robot.frames.size());
+    for (const bool of_urdf : {true, false}) {
+      for (std::size_t f = 0; f < robot.frames.size(); ++f) {
+        const UrdfExtra& known = extra(f);
+        const std::string& name = robot.frames[f].name;
+        if (known.link.empty() != of_urdf)
+          names[f].link = free_name(of_urdf ? known.link : name, "_frame", links_taken);
+        if (static_cast<int>(f) == root_frame) continue;
+        if (known.joint.empty() != of_urdf)
+          names[f].joint = free_name(of_urdf ? known.joint : name, "_joint", joints_taken);
+      }
+    }
+    root = root_frame < 0 ? free_name("base", "_root", links_taken)
+                          : names[static_cast<std::size_t>(root_frame)].link;
+  }
+
+  const std::string& parent_of(int frame) const {
+    return frame < 0 ? root : names[static_cast<std::size_t>(frame)].link;
+  }
+
+  /// The frame that turns by a joint's own value: the one of its name, else the first.
+  std::size_t driver_of(int k) const {
+    const std::string& name = robot.joint_names[static_cast<std::size_t>(k)];
+    std::size_t first = robot.frames.size();
+    for (std::size_t f = robot.frames.size(); f-- > 0;) {
+      if (robot.frames[f].joint != k) continue;
+      if (names[f].joint == name) return f;
+      first = f;
+    }
+    return first;
+  }
+
+  void add_moving(std::size_t f) {
+    const RobotTable::Frame& frame = robot.frames[f];
+    const UrdfExtra& known = extra(f);
+    Pose pose = frame.transform;
+    const Eigen::Index k = frame.joint;
+    std::string more = fmt::format("    <axis xyz=\"{}\"/>\n", numbers(frame.axis));
+    double lower = robot.lower[k], upper = robot.upper[k];
+    const std::size_t driver = driver_of(frame.joint);
+    if (driver == f) {
+      if (frame.slides) {
+        pose = pose * Eigen::Translation3d(frame.offset * frame.axis);
+      } else {
+        pose = pose * Eigen::AngleAxisd(frame.offset, frame.axis);
+      }
+    } else {
+      lower = frame.ratio * robot.lower[k] + frame.offset;
+      upper = frame.ratio * robot.upper[k] + frame.offset;
+      more += fmt::format("    <mimic joint=\"{}\" multiplier=\"{}\" offset=\"{}\"/>\n",
+                          files::xml_escaped(names[driver].joint), frame.ratio, frame.offset);
+    }
+    more += fmt::format("    <limit lower=\"{}\" upper=\"{}\" effort=\"{}\" velocity=\"{}\"/>\n",
+                        std::min(lower, upper), std::max(lower, upper), known.effort.value_or(0),
+                        std::abs(frame.ratio) * robot.velocity[k]);
+    const double round = 2 * std::numbers::pi;
+    const bool endless = known.continuous && lower == -round && upper == round;
+    text += joint(names[f],
+                  frame.slides ? "prismatic"
+                  : endless    ? "continuous"
+                               : "revolute",
+                  parent_of(frame.parent), pose, more + known.dynamics);
+  }
+
+  void add_frames() {
+    if (root_frame < 0) text += link(root, capsules_of(robot, -1));
+    for (std::size_t f = 0; f < robot.frames.size(); ++f) {
+      const RobotTable::Frame& frame = robot.frames[f];
+      if (frame.joint >= 0) {
+        add_moving(f);
+      } else if (static_cast<int>(f) != root_frame) {
+        text += joint(names[f], "fixed", parent_of(frame.parent), frame.transform, "");
+      }
+      const std::string shapes = extra(f).shaped ? "" : capsules_of(robot, static_cast<int>(f));
+      text += link(names[f].link, extra(f).body + shapes);
+    }
+  }
+
+  void add_tips() {
+    for (const RobotTable::Tip& tip : robot.tips) {
+      Names own{tip.name, tip.name};
+      while (links_taken.contains(own.link) || joints_taken.contains(own.link)) own.link += "_tip";
+      own.joint = own.link;
+      links_taken.insert(own.link);
+      joints_taken.insert(own.joint);
+      text += joint(own, "fixed", parent_of(tip.frame), tip.transform, "");
+      text += link(own.link, "");
+    }
+  }
+
+  std::string written(const std::vector<std::string>& comment) {
+    name_all();
+    text = "<?xml version=\"1.0\"?>\n";
+    for (std::string line : comment) {
+      for (std::size_t at; (at = line.find("--")) != std::string::npos;) line.insert(at + 1, " ");
+      text += fmt::format("<!-- {} -->\n", line);
+    }
+    text += fmt::format("<robot name=\"{}\">\n", files::xml_escaped(robot.name));
+    add_frames();
+    add_tips();
+    return text + "</robot>\n";
+  }
+};
+
+}  // namespace
+
+std::string urdf_of(const RobotTable& robot) {
+  const std::vector<UrdfExtra> none;
+  return Writer{robot, none, {}, {}, {}, {}, -1, {}}.written({});
+}
+
+WrittenUrdf urdf_of(const RobotDescription& robot, const std::filesystem::path& folder) {
+  const std::vector<UrdfExtra> extras = urdf_extras(robot, folder);
+  std::vector<std::string> sentences = unknown_of(robot.table, extras);
+  std::string text = Writer{robot.table, extras, {}, {}, {}, {}, -1, {}}.written(sentences);
+  return {std::move(text), std::move(sentences)};
+}
+
+}  // namespace morphe::robot

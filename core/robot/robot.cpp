@@ -1,0 +1,58 @@
+#include "core/robot/robot.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/robot/levers.hpp"
+#include "core/robot/tree.hpp"
+
+namespace morphe::robot {
+namespace {
+
+constexpr const char* kArm = "arm";
+
+int tip_beyond(const RobotTable& robot, const RobotTable::Centre& centre) {
+  if (centre.chain == kArm) return -1;
+  for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
+    if (robot.tips[tip].finger < 0) continue;
+    if (hangs_on(robot, robot.tips[tip].frame, centre.frame)) return static_cast<int>(tip);
+  }
+  return -1;
+}
+
+}  // namespace
+
+Robot::Robot(RobotTable table) : RobotTable(std::move(table)) {
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    const bool turns = frames[f].joint >= 0;
+    const int parent = frames[f].parent;
+    moving_frame.push_back(turns        ? static_cast<int>(f)
+                           : parent < 0 ? -1
+                                        : moving_frame[static_cast<std::size_t>(parent)]);
+  }
+  const int palm = frames.empty() ? -1 : palm_frame;
+  for (const int frame : upwards(*this, palm)) {
+    if (joint_of(*this, frame) >= 0) arm_joints.push_back(joint_of(*this, frame));
+  }
+  std::ranges::sort(arm_joints);
+  arm_joints.erase(std::unique(arm_joints.begin(), arm_joints.end()), arm_joints.end());
+  for (const Centre& centre : centres) {
+    if (centre.chain == kArm) arm_centres.push_back(centre.frame);
+    tip_of_centre.push_back(tip_beyond(*this, centre));
+    centres_of_chain.push_back(
+        static_cast<double>(std::ranges::count(centres, centre.chain, &Centre::chain)));
+  }
+  pads = find_pads(*this);
+  capsule_levers = levers_of_capsules(*this);
+}
+
+std::vector<Vec3> arm_centre_positions(const Robot& robot,
+                                       const std::vector<Pose>& base_from_frame) {
+  std::vector<Vec3> positions;
+  for (const int frame : robot.arm_centres) {
+    positions.push_back(base_from_frame[static_cast<std::size_t>(frame)].translation());
+  }
+  return positions;
+}
+
+}  // namespace morphe::robot

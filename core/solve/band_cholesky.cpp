@@ -1,0 +1,190 @@
+#include "core/solve/band_cholesky.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace morphe::solve {
+namespace {
+
+using Eigen::Index;
+
+constexpr Index kWidth = 4;
+using Four = double __attribute__((vector_size(kWidth * sizeof(double))));
+
+Four load(const double* from) {
+  Four four;
+  std::memcpy(&four, from, sizeof four);
+  return four;
+}
+void store(const Four& four, double* to) { std::memcpy(to, &four, sizeof four); }
+
+/// Four columns of a block of the factor, `stride` apart.
+struct Panel {
+  const double* left;   ///< what stands before the target's rows
+  const double* right;  ///< what stands before the four rows whose pivots these columns have
+  Index depth;          ///< columns before
+  Index stride;
+};
+
+/// sum = target [4 kRows, 4] - left rightᵀ, of the columns from `first` on.
+template <int kRows>
+void subtract_product(const Panel& panel, Index row, Index first, const double* target,
+                      Four (&sum)[kRows][kWidth]) {
+  for (Index c = 0; c < kWidth; ++c) {
+    for (Index r = 0; r < kRows; ++r) {
+      sum[r][c] = load(target + c * panel.stride + row + r * kWidth);
+    }
+  }
+  const double* left = panel.left + first * panel.stride + row;
+  const double* right = panel.right + first * panel.stride;
+  for (Index k = first; k < panel.depth; ++k, left += panel.stride, right += panel.stride) {
+    Four rows[kRows];
+    for (Index r = 0; r < kRows; ++r) rows[r] = load(left + r * kWidth);
+    for (Index c = 0; c < kWidth; ++c) {
+      for (Index r = 0; r < kRows; ++r) sum[r][c] -= rows[r] * right[c];
+    }
+  }
+}
+
+template <int kRows>
+void store(const Four (&sum)[kRows][kWidth], Index row, Index stride, double* target) {
+  for (Index c = 0; c < kWidth; ++c) {
+    for (Index r = 0; r < kRows; ++r) store(sum[r][c], target + c * stride + row + r * kWidth);
+  }
+}
+
+/// Rows of the panel below its pivots, or of another block: target = (target - left rightᵀ) L⁻ᵀ.
+template <int kRows>
+void divide(const Panel& panel, const double* inverse, Index row, Index first, double* target) {
+  Four sum[kRows][kWidth];
+  subtract_product(panel, row, first, target, sum);
+  const double* pivots = panel.right + panel.depth * panel.stride;
+  for (Index c = 0; c < kWidth; ++c) {
+    for (Index d = 0; d < c; ++d) {
+      const double factor = pivots[d * panel.stride + c];
+      for (Index r = 0; r < kRows; ++r) sum[r][c] -= factor * sum[r][d];
+    }
+    for (Index r = 0; r < kRows; ++r) sum[r][c] *= inverse[c];
+  }
+  store(sum, row, panel.stride, target);
+}
+
+/// The four rows with the panel's own pivots. False if one is not positive.
+bool divide_own(const Panel& panel, Index row, Index first, double* target, double* inverse) {
+  Four sum[1][kWidth];
+  subtract_product(panel, row, first, target, sum);
+  for (Index c = 0; c < kWidth; ++c) {
+    for (Index d = 0; d < c; ++d) sum[0][c] -= sum[0][d][c] * sum[0][d];
+    if (!(sum[0][c][c] > 0)) return false;
+    inverse[c] = 1 / std::sqrt(sum[0][c][c]);
+    sum[0][c] *= inverse[c];
+  }
+  store(sum, row, panel.stride, target);
+  return true;
+}
+
+}  // namespace
+
+void BandCholesky::resize(std::size_t frames, Index n) {
+  n_ = n;
+  padded_ = (n + kWidth - 1) / kWidth * kWidth;
+  const auto padded = static_cast<std::size_t>(padded_);
+  rows_.resize(frames * (kBandBlocks + 1) * padded * padded);
+  inverse_.resize(frames * padded);
+  x_.resize(frames * padded);
+}
+
+void BandCholesky::clear(std::size_t frame) {
+  std::fill_n(columns(frame, kBandBlocks), (kBandBlocks + 1) * padded_ * padded_, 0.0);
+  double* own = columns(frame, 0);
+  for (Index j = n_; j < padded_; ++j) own[j * padded_ + j] = 1;  // beyond the matrix: the identity
+}
+
+BandCholesky::Own BandCholesky::own(std::size_t frame) {
+  return {columns(frame, 0), n_, n_, Eigen::OuterStride<>(padded_)};
+}
+
+BandCholesky::Diagonal BandCholesky::between(std::size_t frame, Index before) {
+  return {columns(frame, before), n_, Eigen::InnerStride<>(padded_ + 1)};
+}
+
+bool BandCholesky::factorise(std::size_t first) {
+  const auto frames = inverse_.size() / static_cast<std::size_t>(padded_);
+  for (std::size_t frame = first; frame < frames; ++frame) {
+    const Index reach = std::min(static_cast<Index>(frame), kBandBlocks);
+    for (Index before = reach; before >= 0; --before) {
+      if (!factorise_block(frame, before, reach)) return false;
+    }
+  }
+  return true;
+}
+
+/// L_fe = (A_fe - sum over c < e of L_fc L_ecᵀ) L_ee⁻ᵀ for e = f - before, four columns at a time;
+/// of the last block only what is on the diagonal or below. The first block of a row, a diagonal
+/// one over a transposed factor, has nothing below its diagonal: there neither rows nor columns of
+/// zeros are gone through. False if a pivot is not positive.
+bool BandCholesky::factorise_block(std::size_t frame, Index before, Index reach) {
+  const std::size_t other = frame - static_cast<std::size_t>(before);
+  const Index blocks = reach - before;  // that both rows have before this one
+  double* target = columns(frame, before);
+  double* inverse = inverse_.data() + static_cast<Index>(other) * padded_;
+  for (Index j = 0; j < padded_; j += kWidth) {
+    const Panel panel{columns(frame, reach), columns(other, blocks) + j, blocks * padded_ + j,
+                      padded_};
+    double* column = target + j * padded_;
+    const auto first = [&](Index row) { return reach > 0 ? row : 0; };
+    Index row = 0;
+    if (before == 0) {
+      if (!divide_own(panel, j, first(j), column, inverse + j)) return false;
+      row = j + kWidth;
+    }
+    const Index end = before > 0 && blocks == 0 ? j + kWidth : padded_;
+    for (; row + 3 * kWidth <= end; row += 3 * kWidth) {
+      divide<3>(panel, inverse + j, row, first(row), column);
+    }
+    if (end - row == 2 * kWidth) divide<2>(panel, inverse + j, row, first(row), column);
+    if (end - row == kWidth) divide<1>(panel, inverse + j, row, first(row), column);
+  }
+  return true;
+}
+
+void BandCholesky::solve(Eigen::VectorXd& b) {
+  const auto frames = static_cast<Index>(inverse_.size()) / padded_;
+  std::ranges::fill(x_, 0);
+  for (Index f = 0; f < frames; ++f) {
+    std::copy_n(b.data() + f * n_, n_, x_.data() + f * padded_);
+  }
+  for (Index f = 0; f < frames; ++f) {
+    const Index reach = std::min(f, kBandBlocks) * padded_;
+    const double* column = columns(static_cast<std::size_t>(f), 0) - reach * padded_;
+    double* own = x_.data() + f * padded_;
+    for (Index k = -reach; k < 0; ++k, column += padded_) {
+      for (Index i = 0; i < padded_; ++i) own[i] -= own[k] * column[i];
+    }
+    for (Index j = 0; j < n_; ++j, column += padded_) {
+      own[j] *= inverse_[static_cast<std::size_t>(f * padded_ + j)];
+      for (Index i = j + 1; i < padded_; ++i) own[i] -= own[j] * column[i];
+    }
+  }
+  for (Index f = frames - 1; f >= 0; --f) {
+    const Index reach = std::min(f, kBandBlocks) * padded_;
+    double* own = x_.data() + f * padded_;
+    const Eigen::Map<const Eigen::VectorXd> mine(own, n_);
+    const double* column = columns(static_cast<std::size_t>(f), 0) + (n_ - 1) * padded_;
+    for (Index j = n_ - 1; j >= 0; --j, column -= padded_) {
+      const Index below = n_ - 1 - j;
+      const Eigen::Map<const Eigen::VectorXd> under(column + j + 1, below);
+      own[j] = (own[j] - under.dot(mine.tail(below))) *
+               inverse_[static_cast<std::size_t>(f * padded_ + j)];
+    }
+    for (Index k = -1; k >= -reach; --k, column -= padded_) {
+      own[k] -= Eigen::Map<const Eigen::VectorXd>(column, n_).dot(mine);
+    }
+  }
+  for (Index f = 0; f < frames; ++f) {
+    std::copy_n(x_.data() + f * padded_, n_, b.data() + f * n_);
+  }
+}
+
+}  // namespace morphe::solve

@@ -1,0 +1,88 @@
+#include "core/store/bytes.hpp"
+
+#include "core/store/bytes_layout.hpp"
+#include "core/store/demonstration_layout.hpp"
+#include "core/store/plan_layout.hpp"
+#include "core/store/robot_layout.hpp"
+
+namespace morphe::store {
+namespace {
+
+/// A plan and its place in the file, which HDF5 keeps in the names of groups.
+template <class Io, class T>
+void lay_out_named_plan(Io& io, T& plan) {
+  io.attribute("demonstration", plan.demonstration);
+  io.attribute("movement", plan.movement.index);
+  lay_out_plan(io, plan);
+}
+
+template <class Io, class T>
+void lay_out_header(Io& io, T& header) {
+  using Input = PlanFileHeader::Input;
+  io.attribute("config", header.config);
+  io.attribute("config_sha256", header.config_sha256);
+  io.attribute("dataset_sha256", header.dataset_sha256);
+  io.attribute("software", header.software);
+  io.attribute("built_with", header.built_with);
+  io.column("path", header.inputs, &Input::path, {});
+  io.column("text", header.inputs, &Input::text, {});
+}
+
+template <class Layout>
+std::string written(const Layout& layout) {
+  std::string bytes;
+  BytesWriter io(bytes);
+  layout(io);
+  return bytes;
+}
+
+}  // namespace
+
+std::string bytes_of(const Plan& plan) {
+  return written([&](BytesWriter& io) { lay_out_named_plan(io, plan); });
+}
+
+std::string bytes_of(const Demonstration& demonstration) {
+  return written([&](BytesWriter& io) {
+    io.attribute("name", demonstration.name);
+    lay_out_demonstration(io, demonstration);
+  });
+}
+
+std::string bytes_of(const RobotTable& robot) {
+  return written([&](BytesWriter& io) { lay_out_robot(io, robot); });
+}
+
+std::string bytes_of(const SceneObject& object) {
+  return written([&](BytesWriter& io) {
+    io.attribute("name", object.name);
+    lay_out_object(io, object, "world");
+  });
+}
+
+std::string bytes_of(const PlanFileHeader& header) {
+  return written([&](BytesWriter& io) { lay_out_header(io, header); });
+}
+
+Plan plan_from_bytes(std::string_view bytes) {
+  Plan plan;
+  BytesReader io(bytes);
+  lay_out_named_plan(io, plan);
+  return plan;
+}
+
+RobotTable robot_from_bytes(std::string_view bytes) {
+  RobotTable robot;
+  BytesReader io(bytes);
+  lay_out_robot(io, robot);
+  return robot;
+}
+
+PlanFileHeader header_from_bytes(std::string_view bytes) {
+  PlanFileHeader header;
+  BytesReader io(bytes);
+  lay_out_header(io, header);
+  return header;
+}
+
+}  // namespace morphe::store

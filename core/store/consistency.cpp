@@ -1,0 +1,307 @@
+#include "core/store/consistency.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <set>
+#include <string_view>
+
+#include "core/files/printable.hpp"
+#include "core/store/workable.hpp"
+
+namespace morphe::store {
+namespace {
+
+/// Keeps the first fault it is shown.
+class Faults {
+ public:
+  explicit Faults(std::string path = "") : path_(std::move(path)) {}
+
+  void require(bool holds, const char* name, const std::string& message) {
+    if (!holds && first.empty()) first = fmt::format("{}{}: {}", path_, name, message);
+  }
+  void length(const char* name, std::size_t is, std::size_t wanted) {
+    require(is == wanted, name, fmt::format("has {} rows, not {}", is, wanted));
+  }
+  /// Columns count only where there are rows.
+  template <class T>
+  void table(const char* name, const Table<T>& table, std::size_t rows, std::size_t cols) {
+    length(name, table.rows, rows);
+    columns(name, table.rows, table.cols, cols);
+    require(table.values.size() == table.rows * table.cols, name, "is not filled");
+  }
+  void table(const char* name, const JointRows& table, std::size_t rows, std::size_t cols) {
+    length(name, static_cast<std::size_t>(table.rows()), rows);
+    columns(name, rows, static_cast<std::size_t>(table.cols()), cols);
+  }
+  void index(const char* name, int is, int least, std::size_t count) {
+    require(is >= least && (is < 0 || static_cast<std::size_t>(is) < count), name,
+            fmt::format("{} is not in [{}, {})", is, least, count));
+  }
+  /// What is printed: no control characters, no line ends.
+  void text(const char* name, const std::string& text) {
+    require(files::is_printable(text), name,
+            "holds control characters: '" + files::printable(text) + "'");
+  }
+  void texts(const char* name, const std::vector<std::string>& texts) {
+    for (const std::string& one : texts) text(name, one);
+  }
+  void take(const Faults& inner) {
+    if (first.empty()) first = inner.first;
+  }
+
+  std::string first;
+
+ private:
+  void columns(const char* name, std::size_t rows, std::size_t is, std::size_t wanted) {
+    require(rows == 0 || is == wanted, name, fmt::format("has {} columns, not {}", is, wanted));
+  }
+
+  std::string path_;
+};
+
+/// Names of groups and of what is printed: each once.
+Faults faults_of_names(const std::vector<SceneObject>& objects, const std::string& path) {
+  Faults faults(path);
+  std::set<std::string_view> names;
+  for (const SceneObject& object : objects) {
+    const std::string& name = object.name;
+    const std::string shown = files::printable(name);
+    faults.require(names.insert(name).second, shown.c_str(), "the name stands twice");
+    faults.require(
+        !name.empty() && name != "." && name.find('/') == std::string::npos && shown == name,
+        shown.c_str(), "cannot be a name: it must not be empty or hold '/' or control characters");
+  }
+  return faults;
+}
+
+Faults faults_of(const SceneObject& object, const std::string& path) {
+  Faults faults(path + object.name + "/");
+  static constexpr std::size_t kSizes[] = {1, 3, 2, 2, 0};  // in the order of Shape
+  const std::size_t sizes = kSizes[static_cast<std::size_t>(object.shape)];
+  faults.require(object.size.size() == sizes, "@size",
+                 fmt::format("has {} numbers, not {}", object.size.size(), sizes));
+  faults.require(!object.time.empty(), "time", "has no sample");
+  faults.length("position", object.position.size(), object.time.size());
+  faults.length("orientation", object.orientation.size(), object.time.size());
+  for (const Eigen::Vector3i& triangle : object.triangles)
+    for (const int corner : triangle) faults.index("triangles", corner, 0, object.vertices.size());
+  return faults;
+}
+
+Faults faults_of(const BodyStream& bodies, const std::string& path, bool parents) {
+  Faults faults(path);
+  faults.texts("@names", bodies.names);
+  if (parents) faults.length("@parents", bodies.parents.size(), bodies.names.size());
+  faults.table("position", bodies.position, bodies.time.size(), bodies.names.size());
+  faults.table("orientation", bodies.orientation, bodies.time.size(), bodies.names.size());
+  if (bodies.confidence.rows > 0) {
+    faults.table("confidence", bodies.confidence, bodies.time.size(), bodies.names.size());
+  }
+  return faults;
+}
+
+Faults faults_of(const HandStream& hand, const std::string& path) {
+  Faults faults(path);
+  faults.texts("@names", hand.names);
+  switch (hand.kind) {
+    case HandKind::glove:
+      faults.length("@sensors", hand.names.size(), 22);
+      [[fallthrough]];
+    case HandKind::joint_angles:
+      faults.table("angles", hand.angles, hand.time.size(), hand.names.size());
+      break;
+    case HandKind::keypoints:
+      faults.table("position", hand.position, hand.time.size(), 21);
+      break;
+    case HandKind::fingertips:
+      faults.table("position", hand.position, hand.time.size(), kFingers);
+      break;
+  }
+  return faults;
+}
+
+Faults faults_of(const Streams& streams, const std::string& path) {
+  Faults faults(path);
+  if (streams.markers) {
+    const MarkerStream& markers = *streams.markers;
+    faults.texts("markers/@names", markers.names);
+    faults.table("markers/position", markers.position, markers.time.size(), markers.names.size());
+  }
+  if (streams.sensors) faults.take(faults_of(*streams.sensors, path + "sensors/", false));
+  if (streams.skeleton) faults.take(faults_of(*streams.skeleton, path + "skeleton/", true));
+  if (streams.arm_angles) {
+    const AngleStream& arm = *streams.arm_angles;
+    faults.texts("arm_angles/@joints", arm.joints);
+    faults.table("arm_angles/angles", arm.angles, arm.time.size(), arm.joints.size());
+  }
+  if (streams.hand) faults.take(faults_of(*streams.hand, path + "hand/"));
+  return faults;
+}
+
+Faults faults_of(const Goals& goals, std::size_t tips) {
+  Faults faults("goals/");
+  const std::size_t frames = goals.frames();
+  faults.table("tip_position", goals.tip_position, frames, tips);
+  if (goals.pad_share.rows > 0) faults.table("pad_share", goals.pad_share, frames, tips);
+  if (!goals.closed.empty()) faults.length("closed", goals.closed.size(), tips);
+  faults.table("tip_orientation", goals.tip_orientation, frames, tips);
+  faults.table("reachable", goals.reachable, frames, tips);
+  faults.length("shoulder_position", goals.shoulder_position.size(), frames);
+  faults.length("elbow_position", goals.elbow_position.size(), frames);
+  faults.length("wrist_position", goals.wrist_position.size(), frames);
+  faults.length("wrist_orientation", goals.wrist_orientation.size(), frames);
+  faults.table("finger_joint_position", goals.finger_joint_position, frames, kFingers);
+  return faults;
+}
+
+/// Nothing is mapped, or every frame of the goals.
+Faults faults_of(const Mapped& mapped, std::size_t frames, const RobotTable& robot) {
+  Faults faults("mapped/");
+  if (mapped.position.rows() == 0) frames = 0;
+  faults.table("position", mapped.position, frames, robot.joints());
+  faults.table("position_error", mapped.position_error, frames, robot.tips.size());
+  faults.table("orientation_error", mapped.orientation_error, frames, robot.tips.size());
+  faults.length("objective", mapped.objective.size(), frames);
+  faults.table("humanlikeness", mapped.humanlikeness, frames, 3);
+  faults.length("status", mapped.status.size(), frames);
+  for (const FrameStatus status : mapped.status)
+    faults.index("status", static_cast<int>(status), 0, count_of<FrameStatus>());
+  return faults;
+}
+
+void check_origin(Faults& faults, const std::vector<Origin>& origins) {
+  for (const Origin origin : origins)
+    faults.index("origin", static_cast<int>(origin), 0, count_of<Origin>());
+}
+
+Faults faults_of(const Trajectory& trajectory, const std::string& path, std::size_t joints) {
+  Faults faults(path);
+  const std::size_t samples = trajectory.samples();
+  faults.table("position", trajectory.position, samples, joints);
+  faults.table("velocity", trajectory.velocity, samples, joints);
+  faults.table("acceleration", trajectory.acceleration, samples, joints);
+  faults.length("demonstration_time", trajectory.demonstration_time.size(), samples);
+  faults.length("phase", trajectory.phase.size(), samples);
+  faults.length("origin", trajectory.origin.size(), samples);
+  faults.length("clearance", trajectory.clearance.size(), samples);
+  for (const PhaseKind phase : trajectory.phase)
+    faults.index("phase", static_cast<int>(phase), 0, count_of<PhaseKind>());
+  check_origin(faults, trajectory.origin);
+  return faults;
+}
+
+Faults faults_of(const JointPath& path, std::size_t joints) {
+  Faults faults("path/");
+  const std::size_t samples = path.demonstration_time.size();
+  faults.table("position", path.position, samples, joints);
+  faults.length("origin", path.origin.size(), samples);
+  check_origin(faults, path.origin);
+  return faults;
+}
+
+Faults faults_of(const Grasp& grasp, std::size_t samples, const RobotTable& robot) {
+  Faults faults("grasp/");
+  faults.index("@sample", grasp.sample, 0, samples);
+  faults.length("tips_in_object", grasp.tips_in_object.size(), robot.tips.size());
+  faults.length("hand_posture", static_cast<std::size_t>(grasp.hand_posture.size()),
+                robot.joints());
+  if (grasp.squeeze_torque.size() > 0) {
+    faults.length("squeeze/torque", static_cast<std::size_t>(grasp.squeeze_torque.size()),
+                  robot.joints());
+    faults.length("squeeze/servo_target", static_cast<std::size_t>(grasp.squeeze_posture.size()),
+                  robot.joints());
+  }
+  faults.length("pregrasp_posture", static_cast<std::size_t>(grasp.pregrasp_posture.size()),
+                robot.joints());
+  return faults;
+}
+
+}  // namespace
+
+std::string inconsistency(const Demonstration& demonstration) {
+  Faults faults;
+  faults.text("@subject", demonstration.subject);
+  faults.text("@task", demonstration.task);
+  faults.take(faults_of(demonstration.streams, ""));
+  faults.take(faults_of(demonstration.calibration, "calibration/"));
+  if (const auto& offsets = demonstration.sensor_offsets) {
+    const std::size_t sensors = offsets->sensors.size();
+    faults.length("calibration/offsets/position", offsets->joint_in_sensor.size(), sensors);
+    faults.length("calibration/offsets/orientation", offsets->sensor_from_segment.size(), sensors);
+  }
+  faults.take(faults_of_names(demonstration.objects, "objects/"));
+  for (const SceneObject& object : demonstration.objects)
+    faults.take(faults_of(object, "objects/"));
+  return faults.first.empty() ? why_unworkable(demonstration) : faults.first;
+}
+
+std::string inconsistency(const RobotTable& robot) {
+  Faults faults;
+  const std::size_t frames = robot.frames.size();
+  const auto vector = [&](const char* name, const JointVector& values) {
+    faults.length(name, static_cast<std::size_t>(values.size()), robot.joints());
+  };
+  faults.text("@name", robot.name);
+  faults.texts("@joints", robot.joint_names);
+  faults.texts("unchecked_links", robot.unchecked_links);
+  for (const RobotTable::Frame& frame : robot.frames) faults.text("frames/name", frame.name);
+  for (const RobotTable::Tip& tip : robot.tips) faults.text("tips/name", tip.name);
+  for (const RobotTable::Capsule& capsule : robot.capsules)
+    faults.text("capsules/name", capsule.name);
+  vector("lower", robot.lower);
+  vector("upper", robot.upper);
+  vector("velocity", robot.velocity);
+  vector("acceleration", robot.acceleration);
+  vector("jerk", robot.jerk);
+  for (std::size_t i = 0; i < frames; ++i) {
+    faults.index("frames/parent", robot.frames[i].parent, -1, i);
+    faults.index("frames/joint", robot.frames[i].joint, -1, robot.joints());
+  }
+  for (const RobotTable::CoupledLimit& limit : robot.coupled_limits) {
+    faults.index("coupled_limits/frame", limit.frame, 0, frames);
+    if (!faults.first.empty()) break;
+    faults.require(robot.frames[static_cast<std::size_t>(limit.frame)].joint >= 0,
+                   "coupled_limits/frame", "is fixed");
+  }
+  for (const RobotTable::BrakingCurve& curve : robot.braking_curves)
+    faults.index("braking_curves/joint", curve.joint, 0, robot.joints());
+  for (const RobotTable::Tip& tip : robot.tips) {
+    faults.index("tips/frame", tip.frame, 0, frames);
+    faults.index("tips/finger", tip.finger, -1, kFingers);
+    faults.require(!(tip.along < 0 || tip.along > 1), "tips/along", "is not a share");
+  }
+  for (const RobotTable::Centre& centre : robot.centres)
+    faults.index("centres/frame", centre.frame, 0, frames);
+  for (const RobotTable::Capsule& capsule : robot.capsules)
+    faults.index("capsules/frame", capsule.frame, -1, frames);
+  for (const std::array<int, 2>& pair : robot.allowed_pairs)
+    for (const int capsule : pair) faults.index("allowed_pairs", capsule, 0, robot.capsules.size());
+  faults.index("@shoulder_frame", robot.shoulder_frame, 0, frames);
+  faults.index("@palm_frame", robot.palm_frame, 0, frames);
+  return faults.first;
+}
+
+std::string inconsistency(const Plan& plan, const RobotTable& robot) {
+  Faults faults;
+  faults.text("@subject", plan.subject);
+  faults.text("@task", plan.task);
+  faults.text("@target", plan.movement.target);
+  faults.require(plan.has_trajectory() == (plan.trajectory.samples() > 0), "trajectory",
+                 plan.has_trajectory() ? "has no sample, but the plan is executable"
+                                       : "is there, but the plan is infeasible");
+  faults.take(faults_of(plan.goals, robot.tips.size()));
+  faults.take(faults_of_names(plan.scene.objects, "scene/"));
+  for (const SceneObject& object : plan.scene.objects) faults.take(faults_of(object, "scene/"));
+  faults.take(faults_of(plan.mapped, plan.goals.frames(), robot));
+  faults.take(faults_of(plan.path, robot.joints()));
+  faults.take(faults_of(plan.trajectory, "trajectory/", robot.joints()));
+  faults.take(faults_of(plan.approach, "approach/", robot.joints()));
+  faults.take(faults_of(plan.retreat, "retreat/", robot.joints()));
+  const std::size_t samples =
+      plan.has_trajectory() ? plan.trajectory.samples() : plan.path.demonstration_time.size();
+  if (plan.grasp.sample >= 0) faults.take(faults_of(plan.grasp, samples, robot));
+  return faults.first;
+}
+
+}  // namespace morphe::store

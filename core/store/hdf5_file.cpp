@@ -1,0 +1,268 @@
+#include "core/store/hdf5_file.hpp"
+
+#include <fmt/format.h>
+#include <hdf5.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <exception>
+#include <type_traits>
+#include <utility>
+
+#include "core/files/printable.hpp"
+#include "core/store/hdf5_output.hpp"
+#include "core/store/hdf5_types.hpp"
+
+namespace morphe::store {
+namespace {
+
+static_assert(std::is_same_v<hid_t, Hdf5Id::Id> && std::is_same_v<herr_t, int>);
+
+// Groups and attributes up to this number stay inside the object header, which is far smaller
+// than the heaps and trees that HDF5 makes beyond.
+constexpr unsigned kMostInHeader = 64;
+constexpr unsigned kLeastInHeap = 32;
+
+constexpr std::size_t kMetadataCacheBytes = std::size_t{256} << 10;
+
+/// Properties of a group's (or the root's) creation that make its bytes reproducible and its links
+/// ordered.
+void describe_group(hid_t properties) {
+  H5Pset_obj_track_times(properties, false);
+  H5Pset_link_creation_order(properties, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
+  H5Pset_link_phase_change(properties, kMostInHeader, kLeastInHeap);
+  H5Pset_attr_phase_change(properties, kMostInHeader, kLeastInHeap);
+}
+
+Hdf5Id properties(hid_t kind) { return {H5Pcreate(kind), H5Pclose}; }
+
+/// HDF5 prints what goes wrong, in every thread that has not told it not to.
+void keep_quiet() {
+  thread_local const bool told = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
+  static_cast<void>(told);
+}
+
+/// A file holds what it holds: what points into another one leads nowhere.
+void follow_no_external_links() {
+  static const bool told = H5Lunregister(H5L_TYPE_EXTERNAL) >= 0;
+  static_cast<void>(told);
+}
+
+Hdf5Id access_properties() {
+  keep_quiet();
+  follow_no_external_links();
+  Hdf5Id access = properties(H5P_FILE_ACCESS);
+  // Checksummed headers, and no tree for a dataset of one chunk.
+  H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110);
+  H5Pset_fclose_degree(access.get(), H5F_CLOSE_STRONG);
+  // Memory that does not grow with the file. In memory, an entry takes some 16 times its bytes.
+  H5AC_cache_config_t cache{};
+  cache.version = H5AC__CURR_CACHE_CONFIG_VERSION;
+  H5Pget_mdc_config(access.get(), &cache);
+  cache.set_initial_size = true;
+  cache.initial_size = cache.min_size = cache.max_size = kMetadataCacheBytes;
+  cache.incr_mode = H5C_incr__off;
+  cache.flash_incr_mode = H5C_flash_incr__off;
+  cache.decr_mode = H5C_decr__off;
+  H5Pset_mdc_config(access.get(), &cache);
+  return access;
+}
+
+/// What an iteration over links calls; an exception waits here until HDF5 has returned.
+struct Visit {
+  const std::function<void(const std::string&)>& call;
+  std::exception_ptr thrown;
+};
+
+herr_t visit_link(hid_t, const char* name, const H5L_info_t*, void* visit) {
+  auto* const visited = static_cast<Visit*>(visit);
+  try {
+    visited->call(name);
+  } catch (...) {
+    visited->thrown = std::current_exception();
+    return -1;
+  }
+  return 0;
+}
+
+}  // namespace
+
+Hdf5Id::Hdf5Id(Hdf5Id&& other) noexcept
+    : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
+
+Hdf5Id& Hdf5Id::operator=(Hdf5Id&& other) noexcept {
+  if (this != &other) {
+    reset();
+    id_ = std::exchange(other.id_, H5I_INVALID_HID);
+    close_ = other.close_;
+  }
+  return *this;
+}
+
+bool Hdf5Id::reset() {
+  const bool closed = !valid() || close_(id_) >= 0;
+  id_ = H5I_INVALID_HID;
+  return closed;
+}
+
+Hdf5File Hdf5File::create(const std::filesystem::path& path, files::Disk& disk) {
+  Hdf5File file;
+  const Hdf5Id access = access_properties();
+  write_through_output_driver(access.get(), disk);
+  // No space in advance: HDF5 keeps a list, in memory, of what is left of each such block.
+  H5Pset_meta_block_size(access.get(), 0);
+  H5Pset_small_data_block_size(access.get(), 0);
+  const Hdf5Id creation = properties(H5P_FILE_CREATE);
+  describe_group(creation.get());
+  file.name_ = path.string();
+  file.id_ = {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose};
+  if (!file.id_.valid()) throw InputError(fmt::format("{}: cannot be created", file.name_));
+  return file;
+}
+
+Hdf5File Hdf5File::open(const std::filesystem::path& path) {
+  Hdf5File file;
+  file.name_ = path.string();
+  struct stat found {};
+  if (::stat(path.c_str(), &found) != 0 || ::access(path.c_str(), R_OK) != 0)
+    throw InputError(fmt::format("{}: cannot be opened: {}", file.name_, std::strerror(errno)));
+  if (!S_ISREG(found.st_mode)) throw InputError(fmt::format("{}: is no file", file.name_));
+  const Hdf5Id access = access_properties();
+  file.id_ = {H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose};
+  if (!file.id_.valid())
+    throw InputError(fmt::format("{}: is not a readable HDF5 file", file.name_));
+  file.opened_ = file.state();
+  return file;
+}
+
+Hdf5Group Hdf5File::root() const {
+  Hdf5Id id(H5Gopen2(id_.get(), "/", H5P_DEFAULT), H5Gclose);
+  if (!id.valid()) throw InputError(fmt::format("{}: is not a readable HDF5 file", name_));
+  return {std::move(id), name_, ""};
+}
+
+Hdf5File::State Hdf5File::state() const {
+  void* handle = nullptr;
+  struct stat now {};
+  if (H5Fget_vfd_handle(id_.get(), H5P_DEFAULT, &handle) < 0 ||
+      ::fstat(*static_cast<const int*>(handle), &now) != 0)
+    throw InputError(fmt::format("{}: cannot be read", name_));
+  return {now.st_size, now.st_mtim.tv_sec, now.st_mtim.tv_nsec};
+}
+
+void Hdf5File::expect_unchanged() const {
+  if (state() != opened_) throw InputError(fmt::format("{}: was changed while it was read", name_));
+}
+
+void Hdf5File::expect_written(int error) const {
+  if (error != 0)
+    throw InputError(fmt::format("{}: cannot be written: {}", name_, std::strerror(error)));
+}
+
+void Hdf5File::expect_written() const { expect_written(hdf5_output_error(id_.get())); }
+
+void Hdf5File::close() {
+  int error = 0;
+  report_hdf5_output_error(id_.get(), error);
+  if (!id_.reset()) throw InputError(fmt::format("{}: cannot be written", name_));
+  expect_written(error);
+}
+
+Hdf5Group Hdf5Group::create(const std::string& name) const {
+  keep_quiet();
+  if (name.empty() || name == "." || name.find('/') != std::string::npos ||
+      !files::is_printable(name))
+    fail(fmt::format(
+        "'{}' cannot be a name: it must not be empty or hold '/' or control characters", name));
+  if (has(name)) fail(name, "is there already");
+  const Hdf5Id creation = properties(H5P_GROUP_CREATE);
+  describe_group(creation.get());
+  Hdf5Id id(H5Gcreate2(id_.get(), name.c_str(), H5P_DEFAULT, creation.get(), H5P_DEFAULT),
+            H5Gclose);
+  if (!id.valid()) fail(name, "cannot be written");
+  return {std::move(id), file_, path_ + "/" + name};
+}
+
+bool Hdf5Group::has(const std::string& name) const {
+  return H5Lexists(id_.get(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
+bool Hdf5Group::is_group(const std::string& name) const {
+  const Hdf5Id id(H5Oopen(id_.get(), name.c_str(), H5P_DEFAULT), H5Oclose);
+  return id.valid() && H5Iget_type(id.get()) == H5I_GROUP;
+}
+
+Hdf5Group Hdf5Group::open(const std::string& name) const {
+  keep_quiet();
+  if (leads_outside(id_.get(), name)) fail(name, "leads into another file");
+  if (!has(name)) fail(name, "is missing");
+  Hdf5Id id(H5Gopen2(id_.get(), name.c_str(), H5P_DEFAULT), H5Gclose);
+  if (!id.valid()) fail(name, "is not a readable group");
+  return {std::move(id), file_, path_ + "/" + name};
+}
+
+std::vector<std::string> Hdf5Group::children() const {
+  std::vector<std::string> names;
+  each_child([&](const std::string& name) { names.push_back(name); });
+  return names;
+}
+
+void Hdf5Group::each_child(const std::function<void(const std::string&)>& visit) const {
+  unsigned order = 0;
+  const Hdf5Id creation(H5Gget_create_plist(id_.get()), H5Pclose);
+  if (creation.valid()) H5Pget_link_creation_order(creation.get(), &order);
+  const H5_index_t index = (order & H5P_CRT_ORDER_TRACKED) ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME;
+  const std::function<void(const std::string&)> named = [&](const std::string& name) {
+    if (!files::is_printable(name))
+      fail(fmt::format("'{}' is no name: it holds control characters", name));
+    visit(name);
+  };
+  Visit visited{named, nullptr};
+  const herr_t done = H5Literate(id_.get(), index, H5_ITER_INC, nullptr, visit_link, &visited);
+  if (visited.thrown) std::rethrow_exception(visited.thrown);
+  if (done < 0) fail("is not a readable group");
+}
+
+void Hdf5Group::fail(const std::string& message) const {
+  throw InputError(
+      fmt::format("{}:{}: {}", file_, path_.empty() ? "/" : path_, files::printable(message)));
+}
+
+void Hdf5Group::fail(const std::string& name, const std::string& message) const {
+  throw InputError(fmt::format("{}: {}", where(name), files::printable(message)));
+}
+
+void Hdf5Group::refuse(const std::string& fault) const {
+  if (!fault.empty()) throw InputError(where(fault));
+}
+
+std::string Hdf5Group::where(const std::string& name) const {
+  return fmt::format("{}:{}/{}", file_, path_, files::printable(name));
+}
+
+std::size_t Hdf5Group::file_bytes() const {
+  const Hdf5Id file(H5Iget_file_id(id_.get()), H5Fclose);
+  hsize_t bytes = 0;
+  if (!file.valid() || H5Fget_filesize(file.get(), &bytes) < 0) return 0;
+  return static_cast<std::size_t>(bytes);
+}
+
+void write_format(const Hdf5Group& root, const std::string& format, int version) {
+  root.set("format", format);
+  root.set("version", std::int32_t{version});
+}
+
+void check_format(const Hdf5Group& root, const std::string& format, int version) {
+  if (!root.has_attribute("format")) root.fail(fmt::format("@format is missing: not {}", format));
+  std::string found;
+  root.get("format", found);
+  if (found != format) root.fail(fmt::format("is '{}', not '{}'", found, format));
+  std::int32_t number = 0;
+  root.get("version", number);
+  if (number < 1 || number > version)
+    root.fail(fmt::format("@version is {}; this program reads up to {}", number, version));
+}
+
+}  // namespace morphe::store

@@ -1,0 +1,118 @@
+#include "core/store/plan_file.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "core/files/part_file.hpp"
+#include "core/store/consistency.hpp"
+#include "core/store/hdf5_file.hpp"
+#include "core/store/plan_header.hpp"
+#include "core/store/plan_layout.hpp"
+#include "core/store/robot_layout.hpp"
+
+namespace morphe::store {
+namespace {
+
+constexpr const char* kPlanFormat = "morphe-plans";
+constexpr int kPlanVersion = 1;
+
+/// "000" -> 0.
+int movement_index(const Hdf5Group& demonstration, const std::string& name) {
+  int index = -1;
+  const auto parsed = std::from_chars(name.data(), name.data() + name.size(), index);
+  if (parsed.ec != std::errc() || fmt::format("{:03}", index) != name)
+    demonstration.fail(name, "is not the number of a movement, 000…");
+  return index;
+}
+
+}  // namespace
+
+// Members close in reverse order: groups, then the file, then what is left of it is removed.
+struct PlanWriter::State {
+  files::PartFile part;
+  RobotTable robot;
+  Hdf5File file;
+  Hdf5Group plans;
+};
+
+PlanWriter::PlanWriter(const std::filesystem::path& path, const PlanFileHeader& header,
+                       const RobotTable& robot)
+    : PlanWriter(path, header, robot, files::real_disk()) {}
+
+PlanWriter::PlanWriter(const std::filesystem::path& path, const PlanFileHeader& header,
+                       const RobotTable& robot, files::Disk& disk)
+    : state_(new State{files::PartFile(path, disk), robot, {}, {}}) {
+  state_->file = Hdf5File::create(state_->part.part(), disk);
+  state_->file.call_it(path);
+  const Hdf5Group root = state_->file.root();
+  write_format(root, kPlanFormat, kPlanVersion);
+  write_plan_header(root, header, robot.name);
+  LayoutWriter io(root.create("robot"), joint_unit(robot.some_slide()));
+  io.here().refuse(inconsistency(robot));
+  lay_out_robot(io, robot);
+  state_->plans = root.create("plans");
+}
+
+PlanWriter::~PlanWriter() = default;
+
+void PlanWriter::add(const Plan& plan) {
+  const std::string movement = fmt::format("{:03}", plan.movement.index);
+  const std::string fault = inconsistency(plan, state_->robot);
+  if (!fault.empty())
+    state_->plans.refuse(fmt::format("{}/{}/{}", plan.demonstration, movement, fault));
+  const Hdf5Group& plans = state_->plans;
+  const bool there = !plan.demonstration.empty() && plans.has(plan.demonstration);
+  const Hdf5Group demonstration =
+      there ? plans.open(plan.demonstration) : plans.create(plan.demonstration);
+  LayoutWriter io(demonstration.create(movement), joint_unit(state_->robot.some_slide()));
+  lay_out_plan(io, plan);
+  state_->file.expect_written();
+}
+
+void PlanWriter::finish() {
+  state_->plans = {};
+  state_->file.close();
+  state_->part.commit();
+}
+
+struct PlanReader::State {
+  Hdf5File file;
+  Hdf5Group plans;
+};
+
+PlanReader::PlanReader(const std::filesystem::path& path) : state_(new State) {
+  state_->file = Hdf5File::open(path);
+  const Hdf5Group root = state_->file.root();
+  check_format(root, kPlanFormat, kPlanVersion);
+  header_ = read_plan_header(root);
+  LayoutReader io(root.open("robot"));
+  lay_out_robot(io, robot_);
+  io.here().refuse(inconsistency(robot_));
+  state_->plans = root.open("plans");
+  for (const std::string& demonstration : state_->plans.children()) {
+    const Hdf5Group group = state_->plans.open(demonstration);
+    for (const std::string& movement : group.children()) {
+      movement_index(group, movement);
+      paths_.push_back(fmt::format("{}/{}", demonstration, movement));
+    }
+  }
+}
+
+PlanReader::~PlanReader() = default;
+
+Plan PlanReader::read(std::size_t index) const {
+  const std::string& path = paths_.at(index);
+  const std::size_t slash = path.find('/');
+  Plan plan;
+  plan.demonstration = path.substr(0, slash);
+  const std::string movement = path.substr(slash + 1);
+  const Hdf5Group demonstration = state_->plans.open(plan.demonstration);
+  plan.movement.index = movement_index(demonstration, movement);
+  LayoutReader io(demonstration.open(movement));
+  lay_out_plan(io, plan);
+  io.here().refuse(inconsistency(plan, robot_));
+  return plan;
+}
+
+}  // namespace morphe::store

@@ -1,0 +1,79 @@
+#include "core/store/plan_header.hpp"
+
+#include <fmt/format.h>
+
+namespace morphe::store {
+namespace {
+
+// A file whose groups link in circles ends here.
+constexpr int kMostInputs = 10000;
+constexpr int kDeepest = 64;
+
+/// Folder by folder, each where it is first named, so that reading and writing again gives the same
+/// bytes.
+void write_inputs(const Hdf5Group& folder, std::vector<PlanFileHeader::Input> inputs) {
+  for (PlanFileHeader::Input& input : inputs) {
+    while (input.path.starts_with("./")) input.path.erase(0, 2);
+    if (input.path.empty() || input.path == "." || input.path.front() == '/')
+      folder.fail(fmt::format("'{}' is not a relative path of a file", input.path));
+  }
+  while (!inputs.empty()) {
+    const PlanFileHeader::Input input = inputs.front();
+    const std::size_t slash = input.path.find('/');
+    if (slash == std::string::npos) {
+      folder.write_text(input.path, input.text);
+      inputs.erase(inputs.begin());
+      continue;
+    }
+    const std::string prefix = input.path.substr(0, slash + 1);
+    std::vector<PlanFileHeader::Input> inside, others;
+    for (const PlanFileHeader::Input& other : inputs) {
+      const bool in = other.path.starts_with(prefix);
+      (in ? inside : others).push_back(other);
+      if (in) inside.back().path.erase(0, prefix.size());
+    }
+    write_inputs(folder.create(prefix.substr(0, slash)), std::move(inside));
+    inputs = std::move(others);
+  }
+}
+
+/// `left` is how many members may still be visited.
+void read_inputs(const Hdf5Group& folder, const std::string& prefix, int depth, int& left,
+                 std::vector<PlanFileHeader::Input>& inputs) {
+  if (depth > kDeepest) folder.fail("lies too deep");
+  for (const std::string& name : folder.children()) {
+    if (--left < 0) folder.fail("holds too many files");
+    if (folder.is_group(name)) {
+      read_inputs(folder.open(name), prefix + name + "/", depth + 1, left, inputs);
+    } else {
+      inputs.push_back({prefix + name, folder.read_text(name)});
+    }
+  }
+}
+
+}  // namespace
+
+void write_plan_header(const Hdf5Group& root, const PlanFileHeader& header,
+                       const std::string& robot_name) {
+  root.set("config", header.config);
+  root.set("config_sha256", header.config_sha256);
+  root.set("dataset_sha256", header.dataset_sha256);
+  root.set("software", header.software);
+  root.set("built_with", header.built_with);
+  root.set("robot", robot_name);
+  write_inputs(root.create("inputs"), header.inputs);
+}
+
+PlanFileHeader read_plan_header(const Hdf5Group& root) {
+  PlanFileHeader header;
+  root.get("config", header.config);
+  root.get("config_sha256", header.config_sha256);
+  root.get("dataset_sha256", header.dataset_sha256);
+  root.get("software", header.software);
+  if (root.has_attribute("built_with")) root.get("built_with", header.built_with);
+  int left = kMostInputs;
+  read_inputs(root.open("inputs"), "", 0, left, header.inputs);
+  return header;
+}
+
+}  // namespace morphe::store

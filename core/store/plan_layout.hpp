@@ -1,0 +1,224 @@
+#pragma once
+
+#include <string>
+
+#include "core/motion/plan.hpp"
+#include "core/store/layout.hpp"
+#include "core/store/scene_layout.hpp"
+
+namespace morphe::store {
+
+template <class Io, class T>
+void lay_out_goals(Io& io, T& goals) {
+  io.attribute("common_base_offset", goals.common_base_offset);
+  io.maybe("free_offset", goals.free_offset);
+  io.dataset("time", goals.time, {"s", "", ""});
+  io.dataset("tip_position", goals.tip_position, {"m", "base", ""});
+  io.dataset_if(goals.pad_share.rows > 0, "pad_share", goals.pad_share, {"1", "", ""});
+  io.dataset_if(!goals.closed.empty(), "closed", goals.closed, {"1", "", "0=no,1=yes"});
+  io.dataset("tip_orientation", goals.tip_orientation, {"1", "base", ""});
+  io.dataset("reachable", goals.reachable, {"1", "", "0=no,1=yes"});
+  io.dataset("shoulder_position", goals.shoulder_position, {"m", "base", ""});
+  io.dataset("elbow_position", goals.elbow_position, {"m", "base", ""});
+  io.dataset("wrist_position", goals.wrist_position, {"m", "base", ""});
+  io.dataset("wrist_orientation", goals.wrist_orientation, {"1", "base", ""});
+  io.dataset("finger_joint_position", goals.finger_joint_position, {"m", "base", ""});
+  io.names("estimated", goals.estimated);
+}
+
+template <class Io, class T>
+void lay_out_world(Io& io, T& world) {
+  io.dataset("recording", world.base_from_world, {"m", "base", ""});
+  io.dataset("table", world.base_from_table, {"m", "base", ""});
+  io.dataset("target", world.base_from_target, {"m", "base", ""});
+  io.dataset("shoulder", world.shoulder, {"m", "base", ""});
+}
+
+template <class Io, class T>
+void lay_out_mapped(Io& io, T& mapped) {
+  io.dataset("position", mapped.position, of_joints());
+  io.dataset("position_error", mapped.position_error, {"m", "", ""});
+  io.dataset("orientation_error", mapped.orientation_error, {"rad", "", ""});
+  io.dataset("objective", mapped.objective, {"1", "", ""});
+  io.dataset("humanlikeness", mapped.humanlikeness, {"m^2,m^2,m^3", "", ""});
+  io.dataset("status", mapped.status, {"1", "", meaning<FrameStatus>()});
+}
+
+template <class Io, class T>
+void lay_out_findings(Io& io, T& findings) {
+  io.column("begin_s", findings, &Finding::begin_s, {"s", "", ""});
+  io.column("end_s", findings, &Finding::end_s, {"s", "", ""});
+  io.column("cause", findings, &Finding::cause, {});
+  io.column("first", findings, &Finding::first, {});
+  io.column("second", findings, &Finding::second, {});
+  io.column("depth", findings, &Finding::depth, {"m or rad", "", ""});
+}
+
+template <class Io, class T>
+void lay_out_repair(Io& io, T& steps) {
+  io.column("level", steps, &RepairStep::level, {"1", "", "0=rung,1=attempt"});
+  io.column("name", steps, &RepairStep::name, {});
+  io.column("begin_s", steps, &RepairStep::begin_s, {"s", "", ""});
+  io.column("end_s", steps, &RepairStep::end_s, {"s", "", ""});
+  io.column("change", steps, &RepairStep::change, of_joints());
+  io.column("findings", steps, &RepairStep::findings, {"1", "", ""});
+  io.column("collisions", steps, &RepairStep::collisions, {"m", "", ""});
+  io.column("others", steps, &RepairStep::others, {"m or rad", "", ""});
+  io.column("worst", steps, &RepairStep::worst, {});
+  io.column("kept", steps, &RepairStep::kept, {"1", "", "0=no,1=yes"});
+  io.column("ended", steps, &RepairStep::ended, {});
+}
+
+template <class Io, class T>
+void lay_out_contacts(Io& io, T& contacts) {
+  io.column("tip", contacts, &PadContact::tip, {});
+  io.column("link", contacts, &PadContact::link, {});
+  io.column("origin", contacts, &PadContact::origin, {});
+  io.column("asked", contacts, &PadContact::asked, {"m", "object", ""});
+  io.column("point", contacts, &PadContact::point, {"m", "object", ""});
+  io.column("normal", contacts, &PadContact::normal, {"1", "object", ""});
+  io.column("gap", contacts, &PadContact::gap, {"m", "", ""});
+  io.column("pad_angle", contacts, &PadContact::pad_angle, {"rad", "", ""});
+  io.column("confidence", contacts, &PadContact::confidence, {"1", "", ""});
+  io.column("force", contacts, &PadContact::force, {"N", "", ""});
+  io.column("friction", contacts, &PadContact::friction, {"N", "object", ""});
+}
+
+template <class Io, class T>
+void lay_out_quality(Io& io, T& quality) {
+  io.attribute("friction", quality.friction);
+  io.attribute("torsion", quality.torsion);
+  io.attribute("mass", quality.mass);
+  io.attribute("centre", quality.centre);
+  io.attribute("torque_scale", quality.torque_scale);
+  io.attribute("epsilon_lower", quality.epsilon_lower);
+  io.attribute("epsilon_upper", quality.epsilon_upper);
+  io.attribute("needed_worst", quality.needed_worst);
+  io.attribute("needed_down", quality.needed_down);
+  io.attribute("given", quality.given);
+}
+
+template <class Io, class T>
+void lay_out_grasp(Io& io, T& grasp) {
+  io.attribute("sample", grasp.sample);
+  io.attribute("approach_direction", grasp.approach_direction);
+  io.dataset("object_pose", grasp.base_from_object, {"m", "base", ""});
+  io.dataset("wrist_pose_in_object", grasp.object_from_palm, {"m", "object", ""});
+  io.dataset("tips_in_object", grasp.tips_in_object, {"m", "object", ""});
+  io.dataset("hand_posture", grasp.hand_posture, of_joints());
+  io.dataset("pregrasp_posture", grasp.pregrasp_posture, of_joints());
+  io.group_if(!grasp.contacts.empty(), "contacts",
+              [&](Io& in) { lay_out_contacts(in, grasp.contacts); });
+  io.group_if(!grasp.contacts.empty(), "quality",
+              [&](Io& in) { lay_out_quality(in, grasp.quality); });
+  io.group_if(grasp.squeeze_torque.size() > 0, "squeeze", [&](Io& in) {
+    in.dataset("torque", grasp.squeeze_torque, {"N m", "", ""});
+    in.dataset("servo_target", grasp.squeeze_posture, of_joints());
+  });
+}
+
+template <class Io, class T>
+void lay_out_trajectory(Io& io, T& trajectory) {
+  io.dataset("time", trajectory.time, {"s", "", ""});
+  io.dataset("position", trajectory.position, of_joints());
+  io.dataset("velocity", trajectory.velocity, of_joints("/s"));
+  io.dataset("acceleration", trajectory.acceleration, of_joints("/s^2"));
+  io.dataset("demonstration_time", trajectory.demonstration_time, {"s", "", ""});
+  io.dataset("phase", trajectory.phase, {"1", "", meaning<PhaseKind>()});
+  io.dataset("origin", trajectory.origin, {"1", "", meaning<Origin>()});
+  io.dataset("clearance", trajectory.clearance, {"m", "", ""});
+}
+
+template <class Io, class T>
+void lay_out_certificate(Io& io, T& certificate) {
+  io.attribute("position_margin", certificate.position_margin);
+  io.attribute("velocity_ratio", certificate.velocity_ratio);
+  io.attribute("acceleration_ratio", certificate.acceleration_ratio);
+  io.attribute("jerk_ratio", certificate.jerk_ratio);
+  io.attribute("clearance", certificate.clearance);
+  io.attribute("position_error_max", certificate.position_error_max);
+  io.attribute("position_error_mean", certificate.position_error_mean);
+  io.attribute("position_error_grasp", certificate.position_error_grasp);
+  io.attribute("orientation_error_max", certificate.orientation_error_max);
+  io.attribute("upper_arm_error_mean", certificate.upper_arm_error_mean);
+  io.attribute("upper_arm_error_max", certificate.upper_arm_error_max);
+  io.attribute("natural_posture_error", certificate.natural_posture_error);
+  io.attribute("tempo", certificate.tempo);
+  io.attribute("humanlikeness_mapped", certificate.humanlikeness_mapped);
+  io.attribute("humanlikeness_final", certificate.humanlikeness_final);
+  io.attribute("sparc_robot", certificate.sparc_robot);
+  io.attribute("sparc_human", certificate.sparc_human);
+  io.attribute("log_dimensionless_jerk_robot", certificate.log_dimensionless_jerk_robot);
+  io.attribute("log_dimensionless_jerk_human", certificate.log_dimensionless_jerk_human);
+  io.attribute("repaired", certificate.repaired);
+  io.names_if_any("unchecked_links", certificate.unchecked_links);
+}
+
+/// "executable" or "approximate" exactly if there is no reason; reading refuses a file that says
+/// otherwise.
+template <class Io, class T>
+void lay_out_status(Io& io, T& plan) {
+  io.attribute("reason", plan.reason);
+  io.attribute("detail", plan.detail);
+  Status status = plan.status();
+  io.attribute("status", status);
+  if constexpr (Io::reading) plan.approximate = status == Status::approximate;
+  if (status != plan.status())
+    io.here().fail(fmt::format("@status is '{}' with the @reason '{}'", name_of(status),
+                               name_of(plan.reason)));
+}
+
+/// /plans/<demonstration>/<movement> of docs/formats.md.
+template <class Io, class T>
+void lay_out_plan(Io& io, T& plan) {
+  lay_out_status(io, plan);
+  io.attribute("subject", plan.subject);
+  io.attribute("task", plan.task);
+  io.attribute("hand", plan.hand);
+  io.attribute("start_s", plan.movement.begin_s);
+  io.attribute("end_s", plan.movement.end_s);
+  io.attribute("target", plan.movement.target);
+  io.attribute("margin", plan.tolerances.margin);
+  io.attribute("contact_depth", plan.tolerances.contact_depth);
+  io.attribute("tracking_grasp", plan.tolerances.tracking_grasp);
+  io.attribute("tracking", plan.tolerances.tracking);
+  if constexpr (Io::reading) {  // files of earlier versions say nothing of it
+    plan.tolerances.out_of_reach_share = plan.tolerances.farthest_tip = kNotSeen;
+  }
+  io.maybe("link_depth", plan.tolerances.link_depth);
+  io.maybe("out_of_reach_share", plan.tolerances.out_of_reach_share);
+  io.maybe("farthest_tip", plan.tolerances.farthest_tip);
+  io.group("goals", [&](Io& in) { lay_out_goals(in, plan.goals); });
+  io.group("phases", [&](Io& in) {
+    in.column("name", plan.movement.phases, &Phase::kind, {});
+    in.column("begin_s", plan.movement.phases, &Phase::begin_s, {"s", "", ""});
+    in.column("end_s", plan.movement.phases, &Phase::end_s, {"s", "", ""});
+    in.column("confidence", plan.movement.phases, &Phase::confidence, {"1", "", ""});
+  });
+  io.group("scene", [&](Io& in) {
+    in.each(plan.scene.objects,
+            [](Io& inner, auto& object) { lay_out_object(inner, object, "base"); });
+  });
+  io.group_if(seen(plan.world.base_from_world), "world",
+              [&](Io& in) { lay_out_world(in, plan.world); });
+  io.group("mapped", [&](Io& in) { lay_out_mapped(in, plan.mapped); });
+  io.group("findings", [&](Io& in) { lay_out_findings(in, plan.findings); });
+  io.group_if(!plan.repair.empty(), "repair", [&](Io& in) { lay_out_repair(in, plan.repair); });
+  io.group_if(!plan.remaining.empty(), "remaining",
+              [&](Io& in) { lay_out_findings(in, plan.remaining); });
+  io.group("path", [&](Io& in) {
+    in.dataset("position", plan.path.position, of_joints());
+    in.dataset("origin", plan.path.origin, {"1", "", meaning<Origin>()});
+    in.dataset("demonstration_time", plan.path.demonstration_time, {"s", "", ""});
+  });
+  io.group_if(plan.grasp.sample >= 0, "grasp", [&](Io& in) { lay_out_grasp(in, plan.grasp); });
+  io.group_if(plan.has_trajectory(), "trajectory",
+              [&](Io& in) { lay_out_trajectory(in, plan.trajectory); });
+  io.group_if(plan.approach.samples() > 0, "approach",
+              [&](Io& in) { lay_out_trajectory(in, plan.approach); });
+  io.group_if(plan.retreat.samples() > 0, "retreat",
+              [&](Io& in) { lay_out_trajectory(in, plan.retreat); });
+  io.group("certificate", [&](Io& in) { lay_out_certificate(in, plan.certificate); });
+}
+
+}  // namespace morphe::store

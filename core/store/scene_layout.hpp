@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "core/motion/scene.hpp"
+#include "core/store/layout.hpp"
+
+namespace morphe::store {
+
+/// A time that may be unknown: no attribute, NaN.
+template <class Io, class Time>
+void lay_out_time(Io& io, const char* name, Time& time_s) {
+  std::optional<double> known;
+  if (!Io::reading && !std::isnan(time_s)) known = time_s;
+  io.maybe(name, known);
+  if constexpr (Io::reading) time_s = known.value_or(kNotSeen);
+}
+
+/// objects/<name>/ and scene/<object>/ of docs/formats.md.
+template <class Io, class T>
+void lay_out_object(Io& io, T& object, const std::string& frame) {
+  io.attribute("shape", object.shape);
+  const bool mesh = object.shape == Shape::mesh;
+  if (!mesh) io.attribute("size", object.size);
+  io.dataset("time", object.time, {"s", "", ""});
+  io.dataset("position", object.position, {"m", frame, ""});
+  io.dataset("orientation", object.orientation, {"1", frame, ""});
+  if (mesh) {
+    io.dataset("vertices", object.vertices, {"m", "object", ""});
+    io.dataset("triangles", object.triangles, {"1", "", ""});
+  }
+  if (Io::reading || !object.attached_frame.empty())
+    io.maybe("attached_frame", object.attached_frame);
+  lay_out_time(io, "attach_s", object.attach_s);
+  lay_out_time(io, "release_s", object.release_s);
+}
+
+}  // namespace morphe::store

@@ -1,0 +1,40 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "pipeline/commands/commands.hpp"
+#include "pipeline/commands/plan_diff.hpp"
+#include "pipeline/commands/plans_file.hpp"
+#include "pipeline/commands/row_options.hpp"
+#include "pipeline/commands/text_table.hpp"
+
+namespace morphe::commands {
+
+Command diff_command(CLI::App& app) {
+  struct Arguments {
+    std::string first, second;
+    RowChoice choice;
+    bool json = false, all = false;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  app.add_option("A", arguments->first, "plans.h5, or a run's folder")->required();
+  app.add_option("B", arguments->second, "The same, to compare it with")->required();
+  app.add_flag("--all", arguments->all, "Every dataset that differs, by how much and where");
+  add_row_options(app, arguments->choice);
+  app.add_flag("--json", arguments->json, "Print JSON, all of it");
+  return [arguments] {
+    check_choice(arguments->choice);
+    const PlanDiff diff =
+        compare_plans(plans_file(arguments->first), plans_file(arguments->second));
+    if (arguments->json) {
+      fmt::print("{}", diff_json(diff));
+    } else {
+      fmt::print("{}", diff_text(diff, chosen_pairs(diff, arguments->choice), arguments->all,
+                                 terminal_width()));
+    }
+    return diff.equal() ? 0 : 1;
+  };
+}
+
+}  // namespace morphe::commands

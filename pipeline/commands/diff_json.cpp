@@ -1,0 +1,84 @@
+#include <nlohmann/json.hpp>
+
+#include "pipeline/commands/plan_diff.hpp"
+
+namespace morphe::commands {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json side_json(const std::optional<PlanRow>& row) {
+  if (!row) return nullptr;
+  Json json{{"status", row->status},
+            {"reason", row->reason},
+            {"against_estimate", row->against_estimate}};
+  for (std::size_t k = 0; k < kPlanFigures; ++k)
+    json[std::string(plan_figures()[k].key)] = row->figures[k];
+  return json;
+}
+
+Json data_json(const run::Difference& difference) {
+  Json row{{"plan", difference.plan}, {"dataset", difference.dataset}};
+  row["max_abs"] = nullptr;
+  if (difference.max_abs) {
+    row["max_abs"] = *difference.max_abs;
+    row["unit"] = difference.unit;
+    row["at"] = difference.at;
+    row["values"] = {difference.first, difference.second};
+  }
+  row["change"] = difference.change;
+  return row;
+}
+
+Json status_json(const PlanDiff& diff) {
+  Json changes = Json::array();
+  for (const PlanPair& pair : diff.pairs) {
+    if (!pair.status_changed()) continue;
+    const auto side = [](const PlanRow& row) {
+      return Json{{"status", row.status},
+                  {"reason", row.reason},
+                  {"detail", row.lines.empty() ? "" : row.lines.front()}};
+    };
+    changes.push_back(
+        {{"plan", pair.name}, {"first", side(*pair.first)}, {"second", side(*pair.second)}});
+  }
+  return changes;
+}
+
+}  // namespace
+
+std::string diff_json(const PlanDiff& diff) {
+  Json json{{"equal", diff.equal()}};
+  Json only_first = Json::array(), only_second = Json::array(), rows = Json::array();
+  std::size_t both = 0;
+  for (const PlanPair& pair : diff.pairs) {
+    both += pair.in_both() ? 1U : 0U;
+    if (!pair.second) only_first.push_back(pair.name);
+    if (!pair.first) only_second.push_back(pair.name);
+    rows.push_back({{"plan", pair.name},
+                    {"first", side_json(pair.first)},
+                    {"second", side_json(pair.second)}});
+  }
+  json["in_both"] = both;
+  json["only_in_first"] = only_first;
+  json["only_in_second"] = only_second;
+  json["config"] = diff.config;
+  json["files"] = diff.file;
+  json["status"] = status_json(diff);
+  json["figures"] = Json::object();
+  for (std::size_t k = 0; k < kPlanFigures; ++k) {
+    const FigureChange& change = diff.figures[k];
+    json["figures"][std::string(plan_figures()[k].key)] = {{"plans", change.plans},
+                                                           {"median_first", change.median_first},
+                                                           {"median_second", change.median_second},
+                                                           {"largest", change.largest},
+                                                           {"plan", change.plan}};
+  }
+  json["rows"] = rows;
+  json["plans"] = Json::array();
+  for (const run::Difference& difference : diff.data.differences)
+    json["plans"].push_back(data_json(difference));
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace morphe::commands

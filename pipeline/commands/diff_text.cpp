@@ -1,0 +1,199 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <string_view>
+
+#include "pipeline/commands/plan_diff.hpp"
+#include "pipeline/commands/text_table.hpp"
+
+namespace morphe::commands {
+namespace {
+
+std::string plans(std::size_t count) {
+  return fmt::format("{} plan{}", count, count == 1 ? "" : "s");
+}
+
+/// With its sign; "=" for a change that does not show in the digits printed.
+std::string change_text(const PlanFigure& figure, double change) {
+  if (std::isnan(change)) return "-";
+  const std::string text = fmt::format("{:+.{}f}", figure.per_si * change, figure.digits);
+  return text.find_first_of("123456789") == std::string::npos ? "=" : text;
+}
+
+bool shows(const PlanPair& pair) {
+  if (!pair.in_both() || pair.status_changed()) return true;
+  for (std::size_t k = 0; k < kPlanFigures; ++k) {
+    const bool there = std::isnan(pair.first->figures[k]);
+    if (there != std::isnan(pair.second->figures[k])) return true;
+    if (change_text(plan_figures()[k], pair.change(k)).find_first_not_of("-=") != std::string::npos)
+      return true;
+  }
+  return false;
+}
+
+std::string outcome(const PlanRow& row) {
+  return row.reason.empty() ? row.status : fmt::format("{} ({})", row.status, row.reason);
+}
+
+std::set<std::string> differing_plans(const PlanDiff& diff) {
+  std::set<std::string> differing;
+  for (const run::Difference& difference : diff.data.differences)
+    if (!difference.plan.empty()) differing.insert(difference.plan);
+  return differing;
+}
+
+std::string counts_text(const PlanDiff& diff, const std::set<std::string>& differing) {
+  std::size_t both = 0, first = 0, second = 0, of_both = 0;
+  for (const PlanPair& pair : diff.pairs) {
+    both += pair.in_both() ? 1U : 0U;
+    first += pair.second ? 0U : 1U;
+    second += pair.first ? 0U : 1U;
+    of_both += pair.in_both() && differing.contains(pair.name) ? 1U : 0U;
+  }
+  std::string text =
+      fmt::format("A: {}\nB: {}\n{} in both, {} of them differ{}", diff.first.string(),
+                  diff.second.string(), plans(both), of_both, of_both == 1 ? "s" : "");
+  if (first > 0) text += fmt::format("; {} only in A", first);
+  if (second > 0) text += fmt::format("; {} only in B", second);
+  text += "\n";
+  if (!diff.config.empty()) text += fmt::format("config: {}\n", fmt::join(diff.config, ", "));
+  if (!diff.file.empty()) text += fmt::format("files: {}\n", fmt::join(diff.file, ", "));
+  return text;
+}
+
+/// No longer executable, executable now, and the rest: how many, then each with its reason.
+std::string status_text(const std::vector<PlanPair>& pairs, std::size_t width) {
+  std::string worse, better, other;
+  std::size_t lost = 0, won = 0, changed = 0;
+  for (const PlanPair& pair : pairs) {
+    if (!pair.status_changed()) continue;
+    const bool was = pair.first->executable(), is = pair.second->executable();
+    std::string line =
+        fmt::format("  {}: {} -> {}\n", pair.name, outcome(*pair.first), outcome(*pair.second));
+    if (was && !is && !pair.second->lines.empty())
+      line += folded(pair.second->lines.front(), width, "    ");
+    (was && !is ? worse : is && !was ? better : other) += line;
+    ++(was && !is ? lost : is && !was ? won : changed);
+  }
+  std::string text;
+  if (lost > 0) text += fmt::format("{} no longer executable:\n{}", plans(lost), worse);
+  if (won > 0) text += fmt::format("{} executable now:\n{}", plans(won), better);
+  if (changed > 0)
+    text += fmt::format("{} otherwise of another status:\n{}", plans(changed), other);
+  return text;
+}
+
+/// Whether the arm that a plan is compared with is an estimate, on either side.
+bool against_estimate(const PlanPair& pair) {
+  return (pair.first && pair.first->against_estimate) ||
+         (pair.second && pair.second->against_estimate);
+}
+
+std::string figures_text(const PlanDiff& diff, std::size_t width) {
+  const bool estimate = std::ranges::any_of(diff.pairs, against_estimate);
+  TextTable table;
+  table.columns = {{"", "", true, 0},         {"", "", true, 0},
+                   {"median", "A", false, 0}, {"", "B", false, 0},
+                   {"", "B - A", false, 0},   {"largest", "change", false, 0},
+                   {"", "of plan", true, 2},  {"over", "plans", false, 1}};
+  for (std::size_t k = 0; k < kPlanFigures; ++k) {
+    const PlanFigure& figure = plan_figures()[k];
+    const FigureChange& change = diff.figures[k];
+    if (change.plans == 0) continue;
+    table.rows.push_back(
+        {{std::string(figure.name), std::string(figure.unit),
+          printed(figure, change.median_first, estimate),
+          printed(figure, change.median_second, estimate),
+          change_text(figure, change.median_second - change.median_first),
+          change_text(figure, change.largest), change.plan, fmt::format("{}", change.plans)},
+         {}});
+  }
+  return table.rows.empty() ? "" : table_text(table, width);
+}
+
+/// What a narrow terminal can do without first.
+constexpr std::array<std::string_view, 3> kSpareColumns{"mapped", "step", "tips_mean"};
+
+/// Per plan B - A.
+std::string rows_text(const std::vector<PlanPair>& pairs, std::size_t width) {
+  TextTable table;
+  table.columns = {{"B - A", "", true, 0}, {"status", "", true, 0}};
+  for (const PlanFigure& figure : plan_figures()) {
+    const std::string name(figure.name);
+    const std::size_t blank = name.find(' ');
+    const bool one = blank == std::string::npos;
+    const std::string rest = one ? "" : name.substr(blank + 1) + " ";
+    const bool spare = std::ranges::find(kSpareColumns, figure.key) != kSpareColumns.end();
+    table.columns.push_back(
+        {name.substr(0, blank), rest + std::string(figure.unit), false, spare ? 3 : 1});
+  }
+  std::size_t hidden = 0;
+  for (const PlanPair& pair : pairs) {
+    if (!shows(pair)) {
+      ++hidden;
+      continue;
+    }
+    TextTable::Row& row = table.rows.emplace_back();
+    row.cells = {pair.name, !pair.first    ? "only in B"
+                            : !pair.second ? "only in A"
+                            : pair.status_changed()
+                                ? pair.first->status + " -> " + pair.second->status
+                                : pair.first->status};
+    for (std::size_t k = 0; k < kPlanFigures; ++k) {
+      const PlanFigure& figure = plan_figures()[k];
+      const std::string text = change_text(figure, pair.change(k));
+      const bool marked = figure.of_the_arm && text.size() > 1 && against_estimate(pair);
+      row.cells.push_back(marked ? "~" + text : text);
+    }
+  }
+  std::string text = table.rows.empty() ? "" : "\n" + table_text(table, width);
+  if (hidden > 0)
+    text += fmt::format("{} {} the same in all these figures\n", plans(hidden),
+                        hidden == 1 ? "is" : "are");
+  return text;
+}
+
+/// Metres as mm; everything else as the file has it.
+std::string amount_text(const run::Difference& difference) {
+  const bool metres = difference.unit == "m";
+  const std::string unit = metres ? "mm" : difference.unit == "1" ? "" : difference.unit;
+  const double scale = metres ? 1e3 : 1;
+  return fmt::format("at most {:.6g}{}{} ({:.6g} -> {:.6g}){}{}", scale * *difference.max_abs,
+                     unit.empty() ? "" : " ", unit, scale * difference.first,
+                     scale * difference.second, difference.at.empty() ? "" : " at ", difference.at);
+}
+
+std::string datasets_text(const PlanDiff& diff, const std::vector<PlanPair>& pairs) {
+  std::set<std::string> names{""};
+  for (const PlanPair& pair : pairs) names.insert(pair.name);
+  std::string text = "\n";
+  for (const run::Difference& difference : diff.data.differences) {
+    if (!names.contains(difference.plan)) continue;
+    text += difference.plan.empty() ? "the file" : difference.plan;
+    if (!difference.dataset.empty()) text += " " + difference.dataset;
+    text += ":";
+    if (difference.max_abs) text += " " + amount_text(difference);
+    if (!difference.change.empty()) text += " " + difference.change;
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string diff_text(const PlanDiff& diff, const std::vector<PlanPair>& pairs, bool all,
+                      std::size_t width) {
+  if (diff.equal()) return fmt::format("equal: {}\n", plans(diff.pairs.size()));
+  const std::set<std::string> differing = differing_plans(diff);
+  std::string text = counts_text(diff, differing);
+  if (!differing.empty())
+    text += status_text(diff.pairs, width) + figures_text(diff, width) + rows_text(pairs, width);
+  return text +
+         (all ? datasets_text(diff, pairs) : "(--all: every dataset, by how much and where)\n");
+}
+
+}  // namespace morphe::commands

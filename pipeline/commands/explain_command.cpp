@@ -1,0 +1,182 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "core/files/sha256.hpp"
+#include "core/motion/input_error.hpp"
+#include "core/store/demonstration_file.hpp"
+#include "core/store/plan_file.hpp"
+#include "pipeline/commands/commands.hpp"
+#include "pipeline/commands/plans_file.hpp"
+#include "pipeline/explain/explained.hpp"
+#include "pipeline/explain/story.hpp"
+#include "pipeline/planning/run_config.hpp"
+#include "pipeline/run/journal.hpp"
+
+namespace morphe::commands {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct ExplainArguments {
+  std::string file, plan, dataset;
+  bool attempt = false, json = false;
+};
+
+/// A plans.h5 and what lies beside it.
+struct Source {
+  fs::path plans;
+  store::PlanReader reader;
+  robot::Robot robot;
+  std::optional<planning::RunConfig> config;  ///< none: the file does not hold enough of it
+  std::string why_no_config;
+  std::unique_ptr<store::DemonstrationReader> recordings;  ///< for --try
+
+  explicit Source(const fs::path& file) : plans(file), reader(file), robot(reader.robot()) {
+    try {
+      config = planning::stored_config(file);
+    } catch (const InputError& error) {
+      why_no_config = error.what();
+    }
+  }
+};
+
+void open_recordings(const ExplainArguments& arguments, Source& source) {
+  if (!arguments.attempt) return;
+  if (!source.config) throw InputError(fmt::format("explain --try: {}", source.why_no_config));
+  fs::path dataset = arguments.dataset;
+  if (dataset.empty()) dataset = source.plans.parent_path() / "demonstrations.h5";
+  if (!fs::exists(dataset)) {
+    throw InputError(
+        fmt::format("explain --try: {} is not there; name the run's recordings: --dataset F.h5",
+                    dataset.string()));
+  }
+  const std::string wanted = source.reader.header().dataset_sha256;
+  if (files::sha256_of_file(dataset) != wanted) {
+    throw InputError(fmt::format("explain --try: {} is not what {} was planned from",
+                                 dataset.string(), source.plans.string()));
+  }
+  source.recordings = std::make_unique<store::DemonstrationReader>(dataset);
+}
+
+/// Those that are asked for: by name, of a demonstration, or all that are infeasible.
+std::vector<std::size_t> chosen(const ExplainArguments& arguments, const Source& source) {
+  std::vector<std::size_t> found;
+  const std::vector<std::string>& paths = source.reader.plan_paths();
+  for (std::size_t k = 0; k < paths.size(); ++k) {
+    const bool named = paths[k] == arguments.plan || paths[k].starts_with(arguments.plan + "/");
+    if (arguments.plan.empty() ? !source.reader.read(k).has_trajectory() : named)
+      found.push_back(k);
+  }
+  return found;
+}
+
+/// Seconds by step that planning its demonstration took; "" without a journal.
+std::string taken(const Source& source, const Plan& plan) {
+  const fs::path folder = source.plans.parent_path();
+  if (!fs::exists(folder / run::Journal::kFile)) return "";
+  const auto finished = run::Journal::read(folder)->find(plan.demonstration);
+  if (!finished) return "";
+  std::string text;
+  for (const auto& [stage, seconds] : finished->summary.stage_seconds) {
+    if (seconds < 0.001) continue;
+    text += fmt::format("{}{} {:.0f} ms", text.empty() ? "" : ", ", stage, 1e3 * seconds);
+  }
+  return text.empty() ? "" : fmt::format("  {:<13} {} (its whole recording)\n", "took", text);
+}
+
+std::string outcome_of(const Plan& plan) {
+  if (!plan.has_trajectory()) {
+    return fmt::format("infeasible, {}: {}", name_of(plan.reason), plan.detail);
+  }
+  return fmt::format("{}: tips at most {:.1f} mm from their goals", name_of(plan.status()),
+                     1e3 * plan.certificate.position_error_max);
+}
+
+Json json_of(const Source& source, const Plan& plan, const std::string& path,
+             const std::vector<explain::TriedAdvice>& advice) {
+  Json json{{"plan", path},
+            {"status", name_of(plan.status())},
+            {"reason", name_of(plan.reason)},
+            {"detail", plan.detail},
+            {"story", explain::story_of(source.reader.robot(), plan)},
+            {"advice", Json::array()}};
+  for (const explain::TriedAdvice& one : advice) {
+    Json entry{{"effect", name_of(one.advice.effect)},
+               {"settings", one.advice.settings},
+               {"sentence", one.advice.sentence}};
+    if (one.plan) {
+      entry["tried"] = {{"status", name_of(one.plan->status())},
+                        {"reason", name_of(one.plan->reason)},
+                        {"detail", one.plan->detail}};
+    }
+    json["advice"].push_back(entry);
+  }
+  return json;
+}
+
+std::string text_of(const Source& source, const Plan& plan,
+                    const std::vector<explain::TriedAdvice>& advice) {
+  std::string text = explain::story_of(source.reader.robot(), plan) + taken(source, plan);
+  const char* step = "try";
+  for (const explain::TriedAdvice& one : advice) {
+    text += fmt::format("  {:<13} {}\n", step, explain::text_of(one.advice));
+    if (one.plan) text += fmt::format("  {:<13}   tried: {}\n", "", outcome_of(*one.plan));
+    step = "";
+  }
+  return text;
+}
+
+int execute(const ExplainArguments& arguments) {
+  Json all = Json::array();
+  std::size_t told = 0;
+  for (const fs::path& file : plans_files(arguments.file)) {
+    Source source(file);
+    open_recordings(arguments, source);
+    for (const std::size_t k : chosen(arguments, source)) {
+      const Plan plan = source.reader.read(k);
+      std::optional<Demonstration> recording;
+      if (source.recordings) recording = source.recordings->read(plan.demonstration);
+      std::vector<explain::TriedAdvice> advice;
+      if (!plan.has_trajectory()) {
+        advice =
+            explain::explained_advice(source.robot, plan, source.config ? &*source.config : nullptr,
+                                      recording ? &*recording : nullptr);
+      }
+      if (arguments.json) {
+        all.push_back(json_of(source, plan, source.reader.plan_paths()[k], advice));
+      } else {
+        fmt::print("{}{}", told > 0 ? "\n" : "", text_of(source, plan, advice));
+      }
+      ++told;
+    }
+  }
+  if (told == 0 && !arguments.plan.empty()) {
+    throw InputError(fmt::format("{}: holds no plan '{}'; plans are called DEMONSTRATION/000",
+                                 arguments.file, arguments.plan));
+  }
+  if (arguments.json) fmt::print("{}\n", Json{{"plans", all}}.dump(2));
+  if (told == 0 && !arguments.json) fmt::print("nothing is infeasible\n");
+  return 0;
+}
+
+}  // namespace
+
+Command explain_command(CLI::App& app) {
+  const auto arguments = std::make_shared<ExplainArguments>();
+  app.add_option("FILE", arguments->file, "plans.h5, or a run's folder")->required();
+  app.add_option("PLAN", arguments->plan,
+                 "DEMONSTRATION/000, or a demonstration (default: all that are infeasible)");
+  app.add_flag("--try", arguments->attempt,
+               "Plan each infeasible movement again with what may help, until something does");
+  app.add_option("--dataset", arguments->dataset,
+                 "demonstrations.h5 for --try (default: the one in the run's folder)");
+  app.add_flag("--json", arguments->json, "Print JSON");
+  return [arguments] { return execute(*arguments); };
+}
+
+}  // namespace morphe::commands

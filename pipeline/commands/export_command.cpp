@@ -1,0 +1,76 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <memory>
+
+#include "core/motion/counted.hpp"
+#include "core/motion/input_error.hpp"
+#include "pipeline/commands/commands.hpp"
+#include "pipeline/commands/plans_file.hpp"
+#include "pipeline/run/output_folder.hpp"
+#include "stages/export/export_plans.hpp"
+#include "stages/export/joint_group.hpp"
+
+namespace morphe::commands {
+namespace {
+
+constexpr double kHighestRate_hz = 1e4;  ///< no arm is driven faster, and the files grow
+
+struct ExportArguments {
+  std::string plans, out, approach{name_of(exports::Ways::apart)};
+  exports::ExportOptions options;
+};
+
+int execute(ExportArguments& arguments) {
+  const std::filesystem::path plans = plans_file(arguments.plans);
+  const double delay_s = arguments.options.motion.delay_s,
+               rate_hz = arguments.options.motion.rate_hz;
+  if (std::isnan(delay_s)) throw InputError("--delay: must be a number of seconds");
+  if (std::isnan(rate_hz)) throw InputError("--rate: must be a number of points a second");
+  arguments.options.motion.approach = *named<exports::Ways>(arguments.approach);
+  run::OutputFolder folder(arguments.out);
+  const exports::ExportReport report =
+      exports::export_plans(plans, folder.path(), arguments.options);
+  folder.keep();
+  for (const exports::LeftOut& left : report.left_out) {
+    fmt::print("{} left out: {}\n", left.plan, left.why);
+  }
+  for (const std::string& file : report.files) {
+    fmt::print("{}\n", (folder.path() / file).string());
+  }
+  if (!report.remark.empty()) fmt::print("note: {}\n", report.remark);
+  const std::size_t files = report.files.size() - 1, left = report.left_out.size();
+  fmt::print("{} file{} and the index written, {} plan{} left out\n", files, files == 1 ? "" : "s",
+             left, left == 1 ? "" : "s");
+  return 0;
+}
+
+}  // namespace
+
+Command export_command(CLI::App& app) {
+  const auto arguments = std::make_shared<ExportArguments>();
+  exports::ExportOptions& options = arguments->options;
+  app.add_option("FILE", arguments->plans, "plans.h5, or a run's folder")->required();
+  app.add_option("--format", options.format, "File format")
+      ->required()
+      ->check(CLI::IsMember(exports::export_format_names()));
+  app.add_option("--out", arguments->out, "Folder to write the files to")->required();
+  app.add_option("--group", options.groups,
+                 fmt::format("Joints of a file: {}; several: a file each", exports::kGroupHelp))
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  app.add_option("--rate", options.motion.rate_hz,
+                 "Points a second, on the certified curve; else the plan's own samples")
+      ->check(CLI::Range(1e-3, kHighestRate_hz));
+  app.add_option("--delay", options.motion.delay_s,
+                 "Seconds that each motion waits in its first posture")
+      ->check(CLI::Range(0.0, 3600.0));
+  app.add_option("--approach", arguments->approach,
+                 "Ways from home and back: files apart, joined with the trajectory, or none")
+      ->check(CLI::IsMember({"apart", "joined", "none"}));
+  app.add_flag("--replace", options.replace, "Replace files that are there with other content");
+  return [arguments] { return execute(*arguments); };
+}
+
+}  // namespace morphe::commands

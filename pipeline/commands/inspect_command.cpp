@@ -1,0 +1,93 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "core/motion/counted.hpp"
+#include "core/store/demonstration_file.hpp"
+#include "core/store/harmless.hpp"
+#include "pipeline/commands/commands.hpp"
+#include "pipeline/commands/dataset_input.hpp"
+#include "pipeline/commands/import_options.hpp"
+#include "pipeline/commands/input_file.hpp"
+#include "pipeline/commands/inspect_report.hpp"
+#include "pipeline/planning/pipeline_config.hpp"
+
+namespace morphe::commands {
+namespace {
+
+InspectOptions options_of(const std::string& config) {
+  if (config.empty()) return {};
+  const planning::PipelineConfig options = planning::load_config(config).options;
+  return {options.reconstruct, options.human, options.segment};
+}
+
+bool is_one_recording(const std::filesystem::path& file) {
+  const auto extension = file.extension();
+  return extension != ".h5" && extension != ".yaml" && extension != ".yml" &&
+         !std::filesystem::is_directory(file);
+}
+
+/// Demonstrations of one file: imported ones, or recordings, folders and manifests that are read
+/// first; what was found in those.
+imports::Imported for_each(const imports::ImportRequest& request,
+                           const std::function<void(Demonstration&&)>& sink) {
+  const std::filesystem::path& file = request.paths.front();
+  if (std::filesystem::is_directory(file) || !is_demonstrations(file))
+    return imports::import_recordings(request, sink);
+  store::expect_harmless(file);
+  const store::DemonstrationReader reader(file);
+  for (std::size_t i = 0; i < reader.size(); ++i) sink(reader.read(i));
+  return {};
+}
+
+}  // namespace
+
+Command inspect_command(CLI::App& app) {
+  struct Arguments {
+    std::string file, config;
+    imports::ImportRequest request;
+    bool json = false, points = false;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  app.add_option("FILE", arguments->file,
+                 "demonstrations.h5, a recording, a folder of recordings or a manifest")
+      ->required()
+      ->transform(input_file());
+  app.add_option("--config", arguments->config,
+                 "Pipeline config to reconstruct and segment with (default: default values)")
+      ->transform(input_file());
+  add_import_options(app, arguments->request);
+  app.add_flag("--points", arguments->points,
+               "List markers or joints with what they are taken for (a single recording's always)");
+  app.add_flag("--json", arguments->json, "Print JSON");
+  return [arguments] {
+    const InspectOptions options = options_of(arguments->config);
+    arguments->request.paths = {arguments->file};
+    std::vector<Inspection> all;
+    const bool points = arguments->points || is_one_recording(arguments->file);
+    std::size_t demonstrations = 0, movements = 0, usable = 0;
+    const imports::Imported imported =
+        for_each(arguments->request, [&](Demonstration&& demonstration) {
+          Inspection inspection = inspect(demonstration, options);
+          ++demonstrations;
+          movements += inspection.movements.size();
+          usable += inspection.usable();
+          if (arguments->json) {
+            all.push_back(std::move(inspection));
+          } else {
+            fmt::print("{}", inspection_text(inspection));
+            if (points) fmt::print("{}", imports::survey_text(inspection.survey));
+          }
+        });
+    if (arguments->json) {
+      fmt::print("{}\n", inspections_json(all, imported.left_out));
+    } else {
+      fmt::print("{}{}: {}, {}, {} of them usable\n", found_text(imported), arguments->file,
+                 counted(demonstrations, "demonstration"), counted(movements, "movement"), usable);
+    }
+    return failed_in(imported) > 0 ? 1 : 0;
+  };
+}
+
+}  // namespace morphe::commands

@@ -1,0 +1,103 @@
+#include "pipeline/commands/inspect_report.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "stages/reconstruct/human_limits.hpp"
+#include "stages/reconstruct/mirror.hpp"
+
+namespace morphe::commands {
+namespace {
+
+double share(const std::vector<Vec3>& points) {
+  const auto count = std::ranges::count_if(points, [](const Vec3& p) { return seen(p); });
+  return points.empty() ? 0 : static_cast<double>(count) / static_cast<double>(points.size());
+}
+
+void inspect_rebuilt(const HumanMotion& motion, Inspection& inspection) {
+  inspection.rebuilt = {{"shoulder", share(motion.shoulder)},
+                        {"elbow", share(motion.elbow)},
+                        {"wrist", share(motion.wrist)}};
+  for (std::size_t finger = 0; finger < kFingers && motion.tip.rows > 0; ++finger) {
+    std::vector<Vec3> tip;
+    for (std::size_t i = 0; i < motion.tip.rows; ++i) tip.push_back(motion.tip(i, finger));
+    inspection.rebuilt.emplace_back(fmt::format("{} tip", kFingerNames[finger]), share(tip));
+  }
+  std::vector<std::string> tips;
+  for (const auto& [what, how_much] : inspection.rebuilt) {
+    if (how_much > 0) continue;
+    if (what == "shoulder") {
+      inspection.missing.push_back("the shoulder: no movement can be planned");
+    } else if (what == "elbow") {
+      inspection.missing.push_back("the elbow: nothing to be humanlike to");
+    } else if (what == "wrist") {
+      inspection.missing.push_back("the wrist: no movement can be told from the fingers' own");
+    } else {
+      tips.push_back(what.substr(0, what.find(' ')));
+    }
+  }
+  if (tips.size() == kFingers) {
+    inspection.missing.push_back("all fingertips: no movement can be planned");
+  } else if (!tips.empty()) {
+    inspection.missing.push_back(
+        fmt::format("fingertips {}: those fingers of the robot go to a natural posture",
+                    fmt::join(tips, ", ")));
+  }
+}
+
+/// Shares the reasons of plans.h5: no_shoulder, no_goal and not_human.
+std::string why_unusable(const HumanMotion& motion, const Movement& movement,
+                         const reconstruct::HumanOptions& human) {
+  if (const Refusal refusal = reconstruct::refuse_inhuman(motion, human)) {
+    return fmt::format("{}: {}", name_of(refusal.reason), refusal.detail);
+  }
+  bool shoulder = false, tip = false;
+  for (std::size_t i = 0; i < motion.time.size(); ++i) {
+    if (motion.time[i] < movement.begin_s || motion.time[i] > movement.end_s) continue;
+    shoulder = shoulder || seen(motion.shoulder[i]);
+    for (std::size_t f = 0; f < motion.tip.cols; ++f) tip = tip || seen(motion.tip(i, f));
+  }
+  return !shoulder ? "no_shoulder: the shoulder was not seen in it"
+         : !tip    ? "no_goal: no fingertip was seen in it"
+                   : "";
+}
+
+}  // namespace
+
+std::size_t Inspection::usable() const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(movements, [](const MovementReport& m) { return m.unusable.empty(); }));
+}
+
+Inspection inspect(const Demonstration& demonstration, const InspectOptions& options) {
+  const HumanMotion motion =
+      reconstruct::reconstruct(demonstration, options.reconstruct, options.human);
+  Inspection result;
+  result.name = demonstration.name;
+  result.subject = demonstration.subject;
+  result.task = demonstration.task;
+  result.hand = demonstration.hand;
+  result.streams = report_streams(demonstration.streams);
+  result.survey = imports::survey_of(imports::recorded_points(demonstration.streams, result.hand));
+  result.survey.file = demonstration.name;
+  result.survey.unit = "m";
+  result.calibration = report_streams(demonstration.calibration);
+  result.duration_s = longest_s(result.streams);
+  for (const SceneObject& object : demonstration.objects) result.objects.push_back(object.name);
+  inspect_rebuilt(motion, result);
+  result.residuals = motion.residuals;
+  result.estimated = motion.estimated;
+  for (Movement& movement : segment::segment(
+           motion, options.segment, reconstruct::objects_beside(demonstration, Side::right))) {
+    std::string unusable = why_unusable(motion, movement, options.human);
+    result.movements.push_back({std::move(movement), std::move(unusable)});
+  }
+  result.reports = demonstration.reports;
+  result.problems = motion.problems;
+  if (result.movements.empty()) result.problems.push_back("no movement was found in it");
+  return result;
+}
+
+}  // namespace morphe::commands

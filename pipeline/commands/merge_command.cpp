@@ -1,0 +1,51 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "core/motion/input_error.hpp"
+#include "pipeline/commands/commands.hpp"
+#include "pipeline/run/journal.hpp"
+#include "pipeline/run/merge.hpp"
+#include "pipeline/run/output_folder.hpp"
+
+namespace morphe::commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct MergeArguments {
+  std::vector<std::string> folders;
+  std::string out;
+  bool strict = false, json = false;
+};
+
+int execute(const MergeArguments& arguments) {
+  run::OutputFolder out(arguments.out);
+  if (fs::exists(out.path() / run::Journal::kFile))
+    throw InputError(fmt::format("{}: is the folder of a run; its plans.h5 is not replaced",
+                                 out.path().string()));
+  const fs::path plans = out.path() / "plans.h5";
+  const run::BatchSummary summary =
+      run::merge_shards({arguments.folders.begin(), arguments.folders.end()}, plans);
+  out.keep();
+  fmt::print("{}\n", arguments.json ? run::summary_json(summary)
+                                    : fmt::format("{}: {}", plans.string(),
+                                                  run::summary_text_for_people(summary)));
+  if (summary.failed > 0) return 1;
+  return arguments.strict && summary.infeasible > 0 ? 1 : 0;
+}
+
+}  // namespace
+
+Command merge_command(CLI::App& app) {
+  const auto arguments = std::make_shared<MergeArguments>();
+  app.add_option("DIR", arguments->folders, "Folders of all shards of a run")->required();
+  app.add_option("--out", arguments->out, "Folder for the joined plans.h5")->required();
+  app.add_flag("--strict", arguments->strict, "Exit 1 if a movement is infeasible");
+  app.add_flag("--json", arguments->json, "Print JSON");
+  return [arguments] { return execute(*arguments); };
+}
+
+}  // namespace morphe::commands

@@ -1,0 +1,177 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "core/files/part_file.hpp"
+#include "core/motion/input_error.hpp"
+#include "core/store/demonstration_file.hpp"
+#include "pipeline/commands/commands.hpp"
+#include "pipeline/commands/dataset_input.hpp"
+#include "pipeline/commands/input_file.hpp"
+#include "pipeline/commands/jobs_option.hpp"
+#include "pipeline/commands/place_report.hpp"
+#include "pipeline/commands/text_file.hpp"
+#include "pipeline/place/place.hpp"
+#include "pipeline/place/reach_map.hpp"
+#include "pipeline/run/status_line.hpp"
+#include "stages/import/import.hpp"
+
+namespace morphe::commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PlaceArguments {
+  std::string config, dataset, out, map, mount = "any", keep;
+  std::vector<std::string> settings;
+  place::PlaceOptions options;
+  double tilt_deg = 0;
+  int jobs = 0;
+  bool quiet = false, json = false;
+};
+
+std::vector<Demonstration> read_dataset(const PlaceArguments& arguments,
+                                        const planning::LoadedConfig& config) {
+  const fs::path file = arguments.dataset.empty() ? config.dataset : fs::path(arguments.dataset);
+  if (file.empty()) {
+    throw InputError(
+        fmt::format("{}: dataset: is missing (and there is no --dataset)", arguments.config));
+  }
+  if (!fs::exists(file)) throw InputError(fmt::format("{}: cannot be read", file.string()));
+  std::vector<Demonstration> demonstrations;
+  if (fs::is_directory(file) || !is_demonstrations(file)) {
+    imports::ImportRequest request;
+    request.paths = {file};
+    const imports::Imported imported = imports::import_recordings(
+        request,
+        [&](Demonstration&& demonstration) { demonstrations.push_back(std::move(demonstration)); });
+    fmt::print(stderr, "{}", found_text(imported));
+    return demonstrations;
+  }
+  const store::DemonstrationReader reader(file);
+  for (std::size_t k = 0; k < reader.size(); ++k) demonstrations.push_back(reader.read(k));
+  return demonstrations;
+}
+
+place::Kept kept(const std::string& list) {
+  place::Kept keep;
+  for (const std::string& word : CLI::detail::split(list, ',')) {
+    if (word.empty()) continue;
+    bool* const part = word == "x"          ? &keep.x
+                       : word == "y"        ? &keep.y
+                       : word == "z"        ? &keep.z
+                       : word == "rotation" ? &keep.rotation
+                                            : nullptr;
+    if (!part) throw InputError(fmt::format("--keep {}: must be of x, y, z, rotation", list));
+    *part = true;
+  }
+  return keep;
+}
+
+place::PlaceOptions options_of(const PlaceArguments& arguments, std::uint64_t seed) {
+  place::PlaceOptions options = arguments.options;
+  options.seed = seed;
+  options.jobs = threads_of(arguments.jobs);
+  options.keep = kept(arguments.keep);
+  options.mount = named<place::Mount>(arguments.mount).value();
+  options.tilt_rad = arguments.tilt_deg * kDegree;
+  if (const std::string wrong = why_invalid(options); !wrong.empty()) {
+    throw InputError("place: " + wrong);
+  }
+  return options;
+}
+
+/// A line that changes on a terminal, otherwise one for each tenth.
+place::Report progress(bool quiet, run::StatusLine& status) {
+  return [quiet, &status](const std::string& what, int done, int of) {
+    if (quiet) return;
+    const std::string text = fmt::format("place: {} {} of {}", what, done, of);
+    if (status.on_terminal()) return status.show(text);
+    if (done * 10 / of != (done - 1) * 10 / of) status.print(text);
+  };
+}
+
+/// A config that extends the given one, by where the base stands and nothing else.
+std::string config_text(const PlaceArguments& arguments, const place::Found& best) {
+  const fs::path folder = fs::absolute(arguments.out).parent_path();
+  const fs::path base =
+      fs::weakly_canonical(arguments.config).lexically_relative(fs::weakly_canonical(folder));
+  return fmt::format("# Placed by morphe place.\nextends: {}\n{}", base.generic_string(),
+                     placement_yaml(best.placement));
+}
+
+int execute(const PlaceArguments& arguments) {
+  for (const std::string& out : {arguments.out, arguments.map})
+    files::expect_no_input(out, arguments.config);
+  const planning::LoadedConfig config = planning::load_config(arguments.config, arguments.settings);
+  const place::PlaceOptions options = options_of(arguments, config.options.seed);
+  const planning::Planner planner{config.options, config.robot};
+  const std::vector<place::Trial> trials =
+      place::make_trials(planner, read_dataset(arguments, config), options);
+  run::StatusLine status;
+  const place::Report report = progress(arguments.json || arguments.quiet, status);
+  const std::vector<place::Found> found = place::place(planner, trials, options, report);
+  const place::Found given =
+      place::plan_at(planner, trials, config.options.placement, options.jobs);
+  if (!arguments.out.empty()) write_text(arguments.out, config_text(arguments, found.front()));
+  if (!arguments.map.empty()) {
+    write_text(arguments.map,
+               place::svg_of(place::reach_map(planner, trials, found.front(), options, report)));
+  }
+  status.clear();
+  if (arguments.json) {
+    fmt::print("{}\n", place_json(given, found));
+    return 0;
+  }
+  fmt::print("{}\n{}\n", place_table_head(), place_row("given", given));
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    fmt::print("{}\n", place_row(std::to_string(k + 1), found[k]));
+  }
+  fmt::print("\n{}", placement_yaml(found.front().placement));
+  if (!arguments.out.empty() && !(arguments.settings.empty() && arguments.dataset.empty())) {
+    fmt::print("note: {} does not hold what --set and --dataset said: run takes them, too\n",
+               arguments.out);
+  }
+  return 0;
+}
+
+}  // namespace
+
+Command place_command(CLI::App& app) {
+  const auto arguments = std::make_shared<PlaceArguments>();
+  place::PlaceOptions& options = arguments->options;
+  app.add_option("CONFIG", arguments->config, "Pipeline config (YAML)")
+      ->required()
+      ->transform(input_file());
+  app.add_option("--dataset", arguments->dataset,
+                 "Folder of recordings, recording, manifest or demonstrations.h5 to use instead of "
+                 "the config's")
+      ->transform(input_file());
+  app.add_option("--out", arguments->out,
+                 "Config to write (YAML): it extends CONFIG by the best placement");
+  app.add_option("--map", arguments->map, "SVG file for a map of reach around the best placement");
+  app.add_option("--mount", arguments->mount,
+                 "Where the base's z axis points: any, floor (up), "
+                 "ceiling (down), wall (level), side (left or right)")
+      ->check(CLI::IsMember({"any", "floor", "ceiling", "wall", "side"}));
+  app.add_option("--tilt", arguments->tilt_deg, "Degrees by which it may lean from there");
+  app.add_option("--keep", arguments->keep,
+                 "What of the config's placement stays: of x, y, z, rotation, with commas between");
+  app.add_option("--person", options.person_m,
+                 "Metres that the base keeps from the person's middle");
+  app.add_option("--trials", options.trials, "Movements to try placements on, at most");
+  app.add_option("--candidates", options.candidates, "Placements to map");
+  app.add_option("--refined", options.refined, "Placements to improve");
+  app.add_option("--planned", options.planned, "Placements to plan in full and print");
+  add_jobs_option(app, arguments->jobs);
+  app.add_option("--set", arguments->settings,
+                 "KEY=VALUE: change a value of the config, such as seed=2")
+      ->allow_extra_args(false);
+  app.add_flag("--quiet", arguments->quiet, "No progress");
+  app.add_flag("--json", arguments->json, "Print JSON");
+  return [arguments] { return execute(*arguments); };
+}
+
+}  // namespace morphe::commands

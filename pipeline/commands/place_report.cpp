@@ -1,0 +1,81 @@
+#include "pipeline/commands/place_report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace morphe::commands {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isnan(value) ? Json() : Json(value); }
+
+Json json_of(const place::Found& found) {
+  const place::Planned& planned = found.planned;
+  const place::Measures& m = planned.measures;
+  Json rotation = Json::array();
+  for (const auto& turn : found.placement.rotation) {
+    rotation.push_back({{"axis", turn.axis}, {"angle", turn.angle}});
+  }
+  const auto point = [](const Vec3& p) { return Json::array({p.x(), p.y(), p.z()}); };
+  return {{"rotation", rotation},
+          {"shoulder_offset", point(found.placement.shoulder_offset)},
+          {"base", point(found.base)},
+          {"above_table", number(found.above_table)},
+          {"movements", planned.movements},
+          {"executable", planned.executable},
+          {"out_of_reach", m.out_of_reach},
+          {"tip_error_mean", m.tip_error_m},
+          {"tip_error_max", number(planned.tip_error_max_m)},
+          {"upper_arm_median", planned.upper_arm_median},
+          {"upper_arm_max", planned.upper_arm_max},
+          {"palm", m.palm},
+          {"tempo", m.speed},
+          {"cost", place::cost_of(m)}};
+}
+
+}  // namespace
+
+std::string place_table_head() {
+  return fmt::format(
+      "{:<8} {:>10} {:>8} {:>8} {:>10} {:>8} {:>8} {:>6} {:>20} {:>16} {:>7}\n"
+      "{:<8} {:>10} {:>8} {:>8} {:>10} {:>8} {:>8} {:>6} {:>20} {:>16} {:>7}",
+      "place", "executable", "out of", "tips", "upper arm", "largest", "palm", "tempo",
+      "base from shoulder", "its axis points", "above", "", "", "reach %", "mm", "median deg",
+      "deg", "deg", "", "right, fwd, up mm", "right, fwd, up", "table");
+}
+
+std::string place_row(const std::string& name, const place::Found& found) {
+  const place::Planned& p = found.planned;
+  const Vec3 base = 1e3 * found.base, up = found.stand.up();
+  return fmt::format(
+      "{:<8} {:>10} {:>8.1f} {:>8.2f} {:>10.1f} {:>8.1f} {:>8.1f} {:>6} {:>20} {:>16} {:>7}", name,
+      fmt::format("{} of {}", p.executable, p.movements), 100 * p.measures.out_of_reach,
+      1e3 * p.measures.tip_error_m, p.upper_arm_median / kDegree, p.upper_arm_max / kDegree,
+      p.measures.palm / kDegree,
+      p.executable == p.movements ? fmt::format("{:.2f}", p.measures.speed) : "-",
+      fmt::format("{:.0f} {:.0f} {:.0f}", base.x(), base.y(), base.z()),
+      fmt::format("{:.2f} {:.2f} {:.2f}", up.x(), up.y(), up.z()),
+      std::isnan(found.above_table) ? "-" : fmt::format("{:.0f}", 1e3 * found.above_table));
+}
+
+std::string placement_yaml(const map::PlacementOptions& placement) {
+  std::string yaml = "placement:\n  rotation:";
+  if (placement.rotation.empty()) yaml += " []";
+  for (const auto& turn : placement.rotation) {
+    yaml += fmt::format("\n    - {{axis: {}, angle: {:.1f} deg}}", turn.axis, turn.angle / kDegree);
+  }
+  const Vec3& at = placement.shoulder_offset;
+  return yaml +
+         fmt::format("\n  shoulder_offset: [{:.3f}, {:.3f}, {:.3f}]\n", at.x(), at.y(), at.z());
+}
+
+std::string place_json(const place::Found& given, const std::vector<place::Found>& found) {
+  Json places = Json::array();
+  for (const place::Found& one : found) places.push_back(json_of(one));
+  return Json{{"given", json_of(given)}, {"places", places}}.dump();
+}
+
+}  // namespace morphe::commands

@@ -1,0 +1,211 @@
+#include "pipeline/commands/plan_row.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/motion/arm_estimated.hpp"
+#include "core/motion/input_error.hpp"
+#include "pipeline/commands/scene_remarks.hpp"
+#include "pipeline/commands/text_table.hpp"
+#include "pipeline/explain/advice.hpp"
+#include "pipeline/report/selection.hpp"
+
+namespace morphe::commands {
+namespace {
+
+using nlohmann::json;
+
+std::string in_mm(double value) { return std::isnan(value) ? "-" : fmt::format("{:.1f}", value); }
+
+double mean_mm(const JointRows& errors) {
+  double sum = 0;
+  int count = 0;
+  for (const double error : errors.reshaped()) {
+    if (std::isnan(error)) continue;
+    sum += error;
+    ++count;
+  }
+  return count > 0 ? 1e3 * sum / count : kNotSeen;
+}
+
+/// Where goals are out of reach: how far the tips are from them, and how far they have to be.
+std::string reach_line(const Plan& plan) {
+  const JointRows& nearest = plan.mapped.nearest_error;
+  if (std::isnan(mean_mm(nearest))) return "";
+  const JointRows there = nearest.array().isNaN().select(kNotSeen, plan.mapped.position_error);
+  return fmt::format(
+      "out of reach: tips {} mm from these goals in the mean, {} mm as near as they can come; {} "
+      "mm over all goals",
+      in_mm(mean_mm(there)), in_mm(mean_mm(nearest)), in_mm(mean_mm(plan.mapped.position_error)));
+}
+
+std::string finding_line(const Finding& finding) {
+  const bool angle = finding.cause == Cause::jump || finding.cause == Cause::limit;
+  return fmt::format("found: {} {}{} at {:.2f}-{:.2f} s, {} too far", name_of(finding.cause),
+                     finding.first, finding.second.empty() ? "" : " " + finding.second,
+                     finding.begin_s, finding.end_s,
+                     angle ? fmt::format("{:.4f} rad", finding.depth)
+                           : fmt::format("{:.1f} mm", 1e3 * finding.depth));
+}
+
+std::vector<std::string> lines_of(const robot::Robot& robot, const Plan& plan) {
+  std::vector<std::string> lines;
+  if (!plan.has_trajectory()) {
+    const bool said = plan.detail.starts_with(fmt::format("{}:", name_of(plan.reason)));
+    lines.push_back(said ? plan.detail : fmt::format("{}: {}", name_of(plan.reason), plan.detail));
+    for (const explain::Advice& advice : explain::advice_for(robot, plan))
+      lines.push_back("try: " + explain::text_of(advice));
+  } else if (!plan.detail.empty()) {
+    lines.push_back("note: " + plan.detail);
+  }
+  if (const std::string reach = reach_line(plan); !reach.empty()) lines.push_back(reach);
+  for (const Finding& finding : plan.findings) lines.push_back(finding_line(finding));
+  return lines;
+}
+
+json rows_of(const Pose& pose) {
+  json rows = json::array();
+  for (int row = 0; row < 3; ++row)
+    for (int col = 0; col < 4; ++col) rows.push_back(pose.matrix()(row, col));
+  return rows;
+}
+
+double number_of(const json& value) { return value.is_null() ? kNotSeen : value.get<double>(); }
+
+Pose pose_of(const json& value) {
+  Pose pose = Pose::Identity();
+  for (int row = 0; row < 3; ++row)
+    for (int col = 0; col < 4; ++col)
+      pose.matrix()(row, col) = number_of(value.at(static_cast<std::size_t>(4 * row + col)));
+  return pose;
+}
+
+std::size_t figure_named(const std::string& key) {
+  const auto& figures = plan_figures();
+  return static_cast<std::size_t>(std::ranges::find(figures, key, &PlanFigure::key) -
+                                  figures.begin());
+}
+
+/// What the table shows of the figures, with its heads, and what a narrow terminal can do without.
+struct FigureColumn {
+  const char *key, *top, *below;
+  int spare;
+};
+constexpr std::array<FigureColumn, 10> kColumns{{{"mapped", "mapped", "tips mm", 9},
+                                                 {"out_of_reach", "out of", "reach %", 3},
+                                                 {"step", "largest", "step rad", 10},
+                                                 {"grasp", "tips at", "grasp mm", 5},
+                                                 {"tips", "tips", "max mm", 1},
+                                                 {"humanlikeness", "human-", "like cm^2", 4},
+                                                 {"upper_arm", "upper arm", "mean deg", 6},
+                                                 {"palm", "palm", "mean deg", 7},
+                                                 {"clearance", "clearance", "mm", 8},
+                                                 {"tempo", "tempo", "", 2}}};
+
+}  // namespace
+
+PlanRow row_of(const robot::Robot& robot, const Plan& plan) {
+  PlanRow row;
+  row.name = fmt::format("{}/{:03}", plan.demonstration, plan.movement.index);
+  row.status = plan.executable() && plan.certificate.repaired ? "repaired" : name_of(plan.status());
+  row.reason = name_of(plan.reason);
+  row.figures = figures_of(robot, plan);
+  row.against_estimate = arm_estimated(plan.goals);
+  row.lines = lines_of(robot, plan);
+  row.world = plan.world;
+  row.remarks = scene_remarks(plan);
+  return row;
+}
+
+std::string row_text(const PlanRow& row) {
+  const WorldFrames& world = row.world;
+  return json{{"name", row.name},
+              {"status", row.status},
+              {"reason", row.reason},
+              {"figures", row.figures},
+              {"against_estimate", row.against_estimate},
+              {"lines", row.lines},
+              {"recording", rows_of(world.base_from_world)},
+              {"table", rows_of(world.base_from_table)},
+              {"target", rows_of(world.base_from_target)},
+              {"shoulder", {world.shoulder.x(), world.shoulder.y(), world.shoulder.z()}},
+              {"remarks", row.remarks}}
+      .dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+PlanRow row_from_text(const std::string& text) {
+  PlanRow row;
+  try {
+    const json row_json = json::parse(text);
+    row_json.at("name").get_to(row.name);
+    row_json.at("status").get_to(row.status);
+    row_json.at("reason").get_to(row.reason);
+    for (std::size_t k = 0; k < kPlanFigures; ++k)
+      row.figures[k] = number_of(row_json.at("figures").at(k));
+    row_json.at("against_estimate").get_to(row.against_estimate);
+    row_json.at("lines").get_to(row.lines);
+    row.world.base_from_world = pose_of(row_json.at("recording"));
+    row.world.base_from_table = pose_of(row_json.at("table"));
+    row.world.base_from_target = pose_of(row_json.at("target"));
+    for (int k = 0; k < 3; ++k)
+      row.world.shoulder[k] = number_of(row_json.at("shoulder").at(static_cast<std::size_t>(k)));
+    row_json.at("remarks").get_to(row.remarks);
+  } catch (const nlohmann::json::exception&) {
+    throw InputError("a row of the journal's table is damaged; --fresh begins anew");
+  }
+  return row;
+}
+
+void check_choice(const RowChoice& choice) {
+  if (choice.sort.empty() || choice.sort == "name" || figure_named(choice.sort) < kPlanFigures)
+    return;
+  std::vector<std::string_view> keys;
+  for (const PlanFigure& figure : plan_figures()) keys.push_back(figure.key);
+  throw InputError(
+      fmt::format("--sort: '{}' is none of name, {}", choice.sort, fmt::join(keys, ", ")));
+}
+
+bool chosen(const RowChoice& choice, const PlanRow& row) {
+  const std::string demonstration = row.name.substr(0, row.name.rfind('/'));
+  return std::ranges::all_of(choice.only, [&](const std::string& word) {
+    return word == row.status || (word == name_of(Status::executable) && row.executable()) ||
+           (!row.reason.empty() && word == row.reason) || report::matches(row.name, word) ||
+           report::matches(demonstration, word);
+  });
+}
+
+void sort_rows(const RowChoice& choice, std::vector<PlanRow>& rows) {
+  if (choice.sort.empty()) return;
+  if (choice.sort == "name") {
+    std::ranges::stable_sort(rows, {}, &PlanRow::name);
+    return;
+  }
+  const std::size_t k = figure_named(choice.sort);
+  const auto badness = [&](const PlanRow& row) {
+    return std::isnan(row.figures[k]) ? -kInfinity : plan_figures()[k].worse * row.figures[k];
+  };
+  std::ranges::stable_sort(rows, std::ranges::greater{}, badness);
+}
+
+std::string plan_table(const std::vector<PlanRow>& rows, std::size_t width) {
+  TextTable table;
+  table.columns = {{"plan", "", true, 0}, {"status", "", true, 0}};
+  for (const FigureColumn& column : kColumns)
+    table.columns.push_back({column.top, column.below, false, column.spare});
+  for (const PlanRow& row : rows) {
+    TextTable::Row& out = table.rows.emplace_back();
+    out.cells = {row.name, row.status};
+    for (const FigureColumn& column : kColumns) {
+      const std::size_t k = figure_named(column.key);
+      out.cells.push_back(printed(plan_figures()[k], row.figures[k], row.against_estimate));
+    }
+    out.lines = row.lines;
+  }
+  return table_text(table, width);
+}
+
+}  // namespace morphe::commands

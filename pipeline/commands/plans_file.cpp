@@ -1,0 +1,48 @@
+#include "pipeline/commands/plans_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "core/motion/input_error.hpp"
+#include "core/store/harmless.hpp"
+
+namespace morphe::commands {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<fs::path> find_plans(const fs::path& named) {
+  if (!fs::is_directory(named)) return {named};
+  if (fs::exists(named / "plans.h5")) return {named / "plans.h5"};
+  std::vector<fs::path> found;
+  for (const fs::directory_entry& entry : fs::directory_iterator(named)) {
+    if (fs::exists(entry.path() / "plans.h5")) found.push_back(entry.path() / "plans.h5");
+  }
+  std::ranges::sort(found);
+  if (found.empty()) throw InputError(fmt::format("{}: holds no plans.h5", named.string()));
+  return found;
+}
+
+}  // namespace
+
+std::vector<fs::path> plans_files(const fs::path& named) {
+  std::vector<fs::path> found = find_plans(named);
+  for (const fs::path& file : found) store::expect_harmless(file);
+  return found;
+}
+
+fs::path plans_file(const fs::path& named) {
+  const std::vector<fs::path> found = find_plans(named);
+  if (found.size() == 1) {
+    store::expect_harmless(found.front());
+    return found.front();
+  }
+  std::string list;
+  for (const fs::path& file : found) list += (list.empty() ? "" : ", ") + file.string();
+  throw InputError(fmt::format("{}: holds several plans.h5: name one of {}", named.string(), list));
+}
+
+}  // namespace morphe::commands

@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <thread>
+
+#include "core/files/part_file.hpp"
+#include "core/motion/counted.hpp"
+#include "core/motion/input_error.hpp"
+#include "pipeline/commands/commands.hpp"
+#include "pipeline/commands/plans_file.hpp"
+#include "pipeline/report/report.hpp"
+#include "pipeline/run/output_folder.hpp"
+
+namespace morphe::commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReportArguments {
+  std::vector<std::string> files, worst;
+  std::string out, svg;
+  report::ReportRequest request;
+};
+
+std::string stem_or_folder(const fs::path& file) {
+  return file.filename() == "plans.h5" && file.has_parent_path()
+             ? fs::absolute(file).parent_path().filename().string()
+             : file.stem().string();
+}
+
+std::vector<report::ReportRequest::Run> runs_of(const std::vector<std::string>& files) {
+  std::vector<report::ReportRequest::Run> runs;
+  std::set<std::string> names;
+  for (const std::string& named : files) {
+    for (const fs::path& file : plans_files(named)) {
+      std::string name = stem_or_folder(file);
+      for (int k = 2; !names.insert(name).second; ++k)
+        name = fmt::format("{} ({})", stem_or_folder(file), k);
+      runs.push_back({file, name});
+    }
+  }
+  return runs;
+}
+
+void read_worst(const std::vector<std::string>& worst, report::Selection& selection) {
+  if (worst.empty()) return;
+  const std::vector<std::string> names = report::worst_by_names();
+  try {
+    std::size_t used = 0;
+    selection.worst = std::stoi(worst[0], &used);
+    if (used != worst[0].size()) selection.worst = 0;
+  } catch (const std::exception&) {
+    selection.worst = 0;
+  }
+  if (selection.worst < 1)
+    throw InputError(fmt::format("--worst: '{}' is no number of plans", worst[0]));
+  if (std::ranges::find(names, worst[1]) == names.end())
+    throw InputError(fmt::format("--worst: '{}' is none of {}", worst[1], fmt::join(names, ", ")));
+  selection.by = worst[1];
+}
+
+int execute(ReportArguments& arguments) {
+  if (arguments.out.empty() && arguments.svg.empty())
+    throw InputError("report: needs --out PAGE.html, --svg FOLDER or both");
+  report::ReportRequest& request = arguments.request;
+  request.runs = runs_of(arguments.files);
+  for (const auto& run : request.runs) files::expect_no_input(arguments.out, run.plans);
+  request.jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  read_worst(arguments.worst, request.selection);
+  if (!arguments.out.empty()) {
+    const report::ReportSummary summary = report::write_report(request, arguments.out);
+    for (const std::string& note : summary.notes) fmt::print("{}\n", note);
+    fmt::print("{}: {}, {:.1f} MB\n", arguments.out, counted(summary.shown, "plan"),
+               1e-6 * static_cast<double>(fs::file_size(arguments.out)));
+  }
+  if (!arguments.svg.empty()) {
+    run::OutputFolder folder(arguments.svg);
+    for (const std::string& file : report::write_filmstrips(request, folder.path()))
+      fmt::print("{}\n", (folder.path() / file).string());
+    folder.keep();
+  }
+  return 0;
+}
+
+}  // namespace
+
+Command report_command(CLI::App& app) {
+  const auto arguments = std::make_shared<ReportArguments>();
+  app.add_option("FILE", arguments->files,
+                 "plans.h5, or a run's folder; several are shown side by side")
+      ->required();
+  app.add_option("--out", arguments->out, "Page to write (HTML)");
+  app.add_option("--svg", arguments->svg, "Folder for a filmstrip of each plan (SVG)");
+  app.add_option("--plans", arguments->request.selection.pattern,
+                 "Plans of that name alone: DEMONSTRATION/000, with * and ?");
+  app.add_flag("--failed", arguments->request.selection.failed, "Infeasible plans alone");
+  app.add_option(
+         "--worst", arguments->worst,
+         fmt::format("N BY: the N worst alone, by {}", fmt::join(report::worst_by_names(), ", ")))
+      ->expected(2)
+      ->type_name("N BY");
+  app.add_option("--meshes", arguments->request.meshes,
+                 "Folder of the robot's meshes: URDFs with what they name, or FRAME.stl");
+  app.add_option("--physics", arguments->request.physics,
+                 "Folders that morphe simulate has written (default: physics beside the plans)")
+      ->type_name("DIR")
+      ->allow_extra_args(false);
+  return [arguments] { return execute(*arguments); };
+}
+
+}  // namespace morphe::commands

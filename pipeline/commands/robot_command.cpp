@@ -1,0 +1,67 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "core/files/part_file.hpp"
+#include "core/motion/input_error.hpp"
+#include "core/robot/files/write_urdf.hpp"
+#include "pipeline/commands/commands.hpp"
+#include "pipeline/commands/input_file.hpp"
+#include "pipeline/commands/robot_setup.hpp"
+#include "pipeline/commands/text_file.hpp"
+#include "pipeline/describe/draw.hpp"
+#include "pipeline/describe/report.hpp"
+#include "pipeline/describe/self_collision.hpp"
+
+namespace morphe::commands {
+
+namespace fs = std::filesystem;
+
+Command robot_command(CLI::App& app) {
+  struct Arguments {
+    std::string file, svg, urdf;
+    bool json = false;
+    int samples = 0;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  app.add_option("FILE", arguments->file, "Robot description, or a URDF to be looked at")
+      ->transform(input_file());
+  const Command setup = add_robot_setup(app);
+  app.add_option("--svg", arguments->svg, "SVG file for a drawing, front and side view");
+  app.add_option("--urdf", arguments->urdf, "URDF file to write the robot to");
+  app.add_option(
+         "--self-collision", arguments->samples,
+         "Print which pairs of capsules overlap always, never or sometimes in N random positions")
+      ->check(CLI::Range(1, 100'000'000));
+  app.add_flag("--json", arguments->json, "Print JSON");
+  return [arguments, setup, &app] {
+    if (app.got_subcommand("setup")) return setup();
+    if (arguments->file.empty()) throw InputError("robot: needs FILE, or setup");
+    for (const std::string& out : {arguments->svg, arguments->urdf})
+      files::expect_no_input(out, arguments->file);
+    const robot::RobotDescription robot = read_robot(arguments->file);
+    if (!arguments->svg.empty()) write_text(arguments->svg, describe::svg_of(robot.table));
+    std::vector<std::string> unknown;
+    if (!arguments->urdf.empty()) {
+      robot::WrittenUrdf urdf = robot::urdf_of(robot, fs::path(arguments->urdf).parent_path());
+      write_text(arguments->urdf, urdf.text);
+      unknown = std::move(urdf.unknown);
+    }
+    if (arguments->samples > 0) {
+      const describe::SelfCollision found =
+          describe::sample_self_collision(robot.table, arguments->samples);
+      fmt::print("{}", arguments->json ? describe::self_collision_json(robot.table, found) + "\n"
+                                       : describe::self_collision_text(robot.table, found));
+      return 0;
+    }
+    fmt::print("{}",
+               arguments->json ? describe::robot_json(robot) + "\n" : describe::robot_text(robot));
+    for (const std::string& sentence : unknown) {
+      if (!arguments->json) fmt::print("{}: {}\n", arguments->urdf, sentence);
+    }
+    return 0;
+  };
+}
+
+}  // namespace morphe::commands

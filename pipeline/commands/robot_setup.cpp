@@ -1,0 +1,147 @@
+#include "pipeline/commands/robot_setup.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <memory>
+#include <sstream>
+
+#include "core/files/part_file.hpp"
+#include "core/motion/counted.hpp"
+#include "core/motion/input_error.hpp"
+#include "pipeline/commands/input_file.hpp"
+#include "pipeline/commands/text_file.hpp"
+#include "pipeline/describe/draw.hpp"
+#include "pipeline/describe/report.hpp"
+#include "pipeline/setup/setup.hpp"
+
+namespace morphe::commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SetupArguments {
+  std::vector<std::string> inputs, packages;
+  std::string out, name, hand;
+  std::vector<double> mount;
+  int capsules = 0;
+};
+
+bool is_urdf(const fs::path& file) {
+  return file.extension() == ".urdf" || file.extension() == ".xml";
+}
+
+std::optional<std::string> text_of(const fs::path& file) {
+  if (!fs::exists(file)) return std::nullopt;
+  std::ifstream stream(file, std::ios::binary);
+  std::stringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+setup::MeshPlaces places_of(const std::vector<std::string>& packages) {
+  setup::MeshPlaces places;
+  for (const std::string& package : packages) {
+    const std::size_t equals = package.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw InputError(fmt::format("--package {}: must be NAME=DIR", package));
+    places.packages[package.substr(0, equals)] = package.substr(equals + 1);
+  }
+  return places;
+}
+
+/// Writes a description and its picture, and says what to look at.
+void finish(const setup::SetupResult& result, const fs::path& out) {
+  write_text(out, result.text);
+  const robot::RobotDescription robot = robot::load_robot(out);
+  fs::path picture = out;
+  picture.replace_extension(".svg");
+  write_text(picture, describe::svg_of(robot.table, result.points));
+  for (const std::string& note : result.notes) fmt::print("note: {}\n", note);
+  for (const std::string& remark : describe::remarks(robot)) fmt::print("note: {}\n", remark);
+  for (const std::string& check : result.to_check) fmt::print("check: {}\n", check);
+  fmt::print("{}: {}, {}, {}; {}\n", out.string(), counted(robot.table.joints(), "joint"),
+             counted(robot.table.tips.size(), "tip"),
+             counted(robot.table.capsules.size(), "capsule"), picture.string());
+}
+
+setup::SetupRequest request_for(const SetupArguments& arguments, const fs::path& urdf,
+                                const fs::path& out) {
+  setup::SetupRequest request;
+  request.urdf = urdf;
+  request.out = out;
+  request.hand = arguments.hand;
+  request.places = places_of(arguments.packages);
+  if (arguments.capsules > 0) {
+    setup::CapsuleBudget& budget = request.budget;
+    budget.arm = budget.wrist = budget.palm = budget.finger = arguments.capsules;
+  }
+  return request;
+}
+
+int execute(const SetupArguments& arguments) {
+  if (arguments.inputs.size() > 2) throw InputError("robot setup: takes an arm, a hand, or both");
+  const fs::path out = arguments.out;
+  for (const std::string& input : arguments.inputs) files::expect_no_input(out, input);
+  std::vector<fs::path> descriptions;
+  for (const std::string& input : arguments.inputs) {
+    const bool alone = arguments.inputs.size() == 1;
+    if (!is_urdf(input)) {
+      if (alone) throw InputError(fmt::format("{}: is no URDF", input));
+      descriptions.emplace_back(input);
+      continue;
+    }
+    const fs::path file =
+        alone ? out : fs::absolute(out).parent_path() / (fs::path(input).stem().string() + ".yaml");
+    setup::SetupRequest request = request_for(arguments, input, file);
+    if (alone) request.name = arguments.name;
+    if (!alone) request.hand.clear();
+    finish(setup::set_up(request, text_of(file)), file);
+    descriptions.push_back(file);
+  }
+  if (descriptions.size() < 2) return 0;
+  setup::MountRequest request{descriptions[0], descriptions[1], out, arguments.name, {}};
+  const auto& m = arguments.mount;
+  if (!m.empty()) request.mount = {{m[0], m[1], m[2]}, {m[3], m[4], m[5]}};
+  finish(setup::mount_hand(request, text_of(out)), out);
+  return 0;
+}
+
+}  // namespace
+
+Command add_robot_setup(CLI::App& robot) {
+  CLI::App& app =
+      *robot.add_subcommand("setup", "Make a description of a URDF, or of an arm's and a hand's");
+  const auto arguments = std::make_shared<SetupArguments>();
+  app.add_option("URDF", arguments->inputs,
+                 "An arm, a hand, or both in this order (also descriptions)")
+      ->required()
+      ->transform(input_file());
+  app.add_option("--out", arguments->out, "Description to write (YAML), with a picture beside it")
+      ->required();
+  app.add_option("--name", arguments->name, "The robot's name");
+  app.add_option("--mount", arguments->mount,
+                 "X Y Z ROLL PITCH YAW: the hand's base on the arm's flange (m, rad)")
+      ->expected(6);
+  app.add_option("--hand", arguments->hand, "Link from which the fingers part");
+  app.add_option("--package", arguments->packages, "NAME=DIR: where package://NAME is")
+      ->allow_extra_args(false);
+  app.add_option("--capsules", arguments->capsules, "Capsules of a link at most")
+      ->check(CLI::Range(1, 1000));
+  return [arguments] { return execute(*arguments); };
+}
+
+robot::RobotDescription read_robot(const fs::path& file) {
+  if (!is_urdf(file)) return robot::load_robot(file);
+  setup::SetupRequest request;
+  request.urdf = file;
+  request.out = file.parent_path() / (file.stem().string() + ".yaml");
+  const setup::SetupResult result = setup::set_up(request, std::nullopt);
+  robot::RobotDescription robot = robot::parse_robot(result.text, request.out);
+  robot.notes.insert(robot.notes.end(), result.notes.begin(), result.notes.end());
+  for (const std::string& check : result.to_check) robot.notes.push_back("check " + check);
+  return robot;
+}
+
+}  // namespace morphe::commands

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/robot/files/description.hpp"
+#include "pipeline/commands/commands.hpp"
+
+namespace morphe::commands {
+
+/// Adds `setup` to `morphe robot`.
+Command add_robot_setup(CLI::App& robot);
+
+/// A description, or a URDF with all that setup makes of it.
+robot::RobotDescription read_robot(const std::filesystem::path& file);
+
+}  // namespace morphe::commands

@@ -1,0 +1,21 @@
+#include "pipeline/commands/row_options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+namespace morphe::commands {
+
+void add_row_options(CLI::App& app, RowChoice& choice) {
+  std::string keys = "name";
+  for (const PlanFigure& figure : plan_figures()) keys += fmt::format(", {}", figure.key);
+  app.add_option("--sort", choice.sort, "The worst rows first: " + keys)->type_name("KEY");
+  app.add_option("--only", choice.only,
+                 "Rows of that status (executable, repaired, approximate, infeasible) or reason, "
+                 "or plans of "
+                 "that name, with * and ?; several must all hold")
+      ->type_name("WHAT")
+      ->allow_extra_args(false);
+}
+
+}  // namespace morphe::commands

@@ -1,0 +1,324 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "core/collision/certified.hpp"
+#include "core/files/sha256.hpp"
+#include "core/motion/counted.hpp"
+#include "core/motion/version.hpp"
+#include "pipeline/commands/assumptions.hpp"
+#include "pipeline/commands/commands.hpp"
+#include "pipeline/commands/dataset_input.hpp"
+#include "pipeline/commands/import_options.hpp"
+#include "pipeline/commands/input_file.hpp"
+#include "pipeline/commands/jobs_option.hpp"
+#include "pipeline/commands/plan_report.hpp"
+#include "pipeline/commands/robots_report.hpp"
+#include "pipeline/commands/row_options.hpp"
+#include "pipeline/commands/text_table.hpp"
+#include "pipeline/commands/world_report.hpp"
+#include "pipeline/planning/plan_movement.hpp"
+#include "pipeline/planning/run_config.hpp"
+#include "pipeline/report/report.hpp"
+#include "pipeline/run/run_dataset.hpp"
+#include "pipeline/run/run_folder.hpp"
+#include "stages/import/import.hpp"
+
+namespace morphe::commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RunArguments {
+  std::string config, from, out, shard = "1/1";
+  std::vector<std::string> datasets, settings;
+  imports::ImportRequest recordings;  ///< what is said about those that are imported
+  int jobs = 0;
+  bool fresh = false, explain = false, strict = false, json = false, report = false;
+  bool quiet = false, verbose = false;
+  RowChoice choice;
+};
+
+/// What a shell adds to the number of the signal that ended a program.
+constexpr int kStopped = 128;
+
+run::Detail detail_of(const RunArguments& arguments) {
+  if (arguments.verbose) return run::Detail::everything;
+  return arguments.json || arguments.quiet ? run::Detail::nothing : run::Detail::usual;
+}
+
+/// Of several robots the config names the same one.
+std::vector<fs::path> dataset_of(const RunArguments& arguments,
+                                 const planning::LoadedConfig& config) {
+  if (!arguments.datasets.empty()) return {arguments.datasets.begin(), arguments.datasets.end()};
+  if (!arguments.from.empty()) throw InputError("--from: needs --dataset");
+  if (!config.dataset.empty()) return {config.dataset};
+  throw InputError(
+      fmt::format("{}: dataset: is missing (and there is no --dataset)", arguments.config));
+}
+
+/// One robot's run. A config without `robots` has one, whose folder is that of the results.
+struct RobotRun {
+  std::string name;
+  planning::RunConfig config;
+  std::unique_ptr<run::RunFolder> folder;
+  run::BatchSummary summary;
+
+  fs::path plans() const { return folder->path() / "plans.h5"; }
+};
+
+std::vector<RobotRun> runs_of(const RunArguments& arguments, const std::string& software,
+                              const run::Shard& shard) {
+  std::vector<RobotRun> runs;
+  if (!arguments.from.empty()) {
+    runs.push_back({"", planning::stored_config(arguments.from), nullptr, {}});
+  } else {
+    for (planning::RobotConfig& robot :
+         planning::load_robots(arguments.config, arguments.settings)) {
+      runs.push_back({robot.name, planning::run_config(std::move(robot.loaded)), nullptr, {}});
+    }
+  }
+  for (const fs::path& named : dataset_of(arguments, runs.front().config.loaded)) {
+    if (!fs::exists(named)) throw InputError(fmt::format("{}: cannot be read", named.string()));
+  }
+  for (RobotRun& one : runs) {
+    const fs::path folder =
+        one.name.empty() ? fs::path(arguments.out) : arguments.out / fs::path(one.name);
+    one.folder = std::make_unique<run::RunFolder>(folder, software, shard, arguments.fresh);
+  }
+  return runs;
+}
+
+/// Whether manifests alone say what the dataset is.
+bool all_said(const std::vector<fs::path>& named) {
+  return std::ranges::all_of(named, [](const fs::path& path) {
+    return !fs::is_directory(path) && (path.extension() == ".yaml" || path.extension() == ".yml");
+  });
+}
+
+/// The demonstrations.h5 of a run. Recordings are imported into the run's folder: the plans then
+/// belong to a file that lies beside them, and takes its name when they do, with a manifest of what
+/// was found.
+class Dataset {
+ public:
+  Dataset(imports::ImportRequest request, const fs::path& folder)
+      : file_(request.paths.front()), manifest_(folder / "recordings.yaml") {
+    for (const fs::path& named : request.paths) {
+      key_ += fs::weakly_canonical(named).string() + "\n";
+      if (fs::is_directory(named) || !is_demonstrations(named)) continue;
+      if (request.paths.size() > 1)
+        throw InputError(fmt::format("{}: HDF5 stands alone as a dataset", named.string()));
+      return;
+    }
+    found_here_ = !all_said(request.paths);
+    if (found_here_) manifest_.check();
+    published_ = folder / "demonstrations.h5";
+    file_ = folder / "demonstrations.h5.new";
+    request.results = folder;
+    Assumptions assumptions;
+    imported_ = imports::write_demonstrations(
+        request, file_,
+        [&](const Demonstration& demonstration) { assumptions.add(demonstration); });
+    fmt::print(stderr, "{}{}", found_text(imported_), assumptions.text());
+  }
+  ~Dataset() {
+    std::error_code ignored;
+    if (!published_.empty()) fs::remove(file_, ignored);
+  }
+  Dataset(const Dataset&) = delete;
+  Dataset& operator=(const Dataset&) = delete;
+  const fs::path& file() const { return file_; }
+  const std::string& key() const { return key_; }  ///< of how it was named
+  int failed() const { return failed_in(imported_); }
+  void publish() {
+    if (published_.empty()) return;
+    fs::rename(file_, published_);
+    file_ = std::exchange(published_, {});
+    if (found_here_) manifest_.write(imported_);
+  }
+
+ private:
+  fs::path file_, published_;
+  std::string key_;
+  FoundManifest manifest_;
+  bool found_here_ = false;
+  imports::Imported imported_;
+};
+
+/// The summary alone if it is to be quiet; else the rows, of a large run only if some are chosen or
+/// sorted, and where things stand.
+void print_table(const RunArguments& arguments, const RobotRun& one) {
+  const robot::Robot& robot = one.config.loaded.robot;
+  constexpr int kMostRows = 1000;
+  if (arguments.quiet) {
+    fmt::print("{}: {}\n", one.plans().string(), run::summary_text_for_people(one.summary));
+    return;
+  }
+  const RowChoice& choice = arguments.choice;
+  if (one.summary.movements <= kMostRows || !choice.sort.empty() || !choice.only.empty()) {
+    std::vector<PlanRow> rows;
+    one.folder->journal().each_row([&](const std::string& text) {
+      PlanRow row = row_from_text(text);
+      if (chosen(choice, row)) rows.push_back(std::move(row));
+    });
+    sort_rows(choice, rows);
+    const std::size_t width = terminal_width();
+    fmt::print("{}{}", plan_table(rows, width), world_text(robot.name, rows, width));
+    if (!choice.only.empty())
+      fmt::print("shown: {} of {} plans\n", rows.size(), one.summary.movements);
+  }
+  const std::string speed = run::speed_text(one.summary);
+  fmt::print("{}\n{}{}{}: {}\n", plan_table_foot(robot, one.summary), speed,
+             speed.empty() ? "" : "\n", one.plans().string(),
+             run::summary_text_for_people(one.summary));
+}
+
+int stopped(const RobotRun& one, int signal) {
+  fmt::print(stderr,
+             "{}: stopped by {}: {} of {} finished and kept; the same command goes on from here\n",
+             one.folder->path().string(), signal == SIGINT ? "SIGINT" : "SIGTERM",
+             one.summary.demonstrations, counted(one.folder->journal().wanted(), "demonstration"));
+  return kStopped + signal;
+}
+
+/// Plans everything for one robot. The signal that stopped it, or 0.
+int plan_all(const RunArguments& arguments, const run::Shard& shard, Dataset& dataset,
+             RobotRun& one) {
+  const robot::Robot& robot = one.config.loaded.robot;
+  const planning::Planner planner{one.config.loaded.options, robot};
+  run::RunRequest request;
+  request.dataset = dataset.file();
+  request.plans = one.plans();
+  request.identity.software = morphe::software();
+  request.identity.program = files::sha256_of_file("/proc/self/exe");
+  request.identity.scene = one.config.scene_sha256;
+  request.identity.shard = shard;
+  request.identity.header = planning::header_of(one.config.loaded, "");
+  request.identity.robot = robot;
+  request.config = one.config.without_paths;
+  request.expected_dataset = one.config.dataset_sha256;
+  request.dataset_key = dataset.key();
+  request.jobs = threads_of(arguments.jobs);
+  request.explain = arguments.explain || arguments.verbose;
+  request.plan = [&](const Demonstration& demonstration) {
+    return planning::plan_demonstration(planner, demonstration);
+  };
+  request.rows = [&](const Plan& plan) { return row_text(row_of(robot, plan)); };
+  request.publish = [&] { dataset.publish(); };
+  run::Progress progress(detail_of(arguments));
+  const run::RunResult result = run::run_dataset(one.folder->journal(), request, progress);
+  one.folder->keep();
+  one.summary = result.summary;
+  one.summary.demonstrations += dataset.failed();
+  one.summary.failed += dataset.failed();
+  return result.signal;
+}
+
+void print_results(const RunArguments& arguments, const std::vector<RobotRun>& runs) {
+  const bool several = !runs.front().name.empty();
+  if (arguments.json) {
+    nlohmann::ordered_json all;
+    for (const RobotRun& one : runs) {
+      const std::string summary = run::summary_json(one.summary);
+      if (!several) fmt::print("{}\n", summary);
+      all["robots"][one.name] = nlohmann::ordered_json::parse(summary);
+    }
+    if (several) fmt::print("{}\n", all.dump());
+    return;
+  }
+  std::vector<std::pair<std::string, fs::path>> robots;
+  for (const RobotRun& one : runs) {
+    if (several) fmt::print("{}\n", one.name);
+    print_table(arguments, one);
+    if (several) {
+      fmt::print("\n");
+      robots.emplace_back(one.name, one.plans());
+    }
+  }
+  if (several) fmt::print("{}", robots_table(robots, terminal_width()));
+}
+
+/// DIR/report.html: every robot's plans side by side.
+void write_page(const RunArguments& arguments, const std::vector<RobotRun>& runs) {
+  report::ReportRequest request;
+  request.jobs = threads_of(arguments.jobs);
+  for (const RobotRun& one : runs)
+    request.runs.push_back(
+        {one.plans(), one.name.empty() ? one.config.loaded.robot.name : one.name});
+  const fs::path page = fs::path(arguments.out) / "report.html";
+  report::write_report(request, page);
+  if (!arguments.json && !arguments.quiet)
+    fmt::print("{}: to be opened in a browser\n", page.string());
+}
+
+int execute(const RunArguments& arguments) {
+  if (arguments.config.empty() == arguments.from.empty())
+    throw InputError("run: needs either CONFIG or --from");
+  if (!arguments.from.empty() && !arguments.settings.empty())
+    throw InputError("--set: does not go with --from");
+  check_choice(arguments.choice);
+  const std::string software = morphe::software();
+  const run::Shard shard = run::parse_shard(arguments.shard);
+  std::vector<RobotRun> runs = runs_of(arguments, software, shard);
+  imports::ImportRequest recordings = arguments.recordings;
+  recordings.paths = dataset_of(arguments, runs.front().config.loaded);
+  Dataset dataset(std::move(recordings), arguments.out);
+  for (const RobotRun& one : runs) one.folder->expect_own_plans();
+  for (RobotRun& one : runs) {
+    const int signal = plan_all(arguments, shard, dataset, one);
+    if (signal != 0) return stopped(one, signal);
+  }
+  print_results(arguments, runs);
+  if (arguments.report) write_page(arguments, runs);
+  const auto any = [&](int run::BatchSummary::*count) {
+    return std::ranges::any_of(runs, [&](const RobotRun& one) { return one.summary.*count > 0; });
+  };
+  if (any(&run::BatchSummary::failed)) return 1;
+  const bool all_executable =
+      !any(&run::BatchSummary::infeasible) && !any(&run::BatchSummary::approximate);
+  return arguments.strict && !all_executable ? 1 : 0;
+}
+
+}  // namespace
+
+Command run_command(CLI::App& app) {
+  const auto arguments = std::make_shared<RunArguments>();
+  app.add_option("CONFIG", arguments->config, "Pipeline config (YAML)")->transform(input_file());
+  app.add_option("--from", arguments->from,
+                 "plans.h5 whose config, robot and scene are used again");
+  app.add_option("--out", arguments->out,
+                 "Folder for plans.h5; an unfinished run in it is continued")
+      ->required();
+  app.add_option("--dataset", arguments->datasets,
+                 "Folder of recordings, recording, manifest or demonstrations.h5 to use instead of "
+                 "the config's; may stand several times")
+      ->allow_extra_args(false)
+      ->transform(input_file());
+  add_import_options(app, arguments->recordings);
+  add_jobs_option(app, arguments->jobs);
+  app.add_option("--set", arguments->settings,
+                 "KEY=VALUE: change a value of the config, such as map.starts=64")
+      ->allow_extra_args(false);
+  app.add_option("--shard", arguments->shard,
+                 "I/N: plan part I of N of the dataset; slurm: the part of this array task");
+  app.add_flag("--fresh", arguments->fresh,
+               "Plan everything anew, including what an earlier run in the folder finished");
+  app.add_flag("--quiet", arguments->quiet, "No progress and no table, the summary alone");
+  app.add_flag("--verbose", arguments->verbose,
+               "A line for each demonstration, also on a terminal, with why it is planned")
+      ->excludes("--quiet");
+  app.add_flag("--explain", arguments->explain, "Say for each demonstration why it is planned");
+  app.add_flag("--report", arguments->report,
+               "Write DIR/report.html, too: a page that plays every plan");
+  add_row_options(app, arguments->choice);
+  app.add_flag("--strict", arguments->strict, "Exit 1 unless every movement is executable");
+  app.add_flag("--json", arguments->json, "Print JSON");
+  return [arguments] { return execute(*arguments); };
+}
+
+}  // namespace morphe::commands

@@ -1,0 +1,186 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "core/files/part_file.hpp"
+#include "core/files/sha256.hpp"
+#include "core/motion/input_error.hpp"
+#include "core/parallel/ordered_map.hpp"
+#include "core/physics/model.hpp"
+#include "core/store/plan_file.hpp"
+#include "pipeline/commands/commands.hpp"
+#include "pipeline/commands/jobs_option.hpp"
+#include "pipeline/commands/plan_row.hpp"
+#include "pipeline/commands/plans_file.hpp"
+#include "pipeline/commands/simulation_table.hpp"
+#include "pipeline/commands/text_table.hpp"
+#include "pipeline/run/output_folder.hpp"
+#include "pipeline/run/status_line.hpp"
+#include "stages/simulate/results.hpp"
+
+namespace morphe::commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SimulateArguments {
+  std::string plans, out, directions{name_of(simulate::Directions::first)}, integrator = "implicit";
+  std::string contacts{name_of(simulate::Contacts::stored)};
+  std::string servos;
+  std::vector<double> friction_range, mass_range;
+  simulate::SimulateOptions options;
+  RowChoice choice;
+  int jobs = 0;
+  bool fresh = false, quiet = false, json = false;
+};
+
+/// A plan on its way to its file.
+struct PlanInHand {
+  Plan plan;
+  std::string name, key;
+  fs::path file;
+  std::optional<simulate::PlanResult> found;  ///< that an earlier call has left
+};
+
+struct PlanDone {
+  simulate::PlanResult result;
+  std::string text;  ///< of its file; "" if that is there
+  fs::path file;
+};
+
+fs::path file_of(const fs::path& folder, const Plan& plan) {
+  return folder / fmt::format("{}_{:03}.json", plan.demonstration, plan.movement.index);
+}
+
+std::vector<simulate::PlanResult> simulate_all(const SimulateArguments& arguments,
+                                               const store::PlanReader& reader,
+                                               run::OutputFolder& folder) {
+  const robot::Robot robot(reader.robot());
+  const std::string program = files::sha256_of_file("/proc/self/exe");
+  std::vector<simulate::PlanResult> results;
+  run::StatusLine status;
+  std::size_t next = 0;
+  parallel::OrderedMap<PlanInHand, PlanDone> map;
+  map.next = [&]() -> std::unique_ptr<PlanInHand> {
+    while (next < reader.size()) {
+      auto one = std::make_unique<PlanInHand>();
+      one->name = reader.plan_paths()[next];
+      one->plan = reader.read(next++);
+      if (!arguments.choice.only.empty() && !chosen(arguments.choice, row_of(robot, one->plan)))
+        continue;
+      one->key = simulate::key_of(robot, one->plan, arguments.options, program);
+      one->file = file_of(folder.path(), one->plan);
+      if (!arguments.fresh) one->found = simulate::read_result(one->file, one->key);
+      return one;
+    }
+    return nullptr;
+  };
+  map.work = [&](const PlanInHand& one) {
+    auto done = std::make_unique<PlanDone>();
+    done->file = one.file;
+    if (one.found) {
+      done->result = *one.found;
+    } else {
+      done->result = simulate::simulate_plan(robot, one.plan, one.name, arguments.options);
+      done->text = simulate::result_json(done->result, arguments.options, one.key);
+    }
+    return done;
+  };
+  map.write = [&](const PlanDone& done) {
+    if (!done.text.empty()) files::write_whole(done.file, done.text);
+    folder.keep();
+    results.push_back(done.result);
+    if (!arguments.quiet && status.on_terminal())
+      status.show(fmt::format("simulate: {} of {} plans", next, reader.size()));
+  };
+  parallel::run(map, threads_of(arguments.jobs));
+  return results;
+}
+
+std::optional<simulate::Range> range_of(const std::vector<double>& ends) {
+  if (ends.empty()) return std::nullopt;
+  return simulate::Range{ends.front(), ends.back()};
+}
+
+int execute(SimulateArguments& arguments) {
+  if (physics::engine().empty()) {
+    throw InputError(
+        "simulate: this build has no MuJoCo: install libmujoco-dev, configure and build again");
+  }
+  arguments.options.directions = *named<simulate::Directions>(arguments.directions);
+  arguments.options.contacts = *named<simulate::Contacts>(arguments.contacts);
+  arguments.options.friction_range = range_of(arguments.friction_range);
+  arguments.options.mass_range = range_of(arguments.mass_range);
+  arguments.options.euler = arguments.integrator == "euler";
+  if (const std::string wrong = why_invalid(arguments.options); !wrong.empty())
+    throw InputError("simulate: --" + wrong);
+  check_choice(arguments.choice);
+  const store::PlanReader reader(plans_file(arguments.plans));
+  if (!arguments.servos.empty())
+    arguments.options.servos = simulate::read_servos(arguments.servos, reader.robot());
+  run::OutputFolder folder(arguments.out);
+  const std::vector<simulate::PlanResult> results = simulate_all(arguments, reader, folder);
+  std::string table = simulate::csv_head();
+  for (const simulate::PlanResult& result : results) table += simulate::csv_rows(result);
+  files::write_whole(folder.path() / "simulation.csv", table);
+  folder.keep();
+  fmt::print("{}", arguments.json ? simulation_json(results)
+                                  : simulation_table(results, arguments.options, terminal_width()));
+  return 0;
+}
+
+}  // namespace
+
+Command simulate_command(CLI::App& app) {
+  const auto arguments = std::make_shared<SimulateArguments>();
+  simulate::SimulateOptions& options = arguments->options;
+  app.add_option("FILE", arguments->plans, "plans.h5, or a run's folder")->required();
+  app.add_option("--out", arguments->out, "Folder to write the results to")->required();
+  app.add_option("--ensemble", options.ensemble,
+                 "Rollouts a plan, of which all but the first are varied (default: 16)");
+  app.add_option("--directions", arguments->directions,
+                 "Rollouts in which the weight also comes from six directions: none, first, every")
+      ->check(CLI::IsMember({"none", "first", "every"}));
+  app.add_option("--friction", options.friction, "Between fingers and target (default: 0.8)");
+  app.add_option("--torsion", options.torsion_m,
+                 "Torsional friction between them, a length in m (default: 0.002)");
+  app.add_option("--mass", options.mass_kg, "Of the target, kg (default: 0.3)");
+  app.add_option("--friction-range", arguments->friction_range,
+                 "FROM TO: friction of all rollouts but the first is spread over it")
+      ->expected(2)
+      ->type_name("FROM TO");
+  app.add_option("--mass-range", arguments->mass_range,
+                 "FROM TO: mass of all rollouts but the first is spread over it, kg")
+      ->expected(2)
+      ->type_name("FROM TO");
+  app.add_option("--contacts", arguments->contacts,
+                 "stored: the plan's squeeze, where it has one; nearest: of the fingers with goals")
+      ->check(CLI::IsMember({"stored", "nearest"}));
+  app.add_option("--force", options.force_N,
+                 "The thumb's squeeze of nearest contacts, N (default: 8)");
+  app.add_option("--stiffness", options.hand_stiffness,
+                 "Of the fingers' servos, N m/rad (default: 10)");
+  app.add_option("--torque", options.hand_torque, "Limit of the fingers' motors, N m (default: 1)");
+  app.add_option("--servos", arguments->servos,
+                 "YAML file of single joints' stiffness, resistance, armature, damping and torque")
+      ->type_name("FILE");
+  app.add_option("--density", options.density,
+                 "Of the robot's capsules, kg per cubic metre (default: 1000)");
+  app.add_option("--step", options.step_s, "Of the simulation, s (default: 0.002)");
+  app.add_option("--integrator", arguments->integrator, "implicit or euler")
+      ->check(CLI::IsMember({"implicit", "euler"}));
+  app.add_option("--seed", options.seed, "Of what is varied (default: 1)");
+  app.add_option("--only", arguments->choice.only,
+                 "Plans of that status or reason, or of that name, with * and ?; several must all "
+                 "hold")
+      ->type_name("WHAT")
+      ->allow_extra_args(false);
+  add_jobs_option(app, arguments->jobs);
+  app.add_flag("--fresh", arguments->fresh, "Simulate again what is there already");
+  app.add_flag("--quiet", arguments->quiet, "Show no progress");
+  app.add_flag("--json", arguments->json, "Print JSON");
+  return [arguments] { return execute(*arguments); };
+}
+
+}  // namespace morphe::commands

@@ -1,0 +1,82 @@
+#include "pipeline/commands/suggestions.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "core/config/did_you_mean.hpp"
+
+namespace morphe::commands {
+namespace {
+
+/// The command that these words name, as far as they do.
+const CLI::App& command_of(const CLI::App& app, const std::vector<std::string>& words) {
+  const CLI::App* at = &app;
+  for (const std::string& word : words) {
+    const auto inner =
+        at->get_subcommands([&](const CLI::App* command) { return command->get_name() == word; });
+    if (inner.empty()) break;
+    at = inner.front();
+  }
+  return *at;
+}
+
+bool takes_value(const CLI::App& app, const std::string& name) {
+  const CLI::Option* const option = app.get_option_no_throw(name);
+  return option && option->get_expected_max() > 0;
+}
+
+}  // namespace
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* const command : app.get_subcommands({}))
+    names.push_back(command->get_name());
+  return names;
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* const option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+std::string unknown_command(const CLI::App& app, std::string_view word) {
+  const std::vector<std::string> names = command_names(app);
+  const std::string meant = config::did_you_mean(word, names);
+  return fmt::format("there is no command '{}'{}", word,
+                     meant.empty() ? fmt::format("; there are {}", fmt::join(names, ", ")) : meant);
+}
+
+std::string unknown_options(const CLI::App& app) {
+  const CLI::App* command = &app;
+  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
+  std::string lines;
+  for (const std::string& word : command->remaining()) {
+    if (word.size() < 2 || word[0] != '-') continue;
+    const std::string name = word.substr(0, word.find('='));
+    lines += fmt::format("{}: there is no option {}{}\n", command->get_name(), name,
+                         config::did_you_mean(name, option_names(*command)));
+  }
+  return lines;
+}
+
+std::vector<std::string> completions(const CLI::App& app, const std::vector<std::string>& words) {
+  if (words.empty()) return {};
+  const std::vector<std::string> before(words.begin(), words.end() - 1);
+  const CLI::App& command = command_of(app, before);
+  if (!before.empty() && takes_value(command, before.back())) return {};
+  std::vector<std::string> found =
+      words.back().starts_with('-') ? option_names(command) : command_names(command);
+  if (words.back().starts_with('-')) found.emplace_back("--help");
+  std::erase_if(found, [&](const std::string& word) { return !word.starts_with(words.back()); });
+  std::ranges::sort(found);
+  found.erase(std::ranges::unique(found).begin(), found.end());
+  return found;
+}
+
+}  // namespace morphe::commands

@@ -1,0 +1,86 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "core/config/fields.hpp"
+#include "core/files/part_file.hpp"
+#include "core/motion/counted.hpp"
+#include "core/parallel/ordered_map.hpp"
+#include "core/store/demonstration_file.hpp"
+#include "pipeline/commands/commands.hpp"
+#include "pipeline/commands/input_file.hpp"
+#include "pipeline/commands/jobs_option.hpp"
+#include "pipeline/synthesize/synthesize.hpp"
+
+namespace morphe::commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SynthesizeArguments {
+  std::string config, out;
+  std::size_t count = 100;
+  std::uint64_t seed = 1;
+  int jobs = 0;
+};
+
+synthesize::SynthesizeOptions load_options(const std::string& file) {
+  const config::ConfigNode node = config::ConfigNode::load(file);
+  synthesize::SynthesizeOptions options;
+  config::read_document(node, options);
+  return options;
+}
+
+/// F.h5 -> F.truth.h5
+fs::path truth_beside(const fs::path& out) {
+  fs::path truth = out;
+  return truth.replace_extension(".truth" + out.extension().string());
+}
+
+int execute(const SynthesizeArguments& arguments) {
+  const synthesize::SynthesizeOptions options = load_options(arguments.config);
+  files::expect_no_input(arguments.out, arguments.config);
+  files::expect_no_input(truth_beside(arguments.out), arguments.config);
+  store::DemonstrationWriter recorded(arguments.out), truth(truth_beside(arguments.out));
+  double recorded_s = 0;
+  parallel::OrderedMap<std::size_t, synthesize::SyntheticRecording> map;
+  map.next = [&, next = std::size_t{0}]() mutable {
+    return next == arguments.count ? nullptr : std::make_unique<std::size_t>(next++);
+  };
+  map.work = [&](std::size_t index) {
+    return std::make_unique<synthesize::SyntheticRecording>(
+        synthesize::synthesize(options, arguments.seed, index));
+  };
+  map.write = [&](const synthesize::SyntheticRecording& made) {
+    recorded.add(made.recorded);
+    truth.add(made.truth);
+    recorded_s += made.truth.streams.sensors->time.back();
+  };
+  parallel::run(map, threads_of(arguments.jobs));
+  recorded.finish();
+  truth.finish();
+  fmt::print("{}: {}, {:.0f} s; truth in {}\n", arguments.out,
+             counted(arguments.count, "demonstration"), recorded_s,
+             truth_beside(arguments.out).string());
+  return 0;
+}
+
+}  // namespace
+
+Command synthesize_command(CLI::App& app) {
+  const auto arguments = std::make_shared<SynthesizeArguments>();
+  app.add_option("CONFIG", arguments->config, "What to generate (YAML, configs/synthetic)")
+      ->required()
+      ->transform(input_file());
+  app.add_option("--out", arguments->out, "The demonstrations.h5 to write; F.truth.h5 beside it")
+      ->required();
+  app.add_option("--count", arguments->count, "Number of demonstrations (default: 100)")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--seed", arguments->seed, "Random seed (default: 1)");
+  add_jobs_option(app, arguments->jobs);
+  return [arguments] { return execute(*arguments); };
+}
+
+}  // namespace morphe::commands

@@ -1,0 +1,33 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "pipeline/commands/commands.hpp"
+#include "pipeline/commands/jobs_option.hpp"
+#include "pipeline/commands/plans_file.hpp"
+#include "pipeline/planning/asked_of.hpp"
+#include "stages/verify/verify.hpp"
+
+namespace morphe::commands {
+
+Command verify_command(CLI::App& app) {
+  struct Arguments {
+    std::string file;
+    int jobs = 0;
+    bool json = false;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  app.add_option("FILE", arguments->file, "plans.h5, or a run's folder")->required();
+  add_jobs_option(app, arguments->jobs);
+  app.add_flag("--json", arguments->json, "Print JSON");
+  return [arguments] {
+    const verify::VerifyReport report = verify::verify_file(
+        plans_file(arguments->file), planning::asked_of, threads_of(arguments->jobs));
+    fmt::print("{}",
+               arguments->json ? verify::verify_json(report) + "\n" : verify::verify_text(report));
+    return report.violations.empty() ? 0 : 1;
+  };
+}
+
+}  // namespace morphe::commands

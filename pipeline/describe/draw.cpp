@@ -1,0 +1,191 @@
+#include "pipeline/describe/draw.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+#include "core/files/markup.hpp"
+#include "core/math/convex_polygon.hpp"
+#include "core/motion/counted.hpp"
+#include "core/robot/forward.hpp"
+
+namespace morphe::describe {
+namespace {
+
+constexpr double kPanel = 430, kTitle = 46, kFoot = 46, kRoom = 24;
+constexpr double kBent = std::numbers::pi / 6;
+
+struct DrawnPosture {
+  const char* name;
+  std::vector<Pose> base_from_frame;
+
+  Vec3 at(int frame, const Vec3& point = Vec3::Zero()) const {
+    return frame < 0 ? point : base_from_frame[static_cast<std::size_t>(frame)] * point;
+  }
+};
+
+struct Box {
+  Vec3 least = Vec3::Zero(), most = Vec3::Zero();  // the base is always in it
+
+  void take(const Vec3& point, double radius) {
+    least = least.cwiseMin(point - Vec3::Constant(radius));
+    most = most.cwiseMax(point + Vec3::Constant(radius));
+  }
+};
+
+/// One drawing: a posture seen along x (across = 1) or y (across = 0).
+struct Panel {
+  const RobotTable& robot;
+  const DrawnPosture& posture;
+  const Outlines& outlines;
+  const Box& box;
+  Eigen::Index across;
+  double scale, left, top;
+
+  double x(const Vec3& point) const {
+    return left + kPanel / 2 + scale * (point[across] - (box.least[across] + box.most[across]) / 2);
+  }
+  double y(const Vec3& point) const {
+    return top + kPanel / 2 - scale * (point.z() - (box.least.z() + box.most.z()) / 2);
+  }
+  std::string line(const Vec3& a, const Vec3& b, double width, const char* style) const {
+    return fmt::format(
+        "<line x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\" stroke-width=\"{:.2f}\" "
+        "{}/>\n",
+        x(a), y(a), x(b), y(b), width, style);
+  }
+  std::string dot(const Vec3& at, double radius, const char* style) const {
+    return fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{}\" {}/>\n", x(at), y(at), radius,
+                       style);
+  }
+
+  /// The convex outline of points as they are seen.
+  std::string outline(int frame, const std::vector<Vec3>& points) const {
+    std::vector<Eigen::Vector2d> flat;
+    for (const Vec3& point : points) {
+      const Vec3 there = posture.at(frame, point);
+      flat.emplace_back(x(there), y(there));
+    }
+    std::string path;
+    for (const Eigen::Vector2d& p : math::convex_polygon(std::move(flat)))
+      path += fmt::format("{:.2f},{:.2f} ", p.x(), p.y());
+    return fmt::format(
+        "<polygon points=\"{}\" fill=\"none\" stroke=\"#7a9a6a\" stroke-width=\"0.7\"/>\n", path);
+  }
+  std::string joint(std::size_t i) const {
+    constexpr double kAxis_m = 0.02;
+    const Vec3 at = posture.at(static_cast<int>(i));
+    const Vec3 along = posture.at(static_cast<int>(i), kAxis_m * robot.frames[i].axis) - at;
+    return line(at - along, at + along, 1, "stroke=\"#1f5fa8\" stroke-dasharray=\"3 2\"") +
+           dot(at, 2.6, "fill=\"#1f5fa8\"") +
+           fmt::format(
+               "<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"5\" fill=\"#1f5fa8\">{}</text>\n",
+               x(at) + 4, y(at) - 3, files::xml_escaped(robot.frames[i].name));
+  }
+  std::string tip(const RobotTable::Tip& tip) const {
+    constexpr double kOut_m = 0.015;
+    const Vec3 at = posture.at(tip.frame, tip.transform.translation());
+    const Vec3 out = posture.at(tip.frame, tip.transform * Vec3(kOut_m, 0, 0));
+    return line(at, out, 1, "stroke=\"#c0392b\"") + dot(at, 3, "fill=\"#c0392b\"") +
+           fmt::format(
+               "<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"5\" fill=\"#c0392b\">{}</text>\n",
+               x(at) + 4, y(at) + 5, files::xml_escaped(tip.name));
+  }
+
+  std::string drawn() const {
+    std::string svg = fmt::format(
+        "<text x=\"{:.0f}\" y=\"{:.0f}\">{}, {} (right: {}, up: z)</text>\n", left + kRoom,
+        top + 16, posture.name, across == 1 ? "front" : "side", across == 1 ? "y" : "x");
+    for (const auto& [frame, points] : outlines) {
+      if (points.size() > 2) svg += outline(frame, points);
+    }
+    for (const RobotTable::Capsule& capsule : robot.capsules) {
+      svg += line(posture.at(capsule.frame, capsule.from), posture.at(capsule.frame, capsule.to),
+                  2 * scale * capsule.radius,
+                  "stroke=\"#8aa0b8\" stroke-opacity=\"0.28\" stroke-linecap=\"round\"");
+    }
+    const auto bone = [&](int parent, const Vec3& to) {
+      return line(posture.at(parent), to, 2, "stroke=\"#333\" stroke-linecap=\"round\"");
+    };
+    for (std::size_t i = 0; i < robot.frames.size(); ++i) {
+      svg += bone(robot.frames[i].parent, posture.at(static_cast<int>(i)));
+    }
+    for (const RobotTable::Tip& tip : robot.tips) {
+      svg += bone(tip.frame, posture.at(tip.frame, tip.transform.translation()));
+    }
+    for (std::size_t i = 0; i < robot.frames.size(); ++i) {
+      if (robot.frames[i].joint >= 0) svg += joint(i);
+    }
+    for (const RobotTable::Centre& centre : robot.centres) {
+      svg +=
+          dot(posture.at(centre.frame), 5, "fill=\"none\" stroke=\"#d68910\" stroke-width=\"1.5\"");
+    }
+    for (const RobotTable::Tip& drawn_tip : robot.tips) svg += tip(drawn_tip);
+    const double size = 5;
+    return svg + fmt::format(
+                     "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{}\" height=\"{}\" fill=\"#333\"/>\n",
+                     x(Vec3::Zero()) - size, y(Vec3::Zero()) - size / 2, 2 * size, size);
+  }
+};
+
+DrawnPosture posture(const RobotTable& robot, const char* name, const JointVector& q) {
+  DrawnPosture result{name, {}};
+  robot::forward(robot, q, result.base_from_frame);
+  return result;
+}
+
+}  // namespace
+
+std::string svg_of(const RobotTable& robot, const Outlines& outlines) {
+  const JointVector zero = JointVector::Zero(robot.lower.size());
+  const JointVector bent = JointVector::Constant(robot.lower.size(), kBent);
+  const auto allowed = [&](const JointVector& q) -> JointVector {
+    return q.cwiseMax(robot.lower).cwiseMin(robot.upper);
+  };
+  const std::array<DrawnPosture, 2> postures = {posture(robot, "all joints 0", allowed(zero)),
+                                                posture(robot, "all joints 30 deg", allowed(bent))};
+  Box box;
+  for (const DrawnPosture& p : postures) {
+    for (std::size_t i = 0; i < robot.frames.size(); ++i) box.take(p.at(static_cast<int>(i)), 0);
+    for (const RobotTable::Tip& tip : robot.tips) {
+      box.take(p.at(tip.frame, tip.transform.translation()), 0);
+    }
+    for (const RobotTable::Capsule& capsule : robot.capsules) {
+      box.take(p.at(capsule.frame, capsule.from), capsule.radius);
+      box.take(p.at(capsule.frame, capsule.to), capsule.radius);
+    }
+  }
+  const double extent = (box.most - box.least).maxCoeff();
+  const double scale = (kPanel - 2 * kRoom) / std::max(extent, 1e-6);
+  const double width = 2 * kPanel, height = kTitle + 2 * kPanel + kFoot;
+  std::string svg = files::svg_begin(width, height, 13);
+  svg += fmt::format("<text x=\"{:.0f}\" y=\"28\" font-size=\"17\">{}: {}</text>\n", kRoom,
+                     files::xml_escaped(robot.name), counted(robot.joints(), "joint"));
+  for (std::size_t row = 0; row < postures.size(); ++row) {
+    for (const Eigen::Index across : {1, 0}) {
+      svg += Panel{robot,
+                   postures[row],
+                   outlines,
+                   box,
+                   across,
+                   scale,
+                   across == 1 ? 0 : kPanel,
+                   kTitle + kPanel * static_cast<double>(row)}
+                 .drawn();
+    }
+  }
+  const double foot = height - 10, bar = 0.1 * scale, end = width - kRoom;
+  svg += fmt::format(
+      "<text x=\"{0:.0f}\" y=\"{6:.0f}\" font-size=\"12\">blue: joint and its axis, orange: joint "
+      "centre of metric A, red: tip and out of its pad</text>\n"
+      "<text x=\"{0:.0f}\" y=\"{1:.0f}\" font-size=\"12\">grey: capsule, green: mesh, black: base; "
+      "joints as near as their limits allow</text>\n"
+      "<path d=\"M{2:.2f} {1:.0f}h{3:.2f}\" stroke=\"#333\" stroke-width=\"2\"/>\n"
+      "<text x=\"{4:.0f}\" y=\"{5:.0f}\" font-size=\"12\" text-anchor=\"end\">100 mm</text>\n",
+      kRoom, foot, end - bar, bar, end, foot - 6, foot - 16);
+  return svg + "</svg>\n";
+}
+
+}  // namespace morphe::describe

@@ -1,0 +1,108 @@
+#include "pipeline/describe/self_collision.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "core/collision/world.hpp"
+
+namespace morphe::describe {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// std::uniform_real_distribution differs between libraries.
+double share_of(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
+
+std::array<std::string, 2> names(const RobotTable& robot, const SelfCollisionPair& pair) {
+  const auto name = [&](std::size_t side) {
+    return robot.capsules[static_cast<std::size_t>(pair.capsules[side])].name;
+  };
+  return {name(0), name(1)};
+}
+
+double share(const SelfCollision& found, const SelfCollisionPair& pair) {
+  return static_cast<double>(pair.colliding) / found.samples;
+}
+
+}  // namespace
+
+SelfCollision sample_self_collision(const RobotTable& table, int samples) {
+  const robot::Robot robot(table);
+  const Scene nothing;
+  const collision::CollisionWorld world = collision::make_world(robot, nothing, {}, {});
+  std::vector<SelfCollisionPair> pairs;
+  for (const auto& capsules : world.pairs) {
+    pairs.push_back({capsules, 0, std::numeric_limits<double>::infinity()});
+  }
+  std::mt19937_64 random(1);
+  collision::CollisionScratch scratch;
+  JointVector q(robot.lower.size());
+  for (int sample = 0; sample < samples; ++sample) {
+    for (Eigen::Index j = 0; j < q.size(); ++j) {
+      q[j] = robot.lower[j] + share_of(random) * (robot.upper[j] - robot.lower[j]);
+    }
+    collision::pose_bodies(world, q, 0, scratch);
+    for (SelfCollisionPair& pair : pairs) {
+      const auto [i, k] = pair.capsules;
+      const double distance =
+          collision::capsule_capsule(scratch.bodies[static_cast<std::size_t>(i)],
+                                     scratch.bodies[static_cast<std::size_t>(k)])
+              .distance;
+      pair.least_m = std::min(pair.least_m, distance);
+      pair.colliding += distance < 0;
+    }
+  }
+  SelfCollision found{samples, {}, {}, {}};
+  for (const SelfCollisionPair& pair : pairs) {
+    auto& list = pair.colliding == samples ? found.always
+                 : pair.colliding == 0     ? found.never
+                                           : found.sometimes;
+    list.push_back(pair);
+  }
+  return found;
+}
+
+std::string self_collision_text(const RobotTable& robot, const SelfCollision& found) {
+  std::string text = fmt::format(
+      "{} pairs of capsules in {} positions: {} always overlap, {} never, {} sometimes\n",
+      found.always.size() + found.never.size() + found.sometimes.size(), found.samples,
+      found.always.size(), found.never.size(), found.sometimes.size());
+  if (!found.always.empty()) text += "\nalways: made that way, for collision.allowed_pairs\n";
+  for (const SelfCollisionPair& pair : found.always) {
+    const auto [one, other] = names(robot, pair);
+    text += fmt::format("  - [{}, {}]\n", one, other);
+  }
+  if (!found.sometimes.empty()) text += "\nsometimes\n";
+  for (const SelfCollisionPair& pair : found.sometimes) {
+    const auto [one, other] = names(robot, pair);
+    text += fmt::format("  [{}, {}]  {:.2g} %, up to {:.1f} mm deep\n", one, other,
+                        100 * share(found, pair), -1e3 * pair.least_m);
+  }
+  if (!found.never.empty()) text += "\nnever (which samples cannot prove)\n";
+  for (const SelfCollisionPair& pair : found.never) {
+    const auto [one, other] = names(robot, pair);
+    text += fmt::format("  - [{}, {}]  # {:.1f} mm at least\n", one, other, 1e3 * pair.least_m);
+  }
+  return text;
+}
+
+std::string self_collision_json(const RobotTable& robot, const SelfCollision& found) {
+  Json always = Json::array(), never = Json::array(), sometimes = Json::array();
+  for (const auto& pair : found.always) always.push_back(names(robot, pair));
+  for (const auto& pair : found.never) {
+    never.push_back({{"pair", names(robot, pair)}, {"least_m", pair.least_m}});
+  }
+  for (const auto& pair : found.sometimes) {
+    sometimes.push_back(
+        {{"pair", names(robot, pair)}, {"share", share(found, pair)}, {"least_m", pair.least_m}});
+  }
+  const Json json = {
+      {"samples", found.samples}, {"always", always}, {"never", never}, {"sometimes", sometimes}};
+  return json.dump(2);
+}
+
+}  // namespace morphe::describe

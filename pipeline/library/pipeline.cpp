@@ -1,0 +1,35 @@
+#include "core/files/sha256.hpp"
+#include "core/files/shipped.hpp"
+#include "pipeline/library/morphe.hpp"
+#include "pipeline/planning/plan_movement.hpp"
+
+namespace morphe {
+
+struct Pipeline::State {
+  State(const std::filesystem::path& file, const std::vector<std::string>& settings,
+        const std::vector<std::shared_ptr<const ResidualTerm>>& terms)
+      : config(planning::load_config(files::here_or_shipped(file), settings, terms)) {}
+
+  planning::LoadedConfig config;
+  planning::Planner planner{config.options, config.robot};
+};
+
+Pipeline::Pipeline(const std::filesystem::path& config, const std::vector<std::string>& settings,
+                   const std::vector<std::shared_ptr<const ResidualTerm>>& terms)
+    : state_(std::make_shared<State>(config, settings, terms)) {}
+
+std::vector<Plan> Pipeline::plan(const Demonstration& demonstration) const {
+  // Sums may depend on how rows lie in memory: a copy lies as this library's own do.
+  const Demonstration own = demonstration;
+  return planning::plan_demonstration(state_->planner, own).plans;
+}
+
+PlanFileHeader Pipeline::header(const std::filesystem::path& demonstrations) const {
+  return planning::header_of(state_->config, files::sha256_of_file(demonstrations));
+}
+
+const RobotTable& Pipeline::robot() const { return state_->config.robot; }
+
+const std::filesystem::path& Pipeline::dataset() const { return state_->config.dataset; }
+
+}  // namespace morphe

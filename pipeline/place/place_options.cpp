@@ -1,0 +1,20 @@
+#include "pipeline/place/place_options.hpp"
+
+#include <numbers>
+
+namespace morphe::place {
+
+std::string why_invalid(const PlaceOptions& options) {
+  if (!(options.tilt_rad >= 0 && options.tilt_rad <= std::numbers::pi / 2)) {
+    return "tilt: must be from 0 to 90 degrees";
+  }
+  if (!(options.person_m >= 0 && options.person_m < 1)) return "person: must be from 0 to 1 m";
+  if (options.samples < options.candidates || options.candidates < options.refined ||
+      options.refined < options.planned || options.planned < 1) {
+    return "samples >= candidates >= refined >= planned >= 1 does not hold";
+  }
+  if (options.trials < 1 || options.jobs < 1) return "trials and jobs: must be positive";
+  return "";
+}
+
+}  // namespace morphe::place

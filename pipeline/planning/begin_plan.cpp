@@ -1,0 +1,27 @@
+#include "pipeline/planning/begin_plan.hpp"
+
+#include <utility>
+
+namespace morphe::planning {
+
+Plan begin_plan(const Demonstration& demonstration, const Movement& movement,
+                const Tolerances& tolerances) {
+  Plan plan;
+  plan.demonstration = demonstration.name;
+  plan.subject = demonstration.subject;
+  plan.task = demonstration.task;
+  plan.hand = demonstration.hand;
+  plan.movement = movement;
+  plan.tolerances = tolerances;
+  return plan;
+}
+
+Plan fail(Plan plan, Refusal refusal) {
+  plan.reason = refusal.reason;
+  plan.detail = std::move(refusal.detail);
+  plan.approximate = false;
+  plan.trajectory = plan.approach = plan.retreat = {};
+  return plan;
+}
+
+}  // namespace morphe::planning

@@ -1,0 +1,250 @@
+#include "pipeline/planning/pipeline_config.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <set>
+
+#include "core/config/fields.hpp"
+#include "core/files/sha256.hpp"
+#include "core/motion/version.hpp"
+
+namespace morphe::planning {
+namespace {
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw InputError(fmt::format("{}: cannot be read", file.string()));
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+using Paths = std::vector<std::filesystem::path>;
+
+/// The deepest folder that holds them all.
+std::filesystem::path common_folder(const Paths& files) {
+  std::filesystem::path common = files.front().parent_path();
+  for (const auto& file : files) {
+    while (file.lexically_relative(common).string().starts_with(".."))
+      common = common.parent_path();
+  }
+  return common;
+}
+
+/// The files a run was made from. Where they lie on this machine is nothing to tell: those of a
+/// group are named relative to the deepest folder that holds them all, by their own name alone if
+/// that is the root; a name that is taken lies in a numbered folder.
+std::vector<PlanFileHeader::Input> collect(const std::vector<Paths>& groups) {
+  std::vector<PlanFileHeader::Input> inputs;
+  std::set<std::string> taken;
+  for (Paths files : groups) {
+    for (auto& file : files) file = std::filesystem::weakly_canonical(file);
+    const std::filesystem::path common = common_folder(files);
+    for (const auto& file : files) {
+      const auto inside =
+          common == common.root_path() ? file.filename() : file.lexically_relative(common);
+      std::string name = inside.generic_string();
+      for (int number = 2; !taken.insert(name).second; ++number)
+        name = fmt::format("{}/{}", number, inside.generic_string());
+      inputs.push_back({name, text_of(file)});
+    }
+  }
+  return inputs;
+}
+
+config::ConfigNode load_extended(const std::filesystem::path& file, Paths& files);
+
+/// What a config, or an entry of its robots, says `extends: FILE` of; nothing where it does not.
+std::optional<config::ConfigNode> load_base(const config::ConfigNode& node, Paths& files) {
+  if (!node.has("extends")) return {};
+  const config::ConfigNode extends = node["extends"];
+  constexpr std::size_t kMost = 100;
+  if (files.size() > kMost) extends.fail(fmt::format("more than {} configs in a row", kMost));
+  const std::filesystem::path base = node.folder() / extends.text();
+  for (const auto& known : files) {
+    if (std::filesystem::weakly_canonical(known) == std::filesystem::weakly_canonical(base)) {
+      extends.fail("comes back to a config that extends this one");
+    }
+  }
+  return load_extended(base, files);
+}
+
+/// A config and what it leaves out, taken from those that it extends.
+config::ConfigNode load_extended(const std::filesystem::path& file, Paths& files) {
+  config::ConfigNode node = config::ConfigNode::load(file);
+  files.push_back(file);
+  if (const auto base = load_base(node, files)) node.extend(*base);
+  return node;
+}
+
+/// Index of the joint that an entry of a list names; an empty name is none, -1.
+int named_joint(const config::ConfigNode& entry, const char* key, const RobotTable& robot) {
+  if (!entry.has(key) || entry[key].text().empty()) return -1;
+  const std::string joint = entry[key].text();
+  const auto found = std::ranges::find(robot.joint_names, joint);
+  if (found == robot.joint_names.end()) {
+    entry[key].fail(fmt::format("robot {} has no actuated joint '{}'", robot.name, joint));
+  }
+  return static_cast<int>(found - robot.joint_names.begin());
+}
+
+/// The joints of the natural posture and of home are the robot's, home within its limits.
+void check_joints(const config::ConfigNode& node, const LoadedConfig& loaded) {
+  const RobotTable& robot = loaded.robot;
+  if (node.has("map") && node["map"].has("natural")) {
+    for (const config::ConfigNode& entry : node["map"]["natural"].items()) {
+      named_joint(entry, "joint", robot);
+      named_joint(entry, "follow", robot);
+    }
+  }
+  if (!loaded.options.approach || !node["approach"].has("home")) return;
+  const std::vector<config::ConfigNode> home = node["approach"]["home"].items();
+  for (std::size_t k = 0; k < home.size(); ++k) {
+    const int joint = named_joint(home[k], "joint", robot);
+    const double value = loaded.options.approach->home[k].value;
+    if (joint < 0 || value < robot.lower[joint] || value > robot.upper[joint]) {
+      home[k]["value"].fail("is beyond the joint's limits");
+    }
+  }
+}
+
+/// What map.terms names is what the program brings.
+void bring_terms(const config::ConfigNode& node,
+                 const std::vector<std::shared_ptr<const ResidualTerm>>& terms,
+                 map::MapOptions& options) {
+  const std::string unknown =
+      humanlike::bring(terms, options.objective.get<humanlike::GivenTerms>());
+  if (unknown.empty()) return;
+  std::string known;
+  for (const auto& term : terms) known += (known.empty() ? "" : ", ") + term->name();
+  node["map"]["terms"].fail(fmt::format("this program brings no term '{}' ({})", unknown,
+                                        known.empty() ? "it brings none" : "but " + known));
+}
+
+using Terms = std::vector<std::shared_ptr<const ResidualTerm>>;
+
+/// What the keys say, which came from these files.
+LoadedConfig load(config::ConfigNode node, const Paths& files,
+                  const std::vector<std::string>& settings, const Terms& terms) {
+  // Files that are named by an absolute path form groups of their own.
+  std::vector<Paths> groups{files};
+  const auto group_of = [&](const std::filesystem::path& named) -> Paths& {
+    return named.is_absolute() ? groups.emplace_back() : groups.front();
+  };
+  for (const std::string& setting : settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      throw InputError(fmt::format("--set {}: needs a.b=value", setting));
+    }
+    node.set(setting.substr(0, equals), setting.substr(equals + 1));
+  }
+  LoadedConfig loaded;
+  config::read_document(node, loaded.options);
+  bring_terms(node, terms, loaded.options.map);
+
+  const robot::RobotDescription robot =
+      robot::load_robot(node["robot"]["file"].folder() / loaded.options.robot.file);
+  loaded.robot = robot::Robot(robot.table);
+  Paths& with_robot = group_of(loaded.options.robot.file);
+  with_robot.insert(with_robot.end(), robot.files.begin(), robot.files.end());
+  if (node.has("scene")) scene::load_scene_files(loaded.options.scene, node["scene"]);
+  if (!loaded.options.scene.file.empty()) {
+    group_of(loaded.options.scene.file)
+        .push_back(node["scene"]["file"].folder() / loaded.options.scene.file);
+  }
+  if (loaded.options.dataset) {
+    loaded.dataset = node["dataset"]["file"].folder() / loaded.options.dataset->file;
+  }
+  check_joints(node, loaded);
+  if (loaded.options.map.natural.empty()) {
+    for (const robot::NaturalJoint& joint : robot.natural) {
+      loaded.options.map.natural.push_back({joint.joint, joint.follow, joint.value});
+    }
+  }
+  if (loaded.options.parts && !map::hand_alone(loaded.robot)) {
+    node["parts"].fail("is for hands without an arm: " + loaded.robot.name + " has one");
+  }
+  loaded.effective = config::write_options(loaded.options);
+  loaded.inputs = collect(groups);
+  return loaded;
+}
+
+/// Of an entry of `robots`: a folder's name that no other has.
+std::string name_of_entry(const config::ConfigNode& entry,
+                          const std::vector<RobotConfig>& earlier) {
+  const config::ConfigNode node = entry["name"];
+  std::string name = node.text();
+  const bool plain = std::ranges::all_of(name, [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '+';
+  });
+  if (name.empty() || !plain) node.fail("must be of letters, digits, '_', '-' and '+'");
+  if (std::ranges::find(earlier, name, &RobotConfig::name) != earlier.end())
+    node.fail("is there twice");
+  return name;
+}
+
+}  // namespace
+
+Tolerances tolerances_of(const PipelineConfig& config) {
+  Tolerances tolerances = config.check.tolerances;
+  if (config.grasp) {
+    tolerances.contact_depth = config.grasp->penetration_m;
+    tolerances.link_depth = config.grasp->link_penetration_m;
+  }
+  return tolerances;
+}
+
+LoadedConfig load_config(const std::filesystem::path& file,
+                         const std::vector<std::string>& settings, const Terms& terms) {
+  Paths files;
+  const config::ConfigNode node = load_extended(file, files);
+  if (node.has("robots")) node["robots"].fail("has several, and this takes the config of one");
+  return load(node, files, settings, terms);
+}
+
+std::vector<RobotConfig> load_robots(const std::filesystem::path& file,
+                                     const std::vector<std::string>& settings, const Terms& terms) {
+  Paths files{file};
+  config::ConfigNode own = config::ConfigNode::load(file);
+  std::optional<config::ConfigNode> base = load_base(own, files);
+  const bool here = own.has("robots");
+  if (!here && !(base && base->has("robots"))) {
+    if (base) own.extend(*base);
+    return {{"", load(own, files, settings, terms)}};
+  }
+  const config::ConfigNode robots_node = (here ? own : *base)["robots"];
+  const config::ConfigNode list = robots_node.detached();
+  if (list.items().empty()) list.fail("must name a robot");
+  own.erase("robots");
+  own.erase("extends");
+  if (base) base->erase("robots");
+  std::vector<RobotConfig> robots;
+  for (const config::ConfigNode& entry : list.items()) {
+    if (entry.has("dataset")) entry["dataset"].fail("is the same for all: it stands beside robots");
+    Paths of_robot = files;
+    config::ConfigNode node = entry.detached();
+    node.extend(own);
+    if (std::optional<config::ConfigNode> extended = load_base(entry, of_robot)) {
+      if (extended->has("robots")) entry["extends"].fail("has robots of its own");
+      extended->erase("dataset");
+      node.extend(*extended);
+    }
+    if (base) node.extend(*base);
+    const std::string name = name_of_entry(node, robots);
+    node.erase("name");
+    node.erase("extends");
+    robots.push_back({name, load(node, of_robot, settings, terms)});
+  }
+  return robots;
+}
+
+PlanFileHeader header_of(const LoadedConfig& config, const std::string& dataset_sha256) {
+  return {config.effective, files::sha256(config.effective),
+          dataset_sha256,   software(),
+          built_with(),     config.inputs};
+}
+
+}  // namespace morphe::planning

@@ -1,0 +1,92 @@
+#include "pipeline/planning/plan_sentences.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/collision/mesh_solid.hpp"
+#include "core/motion/arm_estimated.hpp"
+
+namespace morphe::planning {
+namespace {
+
+/// How well the demonstration's time base is kept.
+std::string lateness(const Trajectory& trajectory) {
+  constexpr double kOnTime_s = 0.01;
+  double most_s = 0, late_s = 0;
+  for (std::size_t i = 1; i < trajectory.samples(); ++i) {
+    const double late = trajectory.time[i] - trajectory.time[0] -
+                        (trajectory.demonstration_time[i] - trajectory.demonstration_time[0]);
+    most_s = std::max(most_s, late);
+    if (late > kOnTime_s) late_s += trajectory.time[i] - trajectory.time[i - 1];
+  }
+  return fmt::format("late by up to {:.2f} s, for {:.2f} s by more than {:.2f}", most_s, late_s,
+                     kOnTime_s);
+}
+
+}  // namespace
+
+std::string joined(const std::vector<std::string>& sentences) {
+  return fmt::format("{}", fmt::join(sentences, "; "));
+}
+
+std::string warnings(const collision::CollisionWorld& world, const Goals& goals,
+                     const Movement& movement, const HumanMotion& motion,
+                     const Trajectory& trajectory, bool kept) {
+  constexpr double kUncertain = 0.5;
+  const robot::Robot& robot = *world.robot;
+  std::vector<std::string> sentences, asked;
+  for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
+    std::size_t count = 0;
+    if (!goals.closed.empty() && goals.closed[tip] != 0) continue;
+    for (std::size_t f = 0; f < goals.frames(); ++f) count += seen(goals.tip_position(f, tip));
+    if (count > 0) asked.push_back(robot.tips[tip].name);
+    if (count > 0 && count < goals.frames()) {
+      sentences.push_back(fmt::format("{} has a goal in {} of {} frames", robot.tips[tip].name,
+                                      count, goals.frames()));
+    }
+  }
+  if (goals.hand_scale != 1) {
+    sentences.push_back(
+        fmt::format("the human's hand is made {:.3g} times as large", goals.hand_scale));
+  }
+  if (goals.free_offset) {
+    const Vec3 moved = 1e3 * *goals.free_offset;
+    sentences.push_back(fmt::format("the base is moved by ({:.0f}, {:.0f}, {:.0f}) mm", moved.x(),
+                                    moved.y(), moved.z()));
+  }
+  for (std::size_t k = 0; k < world.meshes.size(); ++k) {
+    if (world.meshes[k] && collision::is_open(*world.meshes[k])) {
+      sentences.push_back(world.scene->objects[k].name + " is not closed: only its surface counts");
+    }
+  }
+  if (kept && !trajectory.time.empty()) sentences.push_back(lateness(trajectory));
+  if (asked.size() == 1) sentences.push_back("no tip but " + asked.front() + " has goals");
+  for (const Phase& phase : movement.phases) {
+    if (phase.begin_s > movement.end_s || phase.confidence > kUncertain) continue;
+    sentences.push_back(fmt::format("{} begins or ends uncertainly ({:.0f} %)", name_of(phase.kind),
+                                    100 * phase.confidence));
+  }
+  sentences.insert(sentences.end(), motion.problems.begin(), motion.problems.end());
+  return joined(sentences);
+}
+
+std::string no_squeeze(const Grasp& grasp) {
+  const bool judged = !std::isnan(grasp.quality.epsilon_upper);
+  if (!judged || grasp.squeeze_torque.size() > 0) return "";
+  return fmt::format("no squeeze: no forces of these contacts balance (epsilon {:.2f})",
+                     grasp.quality.epsilon_upper);
+}
+
+std::string not_humanlike(const Certificate& certificate, const Goals& goals) {
+  constexpr double kFar = 45 * kDegree;
+  if (!(certificate.upper_arm_error_mean > kFar)) return "";
+  return fmt::format(
+      "not humanlike: the upper arm is {}{:.0f} degrees from the person's{} in the mean (morphe "
+      "place)",
+      arm_estimated(goals) ? "~" : "", certificate.upper_arm_error_mean / kDegree,
+      arm_estimated(goals) ? ", which is an estimate," : "");
+}
+
+}  // namespace morphe::planning

@@ -1,0 +1,274 @@
+#include "pipeline/report/plan_block.hpp"
+
+#include <algorithm>
+
+#include "core/store/json_layout.hpp"
+#include "core/store/plan_layout.hpp"
+#include "pipeline/report/numbers_json.hpp"
+
+namespace morphe::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+JointRows rows_of(const std::vector<Vec3>& points) {
+  JointRows rows(static_cast<Eigen::Index>(points.size()), 3);
+  for (Eigen::Index i = 0; i < rows.rows(); ++i)
+    rows.row(i) = points[static_cast<std::size_t>(i)].transpose();
+  return rows;
+}
+
+JointRows rows_of(const Table<Vec3>& points) {
+  JointRows rows(static_cast<Eigen::Index>(points.rows),
+                 3 * static_cast<Eigen::Index>(points.cols));
+  for (std::size_t row = 0; row < points.rows; ++row) {
+    for (std::size_t col = 0; col < points.cols; ++col)
+      rows.row(static_cast<Eigen::Index>(row)).segment<3>(3 * static_cast<Eigen::Index>(col)) =
+          points(row, col).transpose();
+  }
+  return rows;
+}
+
+Eigen::RowVector4d numbers_of(const Quat& q) { return {q.w(), q.x(), q.y(), q.z()}; }
+
+JointRows rows_of(const std::vector<Quat>& rotations) {
+  JointRows rows(static_cast<Eigen::Index>(rotations.size()), 4);
+  for (Eigen::Index i = 0; i < rows.rows(); ++i)
+    rows.row(i) = numbers_of(rotations[static_cast<std::size_t>(i)]);
+  return rows;
+}
+
+JointRows rows_of(const Table<std::uint8_t>& values) {
+  JointRows rows(static_cast<Eigen::Index>(values.rows), static_cast<Eigen::Index>(values.cols));
+  for (Eigen::Index i = 0; i < rows.size(); ++i)
+    rows.data()[i] = values.values[static_cast<std::size_t>(i)];
+  return rows;
+}
+
+template <Named E>
+std::vector<int> numbers_of(const std::vector<E>& values) {
+  std::vector<int> out;
+  for (const E value : values) out.push_back(static_cast<int>(value));
+  return out;
+}
+
+/// Seven columns: position, then the quaternion w x y z.
+JointRows pose_rows(const std::vector<Vec3>& position, const std::vector<Quat>& orientation) {
+  JointRows rows(static_cast<Eigen::Index>(position.size()), 7);
+  rows << rows_of(position), rows_of(orientation);
+  return rows;
+}
+
+std::vector<Vec3> where_they_were(const Goals& goals, const std::vector<Vec3>& points) {
+  std::vector<Vec3> out;
+  for (const Vec3& point : points) out.push_back(where_it_was(goals, point));
+  return out;
+}
+
+Table<Vec3> where_they_were(const Goals& goals, Table<Vec3> points) {
+  for (Vec3& point : points.values) point = where_it_was(goals, point);
+  return points;
+}
+
+Json human_json(Block& block, const Goals& goals, const std::vector<double>& speed) {
+  Json json;
+  json["time"] = block.column(goals.time, Steps::kTime);
+  json["tips"] = block.table(rows_of(goals.tip_position), Steps::kLength);
+  json["reachable"] = block.table(rows_of(goals.reachable), 1);
+  const auto points = [&](const char* name, const std::vector<Vec3>& of) {
+    json[name] = block.table(rows_of(where_they_were(goals, of)), Steps::kLength);
+  };
+  points("shoulder", goals.shoulder_position);
+  points("elbow", goals.elbow_position);
+  points("wrist", goals.wrist_position);
+  json["wrist_orientation"] = block.table(rows_of(goals.wrist_orientation), Steps::kQuaternion);
+  json["fingers"] =
+      block.table(rows_of(where_they_were(goals, goals.finger_joint_position)), Steps::kLength);
+  json["speed"] = block.column(speed, Steps::kError);
+  return json;
+}
+
+Json mapped_json(Block& block, const Mapped& mapped) {
+  if (mapped.position.rows() == 0) return nullptr;
+  return {{"position", block.table(mapped.position, Steps::kAngle)},
+          {"position_error", block.table(mapped.position_error, Steps::kError)},
+          {"orientation_error", block.table(mapped.orientation_error, Steps::kAngle)},
+          {"humanlikeness", block.table(mapped.humanlikeness, Steps::kError)},
+          {"status", block.whole_numbers(numbers_of(mapped.status))}};
+}
+
+Json nearest_json(Block& block, const ShownMotion& motion, int capsules) {
+  std::vector<int> first, second;
+  std::vector<double> distance, required;
+  JointRows points(static_cast<Eigen::Index>(motion.nearest.size()), 6);
+  for (std::size_t k = 0; k < motion.nearest.size(); ++k) {
+    const collision::PairSeparation& pair = motion.nearest[k];
+    const bool none = pair.capsule < 0;
+    first.push_back(pair.capsule);
+    second.push_back(none ? -1 : pair.object ? capsules + pair.other : pair.other);
+    distance.push_back(none ? kNotSeen : pair.separation.distance);
+    required.push_back(none ? kNotSeen : pair.required);
+    auto row = points.row(static_cast<Eigen::Index>(k));
+    if (none)
+      row.setConstant(kNotSeen);
+    else
+      row << pair.separation.on_first.transpose(), pair.separation.on_second.transpose();
+  }
+  return {{"first", block.whole_numbers(first)},
+          {"second", block.whole_numbers(second)},
+          {"distance", block.column(distance, Steps::kError)},
+          {"required", block.column(required, Steps::kError)},
+          {"points", block.table(points, Steps::kLength)}};
+}
+
+JointRows target_rows(const ShownMotion& motion) {
+  JointRows rows(static_cast<Eigen::Index>(motion.target_pose.size()), 7);
+  for (std::size_t k = 0; k < motion.target_pose.size(); ++k) {
+    auto row = rows.row(static_cast<Eigen::Index>(k));
+    const Pose& pose = motion.target_pose[k];
+    if (motion.target_moved[k] == 0)
+      row.setConstant(kNotSeen);
+    else
+      row << pose.translation().transpose(), numbers_of(Quat(pose.linear()));
+  }
+  return rows;
+}
+
+JointRows touching_rows(const ShownMotion& motion) {
+  JointRows rows(static_cast<Eigen::Index>(motion.touching.size()), 3);
+  for (std::size_t k = 0; k < motion.touching.size(); ++k) {
+    const ShownMotion::Touch& touch = motion.touching[k];
+    rows.row(static_cast<Eigen::Index>(k)) << touch.row, touch.capsule, touch.other;
+  }
+  return rows;
+}
+
+Json motion_json(Block& block, const ShownMotion& motion, int capsules) {
+  Json json;
+  json["name"] = motion.name;
+  json["time"] = block.column(motion.time, Steps::kTime);
+  json["demonstration_time"] = block.column(motion.demonstration_time, Steps::kTime);
+  json["position"] = block.table(motion.position, Steps::kAngle);
+  if (motion.velocity.rows() > 0) {
+    json["velocity"] = block.table(motion.velocity, Steps::kShare);
+    json["acceleration"] = block.table(motion.acceleration, Steps::kShare);
+    json["jerk"] = block.table(motion.jerk, Steps::kShare);
+  }
+  json["phase"] = block.whole_numbers(numbers_of(motion.phase));
+  json["origin"] = block.whole_numbers(numbers_of(motion.origin));
+  json["sample"] = block.whole_numbers(motion.sample);
+  if (!motion.clearance.empty()) json["clearance"] = block.column(motion.clearance, Steps::kError);
+  json["nearest"] = nearest_json(block, motion, capsules);
+  json["touching"] = block.table(touching_rows(motion), 1);
+  json["object_pose"] = block.table(target_rows(motion), Steps::kLength);
+  if (motion.tip_error.rows() > 0) {
+    json["tip_error"] = block.table(motion.tip_error, Steps::kError);
+    json["orientation_error"] = block.table(motion.orientation_error, Steps::kAngle);
+    json["humanlikeness"] = block.column(motion.humanlikeness, Steps::kError);
+  }
+  if (!motion.speed.empty()) json["speed"] = block.column(motion.speed, Steps::kError);
+  return json;
+}
+
+Json objects_json(Block& block, const Scene& scene, const std::vector<std::string>& blocks) {
+  Json objects = Json::array();
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const SceneObject& object = scene.objects[i];
+    Json json;
+    json["name"] = object.name;
+    json["shape"] = name_of(object.shape);
+    json["size"] = object.size;
+    json["block"] = blocks[i].empty() ? Json() : Json(blocks[i]);
+    json["attached_frame"] = object.attached_frame;
+    json["attach_s"] = number_json(object.attach_s);
+    json["release_s"] = number_json(object.release_s);
+    json["time"] = block.column(object.time, Steps::kTime);
+    json["pose"] = block.table(pose_rows(object.position, object.orientation), Steps::kLength);
+    objects.push_back(json);
+  }
+  return objects;
+}
+
+Json grasp_time_json(const Plan& plan) {
+  const auto i = static_cast<std::size_t>(plan.grasp.sample);
+  if (i < plan.trajectory.samples())
+    return {{"time_s", plan.trajectory.time[i]},
+            {"demonstration_s", plan.trajectory.demonstration_time[i]}};
+  if (i >= plan.path.demonstration_time.size()) return nullptr;
+  const double time_s = plan.path.demonstration_time[i];
+  return {{"time_s", time_s - plan.path.demonstration_time.front()}, {"demonstration_s", time_s}};
+}
+
+Json grasp_json(const Plan& plan) {
+  if (plan.grasp.sample < 0) return nullptr;
+  Json json = grasp_time_json(plan);
+  if (json.is_null() || plan.grasp.contacts.empty()) return json;
+  store::JsonWriter stored;
+  store::lay_out_grasp(stored, plan.grasp);
+  for (const char* part : {"approach_direction", "contacts", "quality", "squeeze"}) {
+    if (stored.json.contains(part)) json[part] = stored.json[part];
+  }
+  return json;
+}
+
+Json phases_json(const std::vector<Phase>& phases) {
+  Json out = Json::array();
+  for (const Phase& phase : phases) {
+    out.push_back({{"name", name_of(phase.kind)},
+                   {"begin_s", phase.begin_s},
+                   {"end_s", phase.end_s},
+                   {"confidence", phase.confidence}});
+  }
+  return out;
+}
+
+Json findings_json(const std::vector<Finding>& findings) {
+  Json out = Json::array();
+  for (const Finding& finding : findings) {
+    out.push_back({{"begin_s", finding.begin_s},
+                   {"end_s", finding.end_s},
+                   {"cause", name_of(finding.cause)},
+                   {"first", finding.first},
+                   {"second", finding.second},
+                   {"depth", finding.depth}});
+  }
+  return out;
+}
+
+}  // namespace
+
+Block plan_block(const robot::Robot& robot, const Plan& plan, const PlanView& view,
+                 const std::vector<std::string>& object_blocks) {
+  Block block;
+  Json& json = block.json;
+  json["world_from_base"] = pose_json(view.world_from_base);
+  json["upright"] = view.upright;
+  json["common_base_offset"] = point_json(plan.goals.common_base_offset);
+  json["free_offset"] = plan.goals.free_offset ? point_json(*plan.goals.free_offset) : Json();
+  json["phases"] = phases_json(plan.movement.phases);
+  json["findings"] = findings_json(plan.findings);
+  json["grasp"] = grasp_json(plan);
+  json["worst"] = view.worst ? Json{{"demonstration_s", view.worst->demonstration_s},
+                                    {"sentence", view.worst->sentence}}
+                             : Json();
+  json["advice"] = view.advice;
+  json["objects"] = objects_json(block, plan.scene, object_blocks);
+  json["human"] = human_json(block, plan.goals, view.human_speed);
+  json["mapped"] = mapped_json(block, plan.mapped);
+  json["motions"] = Json::array();
+  for (const ShownMotion& motion : view.motions)
+    json["motions"].push_back(motion_json(block, motion, static_cast<int>(robot.capsules.size())));
+  return block;
+}
+
+Block mesh_block(const std::vector<Vec3>& vertices, const std::vector<Eigen::Vector3i>& triangles) {
+  Block block;
+  JointRows corners(static_cast<Eigen::Index>(triangles.size()), 3);
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    corners.row(static_cast<Eigen::Index>(i)) = triangles[i].cast<double>().transpose();
+  block.json["vertices"] = block.table(rows_of(vertices), Steps::kLength);
+  block.json["triangles"] = block.table(corners, 1);
+  return block;
+}
+
+}  // namespace morphe::report

@@ -1,0 +1,164 @@
+#include "pipeline/report/robot_meshes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
+
+#include "core/collision/mesh_file.hpp"
+#include "core/files/xml_text.hpp"
+#include "core/motion/input_error.hpp"
+
+namespace morphe::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Visual {
+  fs::path file;
+  std::string named;
+  Pose link_from_mesh = Pose::Identity();
+  Vec3 scale = Vec3::Ones();
+};
+
+Vec3 numbers_of(const char* text, const Vec3& otherwise) {
+  if (text == nullptr) return otherwise;
+  Vec3 out = otherwise;
+  std::istringstream(text) >> out.x() >> out.y() >> out.z();
+  return out;
+}
+
+/// All files below a folder, by path and by name, in the order of their paths.
+struct Folder {
+  std::vector<fs::path> files;
+
+  explicit Folder(const fs::path& folder) {
+    std::error_code error;
+    for (fs::recursive_directory_iterator next(folder, error), end; !error && next != end;
+         next.increment(error)) {
+      if (next->is_regular_file()) files.push_back(next->path());
+    }
+    if (error) throw InputError(fmt::format("{}: cannot be read", folder.string()));
+    std::ranges::sort(files);
+  }
+  /// The file whose path ends in the longest part of that name.
+  fs::path find(std::string name) const {
+    if (const auto scheme = name.find("://"); scheme != std::string::npos)
+      name.erase(0, scheme + 3);
+    for (fs::path tail = fs::path(name).lexically_normal().relative_path(); !tail.empty();
+         tail = tail.lexically_relative(*tail.begin())) {
+      for (const fs::path& file : files) {
+        if (ends_in(file, tail)) return file;
+      }
+      if (std::next(tail.begin()) == tail.end()) break;
+    }
+    return {};
+  }
+
+ private:
+  static bool ends_in(const fs::path& file, const fs::path& tail) {
+    const std::string a = file.string(), b = "/" + tail.string();
+    return a.size() >= b.size() && a.compare(a.size() - b.size(), b.size(), b) == 0;
+  }
+};
+
+Visual visual_of(const files::XmlElement& element, const files::XmlElement& mesh,
+                 const Folder& folder) {
+  Visual visual;
+  const char* named = mesh.Attribute("filename");
+  visual.named = named == nullptr ? "" : named;
+  visual.file = folder.find(visual.named);
+  visual.scale = numbers_of(mesh.Attribute("scale"), Vec3::Ones());
+  if (const files::XmlElement* origin = element.FirstChildElement("origin")) {
+    const Vec3 rpy = numbers_of(origin->Attribute("rpy"), Vec3::Zero());
+    visual.link_from_mesh.translation() = numbers_of(origin->Attribute("xyz"), Vec3::Zero());
+    visual.link_from_mesh.linear() =
+        (Eigen::AngleAxisd(rpy.z(), Vec3::UnitZ()) * Eigen::AngleAxisd(rpy.y(), Vec3::UnitY()) *
+         Eigen::AngleAxisd(rpy.x(), Vec3::UnitX()))
+            .toRotationMatrix();
+  }
+  return visual;
+}
+
+/// Visuals by the name that a frame has: the link's, or that of the joint that carries it.
+std::multimap<std::string, Visual> visuals_of(const fs::path& urdf, const Folder& folder) {
+  const files::XmlText text(urdf, "robot");
+  std::map<std::string, std::string> joint_of_link;
+  for (const files::XmlElement* joint : files::children(text.root(), "joint")) {
+    const files::XmlElement* child = joint->FirstChildElement("child");
+    if (child == nullptr || child->Attribute("link") == nullptr) continue;
+    joint_of_link[child->Attribute("link")] = text.attribute(*joint, "name");
+  }
+  std::multimap<std::string, Visual> visuals;
+  for (const files::XmlElement* link : files::children(text.root(), "link")) {
+    const std::string name = text.attribute(*link, "name");
+    for (const files::XmlElement* element : files::children(*link, "visual")) {
+      const files::XmlElement* geometry = element->FirstChildElement("geometry");
+      const files::XmlElement* mesh =
+          geometry == nullptr ? nullptr : geometry->FirstChildElement("mesh");
+      if (mesh == nullptr) continue;
+      const Visual visual = visual_of(*element, *mesh, folder);
+      visuals.emplace(name, visual);
+      if (const auto joint = joint_of_link.find(name); joint != joint_of_link.end())
+        visuals.emplace(joint->second, visual);
+    }
+  }
+  return visuals;
+}
+
+/// "" or what is wrong.
+std::string load_into(const Visual& visual, int frame, FoundMeshes& found) {
+  if (visual.file.empty()) return fmt::format("{}: is not in the folder of meshes", visual.named);
+  SceneObject surface;
+  const std::string wrong = collision::load_surface(visual.file, surface);
+  if (!wrong.empty()) return fmt::format("{}: {}", visual.file.string(), wrong);
+  FrameMesh mesh;
+  mesh.frame = frame;
+  for (const Vec3& corner : surface.vertices)
+    mesh.vertices.push_back(visual.link_from_mesh * corner.cwiseProduct(visual.scale));
+  mesh.triangles = std::move(surface.triangles);
+  found.meshes.push_back(std::move(mesh));
+  return "";
+}
+
+}  // namespace
+
+FoundMeshes find_meshes(const RobotTable& robot, const fs::path& path) {
+  const Folder folder(path);
+  std::multimap<std::string, Visual> visuals;
+  for (const fs::path& file : folder.files) {
+    if (file.extension() != ".urdf") continue;
+    // The first file that knows a name counts.
+    std::multimap<std::string, Visual> of_file = visuals_of(file, folder);
+    std::erase_if(of_file, [&](const auto& entry) { return visuals.contains(entry.first); });
+    visuals.merge(of_file);
+  }
+  FoundMeshes found;
+  std::set<std::string> notes;
+  for (std::size_t i = 0; i < robot.frames.size(); ++i) {
+    const std::string& name = robot.frames[i].name;
+    const auto [from, to] = visuals.equal_range(name);
+    std::vector<Visual> of_frame;
+    for (auto at = from; at != to; ++at) of_frame.push_back(at->second);
+    if (of_frame.empty()) {
+      for (const char* extension : {".stl", ".obj", ".dae", ".glb"}) {
+        Visual visual;
+        visual.named = name + extension;
+        visual.file = folder.find(visual.named);
+        if (!visual.file.empty()) of_frame.push_back(visual);
+      }
+    }
+    for (const Visual& visual : of_frame) {
+      const std::string wrong = load_into(visual, static_cast<int>(i), found);
+      if (!wrong.empty()) notes.insert(wrong);
+    }
+  }
+  found.notes.assign(notes.begin(), notes.end());
+  if (found.meshes.empty()) found.notes.push_back("no mesh of a frame of this robot was found");
+  return found;
+}
+
+}  // namespace morphe::report

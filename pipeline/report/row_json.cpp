@@ -1,0 +1,115 @@
+#include "pipeline/report/row_json.hpp"
+
+#include <cmath>
+
+#include "core/motion/goals_at.hpp"
+#include "core/store/json_layout.hpp"
+#include "core/store/plan_layout.hpp"
+#include "pipeline/report/numbers_json.hpp"
+
+namespace morphe::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<bool> sliding_joints(const RobotTable& robot) {
+  std::vector<bool> slides(robot.joints(), false), known(robot.joints(), false);
+  for (const RobotTable::Frame& frame : robot.frames) {
+    if (frame.joint < 0) continue;
+    const auto joint = static_cast<std::size_t>(frame.joint);
+    if (!known[joint]) slides[joint] = frame.slides;
+    known[joint] = true;
+  }
+  return slides;
+}
+
+Json joints_json(const RobotTable& robot) {
+  const std::vector<bool> slides = sliding_joints(robot);
+  Json out = Json::array();
+  for (std::size_t i = 0; i < robot.joints(); ++i) {
+    const auto j = static_cast<Eigen::Index>(i);
+    out.push_back({{"name", robot.joint_names[i]},
+                   {"lower", robot.lower[j]},
+                   {"upper", robot.upper[j]},
+                   {"velocity", robot.velocity[j]},
+                   {"acceleration", robot.acceleration[j]},
+                   {"jerk", robot.jerk[j]},
+                   {"slides", static_cast<bool>(slides[i])}});
+  }
+  return out;
+}
+
+}  // namespace
+
+Json row_json(const RobotTable& robot, const Plan& plan, const std::string& path) {
+  const GoalCount goals = count_goals(plan.goals);
+  store::JsonWriter certificate;
+  if (plan.has_trajectory()) store::lay_out_certificate(certificate, plan.certificate);
+  const bool timed = plan.trajectory.samples() > 0;
+  Json row;
+  row["plan"] = path;
+  row["status"] = name_of(plan.status());
+  row["reason"] = name_of(plan.reason);
+  row["detail"] = plan.detail;
+  row["subject"] = plan.subject;
+  row["task"] = plan.task;
+  row["hand"] = name_of(plan.hand);
+  row["target"] = plan.movement.target;
+  row["start_s"] = number_json(plan.movement.begin_s);
+  row["end_s"] = number_json(plan.movement.end_s);
+  row["duration_s"] = timed ? Json(plan.trajectory.time.back()) : Json();
+  row["findings"] = plan.findings.size();
+  row["goals"] = goals.all;
+  row["out_of_reach"] = goals.out_of_reach;
+  row["certificate"] = certificate.json;
+  row["tolerances"] = {{"margin", plan.tolerances.margin},
+                       {"contact_depth", plan.tolerances.contact_depth},
+                       {"tracking_grasp", plan.tolerances.tracking_grasp},
+                       {"tracking", plan.tolerances.tracking}};
+  if (plan.tolerances.link_depth) row["tolerances"]["link_depth"] = *plan.tolerances.link_depth;
+  row["estimated"] = plan.goals.estimated;
+  row["unchecked_links"] = robot.unchecked_links;
+  row["mirrored"] = plan.hand != robot.side;
+  return row;
+}
+
+Json robot_json(const RobotTable& robot) {
+  Json out;
+  out["name"] = robot.name;
+  out["side"] = name_of(robot.side);
+  out["shoulder_frame"] = robot.shoulder_frame;
+  out["palm_frame"] = robot.palm_frame;
+  out["unchecked_links"] = robot.unchecked_links;
+  out["joints"] = joints_json(robot);
+  for (const char* list : {"frames", "tips", "capsules", "centres"}) out[list] = Json::array();
+  for (const RobotTable::Frame& frame : robot.frames) {
+    out["frames"].push_back({{"name", frame.name},
+                             {"parent", frame.parent},
+                             {"transform", pose_json(frame.transform)},
+                             {"axis", point_json(frame.axis)},
+                             {"joint", frame.joint},
+                             {"ratio", frame.ratio},
+                             {"offset", frame.offset},
+                             {"slides", frame.slides}});
+  }
+  for (const RobotTable::Tip& tip : robot.tips) {
+    out["tips"].push_back({{"name", tip.name},
+                           {"frame", tip.frame},
+                           {"transform", pose_json(tip.transform)},
+                           {"finger", tip.finger},
+                           {"along", number_json(tip.along)}});
+  }
+  for (const RobotTable::Capsule& capsule : robot.capsules) {
+    out["capsules"].push_back({{"name", capsule.name},
+                               {"frame", capsule.frame},
+                               {"from", point_json(capsule.from)},
+                               {"to", point_json(capsule.to)},
+                               {"radius", capsule.radius},
+                               {"may_touch_target", capsule.may_touch_target}});
+  }
+  for (const RobotTable::Centre& centre : robot.centres)
+    out["centres"].push_back({{"frame", centre.frame}, {"chain", centre.chain}});
+  return out;
+}
+
+}  // namespace morphe::report

@@ -1,0 +1,241 @@
+#include <fmt/format.h>
+
+#include <cassert>
+#include <fstream>
+#include <memory>
+#include <set>
+
+#include "core/files/base64.hpp"
+#include "core/files/part_file.hpp"
+#include "core/files/sha256.hpp"
+#include "core/motion/input_error.hpp"
+#include "core/motion/version.hpp"
+#include "core/parallel/ordered_map.hpp"
+#include "pipeline/explain/reason_words.hpp"
+#include "pipeline/report/json_text.hpp"
+#include "pipeline/report/opened_run.hpp"
+#include "pipeline/report/page_files.hpp"
+#include "pipeline/report/physics_json.hpp"
+#include "pipeline/report/plan_block.hpp"
+#include "pipeline/report/robot_meshes.hpp"
+#include "pipeline/report/row_json.hpp"
+
+namespace morphe::report {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// The page as a stream that tells what it could not take.
+class Page {
+ public:
+  explicit Page(const fs::path& file) : file_(file), stream_(file, std::ios::binary) { check(); }
+  void add(std::string_view text) { stream_ << text; }
+  void block(const std::string& id, const std::string& text) {
+    add(fmt::format("<script type=\"application/octet-stream\" id=\"{}\">{}</script>\n", id, text));
+    check();
+  }
+  void finish() {
+    stream_.close();
+    check();
+  }
+
+ private:
+  void check() {
+    if (!stream_) throw InputError(fmt::format("{}: cannot be written", file_.string()));
+  }
+  fs::path file_;
+  std::ofstream stream_;
+};
+
+std::string block_id(std::size_t run, std::size_t plan) {
+  return fmt::format("plan-{}-{}", run, plan);
+}
+
+std::string hash_source(std::string_view text) {
+  return fmt::format("'sha256-{}'", files::base64(files::sha256_bytes(text)));
+}
+
+/// What stands where index.html has a comment of that name.
+struct Parts {
+  std::string style, modules;
+
+  Parts()
+      : style(fmt::format("{}{}", page_file("dygraph.min.css"), page_file("style.css"))),
+        modules(bundled_modules()) {}
+  std::string policy() const {
+    return fmt::format(
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src {} "
+        "{} {}; style-src {}; style-src-attr 'unsafe-inline'; img-src data: blob:\">\n",
+        hash_source(page_file("three.min.js")), hash_source(page_file("dygraph.min.js")),
+        hash_source(modules), hash_source(style));
+  }
+  std::string scripts() const {
+    return fmt::format("<script>{}</script>\n<script>{}</script>\n<script>{}</script>\n",
+                       page_file("three.min.js"), page_file("dygraph.min.js"), modules);
+  }
+};
+
+Json run_json(const OpenedRun& run, const std::vector<FrameMesh>& meshes) {
+  const PlanFileHeader& header = run.reader->header();
+  Json json;
+  json["name"] = run.named.name;
+  json["file"] = run.named.plans.filename().string();
+  json["sha256"] = files::sha256_of_file(run.named.plans);
+  json["robot_name"] = run.robot.name;
+  json["software"] = header.software;
+  json["built_with"] = header.built_with;
+  json["config_sha256"] = header.config_sha256;
+  json["dataset_sha256"] = header.dataset_sha256;
+  json["config"] = header.config;
+  json["plans"] = run.reader->size();
+  json["shown"] = run.selected.plans.size();
+  json["left_out"] = run.selected.left_out;
+  json["robot"] = robot_json(run.robot);
+  if (!meshes.empty()) json["robot"]["meshes"] = Json::array();
+  for (const FrameMesh& mesh : meshes)
+    json["robot"]["meshes"].push_back({{"frame", mesh.frame}, {"block", mesh.block}});
+  return json;
+}
+
+void write_rows(const std::vector<OpenedRun>& runs, const ReportRequest& request, Page& page,
+                std::vector<std::string>& notes) {
+  page.add("<script type=\"application/json\" id=\"rows\">[");
+  bool first = true;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    for (const std::size_t k : runs[r].selected.plans) {
+      Json row;
+      row["run"] = r;
+      row["block"] = block_id(r, k);
+      const Plan plan = runs[r].reader->read(k);
+      row.update(row_json(runs[r].robot, plan, runs[r].reader->plan_paths()[k]));
+      row["physics"] = physics_json(physics_folders(request.physics, runs[r].named.plans),
+                                    runs[r].robot, plan, notes);
+      page.add(first ? "\n" : ",\n");
+      page.add(json_text(row));
+      first = false;
+    }
+  }
+  page.add("\n]</script>\n");
+}
+
+struct NamedBlock {
+  std::string id, text;
+};
+
+/// The meshes of a scene, each called by what it holds: plans share them.
+std::vector<NamedBlock> object_blocks(const Scene& scene) {
+  constexpr std::size_t kEnough = 16;
+  std::vector<NamedBlock> blocks;
+  for (const SceneObject& object : scene.objects) {
+    if (object.shape != Shape::mesh) {
+      blocks.push_back({});
+      continue;
+    }
+    const std::string text = mesh_block(object.vertices, object.triangles).packed();
+    blocks.push_back({"object-" + files::sha256(text).substr(0, kEnough), text});
+  }
+  return blocks;
+}
+
+/// A plan's block, and before it those that it names.
+std::vector<NamedBlock> blocks_of(const OpenedRun& run, const std::string& id, const Plan& plan) {
+  std::vector<NamedBlock> blocks = object_blocks(plan.scene);
+  std::vector<std::string> ids;
+  for (const NamedBlock& block : blocks) ids.push_back(block.id);
+  const PlanView view = view_of(run.robot, run.world_from_base, plan);
+  blocks.push_back({id, plan_block(run.robot, plan, view, ids).packed()});
+  return blocks;
+}
+
+void write_plans(const OpenedRun& run, std::size_t r, int jobs, std::set<std::string>& written,
+                 Page& page) {
+  struct Item {
+    std::size_t index;
+    Plan plan;
+  };
+  parallel::OrderedMap<Item, std::vector<NamedBlock>> map;
+  map.next = [&, next = std::size_t{0}]() mutable -> std::unique_ptr<Item> {
+    if (next == run.selected.plans.size()) return nullptr;
+    const std::size_t index = run.selected.plans[next++];
+    return std::make_unique<Item>(Item{index, run.reader->read(index)});
+  };
+  map.work = [&](const Item& item) {
+    return std::make_unique<std::vector<NamedBlock>>(
+        blocks_of(run, block_id(r, item.index), item.plan));
+  };
+  map.write = [&](const std::vector<NamedBlock>& blocks) {
+    for (const NamedBlock& block : blocks) {
+      if (!block.id.empty() && written.insert(block.id).second) page.block(block.id, block.text);
+    }
+  };
+  parallel::run(map, jobs);
+}
+
+/// The page's text up to and without a comment of its own, which is taken with it.
+std::string_view up_to(std::string_view& rest, std::string_view comment) {
+  const std::size_t at = rest.find(comment);
+  assert(at != std::string_view::npos);
+  const std::string_view before = rest.substr(0, at);
+  rest.remove_prefix(at + comment.size());
+  return before;
+}
+
+}  // namespace
+
+ReportSummary write_report(const ReportRequest& request, const fs::path& file) {
+  const std::vector<OpenedRun> runs = open_runs(request);
+  ReportSummary summary;
+  Json report = {{"software", software()}, {"angle_error", Steps::kAngle / 2}, {"hz", kShownHz}};
+  for (std::size_t k = 1; k < count_of<Reason>(); ++k) {
+    const auto reason = static_cast<Reason>(k);
+    report["reasons"][std::string(name_of(reason))] = explain::sentence_of(reason);
+  }
+  report["runs"] = Json::array();
+  std::vector<NamedBlock> robot_blocks;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    std::vector<FrameMesh> meshes;
+    if (!request.meshes.empty()) {
+      FoundMeshes found = find_meshes(runs[r].robot, request.meshes);
+      for (FrameMesh& mesh : found.meshes) {
+        mesh.block = fmt::format("robot-{}-{}", r, meshes.size());
+        robot_blocks.push_back({mesh.block, mesh_block(mesh.vertices, mesh.triangles).packed()});
+        meshes.push_back(std::move(mesh));
+      }
+      for (const std::string& note : found.notes) summary.notes.push_back(note);
+    }
+    report["runs"].push_back(run_json(runs[r], meshes));
+    summary.shown += runs[r].selected.plans.size();
+    const std::string& left_out = runs[r].selected.left_out;
+    if (!left_out.empty()) summary.notes.push_back(left_out);
+  }
+
+  files::PartFile whole(file);
+  Page page(whole.part());
+  const Parts parts;
+  std::string_view rest = page_file("index.html");
+  page.add(up_to(rest, "<!--policy-->"));
+  page.add(parts.policy());
+  page.add(up_to(rest, "<!--style-->"));
+  page.add(fmt::format("<style>{}</style>\n", parts.style));
+  page.add(up_to(rest, "<!--licences-->"));
+  page.add(page_file("licences.txt"));
+  page.add(up_to(rest, "<!--report-->"));
+  page.add(fmt::format("<script type=\"application/json\" id=\"report\">{}</script>\n",
+                       json_text(report)));
+  page.add(up_to(rest, "<!--rows-->"));
+  write_rows(runs, request, page, summary.notes);
+  page.add(up_to(rest, "<!--scripts-->"));
+  page.add(parts.scripts());
+  page.add(up_to(rest, "<!--blocks-->"));
+  for (const NamedBlock& block : robot_blocks) page.block(block.id, block.text);
+  std::set<std::string> written;
+  for (std::size_t r = 0; r < runs.size(); ++r)
+    write_plans(runs[r], r, request.jobs, written, page);
+  page.add(rest);
+  page.finish();
+  whole.commit();
+  return summary;
+}
+
+}  // namespace morphe::report

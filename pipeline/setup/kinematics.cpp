@@ -1,0 +1,64 @@
+#include "pipeline/setup/kinematics.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+
+#include "core/robot/forward.hpp"
+
+namespace morphe::setup {
+
+Line Kinematics::axis(int f) const {
+  return {pose(f).translation(), pose(f).linear() * frame(f).axis};
+}
+
+double Kinematics::closing_sense(int f) const {
+  const RobotTable::Frame& moved = frame(f);
+  const double up = table().upper[moved.joint] - rest[moved.joint];
+  const double down = rest[moved.joint] - table().lower[moved.joint];
+  return (up >= down ? 1 : -1) * (moved.ratio >= 0 ? 1 : -1);
+}
+
+Kinematics kinematics_of(const robot::UrdfModel& model) {
+  Kinematics robot;
+  robot.model = &model;
+  const RobotTable& table = model.table;
+  robot.rest = JointVector::Zero(table.lower.size()).cwiseMax(table.lower).cwiseMin(table.upper);
+  robot::forward(table, robot.rest, robot.base_from_frame);
+  robot.children.resize(table.frames.size());
+  for (std::size_t f = 0; f < table.frames.size(); ++f) {
+    const int parent = table.frames[f].parent;
+    if (parent >= 0)
+      robot.children[static_cast<std::size_t>(parent)].push_back(static_cast<int>(f));
+  }
+  robot.link = model.link_of_frame();
+  return robot;
+}
+
+std::vector<int> moving_between(const Kinematics& robot, int above, int frame) {
+  std::vector<int> found;
+  for (int f = frame; f >= 0 && f != above; f = robot.frame(f).parent) {
+    if (robot.moves(f)) found.push_back(f);
+  }
+  std::ranges::reverse(found);
+  return found;
+}
+
+Vec3 foot(const Line& line, const Vec3& point) {
+  return line.point + (point - line.point).dot(line.direction) * line.direction;
+}
+
+Vec3 nearest_point(const std::vector<Line>& lines) {
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Vec3 sum = Vec3::Zero();
+  for (const Line& line : lines) {
+    const Eigen::Matrix3d across =
+        Eigen::Matrix3d::Identity() - line.direction * line.direction.transpose();
+    normal += across;
+    sum += across * line.point;
+  }
+  return normal.ldlt().solve(sum);
+}
+
+double distance(const Line& line, const Vec3& point) { return (foot(line, point) - point).norm(); }
+
+}  // namespace morphe::setup

@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+#include "core/robot/files/description.hpp"
+#include "core/robot/forward.hpp"
+#include "pipeline/setup/allowed_links.hpp"
+#include "pipeline/setup/keep_changes.hpp"
+#include "pipeline/setup/setup.hpp"
+#include "pipeline/setup/yaml_text.hpp"
+
+namespace morphe::setup {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string beside(const fs::path& file, const fs::path& out) {
+  return fs::absolute(file).lexically_proximate(fs::absolute(out).parent_path()).string();
+}
+
+std::set<std::string> names_of_robot(const robot::RobotDescription& robot) {
+  std::set<std::string> names;
+  for (const auto& frame : robot.table.frames) names.insert(frame.name);
+  for (const auto& tip : robot.table.tips) names.insert(tip.name);
+  for (const auto& capsule : robot.table.capsules) names.insert(capsule.name);
+  return names;
+}
+
+bool share_names(const robot::RobotDescription& one, const robot::RobotDescription& other) {
+  const std::set<std::string> names = names_of_robot(one);
+  return std::ranges::any_of(names_of_robot(other),
+                             [&](const std::string& name) { return names.contains(name); });
+}
+
+/// The hand's palm on the flange's axis, z along it, and what reaches farthest back on the flange.
+Pose usual_mount(const robot::RobotDescription& hand) {
+  const RobotTable& table = hand.table;
+  const JointVector rest =
+      JointVector::Zero(table.lower.size()).cwiseMax(table.lower).cwiseMin(table.upper);
+  std::vector<Pose> poses;
+  robot::forward(table, rest, poses);
+  const Pose palm_from_base = poses[static_cast<std::size_t>(table.palm_frame)].inverse();
+  double back = 0;
+  for (const RobotTable::Capsule& capsule : table.capsules) {
+    const Pose pose = capsule.frame < 0
+                          ? palm_from_base
+                          : Pose(palm_from_base * poses[static_cast<std::size_t>(capsule.frame)]);
+    for (const Vec3& end : {capsule.from, capsule.to}) {
+      back = std::min(back, (pose * end).z() - capsule.radius);
+    }
+  }
+  return Eigen::Translation3d(0, 0, -back) * palm_from_base;
+}
+
+Pose given_mount(const MountRequest& request) {
+  Pose pose = Pose::Identity();
+  pose.translate(request.mount->position);
+  pose.rotate(Eigen::AngleAxisd(request.mount->rpy.z(), Vec3::UnitZ()) *
+              Eigen::AngleAxisd(request.mount->rpy.y(), Vec3::UnitY()) *
+              Eigen::AngleAxisd(request.mount->rpy.x(), Vec3::UnitX()));
+  return pose;
+}
+
+}  // namespace
+
+SetupResult mount_hand(const MountRequest& request, const std::optional<std::string>& before) {
+  const robot::RobotDescription arm = robot::load_robot(request.arm);
+  const robot::RobotDescription hand = robot::load_robot(request.hand);
+  const Pose mount = request.mount ? given_mount(request) : usual_mount(hand);
+  const std::string name =
+      request.name.empty() ? arm.table.name + "_" + hand.table.name : request.name;
+  const std::string prefix = share_names(arm, hand) ? "hand_" : "";
+  const std::string flange = arm.table.frames[static_cast<std::size_t>(arm.table.palm_frame)].name;
+  const std::string parts = fmt::format(
+      "parts:\n  - {{file: {}}}\n  - {{file: {}, {}parent: {}, mount: {}}}  # {}\n",
+      yaml_name(beside(request.arm, request.out)), yaml_name(beside(request.hand, request.out)),
+      prefix.empty() ? "" : fmt::format("prefix: {}, ", prefix), yaml_name(flange),
+      yaml_mount(mount), request.mount ? "as given" : "assumed: z on the flange's axis, no roll");
+  const std::string named = fmt::format("name: {}\n", yaml_name(name));
+
+  const robot::RobotDescription bare = robot::parse_robot(named + parts, request.out);
+  std::string collision;
+  for (const AllowedPair& pair : allowed_links(bare.table)) {
+    const auto called = [&](int frame) {
+      return frame < 0 ? std::string("base")
+                       : bare.table.frames[static_cast<std::size_t>(frame)].name;
+    };
+    if (collision.empty()) collision = "collision:\n  allowed_links:\n";
+    collision +=
+        fmt::format("    - [{}, {}]  # overlap in {:.0f} % of postures, at rest by {:.1f} mm\n",
+                    yaml_name(called(pair.one)), yaml_name(called(pair.other)), 100 * pair.share,
+                    1e3 * pair.deepest_m);
+  }
+  std::vector<Section> sections = {{"name", named}, {"parts", parts}};
+  // Alone, the arm's wrist is its end; under a hand it is a joint as any other.
+  const auto wrist = std::ranges::find(arm.table.frames, "wrist_centre", &RobotTable::Frame::name);
+  if (wrist != arm.table.frames.end()) {
+    sections.push_back({"centres", "centres:\n  - {chain: arm, frame: wrist_centre}\n"});
+  }
+  if (!collision.empty()) sections.push_back({"collision", collision});
+  SetupResult result;
+  std::vector<std::string> kept;
+  result.text =
+      "# Made by `morphe robot setup`: what stands below a line that begins with `#:` is "
+      "made anew\n# each time, unless somebody changed it: then it stays as it is.\n" +
+      (before ? joined_over(sections, *before, kept) : joined(sections));
+  if (!kept.empty())
+    result.notes.push_back(fmt::format("kept as changed: {}", fmt::join(kept, ", ")));
+  if (!request.mount)
+    result.to_check.push_back("mount of the hand: assumed (--mount X Y Z ROLL PITCH YAW)");
+  (void)robot::parse_robot(result.text, request.out);
+  return result;
+}
+
+}  // namespace morphe::setup

@@ -1,0 +1,361 @@
+#include "pipeline/setup/setup.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/motion/counted.hpp"
+#include "core/motion/human_motion.hpp"
+#include "core/motion/input_error.hpp"
+#include "core/robot/files/description.hpp"
+#include "core/robot/tree.hpp"
+#include "pipeline/setup/allowed_links.hpp"
+#include "pipeline/setup/centres.hpp"
+#include "pipeline/setup/finger_space.hpp"
+#include "pipeline/setup/flange.hpp"
+#include "pipeline/setup/keep_changes.hpp"
+#include "pipeline/setup/limits.hpp"
+#include "pipeline/setup/natural.hpp"
+#include "pipeline/setup/yaml_text.hpp"
+
+namespace morphe::setup {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// All that was found in a URDF.
+struct Found {
+  const Kinematics& robot;
+  std::vector<int> arm;  ///< frames that move before the fingers part
+  std::optional<Hand> hand;
+  std::vector<Pad> pads;
+  std::optional<Palm> palm;
+  std::optional<Flange> flange;
+  std::optional<ArmCentres> centres;
+  std::vector<LinkCapsules> capsules;
+  std::vector<std::string> finger_space;  ///< links that shapes were taken from
+
+  /// A name for a frame of ours that no frame, joint or link of the file has.
+  std::string own(const std::string& wanted) const {
+    std::string name = wanted;
+    const auto taken = [&] {
+      return robot.model->links.contains(name) || robot.model->joint(name) != nullptr;
+    };
+    while (taken()) name += "_of_setup";
+    return name;
+  }
+  std::string link(int frame) const { return robot.link[static_cast<std::size_t>(frame)]; }
+  std::string joint(int frame) const { return robot.frame(frame).name; }
+  /// A hand's own wrist is no arm.
+  bool has_arm() const { return arm.size() > 2; }
+  std::string finger_name(const Finger& finger) const {
+    return std::string(kFingerNames[static_cast<std::size_t>(finger.finger)]);
+  }
+};
+
+Found find_all(const Kinematics& robot, const SetupRequest& request, LinkShapes shapes) {
+  Found found{robot, {}, find_hand(robot, request.hand), {}, {}, {}, {}, {}, {}};
+  const int last = static_cast<int>(robot.table().frames.size()) - 1;
+  if (found.hand) {
+    found.arm = moving_between(robot, -1, found.hand->root);
+    found.pads = find_pads(robot, *found.hand, shapes.points);
+    found.palm = find_palm(robot, *found.hand, found.pads);
+    found.hand->side = found.palm->side;
+    if (found.hand->gripper) {
+      found.finger_space = take_out_finger_space(robot, *found.hand, found.pads, shapes);
+    }
+  } else {
+    for (int f = last; f >= 0 && found.arm.empty(); --f) {
+      if (robot.moves(f)) found.arm = moving_between(robot, -1, f);
+    }
+    if (!found.has_arm()) {
+      throw InputError(
+          fmt::format("{}: has neither a hand (fingers that part from one link) nor an arm "
+                      "(three joints one after the other)",
+                      request.urdf.string()));
+    }
+    found.flange = find_flange(robot, found.arm);
+  }
+  if (found.has_arm()) found.centres = arm_centres(robot, found.arm);
+  found.capsules = cover_links(robot, found.arm, found.hand ? &*found.hand : nullptr, found.pads,
+                               shapes, request.budget);
+  return found;
+}
+
+std::string urdf_section(const Found& found, const SetupRequest& request,
+                         const std::vector<JointLimits>& limits) {
+  const fs::path folder = fs::absolute(request.out).parent_path();
+  const fs::path file = fs::absolute(request.urdf).lexically_proximate(folder);
+  std::string text =
+      fmt::format("urdf:\n  file: {}\n  shapes: ignore  # those below stand for them\n  limits:\n",
+                  yaml_name(file.string()));
+  for (const JointLimits& own : limits) {
+    text += fmt::format("    - {{joint: {}, ", yaml_name(own.joint));
+    if (own.lower) {
+      text +=
+          fmt::format("lower: {}, upper: {}, ", yaml_number(*own.lower), yaml_number(*own.upper));
+    }
+    if (own.velocity) text += fmt::format("velocity: {}, ", yaml_number(*own.velocity));
+    text += fmt::format("acceleration: {}, jerk: {}", yaml_number(own.acceleration),
+                        yaml_number(own.jerk));
+    if (own.braking) {
+      text += fmt::format(", braking: {{slope: {}, drop: {}, lower_end: {}, upper_end: {}}}",
+                          yaml_number(own.braking->slope), yaml_number(own.braking->drop),
+                          yaml_number(own.braking->lower_end), yaml_number(own.braking->upper_end));
+    }
+    text += fmt::format("}}  # {}{}\n", own.source.empty() ? "assumed: 3 v, 50 a" : own.source,
+                        own.lower || own.velocity ? "; what the URDF lacks assumed" : "");
+  }
+  (void)found;
+  return text;
+}
+
+std::string chains_section(const Found& found) {
+  std::string text = "chains:\n";
+  if (found.has_arm()) {
+    text += fmt::format("  - {{name: arm, first: {}, last: {}}}\n",
+                        yaml_name(found.joint(found.arm.front())),
+                        yaml_name(found.joint(found.arm.back())));
+  }
+  if (!found.hand) return text;
+  for (const Finger& finger : found.hand->fingers) {
+    text += fmt::format("  - {{name: {}, first: {}, last: {}}}  # {}\n", found.finger_name(finger),
+                        yaml_name(found.joint(finger.frames.front())),
+                        yaml_name(found.joint(finger.frames.back())), name_of(finger.named));
+  }
+  return text;
+}
+
+std::string frame_line(const std::string& name, const std::string& parent, const Pose& mount,
+                       const std::string& remark) {
+  return fmt::format("  - {{name: {}, parent: {}, mount: {}}}  # {}\n", name, yaml_name(parent),
+                     yaml_mount(mount), remark);
+}
+
+std::string frames_section(const Found& found) {
+  std::string text;
+  const auto centre = [&](const char* name, const JointCentre& c) {
+    const Pose mount(Eigen::Translation3d(c.in_frame));
+    text +=
+        frame_line(found.own(name), found.link(c.frame), mount,
+                   fmt::format("{}, axes pass it by {:.1f} mm", name_of(c.sure), 1e3 * c.miss_m));
+  };
+  if (found.centres) {
+    centre("shoulder_centre", found.centres->shoulder);
+    centre("elbow_centre", found.centres->elbow);
+    centre("wrist_centre", found.centres->wrist);
+  }
+  if (found.flange) {
+    text += frame_line(found.own("flange"), found.link(found.flange->frame),
+                       found.flange->frame_from_flange,
+                       fmt::format("z outwards; {}", name_of(found.flange->sure)));
+  }
+  if (found.palm) {
+    text += frame_line(
+        found.own("palm_frame"), found.link(found.hand->root), found.palm->root_from_palm,
+        fmt::format("z to the fingers, x out of the palm; {}", name_of(found.palm->sure)));
+  }
+  std::string keys;
+  if (found.centres) keys += fmt::format("shoulder: {}\n", found.own("shoulder_centre"));
+  keys += fmt::format("palm: {}\n", found.own(found.palm ? "palm_frame" : "flange"));
+  return (text.empty() ? "" : "frames:\n" + text) + keys;
+}
+
+std::string tips_section(const Found& found) {
+  std::string text = "tips:  # z along the last bone, x out of the pad, on the pad's surface\n";
+  if (!found.hand) {
+    return text +
+           fmt::format("  - {{name: wrist, frame: {}, finger: wrist}}\n", found.own("flange"));
+  }
+  for (std::size_t i = 0; i < found.pads.size(); ++i) {
+    const Pad& pad = found.pads[i];
+    const std::string finger = found.finger_name(found.hand->fingers[i]);
+    text +=
+        fmt::format("  - {{name: {}_tip, frame: {}, finger: {}, pad_depth: {}, mount: {}}}  # {}",
+                    finger, yaml_name(found.link(pad.frame)), finger, yaml_number(kPadDepth_m),
+                    yaml_mount(pad.frame_from_pad), name_of(pad.sure));
+    if (!pad.file_link.empty()) {
+      const Vec3 off = pad.file_tip - pad.frame_from_pad.translation();
+      text += fmt::format("; the file's {} lies at {}, {:.1f} mm from it", pad.file_link,
+                          yaml_vector(pad.file_tip), 1e3 * off.norm());
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::string centres_section(const Found& found) {
+  std::string text;
+  if (found.has_arm()) {
+    text += fmt::format("  - {{chain: arm, frame: {}}}\n", found.own("elbow_centre"));
+    if (found.hand)
+      text += fmt::format("  - {{chain: arm, frame: {}}}\n", found.own("wrist_centre"));
+  }
+  if (found.hand) {
+    for (const Finger& finger : found.hand->fingers) {
+      const int middle = middle_joint(found.robot, finger);
+      if (middle < 0) continue;
+      text += fmt::format("  - {{chain: {}, frame: {}}}\n", found.finger_name(finger),
+                          yaml_name(found.link(middle)));
+    }
+  }
+  return text.empty() ? "" : "centres:\n" + text;
+}
+
+std::string natural_section(const Found& found) {
+  if (!found.hand) return "";
+  const std::vector<robot::NaturalJoint> natural = natural_posture(found.robot, *found.hand);
+  if (natural.empty()) return "";
+  std::string text = "natural:  # what fingers do that have no goal\n";
+  for (const robot::NaturalJoint& joint : natural) {
+    text += fmt::format("  - {{joint: {}", yaml_name(joint.joint));
+    if (!joint.follow.empty()) text += fmt::format(", follow: {}", yaml_name(joint.follow));
+    if (joint.value != 0) text += fmt::format(", value: {}", yaml_number(joint.value));
+    text += "}\n";
+  }
+  return text;
+}
+
+std::string capsules_section(const Found& found, const std::string& allowed) {
+  if (found.capsules.empty()) return "";
+  std::string text = "collision:\n  capsules:\n", touch;
+  for (const LinkCapsules& link : found.capsules) {
+    const cover::CoverFigures& f = link.figures;
+    text += link.sure == Sure::assumed
+                ? fmt::format("    # {}: no shape in the URDF, assumed\n", found.link(link.frame))
+                : fmt::format(
+                      "    # {}: {:.1f} % inside, {:.2f} mm outside at most, {:.1f} mm off "
+                      "the surface (95 %: {:.1f})\n",
+                      found.link(link.frame), 100 * f.coverage, 1e3 * f.largest_gap_m,
+                      1e3 * f.standoff_median_m, 1e3 * f.standoff_95_m);
+    for (std::size_t k = 0; k < link.capsules.size(); ++k) {
+      const RobotTable::Capsule& c = link.capsules[k];
+      const std::string name = fmt::format("{}_{}", found.link(link.frame), k + 1);
+      text += fmt::format("    - {{name: {}, frame: {}, from: {}, to: {}, radius: {}}}\n",
+                          yaml_name(name), yaml_name(found.link(link.frame)), yaml_vector(c.from),
+                          yaml_vector(c.to), yaml_number(c.radius));
+      if (found.hand && robot::hangs_on(found.robot.table(), link.frame, found.hand->root)) {
+        touch += fmt::format("{}{}", touch.empty() ? "" : ", ", yaml_name(name));
+      }
+    }
+  }
+  text += allowed;
+  if (!touch.empty()) text += fmt::format("  may_touch_target: [{}]\n", touch);
+  return text;
+}
+
+/// Pairs of frames as links, of a table whose frames are called otherwise.
+std::string pairs_text(const robot::RobotDescription& description,
+                       const std::vector<AllowedPair>& pairs) {
+  if (pairs.empty()) return "";
+  std::map<int, std::string> names{{-1, "base"}};
+  for (std::size_t f = 0; f < description.table.frames.size(); ++f) {
+    names[static_cast<int>(f)] = description.table.frames[f].name;
+  }
+  for (const auto& [link, frame] : description.links) names[frame] = link;
+  std::string text = "  allowed_links:\n";
+  for (const AllowedPair& pair : pairs) {
+    text += fmt::format("    - [{}, {}]  # overlap in {:.0f} % of postures, at rest by {:.1f} mm\n",
+                        yaml_name(names[pair.one]), yaml_name(names[pair.other]), 100 * pair.share,
+                        1e3 * pair.deepest_m);
+  }
+  return text;
+}
+
+void tell_what_to_check(const Found& found, const std::vector<JointLimits>& limits,
+                        SetupResult& result) {
+  auto& check = result.to_check;
+  if (found.hand) {
+    std::vector<std::string> fingers;
+    for (const Finger& f : found.hand->fingers) {
+      fingers.push_back(fmt::format("{} = {} ({})", found.finger_name(f),
+                                    found.joint(f.frames.back()), name_of(f.named)));
+    }
+    check.push_back(
+        fmt::format("fingers: {}; a {} hand", fmt::join(fingers, ", "), name_of(found.hand->side)));
+    for (std::size_t i = 0; i < found.pads.size(); ++i) {
+      if (found.pads[i].sure != Sure::assumed) continue;
+      check.push_back(fmt::format("tip of {}: nothing says where the finger ends",
+                                  found.finger_name(found.hand->fingers[i])));
+    }
+  }
+  if (found.centres && found.centres->shoulder.sure == Sure::assumed)
+    check.push_back("shoulder: the first axes meet nowhere");
+  if (found.centres && found.centres->wrist.sure == Sure::assumed)
+    check.push_back("wrist: no two of the last axes meet");
+  const auto assumed = std::ranges::count(limits, Sure::assumed, &JointLimits::sure);
+  if (assumed > 0)
+    check.push_back(fmt::format("acceleration and jerk of {} assumed",
+                                counted(assumed, "joint is", "joints are")));
+  std::vector<std::string> beyond;
+  for (const Pad& pad : found.pads) {
+    if (pad.beyond_shapes) beyond.push_back(found.link(pad.frame));
+  }
+  if (!beyond.empty()) {
+    check.push_back(
+        fmt::format("shapes of {} end before the file's tips: the rest of these fingers is assumed",
+                    fmt::join(beyond, ", ")));
+  }
+  if (!found.finger_space.empty()) {
+    check.push_back(
+        fmt::format("shapes of {} in which the pads lie are left out: they would stand "
+                    "for the fingers, which have their own",
+                    fmt::join(found.finger_space, ", ")));
+  }
+  std::vector<std::string> bones;
+  for (const LinkCapsules& link : found.capsules) {
+    if (link.sure == Sure::assumed) bones.push_back(found.link(link.frame));
+  }
+  if (!bones.empty()) {
+    check.push_back(fmt::format("shapes of {} are assumed: bones as thick as their inertia says",
+                                fmt::join(bones, ", ")));
+  }
+}
+
+}  // namespace
+
+SetupResult set_up(const SetupRequest& request, const std::optional<std::string>& before) {
+  const robot::UrdfModel model = robot::load_urdf_model(request.urdf);
+  const Kinematics robot = kinematics_of(model);
+  const LinkShapes shapes = read_shapes(robot, request.places);
+  const Found found = find_all(robot, request, shapes);
+  const std::vector<JointLimits> limits = joint_limits(robot);
+  SetupResult result;
+  result.notes = model.notes;
+  result.notes.insert(result.notes.end(), shapes.notes.begin(), shapes.notes.end());
+  const std::string name = request.name.empty() ? model.name : request.name;
+  std::vector<Section> sections = {
+      {"name", fmt::format("name: {}\n", yaml_name(name))},
+      {"urdf", urdf_section(found, request, limits)},
+      {"chains", chains_section(found)},
+      {"frames", frames_section(found)},
+      {"tips", tips_section(found)},
+      {"centres", centres_section(found)},
+      {"natural", natural_section(found)},
+  };
+  if (found.hand && found.hand->side == Side::left) sections.push_back({"side", "side: left\n"});
+  std::erase_if(sections, [](const Section& section) { return section.text.empty(); });
+  std::string without_pairs;
+  for (const Section& section : sections) without_pairs += section.text;
+  without_pairs += capsules_section(found, "");
+  const robot::RobotDescription bare = robot::parse_robot(without_pairs, request.out);
+  sections.push_back(
+      {"collision", capsules_section(found, pairs_text(bare, allowed_links(bare.table)))});
+  std::vector<std::string> kept;
+  result.text = fmt::format(
+      "# Made by `morphe robot setup` from {}. What stands below a line that begins with `#:` is\n"
+      "# made anew each time, unless somebody changed it: then it stays as it is.\n{}",
+      request.urdf.filename().string(),
+      before ? joined_over(sections, *before, kept) : joined(sections));
+  if (!kept.empty())
+    result.notes.push_back(fmt::format("kept as changed: {}", fmt::join(kept, ", ")));
+  result.points = shapes.points;  // the URDF comes first in the description: the same frames
+  tell_what_to_check(found, limits, result);
+  (void)robot::parse_robot(result.text, request.out);  // what is kept must still fit
+  return result;
+}
+
+}  // namespace morphe::setup

@@ -1,0 +1,157 @@
+#include "pipeline/setup/shapes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+#include <set>
+
+#include "core/collision/mesh_file.hpp"
+
+namespace morphe::setup {
+namespace {
+
+namespace fs = std::filesystem;
+using robot::UrdfShape;
+
+/// The folder that holds PATH of package://NAME/PATH: NAME itself somewhere above the URDF.
+fs::path package_file(const fs::path& urdf, const std::string& name, const fs::path& path,
+                      const MeshPlaces& places) {
+  if (const auto given = places.packages.find(name); given != places.packages.end()) {
+    return given->second / path;
+  }
+  for (fs::path folder = fs::absolute(urdf).parent_path(); folder != folder.root_path();
+       folder = folder.parent_path()) {
+    if (folder.filename() == name && fs::exists(folder / path)) return folder / path;
+    if (fs::exists(folder / name / path)) return folder / name / path;
+    if (fs::exists(folder / path)) return folder / path;
+  }
+  return {};
+}
+
+fs::path file_of(const fs::path& urdf, const std::string& named, const MeshPlaces& places) {
+  for (const std::string_view scheme : {"package://", "model://"}) {
+    if (!named.starts_with(scheme)) continue;
+    const std::string rest = named.substr(scheme.size());
+    const std::size_t slash = rest.find('/');
+    if (slash == std::string::npos) return {};
+    return package_file(urdf, rest.substr(0, slash), rest.substr(slash + 1), places);
+  }
+  fs::path path = named.starts_with("file://") ? named.substr(7) : named;
+  if (path.is_relative()) path = urdf.parent_path() / path;
+  return path;
+}
+
+SceneObject solid(const UrdfShape& shape) {
+  SceneObject object;
+  object.shape = shape.kind;
+  const std::size_t numbers = object.shape == Shape::sphere ? 1
+                              : object.shape == Shape::box  ? 3
+                                                            : 2;
+  object.size.assign(shape.size.data(), shape.size.data() + numbers);
+  object.position = {shape.link_from_shape.translation()};
+  object.orientation = {Quat(shape.link_from_shape.linear())};
+  return object;
+}
+
+/// Points on the surface of what is no mesh: corners of boxes, rings of cylinders, poles of
+/// spheres.
+void add_points(const SceneObject& object, std::vector<Vec3>& points) {
+  const Pose pose = make_pose(object.position[0], object.orientation[0]);
+  const auto& size = object.size;
+  for (int k = 0; k < 64; ++k) {
+    const double turn = 2 * std::numbers::pi * (k % 16) / 16;
+    const Vec3 round(std::cos(turn), std::sin(turn), 0);
+    Vec3 point = Vec3::Zero();
+    if (object.shape == Shape::box) {
+      point = 0.5 * Vec3((k & 1 ? 1 : -1) * size[0], (k & 2 ? 1 : -1) * size[1],
+                         (k & 4 ? 1 : -1) * size[2]);
+    } else if (object.shape == Shape::cylinder) {
+      point = size[0] * round + Vec3(0, 0, (k & 16 ? 0.5 : -0.5) * size[1]);
+    } else {
+      const double polar = std::numbers::pi * (k / 16 + 1) / 5;
+      point = size[0] * (std::sin(polar) * round + std::cos(polar) * Vec3::UnitZ());
+    }
+    points.push_back(pose * point);
+  }
+}
+
+struct Reader {
+  const Kinematics& robot;
+  const MeshPlaces& places;
+  LinkShapes found;
+  std::set<std::string> told;
+
+  void note(const std::string& sentence) {
+    if (told.insert(sentence).second) found.notes.push_back(sentence);
+  }
+
+  /// A link of 5 m, or of 1 mm, was hardly drawn in metres.
+  void warn_of_size(const fs::path& file, const SceneObject& mesh) {
+    Vec3 least = mesh.vertices.front(), most = least;
+    for (const Vec3& vertex : mesh.vertices) {
+      least = least.cwiseMin(vertex);
+      most = most.cwiseMax(vertex);
+    }
+    const double extent = (most - least).maxCoeff();
+    if (extent < 5 && extent > 0.001) return;
+    note(fmt::format("{}: is {:.4g} m long: is its scale right?", file.string(), extent));
+  }
+
+  bool read_mesh(const UrdfShape& shape, SceneObject& mesh) {
+    const fs::path file = file_of(robot.model->file, shape.mesh, places);
+    if (file.empty() || !fs::exists(file)) {
+      note(
+          fmt::format("{}: mesh '{}' is missing: no shape of it is known (--package NAME=DIR says "
+                      "where a package is)",
+                      robot.model->file.string(), shape.mesh));
+      return false;
+    }
+    const std::string problem = collision::load_surface(file, mesh);
+    if (!problem.empty()) {
+      note(problem);
+      return false;
+    }
+    for (Vec3& vertex : mesh.vertices) {
+      vertex = shape.link_from_shape * Vec3(shape.size.cwiseProduct(vertex));
+    }
+    if (shape.size.prod() < 0) {
+      for (Eigen::Vector3i& triangle : mesh.triangles) std::swap(triangle[0], triangle[1]);
+    }
+    warn_of_size(file, mesh);
+    mesh.position = {Vec3::Zero()};
+    mesh.orientation = {Quat::Identity()};
+    return true;
+  }
+
+  void read(const UrdfShape& shape, int frame) {
+    SceneObject object;
+    if (shape.kind == Shape::mesh) {
+      if (!read_mesh(shape, object)) return;
+      auto& points = found.points[frame];
+      points.insert(points.end(), object.vertices.begin(), object.vertices.end());
+    } else {
+      object = solid(shape);
+      if (!(object.size[0] > 0)) return;
+      add_points(object, found.points[frame]);
+    }
+    found.of_frame[frame].push_back(std::move(object));
+  }
+};
+
+}  // namespace
+
+LinkShapes read_shapes(const Kinematics& robot, const MeshPlaces& places) {
+  Reader reader{robot, places, {}, {}};
+  for (const bool visual : {false, true}) {
+    std::set<int> had;
+    for (const auto& [frame, objects] : reader.found.of_frame) had.insert(frame);
+    for (const UrdfShape& shape : robot.model->shapes) {
+      const int frame = robot.model->links.at(shape.link);
+      if (shape.visual == visual && !had.contains(frame)) reader.read(shape, frame);
+    }
+  }
+  return std::move(reader.found);
+}
+
+}  // namespace morphe::setup

@@ -1,0 +1,235 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+
+#include "core/files/sha256.hpp"
+#include "core/math/seed.hpp"
+#include "core/parallel/for_each.hpp"
+#include "core/store/plan_file.hpp"
+#include "pipeline/planning/plan_movement.hpp"
+#include "pipeline/study/grasp_rows.hpp"
+#include "pipeline/study/held_objects.hpp"
+#include "pipeline/study/results.hpp"
+#include "pipeline/study/study.hpp"
+#include "stages/import/import.hpp"
+
+namespace morphe::study {
+namespace {
+
+constexpr Shape kShapes[] = {Shape::sphere, Shape::cylinder, Shape::box};
+
+/// A recording of a set.
+struct RecordedGrasp {
+  Demonstration demonstration;
+  std::vector<KnownContact> contacts;  ///< of its made object, if it has one
+};
+
+/// A recording planned both ways.
+struct PlannedTwice {
+  std::string name;
+  std::vector<GraspPair> pairs;
+  std::vector<Plan> contacts, fingertips;
+};
+
+synthesize::SynthesizeOptions synthetic_options(const std::filesystem::path& file) {
+  synthesize::SynthesizeOptions options;
+  const config::ConfigNode node = config::ConfigNode::load(file);
+  config::read_document(node, options);
+  return options;
+}
+
+/// Synthetic recordings, in order of their number; with known objects those in whose hand one fits.
+void add_synthetic_grasps(const GraspSet& set, const std::filesystem::path& folder,
+                          std::size_t count, double pad_depth_m, std::vector<RecordedGrasp>& all) {
+  constexpr std::size_t kTries = 10;  ///< recordings looked at for each that is wanted
+  const synthesize::SynthesizeOptions options = synthetic_options(folder / set.synthetic);
+  for (std::size_t index = 0, found = 0; found < count && index < kTries * count; ++index) {
+    synthesize::SyntheticRecording made = synthesize::synthesize(options, set.seed, index);
+    if (!set.known_objects) {
+      all.push_back({std::move(made.recorded), {}});
+      ++found;
+      continue;
+    }
+    math::RandomStream random(math::seed_from(set.seed, "held object", index), set.name);
+    std::optional<KnownGrasp> known =
+        known_grasp(made, kShapes[found % std::size(kShapes)], pad_depth_m, random);
+    if (!known) continue;
+    all.push_back({std::move(known->recorded), std::move(known->contacts)});
+    ++found;
+  }
+}
+
+std::vector<RecordedGrasp> recordings_to_grasp(const GraspSet& set, const StudyRun& run,
+                                               double pad_depth_m) {
+  const std::filesystem::path folder = run.config.parent_path();
+  std::vector<RecordedGrasp> all;
+  if (!set.manifest.empty()) {
+    imports::ImportRequest request;
+    request.paths = {folder / set.manifest};
+    imports::import_recordings(request, [&](Demonstration&& demonstration) {
+      if (run.quick && all.size() >= static_cast<std::size_t>(set.quick_count)) return;
+      all.push_back({std::move(demonstration), {}});
+    });
+  }
+  if (!set.synthetic.empty()) {
+    add_synthetic_grasps(set, folder,
+                         static_cast<std::size_t>(run.quick ? set.quick_count : set.count),
+                         pad_depth_m, all);
+  }
+  return all;
+}
+
+/// The contacts of a movement: made, or those of its recorded object; none of an inferred one.
+std::vector<KnownContact> known_in(const RecordedGrasp& recording, const planning::Rebuilt& rebuilt,
+                                   const Movement& movement, const grasp::GraspOptions& options) {
+  const SceneObject* target = object_named(rebuilt.beside.objects, movement.target);
+  if (!target) return {};
+  if (!recording.contacts.empty()) {
+    return target->name == kHeldName ? recording.contacts : std::vector<KnownContact>{};
+  }
+  const double at_s = instant_of_grasp(movement.phases);
+  const HumanMotion& motion = rebuilt.motion;
+  const auto frame =
+      static_cast<std::size_t>(std::ranges::lower_bound(motion.time, at_s) - motion.time.begin());
+  if (!(at_s >= movement.begin_s) || frame >= motion.time.size()) return {};
+  SeenHand hand;
+  for (std::size_t finger = 0; finger < kFingers; ++finger) {
+    hand.tip[finger] = motion.tip(frame, finger);
+    hand.middle_joint[finger] = motion.finger_joint(frame, finger);
+  }
+  return recorded_contacts(*target, motion.time[frame], hand, options);
+}
+
+/// A hand of a set, in both variants.
+struct GraspHand {
+  planning::LoadedConfig contacts, fingertips;
+  const grasp::GraspOptions& options() const { return *contacts.options.grasp; }
+};
+
+GraspHand load_hand(const GraspStudyOptions& options, const std::filesystem::path& pipeline) {
+  GraspHand hand{planning::load_config(pipeline, options.contacts.set),
+                 planning::load_config(pipeline, options.fingertips.set)};
+  if (!hand.contacts.options.grasp || hand.fingertips.options.grasp) {
+    throw InputError(fmt::format("{}: `{}` must set a key of grasp, and `{}` none",
+                                 pipeline.string(), options.contacts.name,
+                                 options.fingertips.name));
+  }
+  return hand;
+}
+
+PlannedTwice plan_both_ways(const GraspHand& hand, const RecordedGrasp& recording) {
+  const robot::Robot& robot = hand.contacts.robot;
+  const planning::Planner with{hand.contacts.options, robot},
+      without{hand.fingertips.options, robot};
+  PlannedTwice planned{recording.demonstration.name, {}, {}, {}};
+  planned.contacts = planning::plan_demonstration(with, recording.demonstration).plans;
+  planned.fingertips = planning::plan_demonstration(without, recording.demonstration).plans;
+  planning::StageSeconds seconds;
+  const planning::Rebuilt rebuilt = planning::rebuild(without, recording.demonstration, seconds);
+  if (planned.contacts.size() != planned.fingertips.size()) {
+    throw InputError(planned.name + ": the variants find other movements");
+  }
+  for (std::size_t k = 0; k < planned.contacts.size(); ++k) {
+    const Plan &contacts = planned.contacts[k], &fingertips = planned.fingertips[k];
+    const std::vector<KnownContact> known =
+        known_in(recording, rebuilt, contacts.movement, hand.options());
+    GraspPair& pair = planned.pairs.emplace_back();
+    pair.contacts = score_grasp(robot, contacts, known);
+    pair.fingertips = score_grasp(robot, fingertips, known);
+    if (contacts.has_trajectory()) pair.asked = contacts_asked(robot, fingertips, hand.options());
+  }
+  return planned;
+}
+
+/// The plans of one variant, beside the results; none are written if there is no folder.
+std::unique_ptr<store::PlanWriter> writer_of(const StudyRun& run, const GraspSet& set,
+                                             const StudyVariant& variant,
+                                             const planning::LoadedConfig& config) {
+  if (run.folder.empty()) return nullptr;
+  const std::filesystem::path plans = run.folder / "plans";
+  std::filesystem::create_directories(plans);
+  const std::string name = fmt::format("{}-{}-{}", set.name, config.robot.name, variant.name);
+  const std::string of = fmt::format("{}/{}/{}", set.name, set.seed, set.synthetic + set.manifest);
+  return std::make_unique<store::PlanWriter>(
+      plans / (name + ".h5"), planning::header_of(config, files::sha256(of)), config.robot);
+}
+
+std::vector<GraspPair> plan_set(const GraspStudyOptions& options, const GraspSet& set,
+                                const GraspHand& hand, const std::vector<RecordedGrasp>& recordings,
+                                const StudyRun& run) {
+  const auto contacts = writer_of(run, set, options.contacts, hand.contacts);
+  const auto fingertips = writer_of(run, set, options.fingertips, hand.fingertips);
+  std::vector<GraspPair> pairs;
+  parallel::for_each<PlannedTwice>(
+      static_cast<int>(recordings.size()), run.jobs,
+      [&](std::uint64_t index) { return plan_both_ways(hand, recordings[index]); },
+      [&](const PlannedTwice& planned) {
+        for (std::size_t k = 0; k < planned.pairs.size(); ++k) {
+          const GraspPair& pair = planned.pairs[k];
+          if (contacts) contacts->add(planned.contacts[k]);
+          if (fingertips) fingertips->add(planned.fingertips[k]);
+          pairs.push_back(pair);
+          run.progress(fmt::format("{}, {}, {}/{}: {} {}, {} of {} touch; {} {}", set.name,
+                                   hand.contacts.robot.name, planned.name, k, options.contacts.name,
+                                   name_of(planned.contacts[k].status()), pair.contacts.touched,
+                                   pair.asked, options.fingertips.name,
+                                   name_of(planned.fingertips[k].status())));
+        }
+      });
+  if (contacts) contacts->finish();
+  if (fingertips) fingertips->finish();
+  return pairs;
+}
+
+}  // namespace
+
+std::string why_invalid(const GraspSet& set) {
+  if (set.pipelines.empty()) return "pipelines is empty";
+  if (set.manifest.empty() && set.synthetic.empty()) return "needs `manifest` or `synthetic`";
+  if (set.known_objects && set.synthetic.empty()) return "known_objects needs `synthetic`";
+  if (set.count < 1 || set.quick_count < 1) return "count and quick_count must be positive";
+  return "";
+}
+
+std::string why_invalid(const GraspStudyOptions& options) {
+  if (options.sets.empty()) return "sets is empty";
+  if (options.contacts.name == options.fingertips.name) {
+    return "contacts and fingertips are named alike";
+  }
+  for (const GraspSet& set : options.sets) {
+    if (std::ranges::count(options.sets, set.name, &GraspSet::name) > 1) {
+      return fmt::format("two sets are called '{}'", set.name);
+    }
+  }
+  if (options.quick_hands < 1) return "quick_hands must be at least 1";
+  return "";
+}
+
+StudyResult grasp_study(const config::ConfigNode& config, const StudyRun& run) {
+  GraspStudyOptions options;
+  config::read_document(config, options);
+  const std::filesystem::path folder = run.config.parent_path();
+  StudyResult result;
+  for (GraspSet& set : options.sets) {
+    if (run.quick && set.pipelines.size() > static_cast<std::size_t>(options.quick_hands)) {
+      set.pipelines.resize(static_cast<std::size_t>(options.quick_hands));
+    }
+    std::vector<RecordedGrasp> recordings;
+    for (const std::string& pipeline : set.pipelines) {
+      const GraspHand hand = load_hand(options, folder / pipeline);
+      if (recordings.empty())
+        recordings = recordings_to_grasp(set, run, hand.options().pad_depth_m);
+      const std::vector<GraspPair> pairs = plan_set(options, set, hand, recordings, run);
+      StudyResult of_hand;  // a study of hours says what it has
+      add_grasp_rows(options, {{"set", set.name}, {"hand", hand.contacts.robot.name}}, pairs,
+                     of_hand);
+      run.progress(results_table(of_hand));
+      std::ranges::move(of_hand.rows, std::back_inserter(result.rows));
+    }
+  }
+  return result;
+}
+
+}  // namespace morphe::study

@@ -1,0 +1,86 @@
+#include "pipeline/study/human_poses.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stages/import/import.hpp"
+#include "stages/reconstruct/mirror.hpp"
+#include "stages/reconstruct/reconstruct.hpp"
+#include "stages/segment/segment.hpp"
+
+namespace morphe::study {
+namespace {
+
+/// Every how many frames of a clock a step of `step_s` is.
+std::size_t stride(const std::vector<double>& time, double step_s) {
+  if (time.size() < 2) return 1;
+  const double frame_s = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+  return std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(step_s / frame_s)));
+}
+
+template <class Use>
+void for_each_motion(const std::filesystem::path& manifest, const Use& use) {
+  imports::ImportRequest request;
+  request.paths = {manifest};
+  imports::import_recordings(request, [&](Demonstration&& demonstration) {
+    use(demonstration, reconstruct::reconstruct(demonstration, {}, {}));
+  });
+}
+
+}  // namespace
+
+std::vector<HumanPoses> arm_poses(const std::filesystem::path& manifest,
+                                  const human::ArmLengths& lengths, double step_s) {
+  std::vector<HumanPoses> all;
+  for_each_motion(manifest, [&](const Demonstration& demonstration, const HumanMotion& motion) {
+    for (const Movement& movement :
+         segment::segment(motion, {}, reconstruct::objects_beside(demonstration, Side::right))) {
+      HumanPoses poses;
+      const std::size_t every = stride(motion.time, step_s);
+      for (std::size_t i = 0; i < motion.time.size(); i += every) {
+        if (motion.time[i] < movement.begin_s || motion.time[i] > movement.end_s) continue;
+        const Vec3 upper_arm = motion.elbow[i] - motion.shoulder[i];
+        const Vec3 forearm = motion.wrist[i] - motion.elbow[i];
+        if (!seen(upper_arm) || !seen(forearm) || !seen(motion.wrist_orientation[i])) continue;
+        HumanPose pose;
+        pose.time = motion.time[i];
+        pose.elbow = lengths.upper_arm * upper_arm.normalized();
+        pose.wrist = pose.elbow + lengths.forearm * forearm.normalized();
+        pose.hand = motion.wrist_orientation[i];
+        for (std::size_t f = 0; f < kFingers; ++f) {
+          pose.tip[f] = pose.wrist + motion.tip(i, f) - motion.wrist[i];
+        }
+        poses.push_back(pose);
+      }
+      if (!poses.empty()) all.push_back(std::move(poses));
+    }
+  });
+  return all;
+}
+
+std::vector<HumanPoses> hand_poses(const std::filesystem::path& manifest,
+                                   const human::HandSize& size, double step_s) {
+  std::vector<HumanPoses> all;
+  const RobotTable hand = human::human_hand(size);
+  std::vector<Pose> frames;
+  for_each_motion(manifest, [&](const Demonstration&, const HumanMotion& motion) {
+    HumanPoses poses;
+    const auto rows = static_cast<std::size_t>(motion.hand_angles.rows());
+    for (std::size_t i = 0; i < rows; i += stride(motion.time, step_s)) {
+      human::HandAngles angles;
+      const JointVector row = motion.hand_angles.row(static_cast<Eigen::Index>(i)).transpose();
+      if (!row.allFinite()) continue;
+      std::copy(row.begin(), row.end(), angles.joint.begin());
+      HumanPose pose;
+      pose.time = motion.time[i];
+      pose.wrist = Vec3::Zero();
+      pose.hand = Quat::Identity();
+      pose.tip = human::hand_points(hand, angles, frames).tip;
+      poses.push_back(pose);
+    }
+    if (!poses.empty()) all.push_back(std::move(poses));
+  });
+  return all;
+}
+
+}  // namespace morphe::study

@@ -1,0 +1,74 @@
+#include "pipeline/study/paper_cases.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/humanlike/arm_chain.hpp"
+#include "core/math/seed.hpp"
+#include "core/math/statistics.hpp"
+#include "core/robot/forward.hpp"
+
+namespace morphe::study {
+
+MappedPoses map_all(const PaperContext& context, const robot::Robot& robot,
+                    const std::vector<HumanPoses>& series, const StudyWeights& weights,
+                    const Pose& base_from_shoulder) {
+  MappedPoses all;
+  for (std::size_t k = 0; k < series.size(); ++k) {
+    all.append(map_poses(robot, goals_of(robot, series[k], base_from_shoulder), weights,
+                         context.options.solver, context.options.starts,
+                         math::seed_from(1, "series", k)));
+  }
+  return all;
+}
+
+std::vector<char> reachable(const MappedPoses& plain) {
+  constexpr double kPosition = 1e-4, kTurn = 0.1 * std::numbers::pi / 180;
+  std::vector<char> met;
+  for (std::size_t f = 0; f < plain.q.size(); ++f) {
+    met.push_back(!(plain.position_m[f] > kPosition) && !(plain.orientation_rad[f] > kTurn));
+  }
+  return met;
+}
+
+double mean_of(const std::vector<double>& values, const std::vector<char>& which) {
+  std::vector<double> kept;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (which[i]) kept.push_back(values[i]);
+  }
+  return math::mean(kept);
+}
+
+double share_of(const std::vector<char>& which) {
+  const auto met = std::ranges::count(which, 1);
+  return which.empty() ? kNotSeen : static_cast<double>(met) / static_cast<double>(which.size());
+}
+
+std::vector<Vec3> arm_chain_of(const robot::Robot& robot, const JointVector& q) {
+  std::vector<Pose> frames;
+  robot::forward(robot, q, frames);
+  return humanlike::arm_chain(robot, frames).joints;
+}
+
+Plot pose_plot(const std::string& title, const HumanPose& human,
+               const std::vector<std::pair<std::string, std::vector<Vec3>>>& robots) {
+  Plot plot;
+  plot.title = title;
+  plot.x_label = "forward [m]";
+  plot.y_label = "up [m]";
+  plot.same_scale = true;
+  const auto add = [&](const std::string& name, const std::vector<Vec3>& chain) {
+    Plot::Line line{name, {}, {}};
+    for (const Vec3& point : chain) {
+      line.x.push_back(point.y());
+      line.y.push_back(point.z());
+    }
+    line.dots = true;
+    plot.lines.push_back(std::move(line));
+  };
+  add("human", {Vec3::Zero(), human.elbow, human.wrist});
+  for (const auto& [name, chain] : robots) add(name, chain);
+  return plot;
+}
+
+}  // namespace morphe::study

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/config/fields.hpp"
+#include "core/solve/minimise.hpp"
+
+namespace morphe::study {
+
+/// configs/studies/paper*.yaml: results of the paper again, per frame, without scene.
+struct PaperStudyOptions {
+  std::string study;
+  std::string arm_motions;   ///< manifest: shoulder, elbow and wrist, for arms
+  std::string tip_motions;   ///< manifest: five fingertips at a wrist, for arms with hands
+  std::string hand_motions;  ///< manifest: the fingers' angles, for hands alone
+  std::string robots;        ///< folder of the descriptions of PA10, DLR/HIT II and WAM
+  /// The human: mean of the 50th percentile man and woman [m].
+  double upper_arm = 0.323, forearm = 0.254, hand_length = 0.187, hand_breadth = 0.083;
+  double hand_scale = 1.1;  ///< robot hands over the human's
+  /// Weights of every case that does not say otherwise [1/m²], [1/rad of half the angle], [1/m²].
+  double tip_position = 1e6, tip_orientation = 10, humanlike = 1;
+  solve::MinimiseOptions solver;
+  int starts = 32;  ///< at each of three key frames a movement
+  double step_s = 0.05, quick_step_s = 0.2;
+  std::vector<std::string> cases;  ///< which of the study's results; empty = all
+};
+template <class Fields>
+void fields(Fields& f, PaperStudyOptions& o) {
+  f.required("study", o.study);
+  f.required("arm_motions", o.arm_motions);
+  f.required("tip_motions", o.tip_motions);
+  f.required("hand_motions", o.hand_motions);
+  f.required("robots", o.robots);
+  f("upper_arm", o.upper_arm);
+  f("forearm", o.forearm);
+  f("hand_length", o.hand_length);
+  f("hand_breadth", o.hand_breadth);
+  f("hand_scale", o.hand_scale);
+  f("tip_position", o.tip_position);
+  f("tip_orientation", o.tip_orientation);
+  f("humanlike", o.humanlike);
+  f("solver", o.solver);
+  f("starts", o.starts);
+  f("step_s", o.step_s);
+  f("quick_step_s", o.quick_step_s);
+  f("cases", o.cases);
+}
+std::string why_invalid(const PaperStudyOptions& options);
+
+}  // namespace morphe::study

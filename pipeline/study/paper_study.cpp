@@ -1,0 +1,63 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "pipeline/study/paper_cases.hpp"
+
+namespace morphe::study {
+namespace {
+
+struct PaperCase {
+  const char* name;
+  void (*run)(const PaperContext&, StudyResult&);
+};
+constexpr std::array<PaperCase, 7> kCases{{{"table_1", table_1},
+                                           {"tracking", tracking},
+                                           {"fingers", fingers},
+                                           {"scales", scales},
+                                           {"terms", terms},
+                                           {"mappings", mappings},
+                                           {"reference", reference}}};
+
+}  // namespace
+
+std::string why_invalid(const PaperStudyOptions& o) {
+  if (!(o.upper_arm > 0) || !(o.forearm > 0) || !(o.hand_length > 0) || !(o.hand_breadth > 0)) {
+    return "lengths must be positive";
+  }
+  if (!(o.step_s > 0) || !(o.quick_step_s > 0)) return "step_s and quick_step_s must be positive";
+  if (o.starts < 1) return "starts must be positive";
+  for (const std::string& name : o.cases) {
+    if (std::ranges::none_of(kCases, [&](const PaperCase& c) { return name == c.name; })) {
+      return fmt::format("cases: there is no '{}'", name);
+    }
+  }
+  return "";
+}
+
+StudyResult paper_study(const config::ConfigNode& config, const StudyRun& run) {
+  PaperContext context;
+  PaperStudyOptions& options = context.options;
+  config::read_document(config, options);
+  const std::filesystem::path folder = run.config.parent_path();
+  const double step_s = run.quick ? options.quick_step_s : options.step_s;
+  context.robots = folder / options.robots;
+  context.arms =
+      arm_poses(folder / options.arm_motions, {options.upper_arm, options.forearm}, step_s);
+  context.tips =
+      arm_poses(folder / options.tip_motions, {options.upper_arm, options.forearm}, step_s);
+  context.hands = hand_poses(folder / options.hand_motions,
+                             {options.hand_length, options.hand_breadth}, step_s);
+  context.weights = {options.tip_position, options.tip_orientation, options.humanlike};
+  StudyResult result;
+  for (const PaperCase& one : kCases) {
+    const auto& asked = options.cases;
+    if (!asked.empty() && std::ranges::find(asked, one.name) == asked.end()) continue;
+    run.progress(one.name);
+    one.run(context, result);
+  }
+  return result;
+}
+
+}  // namespace morphe::study

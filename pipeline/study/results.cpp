@@ -1,0 +1,146 @@
+#include "pipeline/study/results.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/files/part_file.hpp"
+#include "core/store/hdf5_file.hpp"
+
+namespace morphe::study {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string wanted(const StudyRow& row) {
+  if (row.at_least == row.at_least) return fmt::format(">= {:.4g}", row.at_least);
+  if (row.at_most == row.at_most) return fmt::format("<= {:.4g}", row.at_most);
+  return "";
+}
+
+std::string case_of(const StudyRow& row) {
+  std::string text;
+  for (const auto& [name, value] : row.of) text += (text.empty() ? "" : "; ") + value;
+  return text;
+}
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + "\"";
+}
+
+/// The rows that are the same on every machine.
+StudyResult without_times(StudyResult result) {
+  std::erase_if(result.rows, [](const StudyRow& row) { return row.timed; });
+  return result;
+}
+
+void write_hdf5(const StudyResult& result, const std::filesystem::path& path) {
+  files::PartFile part(path);
+  store::Hdf5File file = store::Hdf5File::create(part.part());
+  const store::Hdf5Group root = file.root();
+  store::write_format(root, "morphe-study", 1);
+  root.set("study", result.study);
+  std::vector<std::string> cases, metrics, units;
+  store::Hdf5Array<double> ours, published, reachable, count;
+  for (const StudyRow& row : result.rows) {
+    cases.push_back(case_of(row));
+    metrics.push_back(row.metric);
+    units.push_back(row.unit);
+    ours.values.push_back(row.ours);
+    published.values.push_back(row.published);
+    reachable.values.push_back(row.reachable);
+    count.values.push_back(static_cast<double>(row.n));
+  }
+  root.write_strings("case", cases);
+  root.write_strings("metric", metrics);
+  root.write_strings("units", units);
+  for (auto& [name, column] : {std::pair("ours", &ours), std::pair("published", &published),
+                               std::pair("reachable", &reachable), std::pair("n", &count)}) {
+    column->dims = {column->values.size()};
+    root.write(name, *column);
+  }
+  file.close();
+  part.commit();
+}
+
+}  // namespace
+
+std::string results_json(const StudyResult& all) {
+  const StudyResult result = without_times(all);
+  Json rows = Json::array();
+  for (const StudyRow& row : result.rows) {
+    Json of = Json::object();
+    for (const auto& [name, value] : row.of) of[name] = value;
+    Json json = {{"case", of},
+                 {"metric", row.metric},
+                 {"unit", row.unit},
+                 {"ours", number(row.ours)},
+                 {"published", number(row.published)},
+                 {"reachable", number(row.reachable)},
+                 {"n", row.n}};
+    if (row.asked()) {
+      json["wanted"] = wanted(row);
+      json["holds"] = row.holds();
+    }
+    rows.push_back(std::move(json));
+  }
+  return Json{{"study", result.study}, {"rows", rows}}.dump(2) + "\n";
+}
+
+std::string results_csv(const StudyResult& all) {
+  const StudyResult result = without_times(all);
+  std::string text = "case,metric,unit,ours,published,reachable,n,wanted,holds\n";
+  const auto cell = [](double v) { return std::isfinite(v) ? fmt::format("{}", v) : ""; };
+  for (const StudyRow& row : result.rows) {
+    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", quoted(case_of(row)), quoted(row.metric),
+                        row.unit, cell(row.ours), cell(row.published), cell(row.reachable), row.n,
+                        wanted(row), row.asked() ? (row.holds() ? "yes" : "no") : "");
+  }
+  return text;
+}
+
+std::string results_table(const StudyResult& result) {
+  std::size_t case_width = 4, metric_width = 6;
+  for (const StudyRow& row : result.rows) {
+    case_width = std::max(case_width, case_of(row).size());
+    metric_width = std::max(metric_width, row.metric.size());
+  }
+  const bool published = std::ranges::any_of(
+      result.rows, [](const StudyRow& row) { return row.published == row.published; });
+  const bool reachable = std::ranges::any_of(
+      result.rows, [](const StudyRow& row) { return row.reachable == row.reachable; });
+  const auto optional = [](bool shown, double value) {
+    return !shown           ? std::string()
+           : value == value ? fmt::format(" {:>10.4g}", value)
+                            : std::string(11, ' ');
+  };
+  std::string text =
+      fmt::format("{:<{}}  {:<{}}  {:>10} {:<5}{}{} {:>12}  {:>7}\n", "case", case_width, "metric",
+                  metric_width, "ours", "unit", published ? "  published" : "",
+                  reachable ? "  reachable" : "", "wanted", "n");
+  for (const StudyRow& row : result.rows) {
+    text += fmt::format("{:<{}}  {:<{}}  {:>10.4g} {:<5}{}{} {:>12}  {:>7}{}\n", case_of(row),
+                        case_width, row.metric, metric_width, row.ours, row.unit,
+                        optional(published, row.published), optional(reachable, row.reachable),
+                        wanted(row), row.n, row.asked() && !row.holds() ? "  missed" : "");
+  }
+  return text;
+}
+
+void write_results(const StudyResult& all, const std::filesystem::path& folder) {
+  const StudyResult result = without_times(all);
+  files::write_whole(folder / "results.json", results_json(result));
+  files::write_whole(folder / "results.csv", results_csv(result));
+  write_hdf5(result, folder / "results.h5");
+  for (const auto& [name, plot] : result.plots)
+    files::write_whole(folder / (name + ".svg"), svg_of(plot));
+}
+
+}  // namespace morphe::study

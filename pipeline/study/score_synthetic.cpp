@@ -1,0 +1,164 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "core/math/statistics.hpp"
+#include "core/motion/counted.hpp"
+#include "core/motion/stream_report.hpp"
+#include "core/parallel/ordered_map.hpp"
+#include "pipeline/study/reconstruction_score.hpp"
+#include "pipeline/study/score_recordings.hpp"
+#include "pipeline/study/segmentation_score.hpp"
+#include "pipeline/study/stopwatch.hpp"
+#include "pipeline/synthesize/synthesize.hpp"
+#include "stages/reconstruct/mirror.hpp"
+
+namespace morphe::study {
+namespace {
+
+/// What one synthetic recording showed.
+struct Judgement {
+  SegmentationScore segmentation;
+  ReconstructionScore reconstruction;
+  double recorded_s = 0, synthesize_s = 0, rebuild_s = 0;
+};
+
+Judgement outcome_of(const ScoreOptions& options, const synthesize::SynthesizeOptions& synthetic,
+                     const SyntheticSet& set, std::size_t index) {
+  Judgement outcome;
+  synthesize::SyntheticRecording recording;
+  outcome.synthesize_s =
+      seconds([&] { recording = synthesize::synthesize(synthetic, set.seed, index); });
+  HumanMotion motion;
+  std::vector<Movement> movements;
+  outcome.rebuild_s = seconds([&] {
+    motion = reconstruct::reconstruct(recording.recorded, options.reconstruct, options.human);
+  });
+  movements = segment::segment(motion, options.segment,
+                               reconstruct::objects_beside(recording.recorded, Side::right));
+  outcome.recorded_s = longest_s(report_streams(recording.recorded.streams));
+  outcome.segmentation = score_segmentation(recording.recorded.labels, movements);
+  if (set.accuracy) outcome.reconstruction = score_reconstruction(motion, recording.truth);
+  return outcome;
+}
+
+Judgement sum_of(const ScoreOptions& options, const SyntheticSet& set, const StudyRun& run) {
+  config::ConfigNode node = config::ConfigNode::load(options.folder / set.config);
+  for (const std::string& setting : set.set) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos) node.fail(fmt::format("set: '{}' holds no '='", setting));
+    node.set(setting.substr(0, equals), setting.substr(equals + 1));
+  }
+  synthesize::SynthesizeOptions synthetic;
+  config::read_document(node, synthetic);
+
+  const auto count = static_cast<std::size_t>(run.quick ? set.quick_count : set.count);
+  Judgement sum;
+  parallel::OrderedMap<std::size_t, Judgement> map;
+  map.next = [&, next = std::size_t{0}]() mutable {
+    return next == count ? nullptr : std::make_unique<std::size_t>(next++);
+  };
+  map.work = [&](const std::size_t& index) {
+    return std::make_unique<Judgement>(outcome_of(options, synthetic, set, index));
+  };
+  map.write = [&](const Judgement& one) {
+    sum.segmentation.add(one.segmentation);
+    sum.reconstruction.add(one.reconstruction);
+    sum.recorded_s += one.recorded_s;
+    sum.synthesize_s += one.synthesize_s;
+    sum.rebuild_s += one.rebuild_s;
+  };
+  morphe::parallel::run(map, run.jobs);
+  return sum;
+}
+
+void add_accuracy(const Case& of, const SyntheticSet& set, const ReconstructionScore& score,
+                  StudyResult& result) {
+  const auto add = [&](const char* metric, const MeanSquare& square, const char* unit,
+                       double at_most = 0) {
+    result.rows.push_back(row_of(of, metric, unit, square.rms(), square.n));
+    if (at_most > 0) result.rows.back().at_most = at_most;
+  };
+  add("shoulder, rms", score.shoulder, "m");
+  add("elbow, rms", score.elbow, "m", set.joints_m);
+  add("wrist, rms", score.wrist, "m", set.joints_m);
+  add("fingertips, rms", score.tips, "m", set.fingertips_m);
+  add("fingertips in the hand (the glove's part), rms", score.tips_in_hand, "m");
+  add("hand orientation, rms", score.orientation, "rad");
+  add("arm angles, rms", score.arm_angles, "rad");
+  add("hand angles, rms", score.hand_angles, "rad");
+  add("index tip at rest, rms speed", score.speed_at_rest, "m/s");
+  add("the same, truly", score.true_at_rest, "m/s");
+  result.rows.push_back(row_of(of, "frames rebuilt whole", "1",
+                               static_cast<double>(score.seen) / static_cast<double>(score.frames),
+                               score.frames));
+  const std::size_t delays = score.delay_s.size(), peaks = score.peak_ratio.size();
+  result.rows.push_back(
+      row_of(of, "delay, median", "s", math::quantile(score.delay_s, 0.5), delays));
+  result.rows.push_back(
+      row_of(of, "delay, 5th percentile", "s", math::quantile(score.delay_s, 0.05), delays));
+  result.rows.push_back(
+      row_of(of, "delay, 95th percentile", "s", math::quantile(score.delay_s, 0.95), delays));
+  result.rows.push_back(row_of(of, "peak speed of reaches over the true one, median", "1",
+                               math::quantile(score.peak_ratio, 0.5), peaks));
+}
+
+void add_boundaries(const Case& of, const SyntheticSet& set, const SegmentationScore& score,
+                    StudyResult& result) {
+  std::vector<double> errors;
+  for (const auto& [name, part] : score.error_s) {
+    result.rows.push_back(
+        row_of(of, name + ", median error", "s", math::quantile(part, 0.5), part.size()));
+    result.rows.push_back(
+        row_of(of, name + ", 95th percentile", "s", math::quantile(part, 0.95), part.size()));
+    if (name == "reach begin" || name == "reach end")
+      errors.insert(errors.end(), part.begin(), part.end());
+  }
+  StudyRow median =
+      row_of(of, "reach boundaries, median error", "s", math::quantile(errors, 0.5), errors.size());
+  StudyRow high = row_of(of, "reach boundaries, 95th percentile", "s", math::quantile(errors, 0.95),
+                         errors.size());
+  if (set.median_s > 0) median.at_most = set.median_s;
+  if (set.percentile_95_s > 0) high.at_most = set.percentile_95_s;
+  result.rows.push_back(median);
+  result.rows.push_back(high);
+}
+
+}  // namespace
+
+void score_synthetic(const ScoreOptions& options, const SyntheticSet& set, const StudyRun& run,
+                     StudyResult& result, Plot& errors) {
+  const Judgement sum = sum_of(options, set, run);
+  const SegmentationScore& score = sum.segmentation;
+  const Case of = {{"set", set.name}};
+  StudyRow precision = row_of(of, "movements, precision", "1", score.precision(), score.found);
+  StudyRow recall = row_of(of, "movements, recall", "1", score.recall(), score.labelled);
+  if (set.least_recall > 0) precision.at_least = recall.at_least = set.least_recall;
+  result.rows.push_back(precision);
+  result.rows.push_back(recall);
+  add_boundaries(of, set, score, result);
+  if (set.accuracy) add_accuracy(of, set, sum.reconstruction, result);
+  StudyRow made =
+      row_of(of, "synthesize, times real time", "1", sum.recorded_s / sum.synthesize_s, 1);
+  StudyRow rebuilt = row_of(of, "rebuild, times real time", "1", sum.recorded_s / sum.rebuild_s, 1);
+  made.timed = rebuilt.timed = true;
+  result.rows.push_back(made);
+  result.rows.push_back(rebuilt);
+
+  Plot::Line line{set.name, {}, {}};
+  std::vector<double> all;
+  for (const char* name : {"reach begin", "reach end"}) {
+    const auto part = score.error_s.find(name);
+    if (part != score.error_s.end())
+      all.insert(all.end(), part->second.begin(), part->second.end());
+  }
+  for (int percent = 0; percent <= 98; ++percent) {
+    line.x.push_back(1000 * math::quantile(all, percent / 100.0));
+    line.y.push_back(percent);
+  }
+  errors.lines.push_back(std::move(line));
+  run.progress(fmt::format("{}: {} labelled, {} found", set.name,
+                           counted(score.labelled, "movement"), score.found));
+}
+
+}  // namespace morphe::study

@@ -1,0 +1,63 @@
+#include "pipeline/synthesize/calibration_pose.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/robot/forward.hpp"
+
+namespace morphe::synthesize {
+namespace {
+
+/// Knuckles of the flat hand in the hand frame: index, middle, little.
+std::array<Vec3, 3> knuckles(const RobotTable& hand) {
+  std::vector<Pose> hand_from_frame;
+  robot::forward(hand, flat_hand(), hand_from_frame);
+  std::array<Vec3, 3> points;
+  constexpr const char* kNames[] = {"index_mcp", "middle_mcp", "little_mcp"};
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto frame = std::ranges::find(hand.frames, kNames[k], &RobotTable::Frame::name);
+    points[k] =
+        hand_from_frame[static_cast<std::size_t>(frame - hand.frames.begin())].translation();
+  }
+  return points;
+}
+
+MarkerStream digitise(const SyntheticSensors& options, const Subject& subject,
+                      const human::ArmPose& pose, math::RandomStream& random) {
+  MarkerStream markers;
+  markers.names = {"shoulder", "elbow", "wrist", "index_mcp", "middle_mcp", "little_mcp"};
+  std::vector<Vec3> points = {pose.shoulder, pose.elbow, pose.wrist};
+  for (const Vec3& knuckle : knuckles(subject.hand)) {
+    points.push_back(pose.wrist + pose.world_from_hand * knuckle);
+  }
+  const auto count = static_cast<std::size_t>(options.digitised);
+  markers.position = Table<Vec3>(count, points.size(), Vec3::Zero());
+  for (std::size_t i = 0; i < count; ++i) {
+    markers.time.push_back(options.calibration_s * static_cast<double>(i) /
+                           static_cast<double>(count));
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      markers.position(i, k) = points[k] + options.digitising_noise * random.normals();
+    }
+  }
+  return markers;
+}
+
+}  // namespace
+
+Streams simulate_calibration(const SynthesizeOptions& options, const Subject& subject,
+                             const ArmState& resting, const SensorMounts& mounts,
+                             const GloveBias& bias, math::RandomStream& random) {
+  ArmState straight = resting;
+  straight[kFlexion] = straight[kDeviation] = 0;
+  const ArmAt arm = arm_at(subject, straight);
+  const SyntheticSensors& o = options.sensors;
+  const auto count = static_cast<std::size_t>(std::floor(o.calibration_s * o.rate_hz)) + 1;
+  Streams calibration;
+  calibration.sensors = simulate_sensors(o, mounts, std::vector<ArmAt>(count, arm), random);
+  calibration.markers = digitise(o, subject, arm.pose, random);
+  calibration.hand = simulate_glove(
+      options.glove, bias, [](double) { return human::GloveAngles{}; }, o.calibration_s, 0, random);
+  return calibration;
+}
+
+}  // namespace morphe::synthesize

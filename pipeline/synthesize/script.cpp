@@ -1,0 +1,240 @@
+#include "pipeline/synthesize/script.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "pipeline/synthesize/places.hpp"
+
+namespace morphe::synthesize {
+namespace {
+
+MovementKind draw_kind(const KindWeights& w, math::RandomStream& random) {
+  const double weights[] = {w.minimum_jerk, w.lognormal,          w.asymmetric, w.curved,
+                            w.two_peaks,    w.pause_before_grasp, w.no_grasp};
+  double sum = 0;
+  for (const double weight : weights) sum += weight;
+  double left = sum * random.uniform();
+  int last = 0;  // rounding must not end on a kind without weight
+  for (int k = 0; k < 7; ++k) {
+    if (weights[k] == 0) continue;
+    last = k;
+    left -= weights[k];
+    if (left < 0) break;
+  }
+  return static_cast<MovementKind>(last);
+}
+
+/// The speed profile that goes with a kind.
+Profile draw_profile(MovementKind kind, double begin_s, double duration_s,
+                     math::RandomStream& random) {
+  const double sigma = random.uniform(0.2, 0.35), peak = random.uniform(0.3, 0.45);
+  if (kind == MovementKind::lognormal) {
+    return {ProfileShape::lognormal, begin_s, duration_s, sigma};
+  }
+  if (kind == MovementKind::asymmetric) return {ProfileShape::beta, begin_s, duration_s, peak};
+  return {ProfileShape::minimum_jerk, begin_s, duration_s, 0};
+}
+
+/// A direction across a way, somewhere between its side and up.
+Vec3 across(const Vec3& way, math::RandomStream& random) {
+  const Vec3 along = way.normalized();
+  const Vec3 aside = along.cross(Vec3::UnitZ()).normalized();
+  const double turn = random.uniform(0, std::numbers::pi);
+  return std::cos(turn) * aside + std::sin(turn) * aside.cross(along);
+}
+
+/// No angle of the arm comes near a limit, where it would have to stop at once.
+bool within_human_limits(const Script& script, const Subject& subject) {
+  constexpr double kStep_s = 0.02, kMargin = 0.05;  // [rad]
+  const human::ArmLimits& limits = human::human_arm_limits();
+  for (double t = 0; t < script.length_s; t += kStep_s) {
+    const human::ArmAngles angles = arm_at(subject, arm_state(script.motion, t)).angles;
+    for (std::size_t k = 0; k < kArmAngles; ++k) {
+      if (angles[k] < limits.lower[k] + kMargin || angles[k] > limits.upper[k] - kMargin) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// Draws a recording movement by movement; `now_s_` is where it has got to.
+class Writer {
+ public:
+  Writer(const SynthesizeOptions& options, const Subject& subject, math::RandomStream& random)
+      : o_(options),
+        m_(options.movements),
+        subject_(subject),
+        random_(random),
+        places_(options.movements, subject, random) {
+    script_.motion.arm.start = home_ = places_.home();
+    script_.motion.hand.start = hand_ = subject.postures.resting;
+    script_.motion.drift = draw_drift(options.body, random);
+    script_.motion.tremor = draw_tremor(options.body, random);
+    arm_ = home_;
+    target_ = places_.target(home_);
+    const double widest = aperture(subject.hand, subject.postures.open);
+    const double fits = 0.5 * (widest - options.hand.opening_excess[0]) - options.hand.pad;
+    script_.object_radius = std::min(random.uniform(options.object.radius), fits);
+  }
+
+  Script write() {
+    const int count = random_.whole(m_.per_recording);
+    now_s_ = random_.uniform(m_.rest_s);
+    for (int k = 0; k < count; ++k) {
+      write_movement();
+      now_s_ += random_.uniform(m_.rest_s);
+    }
+    script_.begin_s = 0;
+    script_.end_s = script_.length_s = now_s_;
+    const auto within = [&](const ScriptedMovement& movement) {
+      return random_.uniform(movement.bouts.front().begin_s, movement.bouts.back().end_s);
+    };
+    if (random_.chance(m_.starts_inside_share)) script_.begin_s = within(script_.movements.front());
+    if (random_.chance(m_.ends_inside_share)) {
+      script_.end_s = std::max(within(script_.movements.back()), script_.begin_s + kLeastLength_s);
+    }
+    return std::move(script_);
+  }
+
+ private:
+  static constexpr double kLeastLength_s = 0.5;
+
+  void write_movement() {
+    ScriptedMovement& movement = script_.movements.emplace_back();
+    movement.kind = draw_kind(m_.kinds, random_);
+    movement.grasps = movement.kind != MovementKind::no_grasp;
+    if (movement.grasps) {
+      write_reach(movement, places_.again(target_, 0.004, 0.04));
+      write_carrying(movement);
+      write_return(movement, now_s_ + random_.uniform(0.08, 0.2));
+    } else {
+      write_touch(movement);
+      write_return(movement, now_s_);
+    }
+  }
+
+  void write_reach(ScriptedMovement& movement, const ArmState& target) {
+    const double begin_s = now_s_;
+    double duration_s = random_.uniform(m_.reach_s), opening_s = duration_s, closing_s = 0;
+    const double peak_share = random_.uniform(o_.hand.peak_share);
+    const ArmState way = target - arm_;
+    if (movement.kind == MovementKind::two_peaks) {
+      const double first_s = random_.uniform(0.62, 0.72) * duration_s;
+      const double second_s = begin_s + random_.uniform(0.5, 0.6) * duration_s;
+      ArmState first = random_.uniform(0.75, 0.9) * way;
+      first.segment<3>(kWristAt) +=
+          random_.uniform(0.005, 0.02) * across(way.segment<3>(kWristAt), random_);
+      move_arm({ProfileShape::minimum_jerk, begin_s, first_s, 0}, first, 0);
+      move_arm({ProfileShape::minimum_jerk, second_s, begin_s + duration_s - second_s, 0},
+               way - first, 0);
+    } else if (movement.kind == MovementKind::pause_before_grasp) {
+      const double pause_s = random_.uniform(m_.pause_s), last_s = random_.uniform(0.3, 0.45);
+      const ArmState first = random_.uniform(0.85, 0.95) * way;
+      move_arm({ProfileShape::minimum_jerk, begin_s, duration_s, 0}, first, detour());
+      opening_s = duration_s;
+      closing_s = begin_s + duration_s + pause_s;
+      duration_s += pause_s + last_s;
+      move_arm({ProfileShape::minimum_jerk, closing_s, last_s, 0}, way - first, 0);
+    } else {
+      const double aside =
+          movement.kind == MovementKind::curved ? random_.uniform(0.05, 0.12) : detour();
+      move_arm(draw_profile(movement.kind, begin_s, duration_s, random_), way, aside);
+    }
+    now_s_ = begin_s + duration_s;
+    movement.bouts.push_back({PhaseKind::reach, begin_s, now_s_});
+    if (movement.grasps) {
+      const double widest_s = begin_s + peak_share * opening_s;
+      shape_hand(begin_s, widest_s, std::max(closing_s, widest_s));
+    } else {
+      move_hand(begin_s, now_s_, subject_.postures.pointing);
+    }
+  }
+
+  /// Opens, and closes on the object when the hand has arrived.
+  void shape_hand(double begin_s, double widest_s, double closing_s) {
+    const double grasp_m = 2 * (script_.object_radius + o_.hand.pad);
+    const double wide_m = std::max(grasp_m + random_.uniform(o_.hand.opening_excess),
+                                   aperture(subject_.hand, hand_) + o_.hand.least_widening);
+    const double lag_s = random_.uniform(0, 0.05);
+    move_hand(begin_s + lag_s, widest_s, posture(wide_m));
+    move_hand(closing_s, now_s_ + lag_s, posture(grasp_m));
+  }
+
+  void write_carrying(ScriptedMovement& movement) {
+    const ArmState put_down = arm_;
+    now_s_ += random_.uniform(m_.grasp_s);
+    movement.attach_s = now_s_;
+    write_bout(movement, PhaseKind::transport, now_s_, random_.uniform(m_.transport_s),
+               places_.lifted(arm_));
+    now_s_ += random_.uniform(m_.hold_s);
+    write_bout(movement, PhaseKind::transport, now_s_, random_.uniform(m_.transport_s), put_down);
+    now_s_ += random_.uniform(m_.grasp_s);
+    movement.release_s = now_s_;
+    const double opened_m = aperture(subject_.hand, hand_) + random_.uniform(0.015, 0.03);
+    move_hand(now_s_, now_s_ + random_.uniform(0.22, 0.35), posture(opened_m));
+  }
+
+  void write_touch(ScriptedMovement& movement) {
+    write_reach(movement, places_.target(home_));
+    now_s_ += random_.uniform(m_.hold_s);
+  }
+
+  /// The arm sets out at `begin_s`; the hand may have begun to let go at now_s_.
+  void write_return(ScriptedMovement& movement, double begin_s) {
+    const double release_s = now_s_, duration_s = random_.uniform(m_.return_s);
+    write_bout(movement, PhaseKind::go_back, begin_s, duration_s,
+               places_.again(home_, 0.006, 0.04));
+    movement.bouts.back().begin_s = release_s;
+    move_hand(begin_s + 0.3 * duration_s, now_s_, subject_.postures.resting);
+  }
+
+  void write_bout(ScriptedMovement& movement, PhaseKind phase, double begin_s, double duration_s,
+                  const ArmState& to) {
+    move_arm(draw_profile(movement.kind, begin_s, duration_s, random_), to - arm_, detour());
+    now_s_ = begin_s + duration_s;
+    movement.bouts.push_back({phase, begin_s, now_s_});
+  }
+
+  double detour() { return random_.uniform(0, 0.02); }
+
+  void move_arm(const Profile& profile, const ArmState& delta, double detour_m) {
+    ArmState aside = ArmState::Zero();
+    aside.segment<3>(kWristAt) = detour_m * across(delta.segment<3>(kWristAt), random_);
+    script_.motion.arm.steps.push_back({profile, delta, aside});
+    arm_ += delta;
+  }
+  void move_hand(double begin_s, double end_s, const HandState& to) {
+    script_.motion.hand.steps.push_back(
+        {{ProfileShape::minimum_jerk, begin_s, end_s - begin_s, 0}, to - hand_, HandState::Zero()});
+    hand_ = to;
+  }
+  HandState posture(double aperture_m) const {
+    return posture_of_aperture(subject_.hand, subject_.postures, aperture_m);
+  }
+
+  const SynthesizeOptions& o_;
+  const SyntheticMovements& m_;
+  const Subject& subject_;
+  math::RandomStream& random_;
+  Places places_;
+  Script script_;
+  ArmState home_, target_, arm_;
+  HandState hand_;
+  double now_s_ = 0;
+};
+
+}  // namespace
+
+Script draw_script(const SynthesizeOptions& options, const Subject& subject,
+                   math::RandomStream& random) {
+  constexpr int kTries = 100;
+  Script script = Writer(options, subject, random).write();
+  for (int k = 1; k < kTries && !within_human_limits(script, subject); ++k) {
+    script = Writer(options, subject, random).write();
+  }
+  return script;
+}
+
+}  // namespace morphe::synthesize

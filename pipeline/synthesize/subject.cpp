@@ -1,0 +1,43 @@
+#include "pipeline/synthesize/subject.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace morphe::synthesize {
+namespace {
+
+constexpr double kMostDeviations = 4;
+
+/// z with Φ(z) = percentile / 100.
+double deviate_of(double percentile) {
+  double low = -kMostDeviations, high = kMostDeviations;
+  for (int halving = 0; halving < 40; ++halving) {
+    const double z = 0.5 * (low + high);
+    (50 * std::erfc(-z / std::numbers::sqrt2) < percentile ? low : high) = z;
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+Subject draw_subject(const SyntheticSubject& options, math::RandomStream& random) {
+  const human::Sex sex = random.chance(options.male_share) ? human::Sex::male : human::Sex::female;
+  const double least = deviate_of(options.percentiles[0]);
+  const double greatest = deviate_of(options.percentiles[1]);
+  std::array<double, 5> deviates{};
+  for (double& z : deviates) z = deviate_of(random.uniform(options.percentiles));
+  for (std::size_t k = 1; k < deviates.size(); ++k) {
+    deviates[k] = std::clamp(0.8 * deviates[0] + 0.6 * deviates[k], least, greatest);
+  }
+  Subject subject;
+  subject.body = human::anthropometry(sex, deviates);
+  subject.hand = human::human_hand(subject.body.hand);
+  subject.postures = draw_hand_postures(subject.hand, random);
+  constexpr double kHalfBreadth = 0.1;  // shoulder joint from the middle, share of stature
+  subject.shoulder = {kHalfBreadth * subject.body.stature_m, random.uniform(-0.18, -0.08),
+                      random.uniform(options.shoulder_height)};
+  return subject;
+}
+
+}  // namespace morphe::synthesize

@@ -1,0 +1,229 @@
+// Clips: hands, arms and objects in one world, as arrays of numpy under one set of keys
+// (docs/clips.md). Files of FlashDexRetarget are clips. SPIDER's keypoints have keys of their own.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/motion/input_error.hpp"
+#include "stages/import/clips/clip_hand.hpp"
+#include "stages/import/clips/clip_objects.hpp"
+#include "stages/import/clips/clip_spider.hpp"
+#include "stages/import/clips/readers.hpp"
+#include "stages/import/recording/conventions.hpp"
+#include "stages/import/recording/format.hpp"
+
+namespace morphe::imports {
+namespace {
+
+/// Keys that say that a .npz is a clip: of a hand, a body or an object.
+bool is_of_a_clip(const std::string& key) {
+  for (const Side side : {Side::right, Side::left}) {
+    if (key.starts_with(clip_prefix(side)) || key == spider_key("wrist", side)) return true;
+    if (key == fmt::format("obj_{}_pose", name_of(side))) return true;
+  }
+  return key == "body_joints" || (key.starts_with("object_") && key.ends_with("_pose"));
+}
+
+[[noreturn]] void fail_as_no_clip(const std::string& file, const std::vector<std::string>& keys) {
+  throw InputError(
+      fmt::format("{}: is no clip: it has neither {}joints, {}joints, body_joints, {} "
+                  "nor {}, but {}",
+                  file, clip_prefix(Side::right), clip_prefix(Side::left),
+                  spider_key("wrist", Side::right), spider_key("wrist", Side::left),
+                  keys.empty() ? "nothing" : fmt::format("{}", fmt::join(keys, ", "))));
+}
+
+/// Frames of the clip: the first of these arrays that it has says how many.
+std::size_t rows_of(ClipArrays& clip) {
+  constexpr std::size_t kAny = ClipArrays::kAny;
+  if (const auto* const times = clip.numbers("times", {kAny})) return times->shape[0];
+  for (const Side side : {Side::right, Side::left}) {
+    const std::string prefix = clip_prefix(side);
+    if (const auto* const wrist = clip.numbers(prefix + "wrist_pos", {kAny, 3})) {
+      return wrist->shape[0];
+    }
+    if (const auto* const joints = clip.numbers(prefix + "joints", {kAny, kAny, 3})) {
+      return joints->shape[0];
+    }
+  }
+  if (const auto* const body = clip.numbers("body_joints", {kAny, kAny, 3})) return body->shape[0];
+  fail_as_no_clip(clip.file(), clip.unread());
+}
+
+std::vector<double> times_of(ClipArrays& clip, std::size_t rows, const Conventions& conventions,
+                             std::vector<std::string>& reports) {
+  std::vector<double> time;
+  if (const auto* const times = clip.numbers("times", {rows})) {
+    time = times->values;
+  } else {
+    const double in_file = clip.number("fps").value_or(0);
+    const double rate_hz = rate_of(in_file, conventions, clip.file(), reports);
+    for (std::size_t i = 0; i < rows; ++i) time.push_back(static_cast<double>(i) / rate_hz);
+  }
+  for (std::size_t i = 0; i < rows; ++i) {
+    if (!std::isfinite(time[i]) || (i > 0 && !(time[i] > time[i - 1]))) {
+      clip.fail("times", fmt::format("number {} does not follow the one before", i));
+    }
+  }
+  if (rows < 2) throw InputError(fmt::format("{}: has fewer than two frames", clip.file()));
+  return time;
+}
+
+Quat quaternion(const ClipArrays& clip, const files::NpyArray& array, std::size_t k) {
+  constexpr double kNearlyOne = 1e-3, kRounding = 1e-15;
+  const double* const q = array.values.data() + 4 * k;  // w, x, y, z
+  const Quat turn(q[0], q[1], q[2], q[3]);
+  if (!seen(turn)) return unseen_rotation();
+  if (std::abs(turn.norm() - 1) > kNearlyOne) {
+    clip.fail(array.name, fmt::format("quaternion {} has the length {:.4g}", k, turn.norm()));
+  }
+  return std::abs(turn.norm() - 1) < kRounding ? turn : turn.normalized();
+}
+
+BodyStream read_body(ClipArrays& clip, std::size_t rows, const TrackerFrame& frame) {
+  BodyStream body;
+  body.names = clip.texts("body_joint_names");
+  body.parents = clip.texts("body_parents");
+  const std::size_t count = body.names.size();
+  const auto* const points = clip.numbers("body_joints", {rows, count, 3});
+  const auto* const turns = clip.numbers("body_rotations", {rows, count, 4});
+  const auto* const confidence = clip.numbers("body_confidence", {rows, count});
+  if (count > 0 && points == nullptr) clip.fail("body_joints", "is missing");
+  if (!body.parents.empty() && body.parents.size() != count) {
+    clip.fail("body_parents", fmt::format("must have {} names", count));
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    if (std::ranges::count(body.names, body.names[k]) > 1) {
+      clip.fail("body_joint_names", fmt::format("'{}' stands twice", body.names[k]));
+    }
+  }
+  // What Morphe wrote comes back bit for bit.
+  const bool in_world = frame.world_from_file == Eigen::Matrix3d::Identity();
+  body.position = Table<Vec3>(rows, count, unseen_point());
+  body.orientation = Table<Quat>(rows, count, unseen_rotation());
+  if (confidence != nullptr) body.confidence = {rows, count, kNotSeen};
+  for (std::size_t k = 0; k < rows * count; ++k) {
+    body.position.values[k] = frame.point(Eigen::Map<const Vec3>(points->values.data() + 3 * k));
+    const Quat turn = turns == nullptr ? unseen_rotation() : quaternion(clip, *turns, k);
+    if (seen(turn)) body.orientation.values[k] = in_world ? turn : frame.turn(turn);
+    if (confidence != nullptr) body.confidence.values[k] = confidence->values[k];
+  }
+  return body;
+}
+
+/// A joint of a hand that stands among those of the body, too, is the body's; so may be all of it.
+void drop_doubles(HandClip& clip) {
+  for (const Side side : {Side::right, Side::left}) {
+    auto& hand = clip.hands[static_cast<std::size_t>(side)];
+    if (!hand) continue;
+    const std::vector<std::string> names = keypoint_names(side);
+    const std::string turned = std::string(name_of(side)) + "_hand";
+    if (std::ranges::find(clip.body.names, turned) != clip.body.names.end()) hand->turned.clear();
+    for (std::size_t k = 0; k < kKeypoints; ++k) {
+      if (std::ranges::find(clip.body.names, names[k]) == clip.body.names.end()) continue;
+      for (std::size_t i = 0; i < hand->joint.rows; ++i) hand->joint(i, k) = unseen_point();
+    }
+    const bool all =
+        std::ranges::none_of(hand->joint.values, [](const Vec3& p) { return seen(p); });
+    if (all && !clip.body.names.empty()) hand.reset();
+  }
+}
+
+void read_facts(ClipArrays& clip, Demonstration& demonstration) {
+  demonstration.subject = clip.text("subject").value_or("");
+  demonstration.task = clip.text("task").value_or("");
+  demonstration.source = clip.text("source").value_or("");
+  demonstration.licence = clip.text("licence").value_or("");
+  using Length = std::pair<const char*, std::optional<double>*>;
+  for (const auto& [key, length] : {Length{"upper_arm", &demonstration.upper_arm},
+                                    {"forearm", &demonstration.forearm},
+                                    {"hand_length", &demonstration.hand_length},
+                                    {"hand_breadth", &demonstration.hand_breadth}}) {
+    *length = clip.number(key);
+    if (*length && !(**length > 0)) clip.fail(key, "must be positive");
+  }
+  const std::vector<std::string> phases = clip.texts("label_phases");
+  const auto* const times = clip.numbers("label_times", {phases.size(), 2});
+  if (!phases.empty() && times == nullptr) clip.fail("label_times", "is missing");
+  for (std::size_t k = 0; k < phases.size(); ++k) {
+    const auto phase = named<PhaseKind>(phases[k]);
+    if (!phase) clip.fail("label_phases", fmt::format("'{}' is no phase", phases[k]));
+    demonstration.labels.push_back({times->values[2 * k], times->values[2 * k + 1], *phase});
+  }
+  for (std::string& report : clip.texts("reports")) {
+    demonstration.reports.push_back(std::move(report));
+  }
+}
+
+std::optional<Side> hand_said(ClipArrays& clip) {
+  const std::optional<std::string> said = clip.text("hand");
+  const std::optional<Side> side = said ? named<Side>(*said) : std::nullopt;
+  if (said && !side) clip.fail("hand", "must be right or left, not '" + *said + "'");
+  return side;
+}
+
+TrackerFrame frame_of(ClipArrays& clip, const RecordingFiles& files,
+                      std::vector<std::string>& reports) {
+  const std::optional<std::string> axes = clip.text("axes");
+  const char* const because =
+      axes ? "as the clip says" : "those of a clip; which way the person faces it does not say";
+  return tracker_frame(files, axes.value_or("x y z"), clip.text("unit").value_or("m"), because,
+                       reports);
+}
+
+}  // namespace
+
+bool recognises_clip_npz(std::string_view head) { return files::begins_as_npz(head); }
+
+bool holds_a_clip(const std::filesystem::path& file) {
+  return std::ranges::any_of(files::npz_keys(file), is_of_a_clip);
+}
+
+std::optional<Side> clip_hand(const std::filesystem::path& file) {
+  ClipArrays clip(files::read_npz(file));
+  return hand_said(clip);
+}
+
+Demonstration read_clip_npz(const RecordingFiles& files) {
+  // Of what is no clip the arrays may be anything, such as Python objects.
+  const std::vector<std::string> keys = files::npz_keys(files.file);
+  if (std::ranges::none_of(keys, is_of_a_clip)) fail_as_no_clip(files.file.string(), keys);
+  ClipArrays clip(files::read_npz(files.file));
+  if (is_spider(clip)) return read_spider(clip, files);
+  Demonstration demonstration;
+  read_facts(clip, demonstration);
+  std::vector<std::string>& reports = demonstration.reports;
+  if (const auto said = hand_said(clip); said && *said != files.hand) {
+    reports.push_back(fmt::format("the clip says that the {} hand reaches; the {} one is taken",
+                                  name_of(*said), name_of(files.hand)));
+  }
+  const TrackerFrame frame = frame_of(clip, files, reports);
+  HandClip hands;
+  const std::size_t rows = rows_of(clip);
+  hands.time = times_of(clip, rows, files.conventions, reports);
+  hands.rebuilt = clip.number("rebuilt").value_or(0) != 0;
+  for (const Side side : {Side::right, Side::left}) {
+    hands.hands[static_cast<std::size_t>(side)] =
+        read_clip_hand(clip, side, rows, frame, hands.rebuilt, files.conventions, reports);
+  }
+  const bool in_hand = clip.number("in_hand").value_or(0) != 0;
+  hands.body = read_body(clip, rows, frame);
+  hands.objects = read_clip_objects(clip, hands.time, frame, reports);
+  clip.number("fps");
+  if (const std::vector<std::string> unread = clip.unread(); !unread.empty()) {
+    reports.push_back(
+        fmt::format("left out, they are no keys of a clip: {}", fmt::join(unread, ", ")));
+  }
+  if (in_hand) {
+    add_shape(std::move(hands), files, "the clip's points are in the hand's own frame",
+              demonstration);
+    return demonstration;
+  }
+  drop_doubles(hands);
+  add_tracked(std::move(hands), files, demonstration);
+  return demonstration;
+}
+
+}  // namespace morphe::imports

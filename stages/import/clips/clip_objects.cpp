@@ -1,0 +1,230 @@
+#include "stages/import/clips/clip_objects.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "core/collision/mesh_file.hpp"
+
+namespace morphe::imports {
+namespace {
+
+namespace fs = std::filesystem;
+using files::NpyArray;
+
+constexpr double kSamePosition_m = 1e-6;  ///< poses of an object that both hands hold
+
+/// The poses [first, first + count) of an array of 4 x 4 matrices.
+void add_poses(const ClipArrays& clip, const NpyArray& array, std::size_t first, std::size_t count,
+               const TrackerFrame& frame, SceneObject& object) {
+  for (std::size_t k = 0; k < count; ++k) {
+    const Pose pose = clip_pose(clip, array, first + k);
+    object.position.push_back(frame.point(pose.translation()));
+    const bool turned = pose.linear().allFinite();
+    object.orientation.push_back(turned ? frame.turn(Quat(pose.linear())) : unseen_rotation());
+  }
+}
+
+/// By its folder beside the clip's, a mesh in metres times `scale`; otherwise a ball.
+SceneObject shape_of(const std::string& clip_file, const std::string& id, double scale,
+                     std::vector<std::string>& reports) {
+  const fs::path folder = fs::path(clip_file).parent_path();
+  const bool plain = !id.empty() && id.find('/') == std::string::npos && id != "..";
+  for (const fs::path& above : {folder, folder / ".."}) {
+    const fs::path file = above / "objects" / id / "visual.obj";
+    std::error_code error;
+    if (!plain || !fs::is_regular_file(file, error)) continue;
+    SceneObject mesh;
+    mesh.shape = Shape::mesh;
+    const std::string fault = collision::load_mesh(file, scale, false, mesh);
+    if (!fault.empty()) throw InputError(fmt::format("{}: {}", file.string(), fault));
+    mesh.name = id;
+    reports.push_back(fmt::format("object {}: shape from {}", id, file.string()));
+    return mesh;
+  }
+  return ball_for(id, reports);
+}
+
+bool is_there(const std::vector<SceneObject>& objects, const std::string& name) {
+  return std::ranges::find(objects, name, &SceneObject::name) != objects.end();
+}
+
+/// Without the instants at which its pose was not seen.
+void drop_unseen(SceneObject& object) {
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < object.time.size(); ++k) {
+    if (!seen(object.position[k]) || !seen(object.orientation[k])) continue;
+    object.time[kept] = object.time[k];
+    object.position[kept] = object.position[k];
+    object.orientation[kept++] = object.orientation[k];
+  }
+  object.time.resize(kept);
+  object.position.resize(kept);
+  object.orientation.resize(kept, Quat::Identity());
+}
+
+/// Adds it under its name, or "NAME_2" … if that is taken; not if it was never seen.
+void add_object(SceneObject object, std::vector<SceneObject>& objects) {
+  drop_unseen(object);
+  if (object.time.empty()) return;
+  const std::string name = object.name;
+  for (int n = 2; is_there(objects, object.name); ++n) object.name = fmt::format("{}_{}", name, n);
+  objects.push_back(std::move(object));
+}
+
+bool same_path(const SceneObject& a, const SceneObject& b) {
+  for (std::size_t k = 0; k < std::min(a.position.size(), b.position.size()); ++k) {
+    if ((a.position[k] - b.position[k]).norm() > kSamePosition_m) return false;
+  }
+  return a.position.size() == b.position.size();
+}
+
+void add_handled(ClipArrays& clip, Side side, const std::vector<double>& time,
+                 const TrackerFrame& frame, std::vector<std::string>& reports,
+                 std::vector<SceneObject>& objects) {
+  const std::string prefix = fmt::format("obj_{}_", name_of(side));
+  const NpyArray* const poses = clip.numbers(prefix + "pose", {time.size(), 4, 4});
+  const std::string id = clip.text(prefix + "id").value_or(fmt::format("{}_object", name_of(side)));
+  const double scale = clip.number(prefix + "scale").value_or(1);
+  if (poses == nullptr) return;
+  if (!(scale > 0)) clip.fail(prefix + "scale", "must be positive");
+  std::vector<std::string> said;
+  SceneObject object = shape_of(clip.file(), id, scale, said);
+  object.time = time;
+  add_poses(clip, *poses, 0, time.size(), frame, object);
+  const auto other = std::ranges::find(objects, id, &SceneObject::name);
+  if (other != objects.end() && same_path(*other, object)) return;
+  reports.insert(reports.end(), said.begin(), said.end());
+  add_object(std::move(object), objects);
+}
+
+void add_context(ClipArrays& clip, const std::vector<double>& time, const TrackerFrame& frame,
+                 std::vector<std::string>& reports, std::vector<SceneObject>& objects) {
+  const std::vector<std::string> ids = clip.texts("desk_context_ids");
+  const NpyArray* const scales = clip.numbers("desk_context_scales", {ids.size()});
+  const NpyArray* const poses = clip.numbers("desk_context_poses", {ids.size(), time.size(), 4, 4});
+  if (poses == nullptr) return;
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    const double scale = scales == nullptr ? 1 : scales->values[k];
+    if (!(scale > 0)) clip.fail("desk_context_scales", "must be positive");
+    SceneObject object = shape_of(clip.file(), ids[k], scale, reports);
+    object.time = time;
+    add_poses(clip, *poses, k * time.size(), time.size(), frame, object);
+    add_object(std::move(object), objects);
+  }
+}
+
+void add_discs(ClipArrays& clip, const std::vector<double>& time, const TrackerFrame& frame,
+               std::vector<SceneObject>& objects) {
+  const NpyArray* const discs = clip.numbers("support_discs", {ClipArrays::kAny, 5});
+  for (std::size_t k = 0; discs != nullptr && k < discs->shape[0]; ++k) {
+    const double* const disc = discs->values.data() + 5 * k;  // x, y, top, radius, height
+    SceneObject object;
+    object.name = "support";
+    object.shape = Shape::cylinder;
+    object.size = {frame.metres * disc[3], frame.metres * disc[4]};
+    if (!(object.size[0] > 0 && object.size[1] > 0)) {
+      clip.fail("support_discs", "radius and height must be positive");
+    }
+    object.time = {time.front()};
+    object.position = {frame.point(Vec3(disc[0], disc[1], disc[2] - disc[4] / 2))};
+    object.orientation = {frame.turn(Quat::Identity())};
+    add_object(std::move(object), objects);
+  }
+}
+
+std::size_t numbers_of(Shape shape) {
+  return shape == Shape::sphere ? 1 : shape == Shape::box ? 3 : shape == Shape::mesh ? 0 : 2;
+}
+
+void read_mesh(ClipArrays& clip, const std::string& prefix, double metres, SceneObject& object) {
+  for (const Vec3& vertex : clip.points(prefix + "vertices", ClipArrays::kAny)) {
+    if (!seen(vertex)) clip.fail(prefix + "vertices", "holds what is no number");
+    object.vertices.push_back(metres * vertex);
+  }
+  for (const Vec3& corners : clip.points(prefix + "triangles", ClipArrays::kAny)) {
+    for (const double corner : corners) {
+      if (!(corner >= 0 && corner < static_cast<double>(object.vertices.size())) ||
+          corner != std::floor(corner)) {
+        clip.fail(prefix + "triangles",
+                  fmt::format("{} is none of {} vertices", corner, object.vertices.size()));
+      }
+    }
+    object.triangles.emplace_back(corners.cast<int>());
+  }
+  if (object.triangles.empty()) clip.fail(prefix + "triangles", "a mesh needs them");
+}
+
+void read_shape(ClipArrays& clip, const std::string& prefix, double metres,
+                std::vector<std::string>& reports, SceneObject& object) {
+  const bool mesh = clip.has(prefix + "vertices");
+  const std::string said = clip.text(prefix + "shape").value_or(mesh ? "mesh" : "");
+  if (said.empty()) {
+    const SceneObject ball = ball_for(object.name, reports);
+    object.shape = ball.shape;
+    object.size = ball.size;
+    return;
+  }
+  const auto shape = named<Shape>(said);
+  if (!shape) {
+    clip.fail(prefix + "shape",
+              fmt::format("must be sphere, box, cylinder, capsule or mesh, not '{}'", said));
+  }
+  object.shape = *shape;
+  if (object.shape == Shape::mesh) return read_mesh(clip, prefix, metres, object);
+  const NpyArray* const size = clip.numbers(prefix + "size", {numbers_of(object.shape)});
+  if (size == nullptr) clip.fail(prefix + "size", fmt::format("is missing: a {} needs it", said));
+  for (const double length : size->values) {
+    if (!(length > 0) || !std::isfinite(length)) clip.fail(prefix + "size", "must be positive");
+    object.size.push_back(metres * length);
+  }
+}
+
+SceneObject read_object(ClipArrays& clip, const std::string& name, const std::vector<double>& time,
+                        const TrackerFrame& frame, std::vector<std::string>& reports) {
+  const std::string prefix = "object_" + name + "_";
+  SceneObject object;
+  object.name = name;
+  const NpyArray* const poses = clip.numbers(prefix + "pose", {ClipArrays::kAny, 4, 4});
+  const std::size_t count = poses->shape[0];
+  if (const auto* const own = clip.numbers(prefix + "times", {count})) {
+    object.time = own->values;
+  } else if (count == time.size()) {
+    object.time = time;
+  } else if (count == 1) {
+    object.time = {time.front()};
+  } else {
+    clip.fail(prefix + "pose", fmt::format("has {} poses, the clip {} frames: give {}times", count,
+                                           time.size(), prefix));
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    if (!std::isfinite(object.time[k]) || (k > 0 && !(object.time[k] > object.time[k - 1]))) {
+      clip.fail(prefix + "times", fmt::format("number {} does not follow the one before", k));
+    }
+  }
+  if (count == 0) clip.fail(prefix + "pose", "holds no pose");
+  add_poses(clip, *poses, 0, count, frame, object);
+  read_shape(clip, prefix, frame.metres, reports, object);
+  return object;
+}
+
+}  // namespace
+
+std::vector<SceneObject> read_clip_objects(ClipArrays& clip, const std::vector<double>& time,
+                                           const TrackerFrame& frame,
+                                           std::vector<std::string>& reports) {
+  std::vector<SceneObject> objects;
+  for (const std::string& name : clip.names_between("object_", "_pose")) {
+    add_object(read_object(clip, name, time, frame, reports), objects);
+  }
+  for (const Side side : {Side::right, Side::left}) {
+    add_handled(clip, side, time, frame, reports, objects);
+  }
+  add_context(clip, time, frame, reports, objects);
+  add_discs(clip, time, frame, objects);
+  return objects;
+}
+
+}  // namespace morphe::imports

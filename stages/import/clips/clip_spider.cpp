@@ -1,0 +1,139 @@
+#include "stages/import/clips/clip_spider.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/config/node.hpp"
+#include "stages/import/recording/conventions.hpp"
+#include "stages/import/trackers/hand_tracker.hpp"
+
+namespace morphe::imports {
+namespace {
+
+namespace fs = std::filesystem;
+using files::NpyArray;
+
+constexpr std::size_t kPose = 7;  ///< x, y, z, then the quaternion w, x, y, z
+constexpr double kInHand_m = 0.10;
+
+bool is_there(const NpyArray* array) {
+  if (array == nullptr) return false;
+  for (std::size_t k = 0; k < array->values.size(); ++k) {
+    const double value = array->values[k];
+    if (value != 0 && !(value == 1 && k % kPose == 3)) return true;
+  }
+  return false;
+}
+
+/// What ../task_info.json says (JSON is YAML).
+void read_task(const RecordingFiles& files, double& step_s, Demonstration& demonstration) {
+  const fs::path file = fs::absolute(files.file).parent_path().parent_path() / "task_info.json";
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return;
+  const config::ConfigNode task = config::ConfigNode::load(file);
+  if (task.has("task")) demonstration.task = task["task"].text();
+  if (!task.has("ref_dt")) return;
+  step_s = task["ref_dt"].number();
+  if (!(step_s > 0)) task["ref_dt"].fail("must be positive");
+  demonstration.reports.push_back(
+      fmt::format("{} s a frame, as {} says", step_s, file.filename().string()));
+}
+
+std::vector<double> times_of(ClipArrays& clip, std::size_t rows, double step_s,
+                             const RecordingFiles& files, std::vector<std::string>& reports) {
+  std::vector<double> time;
+  const NpyArray* const stamps = clip.numbers("timestamps", {rows});
+  const double rate_hz = stamps != nullptr ? 0
+                                           : rate_of(step_s > 0 ? 1 / step_s : 0, files.conventions,
+                                                     clip.file(), reports);
+  for (std::size_t i = 0; i < rows; ++i) {
+    time.push_back(stamps != nullptr ? (stamps->values[i] - stamps->values[0]) * 1e-9
+                                     : static_cast<double>(i) / rate_hz);
+    if (i > 0 && !(time[i] > time[i - 1])) {
+      clip.fail("timestamps", fmt::format("number {} does not follow the one before", i));
+    }
+  }
+  return time;
+}
+
+std::optional<RecordedHand> read_hand(ClipArrays& clip, Side side, std::size_t rows,
+                                      const TrackerFrame& frame,
+                                      std::vector<std::string>& reports) {
+  const NpyArray* const wrist = clip.numbers(spider_key("wrist", side), {rows, kPose});
+  const NpyArray* const tips = clip.numbers(spider_key("finger", side), {rows, kFingers, kPose});
+  if (!is_there(wrist)) return std::nullopt;
+  RecordedHand hand = unseen_hand(rows);
+  double reach = 0, count = 0;
+  for (std::size_t i = 0; i < rows; ++i) {
+    hand.joint(i, 0) = frame.point(Eigen::Map<const Vec3>(wrist->values.data() + kPose * i));
+    for (std::size_t finger = 0; finger < kFingers && is_there(tips); ++finger) {
+      const double* const tip = tips->values.data() + kPose * (kFingers * i + finger);
+      hand.joint(i, 4 + 4 * finger) = frame.point(Eigen::Map<const Vec3>(tip));
+      if (finger == kThumb) continue;
+      reach += (hand.joint(i, 4 + 4 * finger) - hand.joint(i, 0)).norm();
+      ++count;
+    }
+  }
+  if (count > 0 && reach / count < kInHand_m) {
+    reports.push_back(fmt::format(
+        "the {} fingertips are {:.0f} mm from the wrist in the mean: what is called the wrist may "
+        "be the middle finger's knuckle",
+        name_of(side), 1000 * reach / count));
+  }
+  return hand;
+}
+
+}  // namespace
+
+std::string spider_key(const char* what, Side side) {
+  return fmt::format("qpos_{}_{}", what, name_of(side));
+}
+
+bool is_spider(const ClipArrays& clip) {
+  return clip.has(spider_key("wrist", Side::right)) || clip.has(spider_key("wrist", Side::left));
+}
+
+Demonstration read_spider(ClipArrays& clip, const RecordingFiles& files) {
+  Demonstration demonstration;
+  std::vector<std::string>& reports = demonstration.reports;
+  double step_s = 0;
+  read_task(files, step_s, demonstration);
+  const TrackerFrame frame = tracker_frame(
+      files, "x y z", "m", "SPIDER's Z is up; which way the person faces is not said", reports);
+  const Side first = clip.has(spider_key("wrist", Side::right)) ? Side::right : Side::left;
+  const std::size_t rows =
+      clip.numbers(spider_key("wrist", first), {ClipArrays::kAny, kPose})->shape[0];
+  HandClip hands;
+  hands.time = times_of(clip, rows, step_s, files, reports);
+  for (const Side side : {Side::right, Side::left}) {
+    hands.hands[static_cast<std::size_t>(side)] = read_hand(clip, side, rows, frame, reports);
+    const NpyArray* const poses = clip.numbers(spider_key("obj", side), {rows, kPose});
+    if (!is_there(poses)) continue;
+    SceneObject object = ball_for(fmt::format("{}_object", name_of(side)), reports);
+    object.time = hands.time;
+    for (std::size_t i = 0; i < rows; ++i) {
+      const double* const q = poses->values.data() + kPose * i;
+      const Quat turn(q[3], q[4], q[5], q[6]);
+      if (!(std::abs(turn.norm() - 1) < 1e-3)) {
+        clip.fail(poses->name,
+                  fmt::format("the quaternion of row {} has the length {:.4g}", i, turn.norm()));
+      }
+      object.position.push_back(frame.point(Vec3(q[0], q[1], q[2])));
+      object.orientation.push_back(frame.turn(turn));
+    }
+    hands.objects.push_back(std::move(object));
+  }
+  reports.push_back(
+      "wrists and fingertips alone: the wrist's rotation is left out, its axes depend on the data "
+      "set that it came from");
+  if (const std::vector<std::string> unread = clip.unread(); !unread.empty()) {
+    reports.push_back(fmt::format("left out: {}", fmt::join(unread, ", ")));
+  }
+  add_tracked(std::move(hands), files, demonstration);
+  return demonstration;
+}
+
+}  // namespace morphe::imports

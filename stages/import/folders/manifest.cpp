@@ -1,0 +1,189 @@
+#include "stages/import/folders/manifest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <type_traits>
+
+#include "core/config/fields.hpp"
+#include "core/motion/movement.hpp"
+
+namespace morphe::imports {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What may also stand at the top of a manifest, for all recordings.
+template <class Fields>
+void shared_fields(Fields& f, ManifestEntry& e) {
+  f("static", e.static_trial);
+  f("glove", e.glove);
+  f("static_glove", e.static_glove);
+  f("glove_calibration", e.glove_calibration);
+  f("format", e.format);
+  f("names", e.names);
+  f("axes", e.conventions.axes);
+  f("forward", e.conventions.forward);
+  f("unit", e.conventions.unit);
+  f("rate_hz", e.conventions.rate_hz);
+  f("joint_order", e.conventions.joint_order);
+  f("subject", e.subject);
+  f("task", e.task);
+  f("hand", e.hand);
+  f("source", e.source);
+  f("licence", e.licence);
+  f("upper_arm", e.upper_arm);
+  f("forearm", e.forearm);
+  f("hand_length", e.hand_length);
+  f("hand_breadth", e.hand_breadth);
+  f("objects", e.objects);
+}
+
+template <class Fields>
+void own_fields(Fields& f, ManifestEntry& e) {
+  f.required("file", e.file);
+  f("name", e.name);
+  shared_fields(f, e);
+  f("notes", e.notes);
+}
+
+template <class Fields>
+void label_keys(Fields& f, Label& label) {
+  f.required("phase", label.phase);
+  f.required("begin_s", label.begin_s);
+  f.required("end_s", label.end_s);
+}
+
+std::vector<Label> read_labels(const config::ConfigNode& node, config::Problems& problems) {
+  std::vector<Label> labels;
+  for (const config::ConfigNode& item : node.items()) {
+    Label& label = labels.emplace_back();
+    config::FieldReader reader(item, problems);
+    label_keys(reader, label);
+    if (problems.none() && !(label.end_s > label.begin_s)) item.fail("must end after it begins");
+  }
+  return labels;
+}
+
+/// One of a list: the first key behind the dash.
+std::string list_item(const std::string& fields, std::size_t indent) {
+  std::string item = fields;
+  return item.replace(indent - 2, 1, "-");
+}
+
+/// Writes what an entry says; what it leaves to its file or a default is left out.
+struct SaidFields {
+  config::FieldWriter& out;
+
+  template <class T>
+  void operator()(const char* key, T& value) {
+    if constexpr (requires { value.empty(); }) {
+      if (value.empty()) return;
+    }
+    if constexpr (std::is_same_v<T, ForwardBy>) {
+      if (value == ForwardBy::body) return;
+    }
+    out(key, value);
+  }
+  template <class T>
+  void required(const char* key, T& value) {
+    out(key, value);
+  }
+};
+
+std::vector<std::string*> paths_of(ManifestEntry& entry) {
+  return {&entry.file,         &entry.static_trial,      &entry.glove,
+          &entry.static_glove, &entry.glove_calibration, &entry.names};
+}
+
+}  // namespace
+
+std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file) {
+  const config::ConfigNode root = config::ConfigNode::load(file);
+  if (!root.is_map()) root.fail("must be a mapping of keys to values");
+  ManifestEntry defaults;
+  config::Problems problems;
+  config::FieldReader root_reader(root, problems);
+  shared_fields(root_reader, defaults);
+  std::vector<ManifestEntry> entries;
+  for (const config::ConfigNode& item : root["recordings"].items()) {
+    ManifestEntry entry = defaults;
+    entry.manifest = file.string();
+    config::FieldReader reader(item, problems);
+    own_fields(reader, entry);
+    if (item.has("labels")) entry.labels = read_labels(item["labels"], problems);
+    using Positive = std::pair<const char*, std::optional<double>>;
+    for (const auto& [key, value] : {Positive{"upper_arm", entry.upper_arm},
+                                     {"forearm", entry.forearm},
+                                     {"hand_length", entry.hand_length},
+                                     {"hand_breadth", entry.hand_breadth},
+                                     {"rate_hz", entry.conventions.rate_hz}}) {
+      if (problems.none() && value && !(*value > 0))
+        (item.has(key) ? item : root)[key].fail("must be positive");
+    }
+    for (std::string* path : paths_of(entry)) {
+      if (!path->empty() || path == &entry.file) *path = (file.parent_path() / *path).string();
+    }
+    for (ManifestEntry& one : hand_by_hand(std::move(entry))) entries.push_back(std::move(one));
+  }
+  root.add_unread(problems);
+  problems.throw_any();
+  return entries;
+}
+
+std::vector<ManifestEntry> hand_by_hand(ManifestEntry entry) {
+  if (entry.hand != Hands::both) return {std::move(entry)};
+  const std::string name = entry.name.empty() ? fs::path(entry.file).stem().string() : entry.name;
+  std::vector<ManifestEntry> entries;
+  for (const Hands hand : {Hands::right, Hands::left}) {
+    ManifestEntry& one = entries.emplace_back(entry);
+    one.hand = hand;
+    one.of_both = true;
+    one.name = fmt::format("{}_{}", name, name_of(hand));
+  }
+  return entries;
+}
+
+Side side_of(const ManifestEntry& entry) {
+  return entry.hand == Hands::left ? Side::left : Side::right;
+}
+
+std::string manifest_text(std::vector<ManifestEntry> entries, const fs::path& folder) {
+  const fs::path here = fs::weakly_canonical(folder);
+  std::string text = "recordings:\n";
+  for (ManifestEntry& entry : entries) {
+    for (std::string* path : paths_of(entry)) {
+      if (!path->empty()) *path = fs::weakly_canonical(*path).lexically_relative(here).string();
+    }
+    config::FieldWriter writer("    ");
+    SaidFields said{writer};
+    own_fields(said, entry);
+    text += list_item(writer.text, 4);
+    if (!entry.labels.empty()) text += "    labels:\n";
+    for (Label& label : entry.labels) {
+      config::FieldWriter inner("        ");
+      label_keys(inner, label);
+      text += list_item(inner.text, 8);
+    }
+  }
+  return text;
+}
+
+config::Schema manifest_schema(const config::Meanings& meanings) {
+  constexpr const char* kTable = "ManifestEntry";
+  ManifestEntry entry;
+  Label label;
+  config::FieldSchema all(kTable, meanings, false, {}), own(kTable, meanings, false, {}),
+      labels(kTable, meanings, false, {});
+  shared_fields(all, entry);
+  own_fields(own, entry);
+  label_keys(labels, label);
+  config::Schema recording = own.schema();
+  recording["properties"]["labels"] = config::list_schema(labels.schema());
+  config::Schema schema = all.schema();
+  schema["properties"]["recordings"] = config::list_schema(recording);
+  schema["required"] = config::Schema::array({"recordings"});
+  return schema;
+}
+
+}  // namespace morphe::imports

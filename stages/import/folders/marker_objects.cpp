@@ -1,0 +1,176 @@
+#include "stages/import/folders/marker_objects.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/rigid.hpp"
+#include "core/math/rotation.hpp"
+#include "core/motion/counted.hpp"
+#include "core/motion/input_error.hpp"
+
+namespace morphe::imports {
+namespace {
+
+constexpr double kThinnest = 0.001;  ///< a box of markers in one plane has no thickness [m]
+constexpr std::size_t kSizes[] = {1, 3, 2, 2, 0};  // numbers a shape's size has
+
+[[noreturn]] void fail(const std::string& file, const MarkerObject& object,
+                       const std::string& message) {
+  throw InputError(fmt::format("{}: objects: {}: {}", file, object.name, message));
+}
+
+std::vector<std::size_t> columns_of(const std::string& file, const MarkerObject& object,
+                                    const std::vector<std::string>& names) {
+  std::vector<std::size_t> columns;
+  for (const std::string& wanted : object.markers) {
+    const bool prefix = wanted.ends_with('*');
+    const std::string stem = wanted.substr(0, wanted.size() - (prefix ? 1 : 0));
+    const std::size_t before = columns.size();
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      if (prefix ? names[k].starts_with(stem) : names[k] == stem) columns.push_back(k);
+    }
+    if (columns.size() == before) fail(file, object, fmt::format("no marker '{}'", wanted));
+  }
+  std::ranges::sort(columns);
+  // clang 14 cannot read the ranges::unique of g++ 12's library.
+  columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+  return columns;
+}
+
+using Points = std::vector<Vec3>;
+
+bool found(const Pose& pose) { return pose.matrix().allFinite(); }
+
+/// Mean of the frames' points, each frame carried onto `reference`; NaN where one never was seen.
+Points mean_shape(const std::vector<Points>& frames, const Points& reference) {
+  Points sum(reference.size(), Vec3::Zero());
+  std::vector<int> count(reference.size(), 0);
+  for (const Points& frame : frames) {
+    const Pose reference_from_frame = math::fit_rigid(frame, reference);
+    if (!found(reference_from_frame)) continue;
+    for (std::size_t k = 0; k < frame.size(); ++k) {
+      if (!seen(frame[k])) continue;
+      sum[k] += reference_from_frame * frame[k];
+      ++count[k];
+    }
+  }
+  for (std::size_t k = 0; k < sum.size(); ++k) {
+    sum[k] = count[k] > 0 ? Vec3(sum[k] / count[k]) : unseen_point();
+  }
+  return sum;
+}
+
+/// Principal axes as columns, permuted and signed to lie nearest to x, y and z; right-handed.
+Eigen::Matrix3d axes_of(const Points& shape) {
+  Vec3 mean = Vec3::Zero();
+  double count = 0;
+  for (const Vec3& point : shape) {
+    if (!seen(point)) continue;
+    mean += point;
+    ++count;
+  }
+  mean /= count;
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Vec3& point : shape) {
+    if (seen(point)) spread += (point - mean) * (point - mean).transpose();
+  }
+  const Eigen::Matrix3d principal = math::principal_axes(spread).axes;
+  int order[] = {0, 1, 2};
+  Eigen::Matrix3d best = principal;
+  double nearest = -1;
+  do {
+    Eigen::Matrix3d axes;
+    for (int i = 0; i < 3; ++i) {
+      axes.col(i) = principal.col(order[i]);
+      if (axes(i, i) < 0) axes.col(i) *= -1;
+    }
+    if (axes.determinant() > 0 && axes.trace() > nearest) {
+      best = axes;
+      nearest = axes.trace();
+    }
+  } while (std::next_permutation(std::begin(order), std::end(order)));
+  return best;
+}
+
+}  // namespace
+
+std::string why_invalid(const MarkerObject& object) {
+  const std::optional<Shape> shape = named<Shape>(object.shape);
+  if (!shape || *shape == Shape::mesh) {
+    return fmt::format("shape must be sphere, box, cylinder or capsule, not '{}'", object.shape);
+  }
+  if (object.size.empty()) {
+    return shape == Shape::box ? "" : fmt::format("a {} needs its size", object.shape);
+  }
+  const std::size_t wanted = kSizes[static_cast<std::size_t>(*shape)];
+  if (object.size.size() != wanted ||
+      std::ranges::any_of(object.size, [](double length) { return !(length > 0); })) {
+    return fmt::format("the size of a {} is {} positive lengths", object.shape, wanted);
+  }
+  return "";
+}
+
+void add_marker_object(const std::string& file, const MarkerObject& object,
+                       Demonstration& demonstration) {
+  if (!demonstration.streams.markers) fail(file, object, "the recording has no markers");
+  const MarkerStream& markers = *demonstration.streams.markers;
+  const std::vector<std::size_t> columns = columns_of(file, object, markers.names);
+  std::vector<Points> frames;
+  std::size_t fullest = 0, most = 0;
+  for (std::size_t i = 0; i < markers.time.size(); ++i) {
+    Points& points = frames.emplace_back();
+    for (const std::size_t k : columns) points.push_back(markers.position(i, k));
+    const auto count = static_cast<std::size_t>(
+        std::ranges::count_if(points, [](const Vec3& point) { return seen(point); }));
+    if (count > most) {
+      most = count;
+      fullest = i;
+    }
+  }
+  if (most == 0 || !found(math::fit_rigid(frames[fullest], frames[fullest]))) {
+    fail(file, object, "no frame shows three of its markers that are not in a line");
+  }
+  Points shape = mean_shape(frames, frames[fullest]);
+  const Eigen::Matrix3d axes = axes_of(shape);
+  Eigen::AlignedBox3d extent;
+  for (Vec3& point : shape) {
+    point = axes.transpose() * point;
+    if (seen(point)) extent.extend(point);
+  }
+  for (Vec3& point : shape) point -= extent.center();
+
+  SceneObject body;
+  body.name = object.name;
+  body.shape = named<Shape>(object.shape).value_or(Shape::box);
+  body.size = object.size;
+  if (body.size.empty()) {
+    const Vec3 sizes = extent.sizes();
+    if (sizes.minCoeff() < kThinnest)
+      fail(file, object, "its markers lie in a plane: give its size");
+    body.size = {sizes.x(), sizes.y(), sizes.z()};
+  }
+  double squares = 0;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const Pose world_from_body = math::fit_rigid(shape, frames[i]);
+    if (!found(world_from_body)) continue;
+    body.time.push_back(markers.time[i]);
+    body.position.push_back(world_from_body.translation());
+    body.orientation.push_back(Quat(world_from_body.linear()).normalized());
+    const double residual = math::rigid_residual(world_from_body, shape, frames[i]);
+    squares += residual * residual;
+  }
+  const auto poses = static_cast<double>(body.time.size());
+  std::string report =
+      fmt::format("{}: from {}, rigid within {:.1f} mm (root mean square)", object.name,
+                  counted(columns.size(), "marker"), 1000 * std::sqrt(squares / poses));
+  if (body.time.size() < frames.size()) {
+    report += fmt::format("; not seen in {} of {} frames", frames.size() - body.time.size(),
+                          frames.size());
+  }
+  demonstration.reports.push_back(report);
+  demonstration.objects.push_back(std::move(body));
+}
+
+}  // namespace morphe::imports

@@ -1,0 +1,112 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "stages/import/folders/recording_sketch.hpp"
+#include "stages/import/recording/name_words.hpp"
+#include "stages/import/trackers/hand_curl.hpp"
+
+namespace morphe::imports {
+namespace {
+
+constexpr double kFarther = 1.25;   ///< times as far as the other side
+constexpr double kMoves_m = 0.010;  ///< less is no reach
+constexpr std::size_t kOfHand = 3;  ///< points of a hand that are looked at
+
+std::optional<Side> side_of_letter(char letter) {
+  if (letter == 'R' || letter == 'r') return Side::right;
+  if (letter == 'L' || letter == 'l') return Side::left;
+  return std::nullopt;
+}
+
+char other_letter(char letter) {
+  constexpr std::string_view kFrom = "RrLl", kTo = "LlRr";
+  return kTo[kFrom.find(letter)];
+}
+
+/// R and L at an end of a name say a side if all of it is capitals, or if the other side is there.
+std::optional<Side> side_at_end(const std::string& name, std::size_t at,
+                                const std::set<std::string_view>& all) {
+  const std::optional<Side> side = side_of_letter(name[at]);
+  if (!side) return side;
+  std::string other = name;
+  other[at] = other_letter(name[at]);
+  const bool capitals = at == 0 && name.size() > 2 && std::ranges::none_of(name, [](char c) {
+                          return std::islower(static_cast<unsigned char>(c)) != 0;
+                        });
+  return capitals || all.contains(other) ? side : std::nullopt;
+}
+
+std::optional<Side> side_said_by(const std::string& name, const std::set<std::string_view>& all) {
+  const std::string_view own = std::string_view(name).substr(name.rfind(':') + 1);
+  for (const NameWord& word : words_of(own)) {
+    const std::optional<Side> side =
+        word.text.size() == 1 ? side_of_letter(word.text[0]) : named<Side>(word.text);
+    if (side) return side;
+  }
+  if (own.empty()) return std::nullopt;
+  const std::optional<Side> first = side_at_end(name, name.size() - own.size(), all);
+  return first ? first : side_at_end(name, name.size() - 1, all);
+}
+
+/// How far the points of a side wander that do so most [m]: together, so that one alone weighs
+/// less.
+double farthest_of(std::vector<double> wander) {
+  const std::size_t count = std::min(kOfHand, wander.size());
+  std::ranges::partial_sort(wander, wander.begin() + static_cast<std::ptrdiff_t>(count),
+                            std::greater<>());
+  double sum = 0;
+  for (std::size_t k = 0; k < count; ++k) sum += wander[k];
+  return sum / static_cast<double>(kOfHand);
+}
+
+}  // namespace
+
+ReachingHand reaching_hand(const Demonstration& demonstration, const RecordingSketch& sketch) {
+  const auto& hand = demonstration.streams.hand;
+  if (hand && hand->kind == HandKind::keypoints) {
+    const double out = curl_away_from_right_palm(hand->position);
+    if (std::abs(out) > kCurl_m) {
+      const Side side = out < 0 ? Side::right : Side::left;
+      return {side, fmt::format("the {} hand: its fingers curl as those do", name_of(side))};
+    }
+  }
+  const std::set<std::string_view> all(sketch.points.begin(), sketch.points.end());
+  std::vector<double> wander[2];
+  for (std::size_t k = 0; k < sketch.points.size(); ++k) {
+    const std::optional<Side> side = side_said_by(sketch.points[k], all);
+    if (side) wander[static_cast<std::size_t>(*side)].push_back(sketch.wander[k]);
+  }
+  if (wander[0].empty() && wander[1].empty()) {
+    return {Side::right, "the right hand is assumed: the file does not tell which one reaches"};
+  }
+  for (const Side side : {Side::right, Side::left}) {
+    if (!wander[1 - static_cast<std::size_t>(side)].empty()) continue;
+    return {side, fmt::format("the {0} hand reaches: the file has points of the {0} side alone",
+                              name_of(side))};
+  }
+  const double right = farthest_of(wander[0]), left = farthest_of(wander[1]);
+  if (std::max(right, left) <= std::max(kMoves_m, kFarther * std::min(right, left))) {
+    return {Side::right,
+            fmt::format("the right hand is assumed: both move alike, by {:.0f} and {:.0f} mm",
+                        1000 * right, 1000 * left)};
+  }
+  const Side side = right > left ? Side::right : Side::left;
+  const Side other = right > left ? Side::left : Side::right;
+  return {side,
+          fmt::format("the {} hand reaches: its points move by {:.0f} mm, the {} one's by {:.0f}",
+                      name_of(side), 1000 * std::max(right, left), name_of(other),
+                      1000 * std::min(right, left))};
+}
+
+bool shows_hand(const RecordingSketch& sketch, Side side) {
+  const std::set<std::string_view> all(sketch.points.begin(), sketch.points.end());
+  return std::ranges::any_of(
+      sketch.points, [&](const std::string& name) { return side_said_by(name, all) == side; });
+}
+
+}  // namespace morphe::imports

@@ -1,0 +1,94 @@
+#include "stages/import/folders/read_recording.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <fstream>
+#include <system_error>
+
+#include "core/store/consistency.hpp"
+#include "stages/import/folders/recording_formats.hpp"
+#include "stages/import/folders/recording_sketch.hpp"
+#include "stages/import/guess/facing.hpp"
+#include "stages/import/guess/import_question.hpp"
+#include "stages/import/guess/name_map.hpp"
+
+namespace morphe::imports {
+
+namespace {
+
+std::string head_of(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
+      !std::filesystem::is_directory(status)) {
+    throw InputError(fmt::format("{}: is no file: it is read more than once", file.string()));
+  }
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream || std::filesystem::is_directory(status)) {
+    throw InputError(fmt::format("{}: cannot be read", file.string()));
+  }
+  constexpr std::size_t kSeen = 65536;  // a header may name hundreds of points
+  std::string head(kSeen, '\0');
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(stream.gcount()));
+  return head.starts_with("\xEF\xBB\xBF") ? head.substr(3) : head;
+}
+
+const RecordingFormat& format_of(const std::string& file, const std::string& wanted) {
+  const std::string known = fmt::format("{}", fmt::join(import_format_names(), ", "));
+  for (const RecordingFormat& format : recording_formats()) {
+    if (wanted.empty() ? format.recognises(head_of(file)) : format.name == wanted) return format;
+  }
+  throw InputError(wanted.empty()
+                       ? fmt::format("{}:1: format: not recognised; known: {}", file, known)
+                       : fmt::format("{}: format: unknown '{}'; known: {}", file, wanted, known));
+}
+
+}  // namespace
+
+const RecordingFormat* recognised_format(const std::filesystem::path& file) {
+  const std::string head = head_of(file);
+  for (const RecordingFormat& format : recording_formats()) {
+    if (format.recognises(head)) return &format;
+  }
+  return nullptr;
+}
+
+Demonstration read_recording(const ManifestEntry& entry) {
+  const RecordingFormat& format = format_of(entry.file, entry.format);
+  if (format.name != "liberty-csv" && !(entry.glove + entry.static_glove).empty()) {
+    throw InputError(
+        fmt::format("{}: glove: only liberty-csv takes one, not {}", entry.file, format.name));
+  }
+  Demonstration demonstration = read_or_ask(
+      format,
+      {entry.file, entry.static_trial, entry.glove, entry.static_glove, entry.glove_calibration,
+       read_names(entry.names), side_of(entry), entry.conventions},
+      entry.manifest);
+  demonstration.hand = side_of(entry);
+  if (entry.of_both && !shows_hand(sketch_of(demonstration), demonstration.hand)) {
+    throw InputError(fmt::format("{}: hand: both, but nothing in it is called as the {} one's",
+                                 entry.file, name_of(demonstration.hand)));
+  }
+  face_forward(entry.conventions, demonstration);
+  for (const MarkerObject& object : entry.objects) {
+    add_marker_object(entry.file, object, demonstration);
+  }
+  demonstration.name = entry.name;
+  if (!entry.subject.empty()) demonstration.subject = entry.subject;
+  if (!entry.task.empty()) demonstration.task = entry.task;
+  if (!entry.source.empty()) demonstration.source = entry.source;
+  if (!entry.licence.empty()) demonstration.licence = entry.licence;
+  if (entry.upper_arm) demonstration.upper_arm = entry.upper_arm;
+  if (entry.forearm) demonstration.forearm = entry.forearm;
+  if (entry.hand_length) demonstration.hand_length = entry.hand_length;
+  if (entry.hand_breadth) demonstration.hand_breadth = entry.hand_breadth;
+  if (!entry.labels.empty()) demonstration.labels = entry.labels;
+  demonstration.reports.insert(demonstration.reports.end(), entry.notes.begin(), entry.notes.end());
+  if (const std::string fault = store::inconsistency(demonstration); !fault.empty())
+    throw InputError(fmt::format("{}: {}", entry.file, fault));
+  return demonstration;
+}
+
+}  // namespace morphe::imports

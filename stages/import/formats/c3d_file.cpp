@@ -1,0 +1,214 @@
+#include "stages/import/formats/c3d_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "core/motion/input_error.hpp"
+#include "stages/import/formats/c3d_parameters.hpp"
+
+namespace morphe::imports {
+namespace {
+
+constexpr std::size_t kBlock = 512;
+constexpr std::uint8_t kMagic = 0x50;
+constexpr double kLargestWord = 65535;
+
+/// The header's numbers, in words of two bytes.
+struct C3dHeader {
+  std::size_t points, analog, first, last, data_block, analog_per_frame;
+  double scale, rate_hz;
+};
+
+C3dBytes read_bytes(const std::filesystem::path& file) {
+  std::error_code error;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream || std::filesystem::is_directory(file, error)) {
+    throw InputError(fmt::format("{}: cannot be read", file.string()));
+  }
+  C3dBytes bytes{file.string(), std::string((std::istreambuf_iterator<char>(stream)), {})};
+  bytes.require(0, kBlock, "the header");
+  if (bytes.byte(1) != kMagic) bytes.fail(1, "must be 0x50: this is no C3D file");
+  return bytes;
+}
+
+/// Where the parameters begin; their header says which processor wrote the file.
+std::size_t find_parameters(C3dBytes& bytes) {
+  if (bytes.byte(0) == 0) bytes.fail(0, "the parameters must begin at block 1 or later");
+  const std::size_t start = (bytes.byte(0) - std::size_t{1}) * kBlock;
+  bytes.require(start, kBlock, "the section of parameters");
+  const std::uint8_t processor = bytes.byte(start + 3);
+  if (processor < 84 || processor > 86) {
+    bytes.fail(start + 3,
+               fmt::format("processor {} is none of 84 (Intel), 85 (DEC), 86 (SGI)", processor));
+  }
+  bytes.processor = static_cast<C3dProcessor>(processor);
+  return start;
+}
+
+C3dHeader read_c3d_header(const C3dBytes& bytes) {
+  return {bytes.word(2),  bytes.word(4),  bytes.word(6),  bytes.word(8),
+          bytes.word(16), bytes.word(18), bytes.real(12), bytes.real(20)};
+}
+
+/// The number of frames, by the most capable of the places that say it.
+double frame_count(const C3dHeader& header, const C3dParameters& parameters, C3dPoints& points) {
+  const double in_header = static_cast<double>(header.last) - static_cast<double>(header.first) + 1;
+  const double in_point = parameters.number("POINT:FRAMES", in_header);
+  double count = parameters.number("POINT:LONG_FRAMES", in_point);
+  points.first_frame = header.first;
+  const auto start = parameters.numbers("TRIAL:ACTUAL_START_FIELD"),
+             end = parameters.numbers("TRIAL:ACTUAL_END_FIELD");
+  if (start.size() >= 2 && end.size() >= 2) {
+    const double first = start[0] + 65536 * start[1], last = end[0] + 65536 * end[1];
+    count = last - first + 1;
+    if (!(first >= 0 && first < 65536 * 65536.0)) {
+      parameters.fail("TRIAL:ACTUAL_START_FIELD", fmt::format("{} is no frame", first));
+    }
+    points.first_frame = static_cast<std::size_t>(first);
+  }
+  const auto compare = [&](const char* place, double says) {
+    if (says == count || (count >= kLargestWord && says <= kLargestWord)) return;
+    points.reports.push_back(fmt::format("{} says {} frames; {} were read", place, says, count));
+  };
+  compare("the header", in_header);
+  compare("POINT:FRAMES", in_point);
+  return count;
+}
+
+/// Analog samples stand behind the points of each frame: their number decides where the next
+/// begins.
+std::size_t analog_count(const C3dHeader& header, const C3dParameters& parameters) {
+  const double used = parameters.number("ANALOG:USED", kNotSeen);
+  const double expected = used * static_cast<double>(header.analog_per_frame);
+  if (expected == expected && expected != static_cast<double>(header.analog)) {
+    parameters.fail("ANALOG:USED", fmt::format("{} channels with {} samples a frame are not the {} "
+                                               "values a frame of the header",
+                                               used, header.analog_per_frame, header.analog));
+  }
+  return header.analog;
+}
+
+double scale_of(const C3dHeader& header, const C3dParameters& parameters) {
+  const double scale = parameters.number("POINT:SCALE", header.scale);
+  if (!std::isfinite(scale) || scale == 0 || (scale < 0) != (header.scale < 0)) {
+    parameters.fail("POINT:SCALE", fmt::format("{} here and {} in the header do not say whether "
+                                               "points are floats or integers",
+                                               scale, header.scale));
+  }
+  return scale;
+}
+
+/// Block of the first frame. Where neither place says it (OptiTrack's Motive writes 0 in both) the
+/// points begin behind the parameters, whose length in blocks `behind_parameters` follows from.
+std::size_t data_start(const C3dHeader& header, const C3dParameters& parameters,
+                       std::size_t behind_parameters, std::vector<std::string>& reports) {
+  const auto in_header = static_cast<double>(header.data_block);
+  double block = parameters.number("POINT:DATA_START", in_header);
+  if (block == 0 && in_header == 0) {
+    reports.push_back(fmt::format(
+        "neither the header nor POINT:DATA_START says where points begin: read from block {}, "
+        "behind the parameters",
+        behind_parameters));
+    return (behind_parameters - 1) * kBlock;
+  }
+  if (block == 0) block = in_header;
+  if (!(block >= 2 && block <= kLargestWord))
+    parameters.fail("POINT:DATA_START", fmt::format("no points at block {}", block));
+  if (block != in_header) {
+    reports.push_back(
+        fmt::format("the header says that points begin at block {}; they were read "
+                    "from {}, as POINT:DATA_START says",
+                    in_header, block));
+  }
+  return (static_cast<std::size_t>(block) - 1) * kBlock;
+}
+
+/// LABELS, LABELS2, LABELS3, … hold at most 255 each; a point without a name becomes "*4".
+std::vector<std::string> read_labels(const C3dParameters& parameters, std::size_t points,
+                                     std::vector<std::string>& reports) {
+  std::vector<std::string> labels = parameters.texts("POINT:LABELS");
+  for (int more = 2; parameters.has(fmt::format("POINT:LABELS{}", more)); ++more) {
+    const auto next = parameters.texts(fmt::format("POINT:LABELS{}", more));
+    labels.insert(labels.end(), next.begin(), next.end());
+  }
+  const std::size_t named = labels.size();
+  labels.resize(points);
+  std::size_t unnamed = 0;
+  std::set<std::string> known;
+  for (std::size_t k = 0; k < points; ++k) {
+    if (labels[k].empty()) {
+      labels[k] = fmt::format("*{}", k + 1);
+      ++unnamed;
+    }
+    if (!known.insert(labels[k]).second) {
+      parameters.fail("POINT:LABELS", fmt::format("'{}' stands twice", labels[k]));
+    }
+  }
+  if (unnamed > 0) reports.push_back(fmt::format("points without a name: {}", unnamed));
+  if (named > points) {
+    reports.push_back(fmt::format("POINT:LABELS names {} points, {} are there", named, points));
+  }
+  return labels;
+}
+
+/// Frames of points, each with its analog samples behind it.
+void read_points(const C3dBytes& bytes, std::size_t start, std::size_t frame_bytes, double scale,
+                 Table<Vec3>& position) {
+  for (std::size_t i = 0; i < position.rows; ++i) {
+    for (std::size_t k = 0; k < position.cols; ++k) {
+      const std::size_t at = start + i * frame_bytes + k * (scale < 0 ? 16 : 8);
+      const auto value = [&](std::size_t n) {
+        return scale < 0 ? static_cast<double>(bytes.real(at + 4 * n))
+                         : static_cast<double>(bytes.integer(at + 2 * n));
+      };
+      const Vec3 point = Vec3(value(0), value(1), value(2)) * (scale < 0 ? 1 : scale);
+      if (value(3) >= 0 && seen(point)) position(i, k) = point;
+    }
+  }
+}
+
+}  // namespace
+
+C3dPoints read_c3d_points(const std::filesystem::path& file) {
+  C3dBytes bytes = read_bytes(file);
+  const std::size_t parameters_at = find_parameters(bytes);
+  const C3dParameters parameters(bytes, parameters_at);
+  const C3dHeader header = read_c3d_header(bytes);
+  const double used = parameters.number("POINT:USED", static_cast<double>(header.points));
+  if (header.points == 0 || used != static_cast<double>(header.points)) {
+    parameters.fail("POINT:USED",
+                    fmt::format("{} points here, {} in the header", used, header.points));
+  }
+  C3dPoints points;
+  points.labels = read_labels(parameters, header.points, points.reports);
+  points.unit = parameters.text("POINT:UNITS");
+  points.x_screen = parameters.text("POINT:X_SCREEN");
+  points.y_screen = parameters.text("POINT:Y_SCREEN");
+  points.rate_hz = parameters.number("POINT:RATE", header.rate_hz);
+  const double scale = scale_of(header, parameters);
+  const std::size_t behind_parameters = bytes.byte(0) + std::size_t{bytes.byte(parameters_at + 2)};
+  const std::size_t start = data_start(header, parameters, behind_parameters, points.reports);
+  const std::size_t frame_bytes =
+      (4 * header.points + analog_count(header, parameters)) * (scale < 0 ? 4 : 2);
+  const double frames = frame_count(header, parameters, points);
+  const std::size_t there = (bytes.size() - std::min(start, bytes.size())) / frame_bytes;
+  if (!(frames >= 1 && frames <= static_cast<double>(there))) {
+    parameters.fail(
+        "POINT:FRAMES",
+        fmt::format("{} frames from byte {} on are promised, {} are there", frames, start, there));
+  }
+  points.position = Table<Vec3>(static_cast<std::size_t>(frames), header.points, unseen_point());
+  read_points(bytes, start, frame_bytes, scale, points.position);
+  const std::size_t behind = bytes.size() - start - points.position.rows * frame_bytes;
+  if (behind >= kBlock) {
+    points.reports.push_back(fmt::format("{} bytes behind the last frame were left out", behind));
+  }
+  return points;
+}
+
+}  // namespace morphe::imports

@@ -1,0 +1,153 @@
+// 21 points of a hand as text: column names, then a row a frame. KeypointColumns, in any order:
+// `frame` (whole numbers that grow) or `time_s`, and kp00_x … kp20_z: the wrist, then four a finger
+// from its base to its tip, thumb first. An empty cell or "nan" was not seen. Neither unit nor rate
+// is said.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "core/files/csv.hpp"
+#include "stages/import/formats/marker_recording.hpp"
+#include "stages/import/formats/readers.hpp"
+#include "stages/import/recording/format.hpp"
+#include "stages/import/recording/named_columns.hpp"
+
+namespace morphe::imports {
+namespace {
+
+constexpr std::size_t kPoints = 21;
+
+/// Where the numbers of a row stand.
+struct KeypointColumns {
+  std::optional<std::size_t> frame, time_s;
+  std::size_t of_point[kPoints][3] = {};
+};
+
+std::string column_name(std::size_t point, std::size_t axis) {
+  return fmt::format("kp{:02}_{}", point, "xyz"[axis]);
+}
+
+KeypointColumns read_columns(const NamedColumns& named) {
+  std::set<std::size_t> known;
+  const auto take = [&](const std::string& name) { return *known.insert(named.at(name)).first; };
+  KeypointColumns columns;
+  if (named.has("frame")) columns.frame = take("frame");
+  if (named.has("time_s")) columns.time_s = take("time_s");
+  if (known.empty()) named.csv.fail(named.line, "frame", "neither this nor time_s is there");
+  for (std::size_t point = 0; point < kPoints; ++point) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      columns.of_point[point][axis] = take(column_name(point, axis));
+    }
+  }
+  for (std::size_t c = 0; c < named.names.size(); ++c) {
+    if (!known.contains(c)) named.csv.fail(named.line, named.names[c], "the column is not known");
+  }
+  return columns;
+}
+
+Vec3 read_point(const files::CsvText& csv, std::size_t line,
+                const std::vector<std::string_view>& cells, const KeypointColumns& columns,
+                std::size_t point) {
+  Vec3 result = unseen_point();
+  int filled = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::string_view cell = cells[columns.of_point[point][axis]];
+    if (cell.empty() || cell == "nan" || cell == "NaN") continue;
+    result[static_cast<Eigen::Index>(axis)] = csv.number(line, column_name(point, axis), cell);
+    ++filled;
+  }
+  if (filled != 0 && filled != 3) {
+    csv.fail(line, column_name(point, 0), "has some of x, y, z but not all");
+  }
+  return result;
+}
+
+double read_time(const files::CsvText& csv, std::size_t line,
+                 const std::vector<std::string_view>& cells, const KeypointColumns& columns,
+                 double rate_hz) {
+  if (columns.time_s) return csv.number(line, "time_s", cells[*columns.time_s]);
+  const double frame = csv.number(line, "frame", cells[*columns.frame]);
+  if (frame != std::floor(frame) || frame < 0) {
+    csv.fail(line, "frame", "must be a whole number from 0");
+  }
+  return frame / rate_hz;
+}
+
+/// Says what of the points is not known, and refuses a hand that no unit explains.
+void judge(const files::CsvText& csv, const HandStream& hand, bool judged,
+           std::vector<std::string>& reports) {
+  std::size_t unseen = 0, centred = 0;
+  double farthest = 0;
+  for (std::size_t i = 0; i < hand.position.rows; ++i) {
+    const Vec3& wrist = hand.position(i, 0);
+    if (seen(wrist) && wrist.norm() < 1e-6) ++centred;
+    for (std::size_t point = 0; point < kPoints; ++point) {
+      const Vec3& here = hand.position(i, point);
+      if (!seen(here)) ++unseen;
+      if (seen(here) && seen(wrist)) farthest = std::max(farthest, (here - wrist).norm());
+    }
+  }
+  if (unseen == hand.position.values.size()) {
+    reports.push_back("no point was seen in any frame");
+  } else if (unseen > 0) {
+    reports.push_back(
+        fmt::format("{} of {} points were not seen", unseen, hand.position.values.size()));
+  }
+  if (judged && farthest > 0 && (farthest < 0.05 || farthest > 0.5)) {
+    throw NotSaid("unit", fmt::format("{}:1: unit: cannot be right: a point would be {:.3g} m from "
+                                      "the wrist",
+                                      csv.file, farthest));
+  }
+  reports.push_back(
+      centred == hand.position.rows
+          ? "the wrist is the origin of every frame: the points stay in the hand's own frame and "
+            "say nothing about where it was"
+          : "the points stay in the axes of the file; only the hand's shape is taken from them");
+}
+
+}  // namespace
+
+bool recognises_keypoints_csv(std::string_view head) {
+  const std::string_view line = head.substr(0, head.find_first_of("\r\n"));
+  return line.find("kp00_x") != std::string_view::npos &&
+         line.find("kp20_z") != std::string_view::npos;
+}
+
+Demonstration read_keypoints_csv(const RecordingFiles& files) {
+  const files::CsvText csv = files::read_csv(files.file);
+  if (!files.static_trial.empty()) csv.fail(1, "static", "this format has no static trial");
+  if (!files.renamed.empty()) csv.fail(1, "names", "this format has no names to map");
+  if (!files.conventions.axes.empty()) {
+    csv.fail(1, "axes", "of the points do not matter: only the hand's shape is taken from them");
+  }
+  if (csv.lines.empty()) csv.fail(1, "", "the file is empty");
+  const NamedColumns named(csv, 1);
+  const KeypointColumns columns = read_columns(named);
+  Demonstration demonstration;
+  std::vector<std::string>& reports = demonstration.reports;
+  reports = csv.reports;
+  const double metres = metres_of("", files.conventions, csv.file, reports);
+  const double rate_hz = columns.time_s ? 0 : rate_of(0, files.conventions, csv.file, reports);
+
+  HandStream hand;
+  hand.kind = HandKind::keypoints;
+  hand.position = Table<Vec3>(named.rows(), kPoints, unseen_point());
+  for (std::size_t line = named.first_row(); line <= csv.lines.size(); ++line) {
+    const auto cells = named.cells(line);
+    hand.time.push_back(read_time(csv, line, cells, columns, rate_hz));
+    if (hand.time.size() > 1 && !(hand.time.back() > hand.time[hand.time.size() - 2])) {
+      csv.fail(line, columns.time_s ? "time_s" : "frame", "does not follow the row before");
+    }
+    for (std::size_t point = 0; point < kPoints; ++point) {
+      hand.position(line - named.first_row(), point) =
+          metres * read_point(csv, line, cells, columns, point);
+    }
+  }
+  judge(csv, hand, files.conventions.judged, reports);
+  demonstration.streams.hand = std::move(hand);
+  return demonstration;
+}
+
+}  // namespace morphe::imports

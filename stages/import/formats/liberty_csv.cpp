@@ -1,0 +1,78 @@
+// Polhemus Liberty sensors and a CyberGlove II as text, columns by name: one file each or both in
+// one, and for the calibration pose likewise.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/human/calibration.hpp"
+#include "core/motion/input_error.hpp"
+#include "stages/import/formats/capture_rows.hpp"
+#include "stages/import/formats/readers.hpp"
+#include "stages/import/recording/format.hpp"
+
+namespace morphe::imports {
+namespace {
+
+/// The streams of one or two files; what both have is an error.
+Streams read_pair(const std::filesystem::path& first, const std::filesystem::path& second,
+                  const RecordingFiles& files, std::vector<std::string>& used,
+                  std::vector<std::string>& reports) {
+  Streams streams;
+  if (!first.empty()) streams = read_capture_file(first, files, used, reports);
+  if (second.empty()) return streams;
+  Streams more = read_capture_file(second, files, used, reports);
+  if (!more.hand) {
+    throw InputError(fmt::format("{}:1: names no sensor of a glove", second.string()));
+  }
+  if (more.sensors || more.markers) {
+    throw InputError(fmt::format("{}:1: names tracked bodies besides the glove", second.string()));
+  }
+  if (streams.hand) {
+    throw InputError(
+        fmt::format("{}: {} has the glove's sensors already", second.string(), first.string()));
+  }
+  streams.hand = std::move(more.hand);
+  return streams;
+}
+
+}  // namespace
+
+bool recognises_liberty_csv(std::string_view head) {
+  head = head.substr(0, head.find_first_of("\r\n"));
+  if (!head.starts_with("time_s,") && !head.starts_with("frame,") &&
+      head.find(",time_s") == std::string_view::npos) {
+    return false;
+  }
+  return std::ranges::any_of(
+      std::initializer_list<std::string_view>{"_qw", "_azimuth_", "ThumbRotate_", "IndexMPJ_"},
+      [&](std::string_view column) { return head.find(column) != std::string_view::npos; });
+}
+
+Demonstration read_liberty_csv(const RecordingFiles& files) {
+  Demonstration demonstration;
+  std::vector<std::string> used, still;
+  demonstration.streams = read_pair(files.file, files.glove, files, used, demonstration.reports);
+  demonstration.calibration = read_pair(files.static_trial, files.static_glove, files, used, still);
+  for (const std::string& report : still) {
+    demonstration.reports.push_back("calibration pose: " + report);
+  }
+  for (const auto& entry : files.renamed) {
+    if (std::ranges::find(used, entry.first) == used.end()) {
+      throw InputError(fmt::format("{}: names: '{}' is renamed but was not recorded",
+                                   files.file.string(), entry.first));
+    }
+  }
+  if (demonstration.calibration.sensors && demonstration.streams.sensors) {
+    demonstration.sensor_offsets =
+        human::sensor_offsets(demonstration.calibration, demonstration.reports);
+  } else if (demonstration.streams.sensors) {
+    demonstration.reports.push_back(
+        "no calibration pose: the sensors are taken to stand at the joints");
+  }
+  if (demonstration.streams.hand && !demonstration.calibration.hand) {
+    demonstration.reports.push_back("no flat hand was recorded: the glove's own zero is used");
+  }
+  return demonstration;
+}
+
+}  // namespace morphe::imports

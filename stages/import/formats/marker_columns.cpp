@@ -1,0 +1,71 @@
+#include "stages/import/formats/marker_columns.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <set>
+
+namespace morphe::imports {
+namespace {
+
+bool not_a_number(std::string_view cell) { return cell == "NaN" || cell == "nan" || cell == "NAN"; }
+
+}  // namespace
+
+std::string MarkerColumns::name(std::size_t column) const {
+  if (column < kFirst) return leading[column];
+  return fmt::format("{}.{}", names[(column - kFirst) / 3], "XYZ"[(column - kFirst) % 3]);
+}
+
+std::vector<std::string> read_marker_names(const files::CsvText& csv, std::size_t line) {
+  const auto cells = csv.cells(line);
+  std::size_t end = cells.size();
+  while (end > MarkerColumns::kFirst && cells[end - 1].empty()) --end;
+  std::vector<std::string> names;
+  std::set<std::string_view> known;
+  for (std::size_t c = MarkerColumns::kFirst; c < end; ++c) {
+    const bool begins_marker = (c - MarkerColumns::kFirst) % 3 == 0;
+    if (begins_marker == cells[c].empty()) {
+      csv.fail(line, fmt::format("column {}", c + 1),
+               begins_marker ? "has no marker name"
+                             : fmt::format("'{}' stands where no marker begins", cells[c]));
+    }
+    if (!begins_marker) continue;
+    if (!known.insert(cells[c]).second) csv.fail(line, cells[c], "the marker stands twice");
+    names.emplace_back(cells[c]);
+  }
+  if (names.empty()) csv.fail(line, "", "names no marker");
+  return names;
+}
+
+void read_points(const files::CsvText& csv, std::size_t line,
+                 const std::vector<std::string_view>& cells, const MarkerColumns& columns,
+                 double metres, Table<Vec3>& position, std::size_t row) {
+  const auto wrong_count = [&](const std::string& key) {
+    csv.fail(line, key,
+             fmt::format("the row has {} cells, the header {}", cells.size(), columns.count()));
+  };
+  if (cells.size() < columns.count()) wrong_count(columns.name(cells.size()));
+  for (std::size_t c = columns.count(); c < cells.size(); ++c) {
+    if (!cells[c].empty()) wrong_count(fmt::format("column {}", c + 1));
+  }
+  for (std::size_t k = 0; k < columns.names.size(); ++k) {
+    Vec3 point;
+    int filled = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t c = MarkerColumns::kFirst + 3 * k + axis;
+      if (cells[c].empty() || not_a_number(cells[c])) continue;
+      const std::optional<double> value = files::finite_number(cells[c]);
+      if (!value) csv.number(line, columns.name(c), cells[c]);  // fails, and says where
+      point[static_cast<Eigen::Index>(axis)] = *value * metres;
+      ++filled;
+    }
+    if (filled == 3) {
+      position(row, k) = point;
+    } else if (filled != 0) {
+      csv.fail(line, columns.names[k], "has some of X, Y, Z but not all");
+    }
+  }
+}
+
+}  // namespace morphe::imports

@@ -1,0 +1,211 @@
+#include "stages/import/formats/marker_recording.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/motion/input_error.hpp"
+#include "stages/import/formats/joints_of_points.hpp"
+#include "stages/import/recording/arm_names.hpp"
+#include "stages/import/recording/rename.hpp"
+#include "stages/import/trackers/hand_checks.hpp"
+#include "stages/import/trackers/hand_tracker.hpp"
+#include "stages/import/trackers/world_checks.hpp"
+
+namespace morphe::imports {
+namespace {
+
+constexpr double kRoom = 30, kHand = 0.002;  // [m]
+
+/// Diagonal of the box around every point that was seen, NaN if none was.
+double extent(const Table<Vec3>& position) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& point : position.values) {
+    if (seen(point)) box.extend(point);
+  }
+  return box.isEmpty() ? kNotSeen : box.diagonal().norm();
+}
+
+void hide_points_at_origin(MarkerRecording& recording) {
+  std::size_t hidden = 0;
+  for (Vec3& point : recording.markers.position.values) {
+    if (!point.isZero(0)) continue;
+    point = unseen_point();
+    ++hidden;
+  }
+  if (hidden > 0) {
+    recording.reports.push_back(
+        fmt::format("{} points stand exactly at the origin: taken as not seen", hidden));
+  }
+}
+
+bool ever_seen(const MarkerStream& markers, std::size_t k) {
+  for (std::size_t i = 0; i < markers.time.size(); ++i) {
+    if (seen(markers.position(i, k))) return true;
+  }
+  return false;
+}
+
+void report_never_seen(MarkerRecording& recording) {
+  const MarkerStream& markers = recording.markers;
+  std::vector<std::string> never;
+  for (std::size_t k = 0; k < markers.names.size(); ++k) {
+    if (!ever_seen(markers, k)) never.push_back(markers.names[k]);
+  }
+  if (markers.names.empty()) return;
+  if (never.size() == markers.names.size()) {
+    recording.reports.push_back("no marker was seen in any frame");
+  } else if (!never.empty()) {
+    recording.reports.push_back(fmt::format("never seen: {}", fmt::join(never, ", ")));
+  }
+}
+
+/// Where joints are is seen in a static trial, or from landmarks in the recording itself.
+void report_no_static(Demonstration& demonstration) {
+  if (!demonstration.streams.markers || demonstration.streams.skeleton) return;
+  const MarkerStream& markers = *demonstration.streams.markers;
+  std::vector<std::string> parts;
+  for (std::size_t k = 0; k < markers.names.size(); ++k) {
+    if (ever_seen(markers, k)) parts.push_back(body_part(markers.names[k]));
+  }
+  const auto any = [&](std::string_view end) {
+    return std::ranges::any_of(parts, [&](const auto& part) { return part.ends_with(end); });
+  };
+  if (!any("upper arm") && !any("forearm")) return;
+  if (any("elbow, outer") && any("elbow, inner") && any("wrist, thumb") && any(" shoulder")) return;
+  demonstration.reports.push_back(
+      "no static trial: joint centres are taken where clusters turn about each other; in the "
+      "shipped "
+      "trials that put the shoulder 39 to 65 mm and elbow and wrist up to 25 mm elsewhere; give it "
+      "with --static or `static:`");
+}
+
+void bring_into_world(MarkerRecording& recording, const std::string& source,
+                      const std::string& given, const std::string& usual) {
+  std::string axes = given;
+  if (axes.empty()) axes = recording.axes;
+  if (axes.empty() && !usual.empty()) {
+    axes = usual;
+    recording.reports.push_back(fmt::format(
+        "the file does not say its axes: '{}' point right, forward and up, as is usual", usual));
+  }
+  if (axes.empty()) {
+    throw NotSaid("axes", fmt::format("{}: axes: the file does not say which axes point right, "
+                                      "forward and up; give --axes or `axes:` such as 'x y z'",
+                                      source));
+  }
+  const Eigen::Matrix3d turn = world_from_recorded(axes, source);
+  for (Vec3& point : recording.markers.position.values) point = turn * point;
+  for (Vec3& point : recording.bodies.poses.position.values) point = turn * point;
+  for (Quat& rotation : recording.bodies.poses.orientation.values) {
+    rotation = (Quat(turn) * rotation).normalized();
+  }
+  recording.axes = axes;
+}
+
+void check_extent(const MarkerRecording& recording, const std::string& source) {
+  const double apart = extent(recording.markers.position);
+  const bool whole_hand = recording.markers.names.size() >= 3;
+  if (apart > kRoom || (whole_hand && apart > 0 && apart < kHand)) {
+    throw NotSaid("unit", fmt::format("{}: unit: the markers spread over {:.3g} m; give --unit or "
+                                      "`unit:` if the file's is wrong",
+                                      source, apart));
+  }
+}
+
+MarkerRecording read_into_world(const std::filesystem::path& file, const RecordingFiles& files,
+                                MarkerRecording (*read)(const std::filesystem::path&,
+                                                        const Conventions&),
+                                const std::string& usual_axes) {
+  MarkerRecording recording = read(file, files.conventions);
+  hide_points_at_origin(recording);
+  bring_into_world(recording, file.string(), files.conventions.axes, usual_axes);
+  if (files.conventions.judged) check_extent(recording, file.string());
+  return recording;
+}
+
+/// Markers and bodies share one space of names.
+void rename_all(const std::string& file, const std::map<std::string, std::string>& renamed,
+                MarkerRecording& recording) {
+  std::vector<std::string>&markers = recording.markers.names,
+  &bodies = recording.bodies.poses.names;
+  std::vector<std::string> all = markers;
+  all.insert(all.end(), bodies.begin(), bodies.end());
+  rename(file, renamed, all);
+  const auto first_body = all.begin() + static_cast<std::ptrdiff_t>(markers.size());
+  markers.assign(all.begin(), first_body);
+  bodies.assign(first_body, all.end());
+}
+
+bool has(const MarkerRecording& recording, const std::string& name) {
+  const auto among = [&](const std::vector<std::string>& names) {
+    return std::ranges::find(names, name) != names.end();
+  };
+  return among(recording.markers.names) || among(recording.bodies.poses.names);
+}
+
+/// A static trial holds markers that the recording lacks, and the other way round.
+void rename_both(const RecordingFiles& files, MarkerRecording& recording, MarkerRecording& still) {
+  std::map<std::string, std::string> here, there;
+  for (const auto& entry : files.renamed) {
+    const bool in_still = has(still, entry.first);
+    if (in_still) there.insert(entry);
+    if (has(recording, entry.first) || !in_still) here.insert(entry);
+  }
+  rename_all(files.file.string(), here, recording);
+  rename_all(files.static_trial.string(), there, still);
+}
+
+/// Points that are called as joints are a hand's like any tracker's.
+void check_joints(const RecordingFiles& files, Demonstration& demonstration) {
+  if (!demonstration.streams.skeleton) return;
+  HandClip clip;
+  clip.body = *demonstration.streams.skeleton;
+  clip.time = clip.body.time;
+  clip.objects = demonstration.objects;
+  for (const Side side : {Side::right, Side::left}) {
+    const std::string knuckle = std::string(name_of(side)) + "_middle_mcp";
+    if (std::ranges::find(clip.body.names, knuckle) == clip.body.names.end()) continue;
+    clip.hands[static_cast<std::size_t>(side)] = unseen_hand(clip.time.size());
+  }
+  std::vector<std::string>& reports = demonstration.reports;
+  check_hands(files.file.string(), clip, files.conventions.judged, reports);
+  check_world(clip, reports);
+}
+
+}  // namespace
+
+Demonstration read_marker_recording(const RecordingFiles& files,
+                                    MarkerRecording (*read)(const std::filesystem::path&,
+                                                            const Conventions&),
+                                    const std::string& usual_axes) {
+  MarkerRecording recording = read_into_world(files.file, files, read, usual_axes), still;
+  if (!files.static_trial.empty()) {
+    still = read_into_world(files.static_trial, files, read, usual_axes);
+  }
+  rename_both(files, recording, still);
+  Demonstration demonstration;
+  demonstration.subject = recording.subject;
+  report_never_seen(recording);
+  demonstration.reports = recording.reports;
+  if (!recording.markers.names.empty() || recording.bodies.poses.names.empty()) {
+    demonstration.streams.markers = std::move(recording.markers);
+    take_joints(files.hand, demonstration);
+  }
+  add_rigid_bodies(recording.bodies, demonstration);
+  check_joints(files, demonstration);
+  if (files.static_trial.empty()) report_no_static(demonstration);
+  if (!files.static_trial.empty()) {
+    report_never_seen(still);
+    for (const std::string& report : still.reports) {
+      demonstration.reports.push_back("static trial: " + report);
+    }
+    demonstration.calibration.markers = std::move(still.markers);
+  }
+  return demonstration;
+}
+
+}  // namespace morphe::imports

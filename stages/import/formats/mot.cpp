@@ -1,0 +1,188 @@
+// OpenSim storage (.mot, .sto) of joint coordinates: header lines up to "endheader", a line of
+// column names that begins with "time", then a row a sample; cells separated by commas, or else by
+// blanks and tabs. AngleStream holds angles alone: columns called …_tx, …_ty, …_tz or …trans… are
+// translations and left out (reported).
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "core/files/csv.hpp"
+#include "core/motion/input_error.hpp"
+#include "stages/import/formats/readers.hpp"
+#include "stages/import/recording/column_label.hpp"
+#include "stages/import/recording/format.hpp"
+#include "stages/import/recording/rename.hpp"
+
+namespace morphe::imports {
+namespace {
+
+/// The cells of a line; empty ones at its end are padding.
+std::vector<std::string_view> cells_of(const files::CsvText& text, std::size_t line) {
+  std::vector<std::string_view> cells;
+  if (text.separator == ',') {
+    cells = text.cells(line);
+    while (!cells.empty() && cells.back().empty()) cells.pop_back();
+    return cells;
+  }
+  const std::string_view here = text.lines[line - 1];
+  for (std::size_t at = here.find_first_not_of(" \t"); at != std::string_view::npos;) {
+    const std::size_t end = std::min(here.find_first_of(" \t", at), here.size());
+    cells.push_back(here.substr(at, end - at));
+    at = here.find_first_not_of(" \t", end);
+  }
+  return cells;
+}
+
+struct MotHeader {
+  std::size_t end = 0;                       ///< line of "endheader"
+  std::map<std::string, std::string> value;  ///< by key in lower case
+};
+
+/// Lines "key=value" up to "endheader"; others are the author's words.
+MotHeader read_mot_header(const files::CsvText& text) {
+  MotHeader header;
+  for (std::size_t line = 1; line <= text.lines.size(); ++line) {
+    std::string here = small(text.lines[line - 1]);
+    here.erase(std::find(here.begin(), here.end(), ','), here.end());
+    std::erase_if(here, [](char c) { return c == ' ' || c == '\t'; });
+    if (here == "endheader") {
+      header.end = line;
+      return header;
+    }
+    if (const std::size_t sign = here.find('='); sign != std::string::npos) {
+      header.value[here.substr(0, sign)] = here.substr(sign + 1);
+    }
+  }
+  text.fail(std::max<std::size_t>(1, text.lines.size()), "endheader", "the line is missing");
+}
+
+bool is_translation(const std::string& column) {
+  const std::string name = small(column);
+  return name.ends_with("_tx") || name.ends_with("_ty") || name.ends_with("_tz") ||
+         name.find("trans") != std::string::npos;
+}
+
+/// Radians in the file's unit of angle.
+double radians_of(const files::CsvText& text, const MotHeader& header,
+                  const Conventions& conventions) {
+  if (const auto said = header.value.find("indegrees"); said != header.value.end()) {
+    if (said->second == "yes" || said->second == "true") return kDegree;
+    if (said->second == "no" || said->second == "false") return 1;
+    text.fail(header.end, "inDegrees", fmt::format("must be yes or no, not '{}'", said->second));
+  }
+  if (conventions.unit == "deg") return kDegree;
+  if (conventions.unit == "rad") return 1;
+  text.fail(header.end, "inDegrees",
+            "the header does not say whether angles are in degrees; give --unit or `unit:` deg or "
+            "rad");
+}
+
+/// Says so where the header is wrong about how much there is.
+void compare_count(const files::CsvText& text, const MotHeader& header, const std::string& key,
+                   std::size_t found, const char* what, std::vector<std::string>& reports) {
+  const auto said = header.value.find(small(key));
+  if (said == header.value.end()) return;
+  if (text.number(header.end, key, said->second) == static_cast<double>(found)) return;
+  reports.push_back(fmt::format("{} says {}, the file holds {} {}: those were taken", key,
+                                said->second, found, what));
+}
+
+/// A number, or NaN where a program wrote that it has none.
+double number_or_nan(const files::CsvText& text, std::size_t line, const std::string& column,
+                     std::string_view cell) {
+  return small(cell) == "nan" ? kNotSeen : text.number(line, column, cell);
+}
+
+std::vector<std::string> read_columns(const files::CsvText& text, std::size_t line) {
+  std::vector<std::string> columns;
+  std::set<std::string> known;
+  for (const std::string_view cell : cells_of(text, line)) {
+    if (cell.empty()) text.fail(line, "", fmt::format("column {} has no name", columns.size() + 1));
+    if (!known.emplace(cell).second) text.fail(line, cell, "the column stands twice");
+    columns.emplace_back(cell);
+  }
+  if (columns.empty() || small(columns[0]) != "time") {
+    text.fail(line, "time", "the first column must be called this");
+  }
+  return columns;
+}
+
+}  // namespace
+
+bool recognises_mot(std::string_view head) {
+  const std::string text = small(head);
+  return text.find("endheader") != std::string::npos &&
+         (text.find("nrows") != std::string::npos || text.find("indegrees") != std::string::npos ||
+          text.find("datatype") != std::string::npos);
+}
+
+Demonstration read_mot(const RecordingFiles& files) {
+  files::CsvText text = files::read_csv(files.file);
+  if (!files.static_trial.empty()) text.fail(1, "static", "this format has no static trial");
+  Demonstration demonstration;
+  std::vector<std::string>& reports = demonstration.reports;
+  reports = text.reports;
+  const MotHeader header = read_mot_header(text);
+  std::size_t line = header.end + 1;
+  while (line <= text.lines.size() && text.blank(line)) ++line;
+  if (line > text.lines.size()) text.fail(header.end, "", "the file ends after its header");
+  if (text.lines[line - 1].find(',') == std::string::npos) text.separator = '\t';
+  const std::vector<std::string> columns = read_columns(text, line);
+  const double radians = radians_of(text, header, files.conventions);
+
+  AngleStream stream;
+  std::vector<std::size_t> kept;
+  std::vector<std::string> left_out;
+  for (std::size_t c = 1; c < columns.size(); ++c) {
+    if (is_translation(columns[c])) {
+      left_out.push_back(columns[c]);
+    } else {
+      kept.push_back(c);
+      stream.joints.push_back(columns[c]);
+    }
+  }
+  if (kept.empty()) text.fail(line, "", "names no joint angle");
+  std::vector<double> values;
+  std::size_t unseen = 0;
+  for (++line; line <= text.lines.size(); ++line) {
+    if (text.blank(line)) continue;
+    const auto cells = cells_of(text, line);
+    if (cells.size() != columns.size()) {
+      text.fail(line, cells.size() < columns.size() ? columns[cells.size()] : "",
+                fmt::format("the row has {} cells, the header {}", cells.size(), columns.size()));
+    }
+    const double time_s = text.number(line, "time", cells[0]);
+    if (!stream.time.empty() && !(time_s > stream.time.back())) {
+      text.fail(line, "time", "does not follow the row before");
+    }
+    stream.time.push_back(time_s);
+    for (const std::size_t c : kept) {
+      values.push_back(radians * number_or_nan(text, line, columns[c], cells[c]));
+      if (std::isnan(values.back())) ++unseen;
+    }
+  }
+  if (stream.time.empty()) text.fail(text.lines.size(), "", "the file holds no row");
+  stream.angles =
+      Eigen::Map<const JointRows>(values.data(), static_cast<Eigen::Index>(stream.time.size()),
+                                  static_cast<Eigen::Index>(kept.size()));
+  compare_count(text, header, "nRows", stream.time.size(), "rows", reports);
+  compare_count(text, header, "nColumns", columns.size(), "columns", reports);
+  if (!left_out.empty()) {
+    reports.push_back(fmt::format("translations, which are no joint angles, were left out: {}",
+                                  fmt::join(left_out, ", ")));
+  }
+  if (unseen > 0) {
+    reports.push_back(fmt::format("{} of {} angles are NaN: not seen", unseen, values.size()));
+  }
+  rename(text.file, files.renamed, stream.joints);
+  demonstration.streams.arm_angles = std::move(stream);
+  return demonstration;
+}
+
+}  // namespace morphe::imports

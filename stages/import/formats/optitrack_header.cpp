@@ -1,0 +1,107 @@
+#include "stages/import/formats/optitrack_header.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "stages/import/formats/point_header.hpp"
+
+namespace morphe::imports {
+namespace {
+
+using Cells = std::vector<std::string>;
+
+constexpr std::size_t kFirstColumn = 2;  ///< behind frame and time
+constexpr std::size_t kLinesOfHeader = 12;
+
+Cells unquoted_cells(const files::CsvText& csv, std::size_t line) {
+  return quoted_cells(csv.lines[line - 1], csv.separator);
+}
+
+std::string cell(const Cells& cells, std::size_t column) {
+  return column < cells.size() ? cells[column] : "";
+}
+
+void read_first_line(const files::CsvText& csv, OptitrackHeader& header) {
+  const Cells cells = unquoted_cells(csv, 1);
+  if (cell(cells, 0) != "Format Version") {
+    csv.fail(1, "", "must begin with 'Format Version': export the take with its header");
+  }
+  for (std::size_t k = 0; k + 1 < cells.size(); k += 2) header.said[cells[k]] = cells[k + 1];
+  if (header.value("Coordinate Space") == "Local") {
+    csv.fail(1, "Coordinate Space", "is Local: export in Global coordinates");
+  }
+}
+
+/// The lines between the first and "Frame,Time": types, names, IDs, (parents,) quantities.
+std::vector<std::size_t> lines_above(const files::CsvText& csv, OptitrackHeader& header) {
+  std::vector<std::size_t> lines;
+  const std::size_t last = std::min(csv.lines.size(), kLinesOfHeader);
+  for (std::size_t line = 2; line <= last; ++line) {
+    if (cell(unquoted_cells(csv, line), 0) == "Frame") {
+      header.line = line;
+      return lines;
+    }
+    if (!csv.blank(line)) lines.push_back(line);
+  }
+  csv.fail(last, "Frame", "the line 'Frame,Time' is missing: export the take with its header");
+}
+
+/// Columns of one quantity of an item in the order of `axes`.
+std::vector<std::size_t> columns_of(const files::CsvText& csv, std::size_t line,
+                                    const OptitrackItem& item, const std::string& quantity,
+                                    const std::map<std::string, std::size_t>& found) {
+  std::vector<std::size_t> columns;
+  if (found.empty()) return columns;
+  for (const char* axis : {"X", "Y", "Z", "W"}) {
+    const auto at = found.find(axis);
+    if (at != found.end()) {
+      columns.push_back(at->second);
+    } else if (*axis != 'W') {
+      csv.fail(line, fmt::format("{}.{}", item.name, quantity), fmt::format("lacks {}", axis));
+    }
+  }
+  return columns;
+}
+
+}  // namespace
+
+std::string OptitrackHeader::value(const std::string& key) const {
+  const auto found = said.find(key);
+  return found == said.end() ? "" : found->second;
+}
+
+OptitrackHeader read_optitrack_header(const files::CsvText& csv) {
+  OptitrackHeader header;
+  if (csv.lines.empty()) csv.fail(1, "", "the file is empty");
+  read_first_line(csv, header);
+  const std::vector<std::size_t> lines = lines_above(csv, header);
+  if (lines.size() < 3) {
+    csv.fail(header.line, "", "types, names and quantities must stand above this line");
+  }
+  const Cells types = unquoted_cells(csv, lines[0]), names = unquoted_cells(csv, lines[1]),
+              quantities = unquoted_cells(csv, lines.back()),
+              axes = unquoted_cells(csv, header.line);
+  header.cells = axes.size();
+  while (header.cells > kFirstColumn && cell(quantities, header.cells - 1).empty() &&
+         axes[header.cells - 1].empty() && cell(types, header.cells - 1).empty()) {
+    --header.cells;
+  }
+  for (std::size_t c = kFirstColumn; c < header.cells;) {
+    OptitrackItem item{cell(types, c), cell(names, c), {}, {}};
+    std::map<std::string, std::map<std::string, std::size_t>> found;
+    for (; c < header.cells && cell(types, c) == item.type && cell(names, c) == item.name; ++c) {
+      if (cell(axes, c).empty()) continue;  // an error or a quality
+      if (!found[cell(quantities, c)].emplace(cell(axes, c), c).second) {
+        csv.fail(lines[1], item.name, "stands twice");
+      }
+    }
+    item.position = columns_of(csv, header.line, item, "Position", found["Position"]);
+    item.rotation = columns_of(csv, header.line, item, "Rotation", found["Rotation"]);
+    if (item.position.size() > 3) csv.fail(header.line, item.name, "has four columns of position");
+    header.items.push_back(std::move(item));
+  }
+  return header;
+}
+
+}  // namespace morphe::imports

@@ -1,0 +1,213 @@
+#include "stages/import/formats/point_header.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <map>
+#include <set>
+
+#include "stages/import/recording/column_label.hpp"
+
+namespace morphe::imports {
+namespace {
+
+constexpr std::size_t kHeaderWithin = 30;  // lines
+char separator_of(const files::CsvText& text) {
+  // The last line is a row: names may hold any sign.
+  const std::string& row = text.lines.back();
+  for (const char sign : {';', '\t'}) {
+    if (std::ranges::count(row, sign) >= 2) return sign;
+  }
+  return ',';
+}
+
+/// What a line holds.
+struct LineKind {
+  std::size_t cells = 0, numbers = 0, words = 0;
+};
+
+LineKind kind_of_line(const std::vector<std::string>& cells, bool decimal_comma) {
+  LineKind kind{cells.size(), 0, 0};
+  for (const std::string& cell : cells) {
+    if (number_in(cell, decimal_comma)) {
+      ++kind.numbers;
+    } else if (!says_nothing(cell)) {
+      ++kind.words;
+    }
+  }
+  return kind;
+}
+
+bool has_decimal_commas(const files::CsvText& text, char separator) {
+  if (separator == ',') return false;
+  for (std::size_t line = text.lines.size(); line > 0 && line + 5 > text.lines.size(); --line) {
+    for (const std::string& cell : quoted_cells(text.lines[line - 1], separator)) {
+      if (cell.find(',') != std::string::npos && number_in(cell, true)) return true;
+    }
+  }
+  return false;
+}
+
+/// Lines of the header: the last one of words near the top, and those above it as wide as a row.
+struct HeaderLines {
+  std::size_t first = 0, last = 0;  ///< 0 = there is none
+};
+
+HeaderLines find_header(const files::CsvText& text, const PointHeader& header) {
+  HeaderLines lines;
+  const std::size_t end = std::min(kHeaderWithin, text.lines.size());
+  for (std::size_t line = 1; line <= end; ++line) {
+    const LineKind kind =
+        kind_of_line(quoted_cells(text.lines[line - 1], header.separator), header.decimal_comma);
+    if (kind.words >= 3 && kind.words >= kind.numbers) lines.last = line;
+  }
+  lines.first = lines.last;
+  while (lines.first > 1) {
+    const LineKind above = kind_of_line(quoted_cells(text.lines[lines.first - 2], header.separator),
+                                        header.decimal_comma);
+    if (above.words + above.numbers == 0 || 2 * above.cells < header.cells) break;
+    --lines.first;
+  }
+  return lines;
+}
+
+/// The words above a column, joined; a name counts for up to two empty cells behind it.
+std::vector<std::string> labels_of(const files::CsvText& text, const HeaderLines& lines,
+                                   const PointHeader& header) {
+  std::vector<std::string> labels(header.cells);
+  for (std::size_t line = lines.first; line <= lines.last; ++line) {
+    std::string_view here = text.lines[line - 1];
+    if (line == lines.first && here.starts_with('#')) here.remove_prefix(1);
+    const std::vector<std::string> cells = quoted_cells(here, header.separator);
+    std::string name;
+    std::size_t empty = 0;
+    for (std::size_t c = 0; c < header.cells; ++c) {
+      const std::string cell = c < cells.size() ? cells[c] : "";
+      if (!cell.empty()) name = cell;
+      empty = cell.empty() ? empty + 1 : 0;
+      if (line == lines.last && cell.empty()) continue;
+      if (empty > 2 || name.empty()) continue;
+      labels[c] += (labels[c].empty() ? "" : " ") + name;
+    }
+  }
+  return labels;
+}
+
+struct Found {
+  std::array<std::optional<std::size_t>, 4> at;
+};
+
+/// Takes the columns of every point whose three axes read in the same way.
+void take_points(const files::CsvText& text, std::size_t line,
+                 const std::vector<ColumnLabel>& labels, std::vector<bool>& taken,
+                 PointHeader& header) {
+  for (std::size_t way = 0; way < 3; ++way) {
+    std::map<std::string, Found> found;
+    std::vector<std::string> order;
+    for (std::size_t c = 0; c < labels.size(); ++c) {
+      if (taken[c] || labels[c].text.empty()) continue;
+      const AxisReading reading = readings_of(labels[c].text)[way];
+      if (reading.axis < 0 || reading.name.empty()) continue;
+      auto [entry, is_new] = found.try_emplace(reading.name);
+      if (is_new) order.push_back(reading.name);
+      std::optional<std::size_t>& at = entry->second.at[static_cast<std::size_t>(reading.axis)];
+      if (at) text.fail(line, labels[c].text, "the column stands twice");
+      at = c;
+    }
+    for (const std::string& name : order) {
+      const auto& at = found[name].at;
+      if (!at[0] || !at[1] || !at[2]) continue;
+      for (const auto& column : at) {
+        if (column) taken[*column] = true;
+      }
+      if (at[3] || is_other_quantity(name)) {
+        header.left_out.push_back(name);
+        continue;
+      }
+      header.points.push_back({name, {*at[0], *at[1], *at[2]}});
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> quoted_cells(std::string_view line, char separator) {
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (quoted && c == '"' && i + 1 < line.size() && line[i + 1] == '"') {
+      cells.back() += line[++i];
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (c == separator && !quoted) {
+      cells.emplace_back();
+    } else {
+      cells.back() += c;
+    }
+  }
+  for (std::string& cell : cells) cell = trim(cell, " \t");
+  return cells;
+}
+
+std::optional<double> number_in(std::string_view cell, bool decimal_comma) {
+  const std::size_t comma = cell.find(',');
+  if (decimal_comma && cell.find('.') != std::string_view::npos) return {};
+  if (comma == std::string_view::npos) return files::finite_number(cell);
+  if (!decimal_comma) return {};
+  std::string with_point(cell);
+  with_point[comma] = '.';
+  return files::finite_number(with_point);
+}
+
+bool says_nothing(std::string_view cell) {
+  static const std::set<std::string> kWords = {"", "nan", "na", "n/a", "null", "none", "-"};
+  return kWords.contains(small(cell));
+}
+
+PointHeader read_point_header(const files::CsvText& text) {
+  PointHeader header;
+  if (text.lines.empty()) return header;
+  header.separator = separator_of(text);
+  header.decimal_comma = has_decimal_commas(text, header.separator);
+  header.cells = quoted_cells(text.lines.back(), header.separator).size();
+  const HeaderLines lines = find_header(text, header);
+  if (lines.last == 0) return header;
+  header.first_row = lines.last + 1;
+  header.before = lines.first - 1;
+  std::vector<ColumnLabel> labels;
+  for (std::string& label : labels_of(text, lines, header)) {
+    labels.push_back(without_unit(std::move(label)));
+  }
+  std::vector<bool> taken(labels.size(), false);
+  for (std::size_t c = 0; c < labels.size(); ++c) {
+    if (!header.time && is_time(labels[c].text)) {
+      header.time = TimeColumn{c, labels[c].text, labels[c].unit};
+      if (small(labels[c].text).starts_with("sec")) header.time->unit = "s";
+      taken[c] = true;
+    } else if (!header.frame && is_frame(labels[c].text)) {
+      header.frame = c;
+      taken[c] = true;
+    }
+  }
+  take_points(text, lines.last, labels, taken, header);
+  for (const PointColumns& point : header.points) {
+    for (const std::size_t c : point.at) {
+      const std::string& unit = labels[c].unit;
+      if (&point == &header.points.front() && c == point.at[0]) header.unit = unit;
+      if (unit != header.unit) {
+        text.fail(
+            lines.last, point.name,
+            fmt::format("the unit '{}' differs from '{}' of the first point", unit, header.unit));
+      }
+    }
+  }
+  for (std::size_t c = 0; c < labels.size(); ++c) {
+    if (!taken[c] && !labels[c].text.empty()) header.left_out.push_back(labels[c].text);
+  }
+  return header;
+}
+
+}  // namespace morphe::imports

@@ -1,0 +1,168 @@
+// Qualisys Track Manager's TSV: a line a key (NO_OF_FRAMES, NO_OF_MARKERS, FREQUENCY, MARKER_NAMES,
+// …), perhaps a line that names the columns, then a row a frame: x, y and z of each marker, perhaps
+// behind the frame's number and its time. A marker at 0, 0, 0 or with empty cells was not seen.
+// Lengths are millimetres in all of them. The file does not say its axes.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "stages/import/formats/marker_recording.hpp"
+#include "stages/import/formats/point_header.hpp"
+#include "stages/import/formats/readers.hpp"
+
+namespace morphe::imports {
+namespace {
+
+constexpr std::string_view kMarkerNames = "MARKER_NAMES";
+
+struct TsvHeader {
+  std::map<std::string, std::pair<std::size_t, std::string>> value;  ///< line and first value
+  std::vector<std::string> markers;
+  std::size_t names_line = 0, first_row = 0;
+  bool counts_time = false;  ///< the first column is the time, and no frame's number is there
+};
+
+bool is_key(std::string_view word) {
+  return !word.empty() &&
+         word.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789") ==
+             std::string_view::npos &&
+         word.find_first_not_of("0123456789") != std::string_view::npos;
+}
+
+TsvHeader read_tsv_header(const files::CsvText& text) {
+  TsvHeader header;
+  std::size_t line = 1;
+  for (; line <= text.lines.size(); ++line) {
+    const auto cells = text.cells(line);
+    if (!is_key(cells[0])) break;
+    header.value.emplace(cells[0], std::pair(line, std::string(cells.size() > 1 ? cells[1] : "")));
+    if (cells[0] != kMarkerNames) continue;
+    if (header.names_line > 0) text.fail(line, kMarkerNames, "stands twice");
+    header.names_line = line;
+    for (std::size_t c = 1; c < cells.size(); ++c) header.markers.emplace_back(cells[c]);
+    while (!header.markers.empty() && header.markers.back().empty()) header.markers.pop_back();
+  }
+  if (header.markers.empty())
+    text.fail(std::max<std::size_t>(1, header.names_line), kMarkerNames, "names no marker");
+  std::set<std::string> known;
+  for (const std::string& name : header.markers) {
+    if (name.empty()) text.fail(header.names_line, kMarkerNames, "a marker has no name");
+    if (!known.insert(name).second) text.fail(header.names_line, name, "the marker stands twice");
+  }
+  // A line that names the columns: "Frame Time A X A Y A Z", or "A X …".
+  while (line <= text.lines.size() && text.blank(line)) ++line;
+  if (line <= text.lines.size() && !number_in(text.cells(line)[0], false)) {
+    header.counts_time = text.cells(line)[0] == "Time";
+    ++line;
+  }
+  if (line > text.lines.size()) text.fail(text.lines.size(), "", "ends before the first frame");
+  header.first_row = line;
+  return header;
+}
+
+double number_in_header(const files::CsvText& text, const TsvHeader& header,
+                        const std::string& key) {
+  const auto found = header.value.find(key);
+  if (found == header.value.end() || found->second.second.empty()) return 0;
+  return text.number(found->second.first, key, found->second.second);
+}
+
+/// Columns before the first marker's: none, the frame's number, or that and its time.
+std::size_t leading_columns(const files::CsvText& text, const TsvHeader& header) {
+  std::size_t cells = text.cells(header.first_row).size();
+  const std::size_t points = 3 * header.markers.size();
+  if (cells > points + 2 && text.cells(header.first_row).back().empty()) --cells;
+  if (cells < points || cells > points + 2) {
+    text.fail(header.first_row, "",
+              fmt::format("the row has {} cells; {} markers take {}, a frame and a time two", cells,
+                          header.markers.size(), points));
+  }
+  return cells - points;
+}
+
+void read_frames_of(const files::CsvText& text, const TsvHeader& header, double metres,
+                    double rate_hz, MarkerRecording& recording) {
+  const std::size_t leading = leading_columns(text, header), markers = header.markers.size();
+  MarkerStream& stream = recording.markers;
+  stream.position = Table<Vec3>(text.lines.size() - header.first_row + 1, markers, unseen_point());
+  double first_frame = 0;
+  for (std::size_t line = header.first_row; line <= text.lines.size(); ++line) {
+    const std::size_t row = line - header.first_row;
+    const auto cells = text.cells(line);
+    if (cells.size() < leading + 3 * markers) {
+      text.fail(line,
+                header.markers[(cells.size() - std::min(cells.size(), leading)) / 3 % markers],
+                fmt::format("the row has {} cells, not {}", cells.size(), leading + 3 * markers));
+    }
+    double frame = static_cast<double>(row);
+    if (leading > 0 && !header.counts_time) {
+      frame = text.number(line, "Frame", cells[0]);
+      if (row == 0) first_frame = frame;
+      frame -= first_frame;
+    }
+    stream.time.push_back(frame / rate_hz);
+    if (row > 0 && !(stream.time[row] > stream.time[row - 1])) {
+      text.fail(line, "Frame", "does not follow the row before");
+    }
+    for (std::size_t k = 0; k < markers; ++k) {
+      Vec3 point;
+      int filled = 0;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::string_view cell = cells[leading + 3 * k + axis];
+        if (says_nothing(cell)) continue;
+        point[static_cast<Eigen::Index>(axis)] = text.number(line, header.markers[k], cell);
+        ++filled;
+      }
+      if (filled == 3) stream.position(row, k) = metres * point;
+      if (filled != 0 && filled != 3) {
+        text.fail(line, header.markers[k], "has some of X, Y, Z but not all");
+      }
+    }
+  }
+}
+
+MarkerRecording read_qualisys_file(const std::filesystem::path& file,
+                                   const Conventions& conventions) {
+  const files::CsvText text = files::read_csv(file, '\t');
+  if (text.lines.empty()) text.fail(1, "", "the file is empty");
+  MarkerRecording recording;
+  recording.reports = text.reports;
+  const TsvHeader header = read_tsv_header(text);
+  const auto included = header.value.find("DATA_INCLUDED");
+  if (included != header.value.end() && included->second.second != "3D") {
+    text.fail(included->second.first, "DATA_INCLUDED",
+              fmt::format("must be 3D, not '{}': export the markers", included->second.second));
+  }
+  const double rate_hz = rate_of(number_in_header(text, header, "FREQUENCY"), conventions,
+                                 text.file, recording.reports);
+  if (conventions.unit.empty()) {
+    recording.reports.push_back("the file does not say its unit: mm, as Qualisys writes");
+  }
+  const double metres =
+      metres_per_unit(conventions.unit.empty() ? "mm" : conventions.unit, text.file);
+  recording.markers.names = header.markers;
+  read_frames_of(text, header, metres, rate_hz, recording);
+  for (const auto& [key, count, what] :
+       {std::tuple("NO_OF_MARKERS", header.markers.size(), "markers"),
+        std::tuple("NO_OF_FRAMES", recording.markers.time.size(), "frames")}) {
+    const double said = number_in_header(text, header, key);
+    if (said == 0 || said == static_cast<double>(count)) continue;
+    recording.reports.push_back(
+        fmt::format("the header says {} {}, {} are there", said, what, count));
+  }
+  return recording;
+}
+
+}  // namespace
+
+bool recognises_qualisys_tsv(std::string_view head) {
+  return head.starts_with("NO_OF_FRAMES\t") && head.find("\nMARKER_NAMES\t") != head.npos;
+}
+
+Demonstration read_qualisys_tsv(const RecordingFiles& files) {
+  return read_marker_recording(files, &read_qualisys_file);
+}
+
+}  // namespace morphe::imports

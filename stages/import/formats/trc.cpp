@@ -1,0 +1,121 @@
+// TRC, as Motion Analysis and OpenSim write it, separated by tabs or commas: line 1 "PathFileType"
+// and the path it once had, 2 names of the header's values, 3 the values, 4 "Frame#", "Time" and a
+// marker's name in every third column, 5 "X1 Y1 Z1 …", then a row a frame, often behind a blank
+// line. How many frames and markers the header promises is not believed but compared. What was not
+// seen is an empty cell or NaN. The file does not say its axes.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+#include "stages/import/formats/marker_columns.hpp"
+#include "stages/import/formats/marker_recording.hpp"
+#include "stages/import/formats/readers.hpp"
+
+namespace morphe::imports {
+namespace {
+
+constexpr std::size_t kKeyLine = 2, kValueLine = 3, kNameLine = 4, kAxisLine = 5, kFirstRow = 6;
+
+using TrcHeader = std::map<std::string, std::string, std::less<>>;
+
+TrcHeader read_trc_header(const files::CsvText& csv) {
+  TrcHeader header;
+  const auto keys = csv.cells(kKeyLine), values = csv.cells(kValueLine);
+  for (std::size_t c = 0; c < keys.size(); ++c) {
+    if (keys[c].empty()) continue;
+    const std::string_view value = c < values.size() ? values[c] : std::string_view();
+    if (!header.emplace(keys[c], value).second) csv.fail(kKeyLine, keys[c], "stands twice");
+  }
+  return header;
+}
+
+/// A value of the header, "" if it is not there.
+std::string value_of(const TrcHeader& header, std::string_view key) {
+  const auto found = header.find(key);
+  return found == header.end() ? "" : found->second;
+}
+
+double number_of(const files::CsvText& csv, const TrcHeader& header, std::string_view key) {
+  const std::string value = value_of(header, key);
+  return value.empty() ? 0 : csv.number(kValueLine, key, value);
+}
+
+void compare_count(const files::CsvText& csv, const TrcHeader& header, std::string_view key,
+                   std::string_view what, std::size_t count, std::vector<std::string>& reports) {
+  const std::string value = value_of(header, key);
+  if (value.empty() || csv.number(kValueLine, key, value) == static_cast<double>(count)) return;
+  reports.push_back(fmt::format("the header says {} {}, {} are there", value, what, count));
+}
+
+void check_axes(const files::CsvText& csv, const MarkerColumns& columns) {
+  const auto cells = csv.cells(kAxisLine);
+  for (std::size_t c = MarkerColumns::kFirst; c < columns.count(); ++c) {
+    const std::size_t k = c - MarkerColumns::kFirst;
+    const std::string wanted = fmt::format("{}{}", "XYZ"[k % 3], k / 3 + 1);
+    if (c >= cells.size() || cells[c] != wanted) {
+      csv.fail(kAxisLine, columns.name(c), fmt::format("must stand under '{}'", wanted));
+    }
+  }
+}
+
+/// Rows from the sixth line on. The times are the file's own; `rate_hz` is only compared.
+void read_rows(const files::CsvText& csv, const MarkerColumns& columns, double metres,
+               double rate_hz, MarkerRecording& recording) {
+  MarkerStream& markers = recording.markers;
+  const std::size_t first = csv.blank(kFirstRow) ? kFirstRow + 1 : kFirstRow;
+  markers.position =
+      Table<Vec3>(csv.lines.size() - first + 1, columns.names.size(), unseen_point());
+  for (std::size_t line = first; line <= csv.lines.size(); ++line) {
+    const auto cells = csv.cells(line);
+    read_points(csv, line, cells, columns, metres, markers.position, line - first);
+    csv.number(line, "Frame#", cells[0]);
+    const double time_s = csv.number(line, "Time", cells[1]);
+    if (!markers.time.empty() && !(time_s > markers.time.back())) {
+      csv.fail(line, "Time", "does not follow the row before");
+    }
+    markers.time.push_back(time_s);
+  }
+  const double steps = static_cast<double>(markers.time.size() - 1);
+  const double rows_hz = steps / (markers.time.back() - markers.time.front());
+  if (steps > 0 && rate_hz > 0 && std::abs(rows_hz - rate_hz) > 0.01 * rate_hz) {
+    recording.reports.push_back(fmt::format(
+        "the rate should be {} frames a second, the times say {:.6g}: the times were taken",
+        rate_hz, rows_hz));
+  }
+}
+
+MarkerRecording read_trc_file(const std::filesystem::path& file, const Conventions& conventions) {
+  files::CsvText csv = files::read_csv(file);
+  if (csv.lines.size() < kFirstRow) csv.fail(csv.lines.size(), "", "ends before the first frame");
+  csv.separator = csv.lines[0].find('\t') != std::string::npos ? '\t' : ',';
+  if (csv.cells(1)[0] != "PathFileType") csv.fail(1, "", "must begin with 'PathFileType'");
+  MarkerRecording recording;
+  recording.reports = csv.reports;
+  const auto leading = csv.cells(kNameLine);
+  if (leading.size() < 3 || leading[0] != "Frame#" || leading[1] != "Time") {
+    csv.fail(kNameLine, "", "must begin with 'Frame#' and 'Time'");
+  }
+  const TrcHeader header = read_trc_header(csv);
+  const MarkerColumns columns{{"Frame#", "Time"}, read_marker_names(csv, kNameLine)};
+  check_axes(csv, columns);
+  const double metres = metres_of(value_of(header, "Units"), conventions,
+                                  fmt::format("{}:{}", csv.file, kValueLine), recording.reports);
+  const double rate_hz = conventions.rate_hz.value_or(number_of(csv, header, "DataRate"));
+  recording.markers.names = columns.names;
+  read_rows(csv, columns, metres, rate_hz, recording);
+  compare_count(csv, header, "NumMarkers", "markers", columns.names.size(), recording.reports);
+  compare_count(csv, header, "NumFrames", "frames", recording.markers.time.size(),
+                recording.reports);
+  return recording;
+}
+
+}  // namespace
+
+bool recognises_trc(std::string_view head) { return head.starts_with("PathFileType"); }
+
+Demonstration read_trc(const RecordingFiles& files) {
+  return read_marker_recording(files, &read_trc_file);
+}
+
+}  // namespace morphe::imports

@@ -1,0 +1,162 @@
+// Vicon's export: sections with blank lines between them, each a line with its name, the rate [Hz],
+// names, columns, units and a row a frame. The section "Trajectories" names a marker in every third
+// column from the third ("SUBJECT:NAME") over "Frame,Sub Frame,X,Y,Z,…"; an empty cell is a marker
+// that was not seen. The file does not say its axes: X right, Y forward and Z up are usual.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "stages/import/formats/marker_columns.hpp"
+#include "stages/import/formats/marker_recording.hpp"
+#include "stages/import/formats/readers.hpp"
+
+namespace morphe::imports {
+namespace {
+
+constexpr std::string_view kMarkerSection = "Trajectories";
+constexpr std::string_view kOtherSections[] = {"Devices", "Joints", "Segments", "Model Outputs",
+                                               "Events"};
+
+std::string_view cell_at(const std::vector<std::string_view>& cells, std::size_t column) {
+  return column < cells.size() ? cells[column] : std::string_view();
+}
+
+bool is_other_section(std::string_view name) {
+  return std::ranges::find(kOtherSections, name) != std::end(kOtherSections);
+}
+
+/// The section of markers: the line of its name, the line of its last frame.
+struct Section {
+  std::size_t first = 0, last = 0;
+};
+
+Section find_section(const files::CsvText& csv, std::vector<std::string>& reports) {
+  Section markers;
+  std::vector<std::string> others;
+  for (std::size_t line = 1; line <= csv.lines.size(); ++line) {
+    if (csv.blank(line)) continue;
+    const std::size_t first = line;
+    while (line < csv.lines.size() && !csv.blank(line + 1)) ++line;
+    const std::string name(csv.cells(first)[0]);
+    if (name == kMarkerSection) {
+      if (markers.first != 0) csv.fail(first, name, "the section stands twice");
+      markers = {first, line};
+    } else if (is_other_section(name)) {
+      others.push_back(name);
+    } else {
+      csv.fail(first, "", fmt::format("a section must begin here, but '{}' is none", name));
+    }
+  }
+  if (markers.first == 0) csv.fail(1, "", "there is no section 'Trajectories'");
+  if (markers.last < markers.first + 5) csv.fail(markers.last, "", "ends before the first frame");
+  if (!others.empty()) {
+    reports.push_back(fmt::format("sections left out: {}", fmt::join(others, ", ")));
+  }
+  return markers;
+}
+
+/// "SUBJECT:NAME" becomes NAME if there is one subject and the names stay different.
+void strip_subject(std::vector<std::string>& names, std::string& subject,
+                   std::vector<std::string>& reports) {
+  std::set<std::string> subjects, stripped;
+  for (const std::string& name : names) {
+    const std::size_t colon = name.find(':');
+    if (colon != std::string::npos) subjects.insert(name.substr(0, colon));
+    stripped.insert(colon == std::string::npos ? name : name.substr(colon + 1));
+  }
+  if (subjects.empty()) return;
+  if (subjects.size() > 1 || stripped.size() < names.size()) {
+    reports.push_back(
+        fmt::format("markers keep the names of their subjects: {}", fmt::join(subjects, ", ")));
+    return;
+  }
+  subject = *subjects.begin();
+  for (std::string& name : names) name.erase(0, name.find(':') + 1);
+}
+
+/// The unit that stands under every column ("" if under none).
+std::string read_columns_and_unit(const files::CsvText& csv, std::size_t line,
+                                  const MarkerColumns& columns) {
+  const auto axes = csv.cells(line), units = csv.cells(line + 1);
+  for (std::size_t c = 0; c < columns.count(); ++c) {
+    const std::string name = columns.name(c);
+    const std::string_view wanted = c < MarkerColumns::kFirst
+                                        ? std::string_view(name)
+                                        : std::string_view(name).substr(name.size() - 1);
+    if (cell_at(axes, c) != wanted) csv.fail(line, name, "the column is missing");
+  }
+  const std::string_view unit = cell_at(units, MarkerColumns::kFirst);
+  for (std::size_t c = MarkerColumns::kFirst; c < columns.count(); ++c) {
+    if (cell_at(units, c) == unit) continue;
+    csv.fail(line + 1, columns.name(c), "unit differs from the first column's");
+  }
+  for (const auto& [behind, cells] : {std::pair(line, &axes), std::pair(line + 1, &units)}) {
+    for (std::size_t c = columns.count(); c < cells->size(); ++c) {
+      if ((*cells)[c].empty()) continue;
+      csv.fail(behind, fmt::format("column {}", c + 1), "belongs to no marker");
+    }
+  }
+  return std::string(unit);
+}
+
+/// Frames from `line` to `last` into `markers`; numbers that were left out are reported.
+void read_frames(const files::CsvText& csv, std::size_t line, std::size_t last,
+                 const MarkerColumns& columns, double metres, double rate_hz,
+                 MarkerRecording& recording) {
+  MarkerStream& markers = recording.markers;
+  markers.position = Table<Vec3>(last - line + 1, columns.names.size(), unseen_point());
+  double before = 0, left_out = 0;
+  for (std::size_t row = 0; line <= last; ++line, ++row) {
+    const auto cells = csv.cells(line);
+    read_points(csv, line, cells, columns, metres, markers.position, row);
+    const double frame = csv.number(line, "Frame", cells[0]);
+    if (csv.number(line, "Sub Frame", cells[1]) != 0) {
+      csv.fail(line, "Sub Frame", "must be 0: no sub-frame data is read");
+    }
+    if (frame != std::floor(frame) || frame < 1) {
+      csv.fail(line, "Frame", "must be a whole number from 1");
+    }
+    if (frame <= before) csv.fail(line, "Frame", "does not follow the frame before");
+    if (row > 0) left_out += frame - before - 1;
+    before = frame;
+    markers.time.push_back((frame - 1) / rate_hz);
+  }
+  if (left_out > 0) {
+    recording.reports.push_back(fmt::format("{} frame numbers are left out", left_out));
+  }
+}
+
+MarkerRecording read_vicon_file(const std::filesystem::path& file, const Conventions& conventions) {
+  const files::CsvText csv = files::read_csv(file);
+  MarkerRecording recording;
+  recording.reports = csv.reports;
+  const Section section = find_section(csv, recording.reports);
+  const std::size_t line = section.first;
+  const std::string_view rate = csv.cells(line + 1)[0];
+  const double rate_hz = rate_of(rate.empty() ? 0 : csv.number(line + 1, "rate", rate), conventions,
+                                 fmt::format("{}:{}", csv.file, line + 1), recording.reports);
+  MarkerColumns columns{{"Frame", "Sub Frame"}, read_marker_names(csv, line + 2)};
+  strip_subject(columns.names, recording.subject, recording.reports);
+  const std::string unit = read_columns_and_unit(csv, line + 3, columns);
+  const double metres =
+      metres_of(unit, conventions, fmt::format("{}:{}", csv.file, line + 4), recording.reports);
+  recording.markers.names = columns.names;
+  read_frames(csv, line + 5, section.last, columns, metres, rate_hz, recording);
+  return recording;
+}
+
+}  // namespace
+
+bool recognises_vicon_csv(std::string_view head) {
+  const std::string_view name = head.substr(0, head.find_first_of("\r\n,"));
+  return name == kMarkerSection || is_other_section(name);
+}
+
+Demonstration read_vicon_csv(const RecordingFiles& files) {
+  return read_marker_recording(files, &read_vicon_file, "x y z");
+}
+
+}  // namespace morphe::imports

@@ -1,0 +1,82 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "stages/import/guess/body_cues.hpp"
+#include "stages/import/guess/body_guess.hpp"
+#include "stages/import/recording/conventions.hpp"
+
+namespace morphe::imports {
+namespace {
+
+/// How well cues agree with a choice of axes.
+double agreement(const std::vector<BodyCue>& cues, const Eigen::Matrix3d& world_from_recorded) {
+  double sum = 0;
+  for (const BodyCue& cue : cues) {
+    const double cosine = cue.world.dot(world_from_recorded * cue.recorded);
+    sum += cue.weight * (cue.signless ? std::abs(cosine) : cosine);
+  }
+  return sum;
+}
+
+/// A hand alone says too little for that.
+std::vector<BodyCue> cues_of_body(const RecordedPoints& points) {
+  std::vector<BodyCue> cues = body_cues(points);
+  std::erase_if(cues, [](const BodyCue& cue) {
+    return cue.of == CueOf::hand || cue.of == CueOf::way || cue.use == CueFor::heading;
+  });
+  return cues;
+}
+
+constexpr const char* kAxisWords[] = {"x", "y", "z", "-x", "-y", "-z"};
+
+}  // namespace
+
+Guess guess_axes(const RecordedPoints& points) {
+  const std::vector<BodyCue> cues = cues_of_body(points);
+  if (cues.empty()) return {};
+  struct Choice {
+    std::string axes;
+    double agreement;
+  };
+  std::vector<Choice> choices;
+  double weights = 0;
+  for (const BodyCue& cue : cues) weights += cue.weight;
+  for (int right = 0; right < 6; ++right) {
+    for (int forward = 0; forward < 6; ++forward) {
+      for (int up = 0; up < 6; ++up) {
+        if (right % 3 == forward % 3 || right % 3 == up % 3 || forward % 3 == up % 3) continue;
+        const std::string axes =
+            fmt::format("{} {} {}", kAxisWords[right], kAxisWords[forward], kAxisWords[up]);
+        Eigen::Matrix3d world = Eigen::Matrix3d::Zero();
+        for (const auto& [row, axis] : {std::pair(0, right), {1, forward}, {2, up}}) {
+          world(row, axis % 3) = axis < 3 ? 1 : -1;
+        }
+        if (world.determinant() > 0) choices.push_back({axes, agreement(cues, world) / weights});
+      }
+    }
+  }
+  std::ranges::stable_sort(choices, std::ranges::greater{}, &Choice::agreement);
+  const Eigen::Matrix3d world = world_from_recorded(choices[0].axes, "");
+  std::vector<std::string> because;
+  for (const BodyCue& cue : cues) {
+    const double cosine = cue.world.dot(world * cue.recorded);
+    constexpr double kAgrees = 0.7;
+    const bool agrees = (cue.signless ? std::abs(cosine) : cosine) > kAgrees;
+    if (agrees && std::ranges::find(because, cue.what) == because.end()) {
+      because.emplace_back(cue.what);
+    }
+  }
+  constexpr double kSure = 0.2, kLikely = 0.08, kAgreement = 0.6;
+  const double ahead = choices[0].agreement - choices[1].agreement;
+  const bool sure = ahead > kSure && choices[0].agreement > kAgreement;
+  return {choices[0].axes,
+          sure              ? Sureness::sure
+          : ahead > kLikely ? Sureness::likely
+                            : Sureness::guessed,
+          fmt::format("{}", fmt::join(because, "; "))};
+}
+
+}  // namespace morphe::imports

@@ -1,0 +1,132 @@
+#include "stages/import/recording/column_label.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+
+namespace morphe::imports {
+namespace {
+
+constexpr std::string_view kSigns = " _.:-/";
+
+}  // namespace
+
+std::string small(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+std::string trim(std::string_view text, std::string_view signs) {
+  const std::size_t first = text.find_first_not_of(signs);
+  if (first == std::string_view::npos) return "";
+  return std::string(text.substr(first, text.find_last_not_of(signs) - first + 1));
+}
+
+namespace {
+
+constexpr std::string_view kLengths[] = {"mm", "cm", "m", "in", "inch", "meters", "millimeters"};
+constexpr std::string_view kTimes[] = {"s",    "sec",          "secs", "seconds", "ms",
+                                       "msec", "milliseconds", "us",   "µs",      "ns"};
+
+bool is_unit(const std::string& word) {
+  return std::ranges::find(kLengths, word) != std::end(kLengths) ||
+         std::ranges::find(kTimes, word) != std::end(kTimes);
+}
+
+std::string usual_unit(const std::string& word) {
+  static const std::map<std::string, std::string> other = {
+      {"inch", "in"},   {"meters", "m"}, {"millimeters", "mm"},  {"sec", "s"}, {"secs", "s"},
+      {"seconds", "s"}, {"msec", "ms"},  {"milliseconds", "ms"}, {"µs", "us"}};
+  const auto found = other.find(word);
+  return found == other.end() ? word : found->second;
+}
+
+}  // namespace
+
+ColumnLabel without_unit(std::string label) {
+  ColumnLabel result;
+  for (const char* brackets : {"()", "[]"}) {
+    const std::size_t open = label.find(brackets[0]);
+    const std::size_t close = label.find(brackets[1], std::min(open, label.size()));
+    if (close == std::string::npos) continue;
+    const std::string word = small(trim(label.substr(open + 1, close - open - 1), " "));
+    if (!is_unit(word)) continue;
+    result.unit = usual_unit(word);
+    label.erase(open, close - open + 1);
+  }
+  label = trim(label, kSigns);
+  const std::size_t sign = label.find_last_of(kSigns);
+  const std::string last = sign == std::string::npos ? "" : small(label.substr(sign + 1));
+  if (result.unit.empty() && is_unit(last)) {
+    result.unit = usual_unit(last);
+    label.erase(sign);
+  }
+  result.text = trim(label, kSigns);
+  return result;
+}
+
+namespace {
+
+int axis_of_word(const std::string& word) {
+  const std::string letter = small(word);
+  const bool numbered =
+      !letter.empty() && letter.find_first_not_of("0123456789", 1) == std::string::npos;
+  const std::size_t which = numbered ? std::string("xyzw").find(letter[0]) : std::string::npos;
+  return which == std::string::npos ? -1 : static_cast<int>(which);
+}
+
+}  // namespace
+
+std::array<AxisReading, 3> readings_of(const std::string& label) {
+  std::array<AxisReading, 3> readings;
+  const std::size_t last = label.find_last_of(kSigns), first = label.find_first_of(kSigns);
+  const auto number_of = [](const std::string& word) { return word.substr(1); };
+  if (last == std::string::npos) {
+    if (const int axis = axis_of_word(label); axis >= 0) {
+      readings[0] = {number_of(label).empty() ? "point" : number_of(label), axis};
+    }
+    if (label.size() > 1) {
+      readings[2] = {label.substr(0, label.size() - 1),
+                     axis_of_word(label.substr(label.size() - 1))};
+    }
+    return readings;
+  }
+  readings[0] = {trim(label.substr(0, last), kSigns), axis_of_word(label.substr(last + 1))};
+  readings[1] = {trim(label.substr(first + 1), kSigns), axis_of_word(label.substr(0, first))};
+  readings[2] = {label.substr(0, label.size() - 1), axis_of_word(label.substr(label.size() - 1))};
+  return readings;
+}
+
+bool is_other_quantity(const std::string& name) {
+  static const std::set<std::string> kWords = {
+      "rot",  "rotation", "euler",  "quat",  "quaternion",   "orientation", "angle",  "angles",
+      "vel",  "velocity", "acc",    "accel", "acceleration", "force",       "moment", "torque",
+      "gyro", "omega",    "normal", "mag",   "ang",          "angular"};
+  std::string word;
+  for (const char c : small(name) + " ") {
+    if (std::isalpha(static_cast<unsigned char>(c))) {
+      word += c;
+    } else {
+      if (kWords.contains(word)) return true;
+      word.clear();
+    }
+  }
+  return false;
+}
+
+bool is_time(const std::string& label) {
+  static const std::set<std::string> kNames = {"time", "t",     "timestamp",  "seconds", "sec",
+                                               "zeit", "temps", "time stamp", "times"};
+  return kNames.contains(small(trim(label, kSigns)));
+}
+
+bool is_frame(const std::string& label) {
+  static const std::set<std::string> kNames = {
+      "frame",        "frame#",      "frames", "sample", "samples", "frame number",
+      "frame_number", "framenumber", "bild",   "image",  "nr"};
+  return kNames.contains(small(trim(label, " ")));
+}
+
+}  // namespace morphe::imports

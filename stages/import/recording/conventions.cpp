@@ -1,0 +1,94 @@
+#include "stages/import/recording/conventions.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include "core/motion/input_error.hpp"
+
+namespace morphe::imports {
+
+Eigen::Matrix3d world_from_recorded(const std::string& axes, const std::string& source) {
+  Eigen::Matrix3d world_from_recorded = Eigen::Matrix3d::Zero();
+  std::istringstream words(axes);
+  Eigen::Index row = 0;
+  for (std::string word; words >> word; ++row) {
+    const bool negative = word[0] == '-';
+    const std::string letter = word.substr(negative || word[0] == '+' ? 1 : 0);
+    if (row > 2 || letter.size() != 1 || letter[0] < 'x' || letter[0] > 'z') {
+      throw InputError(
+          fmt::format("{}: axes: must name the recorded axes that point right, forward and up, "
+                      "such as 'x y z' or '-z -x y', not '{}'",
+                      source, axes));
+    }
+    world_from_recorded(row, letter[0] - 'x') = negative ? -1 : 1;
+  }
+  const double determinant = world_from_recorded.determinant();
+  if (row != 3 || determinant == 0) {
+    throw InputError(
+        fmt::format("{}: axes: needs each of x, y and z once, not '{}'", source, axes));
+  }
+  if (determinant < 0) {
+    throw InputError(fmt::format("{}: axes: '{}' is left-handed", source, axes));
+  }
+  return world_from_recorded;
+}
+
+std::string axis_word(const Vec3& direction) {
+  Eigen::Index which = 0;
+  direction.cwiseAbs().maxCoeff(&which);
+  return fmt::format("{}{}", direction[which] < 0 ? "-" : "", "xyz"[which]);
+}
+
+double metres_per_unit(const std::string& unit, const std::string& source) {
+  static const std::map<std::string, double> known = {
+      {"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"ft", 0.3048}};
+  if (const auto found = known.find(unit); found != known.end()) return found->second;
+  double metres = 0;
+  const auto [end, error] = std::from_chars(unit.data(), unit.data() + unit.size(), metres);
+  if (error != std::errc() || end != unit.data() + unit.size() || !(metres > 0) ||
+      !std::isfinite(metres)) {
+    throw InputError(
+        fmt::format("{}: unit: must be m, cm, mm, in, ft or metres per unit as a positive number, "
+                    "not '{}'",
+                    source, unit));
+  }
+  return metres;
+}
+
+double metres_of(const std::string& in_file, const Conventions& conventions,
+                 const std::string& source, std::vector<std::string>& reports) {
+  const std::string& unit = conventions.unit.empty() ? in_file : conventions.unit;
+  if (unit.empty()) {
+    throw NotSaid(
+        "unit", fmt::format("{}: unit: the file does not say it; give --unit or `unit:` such as mm",
+                            source));
+  }
+  if (!in_file.empty() && unit != in_file) {
+    reports.push_back(
+        fmt::format("the file says the unit {}; {} was given and used", in_file, unit));
+  }
+  return metres_per_unit(unit, source);
+}
+
+double rate_of(double in_file, const Conventions& conventions, const std::string& source,
+               std::vector<std::string>& reports) {
+  const double rate_hz = conventions.rate_hz.value_or(in_file);
+  if (!(rate_hz > 0) || !std::isfinite(rate_hz)) {
+    throw NotSaid(
+        "rate",
+        fmt::format(
+            "{}: rate: the file does not say it; give --rate or `rate_hz:` in frames a second",
+            source));
+  }
+  if (in_file > 0 && rate_hz != in_file) {
+    reports.push_back(
+        fmt::format("the file says {} frames a second; {} was given and used", in_file, rate_hz));
+  }
+  return rate_hz;
+}
+
+}  // namespace morphe::imports

@@ -1,0 +1,43 @@
+#include "stages/import/recording/named_columns.hpp"
+
+#include <fmt/format.h>
+
+namespace morphe::imports {
+
+NamedColumns::NamedColumns(const files::CsvText& text, std::size_t header_line)
+    : csv(text), line(header_line) {
+  if (csv.lines.size() <= line)
+    csv.fail(csv.lines.size(), "", "the file ends before the first row");
+  for (const std::string_view cell : csv.cells(line)) {
+    if (!at_.emplace(cell, names.size()).second) csv.fail(line, cell, "the column stands twice");
+    names.emplace_back(cell);
+  }
+}
+
+std::size_t NamedColumns::at(std::string_view name) const {
+  const auto found = at_.find(name);
+  if (found == at_.end()) csv.fail(line, name, "the column is missing");
+  return found->second;
+}
+
+std::vector<std::size_t> NamedColumns::at(const std::vector<std::string>& wanted) const {
+  std::vector<std::size_t> columns;
+  for (const std::string& name : wanted) columns.push_back(at(name));
+  return columns;
+}
+
+std::vector<std::string_view> NamedColumns::cells(std::size_t row_line) const {
+  auto row = csv.cells(row_line);
+  if (row.size() != names.size()) {
+    csv.fail(row_line, "",
+             fmt::format("the row has {} cells, the header {}", row.size(), names.size()));
+  }
+  return row;
+}
+
+double NamedColumns::number(std::size_t row_line, const std::vector<std::string_view>& row,
+                            std::size_t column) const {
+  return csv.number(row_line, names[column], row[column]);
+}
+
+}  // namespace morphe::imports

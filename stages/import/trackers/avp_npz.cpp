@@ -1,0 +1,155 @@
+// What people save of avp_stream, the library that streams hands from Apple Vision Pro: a .npz with
+// `stream_right_wrist` [T, 1, 4, 4] in the world (which the library has turned Z up already),
+// `stream_right_fingers` [T, 25 or 27, 4, 4] in the wrist's frame, the same on the left, and
+// `stream_head`. It holds no times.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <optional>
+
+#include "core/files/npz_file.hpp"
+#include "stages/import/recording/conventions.hpp"
+#include "stages/import/trackers/apple_hand.hpp"
+#include "stages/import/trackers/hand_tracker.hpp"
+#include "stages/import/trackers/readers.hpp"
+
+namespace morphe::imports {
+namespace {
+
+constexpr std::size_t kNumbers = 16;
+
+/// Matrices of a frame's joints; no joints = the file does not have the key.
+struct MatrixTable {
+  const files::NpyArray* array = nullptr;
+  std::size_t rows = 0, joints = 0;
+};
+
+MatrixTable matrices_in(const files::NpzFile& npz, const std::string& key) {
+  MatrixTable table{npz.find(key), 0, 0};
+  if (table.array == nullptr) return table;
+  const std::vector<std::size_t>& shape = table.array->shape;
+  const bool one = shape.size() == 3, several = shape.size() == 4;
+  if (table.array->kind == files::NpyKind::text || !(one || several) ||
+      shape[shape.size() - 1] != 4 || shape[shape.size() - 2] != 4) {
+    npz.fail(key, fmt::format("must hold 4 x 4 matrices, not {}", files::shape_text(shape)));
+  }
+  table.rows = shape[0];
+  table.joints = one ? 1 : shape[1];
+  return table;
+}
+
+/// None where nothing was seen yet: NaN, all zero or the unit matrix. InputError for a matrix that
+/// is no rigid motion.
+std::optional<Pose> pose_in(const files::NpzFile& npz, const MatrixTable& table, std::size_t row,
+                            std::size_t joint) {
+  const auto begin = table.array->values.begin() +
+                     static_cast<std::ptrdiff_t>(kNumbers * (row * table.joints + joint));
+  const std::vector<double> numbers(begin, begin + kNumbers);
+  if (std::ranges::any_of(numbers, [](double v) { return std::isnan(v); }) ||
+      std::ranges::all_of(numbers, [](double v) { return v == 0; })) {
+    return std::nullopt;
+  }
+  const auto pose = rigid_motion(numbers, false);
+  if (!pose) {
+    npz.fail(table.array->name, fmt::format("row {}, joint {}: is no rigid motion", row, joint));
+  }
+  return pose;
+}
+
+bool at_home(const std::optional<Pose>& pose) {
+  return !pose || pose->matrix().isApprox(Eigen::Matrix4d::Identity());
+}
+
+/// What of a hand the file has.
+struct StreamKeys {
+  MatrixTable wrist, fingers;
+};
+
+RecordedHand read_hand(const files::NpzFile& npz, const StreamKeys& keys, std::size_t rows,
+                       const TrackerFrame& frame) {
+  RecordedHand hand = unseen_hand(rows);
+  const KeypointOrder& order = *keypoint_order(keys.fingers.joints == 27 ? "arkit" : "webxr");
+  for (std::size_t i = 0; i < rows; ++i) {
+    const auto wrist = pose_in(npz, keys.wrist, i, 0);
+    if (at_home(wrist)) continue;
+    hand.joint(i, 0) = frame.point(wrist->translation());
+    for (std::size_t k = 1; k < kKeypoints && keys.fingers.joints > 0; ++k) {
+      const auto joint = pose_in(npz, keys.fingers, i, static_cast<std::size_t>(order.joint[k]));
+      if (joint) hand.joint(i, k) = frame.point(*wrist * joint->translation());
+    }
+  }
+  return hand;
+}
+
+BodyStream read_head(const files::NpzFile& npz, std::size_t rows, const TrackerFrame& frame) {
+  BodyStream body;
+  const MatrixTable table = matrices_in(npz, "stream_head");
+  if (table.rows != rows || table.joints != 1) return body;
+  body.names = {"head"};
+  body.position = Table<Vec3>(rows, 1, unseen_point());
+  body.orientation = Table<Quat>(rows, 1, unseen_rotation());
+  for (std::size_t i = 0; i < rows; ++i) {
+    const auto head = pose_in(npz, table, i, 0);
+    if (at_home(head)) continue;
+    const Pose pose = frame.pose(*head);
+    body.position(i, 0) = pose.translation();
+    body.orientation(i, 0) = Quat(pose.linear());
+  }
+  return body;
+}
+
+StreamKeys keys_of(const files::NpzFile& npz, Side side) {
+  const std::string prefix = "stream_" + std::string(name_of(side));
+  StreamKeys keys{matrices_in(npz, prefix + "_wrist"), matrices_in(npz, prefix + "_fingers")};
+  if (keys.wrist.array == nullptr) return keys;
+  if (keys.wrist.joints != 1) npz.fail(prefix + "_wrist", "must hold one matrix a frame");
+  if (keys.fingers.array == nullptr) npz.fail(prefix + "_fingers", "is missing");
+  if (keys.fingers.rows != keys.wrist.rows) {
+    npz.fail(prefix + "_fingers",
+             fmt::format("has {} frames, {}_wrist {}", keys.fingers.rows, prefix, keys.wrist.rows));
+  }
+  if (keys.fingers.joints != 25 && keys.fingers.joints != 27) {
+    npz.fail(prefix + "_fingers",
+             fmt::format("must hold 25 or 27 joints, not {}", keys.fingers.joints));
+  }
+  return keys;
+}
+
+}  // namespace
+
+bool recognises_avp_npz(std::string_view head) {
+  if (!files::begins_as_npz(head)) return false;
+  return std::ranges::any_of(
+      std::initializer_list<std::string_view>{"stream_right_", "stream_left_", "stream_head"},
+      [&](std::string_view key) { return head.find(key) != std::string_view::npos; });
+}
+
+Demonstration read_avp_npz(const RecordingFiles& files) {
+  const files::NpzFile npz = files::read_npz(files.file);
+  Demonstration demonstration;
+  std::vector<std::string>& reports = demonstration.reports;
+  const TrackerFrame frame =
+      tracker_frame(files, "x y z", "m",
+                    "avp_stream has turned Z up; which way the person faces is not said", reports);
+  const double rate_hz = rate_of(0, files.conventions, files.file.string(), reports);
+  const StreamKeys keys[] = {keys_of(npz, Side::right), keys_of(npz, Side::left)};
+  const std::size_t rows = std::max(keys[0].wrist.rows, keys[1].wrist.rows);
+  if (rows == 0) npz.fail("stream_right_wrist", "neither this nor stream_left_wrist has a frame");
+  HandClip clip;
+  for (std::size_t i = 0; i < rows; ++i) clip.time.push_back(static_cast<double>(i) / rate_hz);
+  for (const Side side : {Side::right, Side::left}) {
+    const auto which = static_cast<std::size_t>(side);
+    if (keys[which].wrist.array == nullptr) continue;
+    if (keys[which].wrist.rows != rows) {
+      npz.fail(keys[which].wrist.array->name, "has fewer frames than the other hand");
+    }
+    clip.hands[which] = read_hand(npz, keys[which], rows, frame);
+  }
+  clip.body = read_head(npz, rows, frame);
+  add_tracked(std::move(clip), files, demonstration);
+  return demonstration;
+}
+
+}  // namespace morphe::imports

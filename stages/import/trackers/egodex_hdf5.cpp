@@ -1,0 +1,167 @@
+// An episode of EgoDex: HDF5 with a group `transforms` of 4 x 4 matrices (row by row) a frame, the
+// joints of ARKit's body and hands and the camera in a world with Y up, in metres, at 30 frames a
+// second; beside it `confidences` a joint. No objects.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "core/store/harmless.hpp"
+#include "core/store/hdf5_file.hpp"
+#include "stages/import/recording/conventions.hpp"
+#include "stages/import/trackers/apple_hand.hpp"
+#include "stages/import/trackers/hand_tracker.hpp"
+#include "stages/import/trackers/readers.hpp"
+
+namespace morphe::imports {
+namespace {
+
+using store::Hdf5Group;
+
+constexpr double kEgodexRate_hz = 30;
+
+struct NamedJoint {
+  const char* in_file;
+  const char* here;
+};
+/// A joint of ARKit stands where its bone begins: the arm's at the shoulder.
+constexpr NamedJoint kEgodexJoints[] = {{"hip", "pelvis"},
+                                        {"neck4", "neck"},
+                                        {"camera", "head"},
+                                        {"rightArm", "right_shoulder"},
+                                        {"rightForearm", "right_elbow"},
+                                        {"leftArm", "left_shoulder"},
+                                        {"leftForearm", "left_elbow"}};
+
+/// A joint's poses and how sure they are.
+struct Track {
+  std::vector<Pose> pose;
+  std::vector<double> confidence;  ///< or none
+
+  bool seen(std::size_t row) const { return confidence.empty() || confidence[row] > 0; }
+};
+
+/// The groups of a file, and names as they stand there by their plain ones.
+struct Episode {
+  Hdf5Group transforms, confidences;
+  bool sure = false;  ///< has confidences
+  std::map<std::string, std::string> names;
+  std::size_t rows = 0;
+};
+
+Episode open_episode(const Hdf5Group& root) {
+  Episode episode;
+  episode.transforms = root.open("transforms");
+  episode.sure = root.has("confidences");
+  if (episode.sure) episode.confidences = root.open("confidences");
+  for (const std::string& name : episode.transforms.children()) {
+    episode.names[plain_apple_name(name)] = name;
+  }
+  for (const char* wrist : {"righthand", "lefthand"}) {
+    const auto found = episode.names.find(wrist);
+    if (found != episode.names.end()) episode.rows = episode.transforms.length(found->second);
+  }
+  if (episode.rows == 0) episode.transforms.fail("holds neither rightHand nor leftHand");
+  return episode;
+}
+
+/// No rows if the file does not have the joint.
+Track read_track(const Episode& episode, const std::string& plain) {
+  Track track;
+  const auto found = episode.names.find(plain);
+  if (found == episode.names.end()) return track;
+  const std::string& name = found->second;
+  const auto matrices = episode.transforms.read<double>(name, {episode.rows, 4, 4});
+  for (std::size_t i = 0; i < episode.rows; ++i) {
+    const auto begin = matrices.values.begin() + static_cast<std::ptrdiff_t>(16 * i);
+    const auto pose = rigid_motion(std::vector<double>(begin, begin + 16), false);
+    if (!pose) episode.transforms.fail(name, fmt::format("row {} is no rigid motion", i));
+    track.pose.push_back(*pose);
+  }
+  if (episode.sure && episode.confidences.has(name)) {
+    track.confidence = episode.confidences.read<double>(name, {episode.rows}).values;
+    for (double& sure : track.confidence) sure = std::clamp(sure, 0.0, 1.0);
+  }
+  return track;
+}
+
+RecordedHand read_hand(const Episode& episode, Side side, const TrackerFrame& frame) {
+  RecordedHand hand = unseen_hand(episode.rows);
+  for (std::size_t k = 0; k < kKeypoints; ++k) {
+    const std::string joint = k == 0 ? "hand" : apple_joints()[k];
+    const Track track = read_track(episode, std::string(name_of(side)) + joint);
+    for (std::size_t i = 0; i < track.pose.size(); ++i) {
+      if (track.seen(i)) hand.joint(i, k) = frame.point(track.pose[i].translation());
+    }
+    if (k == 0) hand.confidence = track.confidence;
+  }
+  return hand;
+}
+
+BodyStream read_body(const Episode& episode, const TrackerFrame& frame) {
+  BodyStream body;
+  std::vector<Track> tracks;
+  for (const NamedJoint& joint : kEgodexJoints) {
+    Track track = read_track(episode, plain_apple_name(joint.in_file));
+    if (track.pose.empty()) continue;
+    body.names.emplace_back(joint.here);
+    tracks.push_back(std::move(track));
+  }
+  body.position = Table<Vec3>(episode.rows, tracks.size(), unseen_point());
+  body.orientation = Table<Quat>(episode.rows, tracks.size(), unseen_rotation());
+  if (episode.sure) body.confidence = Table<double>(episode.rows, tracks.size(), kNotSeen);
+  for (std::size_t k = 0; k < tracks.size(); ++k) {
+    for (std::size_t i = 0; i < episode.rows; ++i) {
+      if (!tracks[k].confidence.empty()) body.confidence(i, k) = tracks[k].confidence[i];
+      if (!tracks[k].seen(i)) continue;
+      const Pose pose = frame.pose(tracks[k].pose[i]);
+      body.position(i, k) = pose.translation();
+      body.orientation(i, k) = Quat(pose.linear());
+    }
+  }
+  return body;
+}
+
+void report_words(const Hdf5Group& root, std::vector<std::string>& reports) {
+  for (const char* name : {"task", "object", "description", "llm_description", "session_name"}) {
+    if (!root.has_attribute(name)) continue;
+    const store::Hdf5Value value = root.value_of_attribute(name);
+    if (value.is_text && !value.texts.empty() && !value.texts[0].empty()) {
+      reports.push_back(fmt::format("{}: {}", name, value.texts[0]));
+    }
+  }
+}
+
+}  // namespace
+
+bool recognises_egodex_hdf5(std::string_view head) {
+  const auto has = [&](std::string_view word) { return head.find(word) != std::string_view::npos; };
+  return head.starts_with("\x89HDF\r\n") && has("transforms") && has("camera") &&
+         !has("morphe-demonstrations");
+}
+
+Demonstration read_egodex_hdf5(const RecordingFiles& files) {
+  store::expect_harmless(files.file);
+  const store::Hdf5File file = store::Hdf5File::open(files.file);
+  const Hdf5Group root = file.root();
+  Demonstration demonstration;
+  std::vector<std::string>& reports = demonstration.reports;
+  const TrackerFrame frame = tracker_frame(files, "x -z y", "m", kAppleAxes, reports);
+  const Episode episode = open_episode(root);
+  const double rate_hz = rate_of(kEgodexRate_hz, files.conventions, files.file.string(), reports);
+  HandClip clip;
+  for (std::size_t i = 0; i < episode.rows; ++i) {
+    clip.time.push_back(static_cast<double>(i) / rate_hz);
+  }
+  for (const Side side : {Side::right, Side::left}) {
+    clip.hands[static_cast<std::size_t>(side)] = read_hand(episode, side, frame);
+  }
+  clip.body = read_body(episode, frame);
+  file.expect_unchanged();
+  reports.push_back("shoulders and elbows are the headset's guess, mostly from the hands");
+  report_words(root, reports);
+  add_tracked(std::move(clip), files, demonstration);
+  return demonstration;
+}
+
+}  // namespace morphe::imports

@@ -1,0 +1,284 @@
+// A sequence of HOT3D: umetrack_hand_pose_trajectory.jsonl, a line a camera's frame, with the
+// wrist's pose and the joints' angles of both hands; and beside it umetrack_hand_user_profile.json
+// (the person's hand), dynamic_objects.csv (poses of objects), headset_trajectory.csv,
+// metadata.json (which headset, and so which way is up) and the objects' meshes. Times are whole
+// nanoseconds.
+//
+// The landmarks are computed: UmeTrack's wrist is the joint. MANO's is not (its `t_xyz` is where
+// the model stands), and its model must not be passed on: that file is not read.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <set>
+
+#include "core/collision/mesh_file.hpp"
+#include "core/motion/counted.hpp"
+#include "core/motion/input_error.hpp"
+#include "stages/import/recording/json_lines.hpp"
+#include "stages/import/trackers/hand_tracker.hpp"
+#include "stages/import/trackers/hot3d_poses.hpp"
+#include "stages/import/trackers/readers.hpp"
+#include "stages/import/trackers/umetrack_hand.hpp"
+
+namespace morphe::imports {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A headset's cameras take the same moment a tenth of a millisecond apart: one frame.
+constexpr std::int64_t kSameFrame_ns = 10'000'000;
+
+double seconds(std::int64_t from_ns, std::int64_t to_ns) {
+  return static_cast<double>(to_ns - from_ns) / 1e9;
+}
+
+bool is_file(const fs::path& file) {
+  std::error_code error;
+  return fs::is_regular_file(file, error);
+}
+
+std::int64_t stamp_of(const JsonPlace& line) {
+  const JsonPlace stamp = line.at("timestamp_ns");
+  if (!stamp.value->is_number_integer()) stamp.fail("must be a whole number");
+  return stamp.value->get<std::int64_t>();
+}
+
+void read_hand(const JsonPlace& pose, const UmetrackHand& model, Side side, std::size_t row,
+               const TrackerFrame& frame, RecordedHand& hand) {
+  const JsonPlace wrist = pose.at("wrist_xform");
+  const Pose at = make_pose(wrist.at("t_xyz").point(), wrist.at("q_wxyz").quaternion());
+  const auto points =
+      points_of(model, side, at, pose.at("joint_angles").numbers(UmetrackHand::kAngles));
+  const double confidence = pose.has("hand_confidence") ? pose.at("hand_confidence").number() : 1.0;
+  hand.confidence[row] = std::clamp(confidence, 0.0, 1.0);
+  if (!(confidence > 0)) return;
+  const KeypointOrder& order = *keypoint_order("aria");
+  for (std::size_t k = 0; k < kKeypoints; ++k) {
+    if (order.joint[k] < 0) continue;
+    hand.joint(row, k) = frame.point(points.landmarks[static_cast<std::size_t>(order.joint[k])]);
+  }
+  hand.joint(row, 1) = frame.point(points.thumb_root);
+}
+
+/// Frames of the file with each hand's pose, kept as they stand in it.
+struct HandFrames {
+  std::vector<std::int64_t> time_ns;
+  RecordedHand hands[2];
+  std::size_t doubled = 0;
+};
+
+HandFrames read_hands(const fs::path& file, const UmetrackHand& model, const TrackerFrame& frame) {
+  HandFrames frames;
+  std::vector<std::int64_t>& stamps = frames.time_ns;
+  std::vector<nlohmann::json> lines;
+  std::vector<std::size_t> numbers;
+  each_json_line(file, [&](const JsonPlace& line) {
+    const std::int64_t now = stamp_of(line);
+    if (!stamps.empty() && now <= stamps.back()) {
+      line.at("timestamp_ns").fail("does not follow the line before");
+    }
+    if (!stamps.empty() && now - stamps.back() < kSameFrame_ns) {
+      ++frames.doubled;
+      return;
+    }
+    stamps.push_back(now);
+    lines.push_back(*line.at("hand_poses").value);
+    numbers.push_back(line.line);
+  });
+  for (RecordedHand& hand : frames.hands) {
+    hand = unseen_hand(stamps.size());
+    hand.confidence.assign(stamps.size(), 0);
+  }
+  for (std::size_t i = 0; i < stamps.size(); ++i) {
+    const JsonPlace poses{file.string(), numbers[i], "hand_poses", &lines[i]};
+    for (const auto& [key, side] : {std::pair("0", Side::left), std::pair("1", Side::right)}) {
+      if (!poses.has(key)) continue;
+      read_hand(poses.at(key), model, side, i, frame, frames.hands[static_cast<std::size_t>(side)]);
+    }
+  }
+  return frames;
+}
+
+/// Names by number, from metadata.json or a library's instance.json.
+std::map<std::string, std::string> object_names(const fs::path& folder) {
+  std::map<std::string, std::string> names;
+  if (const fs::path file = folder / "metadata.json"; is_file(file)) {
+    const nlohmann::json json = read_json(file);
+    const JsonPlace top{file.string(), 0, "", &json};
+    if (top.has("object_uids") && top.has("object_names")) {
+      const nlohmann::json &uids = *top.at("object_uids").value,
+                           &called = *top.at("object_names").value;
+      for (std::size_t k = 0; k < std::min(uids.size(), called.size()); ++k) {
+        if (uids[k].is_string() && called[k].is_string()) names[uids[k]] = called[k];
+      }
+    }
+  }
+  return names;
+}
+
+std::vector<fs::path> libraries(const fs::path& folder) {
+  std::vector<fs::path> places{folder};
+  for (const fs::path& above : {folder, folder / "..", folder / ".." / ".."}) {
+    for (const char* name : {"object_models", "object_library", "assets"}) {
+      places.push_back(above / name);
+    }
+  }
+  return places;
+}
+
+std::map<std::string, std::string> library_names(const fs::path& folder) {
+  std::map<std::string, std::string> names;
+  for (const fs::path& place : libraries(folder)) {
+    const fs::path file = place / "instance.json";
+    if (!is_file(file)) continue;
+    const nlohmann::json json = read_json(file);
+    for (const auto& [uid, entry] : json.items()) {
+      const JsonPlace at{file.string(), 0, uid, &entry};
+      if (at.has("instance_name")) names.emplace(uid, at.at("instance_name").text());
+    }
+  }
+  return names;
+}
+
+SceneObject shape_of(const fs::path& folder, const std::string& uid, const std::string& name,
+                     std::vector<std::string>& reports) {
+  for (const fs::path& place : libraries(folder)) {
+    const fs::path file = place / (uid + ".glb");
+    if (!is_file(file)) continue;
+    SceneObject mesh;
+    mesh.shape = Shape::mesh;
+    const std::string fault = collision::load_mesh(file, 1, false, mesh);
+    if (!fault.empty()) throw InputError(fmt::format("{}: {}", file.string(), fault));
+    mesh.name = name;
+    reports.push_back(fmt::format("object {}: shape from {}", name, file.string()));
+    return mesh;
+  }
+  return ball_for(name, reports);
+}
+
+/// `begin_ns` is the time 0.
+std::vector<SceneObject> read_objects(const fs::path& folder, const TrackerFrame& frame,
+                                      std::int64_t begin_ns, std::vector<std::string>& reports) {
+  std::vector<SceneObject> objects;
+  const fs::path file = folder / "dynamic_objects.csv";
+  if (!is_file(file)) {
+    reports.push_back("no dynamic_objects.csv beside the file: no object was recorded");
+    return objects;
+  }
+  std::map<std::string, std::string> names = object_names(folder);
+  names.merge(library_names(folder));
+  std::set<std::string> taken;
+  for (const auto& [uid, poses] : read_hot3d_poses(file)) {
+    std::string name = names.contains(uid) ? names[uid] : "object_" + uid;
+    if (!taken.insert(name).second) taken.insert(name += "_" + uid);
+    SceneObject object = shape_of(folder, uid, name, reports);
+    std::int64_t last_ns = 0;
+    for (std::size_t i = 0; i < poses.time_ns.size(); ++i) {
+      if (i > 0 && poses.time_ns[i] - last_ns < kSameFrame_ns) continue;
+      last_ns = poses.time_ns[i];
+      const Pose pose = frame.pose(poses.pose[i]);
+      object.time.push_back(seconds(begin_ns, last_ns));
+      object.position.push_back(pose.translation());
+      object.orientation.push_back(Quat(pose.linear()));
+    }
+    objects.push_back(std::move(object));
+  }
+  return objects;
+}
+
+/// The headset's pose where a frame of the hands has one, as the body's head.
+BodyStream read_head(const fs::path& folder, const std::vector<std::int64_t>& time_ns,
+                     const TrackerFrame& frame) {
+  BodyStream body;
+  const fs::path file = folder / "headset_trajectory.csv";
+  if (!is_file(file)) return body;
+  const auto bodies = read_hot3d_poses(file);
+  if (bodies.empty()) return body;
+  const TimedPoses& headset = bodies.begin()->second;
+  body.names = {"head"};
+  body.position = Table<Vec3>(time_ns.size(), 1, unseen_point());
+  body.orientation = Table<Quat>(time_ns.size(), 1, unseen_rotation());
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < time_ns.size(); ++i) {
+    const std::int64_t from = time_ns[i] - kSameFrame_ns, to = time_ns[i] + kSameFrame_ns;
+    while (next < headset.time_ns.size() && headset.time_ns[next] < from) ++next;
+    if (next == headset.time_ns.size() || headset.time_ns[next] > to) continue;
+    const Pose head = frame.pose(headset.pose[next]);
+    body.position(i, 0) = head.translation();
+    body.orientation(i, 0) = Quat(head.linear());
+  }
+  return body;
+}
+
+struct Metadata {
+  std::string axes, because, subject;
+};
+
+Metadata read_metadata(const fs::path& folder, const RecordingFiles& files) {
+  Metadata said;
+  const fs::path file = folder / "metadata.json";
+  std::string headset;
+  if (is_file(file)) {
+    const nlohmann::json json = read_json(file);
+    const JsonPlace top{file.string(), 0, "", &json};
+    if (top.has("headset")) headset = top.at("headset").text();
+    if (top.has("participant_id")) said.subject = top.at("participant_id").text();
+  }
+  if (headset == "Aria") {
+    said.axes = "x y z";
+  } else if (headset.starts_with("Quest")) {
+    said.axes = "x -z y";
+  } else if (files.conventions.axes.empty()) {
+    throw NotSaid("axes",
+                  fmt::format("{}: axes: no metadata.json beside it names the headset (Aria "
+                              "has Z up, Quest 3 Y); give --axes or `axes:`",
+                              files.file.string()));
+  }
+  said.because = fmt::format(
+      "up as in the world of a headset of the kind {}; which way the person "
+      "faces is not said",
+      headset);
+  return said;
+}
+
+}  // namespace
+
+bool recognises_hot3d(std::string_view head) {
+  const std::string_view line = head.substr(0, head.find('\n'));
+  const auto has = [&](std::string_view key) { return line.find(key) != std::string_view::npos; };
+  return line.starts_with('{') && has("\"timestamp_ns\"") && has("\"hand_poses\"") &&
+         head.find("\"betas\"") == std::string_view::npos;  // else MANO's
+}
+
+Demonstration read_hot3d(const RecordingFiles& files) {
+  const fs::path folder = files.file.parent_path();
+  const fs::path profile = folder / "umetrack_hand_user_profile.json";
+  if (!is_file(profile)) {
+    throw InputError(fmt::format("{}: its hand's model, {}, is missing beside it",
+                                 files.file.string(), profile.filename().string()));
+  }
+  Demonstration demonstration;
+  std::vector<std::string>& reports = demonstration.reports;
+  const Metadata said = read_metadata(folder, files);
+  demonstration.subject = said.subject;
+  const TrackerFrame frame = tracker_frame(files, said.axes, "m", said.because, reports);
+  HandFrames read = read_hands(files.file, read_umetrack_hand(profile), frame);
+  if (read.doubled > 0) {
+    reports.push_back(fmt::format("{} within 10 ms of the one before left out: another camera's",
+                                  counted(read.doubled, "frame")));
+  }
+  HandClip clip;
+  if (read.time_ns.empty())
+    throw InputError(fmt::format("{}: holds no frame", files.file.string()));
+  const std::int64_t begin_ns = read.time_ns.front();
+  for (const std::int64_t now_ns : read.time_ns) clip.time.push_back(seconds(begin_ns, now_ns));
+  reports.push_back(fmt::format("time 0 is the file's {} ns", begin_ns));
+  clip.hands = {std::move(read.hands[0]), std::move(read.hands[1])};
+  clip.objects = read_objects(folder, frame, begin_ns, reports);
+  clip.body = read_head(folder, read.time_ns, frame);
+  add_tracked(std::move(clip), files, demonstration);
+  return demonstration;
+}
+
+}  // namespace morphe::imports

@@ -1,0 +1,169 @@
+#include "stages/import/trackers/mvnx_file.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "core/files/csv.hpp"
+#include "core/files/xml_text.hpp"
+#include "core/motion/counted.hpp"
+
+namespace morphe::imports {
+namespace {
+
+using files::XmlElement;
+using files::XmlText;
+
+const XmlElement& child_of(const XmlText& xml, const XmlElement& parent, const char* tag) {
+  const XmlElement* child = parent.FirstChildElement(tag);
+  if (child == nullptr) xml.fail(parent, tag, "is missing");
+  return *child;
+}
+
+std::string text_of(const XmlElement& element) {
+  const char* text = element.GetText();
+  return text == nullptr ? "" : text;
+}
+
+/// Numbers of an element's text, as many as asked for.
+std::vector<double> numbers_of(const XmlText& xml, const XmlElement& element, std::size_t count) {
+  const std::string text = text_of(element);
+  std::vector<double> numbers;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  constexpr std::string_view kSpace = " \t\r\n";
+  while (at != end) {
+    if (kSpace.find(*at) != std::string_view::npos) {
+      ++at;
+      continue;
+    }
+    double value = 0;
+    const auto [stop, error] = std::from_chars(at, end, value);
+    if (error != std::errc() || !std::isfinite(value)) {
+      xml.fail(element, element.Value(), fmt::format("number {} is none", numbers.size() + 1));
+    }
+    numbers.push_back(value);
+    at = stop;
+  }
+  if (numbers.size() != count) {
+    xml.fail(element, element.Value(),
+             fmt::format("must hold {} numbers, not {}", count, numbers.size()));
+  }
+  return numbers;
+}
+
+/// Labels, and the points that are called a tip.
+MvnxSegments read_segments(const XmlText& xml, const XmlElement* list) {
+  MvnxSegments segments;
+  if (list == nullptr) return segments;
+  for (const XmlElement* segment : files::children(*list, "segment")) {
+    const std::string label = xml.attribute(*segment, "label");
+    segments.labels.push_back(label);
+    const XmlElement* points = segment->FirstChildElement("points");
+    if (points == nullptr) continue;
+    for (const XmlElement* point : files::children(*points, "point")) {
+      const char* name = point->Attribute("label");
+      if (name == nullptr || std::string_view(name).find("Tip") == std::string_view::npos) continue;
+      const auto at = numbers_of(xml, child_of(xml, *point, "pos_b"), 3);
+      segments.tips[label] = Vec3(at[0], at[1], at[2]);
+    }
+  }
+  return segments;
+}
+
+void read_frame(const XmlText& xml, const XmlElement& frame, const std::string& suffix,
+                std::size_t row, MvnxSegments& segments) {
+  const std::size_t count = segments.labels.size();
+  if (count == 0) return;
+  const XmlElement& places = child_of(xml, frame, ("position" + suffix).c_str());
+  const XmlElement& turns = child_of(xml, frame, ("orientation" + suffix).c_str());
+  const auto position = numbers_of(xml, places, 3 * count);
+  const auto orientation = numbers_of(xml, turns, 4 * count);
+  for (std::size_t k = 0; k < count; ++k) {
+    segments.position(row, k) = Vec3(position[3 * k], position[3 * k + 1], position[3 * k + 2]);
+    const Quat turn(orientation[4 * k], orientation[4 * k + 1], orientation[4 * k + 2],
+                    orientation[4 * k + 3]);
+    if (!(std::abs(turn.norm() - 1) < 0.01)) {
+      xml.fail(turns, turns.Value(),
+               fmt::format("{}: is no quaternion of unit length", segments.labels[k]));
+    }
+    segments.orientation(row, k) = turn.normalized();
+  }
+}
+
+double number_attribute(const XmlText& xml, const XmlElement& element, const char* name) {
+  const std::string text = xml.attribute(element, name);
+  const auto value = files::finite_number(text);
+  if (!value) {
+    xml.fail(element, fmt::format("{}.{}", element.Value(), name),
+             fmt::format("must be a number, not '{}'", text));
+  }
+  return *value;
+}
+
+std::vector<const XmlElement*> motion_frames(const XmlText& xml, const XmlElement& frames,
+                                             std::vector<std::string>& reports) {
+  std::vector<const XmlElement*> motion;
+  std::size_t poses = 0;
+  for (const XmlElement* frame : files::children(frames, "frame")) {
+    if (xml.attribute(*frame, "type") == "normal") {
+      motion.push_back(frame);
+    } else {
+      ++poses;
+    }
+  }
+  if (motion.empty()) xml.fail(frames, "frame", "none is of the type normal");
+  if (poses > 0) {
+    reports.push_back(fmt::format("{} of the calibration left out", counted(poses, "frame")));
+  }
+  return motion;
+}
+
+void prepare(MvnxSegments& segments, std::size_t rows) {
+  segments.position = Table<Vec3>(rows, segments.labels.size(), unseen_point());
+  segments.orientation = Table<Quat>(rows, segments.labels.size(), unseen_rotation());
+}
+
+}  // namespace
+
+MvnxFile read_mvnx_file(const std::filesystem::path& path, double rate_hz) {
+  const XmlText xml(path, "mvnx");
+  MvnxFile read;
+  read.file = path.string();
+  const XmlElement& subject = child_of(xml, xml.root(), "subject");
+  const std::size_t people = files::children(xml.root(), "subject").size();
+  if (const char* label = subject.Attribute("label")) read.subject = label;
+  if (people > 1) {
+    read.reports.push_back(
+        fmt::format("the file holds {} people: the first, {}, is taken", people, read.subject));
+  }
+  if (!(rate_hz > 0)) rate_hz = number_attribute(xml, subject, "frameRate");
+  if (!(rate_hz > 0)) xml.fail(subject, "subject.frameRate", "must be positive");
+  read.body = read_segments(xml, &child_of(xml, subject, "segments"));
+  read.fingers[0] = read_segments(xml, subject.FirstChildElement("fingerTrackingSegmentsRight"));
+  read.fingers[1] = read_segments(xml, subject.FirstChildElement("fingerTrackingSegmentsLeft"));
+  const auto frames = motion_frames(xml, child_of(xml, subject, "frames"), read.reports);
+  prepare(read.body, frames.size());
+  for (MvnxSegments& hand : read.fingers) prepare(hand, frames.size());
+  double first = 0, last = 0;
+  for (std::size_t row = 0; row < frames.size(); ++row) {
+    const XmlElement& frame = *frames[row];
+    // Times are rounded to milliseconds, the index is not.
+    const double index = frame.Attribute("index") != nullptr ? number_attribute(xml, frame, "index")
+                                                             : static_cast<double>(row);
+    if (row == 0) {
+      first = index;
+    } else if (!(index > last)) {
+      xml.fail(frame, "frame.index", "does not follow the frame before");
+    }
+    last = index;
+    read.time.push_back((index - first) / rate_hz);
+    read_frame(xml, frame, "", row, read.body);
+    read_frame(xml, frame, "FingersRight", row, read.fingers[0]);
+    read_frame(xml, frame, "FingersLeft", row, read.fingers[1]);
+  }
+  return read;
+}
+
+}  // namespace morphe::imports

@@ -1,0 +1,84 @@
+#include "stages/verify/braking.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace morphe::verify {
+namespace {
+
+constexpr double kResolution = 1e-6;
+constexpr int kMostHalvings = 40, kMostParts = 2000;
+
+/// Speed towards an end with so much way left to it.
+BrakingUse use_of(const RobotTable::BrakingCurve& curve, double speed, double way) {
+  const double root = std::sqrt(std::max(curve.slope * way, 0.0));
+  const double left = std::max(root - curve.drop, 0.0);
+  const double ratio = speed <= 0 ? 0 : left > 0 ? speed / left : HUGE_VAL;
+  return {ratio, 0, speed, left};
+}
+
+struct Interval {
+  double low, high;
+};
+
+/// Values of one direction: turned round for the lower end.
+struct Direction {
+  double sign, end;
+  Interval of(const Range& range) const {
+    return sign > 0 ? Interval{range.least.value, range.greatest.value}
+                    : Interval{-range.greatest.value, -range.least.value};
+  }
+};
+
+/// |d ratio / dt| is at most this over intervals of way, speed and acceleration: with u = root -
+/// drop, ratio = v / u and du/dt = -slope v / (2 root).
+double steepest(const RobotTable::BrakingCurve& curve, const Interval& way, const Interval& speed,
+                const Interval& acceleration) {
+  const double root_low = std::sqrt(std::max(curve.slope * way.low, 0.0));
+  const double root_high = std::sqrt(std::max(curve.slope * way.high, 0.0));
+  const double low = root_low - curve.drop, high = root_high - curve.drop;
+  if (!(low > 0) || speed.low < 0) return HUGE_VAL;
+  const double falls_low = 0.5 * curve.slope * speed.low * speed.low / root_high;
+  const double falls_high = 0.5 * curve.slope * speed.high * speed.high / root_low;
+  const double least = std::min(acceleration.low * low, acceleration.low * high) + falls_low;
+  const double most = std::max(acceleration.high * low, acceleration.high * high) + falls_high;
+  return std::max(std::abs(least), std::abs(most)) / (low * low);
+}
+
+void search(const RobotTable::BrakingCurve& curve, const Quintic& quintic, const Direction& towards,
+            double a, double b, int halvings, int& parts, BrakingUse& worst) {
+  const double middle = 0.5 * (a + b);
+  BrakingUse here = use_of(curve, towards.sign * derivative(quintic, 1, middle),
+                           towards.sign * (towards.end - derivative(quintic, 0, middle)));
+  here.s = middle;
+  if (here.ratio > worst.ratio) worst = here;
+  const auto over = ranges(quintic, a, b);
+  const Interval q = towards.of(over[0]), speed = towards.of(over[1]);
+  const double end = towards.sign * towards.end;
+  const Interval way{end - q.high, end - q.low};
+  const double half_s = 0.5 * (b - a) * quintic.step_s;
+  const double bound =
+      std::min(use_of(curve, speed.high, way.low).ratio,
+               here.ratio + half_s * steepest(curve, way, speed, towards.of(over[2])));
+  if (halvings == 0 || !(bound > worst.ratio * (1 + kResolution))) return;
+  if (--parts < 0) {
+    worst.ratio = bound;
+    return;
+  }
+  search(curve, quintic, towards, a, middle, halvings - 1, parts, worst);
+  search(curve, quintic, towards, middle, b, halvings - 1, parts, worst);
+}
+
+}  // namespace
+
+BrakingUse worst_braking(const RobotTable::BrakingCurve& curve, const Quintic& quintic,
+                         double known) {
+  BrakingUse worst;
+  worst.ratio = known;
+  int parts = kMostParts;
+  search(curve, quintic, {1, curve.upper_end}, 0, 1, kMostHalvings, parts, worst);
+  search(curve, quintic, {-1, curve.lower_end}, 0, 1, kMostHalvings, parts, worst);
+  return worst;
+}
+
+}  // namespace morphe::verify

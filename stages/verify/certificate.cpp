@@ -1,0 +1,126 @@
+#include "stages/verify/certificate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "stages/verify/against_goals.hpp"
+#include "stages/verify/smoothness.hpp"
+
+namespace morphe::verify {
+namespace {
+
+constexpr double kClearance_m = 1e-4, kAlgebra = 1e-9;
+constexpr double kBraking = 3e-6;  ///< to which either side finds the use of braking curves
+
+/// What rounding of the stored positions alone makes of the largest jerk: its quintic's coefficient
+/// is 60 differences of them over the step's third power.
+double jerk_rounding(const RobotTable& robot, const Trajectory& t) {
+  double step_s = t.time.back();
+  for (std::size_t i = 0; i + 1 < t.samples(); ++i) {
+    step_s = std::min(step_s, t.time[i + 1] - t.time[i]);
+  }
+  return 60 * std::numeric_limits<double>::epsilon() * t.position.cwiseAbs().maxCoeff() /
+         (std::pow(step_s, 3) * robot.jerk.minCoeff());
+}
+
+/// Of metric A over the mapped frames that have it.
+double mapped_humanlikeness(const JointRows& humanlikeness) {
+  double sum = 0, count = 0;
+  for (Eigen::Index f = 0; humanlikeness.cols() > 0 && f < humanlikeness.rows(); ++f) {
+    if (std::isnan(humanlikeness(f, 0))) continue;
+    sum += humanlikeness(f, 0);
+    ++count;
+  }
+  return count > 0 ? sum / count : kNotSeen;
+}
+
+bool agree(double stored, double recomputed, double tolerance) {
+  if (std::isnan(stored) || std::isnan(recomputed))
+    return std::isnan(stored) == std::isnan(recomputed);
+  return stored == recomputed || std::abs(stored - recomputed) <= tolerance;
+}
+
+}  // namespace
+
+Certificate recomputed_certificate(const RobotTable& robot, const Plan& plan, const Curve& curve,
+                                   const LimitUse& use, double clearance) {
+  Certificate own;
+  own.position_margin = use.position_margin;
+  own.velocity_ratio = use.velocity_ratio;
+  own.acceleration_ratio = use.acceleration_ratio;
+  own.jerk_ratio = use.jerk_ratio;
+  // Nothing that could touch: no clearance was measured.
+  own.clearance = std::isinf(clearance) ? kNotSeen : clearance;
+  const AgainstGoals goals = against_goals(robot, plan);
+  own.position_error_max = goals.position_max;
+  own.position_error_mean = goals.position_mean;
+  own.position_error_grasp = goals.position_grasp;
+  own.orientation_error_max = goals.orientation_max;
+  own.upper_arm_error_max = goals.upper_arm_max;
+  own.upper_arm_error_mean = goals.upper_arm_mean;
+  own.humanlikeness_final = goals.humanlikeness;
+  own.humanlikeness_mapped = mapped_humanlikeness(plan.mapped.humanlikeness);
+  const std::vector<double>& human = plan.trajectory.demonstration_time;
+  if (human.back() > human.front()) {
+    own.tempo = plan.trajectory.time.back() / (human.back() - human.front());
+  }
+  const Speeds speeds = mean_speeds(robot, plan.goals, curve);
+  own.sparc_robot = sparc(speeds.robot, speeds.step_s);
+  own.sparc_human = sparc(speeds.human, speeds.step_s);
+  own.log_dimensionless_jerk_robot = log_dimensionless_jerk(speeds.robot, speeds.step_s);
+  own.log_dimensionless_jerk_human = log_dimensionless_jerk(speeds.human, speeds.step_s);
+  own.repaired = std::any_of(plan.path.origin.begin(), plan.path.origin.end(),
+                             [](Origin origin) { return origin != Origin::mapped; });
+  return own;
+}
+
+void judge_certificate(const RobotTable& robot, const Plan& plan, const Curve& curve,
+                       const LimitUse& use, double clearance, ViolationRuns& runs) {
+  struct Attribute {
+    const char* name;
+    double Certificate::*value;
+  };
+  constexpr Attribute kAttributes[] = {
+      {"position_margin", &Certificate::position_margin},
+      {"velocity_ratio", &Certificate::velocity_ratio},
+      {"acceleration_ratio", &Certificate::acceleration_ratio},
+      {"jerk_ratio", &Certificate::jerk_ratio},
+      {"clearance", &Certificate::clearance},
+      {"position_error_max", &Certificate::position_error_max},
+      {"position_error_mean", &Certificate::position_error_mean},
+      {"position_error_grasp", &Certificate::position_error_grasp},
+      {"orientation_error_max", &Certificate::orientation_error_max},
+      {"upper_arm_error_mean", &Certificate::upper_arm_error_mean},
+      {"upper_arm_error_max", &Certificate::upper_arm_error_max},
+      {"tempo", &Certificate::tempo},
+      {"humanlikeness_mapped", &Certificate::humanlikeness_mapped},
+      {"humanlikeness_final", &Certificate::humanlikeness_final},
+      {"sparc_robot", &Certificate::sparc_robot},
+      {"sparc_human", &Certificate::sparc_human},
+      {"log_dimensionless_jerk_robot", &Certificate::log_dimensionless_jerk_robot},
+      {"log_dimensionless_jerk_human", &Certificate::log_dimensionless_jerk_human},
+  };
+  const Certificate own = recomputed_certificate(robot, plan, curve, use, clearance);
+  for (const Attribute& attribute : kAttributes) {
+    const double stored = plan.certificate.*attribute.value, found = own.*attribute.value;
+    const bool contact = attribute.value == &Certificate::clearance;
+    double tolerance = contact ? kClearance_m : kAlgebra * std::max(1.0, std::abs(found));
+    if (attribute.value == &Certificate::velocity_ratio && !robot.braking_curves.empty())
+      tolerance = kBraking * std::max(1.0, std::abs(found));
+    if (attribute.value == &Certificate::jerk_ratio)
+      tolerance += jerk_rounding(robot, plan.trajectory);
+    if (!agree(stored, found, tolerance))
+      runs.note_plan("certificate", attribute.name, stored, found);
+  }
+  if (plan.certificate.unchecked_links != robot.unchecked_links) {
+    runs.note_plan("certificate", "unchecked_links",
+                   static_cast<double>(plan.certificate.unchecked_links.size()),
+                   static_cast<double>(robot.unchecked_links.size()));
+  }
+  if (plan.certificate.repaired != own.repaired) {
+    runs.note_plan("certificate", "repaired", plan.certificate.repaired, own.repaired);
+  }
+}
+
+}  // namespace morphe::verify

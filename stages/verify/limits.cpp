@@ -1,0 +1,120 @@
+#include "stages/verify/limits.hpp"
+
+#include "stages/verify/braking.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace morphe::verify {
+namespace {
+
+constexpr double kRelativeTolerance = 1e-6;
+constexpr double kRestTolerance = 1e-9;
+constexpr const char* kCauses[] = {"position", "velocity", "acceleration", "jerk"};
+
+CurvePoint place_of(const Curve& curve, std::size_t piece, double s) {
+  return {static_cast<int>(2 * piece + 1), static_cast<int>(s < 0.5 ? piece : piece + 1),
+          curve.time_at(piece, s)};
+}
+
+/// A coupled frame's value is ratio * q + offset: so are its extremes.
+void judge_coupled(const RobotTable& robot, const Curve& curve, std::size_t piece,
+                   ViolationRuns& runs) {
+  for (const RobotTable::CoupledLimit& own : robot.coupled_limits) {
+    const RobotTable::Frame& frame = robot.frames[static_cast<std::size_t>(own.frame)];
+    const auto& ranges = curve.ranges[piece * curve.joints + static_cast<std::size_t>(frame.joint)];
+    for (const Extreme& end : {ranges[0].least, ranges[0].greatest}) {
+      const double value = frame.ratio * end.value + frame.offset;
+      const double beyond = std::max(own.lower - value, value - own.upper);
+      if (!(beyond <= kRelativeTolerance * std::max(1.0, std::abs(value))))
+        runs.note("position", frame.name, place_of(curve, piece, end.s), value,
+                  value < own.lower ? own.lower : own.upper, beyond);
+    }
+    const double limits[] = {own.velocity, own.acceleration, own.jerk};
+    for (std::size_t order = 1; order < 4; ++order) {
+      const double limit = limits[order - 1];
+      for (const Extreme& end : {ranges[order].least, ranges[order].greatest}) {
+        const double value = std::abs(frame.ratio * end.value);
+        if (!(value <= limit * (1 + kRelativeTolerance)))
+          runs.note(kCauses[order], frame.name, place_of(curve, piece, end.s), value, limit,
+                    value / limit);
+      }
+    }
+  }
+}
+
+void judge_braking(const RobotTable& robot, const Curve& curve, std::size_t piece, LimitUse& use,
+                   ViolationRuns& runs) {
+  for (const RobotTable::BrakingCurve& braking : robot.braking_curves) {
+    const auto joint = static_cast<std::size_t>(braking.joint);
+    const Quintic& quintic = curve.quintics[piece * curve.joints + joint];
+    const double known = std::min(use.velocity_ratio, 1 + kRelativeTolerance);
+    const BrakingUse worst = worst_braking(braking, quintic, known);
+    use.velocity_ratio = std::max(use.velocity_ratio, worst.ratio);
+    if (!(worst.ratio <= 1 + kRelativeTolerance))
+      runs.note("velocity", robot.joint_names[joint], place_of(curve, piece, worst.s), worst.speed,
+                worst.left, worst.ratio);
+  }
+}
+
+}  // namespace
+
+LimitUse judge_limits(const RobotTable& robot, const Curve& curve, ViolationRuns& runs) {
+  LimitUse use;
+  use.position_margin = std::numeric_limits<double>::infinity();
+  const JointVector* magnitudes[] = {nullptr, &robot.velocity, &robot.acceleration, &robot.jerk};
+  double* ratios[] = {nullptr, &use.velocity_ratio, &use.acceleration_ratio, &use.jerk_ratio};
+
+  for (std::size_t piece = 0; piece < curve.pieces; ++piece) {
+    for (std::size_t joint = 0; joint < curve.joints; ++joint) {
+      const auto j = static_cast<Eigen::Index>(joint);
+      const auto& ranges = curve.ranges[piece * curve.joints + joint];
+      const std::string& name = robot.joint_names[joint];
+
+      const Range& position = ranges[0];
+      const double below = position.least.value - robot.lower(j);
+      const double above = robot.upper(j) - position.greatest.value;
+      const double margin = std::min(below, above);
+      use.position_margin = std::min(use.position_margin, margin);
+      if (!(margin >= -kRelativeTolerance * (robot.upper(j) - robot.lower(j)))) {
+        const Extreme& worst = below < above ? position.least : position.greatest;
+        runs.note("position", name, place_of(curve, piece, worst.s), worst.value,
+                  below < above ? robot.lower(j) : robot.upper(j), -margin);
+      }
+      for (std::size_t order = 1; order < 4; ++order) {
+        const Range& range = ranges[order];
+        const bool negative = -range.least.value > range.greatest.value;
+        const Extreme& worst = negative ? range.least : range.greatest;
+        const double limit = (*magnitudes[order])(j);
+        const double ratio = std::abs(worst.value) / limit;
+        *ratios[order] = std::max(*ratios[order], ratio);
+        if (!(ratio <= 1 + kRelativeTolerance))
+          runs.note(kCauses[order], name, place_of(curve, piece, worst.s), std::abs(worst.value),
+                    limit, ratio);
+      }
+    }
+    judge_coupled(robot, curve, piece, runs);
+    judge_braking(robot, curve, piece, use, runs);
+  }
+  return use;
+}
+
+void judge_rest(const RobotTable& robot, const Trajectory& trajectory, ViolationRuns& runs) {
+  const auto last = static_cast<Eigen::Index>(trajectory.samples()) - 1;
+  for (const Eigen::Index sample : {Eigen::Index{0}, last}) {
+    for (Eigen::Index j = 0; j < trajectory.position.cols(); ++j) {
+      const double most = std::max(std::abs(trajectory.velocity(sample, j)),
+                                   std::abs(trajectory.acceleration(sample, j)));
+      if (most <= kRestTolerance) continue;
+      const auto row = static_cast<std::size_t>(sample);
+      // Both ends are told even of a trajectory so short that they are neighbours.
+      runs.note("rest", robot.joint_names[static_cast<std::size_t>(j)],
+                {sample == 0 ? 0 : static_cast<int>(2 * row + 2), static_cast<int>(row),
+                 trajectory.time[row]},
+                most, kRestTolerance, most);
+    }
+  }
+}
+
+}  // namespace morphe::verify

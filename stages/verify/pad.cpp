@@ -1,0 +1,53 @@
+#include "stages/verify/pad.hpp"
+
+#include "stages/verify/frame_poses.hpp"
+#include "stages/verify/tracking.hpp"
+
+namespace morphe::verify {
+namespace {
+
+/// The nearest frame at or above one that has a joint.
+int carrier(const RobotTable& robot, int frame) {
+  while (frame >= 0 && robot.frames[static_cast<std::size_t>(frame)].joint < 0) {
+    frame = robot.frames[static_cast<std::size_t>(frame)].parent;
+  }
+  return frame;
+}
+
+}  // namespace
+
+std::vector<PadBall> pad_balls(const RobotTable& robot) {
+  std::vector<Pose> poses;
+  frame_poses(robot, JointVector::Zero(static_cast<Eigen::Index>(robot.joints())), poses);
+  std::vector<PadBall> balls;
+  for (const RobotTable::Tip& tip : robot.tips) {
+    PadBall ball;
+    double least = kInfinity;
+    for (int c = 0; tip.frame >= 0 && c < static_cast<int>(robot.capsules.size()); ++c) {
+      const RobotTable::Capsule& capsule = robot.capsules[static_cast<std::size_t>(c)];
+      if (carrier(robot, capsule.frame) != carrier(robot, tip.frame)) continue;
+      const Pose& at_tip = poses[static_cast<std::size_t>(tip.frame)];
+      for (const Vec3* end : {&capsule.from, &capsule.to}) {
+        const Vec3 centre = at_tip.inverse() * in_base(poses, capsule.frame, *end);
+        const double away = (centre - tip.transform.translation()).norm();
+        if (!(away < least)) continue;
+        least = away;
+        ball = {c, centre, tip.transform.linear().col(0), capsule.radius};
+      }
+    }
+    balls.push_back(ball);
+  }
+  return balls;
+}
+
+Vec3 asked_point(const RobotTable& robot, const std::vector<PadBall>& pads, const Goals& goals,
+                 std::size_t tip, double time_s) {
+  const Vec3 own = robot.tips[tip].transform.translation();
+  if (goals.pad_share.rows == 0) return own;
+  const GoalShare at = goal_share(goals, time_s);
+  const double before = goals.pad_share(at.before, tip), after = goals.pad_share(at.after, tip);
+  const double share = before + at.share * (after - before);
+  return share == 0 ? own : Vec3(own + share * (pads[tip].centre - own));
+}
+
+}  // namespace morphe::verify

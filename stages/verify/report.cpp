@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/motion/counted.hpp"
+#include "stages/verify/verify.hpp"
+
+namespace morphe::verify {
+namespace {
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      out += '\\';
+      out += c;
+    } else if (static_cast<unsigned char>(c) < 0x20) {
+      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    } else {
+      out += c;
+    }
+  }
+  return out + '"';
+}
+
+/// Lengths in mm, all else as it is stored.
+std::string with_unit(double value, const std::string& unit) {
+  if (unit == "m") return fmt::format("{:.6g} mm", 1000 * value);
+  return fmt::format("{:.6g}{}{}", value, unit.empty() ? "" : " ", unit);
+}
+
+std::string number(double value) {
+  return std::isfinite(value) ? fmt::format("{}", value) : "null";
+}
+
+}  // namespace
+
+std::string verify_json(const VerifyReport& report) {
+  std::string out = fmt::format(
+      "{{\"executable\": {}, \"approximate\": {}, \"infeasible\": {}, \"violations\": [",
+      report.executable, report.approximate, report.infeasible);
+  const char* separator = "";
+  for (const Violation& v : report.violations) {
+    out += fmt::format(
+        "{}\n  {{\"plan\": {}, \"sample\": {}, \"time_s\": {}, \"cause\": {}, \"subject\": {}, "
+        "\"value\": {}, \"limit\": {}, \"unit\": {}}}",
+        separator, quoted(v.plan), v.sample, number(v.time_s), quoted(v.cause), quoted(v.subject),
+        number(v.value), number(v.limit), quoted(v.unit));
+    separator = ",";
+  }
+  return out + (report.violations.empty() ? "]}\n" : "\n]}\n");
+}
+
+std::string verify_text(const VerifyReport& report) {
+  std::string out;
+  for (const Violation& v : report.violations) {
+    const std::string where = v.sample < 0
+                                  ? std::string("plan")
+                                  : fmt::format("sample {} ({:.4f} s)", v.sample, v.time_s);
+    out += v.plan.empty() ? fmt::format("file: {} {}", v.cause, v.subject)
+                          : fmt::format("{}: {}: {} {}", v.plan, where, v.cause, v.subject);
+    if (!std::isnan(v.limit)) {
+      out += fmt::format(": {}, limit {}", with_unit(v.value, v.unit), with_unit(v.limit, v.unit));
+    }
+    out += '\n';
+  }
+  const std::string approximate =
+      report.approximate > 0 ? fmt::format("{} approximate, ", report.approximate) : "";
+  return out + fmt::format("{} executable, {}{} infeasible, {}\n", report.executable, approximate,
+                           report.infeasible, counted(report.violations.size(), "violation"));
+}
+
+}  // namespace morphe::verify

@@ -1,0 +1,39 @@
+#include "stages/verify/status.hpp"
+
+#include <cmath>
+
+#include "stages/verify/against_goals.hpp"
+
+namespace morphe::verify {
+namespace {
+
+double share_out_of_reach(const Goals& goals) {
+  double asked = 0, out = 0;
+  for (std::size_t f = 0; f < goals.tip_position.rows; ++f) {
+    for (std::size_t tip = 0; tip < goals.tip_position.cols; ++tip) {
+      if (!goals.tip_position(f, tip).allFinite()) continue;
+      if (!goals.closed.empty() && goals.closed[tip] != 0) continue;
+      asked += 1;
+      out += goals.reachable(f, tip) == 0 ? 1 : 0;
+    }
+  }
+  return asked > 0 ? out / asked : 0;
+}
+
+}  // namespace
+
+void judge_status(const RobotTable& robot, const Plan& plan, ViolationRuns& runs) {
+  const double most = plan.tolerances.out_of_reach_share, farthest = plan.tolerances.farthest_tip;
+  if (std::isnan(most) && std::isnan(farthest)) return;
+  const double share = share_out_of_reach(plan.goals);
+  const double tip = against_goals(robot, plan).position_max;
+  const bool out_of_reach = share > most || share == 1, far = tip > farthest;
+  if (plan.approximate) {
+    if (!out_of_reach && !far) runs.note_plan("status", "approximate", share, most);
+    return;
+  }
+  if (out_of_reach) runs.note_plan("status", "out_of_reach_share", share, most);
+  if (far) runs.note_plan("status", "farthest_tip", tip, farthest);
+}
+
+}  // namespace morphe::verify

@@ -1,0 +1,80 @@
+#include "stages/verify/violation_unit.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string_view>
+
+namespace morphe::verify {
+namespace {
+
+using Units = std::map<std::string_view, std::string_view, std::less<>>;
+
+std::string unit_in(const Units& units, std::string_view name) {
+  const auto found = units.find(name);
+  return found == units.end() ? "" : std::string(found->second);
+}
+
+/// Of a joint, or of a coupled frame that is judged by its own limits.
+bool is_sliding(const RobotTable& robot, const std::string& subject) {
+  return std::ranges::any_of(robot.frames, [&](const RobotTable::Frame& frame) {
+    const bool named =
+        frame.name == subject ||
+        (frame.joint >= 0 && robot.joint_names[static_cast<std::size_t>(frame.joint)] == subject);
+    return named && frame.slides;
+  });
+}
+
+}  // namespace
+
+std::string unit_of(const RobotTable& robot, const Violation& violation) {
+  static const Units of_joint = {{"position", ""},
+                                 {"velocity", "/s"},
+                                 {"acceleration", "/s^2"},
+                                 {"jerk", "/s^3"},
+                                 {"rest", "/s or /s^2"}};
+  static const Units of_cause = {{"tracking", "m"}, {"self", "m"}, {"object", "m"}, {"time", "s"}};
+  static const std::set<std::string_view, std::less<>> of_the_grasp = {"grasp", "contact",
+                                                                       "quality", "squeeze"};
+  static const Units of_grasp = {{"tips_in_object", "m"},
+                                 {"hand_posture", "rad"},
+                                 {"asked", "m"},
+                                 {"point", "m"},
+                                 {"pad", "m"},
+                                 {"gap", "m"},
+                                 {"penetration", "m"},
+                                 {"normal", "rad"},
+                                 {"pad_angle", "rad"},
+                                 {"torsion", "m"},
+                                 {"mass", "kg"},
+                                 {"centre", "m"},
+                                 {"torque_scale", "m"},
+                                 {"needed_worst", "N"},
+                                 {"needed_down", "N"},
+                                 {"given", "N"},
+                                 {"force", "N"},
+                                 {"cone", "N"},
+                                 {"balance", "N"},
+                                 {"torque", "N m"},
+                                 {"servo_target", "rad"},
+                                 {"trajectory", "rad"}};
+  static const Units of_subject = {
+      {"farthest_tip", "m"},           {"clearance", "m"},
+      {"position_error_max", "m"},     {"position_error_mean", "m"},
+      {"position_error_grasp", "m"},   {"orientation_error_max", "rad"},
+      {"upper_arm_error_mean", "rad"}, {"upper_arm_error_max", "rad"},
+      {"humanlikeness_mapped", "m^2"}, {"humanlikeness_final", "m^2"}};
+  const auto joint = of_joint.find(violation.cause);
+  if (joint != of_joint.end()) {
+    return (is_sliding(robot, violation.subject) ? "m" : "rad") + std::string(joint->second);
+  }
+  if (violation.cause == "status" || violation.cause == "certificate") {
+    return unit_in(of_subject, violation.subject);
+  }
+  if (of_the_grasp.contains(violation.cause)) {
+    return unit_in(of_grasp, violation.subject.substr(violation.subject.rfind('/') + 1));
+  }
+  return unit_in(of_cause, violation.cause);
+}
+
+}  // namespace morphe::verify

@@ -1,0 +1,71 @@
+#include "core/collision/stl_file.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+
+namespace morphe::collision {
+namespace {
+
+using testing::HasSubstr;
+
+class StlFile : public testing::Test {
+ protected:
+  std::string read(const std::string& bytes) {
+    const auto file = std::filesystem::path(testing::TempDir()) / "morphe_stl_file.stl";
+    std::ofstream(file, std::ios::binary) << bytes;
+    mesh = {};
+    return read_stl(file, mesh);
+  }
+  SceneObject mesh;
+};
+
+/// A header, the number of facets that it claims, and those that are there: (k, 1, 2), …
+std::string binary(std::uint32_t claimed, int there) {
+  std::string bytes("solid as some programs begin a binary");
+  bytes.resize(80);
+  bytes.append(reinterpret_cast<const char*>(&claimed), sizeof claimed);
+  for (int k = 0; k < there; ++k) {
+    const float values[12] = {0, 0, 1, static_cast<float>(k), 1, 2, 3, -0.0f, 5, 6, 7, 8.5};
+    bytes.append(reinterpret_cast<const char*>(values), sizeof values);
+    bytes.append(2, '\0');
+  }
+  return bytes;
+}
+
+TEST_F(StlFile, TextAndBinary) {
+  EXPECT_EQ(
+      read("solid a vertex in a name\nfacet normal 0 0 1\n outer loop\n  vertex 0 1 2\n"
+           "  vertex 3 -0.0 5\r\n  vertex +6 7e0 8.5\n endloop\nendfacet\nendsolid a vertex\n"),
+      "");
+  const SceneObject text = mesh;
+  EXPECT_EQ(read(binary(1, 1)), "");
+  for (const SceneObject& one : {text, mesh}) {
+    ASSERT_EQ(one.vertices.size(), 3u);
+    EXPECT_EQ(one.vertices[0], Vec3(0, 1, 2));
+    EXPECT_EQ(one.vertices[1], Vec3(3, 0, 5));
+    EXPECT_FALSE(std::signbit(one.vertices[1].y()));
+    EXPECT_EQ(one.vertices[2], Vec3(6, 7, 8.5));
+    EXPECT_EQ(one.triangles, std::vector<Eigen::Vector3i>{Eigen::Vector3i(0, 1, 2)});
+  }
+}
+
+TEST_F(StlFile, WhatIsCutOrClaimsMoreIsRefused) {
+  std::string cut = binary(2, 1);
+  cut[0] = 'x';
+  EXPECT_EQ(read(cut), "claims 2 facets, and ends after 1");
+  std::string huge = binary(0xffffffff, 1);
+  huge[0] = 'x';
+  EXPECT_EQ(read(huge), "claims 4294967295 facets, and ends after 1");
+  EXPECT_EQ(read("solid\nvertex 1 2 3\nvertex 1 2\n"), "line 4: a corner needs three numbers");
+  EXPECT_EQ(read("solid\nvertex 1 2 3\nvertex 1 2 x\n"), "line 3: a corner needs three numbers");
+  EXPECT_EQ(read("solid\nvertex 1 2 3\nendfacet\n"), "line 3: a facet has not three corners");
+  EXPECT_EQ(read("solid\nvertex 1 2 3\n"), "ends in the middle of a facet");
+  EXPECT_EQ(read(""), "");  // nothing: a mesh without triangles is for others to refuse
+  EXPECT_TRUE(mesh.triangles.empty());
+}
+
+}  // namespace
+}  // namespace morphe::collision

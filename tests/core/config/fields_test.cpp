@@ -1,0 +1,161 @@
+#include "core/config/fields.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace morphe::config {
+namespace {
+
+struct Inner {
+  double x = 1;
+  std::vector<std::string> names;
+  bool operator==(const Inner&) const = default;
+};
+template <class Fields>
+void fields(Fields& f, Inner& o) {
+  f("x", o.x);
+  f("names", o.names);
+}
+
+struct Options {
+  bool on = false;
+  int count = 3;
+  std::uint64_t seed = 1;
+  double tolerance = 0.1;
+  std::string word = "default";
+  Vec3 point = Vec3::Zero();
+  std::vector<double> numbers = {1, 2};
+  std::vector<std::vector<int>> rows;
+  std::optional<double> maybe, never;
+  Inner inner;
+  std::vector<Inner> list;
+  bool operator==(const Options&) const = default;
+};
+template <class Fields>
+void fields(Fields& f, Options& o) {
+  f("on", o.on);
+  f("count", o.count);
+  f("seed", o.seed);
+  f("tolerance", o.tolerance);
+  f("word", o.word);
+  f("point", o.point);
+  f("numbers", o.numbers);
+  f("rows", o.rows);
+  f("maybe", o.maybe);
+  f("never", o.never);
+  f("inner", o.inner);
+  f("list", o.list);
+}
+std::string why_invalid(const Options& o) {
+  return o.count < 0 ? "count must not be negative" : "";
+}
+
+struct Strict {
+  double needed = 0;
+};
+template <class Fields>
+void fields(Fields& f, Strict& o) {
+  f.required("needed", o.needed);
+}
+
+template <class T>
+T read(const std::string& text) {
+  const ConfigNode root = ConfigNode::parse(text, "o.yaml");
+  T options;
+  read_document(root, options);
+  return options;
+}
+
+template <class T>
+std::string error_of(const std::string& text) {
+  try {
+    read<T>(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Fields, WriteThenReadGivesTheSameValues) {
+  Options options;
+  options.on = true;
+  options.count = -0;
+  options.seed = 18446744073709551615u;
+  options.tolerance = 0.1 + 0.2;
+  options.word = "it's: a #word";
+  options.point = {1e-300, -1.0 / 3, 1e20};
+  options.numbers = {std::nextafter(1.0, 2.0)};
+  options.rows = {{1, 2}, {3}, {}};
+  options.maybe = 5;
+  options.inner = {7, {"a", ""}};
+  options.list = {{1, {}}, {2, {"x", "y"}}};
+  const std::string text = write_options(options);
+  EXPECT_EQ(read<Options>(text), options) << text;
+  EXPECT_EQ(write_options(read<Options>(text)), text);
+}
+
+TEST(Fields, DefaultsSurviveTheRoundTrip) {
+  EXPECT_EQ(read<Options>(write_options(Options{})), Options{});
+}
+
+TEST(Fields, AbsentAndEmptyKeysKeepTheirDefaults) {
+  const Options options = read<Options>("count: 9\nword:\ninner: {x: 4}\n");
+  Options expected;
+  expected.count = 9;
+  expected.inner.x = 4;
+  EXPECT_EQ(options, expected);
+}
+
+TEST(Fields, ListsReplaceTheirDefaults) {
+  EXPECT_THAT(read<Options>("numbers: [5]").numbers, testing::ElementsAre(5));
+  EXPECT_THAT(read<Options>("numbers: []").numbers, testing::IsEmpty());
+}
+
+TEST(Fields, ErrorsNameFileLineAndKey) {
+  EXPECT_EQ(error_of<Options>("on: true\ninner: {x: 1,\n  y: 2}\n"),
+            "o.yaml:3: inner.y: unknown key");
+  EXPECT_EQ(error_of<Options>("inner: 3"), "o.yaml:1: inner: must be a mapping of keys to values");
+  EXPECT_EQ(error_of<Options>("count: 1.5"), "o.yaml:1: count: must be a whole number, not '1.5'");
+  EXPECT_EQ(error_of<Options>("count: 5000000000"), "o.yaml:1: count: is out of range: 5000000000");
+  EXPECT_EQ(error_of<Options>("seed: -1"),
+            "o.yaml:1: seed: must be a whole number from 0 to 2^64 - 1, not '-1'");
+  EXPECT_EQ(error_of<Strict>("{}"), "o.yaml:1: needed: is missing");
+}
+
+TEST(Fields, AllThatIsWrongIsToldAtOnce) {
+  EXPECT_EQ(error_of<Options>("cuont: 1\non: 1\ninner: {x: far, nmaes: []}\nlist:\n"
+                              "  - {x: 1, z: 2}\n  - 5\n  - {names: {a: {b: 1}}}\npoint: [1, 2]\n"),
+            "o.yaml:2: on: must be true or false, not '1'\n"
+            "o.yaml:8: point: must have 3 numbers, not 2\n"
+            "o.yaml:3: inner.x: must be a number, not 'far'\n"
+            "o.yaml:6: list[1]: must be a mapping of keys to values\n"
+            "o.yaml:7: list[2].names: must be a list\n"
+            "o.yaml:1: cuont: unknown key; did you mean 'count'?\n"
+            "o.yaml:3: inner.nmaes: unknown key; did you mean 'names'?\n"
+            "o.yaml:5: list[0].z: unknown key");
+  EXPECT_EQ(error_of<Strict>("neded: 1"),
+            "o.yaml:1: needed: is missing; is 'neded' meant for it?\n"
+            "o.yaml:1: neded: unknown key; did you mean 'needed'?");
+}
+
+TEST(Fields, AMessageThatBeginsWithAKeyIsToldOfIt) {
+  EXPECT_EQ(error_of<Options>("on: true\ncount: -1"), "o.yaml:2: count: must not be negative");
+}
+
+TEST(Fields, OneThatDoesNotIsToldOfTheSection) {
+  const ConfigNode root = ConfigNode::parse("a:\n  b: 1", "o.yaml");
+  EXPECT_THROW(
+      {
+        try {
+          root["a"].fail_below("c must be positive");
+        } catch (const InputError& error) {
+          EXPECT_STREQ(error.what(), "o.yaml:2: a: c must be positive");
+          throw;
+        }
+      },
+      InputError);
+}
+
+}  // namespace
+}  // namespace morphe::config

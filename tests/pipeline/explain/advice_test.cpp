@@ -1,0 +1,96 @@
+#include "pipeline/explain/advice.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "pipeline/explain/reason_words.hpp"
+#include "tests/stages/certify/planar_arm.hpp"
+
+namespace morphe::explain {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const robot::Robot& arm() {
+  static const robot::Robot robot(certify::planar_arm());
+  return robot;
+}
+
+/// The arm at rest; its first tip's goal is `off_m` above it, from 1 s to 2 s in the grasp.
+Plan resting_plan(double off_m, Reason reason) {
+  Plan plan;
+  plan.reason = reason;
+  plan.movement.end_s = 2;
+  plan.movement.phases = {{PhaseKind::reach, 0, 1}, {PhaseKind::grasp, 1, 2}};
+  Goals& goals = plan.goals;
+  goals.time = {0, 0.5, 1, 2};
+  goals.tip_position = Table<Vec3>(4, 2, unseen_point());
+  goals.reachable = Table<std::uint8_t>(4, 2, 1);
+  for (std::size_t f = 0; f < 4; ++f) goals.tip_position(f, 0) = Vec3(0.55, 0.04, off_m);
+  plan.path.position = JointRows::Zero(4, 3);
+  plan.path.demonstration_time = goals.time;
+  plan.path.origin.assign(4, Origin::mapped);
+  plan.mapped.position = plan.path.position;
+  plan.repair.emplace_back();
+  return plan;
+}
+
+std::vector<std::string> accepted_by(const Plan& plan) {
+  for (const Advice& advice : advice_for(arm(), plan)) {
+    if (advice.effect == Effect::accepts) return advice.settings;
+  }
+  return {};
+}
+
+TEST(Advice, ATolerancePassesWhatIsMissedByItsOwnNumbers) {
+  const Plan plan = resting_plan(0.0123, Reason::tracking);
+  EXPECT_THAT(accepted_by(plan), ElementsAre("check.tracking_grasp=0.0135"))
+      << "12.3 mm, a twentieth and room for smoothing, to half a millimetre; 20 mm are allowed "
+         "before the grasp";
+  const std::vector<Advice> advice = advice_for(arm(), plan);
+  EXPECT_EQ(advice.front().effect, Effect::solves) << "what may solve it comes first";
+  EXPECT_THAT(text_of(advice.back()),
+              HasSubstr("is 12.3 mm from its goal at 0.50 s in the grasp, 5.0 allowed"));
+  EXPECT_THAT(accepted_by(resting_plan(0.0301, Reason::tracking)),
+              ElementsAre("check.tracking_grasp=0.0320", "check.tracking=0.0320"));
+}
+
+TEST(Advice, BeyondTheFarthestTipItSaysThatThePlanIsOnlyApproximate) {
+  const std::vector<Advice> advice = advice_for(arm(), resting_plan(0.08, Reason::tracking));
+  EXPECT_THAT(advice.back().sentence, HasSubstr("is called approximate"));
+}
+
+TEST(Advice, AMarginOrDepthPassesAContactUnlessBodiesOverlap) {
+  Plan plan = resting_plan(0, Reason::no_path);
+  plan.scene.objects = {certify::ball({0, 0.7, 0}, 0.1)};
+  plan.remaining = {{0.2, 0.4, Cause::object, "forearm", "ball", 0.0004}};
+  EXPECT_THAT(accepted_by(plan), ElementsAre("check.margin=0.0005")) << "0.6 mm apart, 1 asked for";
+  plan.remaining[0].depth = 0.0214;
+  EXPECT_TRUE(accepted_by(plan).empty());
+  EXPECT_THAT(
+      advice_for(arm(), plan),
+      Contains(testing::Field(&Advice::sentence,
+                              HasSubstr("forearm and ball overlap by 20.4 mm at 0.20-0.40 s"))));
+}
+
+TEST(Advice, EveryReasonHasASentenceAndSomethingToTry) {
+  for (std::size_t k = 1; k < count_of<Reason>(); ++k) {
+    const auto reason = static_cast<Reason>(k);
+    EXPECT_THAT(std::string(sentence_of(reason)), testing::EndsWith("."));
+    Plan nothing;
+    nothing.reason = reason;
+    for (const Plan& plan : {nothing, resting_plan(0, reason)}) {
+      const std::vector<Advice> advice = advice_for(arm(), plan);
+      EXPECT_FALSE(advice.empty()) << name_of(reason);
+      for (const Advice& one : advice) {
+        EXPECT_FALSE(one.sentence.empty());
+        EXPECT_EQ(one.settings.empty(), one.effect == Effect::changes);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace morphe::explain

@@ -1,0 +1,136 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/collision/world.hpp"
+#include "core/robot/files/description.hpp"
+#include "pipeline/planning/pipeline_config.hpp"
+#include "pipeline/planning/plan_movement.hpp"
+#include "tests/pipeline/planning/shipped_reach.hpp"
+
+namespace morphe::planning {
+namespace {
+
+using testing::AnyOf;
+using testing::HasSubstr;
+
+Plan planned_drink(const std::vector<std::string>& settings) {
+  const LoadedConfig loaded = load_config(
+      std::filesystem::path(MORPHE_SOURCE_DIR) / "configs/pipelines/pa10_dlr_hit2.yaml", settings);
+  const Planner planner{loaded.options, loaded.robot};
+  return plan_demonstration(planner, shipped_reach("ADL001DR2", imports::ForwardBy::body))
+      .plans.at(0);
+}
+
+TEST(Contacts, PadsTouchTheCupAndAnotherFingerCloses) {
+  const Plan plan = planned_drink({"grasp.close_fingers=true"});
+  ASSERT_TRUE(plan.executable()) << plan.detail;
+  EXPECT_EQ(plan.tolerances.contact_depth, 0.001);
+  EXPECT_EQ(plan.tolerances.link_depth, 0.0);
+  ASSERT_GE(plan.grasp.contacts.size(), 3U);
+  const SceneObject& cup = *object_named(plan.scene.objects, plan.movement.target);
+  for (const PadContact& contact : plan.grasp.contacts) {
+    EXPECT_GT(contact.gap, -0.001) << contact.tip;
+    EXPECT_LT(contact.gap, 0.0005) << contact.tip;
+    EXPECT_LT((contact.point - contact.asked).norm(), 0.005) << contact.tip;
+    EXPECT_NEAR(contact.point.head<2>().norm(), cup.size[0], 1e-6) << "on the cup's side";
+    EXPECT_LT((contact.normal + contact.point.cwiseProduct(Vec3(1, 1, 0)).normalized()).norm(),
+              1e-6)
+        << "inwards";
+  }
+  EXPECT_THAT(plan.grasp.contacts[2].tip, AnyOf("middle_tip", "ring_tip")) << "seen by no marker";
+  EXPECT_EQ(plan.grasp.contacts[2].origin, ContactOrigin::closed);
+  EXPECT_THAT(plan.detail, HasSubstr("little_tip stays open"));
+}
+
+TEST(Contacts, TheSqueezeBalancesInsideTheConesAndTorquesAreItsForces) {
+  const Plan plan = planned_drink({"grasp.friction=0.7"});
+  ASSERT_TRUE(plan.executable()) << plan.detail;
+  const GraspQuality& quality = plan.grasp.quality;
+  EXPECT_EQ(quality.friction, 0.7);
+  EXPECT_LE(quality.epsilon_lower, quality.epsilon_upper);
+  EXPECT_GT(quality.epsilon_lower, 0) << "three soft fingers";
+  EXPECT_GT(quality.needed_worst, quality.needed_down);
+  Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+  double largest = 0;
+  for (const PadContact& contact : plan.grasp.contacts) {
+    const Vec3 whole = contact.force * contact.normal + contact.friction;
+    force += whole;
+    torque += contact.point.cross(whole);
+    largest = std::max(largest, contact.force);
+    EXPECT_LE(contact.friction.norm(), 0.7 * contact.force + 1e-9);
+    EXPECT_NEAR(contact.friction.dot(contact.normal), 0, 1e-9);
+  }
+  EXPECT_GT(largest, 1);
+  for (const PadContact& contact : plan.grasp.contacts) {
+    EXPECT_GE(contact.force, 0.09 * largest) << contact.tip << " bears its share";
+  }
+  EXPECT_LT(force.norm(), 1e-3 * largest);
+  EXPECT_LT(torque.norm(), largest * (3 * quality.torsion)) << "the rest is torsion";
+  EXPECT_LE(plan.grasp.squeeze_torque.cwiseAbs().maxCoeff(), 1 + 1e-6);
+  EXPECT_EQ(plan.grasp.squeeze_torque.head(7).norm(), 0) << "the arm holds the hand";
+  const JointVector beyond = plan.grasp.squeeze_posture - plan.grasp.hand_posture;
+  EXPECT_LT((10 * beyond - plan.grasp.squeeze_torque).norm(), 1e-9);
+}
+
+TEST(Contacts, ThatCannotHoldHaveNoSqueezeAndThePlanSaysSo) {
+  const Plan plan = planned_drink({"grasp.friction=0.01"});
+  ASSERT_TRUE(plan.executable()) << plan.detail;
+  EXPECT_LT(plan.grasp.quality.epsilon_upper, 0) << "ice";
+  EXPECT_EQ(plan.grasp.squeeze_torque.size(), 0);
+  EXPECT_TRUE(std::isnan(plan.grasp.contacts.at(0).force));
+  EXPECT_THAT(plan.detail, HasSubstr("no squeeze: no forces of these contacts balance"));
+}
+
+TEST(Contacts, AreOnlyThereWhereTheConfigAsksForThem) {
+  const Plan plan = planned_drink({});
+  EXPECT_EQ(plan.tolerances.contact_depth, 0.005);
+  EXPECT_FALSE(plan.tolerances.link_depth);
+  EXPECT_EQ(plan.goals.pad_share.rows, 0U);
+  EXPECT_TRUE(plan.grasp.contacts.empty());
+}
+
+/// The least room at any sample when pads may sink in by 1 mm, and other links not at all [m].
+double least_room(const Plan& plan) {
+  const robot::Robot robot(
+      robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table);
+  Tolerances tolerances = plan.tolerances;
+  tolerances.contact_depth = 0.001;
+  tolerances.link_depth = 0;
+  const collision::CollisionWorld world =
+      collision::make_world(robot, plan.scene, plan.movement, tolerances);
+  collision::CollisionScratch scratch;
+  double least = kInfinity;
+  for (std::size_t i = 0; i < plan.trajectory.samples(); ++i) {
+    const JointVector q = plan.trajectory.position.row(static_cast<Eigen::Index>(i)).transpose();
+    least = std::min(
+        least,
+        collision::least_slack(world, q, plan.trajectory.demonstration_time[i], scratch).slack());
+  }
+  return least;
+}
+
+TEST(Contacts, WhereNothingTouchesThePlanIsTheOneByTipsAndKeepsOutOfTheTarget) {
+  const std::vector<std::string> nobody{"grasp.near=0.0001", "grasp.pad_depth=0"};
+  std::vector<std::string> deeper = nobody;
+  deeper.insert(deeper.end(), {"grasp.penetration=0.005", "grasp.link_penetration=0.005"});
+  const Plan by_tips = planned_drink({}), plan = planned_drink(deeper);
+  ASSERT_TRUE(plan.executable()) << plan.detail;
+  EXPECT_THAT(plan.detail, HasSubstr("no contact: no fingertip's skin was within"));
+  EXPECT_EQ(plan.trajectory.position, by_tips.trajectory.position) << "bit for bit";
+  EXPECT_EQ(plan.goals.pad_share.rows, 0U);
+
+  // A cup that is wider than the tips are apart.
+  const std::string wide = "scene.target.pad_depth=0.008";
+  const Plan deep = planned_drink({wide}), out = planned_drink({wide, nobody[0], nobody[1]});
+  ASSERT_TRUE(deep.executable() && out.executable()) << deep.detail << out.detail;
+  EXPECT_LT(least_room(deep), -1e-4) << "or there is nothing to keep out of";
+  EXPECT_GE(least_room(out), -1e-6);
+}
+
+}  // namespace
+}  // namespace morphe::planning

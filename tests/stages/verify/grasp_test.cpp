@@ -1,0 +1,185 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <set>
+
+#include "planar_plan.hpp"
+#include "stages/verify/finger_levers.hpp"
+#include "stages/verify/stated_grasp.hpp"
+#include "stages/verify/verify.hpp"
+
+namespace morphe::verify {
+namespace {
+
+using Causes = std::set<std::string>;  ///< "cause subject"
+
+/// What is said of the grasp alone: the phases are not those that the certificate was made for.
+Causes found_in(const Plan& plan) {
+  static const Causes of_the_grasp = {"grasp",   "contact",   "quality",
+                                      "squeeze", "structure", "finite"};
+  Causes causes;
+  for (const Violation& v : verify_plan(planar::robot(), "reach/000", plan)) {
+    if (of_the_grasp.contains(v.cause)) causes.insert(v.cause + " " + v.subject);
+  }
+  return causes;
+}
+
+/// The planar reach, whose hand is widest open at its first sample and takes the cup, a sphere, at
+/// its last: the index's pad is 2 mm inside, and nothing else is near.
+Plan grasping() {
+  Plan plan = planar::plan();
+  plan.movement.phases = {{PhaseKind::reach, 2.0, 2.79, 1},
+                          {PhaseKind::preshape, 2.5, 2.79, 1},
+                          {PhaseKind::grasp, 2.7995, 2.8, 1}};
+  const SceneObject& cup = plan.scene.objects[1];
+  const Vec3 tip = planar::tip_at(planar::position_at(1)), centre = cup.position[0];
+  plan.grasp = planar::grasp_at(plan, 100);
+  plan.goals.pad_share = {plan.goals.frames(), 2, 0.0};
+  plan.goals.pad_share(plan.goals.frames() - 1, 1) = 1;
+  Grasp& grasp = plan.grasp;
+
+  PadContact contact;
+  contact.tip = "index";
+  contact.link = "distal";
+  contact.normal = (centre - tip).normalized();
+  contact.point = contact.asked = -0.03 * contact.normal;
+  contact.gap = -0.002;
+  contact.pad_angle = 0;
+  grasp.contacts = {contact};
+  // The pad's ball, of 10 mm, was to touch the cup of 30 mm.
+  plan.goals.tip_position(plan.goals.frames() - 1, 1) = centre - 0.04 * contact.normal;
+  GraspQuality& quality = grasp.quality;
+  quality.friction = 0.8;
+  quality.torsion = 0.002;
+  quality.mass = 0.3;
+  quality.centre = Vec3::Zero();
+  quality.torque_scale = 0.03;
+  return plan;
+}
+
+TEST(VerifyGrasp, AcceptsAnHonestGrasp) { EXPECT_EQ(found_in(grasping()), Causes()); }
+
+TEST(VerifyGrasp, AFingerThatWasClosedMayHaveMetTheTargetBesideItsBall) {
+  Plan plan = grasping();
+  PadContact& contact = plan.grasp.contacts[0];
+  contact.asked = Eigen::AngleAxisd(0.1, Vec3::UnitZ()) * contact.asked;
+  plan.goals.closed.assign(plan.goals.tip_position.cols, 0);
+  plan.goals.closed.back() = 1;
+  contact.origin = ContactOrigin::closed;
+  EXPECT_EQ(found_in(plan), Causes());
+  contact.origin = ContactOrigin::demonstrated;
+  plan.goals.closed.clear();
+  EXPECT_EQ(found_in(plan), Causes{"contact index/asked"});
+}
+
+TEST(VerifyGrasp, FindsWhatIsForged) {
+  struct Case {
+    const char* cause;
+    std::function<void(Plan&)> forge;
+  };
+  const auto contact = [](Plan& plan) -> PadContact& { return plan.grasp.contacts[0]; };
+  const auto turn = [&](Plan& plan, double by, const Vec3& axis) {
+    contact(plan).normal = Eigen::AngleAxisd(by, axis) * contact(plan).normal;
+  };
+  const Case cases[] = {
+      {"grasp sample", [](Plan& plan) { plan.grasp.sample = 99; }},
+      {"grasp hand_posture", [](Plan& plan) { plan.grasp.hand_posture(1) += 1e-5; }},
+      {"grasp pregrasp_posture", [](Plan& plan) { plan.grasp.pregrasp_posture(2) += 1e-5; }},
+      {"grasp object_pose",
+       [](Plan& plan) { plan.grasp.base_from_object.translation().x() += 1e-5; }},
+      {"grasp wrist_pose_in_object",
+       [](Plan& plan) {
+         plan.grasp.object_from_palm.rotate(Eigen::AngleAxisd(1e-4, Vec3::UnitY()));
+       }},
+      {"grasp tips_in_object", [](Plan& plan) { plan.grasp.tips_in_object[0].y() += 1e-5; }},
+      {"grasp tips_in_object", [](Plan& plan) { plan.grasp.tips_in_object[1] = unseen_point(); }},
+      {"contact index/link", [&](Plan& plan) { contact(plan).link = "proximal"; }},
+      {"contact pinkie/link", [&](Plan& plan) { contact(plan).tip = "pinkie"; }},
+      {"contact index/point", [&](Plan& plan) { contact(plan).point *= 1.001; }},
+      {"contact index/asked", [&](Plan& plan) { contact(plan).asked *= 0.999; }},
+      {"contact index/asked",  // elsewhere on the sphere
+       [&](Plan& plan) {
+         contact(plan).asked = Eigen::AngleAxisd(0.1, Vec3::UnitZ()) * contact(plan).asked;
+       }},
+      {"contact index/missing", [](Plan& plan) { plan.grasp.contacts.clear(); }},
+      {"contact index/missing", [&](Plan& plan) { plan.grasp.contacts.push_back(contact(plan)); }},
+      {"contact index/missing", [](Plan& plan) { plan.goals.pad_share = {}; }},
+      {"contact index/origin", [&](Plan& plan) { contact(plan).origin = ContactOrigin::closed; }},
+      {"contact index/gap", [&](Plan& plan) { contact(plan).gap += 2e-5; }},
+      {"contact index/normal", [&](Plan& plan) { contact(plan).normal *= -1; }},
+      {"contact index/normal", [&](Plan& plan) { contact(plan).normal *= 1.01; }},
+      {"contact index/normal", [&](Plan& plan) { turn(plan, 0.01, Vec3::UnitZ()); }},
+      {"contact index/pad",
+       [&](Plan& plan) {  // another point of the sphere, with the normal that is its own
+         turn(plan, 0.01, Vec3::UnitZ());
+         contact(plan).point = -0.03 * contact(plan).normal;
+       }},
+      {"contact index/pad_angle", [&](Plan& plan) { contact(plan).pad_angle = 1e-4; }},
+      {"contact index/confidence", [&](Plan& plan) { contact(plan).confidence = kNotSeen; }},
+      {"contact index/penetration", [](Plan& plan) { plan.tolerances.contact_depth = 0.0019; }},
+      {"finite grasp/contacts/index", [&](Plan& plan) { contact(plan).gap = kNotSeen; }},
+      {"quality friction", [](Plan& plan) { plan.grasp.quality.friction = -0.1; }},
+      {"quality centre", [](Plan& plan) { plan.grasp.quality.centre.z() = 1e-3; }},
+      {"quality torque_scale", [](Plan& plan) { plan.grasp.quality.torque_scale = 0.04; }},
+      {"quality epsilon_lower", [](Plan& plan) { plan.grasp.quality.epsilon_lower = 0.1; }},
+      {"quality given", [](Plan& plan) { plan.grasp.quality.given = 10; }},
+      {"squeeze index/force", [&](Plan& plan) { contact(plan).force = 1; }},
+      {"squeeze torque",
+       [](Plan& plan) {
+         plan.grasp.squeeze_torque = plan.grasp.squeeze_posture = JointVector::Zero(3);
+       }},
+      {"structure grasp/squeeze",
+       [](Plan& plan) {
+         plan.grasp.contacts.clear();
+         plan.grasp.squeeze_torque = plan.grasp.squeeze_posture = JointVector::Zero(3);
+       }},
+  };
+  for (const Case& c : cases) {
+    Plan plan = grasping();
+    c.forge(plan);
+    EXPECT_EQ(found_in(plan).count(c.cause), 1u) << c.cause;
+  }
+}
+
+TEST(VerifyGrasp, JudgesTheGoalsOfPads) {
+  const auto with = [](double share, std::uint8_t closed) {
+    Plan plan = planar::plan();
+    plan.goals.pad_share = Table<double>(plan.goals.frames(), 2, 0);
+    plan.goals.pad_share(3, 0) = share;
+    plan.goals.closed = {0, closed};
+    return found_in(plan);
+  };
+  EXPECT_EQ(with(1, 1), Causes());
+  for (const double share : {-0.1, 1.01, kNotSeen}) {
+    EXPECT_EQ(with(share, 0), Causes{"structure goals/pad_share"});
+  }
+  EXPECT_EQ(with(0, 2), Causes{"structure goals/closed"});
+}
+
+TEST(VerifyGrasp, LeversAreThoseOfTheFingersAlone) {
+  // The palm is the shoulder's frame; a planar joint moves a point at right angles to the way
+  // there.
+  const RobotTable robot = planar::robot();
+  const Eigen::Vector3d q = planar::position_at(0.4);
+  const Vec3 tip = planar::tip_at(q);
+  const Eigen::Matrix3Xd levers = finger_levers(robot, q, 3, tip);
+  EXPECT_TRUE(levers.col(0).isZero(0));
+  const Vec3 elbow(0.3 * std::cos(q(0)), 0.3 * std::sin(q(0)), 0.1);
+  EXPECT_LT((levers.col(1) - Vec3::UnitZ().cross(tip - elbow)).norm(), 1e-9);
+}
+
+TEST(VerifyGrasp, ReadsNumbersOfTheSectionGraspAlone) {
+  const std::string config =
+      "check:\n  friction: 2\ngrasp:\n  close_fingers: true\n  friction: 0.8\n  mass: 1e-05\n"
+      "  deeper:\n    torsion: 3\nrepair:\n  torsion: 4\n";
+  EXPECT_EQ(stated_for_grasp(config, "friction"), 0.8);
+  EXPECT_EQ(stated_for_grasp(config, "mass"), 1e-5);
+  EXPECT_EQ(stated_for_grasp(config, "torsion"), std::nullopt);
+  EXPECT_EQ(stated_for_grasp(config, "close_fingers"), std::nullopt);
+  EXPECT_EQ(stated_for_grasp("", "friction"), std::nullopt);
+}
+
+}  // namespace
+}  // namespace morphe::verify
