@@ -173,14 +173,15 @@ def self_test(sources):
 
 
 # Of includes that are taken out, and that no other header brings, so many must be missed.
-LEAST_SHARE, EVERY = 0.95, 10
+LEAST_SHARE, EVERY = 0.95, 4
 
 
 def misses(sources):
-    """(missed, taken out): one include at a time, of every tenth that is not of the file's own header."""
+    """(missed, taken out): one include at a time, of every fourth that is not of the file's own header,
+    nor of the one that declares the readers of a folder of formats: they are defined there, not used."""
     whole = Tree(sources)
     cases = [(path, header) for path in sorted(sources) if path.endswith(".cpp")
-             for header in INCLUDE.findall(sources[path]) if header != path.replace(".cpp", ".hpp")][::EVERY]
+             for header in INCLUDE.findall(sources[path]) if header != path.replace(".cpp", ".hpp") and not header.endswith("/readers.hpp")][::EVERY]
     missed = count = 0
     for path, header in cases:
         others = set(INCLUDE.findall(sources[path])) - {header}
