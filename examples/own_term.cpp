@@ -13,7 +13,7 @@ class RangeMiddle : public morphe::ResidualTerm {
  public:
   std::string name() const override { return "range_middle"; }
 
-  void residuals(const morphe::Posture& posture, morphe::JointVector& r,
+  void residuals(const morphe::ResidualInput& posture, morphe::JointVector& r,
                  morphe::JointRows& jacobian) const override {
     const morphe::JointVector half = (posture.robot.upper - posture.robot.lower) / 2;
     r = (posture.q - posture.robot.lower).cwiseQuotient(half).array() - 1;
@@ -35,7 +35,7 @@ int main(int argc, char** argv) try {
   morphe::import_recordings(argv[2], imported);
   const morphe::store::DemonstrationReader demonstrations(imported);
   morphe::store::PlanWriter writer(plans, pipeline.header(imported), pipeline.robot());
-  const morphe::RobotTable& robot = pipeline.robot();
+  const morphe::RobotModel& robot = pipeline.robot();
   for (const std::string& name : demonstrations.names()) {
     for (const morphe::Plan& plan : pipeline.plan(demonstrations.read(name))) {
       const morphe::JointRows& q = plan.mapped.position;

@@ -11,7 +11,7 @@ int main(int argc, char** argv) try {
     return 2;
   }
   const morphe::store::PlanReader file(argv[1]);
-  const morphe::RobotTable& robot = file.robot();
+  const morphe::RobotModel& robot = file.robot();
   std::printf("%s, %zu joints, written by %s\n", robot.name.c_str(), robot.joints(),
               file.header().software.c_str());
   for (std::size_t k = 0; k < file.size(); ++k) {

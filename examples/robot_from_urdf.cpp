@@ -8,10 +8,10 @@
 #include <morphe/morphe.hpp>
 
 /// base_from_frame of every frame, parents first.
-std::vector<morphe::Pose> frame_poses(const morphe::RobotTable& robot,
+std::vector<morphe::Pose> frame_poses(const morphe::RobotModel& robot,
                                       const morphe::JointVector& q) {
   std::vector<morphe::Pose> poses;
-  for (const morphe::RobotTable::Frame& frame : robot.frames) {
+  for (const morphe::RobotModel::Frame& frame : robot.frames) {
     const double angle = frame.joint < 0 ? 0 : frame.ratio * q[frame.joint] + frame.offset;
     const morphe::Pose parent_from_frame = frame.transform * Eigen::AngleAxisd(angle, frame.axis);
     poses.push_back(frame.parent < 0
@@ -22,7 +22,7 @@ std::vector<morphe::Pose> frame_poses(const morphe::RobotTable& robot,
 }
 
 int main(int argc, char** argv) try {
-  const morphe::RobotTable robot =
+  const morphe::RobotModel robot =
       morphe::load_robot(argc > 1 ? argv[1] : "datasets/motionbenchmaker/panda.yaml");
   const morphe::JointVector middle = (robot.lower + robot.upper) / 2;
   for (std::size_t k = 0; k < robot.joints(); ++k) {
@@ -31,7 +31,7 @@ int main(int argc, char** argv) try {
                 robot.lower[joint], robot.upper[joint], robot.velocity[joint]);
   }
   const std::vector<morphe::Pose> poses = frame_poses(robot, middle);
-  for (const morphe::RobotTable::Tip& tip : robot.tips) {
+  for (const morphe::RobotModel::Tip& tip : robot.tips) {
     const morphe::Pose base_from_tip = poses[static_cast<std::size_t>(tip.frame)] * tip.transform;
     const morphe::Vec3 position = base_from_tip.translation();
     std::printf("%s %.6f %.6f %.6f m\n", tip.name.c_str(), position.x(), position.y(),

@@ -38,10 +38,10 @@ GTEST = "gtest/gtest.h"
 PROGRAMS = {
     "tests/stages/import/markers_csv_test.cpp": [
         "stages/import/formats/markers_csv.cpp", "stages/import/formats/marker_columns.cpp", "stages/import/formats/marker_recording.cpp",
-        "stages/import/recording/conventions.cpp", "stages/import/recording/rename.cpp", "stages/import/recording/arm_names.cpp",
-        "stages/import/formats/joints_of_points.cpp", "stages/import/formats/rigid_bodies.cpp", "stages/import/trackers/hand_tracker.cpp",
+        "stages/import/recording/conventions.cpp", "stages/import/recording/apply_name_map.cpp", "stages/import/recording/arm_names.cpp",
+        "stages/import/formats/extract_joints.cpp", "stages/import/formats/rigid_bodies.cpp", "stages/import/trackers/hand_tracker.cpp",
         "stages/import/trackers/hand_checks.cpp", "stages/import/trackers/hand_clip.cpp", "stages/import/trackers/hand_curl.cpp",
-        "stages/import/trackers/world_checks.cpp", "core/math/statistics.cpp", "core/motion/extent.cpp",
+        "stages/import/trackers/world_checks.cpp", "core/math/statistics.cpp", "core/motion/bounding_box.cpp",
         "core/files/csv.cpp", "core/files/text_encoding.cpp", "core/motion/stream_report.cpp"],
     "tests/core/humanlike/range_middle_term_test.cpp": [],
     "tests/stages/export/trajectory_jsonl_test.cpp": ["stages/export/trajectory_jsonl.cpp"],

@@ -13,6 +13,7 @@
 
 It takes more than 10 s: the documents show some eighty commands, among them 22 runs and 3 placements.
 """
+import json
 import pathlib
 import re
 import subprocess
@@ -135,7 +136,7 @@ parts = set()  # structs whose keys stand in the table of the struct that holds 
 
 
 def rows_of_terms(sources):
-    """Those of the objective's terms: off, but for the weights that usual_objective() sets."""
+    """Those of the objective's terms: off, but for the weights that default_objective() sets."""
     for term in re.findall(r"\w+(?=,|$)", re.sub(r"\s|//", "", TERMS.search(text_of("core/humanlike/terms.hpp"))[1])):
         for key, default in rows_of(sources_of(term), term):
             usual = re.search(rf"get<humanlike::{term}>\(\)\.weight = (\S+);", sources)
@@ -290,6 +291,57 @@ def wrong_commands(morphe):
                 "is not listed" if option in real else "does not exist")
         for option in sorted(real & planned.get(name, set()) - {"--dataset", "--out"}):
             yield f"docs/formats.md: morphe {name} {option}: is there, not planned"
+
+
+# --- keys and options in prose -------------------------------------------------------------------
+
+# `robot.control` and the like are other people's programs.
+DOTTED = re.compile(r"(?<![\w./-])([a-z]+(?:\.[a-z_]\w*)+)(?![\w(/.])")
+OTHER_FILES = re.compile(r"\.(md|yaml|h5|hpp|cpp|py|json|csv|html|svg|txt)$")
+
+
+def in_prose(text):
+    return re.findall(r"`([^`\n]+)`", FENCE.sub("", text))
+
+
+def is_key(schema, path):
+    for name in path:
+        schema = schema.get("items", schema).get("properties", {}).get(name)
+        if schema is None:
+            return False
+    return True
+
+
+def wrong_prose(name, text, schema, options):
+    """Each `section.key` of a config and each `--option` that prose names."""
+    for code in in_prose(text):
+        for key in DOTTED.findall(code):
+            section = key.split(".")[0]
+            if section in schema["properties"] and section != "robot" and not OTHER_FILES.search(key):
+                if not is_key(schema, key.split(".")):
+                    yield f"{name}: `{key}`: there is no such key"
+        for option in options_in(code) if code.startswith(("--", "morphe ")) else ():
+            if option not in options:
+                yield f"{name}: `{option}`: nothing takes such an option"
+
+
+def known_options(morphe):
+    """Those of the program, of scripts, tests and benchmarks, and of the build."""
+    commands = subcommands(morphe)
+    texts = [help_of(morphe, *name.split()) for name in sorted(
+        commands | {f"{name} {inner}" for name in commands for inner in subcommands(morphe, name)})]
+    texts += [path.read_text(encoding="utf-8") for top in ("scripts", "tests", "cmake") for path in sorted((ROOT / top).rglob("*"))
+              if path.is_file() and (path.suffix in {".py", ".cmake"} or top == "scripts" and not path.suffix
+                                     or path.match("tests/bench/*.cpp"))]
+    return set().union(*map(options_in, texts)) | {"--help", "--version"}
+
+
+def wrong_words(morphe):
+    schema, options = json.loads(text_of("configs/schema/config.json")), known_options(morphe)
+    documents = [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md"), *(ROOT / "configs").glob("*.md")]
+    for document in documents:
+        if document.name != "CHANGELOG.md":  # tells of keys that are gone
+            yield from wrong_prose(document.relative_to(ROOT).as_posix(), document.read_text(encoding="utf-8"), schema, options)
 
 
 # --- messages that are quoted ----------------------------------------------------------------------
@@ -459,6 +511,10 @@ def self_test():
         yield "what is right is changed"
     if with_folders("<!-- folders: cmake/folders.txt -->\n| old |\n<!-- until here -->").count("](../stages/") < 10:
         yield "the table of folders is not made from the rows"
+    schema = {"properties": {"map": {"properties": {"mode": {}}}}}
+    for prose, wrong in (("`map.mode` and `--out`", False), ("`map.joint_distance`", True), ("`morphe run --uot`", True)):
+        if bool(list(wrong_prose("", prose, schema, {"--out"}))) != wrong:
+            yield f"{prose} is judged wrongly"
     for right, wrong, mended in PLANTED:
         planted = page.replace(right, wrong)
         if planted == page:
@@ -482,7 +538,7 @@ def main(arguments):
         for name in with_tables():
             (ROOT / name).write_text(with_keys(text_of(name)), encoding="utf-8")
         (ROOT / "docs/design.md").write_text(with_folders(text_of("docs/design.md")), encoding="utf-8")
-    found = [*wrong_links(), *wrong_keys(), *wrong_folders(), *wrong_commands(morphe)]
+    found = [*wrong_links(), *wrong_keys(), *wrong_folders(), *wrong_commands(morphe), *wrong_words(morphe)]
     found += wrong_messages(text_of("docs/troubleshooting.md"))
     if "--still" not in arguments:
         found += wrong_examples(morphe, update)

@@ -820,7 +820,7 @@ class Tally:
         self.wrong = []
 
 
-def leave_out(path, plans):
+def skip(path, plans):
     with h5py.File(path, "r+") as file:
         for plan in plans:
             del file["plans"][plan.split("/")[0]]
@@ -846,7 +846,7 @@ def judge_batch(morphe, path, kinds, honest, tally):
         tally.found.update(left.pop(plan) for plan in gone)
         if not left:
             return
-        leave_out(path, gone)
+        skip(path, gone)
         if found is None:
             continue
         with h5py.File(path, "r+") as file:

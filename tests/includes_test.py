@@ -142,15 +142,15 @@ def check(sources):
 
 
 PLANTED = [
-    ("core/motion/plan.hpp", '#include "stages/repair/ladder.hpp"'),
+    ("core/motion/plan.hpp", '#include "stages/repair/repair_strategy.hpp"'),
     ("core/motion/plan.hpp", '#include "core/config/node.hpp"'),
-    ("core/config/node.hpp", "#  include <core/robot/forward.hpp>"),
-    ("core/robot/forward.hpp", '#include "core/collision/world.hpp"'),
-    ("core/robot/forward.hpp", '#include "core/robot/files/description.hpp"'),
+    ("core/config/node.hpp", "#  include <core/robot/forward_kinematics.hpp>"),
+    ("core/robot/forward_kinematics.hpp", '#include "core/collision/world.hpp"'),
+    ("core/robot/forward_kinematics.hpp", '#include "core/robot/files/description.hpp"'),
     ("core/collision/world.hpp", '#include "core/humanlike/terms.hpp"'),
-    ("stages/verify/planted.cpp", '#include "core/robot/forward.hpp"'),
+    ("stages/verify/planted.cpp", '#include "core/robot/forward_kinematics.hpp"'),
     ("pipeline/run/planted.cpp", '#include "core/solve/minimise.hpp"'),
-    ("core/robot/forward.cpp", "#include <fcl/narrowphase/collision.h>"),
+    ("core/robot/forward_kinematics.cpp", "#include <fcl/narrowphase/collision.h>"),
     ("stages/verify/planted.cpp", "#include <hdf5.h>"),
     ("core/humanlike/planted.cpp", "#include <nlopt.hpp>"),
     ("core/humanlike/planted.cpp", "#include <boost/optional.hpp>"),
@@ -181,9 +181,9 @@ PLANTED_ROWS = [
     "light stages/planted",
 ]
 ALLOWED = [
-    ("pipeline/planning/planted.cpp", '#include "stages/repair/ladder.hpp"\n#include "stages/map/map_movement.hpp"'),
+    ("pipeline/planning/planted.cpp", '#include "stages/repair/repair_strategy.hpp"\n#include "stages/map/map_movement.hpp"'),
     ("stages/repair/planted.cpp", "#include <ompl/base/State.h>\n#include <sys/stat.h>\n#include <Eigen/Core>"),
-    ("core/humanlike/planted.cpp", '#include "core/robot/forward.hpp"'),
+    ("core/humanlike/planted.cpp", '#include "core/robot/forward_kinematics.hpp"'),
 ]
 
 

@@ -77,6 +77,7 @@ def check(sources):
         opened = opened_by(text)
         if opened - {own}:
             found.append(f"{source}:1: opens {', '.join(sorted(opened - {own}))}, not {own}")
+        found += [f"{source}:{line}: {name}: of which quantity, in which unit?" for line, name in unquantified(text)]
         for line, namespace, name in types_of(text):
             seen.setdefault((namespace, name), []).append(f"{source}:{line}")
     for (namespace, name), places in sorted(seen.items()):
@@ -92,7 +93,21 @@ def check(sources):
     return found
 
 
+# Names of a mood or a bare number: a constant says of which quantity it is, and in which unit.
+FORBIDDEN = set("""kAbout kAboutAsMuch kAlong kBeyond kClosed kDeepest kEnds kEnough kFar kFarthest kFewest kFirst kFlat
+    kHair kLargest kLatest kLeast kLong kLongest kMany kMost kNear kNearly kNone kOften kOftenEnough kOutside kPatience
+    kPulls kReach kRest kRounds kSame kShare kSoonSeen kStep kSteps kStill kSure kTimes kTolerance kToTheEnd kTries
+    kWeak""".split())
+CONSTANT = re.compile(r"\bconstexpr\b[^;(){]*?\b(k[A-Z]\w*)\s*(?:\[\w*\]\s*)?[={]")
+
+
+def unquantified(text):
+    """[(line, name)] of constants whose name says no quantity."""
+    return [(text.count("\n", 0, found.start(1)) + 1, found[1]) for found in CONSTANT.finditer(text) if found[1] in FORBIDDEN]
+
+
 PLANTED = [
+    ("stages/map/planted.cpp", "namespace morphe::map {\nnamespace {\nconstexpr int kOftenEnough = 4;\n}\n}\n"),
     ("core/collision/planted.hpp", "namespace morphe::collision {\nstruct CollisionWorld {\n};\n}\n"),
     ("core/collision/planted.cpp", "namespace morphe::collision {\nstruct Twice {};\nenum class Twice { a };\n}\n"),
     ("core/collision/planted.cpp", "namespace morphe::collision {\nusing CollisionWorld = int;\n}\n"),

@@ -353,10 +353,10 @@ def check_plan(robot, path, plan):
     if report.rows or not moves or not (motion := read_motion(robot, plan["trajectory"], report)):
         return report.rows
     phases = list(zip(plan["phases/name"].asstr(), plan["phases/begin_s"], plan["phases/end_s"]))
-    goal_time, reached = plan["goals/time"][()], motion["demonstration_time"]
-    for end in (0, -1) if len(goal_time) else ():
-        if abs(reached[end] - goal_time[end]) > COVERAGE:
-            report.add("time", "demonstration_time", reached[end], goal_time[end])
+    frame_interpolation, reached = plan["goals/time"][()], motion["demonstration_time"]
+    for end in (0, -1) if len(frame_interpolation) else ():
+        if abs(reached[end] - frame_interpolation[end]) > COVERAGE:
+            report.add("time", "demonstration_time", reached[end], frame_interpolation[end])
     found = check_limits(robot, motion, report)
     found.update(check_tracking(robot, plan, motion, phases, report))
     found.update(smoothness_of(robot, plan["goals"], motion))

@@ -175,18 +175,18 @@ def check_mapped(robot, plan, report):
         report.add("mapped", "status", np.nan, np.nan)
 
 def check_path(robot, plan, motion, report):
-    path, goal_time = plan["path"], plan["goals/time"][()]
+    path, frame_interpolation = plan["path"], plan["goals/time"][()]
     q, time, origin = path["position"][()], path["demonstration_time"][()], path["origin"][()]
-    if not len(time) or not len(goal_time) or not np.isfinite(time).all() or (np.diff(time) < 0).any():
+    if not len(time) or not len(frame_interpolation) or not np.isfinite(time).all() or (np.diff(time) < 0).any():
         return report.add("path", "demonstration_time", len(time), 1)
     if not np.isfinite(q).all():
         return report.add("path", "position", np.nan, np.nan)
     for end in (0, -1):
-        if not abs(time[end] - goal_time[end]) <= BORDER:
-            report.add("path", "demonstration_time", time[end], goal_time[end])
+        if not abs(time[end] - frame_interpolation[end]) <= BORDER:
+            report.add("path", "demonstration_time", time[end], frame_interpolation[end])
     mapped = plan["mapped/position"][()]
-    if len(mapped) == len(goal_time):
-        own = np.stack([np.interp(time, goal_time, mapped[:, j]) for j in range(mapped.shape[1])], axis=1)
+    if len(mapped) == len(frame_interpolation):
+        own = np.stack([np.interp(time, frame_interpolation, mapped[:, j]) for j in range(mapped.shape[1])], axis=1)
         if not (np.abs(q - own)[origin == 0] <= 1e-9).all():
             report.add("path", "position", np.nan, 1e-9)
     slides = [bool(len(of := np.flatnonzero(robot.frames["joint"] == j)) and robot.slides[of[0]])

@@ -7,45 +7,45 @@
 namespace morphe::closure {
 namespace {
 
-/// outer^2 - |inner|^2, without what cancels.
-double room(double outer, double inner) { return (outer - inner) * (outer + inner); }
+/// Computes outer^2 - |inner|^2 without cancellation.
+double cone_slack(double outer, double inner) { return (outer - inner) * (outer + inner); }
 
-/// Infinite outside.
+/// Returns the value of the barrier function, infinity outside the feasible set.
 double value(const BarrierProblem& problem, double t, const Eigen::VectorXd& x) {
   constexpr double outside = std::numeric_limits<double>::infinity();
   double sum = t * (0.5 * x.dot(problem.hessian * x) + problem.gradient.dot(x));
   const auto keep_inside = [&](double outer, double inner) {
-    const double left = room(outer, inner);
+    const double left = cone_slack(outer, inner);
     sum = outer > 0 && left > 0 && sum < outside ? sum - std::log(left) : outside;
   };
   for (Eigen::Index k = 0; k < problem.cones; ++k) {
     keep_inside(x[4 * k], x.segment<3>(4 * k + 1).norm());
   }
-  keep_inside(x[x.size() - 1], (problem.rest * x + problem.rest_at_0).norm());
-  const Eigen::VectorXd left = problem.most - problem.rows * x;
+  keep_inside(x[x.size() - 1], (problem.residual_matrix * x + problem.residual_offset).norm());
+  const Eigen::VectorXd left = problem.row_bounds - problem.rows * x;
   for (const double slack : left) {
     sum = slack > 0 && sum < outside ? sum - std::log(slack) : outside;
   }
   return sum;
 }
 
-/// Slope and curvature of -log(outer^2 - |inner|^2) in (outer, inner).
+/// Gradient and Hessian of -log(outer^2 - |inner|^2) with respect to (outer, inner).
 template <int Size>
 struct ConeTerm {
   Eigen::Matrix<double, Size, 1> gradient;
   Eigen::Matrix<double, Size, Size> hessian;
 
   explicit ConeTerm(const Eigen::Matrix<double, Size, 1>& x) {
-    const double left = room(x[0], x.template tail<Size - 1>().norm());
+    const double left = cone_slack(x[0], x.template tail<Size - 1>().norm());
     gradient = 2 / left * x;
     gradient[0] = -gradient[0];
     hessian = gradient * gradient.transpose();
     hessian.diagonal().template tail<Size - 1>().array() += 2 / left;
-    hessian(0, 0) = 2 * x.squaredNorm() / (left * left);  // without what cancels
+    hessian(0, 0) = 2 * x.squaredNorm() / (left * left);  // without cancellation
   }
 };
 
-/// The Newton step, and in `decrement` twice what it promises to gain.
+/// Computes the Newton step, and in `decrement` twice the decrease that it predicts.
 Eigen::VectorXd newton_step(const BarrierProblem& problem, double t, const Eigen::VectorXd& x,
                             double& decrement) {
   const Eigen::Index n = x.size();
@@ -56,19 +56,19 @@ Eigen::VectorXd newton_step(const BarrierProblem& problem, double t, const Eigen
     gradient.segment<4>(4 * k) += term.gradient;
     hessian.block<4, 4>(4 * k, 4 * k) += term.hessian;
   }
-  // The outer one of A x + b is the last unknown, in which A has a column of 0.
+  // The bound of |A x + b| is the last unknown, for which A has a column of zeros.
   Eigen::MatrixXd chain(7, n);
-  chain << Eigen::RowVectorXd::Unit(n, n - 1), problem.rest;
+  chain << Eigen::RowVectorXd::Unit(n, n - 1), problem.residual_matrix;
   Eigen::Matrix<double, 7, 1> rest = chain * x;
-  rest.tail<6>() += problem.rest_at_0;
+  rest.tail<6>() += problem.residual_offset;
   const ConeTerm<7> term(rest);
   gradient += chain.transpose() * term.gradient;
   hessian += chain.transpose() * term.hessian * chain;
-  const Eigen::VectorXd inverse = (problem.most - problem.rows * x).cwiseInverse();
+  const Eigen::VectorXd inverse = (problem.row_bounds - problem.rows * x).cwiseInverse();
   const Eigen::MatrixXd scaled = inverse.asDiagonal() * problem.rows;
   gradient += problem.rows.transpose() * inverse;
   hessian += scaled.transpose() * scaled;
-  // Forces and slacks are of all sizes: in units in which each unknown weighs 1.
+  // Forces and slacks have different magnitudes, so the unknowns are scaled to a unit diagonal.
   const Eigen::VectorXd unit = hessian.diagonal().cwiseSqrt().cwiseInverse();
   hessian = unit.asDiagonal() * hessian * unit.asDiagonal();
   const Eigen::VectorXd step =
@@ -79,7 +79,7 @@ Eigen::VectorXd newton_step(const BarrierProblem& problem, double t, const Eigen
 
 }  // namespace
 
-bool minimise_inside(const BarrierProblem& problem, Eigen::VectorXd& x) {
+bool minimise_with_barrier(const BarrierProblem& problem, Eigen::VectorXd& x) {
   constexpr double last = 1e6;
   constexpr int most_steps = 50, most_halvings = 40;
   bool settled = true;
@@ -89,7 +89,7 @@ bool minimise_inside(const BarrierProblem& problem, Eigen::VectorXd& x) {
       double decrement = 0;
       const Eigen::VectorXd step = newton_step(problem, t, x, decrement);
       const double before = value(problem, t, x);
-      // What rounding of the value hides cannot be gained.
+      // Decreases below the rounding of the value cannot be achieved.
       settled = std::abs(decrement) <= 1e-2 + 1e-13 * std::abs(before);
       if (settled || !(decrement > 0)) break;
       double length = 1;

@@ -7,12 +7,13 @@
 
 namespace morphe::closure {
 
-/// lower <= value <= upper, and the twist u whose h(u) is the upper bound.
+/// Bounds lower <= value <= upper, and the twist u for which h(u) gives the upper bound.
 struct Bounds {
   double lower = -kInfinity, upper = kInfinity;
   Wrench direction = Wrench::Zero();
 
-  void ask(double value, const Wrench& u) {
+  /// Replaces the upper bound if the value is smaller.
+  void update_upper(double value, const Wrench& u) {
     if (value < upper) {
       upper = value;
       direction = u;
@@ -20,16 +21,17 @@ struct Bounds {
   }
 };
 
-/// When bounds are near enough: upper - lower is at most `absolute`, or at most `relative` times
-/// the smaller of their magnitudes. Searches that reach `most_insertions` end with the bounds so
-/// far.
-struct Tolerance {
+/// The required accuracy of bounds: upper - lower is at most `absolute`, or at most `relative`
+/// times the smaller of their magnitudes. Searches that reach `max_insertions` end with the bounds
+/// found so far.
+struct BoundTolerance {
   double relative = 0.05;
   double absolute = 1e-3;
-  int most_insertions = 400;
+  int max_insertions = 400;
 };
 
-inline bool near_enough(const Bounds& bounds, const Tolerance& tolerance) {
+/// Returns true if the bounds have the required accuracy.
+inline bool is_within_tolerance(const Bounds& bounds, const BoundTolerance& tolerance) {
   const double gap = bounds.upper - bounds.lower;
   const bool same_sign = bounds.lower > 0 || bounds.upper < 0;
   const double least = std::min(std::abs(bounds.lower), std::abs(bounds.upper));

@@ -4,9 +4,9 @@
 
 namespace morphe::closure {
 
-std::string why_invalid(const ContactSet& set) {
+std::string validation_error(const ContactSet& set) {
   const Friction& friction = set.friction;
-  // Written so that NaN fails too.
+  // The comparisons are written such that NaN fails too.
   if (!(friction.mu >= 0 && friction.mu < kInfinity)) return "friction must be 0 or more";
   if (!(friction.gamma_m >= 0 && friction.gamma_m < kInfinity)) {
     return "torsional friction must be 0 or more";
@@ -21,7 +21,7 @@ std::string why_invalid(const ContactSet& set) {
     if (!(std::abs(contact.normal.norm() - 1) < 1e-9)) {
       return fmt::format("contact {}: its normal is no unit vector", k);
     }
-    if (!(contact.share > 0 && contact.share < kInfinity)) {
+    if (!(contact.force_limit_share > 0 && contact.force_limit_share < kInfinity)) {
       return fmt::format("contact {}: its share must be above 0", k);
     }
   }

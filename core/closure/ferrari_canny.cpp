@@ -10,7 +10,7 @@ namespace {
 
 FerrariCanny zero(const Wrench& null) {
   FerrariCanny found;
-  found.weakest = null;
+  found.weakest_twist = null;
   found.exactly_zero = found.within_tolerance = true;
   return found;
 }
@@ -18,18 +18,18 @@ FerrariCanny zero(const Wrench& null) {
 }  // namespace
 
 FerrariCanny ferrari_canny(const ContactSet& contacts, ForceLimit limit,
-                           const Tolerance& tolerance) {
+                           const BoundTolerance& tolerance) {
   if (contacts.contacts.empty()) return zero(Wrench::Unit(0));
   const WrenchSet hull = make_wrench_set(contacts, ForceLimit::sum);
-  const Bounds below = distance_below_zero(hull, tolerance);
+  const Bounds below = negative_origin_distance(hull, tolerance);
   if (below.upper < -hull.rounding) {
-    // A plane parts 0 from what the contacts can do together, so each pushes away from `direction`.
+    // A plane separates 0 from the wrench set, so each contact pushes away from `direction`.
     if (limit == ForceLimit::each) return zero(below.direction);
     FerrariCanny open;
     open.lower = below.lower;
     open.upper = below.upper;
-    open.weakest = below.direction;
-    open.within_tolerance = near_enough(below, tolerance);
+    open.weakest_twist = below.direction;
+    open.within_tolerance = is_within_tolerance(below, tolerance);
     return open;
   }
   Bounds known;
@@ -40,8 +40,8 @@ FerrariCanny ferrari_canny(const ContactSet& contacts, ForceLimit limit,
   FerrariCanny found;
   found.lower = std::max(least.bounds.lower, known.lower);
   found.upper = least.bounds.upper;
-  found.weakest = least.bounds.direction;
-  found.within_tolerance = near_enough(least.bounds, tolerance);
+  found.weakest_twist = least.bounds.direction;
+  found.within_tolerance = is_within_tolerance(least.bounds, tolerance);
   found.insertions = least.insertions;
   found.facets = least.facets;
   return found;

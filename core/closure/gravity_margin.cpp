@@ -7,16 +7,17 @@
 namespace morphe::closure {
 namespace {
 
-/// Below this a margin, and what gravity does in a twist, is none: rounding makes as much.
-constexpr double kNoMargin = 1e-9;
+/// Margins, and powers of gravity in a twist, below this count as zero, because rounding produces
+/// as much.
+constexpr double kMarginTolerance = 1e-9;
 
-/// u_f + u_t × r.
+/// Returns u_f + u_t × r.
 Vec3 velocity_of(const Vec3& r, const Wrench& u) {
   return u.head<3>() + Vec3(u.tail<3>()).cross(r);
 }
 
 GravityMargin margin_of(const ContactSet& contacts, const Gauge& gauge,
-                        const Tolerance& tolerance) {
+                        const BoundTolerance& tolerance) {
   GravityMargin margin;
   margin.within_tolerance = true;
   if (contacts.contacts.empty()) return margin;
@@ -27,31 +28,32 @@ GravityMargin margin_of(const ContactSet& contacts, const Gauge& gauge,
   margin.insertions = least.insertions;
   margin.facets = least.facets;
   Bounds bounds = least.bounds;
-  // Gravity acts where the set has no width: the lower bound is that of what is left without it.
+  // If gravity acts in a direction in which the set is flat, the lower bound does not hold, because
+  // it applies to the remaining directions.
   for (const Wrench& flat : least.flat) {
-    if (std::max(gauge(flat), gauge(-flat)) > kNoMargin) bounds.lower = 0;
+    if (std::max(gauge(flat), gauge(-flat)) > kMarginTolerance) bounds.lower = 0;
   }
-  margin.lower = bounds.lower < kNoMargin ? 0 : bounds.lower;
-  margin.upper = bounds.upper < kNoMargin ? 0 : bounds.upper;
+  margin.lower = bounds.lower < kMarginTolerance ? 0 : bounds.lower;
+  margin.upper = bounds.upper < kMarginTolerance ? 0 : bounds.upper;
   margin.weakest = bounds.direction;
-  margin.within_tolerance = near_enough(bounds, tolerance);
+  margin.within_tolerance = is_within_tolerance(bounds, tolerance);
   return margin;
 }
 
 }  // namespace
 
-double GravityMargin::newtons_enough(double mass_kg) const {
-  return lower > 0 ? kGravity * mass_kg / lower : kInfinity;
+double GravityMargin::sufficient_force_n(double mass_kg) const {
+  return lower > 0 ? kGravity_m_s2 * mass_kg / lower : kInfinity;
 }
 
-double GravityMargin::newtons_too_few(double mass_kg) const {
-  return upper > 0 ? kGravity * mass_kg / upper : kInfinity;
+double GravityMargin::insufficient_force_n(double mass_kg) const {
+  return upper > 0 ? kGravity_m_s2 * mass_kg / upper : kInfinity;
 }
 
 GravityMargin gravity_margin(const ContactSet& contacts, const Load& load, const Vec3& gravity,
-                             const Tolerance& tolerance) {
+                             const BoundTolerance& tolerance) {
   const Vec3 down = gravity.normalized();
-  const Vec3 r = (load.centre - contacts.reference) / contacts.torque_scale_m;
+  const Vec3 r = (load.centre_of_mass - contacts.reference) / contacts.torque_scale_m;
   const Wrench weight = wrench_of(down, r);
   GravityMargin margin = margin_of(
       contacts, [&](const Wrench& u) { return std::max(0.0, -u.dot(weight)); }, tolerance);
@@ -60,8 +62,8 @@ GravityMargin gravity_margin(const ContactSet& contacts, const Load& load, const
 }
 
 GravityMargin worst_gravity_margin(const ContactSet& contacts, const Load& load,
-                                   const Tolerance& tolerance) {
-  const Vec3 r = (load.centre - contacts.reference) / contacts.torque_scale_m;
+                                   const BoundTolerance& tolerance) {
+  const Vec3 r = (load.centre_of_mass - contacts.reference) / contacts.torque_scale_m;
   GravityMargin margin = margin_of(
       contacts, [&](const Wrench& u) { return velocity_of(r, u).norm(); }, tolerance);
   margin.direction = -velocity_of(r, margin.weakest).normalized();

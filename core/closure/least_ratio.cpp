@@ -2,13 +2,13 @@
 
 #include <queue>
 
-#include "core/closure/general_position.hpp"
-#include "core/closure/growing_polytope.hpp"
+#include "core/closure/incremental_hull.hpp"
+#include "core/closure/initial_simplex.hpp"
 
 namespace morphe::closure {
 namespace {
 
-/// A facet's place in the queue: the least ratio first, the oldest of equals.
+/// A facet's position in the queue: the smallest ratio first, the oldest of equals.
 struct Rank {
   double ratio;
   std::int32_t facet;
@@ -20,30 +20,31 @@ struct Rank {
 
 }  // namespace
 
-LeastRatio least_ratio(const WrenchSet& set, const Gauge& gauge, const Tolerance& tolerance,
+LeastRatio least_ratio(const WrenchSet& set, const Gauge& gauge, const BoundTolerance& tolerance,
                        const Bounds& known) {
   LeastRatio found;
   Bounds& bounds = found.bounds;
   bounds = known;
   const auto ask = [&](double height, const Wrench& u) {
     const double g = gauge(u);
-    if (g > kAlong) bounds.ask((height + set.evaluation()) / g, u);
+    if (g > kGaugeTolerance) bounds.update_upper((height + set.support_error()) / g, u);
   };
-  const GeneralPosition start = general_position(set);
-  found.flat = start.flat;
-  for (std::size_t k = 0; k < start.asked.size(); ++k) ask(start.heights[k], start.asked[k]);
-  if (near_enough(bounds, tolerance) || start.corners.size() < 2) return found;
+  const InitialSimplex start = initial_simplex(set);
+  found.flat = start.flat_directions;
+  for (std::size_t k = 0; k < start.queried_directions.size(); ++k)
+    ask(start.support_values[k], start.queried_directions[k]);
+  if (is_within_tolerance(bounds, tolerance) || start.vertices.size() < 2) return found;
 
-  GrowingPolytope polytope(start.corners);
-  if (!polytope.proper()) return found;
-  const std::vector<GrowingPolytope::Facet>& facets = polytope.facets();
+  IncrementalHull polytope(start.vertices);
+  if (!polytope.is_proper()) return found;
+  const std::vector<IncrementalHull::Facet>& facets = polytope.facets();
   std::priority_queue<Rank> queue;
   std::int32_t ranked = 0;
   while (true) {
     for (; ranked < static_cast<std::int32_t>(facets.size()); ++ranked) {
-      const GrowingPolytope::Facet& facet = facets[static_cast<std::size_t>(ranked)];
+      const IncrementalHull::Facet& facet = facets[static_cast<std::size_t>(ranked)];
       const double g = gauge(facet.normal), distance = facet.distance - set.rounding;
-      if (g > kAlong) {
+      if (g > kGaugeTolerance) {
         queue.push({distance / g, ranked});
       } else if (facet.distance < -set.rounding) {
         queue.push({-kInfinity, ranked});
@@ -54,15 +55,16 @@ LeastRatio least_ratio(const WrenchSet& set, const Gauge& gauge, const Tolerance
     if (queue.empty()) break;
     const Rank least = queue.top();
     if (least.ratio > 0) bounds.lower = std::max(bounds.lower, least.ratio);
-    if (near_enough(bounds, tolerance) || found.insertions >= tolerance.most_insertions) break;
+    if (is_within_tolerance(bounds, tolerance) || found.insertions >= tolerance.max_insertions)
+      break;
     const Wrench u = facets[static_cast<std::size_t>(least.facet)].normal;
     const Support there = support(set, u);
     ask(there.value, u);
-    if (near_enough(bounds, tolerance)) break;
+    if (is_within_tolerance(bounds, tolerance)) break;
     if (!polytope.insert(there.point, least.facet, 0.1 * set.rounding)) break;
     ++found.insertions;
   }
-  for (const GrowingPolytope::Facet& facet : facets) found.facets += facet.alive ? 1 : 0;
+  for (const IncrementalHull::Facet& facet : facets) found.facets += facet.alive ? 1 : 0;
   return found;
 }
 

@@ -8,28 +8,31 @@
 
 namespace morphe::closure {
 
-/// g(u) >= 0, with g(s u) = s g(u) for s > 0.
+/// A gauge g(u) >= 0, with g(s u) = s g(u) for s > 0.
 using Gauge = std::function<double(const Wrench&)>;
 
-/// g(u) of a unit vector counts as 0 up to this: a facet that all but holds the way asked about
-/// does not end it.
-inline constexpr double kAlong = 1e-9;
+/// g(u) of a unit vector counts as 0 up to this value, so that a facet whose normal is nearly in
+/// the kernel of g does not end the search.
+inline constexpr double kGaugeTolerance = 1e-9;
 
-/// The least h(u) / g(u) over all u with g(u) > 0, which tells how far a set of wrenches reaches.
+/// The smallest h(u) / g(u) over all u with g(u) > 0, which measures the extent of a set of
+/// wrenches.
 struct LeastRatio {
   Bounds bounds;
-  std::vector<Wrench> flat;  ///< where the set has no width; the search is in what is left
-  int insertions = 0;        ///< into the polytope
-  int facets = 0;            ///< of it, in the end
+  /// Directions in which the set is flat; they are excluded from the search.
+  std::vector<Wrench> flat;
+  int insertions = 0;  ///< number of insertions into the polytope
+  int facets = 0;      ///< final number of facets of the polytope
 };
 
-/// A polytope grows inside the set (growing_polytope.hpp): each facet's distance / g(normal) is a
-/// lower bound of what lies behind it, and the least of them a lower bound of all. Where that is,
-/// the support point in the facet's normal gives an upper bound, h(u) / g(u), and is inserted,
-/// until both are near enough, no point lies beyond the facet, or the insertions are used up: then
-/// the bounds are as far apart as they say. `known` holds what is known before: the polytope tells
-/// nothing below 0, where 0 is outside.
-LeastRatio least_ratio(const WrenchSet& set, const Gauge& gauge, const Tolerance& tolerance,
+/// Computes the least ratio. A polytope grows inside the set (incremental_hull.hpp): each facet's
+/// distance / g(normal) is a lower bound for the twists of this facet, and the smallest of them is
+/// a lower bound for all. For the facet with the smallest one, the support point in its normal
+/// direction gives an upper bound, h(u) / g(u), and is inserted, until both bounds are close
+/// enough, no point is beyond the facet, or the insertions are used up; the bounds then remain
+/// apart. `known` contains bounds known before, because the polytope gives no bounds below 0 if 0
+/// is outside.
+LeastRatio least_ratio(const WrenchSet& set, const Gauge& gauge, const BoundTolerance& tolerance,
                        const Bounds& known);
 
 }  // namespace morphe::closure

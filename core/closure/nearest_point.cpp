@@ -7,7 +7,8 @@
 namespace morphe::closure {
 namespace {
 
-/// Points with 0 nearest to their hull inside it: x = sum share_k point_k, shares above 0, sum 1.
+/// Points for which 0 is nearest to the interior of their hull: x = sum share_k point_k, shares
+/// above 0, sum 1.
 struct Corral {
   std::array<Wrench, 8> point;
   std::array<double, 8> share{};
@@ -31,7 +32,7 @@ struct Corral {
   }
 };
 
-/// Shares, of any sign, of the point of the affine hull that is nearest to 0.
+/// Computes the shares, of any sign, of the point of the affine hull that is nearest to 0.
 std::array<double, 8> affine_shares(const Corral& corral) {
   std::array<double, 8> shares{};
   const int edges = corral.count - 1;
@@ -50,8 +51,8 @@ std::array<double, 8> affine_shares(const Corral& corral) {
   return shares;
 }
 
-/// Moves to the nearest point of the hull of the corral, and drops who has no share in it.
-void settle(Corral& corral) {
+/// Moves to the nearest point of the hull of the corral, and removes points whose share is 0.
+void minimise_over_corral(Corral& corral) {
   while (true) {
     const std::array<double, 8> wanted = affine_shares(corral);
     double step = 1;
@@ -60,7 +61,7 @@ void settle(Corral& corral) {
       const auto i = static_cast<std::size_t>(k);
       if (wanted[i] > 0) continue;
       const double until = corral.share[i] / (corral.share[i] - wanted[i]);
-      // Nobody with a share of 0 that is to stay there blocks: 0 / 0 compares false.
+      // Points whose share is 0 and remains 0 do not block: 0 / 0 compares false.
       if (until < step || (blocking < 0 && until <= step)) {
         step = until;
         blocking = k;
@@ -80,7 +81,7 @@ void settle(Corral& corral) {
 
 }  // namespace
 
-Bounds distance_below_zero(const WrenchSet& set, const Tolerance& tolerance) {
+Bounds negative_origin_distance(const WrenchSet& set, const BoundTolerance& tolerance) {
   assert(!set.cones.empty());
   Bounds bounds;
   Corral corral;
@@ -89,7 +90,7 @@ Bounds distance_below_zero(const WrenchSet& set, const Tolerance& tolerance) {
   corral.add(support(set, u).point);
   corral.share[0] = 1;
   double nearest = kInfinity;
-  for (int k = 0; k < tolerance.most_insertions; ++k) {
+  for (int k = 0; k < tolerance.max_insertions; ++k) {
     const Wrench x = corral.nearest();
     const double distance = x.norm();
     bounds.lower = std::max(bounds.lower, -distance - set.rounding);
@@ -97,11 +98,11 @@ Bounds distance_below_zero(const WrenchSet& set, const Tolerance& tolerance) {
     nearest = distance;
     u = -x / distance;
     const Support there = support(set, u);
-    bounds.ask(there.value + set.evaluation(), u);
-    if (bounds.upper < 0 && near_enough(bounds, tolerance)) break;
+    bounds.update_upper(there.value + set.support_error(), u);
+    if (bounds.upper < 0 && is_within_tolerance(bounds, tolerance)) break;
     if (there.value <= -distance + set.rounding || corral.count == 7) break;
     corral.add(there.point);
-    settle(corral);
+    minimise_over_corral(corral);
   }
   return bounds;
 }

@@ -5,11 +5,11 @@
 
 namespace morphe::closure {
 
-/// The distance of 0 from a set (of L1), as a number below 0: min over |u| = 1 of h(u) lies in
-/// [-|x|, h(-x / |x|)] for every point x of it. x is the nearest point of the hull of ever more
-/// support points (Wolfe 1976). Ends when the bounds are near enough and both below 0; when 0 is in
-/// the set to rounding (then the upper bound is that of the twists that were asked); or where
-/// rounding lets nothing more be gained.
-Bounds distance_below_zero(const WrenchSet& set, const Tolerance& tolerance);
+/// Computes the negative distance of 0 from a set (for L1): min over |u| = 1 of h(u) is in [-|x|,
+/// h(-x / |x|)] for every point x of the set. x is the nearest point of the hull of an increasing
+/// number of support points (Wolfe 1976). It ends if the bounds are close enough and both negative;
+/// if 0 is in the set to rounding (the upper bound is then that of the twists evaluated so far); or
+/// if rounding prevents further progress.
+Bounds negative_origin_distance(const WrenchSet& set, const BoundTolerance& tolerance);
 
 }  // namespace morphe::closure

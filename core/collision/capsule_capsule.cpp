@@ -1,21 +1,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/collision/closest_points.hpp"
 #include "core/collision/distance.hpp"
-#include "core/collision/segments.hpp"
 
 namespace morphe::collision {
 namespace {
 
-/// Parameter in [0, 1] of the segment's point nearest to `point`.
+/// Returns the parameter in [0, 1] of the segment's point nearest to `point`.
 double project(const Vec3& point, const Vec3& from, const Vec3& along, double squared_length) {
   if (squared_length <= 0) return 0;
   return std::clamp((point - from).dot(along) / squared_length, 0.0, 1.0);
 }
 
-/// Where the segments are nearly parallel the linear system says little: one of the four ends is
-/// then as near as anything to within rounding.
-void try_ends(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, NearestOfSegments& best) {
+/// Tries the four end points. If the segments are nearly parallel, the linear system is
+/// ill-conditioned, and one of the ends is as near as any point to within rounding.
+void try_ends(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, ClosestPoints& best) {
   const auto keep = [&best](const Vec3& on_first, const Vec3& on_second) {
     const double squared = (on_first - on_second).squaredNorm();
     if (squared < best.squared) best = {on_first, on_second, squared};
@@ -26,8 +26,8 @@ void try_ends(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, Neares
   for (const Vec3& end : {c, d}) keep(a + project(end, a, u, uu) * u, end);
 }
 
-/// A unit vector across both segments, the same one for the same input.
-Vec3 across(const Vec3& u, const Vec3& v) {
+/// Returns a unit vector perpendicular to both segments, deterministic for the same input.
+Vec3 common_normal(const Vec3& u, const Vec3& v) {
   const Vec3 common = u.cross(v);
   if (common.squaredNorm() > 1e-12 * u.squaredNorm() * v.squaredNorm()) return common.normalized();
   const Vec3& longer = u.squaredNorm() >= v.squaredNorm() ? u : v;
@@ -39,7 +39,8 @@ Vec3 across(const Vec3& u, const Vec3& v) {
 
 }  // namespace
 
-NearestOfSegments nearest_of_segments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+ClosestPoints closest_points_of_segments(const Vec3& a, const Vec3& b, const Vec3& c,
+                                         const Vec3& d) {
   const Vec3 u = b - a, v = d - c, w = a - c;
   const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v);
   const double determinant = uu * vv - uv * uv;
@@ -49,19 +50,20 @@ NearestOfSegments nearest_of_segments(const Vec3& a, const Vec3& b, const Vec3& 
   }
   const double t = project(a + s * u, c, v, vv);
   s = project(c + t * v, a, u, uu);
-  NearestOfSegments best{a + s * u, c + t * v, 0};
+  ClosestPoints best{a + s * u, c + t * v, 0};
   best.squared = (best.on_first - best.on_second).squaredNorm();
   if (determinant <= 1e-6 * uu * vv) try_ends(a, b, c, d, best);
   return best;
 }
 
 Separation capsule_capsule(const CapsuleBody& first, const CapsuleBody& second) {
-  const NearestOfSegments near = nearest_of_segments(first.from, first.to, second.from, second.to);
+  const ClosestPoints near =
+      closest_points_of_segments(first.from, first.to, second.from, second.to);
   const double apart = std::sqrt(near.squared);
   Separation result;
   result.distance = apart - first.radius - second.radius;
   result.normal = apart > 1e-12 ? Vec3((near.on_first - near.on_second) / apart)
-                                : across(first.to - first.from, second.to - second.from);
+                                : common_normal(first.to - first.from, second.to - second.from);
   result.on_first = near.on_first - first.radius * result.normal;
   result.on_second = near.on_second + second.radius * result.normal;
   return result;

@@ -7,12 +7,12 @@
 namespace morphe::collision {
 namespace {
 
-/// The segment is cut down to this before the minimum counts as found [m].
+/// Length of the part of the segment at which the search for the minimum ends [m].
 constexpr double kResolution_m = 1e-10;
-/// A mesh without triangles: everything is so deep in it.
+/// Depth of every point in a mesh without triangles [m].
 constexpr double kBrokenMesh_m = 1;
 
-/// |x|, and its derivative with +1 at zero.
+/// Returns |x|, and its derivative, which is +1 at zero.
 double magnitude(double x, double& sign) {
   sign = x < 0 ? -1.0 : 1.0;
   return std::abs(x);
@@ -50,23 +50,24 @@ double cylinder_distance(const Vec3& point, double radius, double half_length, V
   return distance;
 }
 
-double round_distance(const Vec3& point, double radius, double half_length, Vec3& gradient) {
+double capsule_distance(const Vec3& point, double radius, double half_length, Vec3& gradient) {
   const Vec3 from_axis = point - std::clamp(point.z(), -half_length, half_length) * Vec3::UnitZ();
   const double length = from_axis.norm();
   gradient = length > 0 ? Vec3(from_axis / length) : Vec3(Vec3::UnitX());
   return length - radius;
 }
 
-/// The least signed distance along from + s * along, s in [0, 1], of a convex solid.
+/// The smallest signed distance along from + s * along, s in [0, 1], of a convex solid.
 struct Deepest {
   double distance = 0;
   Vec3 point;     ///< in the solid's frame
   Vec3 gradient;  ///< of the signed distance at the point
-  Vec3 normal;    ///< direction in which moving the whole segment changes the minimum
+  Vec3 normal;    ///< gradient of the minimum with respect to a translation of the segment
 };
 
-/// Halves the segment by the sign of the slope. At the end the slopes on both sides tell how the
-/// two gradients weigh in that of the minimum: their sum must not change along the segment.
+/// Bisects the segment by the sign of the slope. In the end, the slopes on both sides give the
+/// weights of the two gradients in the gradient of the minimum: their sum must not change along the
+/// segment.
 Deepest deepest_point(const Solid& solid, const Vec3& from, const Vec3& to) {
   const Vec3 along = to - from;
   Deepest best;
@@ -113,7 +114,7 @@ Deepest deepest_point(const Solid& solid, const Vec3& from, const Vec3& to) {
 double signed_distance(const Solid& solid, const Vec3& point, Vec3& gradient) {
   switch (solid.object.shape) {
     case Shape::sphere:
-      return round_distance(point, solid.object.size[0], 0, gradient);
+      return capsule_distance(point, solid.object.size[0], 0, gradient);
     case Shape::box:
       return box_distance(
           point, 0.5 * Vec3(solid.object.size[0], solid.object.size[1], solid.object.size[2]),
@@ -121,7 +122,7 @@ double signed_distance(const Solid& solid, const Vec3& point, Vec3& gradient) {
     case Shape::cylinder:
       return cylinder_distance(point, solid.object.size[0], 0.5 * solid.object.size[1], gradient);
     case Shape::capsule:
-      return round_distance(point, solid.object.size[0], 0.5 * solid.object.size[1], gradient);
+      return capsule_distance(point, solid.object.size[0], 0.5 * solid.object.size[1], gradient);
     case Shape::mesh:
       break;
   }
@@ -130,8 +131,8 @@ double signed_distance(const Solid& solid, const Vec3& point, Vec3& gradient) {
   return -kBrokenMesh_m;
 }
 
-double signed_distance_at_least(const Solid& solid, const Vec3& point) {
-  // Without gradients: this is asked for every part of the robot and every object.
+double signed_distance_lower_bound(const Solid& solid, const Vec3& point) {
+  // Gradients are omitted, because this is called for every part of the robot and every object.
   const std::vector<double>& size = solid.object.size;
   const auto beyond = [](double most, double out_squared) {
     return most <= 0 ? most : std::sqrt(out_squared);
@@ -158,7 +159,7 @@ double signed_distance_at_least(const Solid& solid, const Vec3& point) {
     case Shape::mesh:
       break;
   }
-  return solid.mesh ? mesh_distance_at_least(*solid.mesh, point) : -kBrokenMesh_m;
+  return solid.mesh ? mesh_distance_lower_bound(*solid.mesh, point) : -kBrokenMesh_m;
 }
 
 double bounding_radius(const Solid& solid) {

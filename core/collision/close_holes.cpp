@@ -12,13 +12,13 @@
 namespace morphe::collision {
 namespace {
 
-constexpr double kSame_m = 1e-6;
+constexpr double kWeldTolerance_m = 1e-6;
 
-/// Neighbours of each corner along edges with an odd number of triangles: the rims of holes. An
-/// even number at every corner.
-using Rims = std::map<int, std::set<int>>;
+/// Neighbours of each vertex along edges with an odd number of triangles, which are the boundaries
+/// of holes. Every vertex has an even number of them.
+using BoundaryEdges = std::map<int, std::set<int>>;
 
-void turn_over(Rims& rims, int a, int b) {
+void toggle_edge(BoundaryEdges& rims, int a, int b) {
   for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
     const auto at = rims.try_emplace(from).first;
     if (!at->second.insert(to).second) at->second.erase(to);
@@ -26,25 +26,26 @@ void turn_over(Rims& rims, int a, int b) {
   }
 }
 
-Rims rims_of(const SceneObject& mesh) {
+BoundaryEdges boundary_edges(const SceneObject& mesh) {
   std::vector<std::pair<int, int>> edges;
   for (const Eigen::Vector3i& t : mesh.triangles) {
     for (int k = 0; k < 3; ++k) edges.push_back(std::minmax({t[k], t[(k + 1) % 3]}));
   }
   std::ranges::sort(edges);
-  Rims rims;
+  BoundaryEdges rims;
   for (auto edge = edges.begin(); edge != edges.end();) {
     const auto next = std::upper_bound(edge, edges.end(), *edge);
-    if ((next - edge) % 2 == 1) turn_over(rims, edge->first, edge->second);
+    if ((next - edge) % 2 == 1) toggle_edge(rims, edge->first, edge->second);
     edge = next;
   }
   return rims;
 }
 
-/// The rim with the fewest corners through the first edge there is, taken out of the others.
-std::vector<int> take_rim(Rims& rims) {
+/// Removes a boundary loop from the edges and returns it: the one with the fewest vertices through
+/// the first edge.
+std::vector<int> extract_boundary_loop(BoundaryEdges& rims) {
   const int first = rims.begin()->first, second = *rims.begin()->second.begin();
-  turn_over(rims, first, second);
+  toggle_edge(rims, first, second);
   std::map<int, int> before = {{second, second}};
   for (std::deque<int> next = {second}; !before.contains(first); next.pop_front()) {
     for (const int corner : rims[next.front()]) {
@@ -54,15 +55,15 @@ std::vector<int> take_rim(Rims& rims) {
   std::vector<int> rim = {first};
   while (rim.back() != second) {
     const int corner = before[rim.back()];
-    turn_over(rims, rim.back(), corner);
+    toggle_edge(rims, rim.back(), corner);
     rim.push_back(corner);
   }
   return rim;
 }
 
-/// Cuts off the corner whose neighbours are nearest to each other, again and again: along a slit
-/// that is as a zip closes.
-std::vector<Eigen::Vector3i> lid_of(const std::vector<Vec3>& vertices, std::vector<int> rim) {
+/// Triangulates a hole by repeatedly cutting off the vertex whose neighbours are nearest to each
+/// other. A slit is thus closed from its ends.
+std::vector<Eigen::Vector3i> fill_hole(const std::vector<Vec3>& vertices, std::vector<int> rim) {
   std::vector<Eigen::Vector3i> lid;
   while (rim.size() >= 3) {
     const std::size_t count = rim.size();
@@ -98,7 +99,7 @@ double width_of(const std::vector<Vec3>& vertices, const std::vector<int>& rim,
 
 void weld(SceneObject& mesh) {
   const auto cell = [&](int k) {
-    const Vec3 at = (mesh.vertices[static_cast<std::size_t>(k)] / kSame_m).array().round();
+    const Vec3 at = (mesh.vertices[static_cast<std::size_t>(k)] / kWeldTolerance_m).array().round();
     return std::tuple(at.x(), at.y(), at.z());
   };
   std::vector<int> order(mesh.vertices.size()), first(mesh.vertices.size());
@@ -131,10 +132,10 @@ void weld(SceneObject& mesh) {
 }
 
 void close_holes(SceneObject& mesh, double widest_m) {
-  Rims rims = rims_of(mesh);
+  BoundaryEdges rims = boundary_edges(mesh);
   while (!rims.empty()) {
-    const std::vector<int> rim = take_rim(rims);
-    const std::vector<Eigen::Vector3i> lid = lid_of(mesh.vertices, rim);
+    const std::vector<int> rim = extract_boundary_loop(rims);
+    const std::vector<Eigen::Vector3i> lid = fill_hole(mesh.vertices, rim);
     if (width_of(mesh.vertices, rim, lid) >= widest_m) continue;
     mesh.triangles.insert(mesh.triangles.end(), lid.begin(), lid.end());
   }

@@ -4,14 +4,14 @@
 
 namespace morphe::collision {
 
-/// Makes one vertex of all within the same micrometre (the first of them), and drops triangles that
-/// are none then.
+/// Merges vertices within the same micrometre into the first of them, and removes triangles that
+/// degenerate.
 void weld(SceneObject& mesh);
 
-/// Puts a lid on every hole that nothing wider fits through: 4 A / P < widest_m, with A the area of
-/// the lid and P the length of the rim (of a circle the diameter, of a slit twice its width).
-/// Exporters and scanners leave such holes where a triangle is missing or a seam was not sewn. The
-/// mesh must be welded.
+/// Fills every hole whose width 4 A / P is below widest_m, with A the area of the filling triangles
+/// and P the length of the hole's boundary (for a circle this is the diameter, for a slit twice its
+/// width). Exporters and scanners leave such holes at missing triangles and open seams. The mesh
+/// must be welded.
 void close_holes(SceneObject& mesh, double widest_m);
 
 }  // namespace morphe::collision

@@ -8,11 +8,11 @@
 namespace morphe::collision {
 namespace {
 
-/// Triangles of the hull by point, in any sense of rotation.
+/// Returns the triangles of the hull by point, with arbitrary orientation.
 std::vector<Eigen::Vector3i> hull_triangles(std::vector<Vec3>& points) {
   std::FILE* silence = std::fopen("/dev/null", "w");
   qhT hull;
-  qhT* qh = &hull;  // qhull's macros want this name
+  qhT* qh = &hull;  // name required by qhull's macros
   qh_zero(qh, silence);
   char command[] = "qhull Qt";
   std::vector<Eigen::Vector3i> triangles;
@@ -36,7 +36,7 @@ std::vector<Eigen::Vector3i> hull_triangles(std::vector<Vec3>& points) {
 
 }  // namespace
 
-bool take_hull(SceneObject& mesh) {
+bool replace_by_convex_hull(SceneObject& mesh) {
   static_assert(sizeof(Vec3) == 3 * sizeof(double));
   std::vector<Eigen::Vector3i> triangles = hull_triangles(mesh.vertices);
   if (triangles.empty()) return false;

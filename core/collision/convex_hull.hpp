@@ -4,7 +4,7 @@
 
 namespace morphe::collision {
 
-/// Makes a mesh the convex hull of its vertices. False if they lie in a plane.
-bool take_hull(SceneObject& mesh);
+/// Replaces a mesh by the convex hull of its vertices. Returns false if they are coplanar.
+bool replace_by_convex_hull(SceneObject& mesh);
 
 }  // namespace morphe::collision

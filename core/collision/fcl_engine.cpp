@@ -1,4 +1,4 @@
-// The only source that includes FCL.
+// This is the only source that includes FCL.
 #include "core/collision/fcl_engine.hpp"
 
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
@@ -18,13 +18,14 @@
 namespace morphe::collision {
 namespace {
 
-/// FCL needs radii above zero; a capsule that is to sink deeper than its radius keeps this much and
-/// the solid shrinks by the rest.
+/// Smallest radius of a capsule, because FCL requires positive radii. If a capsule may penetrate
+/// deeper than its radius, it keeps this radius and the solid shrinks by the rest.
 constexpr double kLeastRadius_m = 1e-6;
 
 using Geometry = std::shared_ptr<fcl::CollisionGeometry<double>>;
 
-/// The object shrunk by `shrunk_m` on all sides; nothing if it is too thin for that, or a mesh.
+/// Returns the object shrunk by `shrunk_m` on all sides, or null if it is too thin for that, or a
+/// mesh.
 Geometry shape_of(const SceneObject& object, double shrunk_m) {
   const std::vector<double>& size = object.size;
   const auto less = [shrunk_m](double value, double sides) { return value - sides * shrunk_m; };
@@ -56,12 +57,12 @@ Geometry mesh_of(const MeshSolid& mesh) {
   return model;
 }
 
-Geometry capsule_of(const RobotTable::Capsule& capsule, double grown_m) {
+Geometry capsule_of(const RobotModel::Capsule& capsule, double grown_m) {
   return std::make_shared<fcl::Capsule<double>>(std::max(capsule.radius + grown_m, kLeastRadius_m),
                                                 (capsule.to - capsule.from).norm());
 }
 
-/// z along the segment.
+/// Returns the pose of a capsule, with z along its segment.
 Pose pose_of(const CapsuleBody& body) {
   Pose pose = Pose::Identity();
   pose.translation() = 0.5 * (body.from + body.to);
@@ -82,32 +83,34 @@ bool touch(const fcl::CollisionGeometry<double>& a, const Pose& base_from_a,
 
 struct FclEngine::Trees {
   using Object = fcl::CollisionObject<double>;
-  struct Found {
+  struct CollidingPair {
     int capsule, other;
     bool object;
     double required;
   };
 
   const CollisionWorld& world;
-  std::vector<Geometry> plain, grown;  ///< [capsules] as they are, and by the margin
-  std::vector<Geometry> shapes;        ///< [objects] nullptr: a broken mesh
-  std::vector<char> checked;           ///< [capsules * capsules] pairs of world.pairs
+  /// [capsules] original, and enlarged by the margin.
+  std::vector<Geometry> capsule_shapes, padded_capsule_shapes;
+  std::vector<Geometry> shapes;  ///< [objects] nullptr if the mesh is invalid
+  std::vector<char> checked;     ///< [capsules * capsules] pairs of world.pairs
   std::vector<std::unique_ptr<Object>> capsule_objects, scene_objects;
   fcl::DynamicAABBTreeCollisionManager<double> capsule_tree, scene_tree;
   std::vector<Pose> poses;
-  // Of the query at hand.
+  // State of the current query.
   const CollisionScratch* scratch = nullptr;
   double time_s = 0;
   bool first_only = false;
-  std::vector<Found> found;
+  std::vector<CollidingPair> found;
 
   explicit Trees(const CollisionWorld& w) : world(w) {
     const std::size_t count = world.robot->capsules.size();
     poses.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
-      plain.push_back(capsule_of(world.robot->capsules[i], 0));
-      grown.push_back(capsule_of(world.robot->capsules[i], world.tolerances.margin));
-      capsule_objects.push_back(std::make_unique<Object>(grown.back()));
+      capsule_shapes.push_back(capsule_of(world.robot->capsules[i], 0));
+      padded_capsule_shapes.push_back(
+          capsule_of(world.robot->capsules[i], world.tolerances.margin));
+      capsule_objects.push_back(std::make_unique<Object>(padded_capsule_shapes.back()));
       capsule_objects.back()->setUserData(reinterpret_cast<void*>(i));
       capsule_tree.registerObject(capsule_objects.back().get());
     }
@@ -141,12 +144,12 @@ struct FclEngine::Trees {
   }
 
   bool bodies_touch(std::size_t i, std::size_t j) const {
-    return touch(*grown[i], poses[i], *plain[j], poses[j]);
+    return touch(*padded_capsule_shapes[i], poses[i], *capsule_shapes[j], poses[j]);
   }
 
   bool object_touches(std::size_t i, std::size_t k, double required_m) const {
     const Solid solid = solid_at(world, k);
-    const RobotTable::Capsule& capsule = world.robot->capsules[i];
+    const RobotModel::Capsule& capsule = world.robot->capsules[i];
     const Pose& pose = scratch->object_poses[k];
     const double shrunk_m = std::max(0.0, kLeastRadius_m - capsule.radius - required_m);
     if (!shapes[k]) return true;
@@ -156,9 +159,10 @@ struct FclEngine::Trees {
       }
       const Geometry as_required = capsule_of(capsule, required_m);
       return touch(*as_required, poses[i], *shapes[k], pose) ||
-             inside(*solid.mesh, pose.inverse() * poses[i].translation());
+             is_inside(*solid.mesh, pose.inverse() * poses[i].translation());
     }
-    if (required_m == world.tolerances.margin) return touch(*grown[i], poses[i], *shapes[k], pose);
+    if (required_m == world.tolerances.margin)
+      return touch(*padded_capsule_shapes[i], poses[i], *shapes[k], pose);
     const Geometry shape = shape_of(solid.object, shrunk_m);
     return shape && touch(*capsule_of(capsule, required_m), poses[i], *shape, pose);
   }
@@ -170,7 +174,8 @@ struct FclEngine::Trees {
   static bool visit_bodies(Object* a, Object* b, void* data) {
     Trees& trees = *static_cast<Trees*>(data);
     const std::size_t i = std::min(number(a), number(b)), j = std::max(number(a), number(b));
-    if (!trees.checked[i * trees.plain.size() + j] || !trees.bodies_touch(i, j)) return false;
+    if (!trees.checked[i * trees.capsule_shapes.size() + j] || !trees.bodies_touch(i, j))
+      return false;
     trees.keep(i, j, false, trees.world.tolerances.margin);
     return trees.first_only;
   }
@@ -180,7 +185,7 @@ struct FclEngine::Trees {
     const bool capsule_first = trees.is_capsule(a);
     const std::size_t i = number(capsule_first ? a : b), k = number(capsule_first ? b : a);
     const double required =
-        required_m(trees.world, static_cast<int>(i), static_cast<int>(k), trees.time_s);
+        required_distance_m(trees.world, static_cast<int>(i), static_cast<int>(k), trees.time_s);
     if (!trees.object_touches(i, k, required)) return false;
     trees.keep(i, k, true, required);
     return trees.first_only;
@@ -188,7 +193,7 @@ struct FclEngine::Trees {
 
   void query(const Eigen::Ref<const JointVector>& q, double at_s, bool first,
              CollisionScratch& used) {
-    pose_bodies(world, q, at_s, used);
+    update_bodies(world, q, at_s, used);
     scratch = &used;
     time_s = at_s;
     first_only = first;
@@ -214,19 +219,20 @@ struct FclEngine::Trees {
 FclEngine::FclEngine(const CollisionWorld& world) : trees_(std::make_unique<Trees>(world)) {}
 FclEngine::~FclEngine() = default;
 
-bool FclEngine::free(const Eigen::Ref<const JointVector>& q, double time_s,
-                     CollisionScratch& scratch) {
+bool FclEngine::is_free(const Eigen::Ref<const JointVector>& q, double time_s,
+                        CollisionScratch& scratch) {
   trees_->query(q, time_s, true, scratch);
   return trees_->found.empty();
 }
 
-void FclEngine::pairs(const Eigen::Ref<const JointVector>& q, double time_s,
-                      CollisionScratch& scratch, std::vector<PairSeparation>& out) {
+void FclEngine::colliding_pairs(const Eigen::Ref<const JointVector>& q, double time_s,
+                                CollisionScratch& scratch, std::vector<PairSeparation>& out) {
   trees_->query(q, time_s, false, scratch);
-  std::ranges::sort(trees_->found, {},
-                    [](const Trees::Found& f) { return std::tuple(f.object, f.capsule, f.other); });
+  std::ranges::sort(trees_->found, {}, [](const Trees::CollidingPair& f) {
+    return std::tuple(f.object, f.capsule, f.other);
+  });
   out.clear();
-  for (const Trees::Found& found : trees_->found) {
+  for (const Trees::CollidingPair& found : trees_->found) {
     const CapsuleBody& first = scratch.bodies[static_cast<std::size_t>(found.capsule)];
     const auto other = static_cast<std::size_t>(found.other);
     const Separation separation =

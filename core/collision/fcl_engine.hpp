@@ -6,24 +6,26 @@
 
 namespace morphe::collision {
 
-/// FCL's verdict alone: collide() of capsules grown or shrunk by what is required, found by its
-/// dynamic trees. Its depths and distances are not used: they are wrong at times, and some of its
-/// queries abort. FCL's meshes are hollow: a capsule that touches no triangle is asked whether it
-/// is inside; and where a capsule may sink deeper into a mesh than its radius, the exact distance
-/// decides. FCL decides within about 1e-6 m. One engine a thread; the world must outlive it.
+/// An independent collision check by FCL: collide() of capsules grown or shrunk by the required
+/// distance, with FCL's dynamic trees as broad phase. FCL's depths and distances are not used: they
+/// are sometimes wrong, and some of its queries abort. FCL's meshes are hollow, so a capsule that
+/// touches no triangle is tested for being inside; and if a capsule may penetrate a mesh deeper
+/// than its radius, the exact distance decides. FCL's results hold within about 1e-6 m. Each thread
+/// needs its own engine; the world must outlive it.
 class FclEngine {
  public:
+  /// Builds the trees of capsules and objects.
   explicit FclEngine(const CollisionWorld& world);
   ~FclEngine();
   FclEngine(const FclEngine&) = delete;
   FclEngine& operator=(const FclEngine&) = delete;
 
-  /// True if every pair has slack >= 0.
-  bool free(const Eigen::Ref<const JointVector>& q, double time_s, CollisionScratch& scratch);
-  /// All pairs in collision, in the order of near_pairs(), with the separations of the closed
-  /// forms.
-  void pairs(const Eigen::Ref<const JointVector>& q, double time_s, CollisionScratch& scratch,
-             std::vector<PairSeparation>& out);
+  /// Returns true if every pair has slack >= 0.
+  bool is_free(const Eigen::Ref<const JointVector>& q, double time_s, CollisionScratch& scratch);
+  /// Finds all pairs in collision, in the order of near_pairs(), with separations computed in
+  /// closed form.
+  void colliding_pairs(const Eigen::Ref<const JointVector>& q, double time_s,
+                       CollisionScratch& scratch, std::vector<PairSeparation>& out);
 
  private:
   struct Trees;

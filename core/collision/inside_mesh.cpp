@@ -7,8 +7,8 @@
 namespace morphe::collision {
 namespace {
 
-/// A ray this near to a triangle's edge is asked again in another direction.
-constexpr double kGrazing = 1e-9;
+/// A ray that passes a triangle's edge closer than this is repeated in another direction.
+constexpr double kGrazingTolerance = 1e-9;
 
 const Vec3 kDirections[] = {{0.5377, 0.8339, 0.1259},   {-0.3188, 0.2276, 0.9202},
                             {0.8622, -0.4336, 0.2625},  {-0.7447, -0.6312, 0.2163},
@@ -23,14 +23,15 @@ bool ray_meets(const MeshSolid::Node& node, const Vec3& from, const Vec3& invers
 
 enum class Hit { no, yes, grazing };
 
-/// Moeller and Trumbore.
+/// Intersects a ray with a triangle by the algorithm of Moeller and Trumbore.
 Hit ray_hits(const MeshSolid::Triangle& t, const Vec3& from, const Vec3& direction) {
   const Vec3 ab = t.b - t.a, ac = t.c - t.a, across = direction.cross(ac);
   const double volume = ab.dot(across);
   const double size = ab.norm() * ac.norm();
   const Vec3 away = from - t.a;
   if (std::abs(volume) <= 1e-12 * size) {
-    // Seen edge on, or no triangle at all: hit only if the ray runs in its plane.
+    // The triangle is parallel to the ray or degenerate: it is hit only if the ray lies in its
+    // plane.
     const double height = ab.cross(ac).dot(away);
     return size > 0 && std::abs(height) <= 1e-9 * size ? Hit::grazing : Hit::no;
   }
@@ -38,12 +39,14 @@ Hit ray_hits(const MeshSolid::Triangle& t, const Vec3& from, const Vec3& directi
   const Vec3 cross = away.cross(ab);
   const double v = direction.dot(cross) / volume, along = ac.dot(cross) / volume;
   const double least = std::min({u, v, 1 - u - v});
-  if (least < -kGrazing || along < 0) return Hit::no;
-  return least < kGrazing ? Hit::grazing : Hit::yes;
+  if (least < -kGrazingTolerance || along < 0) return Hit::no;
+  return least < kGrazingTolerance ? Hit::grazing : Hit::yes;
 }
 
-/// Whether a ray leaves some closed part an odd number of times; nothing if it grazes an edge.
-std::optional<bool> odd(const MeshSolid& mesh, const Vec3& point, const Vec3& direction) {
+/// Returns true if a ray crosses the surface of some closed part an odd number of times, and
+/// nullopt if it grazes an edge.
+std::optional<bool> has_odd_crossings(const MeshSolid& mesh, const Vec3& point,
+                                      const Vec3& direction) {
   const Vec3 inverse = direction.cwiseInverse();
   std::vector<int> stack = {0}, parts;
   while (!stack.empty()) {
@@ -73,12 +76,12 @@ std::optional<bool> odd(const MeshSolid& mesh, const Vec3& point, const Vec3& di
 
 }  // namespace
 
-bool inside(const MeshSolid& mesh, const Vec3& point) {
-  if (mesh_distance_at_least(mesh, point) > 0) return false;
+bool is_inside(const MeshSolid& mesh, const Vec3& point) {
+  if (mesh_distance_lower_bound(mesh, point) > 0) return false;
   for (const Vec3& direction : kDirections) {
-    if (const std::optional<bool> found = odd(mesh, point, direction)) return *found;
+    if (const std::optional<bool> found = has_odd_crossings(mesh, point, direction)) return *found;
   }
-  return true;  // on the surface, as good as
+  return true;  // practically on the surface
 }
 
 }  // namespace morphe::collision

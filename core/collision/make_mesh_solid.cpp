@@ -10,13 +10,13 @@
 namespace morphe::collision {
 namespace {
 
-constexpr int kLeaf = 4;  ///< triangles of a leaf at most
+constexpr int kMaxLeafTriangles = 4;  ///< maximum number of triangles of a leaf
 
 using Corners = std::array<int, 3>;
 
-/// Triangles by corner, corners of one place being one; those with two corners in one place are
-/// lines between others' corners, or nothing.
-std::vector<Corners> welded(const SceneObject& mesh) {
+/// Returns the triangles with coincident vertices merged. Triangles with two coincident vertices
+/// are degenerate and removed.
+std::vector<Corners> weld_corners(const SceneObject& mesh) {
   const auto at = [&](int k) -> const Vec3& { return mesh.vertices[static_cast<std::size_t>(k)]; };
   const auto key = [&](int k) { return std::tuple(at(k).x(), at(k).y(), at(k).z()); };
   std::vector<int> order(mesh.vertices.size()), place(mesh.vertices.size());
@@ -40,13 +40,13 @@ std::vector<Corners> welded(const SceneObject& mesh) {
   return triangles;
 }
 
-/// An edge as one of its triangles has it, lower corner first.
+/// An edge of one triangle, with the smaller vertex index first.
 struct HalfEdge {
   int low, high, triangle;
   auto edge() const { return std::pair(low, high); }
 };
 
-/// Sorted by edge.
+/// Returns the edges of all triangles, sorted by edge.
 std::vector<HalfEdge> half_edges_of(const std::vector<Corners>& triangles) {
   std::vector<HalfEdge> half_edges;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -67,7 +67,7 @@ int root_of(std::vector<int>& parent, int t) {
   return t;
 }
 
-/// The part of each triangle; parts are numbered by their first triangle.
+/// Returns the part of each triangle; parts are numbered by their first triangle.
 std::vector<int> parts_of(std::size_t triangles, const std::vector<HalfEdge>& half_edges,
                           int& count) {
   std::vector<int> parent(triangles);
@@ -89,7 +89,8 @@ std::vector<int> parts_of(std::size_t triangles, const std::vector<HalfEdge>& ha
 
 Vec3 centre_of(const MeshSolid::Triangle& t) { return (t.a + t.b + t.c) / 3; }
 
-/// Halves by the median centre along the longest side of the centres' box.
+/// Builds the tree of boxes by splitting at the median centroid along the longest side of the
+/// centroids' bounding box.
 int build(MeshSolid& solid, int first, int count) {
   const auto begin = solid.triangles.begin() + first, end = begin + count;
   MeshSolid::Node node;
@@ -104,7 +105,7 @@ int build(MeshSolid& solid, int first, int count) {
   }
   const int at = static_cast<int>(solid.nodes.size());
   solid.nodes.push_back(node);
-  if (count <= kLeaf) {
+  if (count <= kMaxLeafTriangles) {
     solid.nodes.back().first = first;
     solid.nodes.back().count = count;
     return at;
@@ -131,12 +132,12 @@ std::string mesh_problem(const SceneObject& mesh) {
   for (const Eigen::Vector3i& t : mesh.triangles) {
     if (t.minCoeff() < 0 || t.maxCoeff() >= vertices) return "a triangle's corner does not exist";
   }
-  return welded(mesh).empty() ? "it has no triangles" : "";
+  return weld_corners(mesh).empty() ? "it has no triangles" : "";
 }
 
 MeshSolid make_mesh_solid(const SceneObject& mesh) {
   MeshSolid solid;
-  const std::vector<Corners> triangles = welded(mesh);
+  const std::vector<Corners> triangles = weld_corners(mesh);
   const std::vector<HalfEdge> half_edges = half_edges_of(triangles);
   int parts = 0;
   const std::vector<int> part = parts_of(triangles.size(), half_edges, parts);
@@ -162,17 +163,16 @@ MeshSolid make_mesh_solid(const SceneObject& mesh) {
 
 bool is_open(const MeshSolid& mesh) { return !std::ranges::all_of(mesh.closed, std::identity()); }
 
-std::shared_ptr<const MeshSolid> mesh_solid_of(const SceneObject& object,
-                                               const ReadyMeshes& ready) {
+std::shared_ptr<const MeshSolid> mesh_solid_of(const SceneObject& object, const MeshCache& ready) {
   if (object.shape != Shape::mesh) return nullptr;
-  for (const ReadyMesh& mesh : ready) {
+  for (const CachedMesh& mesh : ready) {
     if (mesh.vertices == object.vertices && mesh.triangles == object.triangles) return mesh.solid;
   }
   if (!mesh_problem(object).empty()) return nullptr;
   return std::make_shared<const MeshSolid>(make_mesh_solid(object));
 }
 
-void make_ready(const SceneObject& object, ReadyMeshes& ready) {
+void add_to_cache(const SceneObject& object, MeshCache& ready) {
   if (std::shared_ptr<const MeshSolid> solid = mesh_solid_of(object, ready)) {
     ready.push_back({object.vertices, object.triangles, std::move(solid)});
   }

@@ -8,7 +8,7 @@
 namespace morphe::collision {
 namespace {
 
-/// That moves a capsule, -1: none.
+/// Returns the frame that moves a capsule, or -1 if no joint moves it.
 int moving_frame(const robot::Robot& robot, int capsule) {
   const int frame = robot.capsules[static_cast<std::size_t>(capsule)].frame;
   return frame < 0 ? -1 : robot.moving_frame[static_cast<std::size_t>(frame)];
@@ -33,7 +33,7 @@ std::vector<std::array<int, 2>> pairs_to_check(const robot::Robot& robot) {
 }
 
 void set_touching(const Movement& movement, CollisionWorld& world) {
-  double preshape_s = kNotSeen, grasp_s = kNotSeen, end_s = kNotSeen;
+  double preshape_s = kUnknown, grasp_s = kUnknown, end_s = kUnknown;
   const auto lower = [](double& value, double with) {
     if (!(value <= with)) value = with;
   };
@@ -53,8 +53,8 @@ void set_touching(const Movement& movement, CollisionWorld& world) {
 }  // namespace
 
 CollisionWorld make_world(const robot::Robot& robot, const Scene& scene, const Movement& movement,
-                          const Tolerances& tolerances, const ReadyMeshes& ready) {
-  if (static_cast<std::size_t>(robot.capsule_levers.rows()) != robot.capsules.size()) {
+                          const Tolerances& tolerances, const MeshCache& ready) {
+  if (static_cast<std::size_t>(robot.capsule_motion_bounds.rows()) != robot.capsules.size()) {
     throw std::logic_error("the robot's capsules changed after what follows from them was derived");
   }
   CollisionWorld world;
@@ -65,7 +65,7 @@ CollisionWorld make_world(const robot::Robot& robot, const Scene& scene, const M
   }
   world.tolerances = tolerances;
   if (!movement.target.empty()) {
-    const SceneObject* target = object_named(scene.objects, movement.target);
+    const SceneObject* target = find_object(scene.objects, movement.target);
     if (target) world.target = static_cast<int>(target - scene.objects.data());
   }
   if (world.target >= 0) set_touching(movement, world);

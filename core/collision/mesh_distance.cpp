@@ -3,13 +3,13 @@
 #include <limits>
 #include <queue>
 
+#include "core/collision/closest_points.hpp"
 #include "core/collision/mesh_solid.hpp"
-#include "core/collision/segments.hpp"
 
 namespace morphe::collision {
 namespace {
 
-constexpr double kTouching_m = 1e-12;
+constexpr double kContactTolerance_m = 1e-12;
 
 struct Nearest {
   double squared = kInfinity;
@@ -19,7 +19,8 @@ struct Nearest {
 
 Vec3 normal_of(const MeshSolid::Triangle& t) { return (t.b - t.a).cross(t.c - t.a); }
 
-/// The foot of the point on the triangle's plane, if it lies in the triangle.
+/// Computes the projection of the point onto the triangle's plane; returns true if it lies in the
+/// triangle.
 bool foot_in(const MeshSolid::Triangle& t, const Vec3& normal, const Vec3& point, Vec3& foot) {
   const double squared = normal.squaredNorm();
   if (!(squared > 0)) return false;
@@ -29,7 +30,8 @@ bool foot_in(const MeshSolid::Triangle& t, const Vec3& normal, const Vec3& point
          normal.dot((t.a - t.c).cross(foot - t.c)) >= 0;
 }
 
-/// Nearest are: two crossing points, an end and its foot, or the segment and an edge.
+/// Updates the nearest points with a triangle. They are an intersection, an end point and its
+/// projection, or a point of the segment and one of an edge.
 void try_triangle(const MeshSolid& mesh, int k, const Vec3& from, const Vec3& to, Nearest& best) {
   const MeshSolid::Triangle& t = mesh.triangles[static_cast<std::size_t>(k)];
   const Vec3 normal = normal_of(t);
@@ -46,13 +48,14 @@ void try_triangle(const MeshSolid& mesh, int k, const Vec3& from, const Vec3& to
   if (from != to && foot_in(t, normal, to, foot)) keep(to, foot, (to - foot).squaredNorm());
   const Vec3* corners[] = {&t.a, &t.b, &t.c, &t.a};
   for (int e = 0; e < 3; ++e) {
-    const NearestOfSegments near = nearest_of_segments(from, to, *corners[e], *corners[e + 1]);
+    const ClosestPoints near = closest_points_of_segments(from, to, *corners[e], *corners[e + 1]);
     keep(near.on_first, near.on_second, near.squared);
   }
 }
 
-/// At most the squared distance between the segment's box and the node's.
-double squared_at_least(const MeshSolid::Node& node, const Vec3& low, const Vec3& high) {
+/// Returns a lower bound of the squared distance between the segment's bounding box and the node's.
+double squared_distance_lower_bound(const MeshSolid::Node& node, const Vec3& low,
+                                    const Vec3& high) {
   return (node.low - high).cwiseMax(low - node.high).cwiseMax(0.0).squaredNorm();
 }
 
@@ -66,7 +69,7 @@ void descend(const MeshSolid& mesh, int at, const Vec3& from, const Vec3& to, co
     return;
   }
   const auto bound = [&](int child) {
-    return squared_at_least(mesh.nodes[static_cast<std::size_t>(child)], low, high);
+    return squared_distance_lower_bound(mesh.nodes[static_cast<std::size_t>(child)], low, high);
   };
   const double left = bound(node.left), right = bound(node.right);
   const bool left_first = left <= right;
@@ -78,31 +81,32 @@ void descend(const MeshSolid& mesh, int at, const Vec3& from, const Vec3& to, co
   }
 }
 
-Nearest nearest(const MeshSolid& mesh, const Vec3& from, const Vec3& to) {
+Nearest nearest_points(const MeshSolid& mesh, const Vec3& from, const Vec3& to) {
   Nearest best;
   descend(mesh, 0, from, to, from.cwiseMin(to), from.cwiseMax(to), best);
   return best;
 }
 
-/// A point of the segment and how deep it lies in the solid, < 0 outside.
+/// A point of the segment and its depth in the solid, < 0 outside.
 struct Depth {
   double depth = 0;
   Vec3 point = Vec3::Zero(), surface = Vec3::Zero();
 };
 
 Depth depth_at(const MeshSolid& mesh, const Vec3& point) {
-  const Nearest near = nearest(mesh, point, point);
+  const Nearest near = nearest_points(mesh, point, point);
   const double apart = std::sqrt(near.squared);
-  return {inside(mesh, point) ? apart : -apart, point, near.on_mesh};
+  return {is_inside(mesh, point) ? apart : -apart, point, near.on_mesh};
 }
 
-/// The deepest point of the segment, if deeper than `start`. The depth changes by no more than the
-/// way along the segment: pieces that could hide more than is allowed for are halved, the most
-/// promising first. `bound` is what no point exceeds.
-Depth deepest(const MeshSolid& mesh, const Vec3& from, const Vec3& to, const Depth& start,
-              double& bound) {
+/// Returns the deepest point of the segment, if it is deeper than `start`. The depth changes by at
+/// most the distance along the segment, so pieces that may contain a point deeper than the
+/// tolerance allows are bisected, the most promising first. `bound` is an upper bound of the depth
+/// of all points.
+Depth deepest_mesh_point(const MeshSolid& mesh, const Vec3& from, const Vec3& to,
+                         const Depth& start, double& bound) {
   struct Piece {
-    double low, high, most;  ///< parameters, most that it can hide [m]
+    double low, high, most;  ///< parameters, and upper bound of the depth within [m]
     bool operator<(const Piece& other) const { return most < other.most; }
   };
   const double length = (to - from).norm();
@@ -128,47 +132,47 @@ Depth deepest(const MeshSolid& mesh, const Vec3& from, const Vec3& to, const Dep
 
 }  // namespace
 
-double mesh_distance_at_least(const MeshSolid& mesh, const Vec3& point) {
-  const double squared = squared_at_least(mesh.nodes.front(), point, point);
+double mesh_distance_lower_bound(const MeshSolid& mesh, const Vec3& point) {
+  const double squared = squared_distance_lower_bound(mesh.nodes.front(), point, point);
   return squared > 0 ? std::sqrt(squared) : -kInfinity;
 }
 
 double mesh_distance(const MeshSolid& mesh, const Vec3& point, Vec3& gradient) {
-  const Nearest near = nearest(mesh, point, point);
-  const double sign = inside(mesh, point) ? -1 : 1, apart = std::sqrt(near.squared);
+  const Nearest near = nearest_points(mesh, point, point);
+  const double sign = is_inside(mesh, point) ? -1 : 1, apart = std::sqrt(near.squared);
   const Vec3 normal = normal_of(mesh.triangles[static_cast<std::size_t>(near.triangle)]);
-  gradient = apart > kTouching_m ? Vec3(sign * (point - near.on_mesh) / apart)
-             : normal.norm() > 0 ? Vec3(normal.normalized())
-                                 : Vec3(Vec3::UnitZ());
+  gradient = apart > kContactTolerance_m ? Vec3(sign * (point - near.on_mesh) / apart)
+             : normal.norm() > 0         ? Vec3(normal.normalized())
+                                         : Vec3(Vec3::UnitZ());
   return sign * apart;
 }
 
 Separation capsule_mesh(const CapsuleBody& capsule, const MeshSolid& mesh) {
-  const Nearest near = nearest(mesh, capsule.from, capsule.to);
+  const Nearest near = nearest_points(mesh, capsule.from, capsule.to);
   const double apart = std::sqrt(near.squared);
   Separation result;
   result.distance = apart;
   result.on_first = near.on_segment;
   result.on_second = near.on_mesh;
-  if (apart > kTouching_m) {
+  if (apart > kContactTolerance_m) {
     result.normal = (near.on_segment - near.on_mesh) / apart;
   } else {
-    // Through the surface: towards the side of the longer part of the segment.
+    // The segment intersects the surface: the normal points to the side of its longer part.
     const Vec3 normal = normal_of(mesh.triangles[static_cast<std::size_t>(near.triangle)]);
     result.normal = normal.norm() > 0 ? Vec3(normal.normalized()) : Vec3(Vec3::UnitZ());
     if (result.normal.dot(capsule.from + capsule.to - 2 * near.on_mesh) < 0) {
       result.normal = -result.normal;
     }
   }
-  // Clear of every surface, all of the segment is on one side.
-  if (apart <= kTouching_m || inside(mesh, capsule.from)) {
+  // Away from every surface, the whole segment is on one side.
+  if (apart <= kContactTolerance_m || is_inside(mesh, capsule.from)) {
     double bound = 0;
     const Depth start{0, near.on_segment, near.on_mesh};
-    const Depth most = deepest(mesh, capsule.from, capsule.to, start, bound);
+    const Depth most = deepest_mesh_point(mesh, capsule.from, capsule.to, start, bound);
     result.distance = -bound;
     result.on_first = most.point;
     result.on_second = most.surface;
-    if (most.depth > kTouching_m) result.normal = (most.surface - most.point) / most.depth;
+    if (most.depth > kContactTolerance_m) result.normal = (most.surface - most.point) / most.depth;
   }
   result.distance -= capsule.radius;
   result.on_first -= capsule.radius * result.normal;

@@ -8,62 +8,68 @@
 
 namespace morphe::collision {
 
-/// A triangle mesh made ready for distances, in its object's frame. Triangles hang together in
-/// parts by the edges they share. A part is closed if every edge has an even number of triangles;
-/// what it encloses is solid, however its triangles are turned, cavities included: no arm gets into
-/// one but through a wall. Any other part is a sheet without thickness: load_mesh() puts lids on
-/// holes that nothing fits through, so that what is open was meant to be.
+/// A triangle mesh preprocessed for distance queries, in its object's frame. Triangles that share
+/// edges form parts. A part is closed if every edge has an even number of triangles; its interior
+/// is solid, whatever the orientation of its triangles, including cavities, because an arm could
+/// only enter them through a wall. Any other part is a sheet without thickness: load_mesh() fills
+/// small holes, so that remaining openings are intended.
 struct MeshSolid {
+  /// A triangle and the part to which it belongs.
   struct Triangle {
     Vec3 a, b, c;
     int part = 0;
   };
+  /// A node of the tree of bounding boxes.
   struct Node {
     Vec3 low, high;
     int first = 0, count = 0;  ///< triangles of a leaf
-    int left = 0, right = 0;   ///< of the others; count = 0
+    int left = 0, right = 0;   ///< children of an inner node; count = 0
   };
   std::vector<Triangle> triangles;  ///< sorted by leaf
-  std::vector<Node> nodes;          ///< the first is the root; none: no triangles
-  std::vector<char> closed;         ///< by part
+  std::vector<Node> nodes;          ///< the first is the root; empty if there are no triangles
+  std::vector<char> closed;         ///< by part; true if the part is closed
   double radius = 0;                ///< about the frame's origin [m]
 };
 
-/// "" or what keeps the mesh from being one: no triangles, a corner that does not exist, a vertex
-/// that is no number.
+/// Returns "" or the reason why the mesh is invalid: no triangles, an index of a vertex that does
+/// not exist, or a vertex that is not finite.
 std::string mesh_problem(const SceneObject& mesh);
 
-/// The mesh must have no problem.
+/// Preprocesses a mesh, which must be valid.
 MeshSolid make_mesh_solid(const SceneObject& mesh);
 
-/// Meshes that were made ready before, found again by their vertices and triangles.
-struct ReadyMesh {
+/// A mesh that was preprocessed before, found by its vertices and triangles.
+struct CachedMesh {
   std::vector<Vec3> vertices;
   std::vector<Eigen::Vector3i> triangles;
   std::shared_ptr<const MeshSolid> solid;
 };
-using ReadyMeshes = std::vector<ReadyMesh>;
+/// Meshes that were preprocessed before.
+using MeshCache = std::vector<CachedMesh>;
 
-/// An object's mesh made ready, from `ready` if it is there; null for other shapes and for a mesh
-/// with a problem.
+/// Returns an object's preprocessed mesh, from `ready` if it is there, or null for other shapes and
+/// invalid meshes.
 std::shared_ptr<const MeshSolid> mesh_solid_of(const SceneObject& object,
-                                               const ReadyMeshes& ready = {});
-/// Adds an object's mesh, if it has one without a problem.
-void make_ready(const SceneObject& object, ReadyMeshes& ready);
+                                               const MeshCache& ready = {});
+/// Adds an object's mesh to the cache if the object has a valid one.
+void add_to_cache(const SceneObject& object, MeshCache& ready);
 
-/// True if a part of the mesh is a sheet.
+/// Returns true if a part of the mesh is a sheet.
 bool is_open(const MeshSolid& mesh);
 
-bool inside(const MeshSolid& mesh, const Vec3& point);
+/// Returns true if a point is inside a closed part of the mesh.
+bool is_inside(const MeshSolid& mesh, const Vec3& point);
 
-/// Signed distance of a point and its gradient, < 0 inside. Exact; how deep counts to the nearest
-/// surface, one inside the solid too.
+/// Returns the signed distance of a point and its gradient, < 0 inside. It is exact. The depth is
+/// the distance to the nearest surface, including surfaces inside the solid.
 double mesh_distance(const MeshSolid& mesh, const Vec3& point, Vec3& gradient);
-/// No more than that, at little cost: the distance from the mesh's box, -infinity in it.
-double mesh_distance_at_least(const MeshSolid& mesh, const Vec3& point);
+/// Returns a lower bound of the signed distance at little cost: the distance from the mesh's
+/// bounding box, or -infinity within the box.
+double mesh_distance_lower_bound(const MeshSolid& mesh, const Vec3& point);
 
-/// Capsule given in the mesh's frame. Exact while its segment is outside; where the segment is in
-/// the solid, up to 5 % + 10 um deeper than it is, never less deep.
+/// Computes the separation of a capsule given in the mesh's frame. It is exact while the capsule's
+/// segment is outside; if the segment is inside the solid, the depth is overestimated by up to 5 %
+/// + 10 um, and never underestimated.
 Separation capsule_mesh(const CapsuleBody& capsule, const MeshSolid& mesh);
 
 }  // namespace morphe::collision

@@ -16,12 +16,12 @@ namespace {
 constexpr std::size_t kHeader = 80, kFacet = 50, kNormal = 12;
 
 void add_corner(const float (&corner)[3], SceneObject& mesh) {
-  mesh.vertices.emplace_back(corner[0] + 0.0f, corner[1] + 0.0f, corner[2] + 0.0f);  // no -0
+  mesh.vertices.emplace_back(corner[0] + 0.0f, corner[1] + 0.0f, corner[2] + 0.0f);  // avoids -0
   const int count = static_cast<int>(mesh.vertices.size());
   if (count % 3 == 0) mesh.triangles.emplace_back(count - 3, count - 2, count - 1);
 }
 
-/// As its length says it: texts may begin with anything, and so may binaries.
+/// Decides by the length of the file, because text and binary files may begin with any bytes.
 bool is_binary(std::string_view bytes) {
   std::uint32_t count = 0;
   if (bytes.size() < kHeader + sizeof count) return false;
@@ -46,7 +46,7 @@ std::string read_binary(std::string_view bytes, SceneObject& mesh) {
   return "";
 }
 
-/// Words of a text, with the line of the last one.
+/// Splits a text into words and keeps the line of the last one.
 struct Words {
   std::string_view rest;
   int line = 1;
@@ -68,8 +68,8 @@ bool read_number(std::string_view word, float& number) {
   return error == std::errc() && end == word.data() + word.size();
 }
 
-/// Of all words those behind "vertex" count; a name may hold anything, but stands on a line that
-/// begins with "solid" or "endsolid".
+/// Reads only the words after "vertex". Names may contain any text, but are on a line that begins
+/// with "solid" or "endsolid".
 std::string read_text(std::string_view text, SceneObject& mesh) {
   Words words{text};
   for (std::string_view word = words.next(); !word.empty(); word = words.next()) {

@@ -7,9 +7,9 @@
 
 namespace morphe::collision {
 
-/// The triangles of an STL file, text or binary, in its order; each has corners of its own, rounded
-/// to single precision. Returns what is wrong with the file, with its line where it is a text, ""
-/// if nothing is; then vertices and triangles are filled.
+/// Reads the triangles of an STL file, text or binary, in the file's order. Each triangle has
+/// vertices of its own, rounded to single precision. Returns the error in the file, with its line
+/// for a text file, or "" if vertices and triangles were filled.
 std::string read_stl(const std::filesystem::path& file, SceneObject& mesh);
 
 }  // namespace morphe::collision

@@ -4,23 +4,24 @@
 #include <cmath>
 #include <limits>
 
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 
 namespace morphe::collision {
 namespace {
 
-constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kNoBody = std::numeric_limits<std::size_t>::max();
 
-/// Whether two balls are at least so far apart: then the bodies in them are, too.
-bool apart(const CollisionScratch::Ball& a, const CollisionScratch::Ball& b, double distance_m) {
+/// Returns true if two spheres, and thus the bodies in them, are at least this far apart.
+bool are_separated(const CollisionScratch::BoundingSphere& a,
+                   const CollisionScratch::BoundingSphere& b, double distance_m) {
   const double least_m = a.radius + b.radius + distance_m;
   return least_m <= 0 || (a.centre - b.centre).squaredNorm() >= least_m * least_m;
 }
 
-/// Whether two capsules are at least so far apart along the line between their middles: a cheap
-/// look at those that lie side by side, whose balls meet.
-bool apart(const CapsuleBody& a, const CapsuleBody& b, double distance_m) {
-  const Vec3 along = (a.from + a.to) - (b.from + b.to);  // twice the way between the middles
+/// Returns true if two capsules are at least this far apart along the line between their midpoints:
+/// a cheap test for capsules side by side, whose spheres overlap.
+bool are_separated(const CapsuleBody& a, const CapsuleBody& b, double distance_m) {
+  const Vec3 along = (a.from + a.to) - (b.from + b.to);  // twice the vector between the midpoints
   const double squared = along.squaredNorm();
   const double twice_gap_along =
       squared - std::abs((a.to - a.from).dot(along)) - std::abs((b.to - b.from).dot(along));
@@ -30,34 +31,39 @@ bool apart(const CapsuleBody& a, const CapsuleBody& b, double distance_m) {
              : twice_least_m <= 0;
 }
 
-/// At most the slack of what lies in the ball.
-double ball_slack(const CollisionWorld& world, const CollisionScratch& scratch,
-                  const CollisionScratch::Ball& ball, std::size_t object, double required_m) {
+/// Returns a lower bound of the slack of the bodies in a sphere.
+double sphere_slack_bound(const CollisionWorld& world, const CollisionScratch& scratch,
+                          const CollisionScratch::BoundingSphere& ball, std::size_t object,
+                          double required_m) {
   const Pose& pose = scratch.object_poses[object];
   const Vec3 in_object = pose.linear().transpose() * (ball.centre - pose.translation());
-  return signed_distance_at_least(solid_at(world, object), in_object) - ball.radius - required_m;
+  return signed_distance_lower_bound(solid_at(world, object), in_object) - ball.radius - required_m;
 }
 
-/// Visits every pair whose slack can be below `limit`, in the fixed order; `visit` may lower it,
-/// and says whether to go on. required(capsule, object) is called for objects only; -infinity
-/// leaves the pair out.
+/// Visits every pair whose slack can be below `limit`, in a fixed order. `visit` may lower the
+/// limit, and returns false to stop. required(capsule, object) is called for objects only;
+/// -infinity excludes the pair.
 template <class Required, class Visit>
 void visit_near(const CollisionWorld& world, CollisionScratch& scratch, const double& limit,
                 Required required, Visit visit) {
   PairSeparation pair;
-  pair.required = world.tolerances.margin;
-  std::size_t of = kNone, row = kNone;  // the last capsule, and the group looked at for it
+  pair.required_distance_m = world.tolerances.margin;
+  // The last capsule, and the group that was tested for it.
+  std::size_t of = kNoBody, row = kNoBody;
   bool beside = false;
   for (const auto& [i, j] : world.pairs) {
     const auto first = static_cast<std::size_t>(i), second = static_cast<std::size_t>(j);
     if (first != of || second / kCapsuleGroup != row) {
       of = first;
       row = second / kCapsuleGroup;
-      beside = !apart(scratch.balls[first], scratch.groups[row], limit + pair.required);
+      beside = !are_separated(scratch.bounding_spheres[first], scratch.groups[row],
+                              limit + pair.required_distance_m);
     }
     if (!beside) continue;
-    if (apart(scratch.balls[first], scratch.balls[second], limit + pair.required) ||
-        apart(scratch.bodies[first], scratch.bodies[second], limit + pair.required)) {
+    if (are_separated(scratch.bounding_spheres[first], scratch.bounding_spheres[second],
+                      limit + pair.required_distance_m) ||
+        are_separated(scratch.bodies[first], scratch.bodies[second],
+                      limit + pair.required_distance_m)) {
       continue;
     }
     pair.capsule = i;
@@ -65,15 +71,15 @@ void visit_near(const CollisionWorld& world, CollisionScratch& scratch, const do
     pair.separation = capsule_capsule(scratch.bodies[first], scratch.bodies[second]);
     if (!visit(pair)) return;
   }
-  pair.object = true;
+  pair.other_is_object = true;
   const std::size_t objects = world.scene->objects.size();
   for (std::size_t i = 0; i < scratch.bodies.size(); ++i) {
     if (i % kCapsuleGroup == 0) {
-      // No pair asks for more than the margin.
-      const CollisionScratch::Ball& group = scratch.groups[i / kCapsuleGroup];
+      // No pair requires more than the margin.
+      const CollisionScratch::BoundingSphere& group = scratch.groups[i / kCapsuleGroup];
       scratch.near_group.clear();
       for (std::size_t k = 0; k < objects; ++k) {
-        if (ball_slack(world, scratch, group, k, world.tolerances.margin) < limit) {
+        if (sphere_slack_bound(world, scratch, group, k, world.tolerances.margin) < limit) {
           scratch.near_group.push_back(k);
         }
       }
@@ -81,8 +87,10 @@ void visit_near(const CollisionWorld& world, CollisionScratch& scratch, const do
     for (const std::size_t k : scratch.near_group) {
       pair.capsule = static_cast<int>(i);
       pair.other = static_cast<int>(k);
-      pair.required = required(pair.capsule, pair.other);
-      if (ball_slack(world, scratch, scratch.balls[i], k, pair.required) >= limit) continue;
+      pair.required_distance_m = required(pair.capsule, pair.other);
+      if (sphere_slack_bound(world, scratch, scratch.bounding_spheres[i], k,
+                             pair.required_distance_m) >= limit)
+        continue;
       pair.separation =
           capsule_solid(scratch.bodies[i], solid_at(world, k), scratch.object_poses[k]);
       if (!visit(pair)) return;
@@ -90,21 +98,21 @@ void visit_near(const CollisionWorld& world, CollisionScratch& scratch, const do
   }
 }
 
-/// About the middle of the balls' box.
+/// Computes the groups' spheres, centred in the bounding boxes of their spheres.
 void place_groups(CollisionScratch& scratch) {
-  const std::size_t count = scratch.balls.size();
+  const std::size_t count = scratch.bounding_spheres.size();
   scratch.groups.resize((count + kCapsuleGroup - 1) / kCapsuleGroup);
   for (std::size_t g = 0; g < scratch.groups.size(); ++g) {
     const std::size_t first = g * kCapsuleGroup, last = std::min(first + kCapsuleGroup, count);
-    Vec3 low = scratch.balls[first].centre, high = low;
+    Vec3 low = scratch.bounding_spheres[first].centre, high = low;
     for (std::size_t i = first + 1; i < last; ++i) {
-      low = low.cwiseMin(scratch.balls[i].centre);
-      high = high.cwiseMax(scratch.balls[i].centre);
+      low = low.cwiseMin(scratch.bounding_spheres[i].centre);
+      high = high.cwiseMax(scratch.bounding_spheres[i].centre);
     }
-    CollisionScratch::Ball& group = scratch.groups[g];
+    CollisionScratch::BoundingSphere& group = scratch.groups[g];
     group = {0.5 * (low + high), 0};
     for (std::size_t i = first; i < last; ++i) {
-      const CollisionScratch::Ball& ball = scratch.balls[i];
+      const CollisionScratch::BoundingSphere& ball = scratch.bounding_spheres[i];
       group.radius = std::max(group.radius, (ball.centre - group.centre).norm() + ball.radius);
     }
   }
@@ -117,29 +125,30 @@ bool may_touch(const CollisionWorld& world, int capsule, int object, double time
          world.robot->capsules[static_cast<std::size_t>(capsule)].may_touch_target;
 }
 
-double touch_depth_m(const CollisionWorld& world, int capsule) {
+double allowed_contact_depth_m(const CollisionWorld& world, int capsule) {
   const Tolerances& allowed = world.tolerances;
   return robot::is_pad(*world.robot, capsule) ? allowed.contact_depth
                                               : allowed.link_depth.value_or(allowed.contact_depth);
 }
 
-double required_m(const CollisionWorld& world, int capsule, int object, double time_s) {
-  return may_touch(world, capsule, object, time_s) ? -touch_depth_m(world, capsule)
+double required_distance_m(const CollisionWorld& world, int capsule, int object, double time_s) {
+  return may_touch(world, capsule, object, time_s) ? -allowed_contact_depth_m(world, capsule)
                                                    : world.tolerances.margin;
 }
 
-void pose_bodies(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
-                 CollisionScratch& scratch) {
-  robot::forward(*world.robot, q, scratch.base_from_frame);
-  place_bodies(world, time_s, scratch);
+void update_bodies(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q,
+                   double time_s, CollisionScratch& scratch) {
+  robot::forward_kinematics(*world.robot, q, scratch.base_from_frame);
+  update_bodies_from_frames(world, time_s, scratch);
 }
 
-void place_bodies(const CollisionWorld& world, double time_s, CollisionScratch& scratch) {
-  const RobotTable& robot = *world.robot;
+void update_bodies_from_frames(const CollisionWorld& world, double time_s,
+                               CollisionScratch& scratch) {
+  const RobotModel& robot = *world.robot;
   scratch.bodies.resize(robot.capsules.size());
-  scratch.balls.resize(robot.capsules.size());
+  scratch.bounding_spheres.resize(robot.capsules.size());
   for (std::size_t i = 0; i < robot.capsules.size(); ++i) {
-    const RobotTable::Capsule& capsule = robot.capsules[i];
+    const RobotModel::Capsule& capsule = robot.capsules[i];
     CapsuleBody& body = scratch.bodies[i];
     if (capsule.frame < 0) {
       body = {capsule.from, capsule.to, capsule.radius};
@@ -147,33 +156,33 @@ void place_bodies(const CollisionWorld& world, double time_s, CollisionScratch& 
       const Pose& pose = scratch.base_from_frame[static_cast<std::size_t>(capsule.frame)];
       body = {pose * capsule.from, pose * capsule.to, capsule.radius};
     }
-    scratch.balls[i].centre = 0.5 * (body.from + body.to);
-    scratch.balls[i].radius = 0.5 * (body.to - body.from).norm() + body.radius;
+    scratch.bounding_spheres[i].centre = 0.5 * (body.from + body.to);
+    scratch.bounding_spheres[i].radius = 0.5 * (body.to - body.from).norm() + body.radius;
   }
   place_groups(scratch);
   scratch.object_poses.resize(world.scene->objects.size());
   for (std::size_t k = 0; k < world.scene->objects.size(); ++k) {
     scratch.object_poses[k] = recorded_pose(world.scene->objects[k], time_s);
   }
-  if (world.carried.frame < 0 || world.target < 0) return;
+  if (world.attached.frame < 0 || world.target < 0) return;
   Pose& target = scratch.object_poses[static_cast<std::size_t>(world.target)];
-  const TargetPlace place = place_of_target(world, time_s);
-  if (place == TargetPlace::in_hand) {
-    target = scratch.base_from_frame[static_cast<std::size_t>(world.carried.frame)] *
-             world.carried.frame_from_object;
-  } else if (place == TargetPlace::released) {
-    target = world.carried.base_from_released;
+  const TargetState place = target_state_at(world, time_s);
+  if (place == TargetState::attached) {
+    target = scratch.base_from_frame[static_cast<std::size_t>(world.attached.frame)] *
+             world.attached.frame_from_object;
+  } else if (place == TargetState::released) {
+    target = world.attached.base_from_released;
   }
 }
 
 bool is_free(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
              CollisionScratch& scratch) {
-  pose_bodies(world, q, time_s, scratch);
+  update_bodies(world, q, time_s, scratch);
   const double limit = 0;
   bool free = true;
   visit_near(
       world, scratch, limit,
-      [&](int capsule, int object) { return required_m(world, capsule, object, time_s); },
+      [&](int capsule, int object) { return required_distance_m(world, capsule, object, time_s); },
       [&](const PairSeparation& pair) {
         free = pair.slack() >= 0;
         return free;
@@ -183,14 +192,14 @@ bool is_free(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q
 
 PairSeparation least_slack(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q,
                            double time_s, CollisionScratch& scratch) {
-  pose_bodies(world, q, time_s, scratch);
+  update_bodies(world, q, time_s, scratch);
   PairSeparation best;
   best.capsule = -1;
   best.separation.distance = kInfinity;
   double least = kInfinity;
   visit_near(
       world, scratch, least,
-      [&](int capsule, int object) { return required_m(world, capsule, object, time_s); },
+      [&](int capsule, int object) { return required_distance_m(world, capsule, object, time_s); },
       [&](const PairSeparation& pair) {
         if (pair.slack() < least) {
           best = pair;
@@ -203,7 +212,7 @@ PairSeparation least_slack(const CollisionWorld& world, const Eigen::Ref<const J
 
 void near_pairs(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
                 double below_m, CollisionScratch& scratch, std::vector<PairSeparation>& out) {
-  pose_bodies(world, q, time_s, scratch);
+  update_bodies(world, q, time_s, scratch);
   near_pairs(world, time_s, below_m, scratch, out);
 }
 
@@ -212,7 +221,7 @@ void near_pairs(const CollisionWorld& world, double time_s, double below_m,
   out.clear();
   visit_near(
       world, scratch, below_m,
-      [&](int capsule, int object) { return required_m(world, capsule, object, time_s); },
+      [&](int capsule, int object) { return required_distance_m(world, capsule, object, time_s); },
       [&](const PairSeparation& pair) {
         if (pair.slack() < below_m) out.push_back(pair);
         return true;
@@ -221,7 +230,7 @@ void near_pairs(const CollisionWorld& world, double time_s, double below_m,
 
 double clearance(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
                  CollisionScratch& scratch) {
-  pose_bodies(world, q, time_s, scratch);
+  update_bodies(world, q, time_s, scratch);
   const double margin_m = world.tolerances.margin;
   double least_m = kInfinity, limit = kInfinity;  // limit = least_m - margin_m
   visit_near(
@@ -237,13 +246,14 @@ double clearance(const CollisionWorld& world, const Eigen::Ref<const JointVector
   return least_m;
 }
 
-std::string first_name(const CollisionWorld& world, const PairSeparation& pair) {
+std::string first_body_name(const CollisionWorld& world, const PairSeparation& pair) {
   return world.robot->capsules[static_cast<std::size_t>(pair.capsule)].name;
 }
 
-std::string second_name(const CollisionWorld& world, const PairSeparation& pair) {
+std::string second_body_name(const CollisionWorld& world, const PairSeparation& pair) {
   const auto other = static_cast<std::size_t>(pair.other);
-  return pair.object ? world.scene->objects[other].name : world.robot->capsules[other].name;
+  return pair.other_is_object ? world.scene->objects[other].name
+                              : world.robot->capsules[other].name;
 }
 
 }  // namespace morphe::collision

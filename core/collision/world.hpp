@@ -12,123 +12,137 @@
 
 namespace morphe::collision {
 
-/// The target in the hand: it moves with a frame from begin_s to end_s as it lay there at begin_s,
-/// and then stays where it is. Before, it is where it was recorded.
-struct CarriedTarget {
-  int frame = -1;                               ///< of the robot; -1: nothing is carried
-  double begin_s = kNotSeen, end_s = kNotSeen;  ///< demonstration time, end NaN: never released
+/// The target as an attached object: it moves with a frame from begin_s to end_s, with its pose
+/// relative to the frame at begin_s, and remains at its last pose afterwards. Before begin_s it has
+/// its recorded pose.
+struct AttachedTarget {
+  int frame = -1;                               ///< robot frame, -1 if the target is not attached
+  double begin_s = kUnknown, end_s = kUnknown;  ///< demonstration time, end NaN: never released
   Pose frame_from_object = Pose::Identity();
   Pose base_from_released = Pose::Identity();
-  JointVector levers;  ///< [joints] as a row of Robot::capsule_levers
+  JointVector motion_bounds;  ///< [joints] like a row of Robot::capsule_motion_bounds
 };
 
-/// What must stay apart in one movement, everything in the robot's base frame. Robot and scene must
-/// outlive it. All pairs of capsules but the allowed ones, and every capsule against every object.
-/// A capsule that may touch the target may sink `contact_depth` into it (one that is no pad:
-/// `link_depth`, if that is given) while touching is allowed (preshape to release, borders
-/// included). Objects are where they were recorded, the target in the hand too unless
-/// carry_target() told where the hand took hold of it.
+/// The collision world of one movement, in the robot's base frame. Robot and scene must outlive it.
+/// It checks all pairs of capsules except the allowed ones, and every capsule against every object.
+/// A capsule that may touch the target may penetrate it by `contact_depth` (a capsule without a pad
+/// by `link_depth`, if given) while contact is allowed (preshape to release, boundaries included).
+/// Objects have their recorded poses, and so has the target in the hand unless attach_target() has
+/// set the time at which the hand grasps it.
 struct CollisionWorld {
   const robot::Robot* robot = nullptr;
   const Scene* scene = nullptr;
-  std::vector<std::shared_ptr<const MeshSolid>> meshes;  ///< [objects] null: no mesh, or broken
-  int target = -1;                                       ///< index into scene->objects, -1 if none
-  double touch_begin_s = kNotSeen, touch_end_s = kNotSeen;  ///< demonstration time, NaN = never
+  /// [objects] null if not a mesh, or invalid.
+  std::vector<std::shared_ptr<const MeshSolid>> meshes;
+  /// Index into scene->objects, -1 if there is no target.
+  int target = -1;
+  double touch_begin_s = kUnknown, touch_end_s = kUnknown;  ///< demonstration time, NaN = never
   Tolerances tolerances;
   std::vector<std::array<int, 2>> pairs;  ///< capsule pairs to check, from make_world()
-  CarriedTarget carried;
+  AttachedTarget attached;
 };
 
-/// Touching is allowed from the first preshape (or grasp, if there is none) to the end of the last
-/// of grasp, hold and transport; never without a target or one of these three. Capsules that no
-/// joint moves relative to each other are no pair. Meshes are made ready, but for those in `ready`.
+/// Builds the world of a movement. Contact is allowed from the first preshape (or grasp, if there
+/// is no preshape) to the end of the last grasp, hold or transport phase; never without a target or
+/// without one of these three phases. Capsules that no joint moves relative to each other do not
+/// form a pair. Meshes are preprocessed unless they are in `ready`.
 CollisionWorld make_world(const robot::Robot& robot, const Scene& scene, const Movement& movement,
-                          const Tolerances& tolerances, const ReadyMeshes& ready = {});
+                          const Tolerances& tolerances, const MeshCache& ready = {});
 
+/// Returns the geometry of an object for distance queries.
 inline Solid solid_at(const CollisionWorld& world, std::size_t object) {
   return {world.scene->objects[object], world.meshes[object].get()};
 }
 
-/// Lets the target move with its `attached_frame` from the first sample at or after its attach_s to
-/// the first one at or after its release_s, as this path [samples, joints] takes hold of it.
-/// Without a frame of that name, or if the path ends before or at that time, nothing is carried.
-/// What is carried is checked against the robot; against other objects it is not.
-void carry_target(const std::vector<double>& demonstration_time, const JointRows& position,
-                  CollisionWorld& world);
+/// Attaches the target to its `attached_frame` from the first sample at or after its attach_s to
+/// the first sample at or after its release_s, with the relative pose that this path [samples,
+/// joints] gives. It is not attached if there is no frame of that name, or if the path ends before
+/// or at that time. An attached target is checked against the robot, but not against other objects.
+void attach_target(const std::vector<double>& demonstration_time, const JointRows& position,
+                   CollisionWorld& world);
 
-enum class TargetPlace { as_recorded, in_hand, released };
-TargetPlace place_of_target(const CollisionWorld& world, double time_s);
+/// The attachment of the target at a time.
+enum class TargetState { as_recorded, attached, released };
+/// Returns the attachment of the target at a demonstration time.
+TargetState target_state_at(const CollisionWorld& world, double time_s);
 
-/// One pair that is checked. slack = separation.distance - required.
+/// The separation of a pair that is checked. slack = separation.distance - required_distance_m.
 struct PairSeparation {
   int capsule = 0;
-  int other = 0;  ///< capsule, or object if `object`
-  bool object = false;
+  int other = 0;  ///< capsule, or object if `other_is_object`
+  bool other_is_object = false;
   Separation separation;
-  double required = 0;  ///< required_m() [m]
-  double slack() const { return separation.distance - required; }
+  double required_distance_m = 0;  ///< as returned by required_distance_m() [m]
+  /// Returns the distance beyond the required one [m], < 0 if the pair is in collision.
+  double slack() const { return separation.distance - required_distance_m; }
 };
 
-/// Capsules in a row, which mostly lie side by side: objects are looked at for all of them first.
+/// Number of consecutive capsules, which mostly lie side by side, for which objects near them are
+/// found at once.
 inline constexpr std::size_t kCapsuleGroup = 6;
 
-/// Per-thread scratch of the queries.
+/// Buffers of the queries, one for each thread.
 struct CollisionScratch {
-  struct Ball {
+  /// A sphere that contains a body or a group of bodies.
+  struct BoundingSphere {
     Vec3 centre;
     double radius = 0;
   };
   std::vector<Pose> base_from_frame;
   std::vector<CapsuleBody> bodies;
-  std::vector<Ball> balls;   ///< [capsules] each holds its body
-  std::vector<Ball> groups;  ///< each holds the balls of kCapsuleGroup capsules in a row
+  std::vector<BoundingSphere> bounding_spheres;  ///< [capsules] each contains its capsule
+  std::vector<BoundingSphere> groups;            ///< each contains kCapsuleGroup spheres
   std::vector<Pose> object_poses;
-  std::vector<std::size_t> near_group;         ///< objects near the group of capsules at hand
-  JointVector position, travel;                ///< of certified motion
-  std::vector<double> body_travel;             ///< [capsules] [m]
-  std::vector<double> object_travel;           ///< [objects] [m]
-  std::vector<std::vector<std::size_t>> open;  ///< pairs not yet proved, by depth of bisection
+  std::vector<std::size_t> near_group;  ///< objects near the current group of capsules
+  JointVector position, travel;         ///< of continuous checks
+  std::vector<double> body_travel;      ///< [capsules] [m]
+  std::vector<double> object_travel;    ///< [objects] [m]
+  /// Pairs that are not yet proved free, by depth of bisection.
+  std::vector<std::vector<std::size_t>> undecided_pairs;
 };
 
-/// Whether a capsule may touch an object at a demonstration time.
+/// Returns true if a capsule may touch an object at a demonstration time.
 bool may_touch(const CollisionWorld& world, int capsule, int object, double time_s);
-/// How deep a capsule that may touch the target may sink into it [m].
-double touch_depth_m(const CollisionWorld& world, int capsule);
-/// How far the two must stay apart then: the margin, or -touch_depth_m where touching is allowed.
-double required_m(const CollisionWorld& world, int capsule, int object, double time_s);
+/// Returns the depth by which a capsule that may touch the target may penetrate it [m].
+double allowed_contact_depth_m(const CollisionWorld& world, int capsule);
+/// Returns the required distance of a capsule and an object at a time: the margin, or
+/// -allowed_contact_depth_m if contact is allowed.
+double required_distance_m(const CollisionWorld& world, int capsule, int object, double time_s);
 
-/// Fills the scratch with all bodies at joint position q and demonstration time t.
-void pose_bodies(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
-                 CollisionScratch& scratch);
+/// Computes all bodies at joint position q and demonstration time t.
+void update_bodies(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q,
+                   double time_s, CollisionScratch& scratch);
 
-/// The same where the scratch's base_from_frame is that of a joint position already.
-void place_bodies(const CollisionWorld& world, double time_s, CollisionScratch& scratch);
+/// Computes all bodies from the frame poses that are already in the scratch's base_from_frame.
+void update_bodies_from_frames(const CollisionWorld& world, double time_s,
+                               CollisionScratch& scratch);
 
-/// Whether every pair has slack >= 0 at joint position q and demonstration time t.
+/// Returns true if every pair has slack >= 0 at joint position q and demonstration time t.
 bool is_free(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
              CollisionScratch& scratch);
 
-/// The pair with the least slack at joint position q and demonstration time t, the first one of
-/// equals. With no pair at all, slack is +infinity and the capsule -1.
+/// Returns the pair with the smallest slack at joint position q and demonstration time t, the first
+/// one of equals. If there are no pairs, slack is +infinity and the capsule is -1.
 PairSeparation least_slack(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q,
                            double time_s, CollisionScratch& scratch);
 
-/// All pairs with slack below `below_m`: capsule pairs in the order of world.pairs, then every
-/// capsule with its objects.
+/// Finds all pairs with slack below `below_m`: capsule pairs in the order of world.pairs, then
+/// every capsule with its objects.
 void near_pairs(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
                 double below_m, CollisionScratch& scratch, std::vector<PairSeparation>& out);
 
-/// The same of bodies that are placed already.
+/// Finds these pairs for bodies that are already computed.
 void near_pairs(const CollisionWorld& world, double time_s, double below_m,
                 CollisionScratch& scratch, std::vector<PairSeparation>& out);
 
-/// Least distance over the pairs that may not touch at this time [m]: what a trajectory's
-/// `clearance` holds. +infinity if there is none.
+/// Returns the minimum distance over the pairs that may not touch at this time [m], as stored in a
+/// trajectory's `clearance`. It is +infinity if there is no such pair.
 double clearance(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
                  CollisionScratch& scratch);
 
-/// "hand_palm", "table": the names of a pair's two sides.
-std::string first_name(const CollisionWorld& world, const PairSeparation& pair);
-std::string second_name(const CollisionWorld& world, const PairSeparation& pair);
+/// Returns the name of the pair's capsule, such as "hand_palm".
+std::string first_body_name(const CollisionWorld& world, const PairSeparation& pair);
+/// Returns the name of the pair's second capsule or object, such as "table".
+std::string second_body_name(const CollisionWorld& world, const PairSeparation& pair);
 
 }  // namespace morphe::collision

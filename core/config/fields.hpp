@@ -10,64 +10,72 @@
 #include <vector>
 
 #include "core/config/node.hpp"
-#include "core/motion/named.hpp"
+#include "core/motion/enum_names.hpp"
 
 namespace morphe::config {
 
-/// Options structs describe themselves once, for reading and for writing:
+/// Options structs are described once, for reading and writing:
 ///
 ///     struct SegmentOptions { double onset_share = 0.05; };
 ///     template <class Fields>
 ///     void fields(Fields& f, SegmentOptions& o) { f("onset_share", o.onset_share); }
-///     std::string why_invalid(const SegmentOptions& o);   // optional: "" or what is wrong
+///     std::string validation_error(const SegmentOptions& o);   // optional: "" or the error
 ///
-/// read_options(node, options) leaves defaults where a key is absent and throws one InputError of
-/// all that is wrong, a line each; write_options gives YAML that read_options takes back to the
-/// same values. Supported: bool, int, std::uint64_t, double, std::string, Vec3, named enumerations,
-/// vectors and optionals of these, and structs with fields() of their own.
+/// read_options(node, options) keeps the default if a key is absent, and throws one InputError with
+/// all errors, a line each; write_options returns YAML from which read_options restores the same
+/// values. Supported types: bool, int, std::uint64_t, double, std::string, Vec3, named
+/// enumerations, vectors and optionals of these, and structs that have fields().
 class FieldReader;
 class FieldWriter;
 
+/// A struct that has fields().
 template <class T>
 concept HasFields = requires(FieldWriter& f, T& options) {
   fields(f, options);
 };
+/// A struct that has validation_error().
 template <class T>
-concept HasWhyInvalid = requires(const T& options) {
-  { why_invalid(options) } -> std::same_as<std::string>;
+concept HasValidationError = requires(const T& options) {
+  { validation_error(options) } -> std::same_as<std::string>;
 };
 
+/// Reads the options of a section; throws InputError.
 template <class Options>
 void read_options(const ConfigNode& node, Options& options);
-/// The same for a whole document: a key that is none of theirs is wrong, too.
+/// Reads the options of a whole document; keys that are not part of them are errors too.
 template <class Options>
 void read_document(const ConfigNode& node, Options& options);
+/// Returns the options as YAML.
 template <class Options>
 std::string write_options(const Options& options);
 
-/// Adds what is wrong to `problems` and goes on with the next key.
+/// Reads the fields of a struct. Errors are added to `problems`, and reading continues with the
+/// next key.
 class FieldReader {
  public:
-  FieldReader(ConfigNode node, Problems& problems) : node_(std::move(node)), problems_(problems) {}
+  /// Reads from `node`; errors are added to `problems`.
+  FieldReader(ConfigNode node, ErrorList& problems) : node_(std::move(node)), problems_(problems) {}
 
+  /// Reads a key, or keeps the default if it is absent.
   template <class T>
   void operator()(const char* key, T& value) {
     if (node_.has(key)) required(key, value);
   }
-  /// A key without a default.
+  /// Reads a key that has no default.
   template <class T>
   void required(const char* key, T& value) {
     problems_.attempt([&] { read(node_[key], value); });
   }
+  /// Reads a struct with fields() and validates it.
   template <HasFields T>
   void read(const ConfigNode& n, T& value) {
     n.expect_map();
-    Problems own;
+    ErrorList own;
     FieldReader reader(n, own);
     fields(reader, value);
-    if constexpr (HasWhyInvalid<T>) {
-      const std::string wrong = own.none() ? why_invalid(value) : "";
-      if (!wrong.empty()) own.attempt([&] { n.fail_below(wrong); });
+    if constexpr (HasValidationError<T>) {
+      const std::string wrong = own.none() ? validation_error(value) : "";
+      if (!wrong.empty()) own.attempt([&] { n.fail_at_key(wrong); });
     }
     problems_.add(own);
   }
@@ -89,11 +97,11 @@ class FieldReader {
   static void read(const ConfigNode& n, double& value) { value = n.number(); }
   static void read(const ConfigNode& n, std::string& value) { value = n.text(); }
   static void read(const ConfigNode& n, Vec3& value) { value = n.vec3(); }
-  template <Named E>
+  template <NamedEnum E>
   static void read(const ConfigNode& n, E& value) {
     const std::string word = n.text();
-    const std::optional<E> known = named<E>(word);
-    if (!known) n.fail(fmt::format("must be {}, not '{}'", choice_of<E>(), word));
+    const std::optional<E> known = enum_from_name<E>(word);
+    if (!known) n.fail(fmt::format("must be {}, not '{}'", list_names<E>(), word));
     value = *known;
   }
   template <class T>
@@ -109,18 +117,22 @@ class FieldReader {
   }
 
   ConfigNode node_;
-  Problems& problems_;
+  ErrorList& problems_;
 };
 
+/// Writes the fields of a struct as YAML.
 class FieldWriter {
  public:
+  /// `indent` is put in front of every line.
   explicit FieldWriter(std::string indent = "") : indent_(std::move(indent)) {}
 
+  /// Writes a key.
   template <class T>
   void operator()(const char* key, T& value) {
     const std::string written = write(value, indent_ + "  ");
     if (!written.empty()) text += fmt::format("{}{}:{}\n", indent_, key, written);
   }
+  /// Writes a key that has no default.
   template <class T>
   void required(const char* key, T& value) {
     (*this)(key, value);
@@ -140,7 +152,7 @@ class FieldWriter {
     for (const char c : value) quoted += c == '\'' ? std::string("''") : std::string(1, c);
     return fmt::format(" '{}'", quoted);
   }
-  template <Named E>
+  template <NamedEnum E>
   static std::string write(E value, const std::string& indent) {
     return write(std::string(name_of(value)), indent);
   }
@@ -174,21 +186,24 @@ class FieldWriter {
   std::string indent_;
 };
 
+/// Implementation of read_options().
 template <class Options>
 void read_options(const ConfigNode& node, Options& options) {
-  Problems problems;
+  ErrorList problems;
   problems.attempt([&] { FieldReader(node, problems).read(node, options); });
-  problems.throw_any();
+  problems.throw_if_any();
 }
 
+/// Implementation of read_document().
 template <class Options>
 void read_document(const ConfigNode& node, Options& options) {
-  Problems problems;
+  ErrorList problems;
   problems.attempt([&] { FieldReader(node, problems).read(node, options); });
-  node.add_unread(problems);
-  problems.throw_any();
+  node.report_unread_keys(problems);
+  problems.throw_if_any();
 }
 
+/// Implementation of write_options().
 template <class Options>
 std::string write_options(const Options& options) {
   FieldWriter writer;

@@ -14,24 +14,24 @@
 #include <set>
 #include <sstream>
 
-#include "core/config/did_you_mean.hpp"
+#include "core/config/spelling_hint.hpp"
 #include "core/files/printable.hpp"
 
 namespace morphe::config {
 
 namespace {
 
-constexpr std::size_t kMostValues = 1'000'000, kMostBytes = std::size_t{64} << 20;
-constexpr int kMostDepth = 100;
+constexpr std::size_t kMaxValueCount = 1'000'000, kMaxDocumentBytes = std::size_t{64} << 20;
+constexpr int kMaxNestingDepth = 100;
 
-/// Notices whether a document holds anything.
-struct Notice : YAML::EventHandler {
-  bool something = false;
+/// Detects whether a document has any content.
+struct ContentDetector : YAML::EventHandler {
+  bool has_content = false;
   int line = 0;
 
   void notice(const YAML::Mark& mark) {
-    if (!something) line = mark.line + 1;
-    something = true;
+    if (!has_content) line = mark.line + 1;
+    has_content = true;
   }
   void OnDocumentStart(const YAML::Mark&) override {}
   void OnDocumentEnd() override {}
@@ -53,14 +53,14 @@ struct Notice : YAML::EventHandler {
   void OnMapEnd() override {}
 };
 
-/// The one document of a text. (YAML::LoadAll does not come to an end on some texts.)
-YAML::Node only_document(const std::string& text, const std::string& label) {
-  if (text.size() > kMostBytes)
-    throw InputError(fmt::format("{}: is longer than {} MB", label, kMostBytes >> 20));
+/// Parses the single document of a text. (YAML::LoadAll does not terminate on some texts.)
+YAML::Node parse_single_document(const std::string& text, const std::string& label) {
+  if (text.size() > kMaxDocumentBytes)
+    throw InputError(fmt::format("{}: is longer than {} MB", label, kMaxDocumentBytes >> 20));
   std::istringstream stream(text);
   YAML::Parser parser(stream);
-  Notice first, second;
-  if (parser.HandleNextDocument(first) && parser.HandleNextDocument(second) && second.something)
+  ContentDetector first, second;
+  if (parser.HandleNextDocument(first) && parser.HandleNextDocument(second) && second.has_content)
     throw InputError(
         fmt::format("{}:{}: a second document begins: there may be one", label, second.line));
   return YAML::Load(text);
@@ -71,14 +71,14 @@ YAML::Node only_document(const std::string& text, const std::string& label) {
 struct ConfigNode::Value {
   enum class Kind { empty, scalar, list, map } kind = Kind::empty;
   std::string scalar;
-  std::vector<std::pair<std::string, std::unique_ptr<Value>>> children;  ///< list: empty keys
-  std::string file;                                                      ///< it stands in this file
+  std::vector<std::pair<std::string, std::unique_ptr<Value>>> children;  ///< empty keys for a list
+  std::string file;                                                      ///< file that contains it
   std::string origin;  ///< "FILE:LINE" or "--set a.b"
   int line = 0;
   bool read = false;
-  std::set<std::string, std::less<>> asked;  ///< keys that somebody looked for
+  std::set<std::string, std::less<>> requested_keys;  ///< keys that were looked up
 
-  std::map<std::string, Value*, std::less<>> by_key;  ///< of a map's children
+  std::map<std::string, Value*, std::less<>> by_key;  ///< children of a map
 
   Value* find(std::string_view key) const {
     const auto found = by_key.find(key);
@@ -110,11 +110,11 @@ struct ConfigNode::Value {
     for (const auto& entry : children) entry.second->mark_all_read();
   }
 
-  /// Names of children that nobody has asked for.
-  std::vector<std::string> strangers() const {
+  /// Returns the names of children that were not requested.
+  std::vector<std::string> unrequested_keys() const {
     std::vector<std::string> names;
     for (const auto& entry : children) {
-      if (!asked.contains(entry.first)) names.push_back(entry.first);
+      if (!requested_keys.contains(entry.first)) names.push_back(entry.first);
     }
     return names;
   }
@@ -147,26 +147,26 @@ struct ConfigNode::Value {
     for (auto& entry : children) entry.second->set_file(name);
   }
 
-  /// What is left of a document to be converted: aliases may make much of little, or an endless
-  /// value of one that holds itself.
-  struct Budget {
-    std::size_t values = kMostValues;
-    int depth = kMostDepth;
+  /// Limits of the conversion of a document: aliases can expand a short text to a large value, or
+  /// to an infinite one if a value contains itself.
+  struct ConversionLimits {
+    std::size_t values = kMaxValueCount;
+    int depth = kMaxNestingDepth;
   };
 
   static std::unique_ptr<Value> convert(const YAML::Node& node, const std::string& label,
-                                        Budget& budget) {
+                                        ConversionLimits& budget) {
     auto value = std::make_unique<Value>();
     value->line = node.Mark().line + 1;
     value->file = label;
     value->origin = fmt::format("{}:{}", label, value->line);
     if (budget.depth == 0) {
       throw InputError(fmt::format("{}: is nested deeper than {} levels, or holds itself",
-                                   value->origin, kMostDepth));
+                                   value->origin, kMaxNestingDepth));
     }
     if (budget.values == 0) {
       throw InputError(
-          fmt::format("{}: the document holds more than {} values", value->origin, kMostValues));
+          fmt::format("{}: the document holds more than {} values", value->origin, kMaxValueCount));
     }
     --budget.values;
     --budget.depth;
@@ -182,8 +182,8 @@ struct ConfigNode::Value {
         const std::string key = entry.first.as<std::string>();
         const int line = entry.first.Mark().line + 1;
         if (value->find(key)) {
-          throw InputError(
-              fmt::format("{}:{}: {}: the key stands twice", label, line, files::printable(key)));
+          throw InputError(fmt::format("{}:{}: {}: the key stands twice", label, line,
+                                       files::make_printable(key)));
         }
         auto child = convert(entry.second, label, budget);
         if (child->kind == Kind::empty) child->origin = fmt::format("{}:{}", label, line);
@@ -203,7 +203,7 @@ struct ConfigNode::Document {
 namespace {
 
 std::string join(const std::string& path, std::string_view key) {
-  const std::string shown = files::printable(key);
+  const std::string shown = files::make_printable(key);
   return path.empty() ? shown : fmt::format("{}.{}", path, shown);
 }
 
@@ -212,7 +212,7 @@ std::string join(const std::string& path, std::string_view key) {
 ConfigNode ConfigNode::load(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream || std::filesystem::is_directory(file)) {
-    throw InputError(fmt::format("{}: cannot be read{}", file.string(), did_you_mean_file(file)));
+    throw InputError(fmt::format("{}: cannot be read{}", file.string(), file_spelling_hint(file)));
   }
   std::stringstream text;
   text << stream.rdbuf();
@@ -226,8 +226,8 @@ ConfigNode ConfigNode::parse(const std::string& text, const std::string& label) 
   auto document = std::make_shared<Document>();
   document->file = label;
   try {
-    Value::Budget budget;
-    document->root = Value::convert(only_document(text, label), label, budget);
+    Value::ConversionLimits budget;
+    document->root = Value::convert(parse_single_document(text, label), label, budget);
   } catch (const YAML::Exception& error) {
     throw InputError(
         fmt::format("{}:{}: not valid YAML: {}", label, error.mark.line + 1, error.msg));
@@ -244,10 +244,10 @@ bool ConfigNode::is_list() const { return value_->kind == Value::Kind::list; }
 bool ConfigNode::is_scalar() const { return value_->kind == Value::Kind::scalar; }
 bool ConfigNode::has(std::string_view key) const {
   if (!is_map()) return false;
-  value_->asked.emplace(key);
+  value_->requested_keys.emplace(key);
   Value* child = value_->find(key);
   if (!child) return false;
-  if (child->kind == Value::Kind::empty) child->read = true;  // "key:" alone asks for the default
+  if (child->kind == Value::Kind::empty) child->read = true;  // "key:" alone requests the default
   return child->kind != Value::Kind::empty;
 }
 
@@ -259,10 +259,10 @@ std::vector<std::string> ConfigNode::keys() const {
 
 ConfigNode ConfigNode::operator[](std::string_view key) const {
   expect_map();
-  value_->asked.emplace(key);
+  value_->requested_keys.emplace(key);
   Value* child = value_->find(key);
   if (!child) {
-    const std::string stranger = nearest_word(key, value_->strangers());
+    const std::string stranger = nearest_word(key, value_->unrequested_keys());
     throw InputError(
         fmt::format("{}: {}: is missing{}", value_->origin, join(key_, key),
                     stranger.empty() ? "" : fmt::format("; is '{}' meant for it?", stranger)));
@@ -307,7 +307,7 @@ double ConfigNode::number() const {
   std::string word = text();
   double factor = 1;
   if (word.ends_with("deg")) {
-    factor = kDegree;
+    factor = kRadPerDegree;
     word.resize(word.size() - 3);
     while (word.ends_with(' ')) word.pop_back();
   }
@@ -342,8 +342,8 @@ void ConfigNode::set(const std::string& dotted_path, const std::string& value) {
   const std::string label = fmt::format("--set {}", dotted_path);
   std::unique_ptr<Value> replacement;
   try {
-    Value::Budget budget;
-    replacement = Value::convert(only_document(value, label), label, budget);
+    Value::ConversionLimits budget;
+    replacement = Value::convert(parse_single_document(value, label), label, budget);
   } catch (const YAML::Exception& error) {
     throw InputError(fmt::format("{}: not valid YAML: {}", label, error.msg));
   }
@@ -354,8 +354,8 @@ void ConfigNode::set(const std::string& dotted_path, const std::string& value) {
   std::vector<std::string> steps;
   for (std::string step; std::getline(path, step, '.');) steps.push_back(step);
   if (steps.empty()) throw InputError("--set: needs a.b=value");
-  if (steps.size() > static_cast<std::size_t>(kMostDepth))
-    throw InputError(fmt::format("--set: names more than {} levels", kMostDepth));
+  if (steps.size() > static_cast<std::size_t>(kMaxNestingDepth))
+    throw InputError(fmt::format("--set: names more than {} levels", kMaxNestingDepth));
   for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
     Value* child = parent->find(steps[i]);
     if (!child) {
@@ -379,7 +379,7 @@ void ConfigNode::extend(const ConfigNode& base) { value_->extend(*base.value_); 
 
 void ConfigNode::erase(std::string_view key) { value_->erase(key); }
 
-ConfigNode ConfigNode::detached() const {
+ConfigNode ConfigNode::copy_as_document() const {
   auto document = std::make_shared<Document>();
   document->file = document_->file;
   document->root = value_->clone();
@@ -387,18 +387,19 @@ ConfigNode ConfigNode::detached() const {
   return {std::move(document), root, key_};
 }
 
-void ConfigNode::add_unread(Problems& problems) const {
-  constexpr int kMost = 1000;  // nobody reads more
+void ConfigNode::report_unread_keys(ErrorList& problems) const {
+  constexpr int kMaxReportedKeys = 1000;  // limits the length of the message
   int found = 0;
   const auto visit = [&](const auto& self, const Value& value, const std::string& path) -> void {
-    for (std::size_t i = 0; i < value.children.size() && found < kMost; ++i) {
+    for (std::size_t i = 0; i < value.children.size() && found < kMaxReportedKeys; ++i) {
       const auto& [key, child] = value.children[i];
       const bool in_map = value.kind == Value::Kind::map;
       const std::string child_path = in_map ? join(path, key) : fmt::format("{}[{}]", path, i);
       if (in_map && !child->read) {
         ++found;
-        problems.add(fmt::format("{}: {}: unknown key{}", child->origin, child_path,
-                                 did_you_mean(key, {value.asked.begin(), value.asked.end()})));
+        problems.add(fmt::format(
+            "{}: {}: unknown key{}", child->origin, child_path,
+            spelling_hint(key, {value.requested_keys.begin(), value.requested_keys.end()})));
       } else {
         self(self, *child, child_path);
       }
@@ -407,10 +408,10 @@ void ConfigNode::add_unread(Problems& problems) const {
   visit(visit, *document_->root, value_ == document_->root.get() ? key_ : "");
 }
 
-void ConfigNode::expect_all_read() const {
-  Problems problems;
-  add_unread(problems);
-  problems.throw_any();
+void ConfigNode::require_all_keys_read() const {
+  ErrorList problems;
+  report_unread_keys(problems);
+  problems.throw_if_any();
 }
 
 void ConfigNode::expect_map() const {
@@ -422,7 +423,7 @@ void ConfigNode::fail_shape(const std::string& message) const {
   fail(message);
 }
 
-void ConfigNode::fail_below(const std::string& message) const {
+void ConfigNode::fail_at_key(const std::string& message) const {
   const std::size_t end = message.find_first_of(": ");
   const std::string key = message.substr(0, end);
   if (end == std::string::npos || !is_map() || !has(key)) fail(message);

@@ -9,68 +9,87 @@
 #include <utility>
 #include <vector>
 
-#include "core/config/problems.hpp"
+#include "core/config/error_list.hpp"
 #include "core/motion/geometry.hpp"
 #include "core/motion/input_error.hpp"
 
 namespace morphe::config {
 
-/// A YAML value that knows where it stands (file, line, key) and whether it was read. Copies refer
-/// to the same document. Everything thrown is an InputError "FILE:LINE: KEY: message".
+/// A YAML value that stores its position (file, line, key) and whether it was read. Copies refer to
+/// the same document. All functions throw InputError "FILE:LINE: KEY: message".
 class ConfigNode {
  public:
-  /// Reads a file; throws if it cannot be read, is no YAML, or repeats a key.
+  /// Reads a file; throws if it cannot be read, is not YAML, or repeats a key.
   static ConfigNode load(const std::filesystem::path& file);
-  /// The same for text; `label` stands for the file's name in messages.
+  /// Parses a text; `label` is used as the file's name in messages.
   static ConfigNode parse(const std::string& text, const std::string& label);
 
+  /// Returns true if the value is a map.
   bool is_map() const;
+  /// Returns true if the value is a list.
   bool is_list() const;
+  /// Returns true if the value is a scalar.
   bool is_scalar() const;
-  bool has(std::string_view key) const;   ///< with a value; "key:" alone counts as absent
-  std::vector<std::string> keys() const;  ///< of a map, in the file's order; marks none as read
-  ConfigNode operator[](std::string_view key) const;  ///< marks the key as read; throws if missing
-  std::vector<ConfigNode> items() const;              ///< of a list; throws if it is none
+  /// Returns true if the key has a value; "key:" alone counts as absent.
+  bool has(std::string_view key) const;
+  /// Returns the keys of a map, in the file's order, without marking them as read.
+  std::vector<std::string> keys() const;
+  /// Returns the value of a key and marks the key as read; throws if it is missing.
+  ConfigNode operator[](std::string_view key) const;
+  /// Returns the items of a list; throws if the value is not a list.
+  std::vector<ConfigNode> items() const;
 
+  /// Returns the text of a scalar; throws if the value is not a scalar.
   std::string text() const;
+  /// Returns a boolean; throws if the value is not one.
   bool boolean() const;
+  /// Returns an integer; throws if the value is not one.
   std::int64_t integer() const;
-  double number() const;  ///< "177 deg" is converted to radians; .inf and .nan are refused
+  /// Returns a number; "177 deg" is converted to radians, .inf and .nan are rejected.
+  double number() const;
+  /// Returns a list of three numbers as a vector; throws otherwise.
   Vec3 vec3() const;
+  /// Returns a list of numbers; throws otherwise.
   std::vector<double> numbers() const;
+  /// Returns a list of texts; throws otherwise.
   std::vector<std::string> texts() const;
 
-  /// Replaces or adds the value at a dotted path below this node ("map.w_x"); value is YAML.
+  /// Sets the value at a dotted path below this node ("map.w_x"); `value` is YAML.
   void set(const std::string& dotted_path, const std::string& value);
-  /// Takes from `base` what is missing here: mappings key by key, anything else as a whole. What is
-  /// taken keeps its file and line.
+  /// Adds the values of `base` that are missing here: mappings key by key, other values as a whole.
+  /// Added values keep their file and line.
   void extend(const ConfigNode& base);
-  /// Takes a key away, read or not; nothing where there is none.
+  /// Removes a key, whether it was read or not; it may be absent.
   void erase(std::string_view key);
-  /// A copy of this value as a document of its own: its keys are read anew.
-  ConfigNode detached() const;
-  /// The keys of this document that nobody has read, each with the one that it was probably meant
-  /// to be: of those that were asked for in its place.
-  void add_unread(Problems& problems) const;
-  /// Throws if there are any.
-  void expect_all_read() const;
-  void expect_map() const;  ///< throws if it is none
+  /// Returns a copy of this value as a separate document whose keys are not marked as read.
+  ConfigNode copy_as_document() const;
+  /// Reports the keys of this document that were not read, each with the most similar key among
+  /// those that were requested at this position.
+  void report_unread_keys(ErrorList& problems) const;
+  /// Throws if there are any unread keys.
+  void require_all_keys_read() const;
+  /// Throws if the value is not a map.
+  void expect_map() const;
+  /// Throws InputError about this value.
   [[noreturn]] void fail(const std::string& message) const;
-  /// The same for a message that may begin with the name of a key of this map ("step_s must be
-  /// positive"): then it is told of that key, with its line.
-  [[noreturn]] void fail_below(const std::string& message) const;
+  /// Throws InputError. If the message begins with the name of a key of this map ("step_s must be
+  /// positive"), the error refers to that key and its line.
+  [[noreturn]] void fail_at_key(const std::string& message) const;
 
-  std::filesystem::path file() const;    ///< as given to load()
-  std::filesystem::path folder() const;  ///< of the file this value stands in: paths start there
+  std::filesystem::path file() const;  ///< as passed to load()
+  /// Returns the folder of the file that contains this value, to which paths are relative.
+  std::filesystem::path folder() const;
+  /// Returns the line of this value in its file.
   int line() const;
-  const std::string& key() const { return key_; }  ///< dotted path from the root, "" for the root
+  /// Returns the dotted path from the root, "" for the root.
+  const std::string& key() const { return key_; }
 
  private:
   struct Value;
   struct Document;
   ConfigNode(std::shared_ptr<Document> document, Value* value, std::string key)
       : document_(std::move(document)), value_(value), key_(std::move(key)) {}
-  /// A value of another shape than was asked for: what is below it is not told as well.
+  /// Throws for a value of an unexpected kind; its children are not reported as unread too.
   [[noreturn]] void fail_shape(const std::string& message) const;
 
   std::shared_ptr<Document> document_;

@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-#include "core/config/did_you_mean.hpp"
+#include "core/config/spelling_hint.hpp"
 
 namespace morphe::config {
 
@@ -13,10 +13,10 @@ Schema number_schema() {
           {"pattern", "^[-+]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][-+]?[0-9]+)? *(deg)?$"}};
 }
 
-Schema whole_number_schema() { return {{"type", "integer"}}; }
-Schema text_schema() { return {{"type", {"string", "number", "boolean"}}}; }
-Schema truth_schema() { return {{"type", "boolean"}}; }
-Schema choice_schema(const std::vector<std::string>& words) { return {{"enum", words}}; }
+Schema integer_schema() { return {{"type", "integer"}}; }
+Schema scalar_schema() { return {{"type", {"string", "number", "boolean"}}}; }
+Schema boolean_schema() { return {{"type", "boolean"}}; }
+Schema enum_schema(const std::vector<std::string>& words) { return {{"enum", words}}; }
 Schema list_schema(const Schema& items) { return {{"type", "array"}, {"items", items}}; }
 
 Schema list_schema(const Schema& items, std::size_t count) {
@@ -25,8 +25,8 @@ Schema list_schema(const Schema& items, std::size_t count) {
 
 namespace {
 
-/// "key:" alone asks for the default.
-void allow_nothing(Schema& schema) {
+/// Allows "key:" without a value, which requests the default.
+void allow_null(Schema& schema) {
   if (schema.contains("enum")) schema["enum"].push_back(nullptr);
   if (!schema.contains("type")) return;
   if (schema["type"].is_string()) schema["type"] = Schema::array({schema["type"]});
@@ -35,14 +35,14 @@ void allow_nothing(Schema& schema) {
 
 }  // namespace
 
-Schema map_schema(const std::vector<SchemaKey>& keys) {
+Schema object_schema(const std::vector<SchemaKey>& keys) {
   Schema properties = Schema::object(), required = Schema::array();
   for (const SchemaKey& key : keys) {
     Schema schema;
-    if (!key.meaning.empty()) schema["description"] = key.meaning;
+    if (!key.description.empty()) schema["description"] = key.description;
     schema.update(key.schema);
     if (key.required) required.push_back(key.name);
-    if (!key.required) allow_nothing(schema);
+    if (!key.required) allow_null(schema);
     properties[key.name] = std::move(schema);
   }
   Schema schema{
@@ -59,10 +59,10 @@ Schema schema_document(const std::string& title, Schema schema) {
 
 namespace {
 
-void add_strangers_below(const ConfigNode& node, const Schema& schema, Problems& problems) {
+void report_unknown_keys_below(const ConfigNode& node, const Schema& schema, ErrorList& problems) {
   if (node.is_list() && schema.contains("items")) {
     for (const ConfigNode& item : node.items()) {
-      add_strangers_below(item, schema["items"], problems);
+      report_unknown_keys_below(item, schema["items"], problems);
     }
   }
   if (!node.is_map() || !schema.contains("properties")) return;
@@ -71,17 +71,18 @@ void add_strangers_below(const ConfigNode& node, const Schema& schema, Problems&
   for (const auto& [name, value] : known.items()) names.push_back(name);
   for (const std::string& key : node.keys()) {
     if (known.contains(key)) {
-      add_strangers_below(node[key], known[key], problems);
+      report_unknown_keys_below(node[key], known[key], problems);
     } else {
-      problems.attempt([&] { node[key].fail("unknown key" + did_you_mean(key, names)); });
+      problems.attempt([&] { node[key].fail("unknown key" + spelling_hint(key, names)); });
     }
   }
 }
 
 }  // namespace
 
-void add_strangers(const ConfigNode& node, const Schema& schema, Problems& problems) {
-  add_strangers_below(node.detached(), schema, problems);  // what is read here counts as unread
+void report_unknown_keys(const ConfigNode& node, const Schema& schema, ErrorList& problems) {
+  // The copy keeps these reads from marking keys as read.
+  report_unknown_keys_below(node.copy_as_document(), schema, problems);
 }
 
 std::string type_name(const std::type_info& type) {

@@ -12,113 +12,129 @@
 
 namespace morphe::config {
 
-/// A JSON Schema (draft 2020-12) of what a YAML file may hold, for editors and other checkers.
+/// A JSON Schema (draft 2020-12) of the permitted content of a YAML file, for editors and
+/// validators.
 using Schema = nlohmann::ordered_json;
 
-Schema number_schema();  ///< also "177 deg"
-Schema whole_number_schema();
-Schema text_schema();  ///< any single value: YAML needs no quotes
-Schema truth_schema();
-Schema choice_schema(const std::vector<std::string>& words);
+/// Returns the schema of a number, which includes "177 deg".
+Schema number_schema();
+/// Returns the schema of an integer.
+Schema integer_schema();
+/// Returns the schema of any scalar, because YAML needs no quotes.
+Schema scalar_schema();
+/// Returns the schema of a boolean.
+Schema boolean_schema();
+/// Returns the schema of an enumeration.
+Schema enum_schema(const std::vector<std::string>& words);
+/// Returns the schema of a list.
 Schema list_schema(const Schema& items);
+/// Returns the schema of a list with `count` items.
 Schema list_schema(const Schema& items, std::size_t count);
 
-/// A key of a map, in the file's words.
+/// A key of a map, with the spelling of the file.
 struct SchemaKey {
   std::string name;
   Schema schema;
-  std::string meaning;
+  std::string description;
   bool required = false;
 };
-/// A map of these keys and no others. One that is not required may stand without a value.
-Schema map_schema(const std::vector<SchemaKey>& keys);
+/// Returns the schema of a map with these keys and no others. A key that is not required may have
+/// no value.
+Schema object_schema(const std::vector<SchemaKey>& keys);
 
-/// As a file: with a title, and what kind of schema it is.
+/// Returns the schema of a whole file, with a title and the version of JSON Schema.
 Schema schema_document(const std::string& title, Schema schema);
 
-/// Every key of the document that its schema does not have, with the one that was probably meant.
-void add_strangers(const ConfigNode& node, const Schema& schema, Problems& problems);
+/// Reports every key of the document that its schema does not have, with the most similar permitted
+/// key.
+void report_unknown_keys(const ConfigNode& node, const Schema& schema, ErrorList& problems);
 
-/// What a key of an options struct means ("MapOptions", "starts"), "" if nobody says.
-using Meanings = std::function<std::string(const std::string&, const std::string&)>;
+/// Returns the description of a key of an options struct ("MapOptions", "starts"), "" if it has no
+/// description.
+using KeyDescriptions = std::function<std::string(const std::string&, const std::string&)>;
 
-/// "morphe::map::MapOptions" -> "MapOptions".
+/// Returns the unqualified name of a type: "morphe::map::MapOptions" -> "MapOptions".
 std::string type_name(const std::type_info& type);
 
-/// The third that reads an options struct's fields(), beside FieldReader and FieldWriter: its
-/// schema, with the struct's values as defaults. Numbers have the bounds 0 and 1 where the struct's
-/// own why_invalid() says so.
+/// Builds the schema of an options struct from its fields(), like FieldReader and FieldWriter, with
+/// the struct's values as defaults. Numbers have the bounds 0 and 1 if the struct's
+/// validation_error() enforces them.
 class FieldSchema {
  public:
-  /// `partial`: what is required may come from a base that a config extends.
-  FieldSchema(std::string type, const Meanings& meanings, bool partial,
+  /// `partial`: required keys may come from a base that a config extends.
+  FieldSchema(std::string type, const KeyDescriptions& meanings, bool partial,
               std::function<std::string()> why)
-      : type_(std::move(type)), meanings_(meanings), partial_(partial), why_(std::move(why)) {}
+      : type_(std::move(type)), meanings_(meanings), partial_(partial), validate_(std::move(why)) {}
 
+  /// Adds a key with its default.
   template <class T>
   void operator()(const char* key, T& value) {
-    keys_.push_back({key, of(value), meanings_(type_, key), false});
+    keys_.push_back({key, value_schema(value), meanings_(type_, key), false});
     add_default(value, keys_.back().schema);
   }
+  /// Adds a key that has no default.
   template <class T>
   void required(const char* key, T& value) {
-    keys_.push_back({key, of(value), meanings_(type_, key), true});
+    keys_.push_back({key, value_schema(value), meanings_(type_, key), true});
   }
+  /// Returns the schema of all keys added so far.
   Schema schema() {
-    // A section of one key is never completed by a base.
+    // A section with a single key is never completed by a base.
     for (SchemaKey& key : keys_) key.required &= !partial_ || keys_.size() == 1;
-    return map_schema(keys_);
+    return object_schema(keys_);
   }
 
+  /// Returns the schema of a struct.
   template <HasFields T>
-  static Schema of_struct(T& value, const Meanings& meanings, bool partial) {
+  static Schema struct_schema(T& value, const KeyDescriptions& meanings, bool partial) {
     std::function<std::string()> why;
-    if constexpr (HasWhyInvalid<T>) why = [&value] { return why_invalid(value); };
+    if constexpr (HasValidationError<T>) why = [&value] { return validation_error(value); };
     FieldSchema inner(type_name(typeid(T)), meanings, partial, std::move(why));
     fields(inner, value);
     return inner.schema();
   }
 
  private:
-  Schema of(bool&) const { return truth_schema(); }
-  Schema of(int& value) const { return bounded(whole_number_schema(), value, 1); }
-  Schema of(std::uint64_t&) const {
-    Schema schema = whole_number_schema();
+  Schema value_schema(bool&) const { return boolean_schema(); }
+  Schema value_schema(int& value) const { return with_bounds(integer_schema(), value, 1); }
+  Schema value_schema(std::uint64_t&) const {
+    Schema schema = integer_schema();
     schema["minimum"] = 0;
     return schema;
   }
-  Schema of(double& value) const { return bounded(number_schema(), value, 1e-9); }
-  Schema of(std::string&) const { return text_schema(); }
-  Schema of(Vec3&) const { return list_schema(number_schema(), 3); }
-  template <Named E>
-  Schema of(E&) const {
+  Schema value_schema(double& value) const { return with_bounds(number_schema(), value, 1e-9); }
+  Schema value_schema(std::string&) const { return scalar_schema(); }
+  Schema value_schema(Vec3&) const { return list_schema(number_schema(), 3); }
+  template <NamedEnum E>
+  Schema value_schema(E&) const {
     constexpr auto names = names_of(E{});
-    return choice_schema({names.begin(), names.end()});
+    return enum_schema({names.begin(), names.end()});
   }
   template <class T>
-  Schema of(std::vector<T>&) const {
+  Schema value_schema(std::vector<T>&) const {
     T item{};
-    if constexpr (HasFields<T>) return list_schema(of_struct(item, meanings_, false));
-    return list_schema(FieldSchema("", meanings_, false, {}).of(item));
+    if constexpr (HasFields<T>) return list_schema(struct_schema(item, meanings_, false));
+    return list_schema(FieldSchema("", meanings_, false, {}).value_schema(item));
   }
   template <class T>
-  Schema of(std::optional<T>&) const {
+  Schema value_schema(std::optional<T>&) const {
     T value{};
-    return FieldSchema("", meanings_, partial_, {}).of(value);
+    return FieldSchema("", meanings_, partial_, {}).value_schema(value);
   }
   template <HasFields T>
-  Schema of(T& value) const {
-    return of_struct(value, meanings_, partial_);
+  Schema value_schema(T& value) const {
+    return struct_schema(value, meanings_, partial_);
   }
 
-  /// Which of 0, 0.001 and 1 the struct's check lets a number come to, found by asking it.
+  /// Adds those of the bounds 0, 0.001 and 1 that the struct's validation_error() enforces, found
+  /// by trying values.
   template <class Number>
-  Schema bounded(Schema schema, Number& value, double step) const {
-    if (!why_ || !why_().empty()) return schema;
+  Schema with_bounds(Schema schema, Number& value, double step) const {
+    if (!validate_ || !validate_().empty()) return schema;
     const Number kept = value;
     const auto holds = [&](double tried) {
       value = static_cast<Number>(tried);
-      const bool fine = why_().empty();
+      const bool fine = validate_().empty();
       value = kept;
       return fine;
     };
@@ -139,23 +155,23 @@ class FieldSchema {
       if (value != T{} || !std::is_same_v<T, std::string>) schema["default"] = value;
     } else if constexpr (std::is_same_v<T, Vec3>) {
       schema["default"] = {value.x(), value.y(), value.z()};
-    } else if constexpr (Named<T>) {
+    } else if constexpr (NamedEnum<T>) {
       schema["default"] = name_of(value);
     }
   }
 
   std::string type_;
-  const Meanings& meanings_;
+  const KeyDescriptions& meanings_;
   bool partial_;
-  std::function<std::string()> why_;
+  std::function<std::string()> validate_;
   std::vector<SchemaKey> keys_;
 };
 
-/// Of a struct that a file holds as a whole, or as a section.
+/// Returns the schema of a struct that a file contains as a whole or as a section.
 template <HasFields T>
-Schema schema_of(const Meanings& meanings, bool partial = false) {
+Schema schema_of(const KeyDescriptions& meanings, bool partial = false) {
   T value{};
-  return FieldSchema::of_struct(value, meanings, partial);
+  return FieldSchema::struct_schema(value, meanings, partial);
 }
 
 }  // namespace morphe::config

@@ -9,7 +9,7 @@
 namespace morphe::cover {
 namespace {
 
-constexpr int kRound = 24;  ///< facets about a cylinder
+constexpr int kFacetsPerCircle = 24;  ///< facets around a cylinder
 
 void add_quad(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
               std::vector<Triangle>& out) {
@@ -29,31 +29,32 @@ void add_box(const Pose& pose, const Vec3& half, std::vector<Triangle>& out) {
   }
 }
 
-/// A surface of revolution about z through (radius, height) points.
-void add_round(const Pose& pose, const std::vector<Eigen::Vector2d>& profile,
-               std::vector<Triangle>& out) {
-  const double wider = 1 / std::cos(std::numbers::pi / kRound);  // facets touch the circle
+/// Adds a surface of revolution about z through (radius, height) points.
+void add_revolution_surface(const Pose& pose, const std::vector<Eigen::Vector2d>& profile,
+                            std::vector<Triangle>& out) {
+  // Facets are tangent to the circle.
+  const double wider = 1 / std::cos(std::numbers::pi / kFacetsPerCircle);
   const auto at = [&](const Eigen::Vector2d& p, int k) -> Vec3 {
-    const double angle = 2 * std::numbers::pi * k / kRound;
+    const double angle = 2 * std::numbers::pi * k / kFacetsPerCircle;
     return pose * Vec3(wider * p.x() * std::cos(angle), wider * p.x() * std::sin(angle), p.y());
   };
   for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
-    for (int k = 0; k < kRound; ++k) {
+    for (int k = 0; k < kFacetsPerCircle; ++k) {
       add_quad(at(profile[i], k), at(profile[i], k + 1), at(profile[i + 1], k + 1),
                at(profile[i + 1], k), out);
     }
   }
 }
 
-/// Of a ball whose two halves stand `length` apart.
-std::vector<Eigen::Vector2d> ball_profile(double radius, double length) {
-  constexpr int kSteps = 12;
-  const double wider = 1 / std::cos(std::numbers::pi / (2 * kSteps));
+/// Returns the profile of a sphere whose two halves are `length` apart.
+std::vector<Eigen::Vector2d> sphere_profile(double radius, double length) {
+  constexpr int kStepCount = 12;
+  const double wider = 1 / std::cos(std::numbers::pi / (2 * kStepCount));
   std::vector<Eigen::Vector2d> profile;
-  for (int k = 0; k <= kSteps; ++k) {
-    const double polar = std::numbers::pi * k / kSteps;
-    const double half = (2 * k < kSteps ? 0.5 : -0.5) * length;
-    if (2 * k == kSteps) profile.emplace_back(wider * radius, 0.5 * length);
+  for (int k = 0; k <= kStepCount; ++k) {
+    const double polar = std::numbers::pi * k / kStepCount;
+    const double half = (2 * k < kStepCount ? 0.5 : -0.5) * length;
+    if (2 * k == kStepCount) profile.emplace_back(wider * radius, 0.5 * length);
     profile.emplace_back(wider * radius * std::sin(polar), half + wider * radius * std::cos(polar));
   }
   return profile;
@@ -65,18 +66,18 @@ void add(const SceneObject& body, std::vector<Triangle>& out) {
   const auto& size = body.size;
   switch (body.shape) {
     case Shape::sphere:
-      return add_round(pose, ball_profile(size[0], 0), out);
+      return add_revolution_surface(pose, sphere_profile(size[0], 0), out);
     case Shape::capsule:
-      return add_round(pose, ball_profile(size[0], size[1]), out);
+      return add_revolution_surface(pose, sphere_profile(size[0], size[1]), out);
     case Shape::box:
       return add_box(pose, 0.5 * Vec3(size[0], size[1], size[2]), out);
     case Shape::cylinder:
-      return add_round(pose,
-                       {{0, 0.5 * size[1]},
-                        {size[0], 0.5 * size[1]},
-                        {size[0], -0.5 * size[1]},
-                        {0, -0.5 * size[1]}},
-                       out);
+      return add_revolution_surface(pose,
+                                    {{0, 0.5 * size[1]},
+                                     {size[0], 0.5 * size[1]},
+                                     {size[0], -0.5 * size[1]},
+                                     {0, -0.5 * size[1]}},
+                                    out);
     case Shape::mesh:
       for (const Eigen::Vector3i& t : body.triangles) {
         const auto corner = [&](int k) -> Vec3 {
@@ -104,14 +105,14 @@ std::vector<Vec3> sample_area(const std::vector<Triangle>& surface, std::size_t 
     upto.push_back(sum);
   }
   std::vector<Vec3> points;
-  if (!(sum > 0)) {  // flat: all that there is are its corners
+  if (!(sum > 0)) {  // for a degenerate surface only the vertices remain
     for (const Triangle& t : surface) points.insert(points.end(), {t.a, t.b, t.c});
     return points;
   }
   math::RandomStream random(1, name);
   points.reserve(count);
   for (std::size_t k = 0; k < count; ++k) {
-    // Evenly spread along the area, at random within a triangle.
+    // Stratified along the area, random within a triangle.
     const double at =
         sum * (static_cast<double>(k) + random.uniform()) / static_cast<double>(count);
     const auto found = std::ranges::upper_bound(upto, at);
@@ -131,10 +132,10 @@ std::vector<Vec3> sample_area(const std::vector<Triangle>& surface, std::size_t 
 std::vector<Vec3> outermost_corners(const std::vector<Triangle>& surface) {
   std::vector<Vec3> corners;
   if (surface.empty()) return corners;
-  // Fewer of a huge mesh, whose samples are dense anyway.
+  // Uses fewer directions for a huge mesh, whose samples are dense anyway.
   const int directions =
       static_cast<int>(std::clamp<std::size_t>(60'000'000 / surface.size(), 30, 300));
-  for (int k = 0; k < directions; ++k) {  // along a spiral about the ball
+  for (int k = 0; k < directions; ++k) {  // along a spiral on the sphere
     const double z = 1 - (2 * k + 1.0) / directions, turn = 2.399963229728653 * k;
     const double r = std::sqrt(1 - z * z);
     const Vec3 direction(r * std::cos(turn), r * std::sin(turn), z);

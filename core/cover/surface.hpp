@@ -8,20 +8,23 @@
 
 namespace morphe::cover {
 
+/// A triangle of a surface.
 struct Triangle {
   Vec3 a, b, c;
 };
 
-/// The surface of bodies as triangles, in the frame in which they stand (their first pose): those
-/// of meshes themselves; cylinders and balls by facets that are circumscribed, so that whatever
-/// holds the facets holds the body.
+/// Returns the surface of bodies as triangles, at their first pose: meshes have their own
+/// triangles; cylinders and spheres are approximated by circumscribed facets, so that a set that
+/// encloses the facets encloses the body.
 std::vector<Triangle> surface_of(const std::vector<SceneObject>& bodies);
 
-/// Points spread evenly over the area of triangles, the same for the same name.
+/// Returns points distributed uniformly over the area of triangles, deterministic for the same
+/// name.
 std::vector<Vec3> sample_area(const std::vector<Triangle>& surface, std::size_t count,
                               const std::string& name);
 
-/// Corners that lie farthest in a few hundred directions: what sticks out most is among them.
+/// Returns the vertices that are extreme in a few hundred directions, which include the most
+/// prominent ones.
 std::vector<Vec3> outermost_corners(const std::vector<Triangle>& surface);
 
 }  // namespace morphe::cover

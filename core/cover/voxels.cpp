@@ -7,29 +7,30 @@
 namespace morphe::cover {
 namespace {
 
-constexpr int kAround = 3;  ///< empty cubes on each side
+constexpr int kPaddingCells = 3;  ///< empty voxels on each side
 
-/// d[i] = min_j (i - j)² + f[j], the lower envelope of parabolas (Felzenszwalb and Huttenlocher).
+/// Computes d[i] = min_j (i - j)² + f[j], the lower envelope of parabolas (Felzenszwalb and
+/// Huttenlocher).
 void lower_envelope(const std::vector<double>& f, std::vector<double>& d, std::vector<int>& v,
                     std::vector<double>& z) {
   const int n = static_cast<int>(f.size());
-  constexpr double kFar = std::numeric_limits<double>::infinity();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   int k = -1;
   for (int q = 0; q < n; ++q) {
     if (std::isinf(f[static_cast<std::size_t>(q)])) continue;
-    double s = -kFar;
+    double s = -kInfinity;
     while (k >= 0) {
       const int p = v[static_cast<std::size_t>(k)];
       s = ((f[static_cast<std::size_t>(q)] + q * q) - (f[static_cast<std::size_t>(p)] + p * p)) /
           (2.0 * (q - p));
       if (s > z[static_cast<std::size_t>(k)]) break;
       --k;
-      s = -kFar;
+      s = -kInfinity;
     }
     ++k;
     v[static_cast<std::size_t>(k)] = q;
     z[static_cast<std::size_t>(k)] = s;
-    z[static_cast<std::size_t>(k) + 1] = kFar;
+    z[static_cast<std::size_t>(k) + 1] = kInfinity;
   }
   if (k < 0) {
     d = f;
@@ -43,8 +44,8 @@ void lower_envelope(const std::vector<double>& f, std::vector<double>& d, std::v
   }
 }
 
-/// Squared distances to the surface's cubes, in cubes, one axis after the other.
-void transform(const Voxels& voxels, std::vector<double>& squares) {
+/// Computes squared distances to the voxels of the surface, in voxels, one axis after the other.
+void distance_transform(const Voxels& voxels, std::vector<double>& squares) {
   for (int axis = 0; axis < 3; ++axis) {
     const int u = (axis + 1) % 3, w = (axis + 2) % 3;
     const auto length = static_cast<std::size_t>(voxels.count[axis]);
@@ -67,8 +68,8 @@ void transform(const Voxels& voxels, std::vector<double>& squares) {
   }
 }
 
-/// Marks what can be reached from the box's corner without crossing the surface as outside.
-void flood(Voxels& voxels, const std::vector<std::uint8_t>& on_surface) {
+/// Marks voxels as outside that can be reached from the grid's corner without crossing the surface.
+void flood_fill_outside(Voxels& voxels, const std::vector<std::uint8_t>& on_surface) {
   voxels.inside.assign(on_surface.size(), 1);
   std::vector<Eigen::Vector3i> open = {Eigen::Vector3i::Zero()};
   voxels.inside[0] = 0;
@@ -91,7 +92,7 @@ void flood(Voxels& voxels, const std::vector<std::uint8_t>& on_surface) {
 
 }  // namespace
 
-double Voxels::outside_by(const Vec3& point) const {
+double Voxels::outside_distance(const Vec3& point) const {
   const Vec3 in = (point - origin) / step_m;
   Eigen::Vector3i cell;
   for (int k = 0; k < 3; ++k) {
@@ -111,21 +112,22 @@ Voxels voxels_of(const std::vector<Vec3>& surface, int along) {
   }
   voxels.step_m = std::max((most - least).maxCoeff() / along, 1e-5);
   for (int k = 0; k < 3; ++k) {
-    voxels.count[k] = static_cast<int>((most[k] - least[k]) / voxels.step_m) + 1 + 2 * kAround;
+    voxels.count[k] =
+        static_cast<int>((most[k] - least[k]) / voxels.step_m) + 1 + 2 * kPaddingCells;
   }
-  voxels.origin = least - Vec3::Constant(kAround * voxels.step_m);
+  voxels.origin = least - Vec3::Constant(kPaddingCells * voxels.step_m);
   const auto cells = static_cast<std::size_t>(voxels.count.prod());
   std::vector<std::uint8_t> on_surface(cells, 0);
   for (const Vec3& point : surface) {
     const Eigen::Vector3i at = ((point - voxels.origin) / voxels.step_m).cast<int>();
     on_surface[voxels.index(at.x(), at.y(), at.z())] = 1;
   }
-  flood(voxels, on_surface);
+  flood_fill_outside(voxels, on_surface);
   std::vector<double> squares(cells, std::numeric_limits<double>::infinity());
   for (std::size_t k = 0; k < cells; ++k) {
     if (on_surface[k]) squares[k] = 0;
   }
-  transform(voxels, squares);
+  distance_transform(voxels, squares);
   voxels.distance.resize(cells);
   for (std::size_t k = 0; k < cells; ++k) {
     voxels.distance[k] = static_cast<float>(voxels.step_m * std::sqrt(squares[k]));

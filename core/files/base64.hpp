@@ -5,7 +5,7 @@
 
 namespace morphe::files {
 
-/// RFC 4648, with padding, without line breaks.
-std::string base64(std::string_view bytes);
+/// Encodes bytes by RFC 4648, with padding, without line breaks.
+std::string encode_base64(std::string_view bytes);
 
 }  // namespace morphe::files

@@ -15,7 +15,7 @@
 namespace morphe::files {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
+std::string_view trim(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
@@ -37,7 +37,7 @@ CsvText read_csv(const std::filesystem::path& file, char separator) {
   }
   if (!is_utf8(text)) {
     text = utf8_from_latin1(text);
-    csv.reports.push_back("its text is not UTF-8: taken as ISO 8859-1");
+    csv.notes.push_back("its text is not UTF-8: taken as ISO 8859-1");
   }
   std::set<std::string_view> line_ends;
   std::string_view rest = text;
@@ -50,13 +50,12 @@ CsvText read_csv(const std::filesystem::path& file, char separator) {
     if (!end.empty()) line_ends.insert(end);
     rest.remove_prefix(end.size());
   }
-  if (line_ends.size() > 1)
-    csv.reports.push_back("its lines end in different ways; all were taken");
-  while (!csv.lines.empty() && csv.blank(csv.lines.size())) csv.lines.pop_back();
+  if (line_ends.size() > 1) csv.notes.push_back("its lines end in different ways; all were taken");
+  while (!csv.lines.empty() && csv.is_blank(csv.lines.size())) csv.lines.pop_back();
   return csv;
 }
 
-bool CsvText::blank(std::size_t line) const {
+bool CsvText::is_blank(std::size_t line) const {
   return std::ranges::all_of(lines[line - 1],
                              [&](char c) { return c == separator || c == ' ' || c == '\t'; });
 }
@@ -66,7 +65,7 @@ std::vector<std::string_view> CsvText::cells(std::size_t line) const {
   std::string_view rest = lines[line - 1];
   while (true) {
     const std::size_t end = rest.find(separator);
-    cells.push_back(trimmed(rest.substr(0, end)));
+    cells.push_back(trim(rest.substr(0, end)));
     if (end == std::string_view::npos) return cells;
     rest.remove_prefix(end + 1);
   }

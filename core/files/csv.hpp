@@ -9,27 +9,28 @@
 
 namespace morphe::files {
 
-/// A text file of separated cells, line by line. A line ends at CR LF, LF or CR; the UTF-8 mark is
-/// removed and lines without anything but separators are dropped at the end. Cells are trimmed of
-/// spaces. What is not UTF-8 is taken as ISO 8859-1 and reported. Quoting is not understood.
+/// A text file of separated cells, line by line. A line ends at CR LF, LF or CR; the UTF-8 byte
+/// order mark and trailing lines that only contain separators are removed. Cells are trimmed of
+/// spaces. Text that is not UTF-8 is read as ISO 8859-1, with a note. Quoting is not supported.
 struct CsvText {
   std::string file;
-  std::vector<std::string> lines;    ///< line n of the file is lines[n - 1]
-  std::vector<std::string> reports;  ///< sentences about what was unusual but understood
+  std::vector<std::string> lines;  ///< line n of the file is lines[n - 1]
+  std::vector<std::string> notes;  ///< sentences about unusual input that was accepted
   char separator = ',';
 
   std::vector<std::string_view> cells(std::size_t line) const;  ///< line counts from 1
-  bool blank(std::size_t line) const;                           ///< holds no cell with text
+  bool is_blank(std::size_t line) const;                        ///< true if no cell has text
   /// Throws InputError "FILE:LINE: KEY: message" (without KEY if it is empty).
   [[noreturn]] void fail(std::size_t line, std::string_view key, std::string_view message) const;
-  /// A finite decimal number, or fails naming the column.
+  /// Returns a finite decimal number; throws InputError that names the column if the cell is not
+  /// one.
   double number(std::size_t line, std::string_view column, std::string_view cell) const;
 };
 
-/// A finite decimal number, if the cell is one.
+/// Returns the finite decimal number in a cell, nullopt if it is not one.
 std::optional<double> finite_number(std::string_view cell);
 
-/// InputError if the file cannot be read or holds bytes of zero.
+/// Reads a file; throws InputError if it cannot be read or contains zero bytes.
 CsvText read_csv(const std::filesystem::path& file, char separator = ',');
 
 }  // namespace morphe::files

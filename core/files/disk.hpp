@@ -5,18 +5,22 @@
 
 namespace morphe::files {
 
-/// What writing a file asks of the system, so that a test can have a disk that fails: pwrite,
-/// ftruncate, fsync and rename, with their return values and errno.
+/// The system calls for writing a file, as an interface so that tests can use a disk that fails:
+/// pwrite, ftruncate, fsync and rename, with their return values and errno.
 struct Disk {
   virtual ~Disk() = default;
+  /// Writes bytes at an offset, like pwrite().
   virtual std::int64_t write(int descriptor, const void* bytes, std::size_t count,
                              std::int64_t at) = 0;
+  /// Sets the length of a file, like ftruncate().
   virtual int truncate(int descriptor, std::int64_t length) = 0;
+  /// Flushes a file to the disk, like fsync().
   virtual int sync(int descriptor) = 0;
+  /// Renames a file, like rename().
   virtual int rename(const char* from, const char* to) = 0;
 };
 
-/// The system's own.
+/// Returns the disk that calls the system.
 Disk& real_disk();
 
 }  // namespace morphe::files

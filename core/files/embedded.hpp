@@ -4,12 +4,14 @@
 
 namespace morphe::files {
 
-/// A row of the table that CMake writes for files that are part of the program (cmake/embed.cmake).
+/// An entry of the table that CMake generates for files embedded in the program
+/// (cmake/embed.cmake).
 struct EmbeddedFile {
   const char* name;
   const char* begin;
   const char* end;
 
+  /// Returns the content of the file.
   std::string_view text() const { return {begin, end}; }
 };
 

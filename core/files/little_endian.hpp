@@ -7,8 +7,9 @@
 
 namespace morphe::files {
 
-/// `count` bytes, at most 8, from `at` on as a whole number, lowest first. The bytes must be there.
-inline std::uint64_t little_endian(std::string_view bytes, std::size_t at, std::size_t count) {
+/// Reads `count` bytes, at most 8, from `at` on as an unsigned integer, lowest byte first. The
+/// bytes must exist.
+inline std::uint64_t read_little_endian(std::string_view bytes, std::size_t at, std::size_t count) {
   std::uint64_t value = 0;
   for (std::size_t k = count; k > 0; --k) {
     value = value << 8 | static_cast<unsigned char>(bytes[at + k - 1]);
@@ -16,6 +17,7 @@ inline std::uint64_t little_endian(std::string_view bytes, std::size_t at, std::
   return value;
 }
 
+/// Appends the lowest `count` bytes of an integer, lowest byte first.
 inline void append_little_endian(std::uint64_t value, std::size_t count, std::string& bytes) {
   for (; count > 0; --count, value >>= 8) bytes += static_cast<char>(value & 0xFF);
 }

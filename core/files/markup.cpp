@@ -4,7 +4,7 @@
 
 namespace morphe::files {
 
-std::string xml_escaped(std::string_view text) {
+std::string escape_xml(std::string_view text) {
   std::string out;
   for (const char c : text) {
     switch (c) {
@@ -27,7 +27,7 @@ std::string xml_escaped(std::string_view text) {
   return out;
 }
 
-std::string svg_begin(double width, double height, int font_size) {
+std::string svg_header(double width, double height, int font_size) {
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
       "viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"sans-serif\" font-size=\"{2}\">\n"

@@ -5,11 +5,12 @@
 
 namespace morphe::files {
 
-/// Text as XML may hold it, in an attribute too: & < > " as entities, control characters left
-/// out.
-std::string xml_escaped(std::string_view text);
+/// Escapes text for XML, including attributes: & < > " become entities, control characters are
+/// removed.
+std::string escape_xml(std::string_view text);
 
-/// The beginning of a drawing [pixels] on white, to be ended by "</svg>\n".
-std::string svg_begin(double width, double height, int font_size);
+/// Returns the beginning of an SVG drawing [pixels] on white, to be completed by "</svg>
+/// ".
+std::string svg_header(double width, double height, int font_size);
 
 }  // namespace morphe::files

@@ -15,10 +15,11 @@
 namespace morphe::files {
 namespace {
 
-constexpr std::size_t kAligned = 64;  ///< numpy begins the values at a multiple of this
+/// Offset of the values is a multiple of this in numpy.
+constexpr std::size_t kAlignment_bytes = 64;
 
-/// A number of half precision: 1 sign, 5 exponent, 10 fraction bits.
-double half(std::uint64_t bits) {
+/// Converts a number of half precision: 1 sign, 5 exponent, 10 fraction bits.
+double half_to_double(std::uint64_t bits) {
   const int exponent = static_cast<int>(bits >> 10 & 31);
   const double fraction = static_cast<double>(bits & 1023);
   const double sign = (bits & 0x8000) != 0 ? -1 : 1;
@@ -29,7 +30,7 @@ double half(std::uint64_t bits) {
 
 double value_of(std::uint64_t bits, char kind, std::size_t size) {
   if (kind == 'f') {
-    if (size == 2) return half(bits);
+    if (size == 2) return half_to_double(bits);
     if (size == 4) return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
     return std::bit_cast<double>(bits);
   }
@@ -58,7 +59,7 @@ void append_utf8(std::uint32_t point, std::string& text) {
   }
 }
 
-/// Code points of UTF-8 that is known to be valid.
+/// Returns the code points of valid UTF-8.
 std::vector<std::uint32_t> code_points(std::string_view text) {
   std::vector<std::uint32_t> points;
   for (const char c : text) {
@@ -72,9 +73,9 @@ std::vector<std::uint32_t> code_points(std::string_view text) {
   return points;
 }
 
-/// Where the value lies in the file that comes k-th with the last index fastest.
-std::size_t stored_at(std::size_t k, const NpyHeader& header) {
-  if (!header.first_fastest) return k;
+/// Returns the index in the file of the value that is the k-th with the last index fastest.
+std::size_t storage_index(std::size_t k, const NpyHeader& header) {
+  if (!header.fortran_order) return k;
   std::size_t at = 0, stride = header.count;
   for (std::size_t d = header.shape.size(); d-- > 0;) {
     stride /= header.shape[d];
@@ -84,31 +85,31 @@ std::size_t stored_at(std::size_t k, const NpyHeader& header) {
   return at;
 }
 
-struct Values {
+struct ValueReader {
   std::string_view bytes;
   const NpyHeader& header;
-  const NpyFault& fail;
+  const NpyErrorHandler& fail;
 
   std::uint64_t bits(std::size_t at, std::size_t size) const {
-    std::uint64_t value = little_endian(bytes, at, size);
+    std::uint64_t value = read_little_endian(bytes, at, size);
     if (!header.big_endian) return value;
     std::uint64_t swapped = 0;
     for (std::size_t k = 0; k < size; ++k, value >>= 8) swapped = swapped << 8 | (value & 0xFF);
     return swapped;
   }
   double number(std::size_t k) const {
-    const std::size_t at = header.data + stored_at(k, header) * header.item;
-    return value_of(bits(at, header.item), header.kind, header.item);
+    const std::size_t at = header.data_offset + storage_index(k, header) * header.item_size;
+    return value_of(bits(at, header.item_size), header.kind, header.item_size);
   }
   std::string text(std::size_t k) const {
-    const std::size_t at = header.data + stored_at(k, header) * header.item;
+    const std::size_t at = header.data_offset + storage_index(k, header) * header.item_size;
     std::string text;
     if (header.kind == 'S') {
-      text = bytes.substr(at, header.item);
+      text = bytes.substr(at, header.item_size);
       text.erase(text.find_last_not_of('\0') + 1);
       return is_utf8(text) ? text : utf8_from_latin1(text);
     }
-    for (std::size_t b = at; b < at + header.item; b += 4) {
+    for (std::size_t b = at; b < at + header.item_size; b += 4) {
       const std::uint64_t point = bits(b, 4);
       if (point > 0x10FFFF || (point >= 0xD800 && point < 0xE000)) {
         fail("is damaged: it holds what is no character");
@@ -127,16 +128,16 @@ std::string shape_text(const std::vector<std::size_t>& shape) {
 }
 
 NpyArray read_npy(std::string_view bytes, const std::string& file, const std::string& key) {
-  const NpyFault fail = [&](const std::string& what) {
+  const NpyErrorHandler fail = [&](const std::string& what) {
     throw InputError(fmt::format("{}: {}: {}", file, key, what));
   };
   const NpyHeader header = read_npy_header(bytes, fail);
-  const Values values{bytes, header, fail};
+  const ValueReader values{bytes, header, fail};
   NpyArray array;
   array.name = key;
   array.shape = header.shape;
   const bool text = header.kind == 'U' || header.kind == 'S';
-  array.kind = text ? NpyKind::text : header.kind == 'f' ? NpyKind::number : NpyKind::whole;
+  array.kind = text ? NpyKind::text : header.kind == 'f' ? NpyKind::floating : NpyKind::integer;
   for (std::size_t k = 0; k < header.count; ++k) {
     if (text) {
       array.text.push_back(values.text(k));
@@ -154,19 +155,19 @@ std::string npy_bytes(const NpyArray& array) {
     texts.push_back(code_points(text));
     longest = std::max(longest, texts.back().size());
   }
-  const std::string type = array.kind == NpyKind::text    ? fmt::format("<U{}", longest)
-                           : array.kind == NpyKind::whole ? "<i8"
-                                                          : "<f8";
+  const std::string type = array.kind == NpyKind::text      ? fmt::format("<U{}", longest)
+                           : array.kind == NpyKind::integer ? "<i8"
+                                                            : "<f8";
   std::string header = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': {}, }}", type,
                                    shape_text(array.shape));
   const std::size_t before = 10;  // magic, version, length
-  header.append(kAligned - (before + header.size() + 1) % kAligned, ' ');
+  header.append(kAlignment_bytes - (before + header.size() + 1) % kAlignment_bytes, ' ');
   header += '\n';
   std::string bytes("\x93NUMPY\x01\x00", 8);
   append_little_endian(header.size(), 2, bytes);
   bytes += header;
   for (const double value : array.values) {
-    append_little_endian(array.kind == NpyKind::whole
+    append_little_endian(array.kind == NpyKind::integer
                              ? static_cast<std::uint64_t>(static_cast<std::int64_t>(value))
                              : std::bit_cast<std::uint64_t>(value),
                          8, bytes);

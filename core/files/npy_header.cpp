@@ -13,15 +13,15 @@ namespace morphe::files {
 namespace {
 
 constexpr std::string_view kMagic = "\x93NUMPY";
-constexpr std::size_t kLongestHeader = 10000;  ///< numpy's own limit
-constexpr std::size_t kMostValues = std::size_t{1} << 27;
+constexpr std::size_t kMaxHeader_bytes = 10000;  ///< the same limit as in numpy
+constexpr std::size_t kMaxValueCount = std::size_t{1} << 27;
 
-/// A reader of {'descr': '<f8', 'fortran_order': False, 'shape': (3, 4), }.
-struct Literal {
+/// A parser of {'descr': '<f8', 'fortran_order': False, 'shape': (3, 4), }.
+struct HeaderParser {
   std::string_view rest;
-  const NpyFault& fail;
+  const NpyErrorHandler& fail;
 
-  [[noreturn]] void broken() const {
+  [[noreturn]] void fail_malformed() const {
     fail("is damaged: its header is none of numpy's");
     throw 0;  // not reached
   }
@@ -34,31 +34,31 @@ struct Literal {
     return true;
   }
   void expect(std::string_view word) {
-    if (!take(word)) broken();
+    if (!take(word)) fail_malformed();
   }
-  std::string_view quoted() {
+  std::string_view parse_string() {
     const char* const quote = take("'") ? "'" : "\"";
     if (*quote == '"') expect("\"");
     const std::size_t end = rest.find(quote);
-    if (end == std::string_view::npos) broken();
+    if (end == std::string_view::npos) fail_malformed();
     const std::string_view text = rest.substr(0, end);
     rest.remove_prefix(end + 1);
     return text;
   }
-  std::size_t whole() {
-    take("");  // spaces
+  std::size_t parse_integer() {
+    take("");  // skips spaces
     std::size_t value = 0;
     const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
-    if (error != std::errc()) broken();
+    if (error != std::errc()) fail_malformed();
     rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
-    take("L");  // Python 2
+    take("L");  // suffix of Python 2
     return value;
   }
-  std::vector<std::size_t> tuple() {
+  std::vector<std::size_t> parse_tuple() {
     std::vector<std::size_t> values;
     expect("(");
     while (!take(")")) {
-      values.push_back(whole());
+      values.push_back(parse_integer());
       if (!take(",")) {
         expect(")");
         break;
@@ -68,7 +68,7 @@ struct Literal {
   }
 };
 
-void read_type(std::string_view type, NpyHeader& header, const NpyFault& fail) {
+void read_type(std::string_view type, NpyHeader& header, const NpyErrorHandler& fail) {
   const std::string said(type);
   if (type.size() >= 2 && type[1] == 'O') {
     fail("holds Python objects: save it again as plain numbers or text (no dtype=object)");
@@ -84,21 +84,21 @@ void read_type(std::string_view type, NpyHeader& header, const NpyFault& fail) {
   const bool integer = size == 1 || size == 2 || size == 4 || size == 8;
   const bool known = (kind == 'b' && size == 1) || ((kind == 'i' || kind == 'u') && integer) ||
                      (kind == 'f' && (size == 2 || size == 4 || size == 8)) ||
-                     ((kind == 'U' || kind == 'S') && size <= kMostValues);
+                     ((kind == 'U' || kind == 'S') && size <= kMaxValueCount);
   if (!sized || !known) {
     fail(fmt::format("is of type '{}'; whole numbers, numbers of 2, 4 or 8 bytes and text are read",
                      said));
   }
   header.kind = kind;
-  header.item = kind == 'U' ? 4 * size : size;
+  header.item_size = kind == 'U' ? 4 * size : size;
   header.big_endian = type[0] == '>';
 }
 
-std::size_t count_of(const std::vector<std::size_t>& shape, const NpyFault& fail) {
+std::size_t element_count(const std::vector<std::size_t>& shape, const NpyErrorHandler& fail) {
   if (std::ranges::find(shape, std::size_t{0}) != shape.end()) return 0;
   std::size_t count = 1;
   for (const std::size_t length : shape) {
-    if (length > kMostValues / count) fail("has more than 134 million values");
+    if (length > kMaxValueCount / count) fail("has more than 134 million values");
     count *= length;
   }
   return count;
@@ -106,51 +106,51 @@ std::size_t count_of(const std::vector<std::size_t>& shape, const NpyFault& fail
 
 }  // namespace
 
-NpyHeader read_npy_header(std::string_view bytes, const NpyFault& fail) {
+NpyHeader read_npy_header(std::string_view bytes, const NpyErrorHandler& fail) {
   if (!bytes.starts_with(kMagic)) fail("is no .npy file");
   if (bytes.size() < kMagic.size() + 4) fail("ends within its header");
   const int version = static_cast<unsigned char>(bytes[kMagic.size()]);
   if (version < 1 || version > 3) fail(fmt::format("is of version {} of .npy", version));
   const std::size_t size_bytes = version == 1 ? 2 : 4, begin = kMagic.size() + 2 + size_bytes;
   if (bytes.size() < begin) fail("ends within its header");
-  const std::size_t length = little_endian(bytes, kMagic.size() + 2, size_bytes);
-  if (length > kLongestHeader) fail("has a header that is too long");
+  const std::size_t length = read_little_endian(bytes, kMagic.size() + 2, size_bytes);
+  if (length > kMaxHeader_bytes) fail("has a header that is too long");
   if (bytes.size() - begin < length) fail("ends within its header");
 
   NpyHeader header;
-  header.data = begin + length;
-  Literal literal{bytes.substr(begin, length), fail};
+  header.data_offset = begin + length;
+  HeaderParser literal{bytes.substr(begin, length), fail};
   std::optional<std::string_view> type;
   bool has_order = false, has_shape = false;
   literal.expect("{");
   while (!literal.take("}")) {
-    const std::string_view key = literal.quoted();
+    const std::string_view key = literal.parse_string();
     literal.expect(":");
     if (key == "descr" && !type) {
       if (literal.take("[")) fail("holds structures: save each of their fields by itself");
-      type = literal.quoted();
+      type = literal.parse_string();
     } else if (key == "fortran_order" && !has_order) {
       has_order = true;
-      header.first_fastest = literal.take("True");
-      if (!header.first_fastest) literal.expect("False");
+      header.fortran_order = literal.take("True");
+      if (!header.fortran_order) literal.expect("False");
     } else if (key == "shape" && !has_shape) {
       has_shape = true;
-      header.shape = literal.tuple();
+      header.shape = literal.parse_tuple();
     } else {
-      literal.broken();
+      literal.fail_malformed();
     }
     if (!literal.take(",")) {
       literal.expect("}");
       break;
     }
   }
-  if (!type || !has_order || !has_shape) literal.broken();
+  if (!type || !has_order || !has_shape) literal.fail_malformed();
   read_type(*type, header, fail);
-  header.count = count_of(header.shape, fail);
-  const std::size_t held = bytes.size() - header.data;
-  if (header.item > 0 && header.count > held / header.item) {
+  header.count = element_count(header.shape, fail);
+  const std::size_t held = bytes.size() - header.data_offset;
+  if (header.item_size > 0 && header.count > held / header.item_size) {
     fail(fmt::format("ends too early: {} bytes of values, where {} values have {} bytes each", held,
-                     header.count, header.item));
+                     header.count, header.item_size));
   }
   return header;
 }

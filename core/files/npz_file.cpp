@@ -6,21 +6,21 @@
 #include <fstream>
 #include <iterator>
 
+#include "core/files/atomic_file.hpp"
 #include "core/files/little_endian.hpp"
-#include "core/files/part_file.hpp"
 #include "core/files/zip_archive.hpp"
 #include "core/motion/input_error.hpp"
 
 namespace morphe::files {
 namespace {
 
-constexpr std::string_view kEnding = ".npy";
-constexpr std::uintmax_t kMostFile = std::uintmax_t{1} << 30;
+constexpr std::string_view kNpyExtension = ".npy";
+constexpr std::uintmax_t kMaxFile_bytes = std::uintmax_t{1} << 30;
 
 std::string bytes_of(const std::filesystem::path& file) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (!error && size > kMostFile) {
+  if (!error && size > kMaxFile_bytes) {
     throw InputError(fmt::format("{}: is larger than 1 GiB", file.string()));
   }
   std::ifstream stream(file, std::ios::binary);
@@ -43,8 +43,9 @@ void NpzFile::fail(std::string_view key, std::string_view what) const {
 NpzFile read_npz(const std::filesystem::path& file) {
   NpzFile npz{file.string(), {}};
   for (const ZipMember& member : unzip(bytes_of(file), npz.file)) {
-    if (!member.name.ends_with(kEnding)) npz.fail(member.name, "is no array: its name lacks .npy");
-    const std::string key = member.name.substr(0, member.name.size() - kEnding.size());
+    if (!member.name.ends_with(kNpyExtension))
+      npz.fail(member.name, "is no array: its name lacks .npy");
+    const std::string key = member.name.substr(0, member.name.size() - kNpyExtension.size());
     npz.arrays.push_back(read_npy(member.bytes, npz.file, key));
   }
   return npz;
@@ -53,23 +54,24 @@ NpzFile read_npz(const std::filesystem::path& file) {
 std::vector<std::string> npz_keys(const std::filesystem::path& file) {
   std::vector<std::string> keys = zip_names(bytes_of(file), file.string());
   for (std::string& key : keys) {
-    if (key.ends_with(kEnding)) key.resize(key.size() - kEnding.size());
+    if (key.ends_with(kNpyExtension)) key.resize(key.size() - kNpyExtension.size());
   }
   return keys;
 }
 
-bool begins_as_npz(std::string_view head) {
-  constexpr std::size_t kNameLength = 26, kName = 30;
-  if (!head.starts_with("PK\x03\x04") || head.size() < kName) return false;
-  return head.substr(kName, little_endian(head, kNameLength, 2)).ends_with(kEnding);
+bool is_npz(std::string_view head) {
+  constexpr std::size_t kNameLengthOffset = 26, kNameOffset = 30;
+  if (!head.starts_with("PK\x03\x04") || head.size() < kNameOffset) return false;
+  return head.substr(kNameOffset, read_little_endian(head, kNameLengthOffset, 2))
+      .ends_with(kNpyExtension);
 }
 
 void write_npz(const std::filesystem::path& file, const std::vector<NpyArray>& arrays) {
   std::vector<ZipMember> members;
   for (const NpyArray& array : arrays) {
-    members.push_back({array.name + std::string(kEnding), npy_bytes(array)});
+    members.push_back({array.name + std::string(kNpyExtension), npy_bytes(array)});
   }
-  write_whole(file, zipped(members, file.string()));
+  write_atomically(file, zip(members, file.string()));
 }
 
 }  // namespace morphe::files

@@ -10,8 +10,8 @@
 namespace morphe::files {
 namespace {
 
-/// Bytes of the letter that a byte begins; 1 for one that begins none.
-std::size_t letter_bytes(char first) {
+/// Returns the number of bytes of the character that a byte begins, 1 if it begins no character.
+std::size_t utf8_length(char first) {
   const auto byte = static_cast<unsigned char>(first);
   return byte < 0xc2 || byte > 0xf4 ? 1 : byte < 0xe0 ? 2 : byte < 0xf0 ? 3 : 4;
 }
@@ -31,10 +31,10 @@ bool is_control(std::uint32_t code) {
 
 }  // namespace
 
-std::string printable(std::string_view text, std::string_view allowed) {
+std::string make_printable(std::string_view text, std::string_view allowed) {
   std::string shown;
   while (!text.empty()) {
-    std::string_view letter = text.substr(0, letter_bytes(text[0]));
+    std::string_view letter = text.substr(0, utf8_length(text[0]));
     if (!is_utf8(letter)) {
       letter = text.substr(0, 1);
       if (static_cast<unsigned char>(letter[0]) >= 0x80) {
@@ -55,14 +55,14 @@ std::string printable(std::string_view text, std::string_view allowed) {
   return shown;
 }
 
-bool is_printable(std::string_view text) { return printable(text) == text; }
+bool is_printable(std::string_view text) { return make_printable(text) == text; }
 
-std::size_t unfinished_letter(std::string_view text) {
+std::size_t incomplete_utf8_bytes(std::string_view text) {
   const std::size_t most = std::min<std::size_t>(text.size(), 3);
   for (std::size_t back = 1; back <= most; ++back) {
     const char c = text[text.size() - back];
     if (static_cast<unsigned char>(c) < 0x80) return 0;
-    const std::size_t bytes = letter_bytes(c);
+    const std::size_t bytes = utf8_length(c);
     if (bytes > 1) return bytes > back ? back : 0;
   }
   return 0;

@@ -13,13 +13,13 @@
 #include <new>
 #include <system_error>
 
-#include "core/files/confine.hpp"
+#include "core/files/sandbox.hpp"
 #include "core/motion/input_error.hpp"
 
 namespace morphe::files {
 namespace {
 
-constexpr int kDone = 0, kTooLarge = 3, kThrew = 4;
+constexpr int kExitDone = 0, kExitOutOfMemory = 3, kExitException = 4;
 
 struct Limits {
   std::uint64_t seconds, bytes;
@@ -34,27 +34,27 @@ int exit_code(const std::function<void()>& read) {
     read();
   } catch (const InputError&) {
   } catch (const std::bad_alloc&) {
-    return kTooLarge;
+    return kExitOutOfMemory;
   } catch (...) {
-    return kThrew;
+    return kExitException;
   }
-  return kDone;
+  return kExitDone;
 }
 
 [[noreturn]] void read_and_exit(const std::function<void()>& read, const Limits& limits) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  const int nowhere = ::open("/dev/null", O_RDWR | O_CLOEXEC);
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nowhere, stream);
-  confine_to_reading(limits.seconds, limits.bytes);
+  const int null_device = ::open("/dev/null", O_RDWR | O_CLOEXEC);
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(null_device, stream);
+  enter_read_sandbox(limits.seconds, limits.bytes);
   ::_exit(exit_code(read));
 }
 
-std::string fault_of(int status, const Limits& limits) {
+std::string exit_error(int status, const Limits& limits) {
   if (WIFEXITED(status)) {
     switch (WEXITSTATUS(status)) {
-      case kDone:
+      case kExitDone:
         return "";
-      case kTooLarge:
+      case kExitOutOfMemory:
         return fmt::format("reading it takes more than {} MB of memory", limits.bytes >> 20);
       default:
         return "the library that reads it fails on it";
@@ -68,7 +68,7 @@ std::string fault_of(int status, const Limits& limits) {
 
 }  // namespace
 
-std::string fault_in_child(const std::filesystem::path& file, const std::function<void()>& read) {
+std::string child_read_error(const std::filesystem::path& file, const std::function<void()>& read) {
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(file, error);
   const Limits limits = limits_for(error ? 0 : bytes);
@@ -78,7 +78,7 @@ std::string fault_in_child(const std::filesystem::path& file, const std::functio
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  return fault_of(status, limits);
+  return exit_error(status, limits);
 }
 
 }  // namespace morphe::files

@@ -6,11 +6,11 @@
 
 namespace morphe::files {
 
-/// Reads a file in a child process of its own, which is confined (confine.hpp) and gives nothing
-/// back: what a library of others does with a file that was made to hurt, crash or go on without
-/// end, is found out there. Why the file is not to be read, "" if `read` came to its end or threw
-/// InputError, which is for the file's reader to say. Processor time is bounded by 10 s and 1 s a
-/// megabyte of the file, memory by 1 GiB and 32 times the file.
-std::string fault_in_child(const std::filesystem::path& file, const std::function<void()>& read);
+/// Reads a file in a separate, confined child process (sandbox.hpp) that returns no data, to find
+/// out whether a third-party library crashes or does not terminate on a maliciously crafted file.
+/// Returns the reason why the file must not be read, or "" if `read` returned or threw InputError,
+/// which the file's reader will report. Processor time is limited to 10 s plus 1 s per megabyte of
+/// the file, memory to 1 GiB plus 32 times the file size.
+std::string child_read_error(const std::filesystem::path& file, const std::function<void()>& read);
 
 }  // namespace morphe::files

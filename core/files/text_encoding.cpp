@@ -5,7 +5,8 @@
 namespace morphe::files {
 
 bool is_utf8(std::string_view text) {
-  static constexpr std::uint32_t kLeast[] = {0, 0x80, 0x800, 0x10000};  // by bytes that follow
+  // By number of continuation bytes.
+  static constexpr std::uint32_t kMinCodePoint[] = {0, 0x80, 0x800, 0x10000};
   for (std::size_t i = 0; i < text.size();) {
     const auto first = static_cast<unsigned char>(text[i++]);
     if (first < 0x80) continue;
@@ -18,7 +19,8 @@ bool is_utf8(std::string_view text) {
       if ((next & 0xc0) != 0x80) return false;
       code = code << 6 | (next & 0x3f);
     }
-    if (code < kLeast[more] || code > 0x10ffff || (code >= 0xd800 && code < 0xe000)) return false;
+    if (code < kMinCodePoint[more] || code > 0x10ffff || (code >= 0xd800 && code < 0xe000))
+      return false;
   }
   return true;
 }

@@ -5,8 +5,9 @@
 
 namespace morphe::files {
 
+/// Returns true if the text is valid UTF-8.
 bool is_utf8(std::string_view text);
-/// Text of the usual one-byte encoding of western Europe (ISO 8859-1) as UTF-8.
+/// Converts text from ISO 8859-1, the usual one-byte encoding of western Europe, to UTF-8.
 std::string utf8_from_latin1(std::string_view text);
 
 }  // namespace morphe::files

@@ -13,7 +13,7 @@
 namespace morphe::files {
 namespace {
 
-std::string in_words(const tinyxml2::XMLDocument& document) {
+std::string error_text(const tinyxml2::XMLDocument& document) {
   switch (document.ErrorID()) {
     case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
       return "it is empty";
@@ -44,7 +44,7 @@ XmlText::XmlText(const std::filesystem::path& path, const char* root) : file(pat
   document.Parse(text.str().c_str());
   if (document.Error()) {
     throw InputError(fmt::format("{}:{}: not valid XML: {}", path.string(),
-                                 std::max(1, document.ErrorLineNum()), in_words(document)));
+                                 std::max(1, document.ErrorLineNum()), error_text(document)));
   }
   const XmlElement* top = document.RootElement();
   if (!top || std::strcmp(top->Value(), root) != 0) {
@@ -55,8 +55,8 @@ XmlText::XmlText(const std::filesystem::path& path, const char* root) : file(pat
 
 void XmlText::fail(const XmlElement& element, const std::string& key,
                    const std::string& message) const {
-  throw InputError(fmt::format("{}:{}: {}: {}", file.string(), element.GetLineNum(), printable(key),
-                               printable(message)));
+  throw InputError(fmt::format("{}:{}: {}: {}", file.string(), element.GetLineNum(),
+                               make_printable(key), make_printable(message)));
 }
 
 std::string XmlText::attribute(const XmlElement& element, const char* name) const {

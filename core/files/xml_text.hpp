@@ -8,23 +8,28 @@
 
 namespace morphe::files {
 
+/// An element of an XML document.
 using XmlElement = tinyxml2::XMLElement;
 
-/// A URDF or SRDF as text, for what is wrong with it and where: "FILE:LINE: KEY: message".
+/// A URDF or SRDF as text, which reports errors with their location: "FILE:LINE: KEY: message".
 struct XmlText {
   std::filesystem::path file;
   tinyxml2::XMLDocument document;
 
-  /// Throws InputError if the file cannot be read, is no XML, or has another root element.
+  /// Throws InputError if the file cannot be read, is not XML, or has another root element.
   XmlText(const std::filesystem::path& path, const char* root);
 
+  /// Returns the root element.
   const XmlElement& root() const { return *document.RootElement(); }
+  /// Throws InputError with the line of an element.
   [[noreturn]] void fail(const XmlElement& element, const std::string& key,
                          const std::string& message) const;
-  /// The element's attribute; fails with the element's line if it is missing or empty.
+  /// Returns an attribute of the element; throws InputError with the element's line if it is
+  /// missing or empty.
   std::string attribute(const XmlElement& element, const char* name) const;
 };
 
+/// Returns the child elements with this tag.
 std::vector<const XmlElement*> children(const XmlElement& parent, const char* tag);
 
 }  // namespace morphe::files

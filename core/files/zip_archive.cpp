@@ -12,20 +12,23 @@
 namespace morphe::files {
 namespace {
 
-constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30;
-constexpr std::uint64_t kIn32 = 0xFFFFFFFF, kIn16 = 0xFFFF;  ///< "see zip64"
-constexpr std::uint64_t kMostPacked = 1032;                  ///< bytes that deflate makes of one
+constexpr std::uint64_t kMaxUnpacked_bytes = std::uint64_t{1} << 30;
+/// Refer to the zip64 record.
+constexpr std::uint64_t kZip64Marker32 = 0xFFFFFFFF, kZip64Marker16 = 0xFFFF;
+constexpr std::uint64_t kMaxDeflateRatio = 1032;  ///< bytes that deflate can produce from one
 constexpr std::size_t kEndSize = 22, kLocatorSize = 20, kEnd64Size = 56;
 constexpr std::size_t kEntrySize = 46, kLocalSize = 30;
-constexpr std::uint64_t kEndSign = 0x06054b50, kLocatorSign = 0x07064b50, kEnd64Sign = 0x06064b50;
-constexpr std::uint64_t kEntrySign = 0x02014b50, kLocalSign = 0x04034b50;
-constexpr std::uint64_t kEncrypted = 1, kUtf8 = 1 << 11, kFirstOf1980 = 1 << 5 | 1;
+constexpr std::uint64_t kEndSignature = 0x06054b50, kLocatorSignature = 0x07064b50,
+                        kEnd64Signature = 0x06064b50;
+constexpr std::uint64_t kEntrySignature = 0x02014b50, kLocalSignature = 0x04034b50;
+constexpr std::uint64_t kEncryptedFlag = 1, kUtf8Flag = 1 << 11, kDosEpochDate = 1 << 5 | 1;
 constexpr std::uint64_t kStored = 0, kDeflated = 8;
 
-/// What the directory says of a member.
+/// A member's entry in the directory.
 struct Entry {
   std::string name;
-  std::uint64_t flags = 0, method = 0, checksum = 0, packed = 0, unpacked = 0, at = 0;
+  std::uint64_t flags = 0, method = 0, checksum = 0, compressed_size = 0, uncompressed_size = 0,
+                at = 0;
 };
 
 struct Archive {
@@ -38,15 +41,17 @@ struct Archive {
   [[noreturn]] void fail(const std::string& name, const std::string& what) const {
     throw InputError(fmt::format("{}: {}: {}", file, name, what));
   }
-  [[noreturn]] void damaged() const { fail("is a damaged zip archive: its directory is broken"); }
+  [[noreturn]] void fail_damaged() const {
+    fail("is a damaged zip archive: its directory is broken");
+  }
 
-  /// A number of `count` bytes; the archive must reach that far.
+  /// Reads an integer of `count` bytes, which must be within the archive.
   std::uint64_t number(std::uint64_t at, std::size_t count) const {
-    if (at > bytes.size() || bytes.size() - at < count) damaged();
-    return little_endian(bytes, at, count);
+    if (at > bytes.size() || bytes.size() - at < count) fail_damaged();
+    return read_little_endian(bytes, at, count);
   }
   std::string_view text(std::uint64_t at, std::uint64_t count) const {
-    if (at > bytes.size() || bytes.size() - at < count) damaged();
+    if (at > bytes.size() || bytes.size() - at < count) fail_damaged();
     return bytes.substr(at, count);
   }
 };
@@ -57,42 +62,46 @@ struct Directory {
 
 Directory find_directory(const Archive& archive) {
   const std::size_t size = archive.bytes.size();
-  const std::size_t farthest = size - std::min<std::size_t>(size, kEndSize + kIn16);
+  const std::size_t farthest = size - std::min<std::size_t>(size, kEndSize + kZip64Marker16);
   std::size_t end = size;
   for (std::size_t at = size - std::min(size, kEndSize) + 1; at-- > farthest;) {
-    if (size - at < kEndSize || archive.number(at, 4) != kEndSign) continue;
-    if (at + kEndSize + archive.number(at + 20, 2) != size) continue;  // a comment with the sign
+    if (size - at < kEndSize || archive.number(at, 4) != kEndSignature) continue;
+    if (at + kEndSize + archive.number(at + 20, 2) != size)
+      continue;  // skips a comment that contains the signature
     end = at;
     break;
   }
   if (end == size) archive.fail("is no whole zip archive: it ends without its directory");
-  if (archive.number(end + 4, 2) % kIn16 != 0) archive.fail("is a part of a divided zip archive");
+  if (archive.number(end + 4, 2) % kZip64Marker16 != 0)
+    archive.fail("is a part of a divided zip archive");
   Directory directory{archive.number(end + 16, 4), archive.number(end + 12, 4),
                       archive.number(end + 10, 2)};
-  const bool large = directory.at == kIn32 || directory.size == kIn32 || directory.entries == kIn16;
-  if (!large || end < kLocatorSize || archive.number(end - kLocatorSize, 4) != kLocatorSign) {
+  const bool large = directory.at == kZip64Marker32 || directory.size == kZip64Marker32 ||
+                     directory.entries == kZip64Marker16;
+  if (!large || end < kLocatorSize || archive.number(end - kLocatorSize, 4) != kLocatorSignature) {
     return directory;
   }
   const std::uint64_t end64 = archive.number(end - kLocatorSize + 8, 8);
-  if (archive.text(end64, kEnd64Size).empty() || archive.number(end64, 4) != kEnd64Sign) {
-    archive.damaged();
+  if (archive.text(end64, kEnd64Size).empty() || archive.number(end64, 4) != kEnd64Signature) {
+    archive.fail_damaged();
   }
   return {archive.number(end64 + 48, 8), archive.number(end64 + 40, 8),
           archive.number(end64 + 32, 8)};
 }
 
-/// Sizes and place that do not fit into 32 bits stand in the entry's extra field 1, in this order.
+/// Reads sizes and offset that exceed 32 bits from the entry's extra field 1, in this order.
 void read_zip64(const Archive& archive, std::string_view extra, Entry& entry) {
   while (extra.size() >= 4) {
-    const std::uint64_t id = little_endian(extra, 0, 2), size = little_endian(extra, 2, 2);
-    if (extra.size() - 4 < size) archive.damaged();
+    const std::uint64_t id = read_little_endian(extra, 0, 2),
+                        size = read_little_endian(extra, 2, 2);
+    if (extra.size() - 4 < size) archive.fail_damaged();
     std::string_view field = extra.substr(4, size);
     extra.remove_prefix(4 + size);
     if (id != 1) continue;
-    for (std::uint64_t* value : {&entry.unpacked, &entry.packed, &entry.at}) {
-      if (*value != kIn32) continue;
-      if (field.size() < 8) archive.damaged();
-      *value = little_endian(field, 0, 8);
+    for (std::uint64_t* value : {&entry.uncompressed_size, &entry.compressed_size, &entry.at}) {
+      if (*value != kZip64Marker32) continue;
+      if (field.size() < 8) archive.fail_damaged();
+      *value = read_little_endian(field, 0, 8);
       field.remove_prefix(8);
     }
   }
@@ -101,11 +110,11 @@ void read_zip64(const Archive& archive, std::string_view extra, Entry& entry) {
 std::vector<Entry> read_directory(const Archive& archive) {
   const Directory directory = find_directory(archive);
   archive.text(directory.at, directory.size);
-  if (directory.entries > directory.size / kEntrySize) archive.damaged();
+  if (directory.entries > directory.size / kEntrySize) archive.fail_damaged();
   std::vector<Entry> entries;
   std::uint64_t at = directory.at;
   for (std::uint64_t k = 0; k < directory.entries; ++k) {
-    if (archive.number(at, 4) != kEntrySign) archive.damaged();
+    if (archive.number(at, 4) != kEntrySignature) archive.fail_damaged();
     archive.text(at, kEntrySize);
     const std::uint64_t name = archive.number(at + 28, 2), extra = archive.number(at + 30, 2);
     Entry& entry = entries.emplace_back();
@@ -113,8 +122,8 @@ std::vector<Entry> read_directory(const Archive& archive) {
     entry.flags = archive.number(at + 8, 2);
     entry.method = archive.number(at + 10, 2);
     entry.checksum = archive.number(at + 16, 4);
-    entry.packed = archive.number(at + 20, 4);
-    entry.unpacked = archive.number(at + 24, 4);
+    entry.compressed_size = archive.number(at + 20, 4);
+    entry.uncompressed_size = archive.number(at + 24, 4);
     entry.at = archive.number(at + 42, 4);
     read_zip64(archive, archive.text(at + kEntrySize + name, extra), entry);
     at += kEntrySize + name + extra + archive.number(at + 32, 2);
@@ -122,11 +131,11 @@ std::vector<Entry> read_directory(const Archive& archive) {
   return entries;
 }
 
-std::string inflated(const Archive& archive, const Entry& entry, std::string_view packed) {
-  if (entry.unpacked > kMostPacked * (entry.packed + 1)) {
+std::string inflate_member(const Archive& archive, const Entry& entry, std::string_view packed) {
+  if (entry.uncompressed_size > kMaxDeflateRatio * (entry.compressed_size + 1)) {
     archive.fail(entry.name, "is damaged: it cannot unpack to the size that is said");
   }
-  std::string bytes(entry.unpacked, '\0');
+  std::string bytes(entry.uncompressed_size, '\0');
   z_stream stream{};
   if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) archive.fail(entry.name, "cannot be unpacked");
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
@@ -146,37 +155,39 @@ std::uint64_t checksum_of(std::string_view bytes) {
 }
 
 ZipMember unpack(const Archive& archive, const Entry& entry) {
-  if ((entry.flags & kEncrypted) != 0) archive.fail(entry.name, "is encrypted");
+  if ((entry.flags & kEncryptedFlag) != 0) archive.fail(entry.name, "is encrypted");
   if (entry.method != kStored && entry.method != kDeflated) {
     archive.fail(entry.name,
                  fmt::format("is packed by method {}; stored and deflated are read", entry.method));
   }
-  if (archive.number(entry.at, 4) != kLocalSign) archive.damaged();
+  if (archive.number(entry.at, 4) != kLocalSignature) archive.fail_damaged();
   const std::uint64_t name = archive.number(entry.at + 26, 2);
   const std::uint64_t extra = archive.number(entry.at + 28, 2);
-  if (archive.text(entry.at + kLocalSize, name) != entry.name) archive.damaged();
-  const std::string_view packed = archive.text(entry.at + kLocalSize + name + extra, entry.packed);
-  if (entry.method == kStored && entry.packed != entry.unpacked) archive.damaged();
-  ZipMember member{
-      entry.name, entry.method == kStored ? std::string(packed) : inflated(archive, entry, packed)};
+  if (archive.text(entry.at + kLocalSize, name) != entry.name) archive.fail_damaged();
+  const std::string_view packed =
+      archive.text(entry.at + kLocalSize + name + extra, entry.compressed_size);
+  if (entry.method == kStored && entry.compressed_size != entry.uncompressed_size)
+    archive.fail_damaged();
+  ZipMember member{entry.name, entry.method == kStored ? std::string(packed)
+                                                       : inflate_member(archive, entry, packed)};
   if (checksum_of(member.bytes) != entry.checksum) {
     archive.fail(entry.name, "is damaged: its checksum is wrong");
   }
   return member;
 }
 
-/// What a local header and an entry of the directory both say, from the version that is needed on.
-void append_facts(const ZipMember& member, std::string& out) {
+/// Appends the fields common to a local header and a directory entry, from the required version on.
+void append_common_fields(const ZipMember& member, std::string& out) {
   append_little_endian(20, 2, out);
-  append_little_endian(kUtf8, 2, out);
+  append_little_endian(kUtf8Flag, 2, out);
   append_little_endian(kStored, 2, out);
   append_little_endian(0, 2, out);
-  append_little_endian(kFirstOf1980, 2, out);
+  append_little_endian(kDosEpochDate, 2, out);
   append_little_endian(checksum_of(member.bytes), 4, out);
   append_little_endian(member.bytes.size(), 4, out);
   append_little_endian(member.bytes.size(), 4, out);
   append_little_endian(member.name.size(), 2, out);
-  append_little_endian(0, 2, out);  // no extra field
+  append_little_endian(0, 2, out);  // length of the extra field
 }
 
 }  // namespace
@@ -188,7 +199,8 @@ std::vector<ZipMember> unzip(std::string_view bytes, const std::string& file) {
   std::uint64_t total = 0;
   for (const Entry& entry : entries) {
     if (!names.insert(entry.name).second) archive.fail(entry.name, "stands twice");
-    if (entry.unpacked > kMostBytes || (total += entry.unpacked) > kMostBytes) {
+    if (entry.uncompressed_size > kMaxUnpacked_bytes ||
+        (total += entry.uncompressed_size) > kMaxUnpacked_bytes) {
       archive.fail(entry.name, "unpacks to more than 1 GiB, with those before it");
     }
   }
@@ -203,27 +215,29 @@ std::vector<std::string> zip_names(std::string_view bytes, const std::string& fi
   return names;
 }
 
-std::string zipped(const std::vector<ZipMember>& members, const std::string& file) {
+std::string zip(const std::vector<ZipMember>& members, const std::string& file) {
   std::string out, directory;
   for (const ZipMember& member : members) {
     const std::size_t at = out.size();
-    if (at + member.bytes.size() > kIn32 - kMostBytes || member.name.size() > kIn16) {
+    if (at + member.bytes.size() > kZip64Marker32 - kMaxUnpacked_bytes ||
+        member.name.size() > kZip64Marker16) {
       throw InputError(fmt::format("{}: {}: is too large to be written", file, member.name));
     }
-    append_little_endian(kLocalSign, 4, out);
-    append_facts(member, out);
+    append_little_endian(kLocalSignature, 4, out);
+    append_common_fields(member, out);
     out += member.name + member.bytes;
-    append_little_endian(kEntrySign, 4, directory);
+    append_little_endian(kEntrySignature, 4, directory);
     append_little_endian(20, 2, directory);
-    append_facts(member, directory);
+    append_common_fields(member, directory);
     append_little_endian(0, 10, directory);  // no comment, disk 0, no attributes
     append_little_endian(at, 4, directory);
     directory += member.name;
   }
-  if (members.size() >= kIn16) throw InputError(file + ": has too many members to be written");
+  if (members.size() >= kZip64Marker16)
+    throw InputError(file + ": has too many members to be written");
   const std::size_t at = out.size();
   out += directory;
-  append_little_endian(kEndSign, 4, out);
+  append_little_endian(kEndSignature, 4, out);
   append_little_endian(0, 4, out);
   append_little_endian(members.size(), 2, out);
   append_little_endian(members.size(), 2, out);

@@ -10,40 +10,44 @@ namespace morphe::human {
 /// The arm's joint centres and the hand's orientation in the world (X right, Y forward, Z up).
 struct ArmPose {
   Vec3 shoulder = Vec3::Zero(), elbow = Vec3::Zero(), wrist = Vec3::Zero();
-  Quat world_from_hand = Quat::Identity();  ///< hand frame of HumanMotion
+  Quat world_from_hand = Quat::Identity();  ///< rotation of HumanMotion's hand frame
 };
 
-/// kArmAngleNames [rad] of a right arm whose trunk is upright and faces Y.
-using ArmAngles = std::array<double, kArmAngles>;
+/// The angles kArmAngleNames [rad] of a right arm; the trunk is upright and faces Y.
+using ArmAngles = std::array<double, kArmAngleCount>;
 
-/// The arm that has these angles q and lengths:
+/// Computes the pose of an arm with the angles q and these lengths:
 ///   upper arm       S = Rx(q0) Ry(-q1) Rz(q2)     elbow = shoulder - upper_arm S Z
 ///   forearm         F = S Rx(q3)                  wrist = elbow - forearm F Z
 ///   world_from_hand   = F Rz(q4) Ry(q5) Rx(q6) diag(-1, 1, -1)
-/// At zero the arm hangs, the thumb to the front, the palm to the thigh. Then flexion lifts the arm
-/// or forearm forward, abduction lifts the arm to the right, internal rotation and pronation turn
-/// the thumb inwards, wrist flexion bends to the palm, radial deviation to the thumb.
+/// At zero the arm hangs down, with the thumb to the front and the palm to the thigh. Flexion lifts
+/// the arm or forearm forward, abduction lifts the arm to the right, internal rotation and
+/// pronation rotate the thumb inwards, wrist flexion bends towards the palm, radial deviation
+/// towards the thumb.
 ArmPose arm_pose(const Vec3& shoulder, const ArmLengths& lengths, const ArmAngles& angles);
 
 /// Human joint limits [rad] of the Anthropomorphism toolbox (Barter et al. 1957). Its q3 and q5
-/// turn the other way: they count external rotation and supination.
+/// have the opposite sign: they count external rotation and supination.
 struct ArmLimits {
   ArmAngles lower, upper;
 };
+/// Returns the human joint limits of the arm.
 const ArmLimits& human_arm_limits();
 
-/// The angles within human limits that give a pose.
+/// The angles within human limits that fit a pose, and the remaining errors.
 struct ArmFit {
   ArmAngles angles{};
-  double position_m = 0;    ///< what elbow or wrist is missed by (the larger), lengths kept
-  double rotation_rad = 0;  ///< what the hand's orientation is missed by
+  /// Position error of elbow or wrist (the larger one), with the given lengths.
+  double position_error_m = 0;
+  double rotation_error_rad = 0;  ///< error of the hand's orientation
 };
-/// Closed form; residual zero up to rounding for every arm_pose() within the limits. Where a pose
-/// is outside, each angle in turn, from the shoulder on, is brought into its limits, and those
-/// after it make up for it as far as theirs allow. What cannot be told (flexion against rotation of
-/// an upper arm that points along X; rotation against pronation of a straight elbow) is split so
-/// that the limits hold and the rotation is nearest zero (not both at once: an arm stretched along
-/// X has flexion 0). NaN throughout if the pose has a NaN or a bone no length.
+/// Fits the angles in closed form; the residual is zero up to rounding for every arm_pose() within
+/// the limits. If a pose is outside the limits, each angle in turn, from the shoulder on, is
+/// clamped to its limits, and the following angles compensate for it as far as their limits allow.
+/// Angles that are not determined (flexion and rotation of an upper arm along X; rotation and
+/// pronation of a straight elbow) are distributed such that the limits hold and the rotation is
+/// nearest to zero (both cannot hold for an arm stretched along X, which has flexion 0). All values
+/// are NaN if the pose contains a NaN or a segment of length zero.
 ArmFit fit_arm_angles(const ArmPose& pose);
 
 }  // namespace morphe::human

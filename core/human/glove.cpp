@@ -3,24 +3,25 @@
 namespace morphe::human {
 namespace {
 
-/// Sensors and joints (kHandAngleNames) that measure the same angle; none for the relative ones.
+/// A sensor and a joint (kHandAngleNames) that measure the same angle; relative sensors are not
+/// included.
 struct SameAngle {
   std::size_t sensor, joint;
 };
-constexpr SameAngle kDirect[] = {{0, 0},   {3, 1},   {1, 2},   {2, 3},  {4, 5},   {5, 6},
-                                 {6, 7},   {7, 9},   {8, 10},  {9, 11}, {11, 13}, {12, 14},
-                                 {13, 15}, {15, 17}, {16, 18}, {17, 19}};
+constexpr SameAngle kAbsoluteSensors[] = {{0, 0},   {3, 1},   {1, 2},   {2, 3},  {4, 5},   {5, 6},
+                                          {6, 7},   {7, 9},   {8, 10},  {9, 11}, {11, 13}, {12, 14},
+                                          {13, 15}, {15, 17}, {16, 18}, {17, 19}};
 constexpr std::size_t kMiddleIndexAb = 10, kRingMiddleAb = 14, kPinkieRingAb = 18,
                       kPalmArchSensor = 19, kWristPitch = 20, kWristYaw = 21;
-constexpr std::size_t kIndexAb = 4, kMiddleAb = 8, kRingAb = 12,
-                      kLittleAb = 16;  ///< their abductions
+/// Indices of abduction joints.
+constexpr std::size_t kIndexAb = 4, kMiddleAb = 8, kRingAb = 12, kLittleAb = 16;
 
 }  // namespace
 
 GloveReading decode_glove(const GloveAngles& glove) {
   GloveReading reading;
   auto& joint = reading.hand.joint;
-  for (const auto& [sensor, k] : kDirect) joint[k] = glove[sensor];
+  for (const auto& [sensor, k] : kAbsoluteSensors) joint[k] = glove[sensor];
   joint[kMiddleAb] = 0;
   joint[kIndexAb] = joint[kMiddleAb] + glove[kMiddleIndexAb];
   joint[kRingAb] = joint[kMiddleAb] - glove[kRingMiddleAb];
@@ -34,7 +35,7 @@ GloveReading decode_glove(const GloveAngles& glove) {
 GloveAngles encode_glove(const GloveReading& reading) {
   GloveAngles glove{};
   const auto& joint = reading.hand.joint;
-  for (const auto& [sensor, k] : kDirect) glove[sensor] = joint[k];
+  for (const auto& [sensor, k] : kAbsoluteSensors) glove[sensor] = joint[k];
   glove[kMiddleIndexAb] = joint[kIndexAb] - joint[kMiddleAb];
   glove[kRingMiddleAb] = joint[kMiddleAb] - joint[kRingAb];
   glove[kPinkieRingAb] = joint[kRingAb] - joint[kLittleAb];

@@ -8,23 +8,28 @@
 
 namespace morphe::human {
 
-/// CyberGlove II, in the order of its data.
+/// The sensors of a CyberGlove II, in the order of its data.
 inline constexpr const char* kGloveSensors[] = {
     "ThumbRotate",  "ThumbMPJ",  "ThumbIJ",      "ThumbAb",   "IndexMPJ",      "IndexPIJ",
     "IndexDIJ",     "MiddleMPJ", "MiddlePIJ",    "MiddleDIJ", "MiddleIndexAb", "RingMPJ",
     "RingPIJ",      "RingDIJ",   "RingMiddleAb", "PinkieMPJ", "PinkiePIJ",     "PinkieDIJ",
     "PinkieRingAb", "PalmArch",  "WristPitch",   "WristYaw"};
+/// Number of sensors.
 inline constexpr std::size_t kGloveSensorCount = std::size(kGloveSensors);
-using GloveAngles = std::array<double, kGloveSensorCount>;  ///< [rad]
+/// The angles of the glove's sensors [rad].
+using GloveAngles = std::array<double, kGloveSensorCount>;
 
-/// What a glove says of the hand. Its abduction sensors are relative between neighbours and none
-/// sees the middle finger's own: that one is taken as zero, index, ring and little follow from it.
+/// The hand and wrist angles decoded from a glove. Its abduction sensors are relative between
+/// neighbours and the middle finger's own abduction is not measured: it is taken as zero, and those
+/// of index, ring and little are relative to it.
 struct GloveReading {
   HandAngles hand;
   double wrist_flexion = 0, wrist_radial_deviation = 0;  ///< [rad]
 };
+/// Converts the angles of a glove's sensors to those of the hand.
 GloveReading decode_glove(const GloveAngles& glove);
-/// The inverse: what an ideal glove reads on a hand whose middle finger is not abducted.
+/// Computes the inverse: the angles that an ideal glove measures on a hand whose middle finger is
+/// not abducted.
 GloveAngles encode_glove(const GloveReading& reading);
 
 }  // namespace morphe::human

@@ -15,7 +15,7 @@ void add_angle(int frame, const Quat& current, const Quat& goal, double weight, 
   loads.value += weight * smooth;
   const Vec3 gradient = (0.5 * weight * half / smooth) * axis;
   if (loads.curvature == Curvature::none) {
-    return loads.add_turn(frame, gradient, Eigen::Matrix3d::Zero());
+    return loads.add_rotation(frame, gradient, Eigen::Matrix3d::Zero());
   }
 
   double along = 1;
@@ -24,20 +24,20 @@ void add_angle(int frame, const Quat& current, const Quat& goal, double weight, 
     if (memory.smooth > 0) {
       const double before = memory.smooth;
       const double stretch = memory.half.dot(now - memory.half) / (before * before);
-      memory.slope = now / before - stretch * memory.slope;
-      const double norm = memory.slope.norm();
-      if (norm > 1) memory.slope /= norm;
+      memory.dual = now / before - stretch * memory.dual;
+      const double norm = memory.dual.norm();
+      if (norm > 1) memory.dual /= norm;
     }
     memory.half = now;
     memory.smooth = smooth;
-    along = 1 - std::max(0.0, memory.slope.dot(axis)) * half / smooth;
+    along = 1 - std::max(0.0, memory.dual.dot(axis)) * half / smooth;
   }
-  // half * cos / sin -> 1 at 0: across the axis an angle is as curved as along it.
+  // half * cos / sin -> 1 at 0: there the curvature across the axis equals that along it.
   const double across = sine > 1e-6 ? half * cosine / sine : 1;
   const double scale = 0.25 * weight / smooth;
   Eigen::Matrix3d hessian = (scale * (along - across)) * (axis * axis.transpose());
   hessian.diagonal().array() += scale * across;
-  loads.add_turn(frame, gradient, hessian);
+  loads.add_rotation(frame, gradient, hessian);
 }
 
 }  // namespace morphe::humanlike

@@ -4,13 +4,16 @@
 
 namespace morphe::humanlike {
 
-/// Joint-to-joint, the arm: sum over the joints of arm_chain() beyond the shoulder of
-/// ‖s_j - goal_j‖² [m²]. No term of the paper's objective, and without a key: a mode brings it.
+/// Joint-to-joint term of the arm: sum over the joints of arm_chain() beyond the shoulder of ‖s_j -
+/// goal_j‖² [m²]. It is not part of the paper's objective and has no key in the config; a mode sets
+/// its weight.
 struct ChainPosition {
-  static constexpr Group kGroup = Group::joint_to_joint;
+  static constexpr TermGroup kGroup = TermGroup::joint_to_joint;
   double weight = 0;
+  /// Adds the term at a state, multiplied by `share`, to the loads.
   void add(const RobotState& state, const FrameGoal& goal, double share, Loads& loads) const;
 };
+/// Declares no config keys.
 template <class Fields>
 void fields(Fields&, ChainPosition&) {}
 

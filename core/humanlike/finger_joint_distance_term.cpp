@@ -10,16 +10,16 @@ void FingerJointDistance::add(const RobotState& state, const FrameGoal& goal, do
   for (std::size_t j = 0; j < robot.centres.size(); ++j) {
     if (robot.tip_of_centre[j] < 0) continue;
     const auto i = static_cast<std::size_t>(robot.tip_of_centre[j]);
-    const RobotTable::Tip& tip = robot.tips[i];
-    Vec3 joint = unseen_point();
+    const RobotModel::Tip& tip = robot.tips[i];
+    Vec3 joint = unknown_point();
     if (!std::isfinite(tip.along))
       joint = goal.finger_joint[static_cast<std::size_t>(tip.finger)];
-    else if (i < goal.curve_joint.size())
-      joint = goal.curve_joint[i];
-    if (!seen(joint)) continue;
+    else if (i < goal.interpolated_finger_joint.size())
+      joint = goal.interpolated_finger_joint[i];
+    if (!is_known(joint)) continue;
     const int frame = robot.centres[j].frame;
     loads.add_point(frame, state.pose_of(frame).translation(), joint,
-                    share / robot.centres_of_chain[j], false);
+                    share / robot.chain_centre_count[j], false);
   }
 }
 

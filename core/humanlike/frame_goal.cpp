@@ -9,13 +9,13 @@ FrameGoal frame_goal(const Goals& goals, std::size_t frame) {
     goal.tip_orientation.push_back(goals.tip_orientation(frame, tip));
     if (goals.pad_share.rows > 0) goal.pad_share.push_back(goals.pad_share(frame, tip));
   }
-  goal.closed = goals.closed;
+  goal.closes_by_itself = goals.closed;
   goal.hand_scale = goals.hand_scale;
   goal.hand = goals.wrist_orientation[frame];
   goal.shoulder = goals.shoulder_position[frame];
   goal.wrist = goals.wrist_position[frame];
   goal.elbow = goals.elbow_position[frame];
-  for (std::size_t finger = 0; finger < kFingers; ++finger) {
+  for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
     goal.finger_joint[finger] = goals.finger_joint_position(frame, finger);
   }
   return goal;

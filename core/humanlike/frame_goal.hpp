@@ -4,42 +4,45 @@
 #include <vector>
 
 #include "core/motion/plan.hpp"
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 
 namespace morphe::humanlike {
 
-/// What terms have in common: which of a phase's shares weighs them, and which modes leave them
-/// out.
-enum class Group {
+/// The group of a term, which determines the phase-dependent factor of its weight and the modes in
+/// which it is omitted.
+enum class TermGroup {
   tip_position,
-  tip_orientation,  ///< and the hand's
+  tip_orientation,  ///< also orientation of the hand
   humanlike_arm,
   humanlike_fingers,
-  posture,         ///< in every mode, the same in every phase
-  joint_to_joint,  ///< in that mode alone, likewise
+  posture,         ///< used in every mode, with the same weight in every phase
+  joint_to_joint,  ///< used in that mode only, with the same weight in every phase
 };
 
-/// Shares of the objective's weights in one frame, 1 unless its phase says otherwise.
+/// The factors of the objective's weights in one frame, 1 unless the config sets them for its
+/// phase.
 struct FrameWeights {
   double tip_position = 1, tip_orientation = 1, humanlike_arm = 1, humanlike_fingers = 1;
 
-  double of(Group group) const {
+  /// Returns the factor of a group of terms.
+  double of(TermGroup group) const {
     switch (group) {
-      case Group::tip_position:
+      case TermGroup::tip_position:
         return tip_position;
-      case Group::tip_orientation:
+      case TermGroup::tip_orientation:
         return tip_orientation;
-      case Group::humanlike_arm:
+      case TermGroup::humanlike_arm:
         return humanlike_arm;
-      case Group::humanlike_fingers:
+      case TermGroup::humanlike_fingers:
         return humanlike_fingers;
-      case Group::posture:
-      case Group::joint_to_joint:
+      case TermGroup::posture:
+      case TermGroup::joint_to_joint:
         break;
     }
     return 1;
   }
 };
+/// Declares the config keys of the factors.
 template <class Fields>
 void fields(Fields& f, FrameWeights& o) {
   f("tip_position", o.tip_position);
@@ -48,47 +51,53 @@ void fields(Fields& f, FrameWeights& o) {
   f("humanlike_fingers", o.humanlike_fingers);
 }
 
-/// The goals of one frame, in the robot's base frame. NaN = no goal.
+/// The goals of one frame, in the robot's base frame; NaN if there is no goal.
 struct FrameGoal {
-  std::vector<Vec3> tip_position;     ///< [m]
-  std::vector<Quat> tip_orientation;  ///< [m]
-  std::vector<double> pad_share;      ///< [m] as Goals::pad_share, or empty
-  std::vector<Vec3> pad_normal;       ///< [m] unit, inwards, where a pad is to touch; or empty
-  std::vector<std::uint8_t> closed;   ///< [m] as Goals::closed, or empty
-  Quat hand = unseen_rotation();      ///< base_from_hand
-  /// Human arm in the common base frame.
-  Vec3 shoulder = unseen_point(), elbow = unseen_point(), wrist = unseen_point();
+  std::vector<Vec3> tip_position;              ///< [m]
+  std::vector<Quat> tip_orientation;           ///< [m]
+  std::vector<double> pad_share;               ///< [m] as Goals::pad_share, or empty
+  std::vector<Vec3> pad_normal;                ///< [m] unit, inwards, for pads in contact; or empty
+  std::vector<std::uint8_t> closes_by_itself;  ///< [m] as Goals::closed, or empty
+  Quat hand = unknown_rotation();              ///< base_from_hand
+  /// Points of the human arm in the common base frame.
+  Vec3 shoulder = unknown_point(), elbow = unknown_point(), wrist = unknown_point();
   /// Middle joints of the human's fingers.
-  std::array<Vec3, kFingers> finger_joint{unseen_point(), unseen_point(), unseen_point(),
-                                          unseen_point(), unseen_point()};
-  /// Of a tip that follows no finger of its own (RobotTable::Tip::along): the same share of the
-  /// curve through the middle joints. Empty: none.
-  std::vector<Vec3> curve_joint;  ///< [m]
-  /// What joint-to-joint asks for: where each joint of arm_chain() belongs, and angles (NaN =
-  /// none). Empty in every other mode.
+  std::array<Vec3, kFingerCount> finger_joint{unknown_point(), unknown_point(), unknown_point(),
+                                              unknown_point(), unknown_point()};
+  /// For tips between the human's fingers (RobotModel::Tip::along): the point at the same parameter
+  /// of the curve through the middle joints. Empty if the hand has no such tips.
+  std::vector<Vec3> interpolated_finger_joint;  ///< [m]
+  /// Goals of the joint-to-joint mode: a position for each joint of arm_chain(), and joint angles
+  /// (NaN = no goal). Empty in every other mode.
   std::vector<Vec3> chain;
   JointVector angles;
-  /// The human's own distances are those of the tips' goals over this.
+  /// Factor by which the human's hand was scaled: the human's own distances are those of the tips'
+  /// goals divided by it.
   double hand_scale = 1;
   FrameWeights weights;
 
+  /// Returns the pad share of a tip's goal, 0 if there are no pad shares.
   double pad_share_of(std::size_t tip) const { return pad_share.empty() ? 0 : pad_share[tip]; }
-  /// Without fingers that close by themselves: those that say where the hand is.
-  int tips_recorded() const {
-    int count = tips_seen();
-    for (std::size_t tip = 0; tip < closed.size(); ++tip) {
-      count -= closed[tip] != 0 && seen(tip_position[tip]) ? 1 : 0;
+  /// Returns the number of tips with a recorded goal, which determine the pose of the hand. Fingers
+  /// that close by themselves are not counted.
+  int recorded_tip_count() const {
+    int count = goal_tip_count();
+    for (std::size_t tip = 0; tip < closes_by_itself.size(); ++tip) {
+      count -= closes_by_itself[tip] != 0 && is_known(tip_position[tip]) ? 1 : 0;
     }
     return count;
   }
-  int tips_seen() const {
+  /// Returns the number of tips with a position goal.
+  int goal_tip_count() const {
     int count = 0;
-    for (const Vec3& tip : tip_position) count += seen(tip) ? 1 : 0;
+    for (const Vec3& tip : tip_position) count += is_known(tip) ? 1 : 0;
     return count;
   }
-  bool arm_seen() const { return seen(shoulder) && seen(elbow) && seen(wrist); }
+  /// Returns true if shoulder, elbow and wrist of the human are known.
+  bool has_arm_goal() const { return is_known(shoulder) && is_known(elbow) && is_known(wrist); }
 };
 
+/// Returns the goals of one frame.
 FrameGoal frame_goal(const Goals& goals, std::size_t frame);
 
 }  // namespace morphe::humanlike

@@ -1,6 +1,6 @@
 #include "core/humanlike/frame_objective.hpp"
 
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 
 namespace morphe::humanlike {
 
@@ -9,22 +9,22 @@ void add_objective(const FrameObjective& objective, const robot::Robot& robot, c
                    Curvature curvature) {
   if (curvature == Curvature::exact) {
     if (!scratch.loads.points.empty()) {
-      scratch.last = q - scratch.last;
-      promise(robot, scratch.last, scratch.sweep, scratch.loads.points);
+      scratch.last_q = q - scratch.last_q;
+      predict_multiplier_forces(robot, scratch.last_q, scratch.sweep, scratch.loads.points);
     }
-    scratch.last = q;
+    scratch.last_q = q;
   }
-  robot::forward(robot, q, scratch.base_from_frame);
+  robot::forward_kinematics(robot, q, scratch.base_from_frame);
   const RobotState state{robot, q, scratch.base_from_frame};
   scratch.loads.reset(robot.frames.size(), curvature);
-  objective.each([&]<class T>(const T& term) {
+  objective.for_each_term([&]<class T>(const T& term) {
     const double share = term.weight * goal.weights.of(T::kGroup);
     if constexpr (FrameTerm<T>) {
       if (share != 0) term.add(state, goal, share, scratch.loads);
     }
   });
   add_derivatives(robot, scratch.base_from_frame, scratch.loads, scratch.sweep, model);
-  objective.each([&]<class T>(const T& term) {
+  objective.for_each_term([&]<class T>(const T& term) {
     const double share = term.weight * goal.weights.of(T::kGroup);
     if constexpr (JointTerm<T>) {
       if (share != 0) term.add(state, goal, share, model);

@@ -6,7 +6,7 @@ namespace morphe::humanlike {
 
 void HandOrientation::add(const RobotState& state, const FrameGoal& goal, double share,
                           Loads& loads) const {
-  if (!seen(goal.hand) || goal.tips_recorded() >= 3) return;
+  if (!is_known(goal.hand) || goal.recorded_tip_count() >= 3) return;
   const int palm = state.robot.palm_frame;
   add_angle(palm, Quat(state.pose_of(palm).linear()), goal.hand, share, smoothing_rad,
             loads.next_angle(), loads);

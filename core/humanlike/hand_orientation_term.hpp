@@ -4,14 +4,16 @@
 
 namespace morphe::humanlike {
 
-/// The same distance as TipOrientation's for the hand: a weak goal where fewer than three tips are
-/// seen.
+/// The distance of TipOrientation for the hand: a weak goal for frames in which fewer than three
+/// tips were observed.
 struct HandOrientation {
-  static constexpr Group kGroup = Group::tip_orientation;
+  static constexpr TermGroup kGroup = TermGroup::tip_orientation;
   double weight = 0;  ///< [1/rad]
   double smoothing_rad = 1e-3;
+  /// Adds the term at a state, multiplied by `share`, to the loads.
   void add(const RobotState& state, const FrameGoal& goal, double share, Loads& loads) const;
 };
+/// Declares the config keys of the term.
 template <class Fields>
 void fields(Fields& f, HandOrientation& o) {
   f("hand_orientation", o.weight);

@@ -11,7 +11,7 @@ namespace {
 
 using Facet = std::array<std::size_t, 3>;
 
-/// Indices of the points that are none of the ones before.
+/// Returns the indices of the points that differ from all points before them.
 std::vector<std::size_t> distinct(const std::vector<Vec3>& points) {
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -49,11 +49,11 @@ std::vector<Facet> hull_facets(const std::vector<Vec3>& points) {
   }
   std::FILE* silence = std::fopen("/dev/null", "w");
   qhT hull;
-  qhT* qh = &hull;  // qhull's macros want this name
+  qhT* qh = &hull;  // name required by qhull's macros
   qh_zero(qh, silence);
   char command[] = "qhull Qt";
   std::vector<Facet> facets;
-  // It fails on flat sets, which have no facets in space.
+  // Quickhull fails for coplanar sets, which have no facets in space.
   if (!qh_new_qhull(qh, 3, static_cast<int>(corners.size()), coordinates.data(), 0, command,
                     silence, silence)) {
     facetT* facet;

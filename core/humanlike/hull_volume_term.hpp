@@ -4,13 +4,15 @@
 
 namespace morphe::humanlike {
 
-/// Humanlikeness C of the arm, Eqs. (7)–(9) [m³], see hull_volume_sum: without a curvature of its
+/// Humanlikeness C of the arm, Eqs. (7)–(9) [m³], see hull_volume_sum. It has no curvature of its
 /// own.
 struct HullVolume {
-  static constexpr Group kGroup = Group::humanlike_arm;
+  static constexpr TermGroup kGroup = TermGroup::humanlike_arm;
   double weight = 0;  ///< w_C [1/m³]
+  /// Adds the term at a state, multiplied by `share`, to the loads.
   void add(const RobotState& state, const FrameGoal& goal, double share, Loads& loads) const;
 };
+/// Declares the config keys of the term.
 template <class Fields>
 void fields(Fields& f, HullVolume& o) {
   f("humanlike_hull", o.weight);

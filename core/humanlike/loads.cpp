@@ -30,10 +30,10 @@ void Loads::add_point(int frame, const Vec3& x, const Vec3& goal, double weight,
   if (curvature == Curvature::exact) {
     if (points.size() == points_added_) {
       points.emplace_back();
-      if (!to_be_met) points.back().promised = force;
+      if (!to_be_met) points.back().multiplier_force = force;
     }
     PointMemory& memory = points[points_added_++];
-    promised = memory.promised;
+    promised = memory.multiplier_force;
     memory = {frame, x, force, 2 * weight, promised};
   }
   add_force(frame, x, force, promised, 2 * weight);
@@ -48,59 +48,60 @@ void Loads::add_force(int frame, const Vec3& x, const Vec3& force, const Vec3& p
   if (curvature == Curvature::none) return;
   const Vec3 first = mass * x;
   load.mass += mass;
-  load.first += first;
+  load.mass_moment += first;
   load.inertia.noalias() -= first * x.transpose();
   load.inertia.diagonal().array() += first.dot(x);
   if (curvature != Curvature::exact) return;
-  load.promised += promised;
-  load.bend.noalias() += x * promised.transpose();
-  load.bend.diagonal().array() -= x.dot(promised);
+  load.multiplier_force += promised;
+  load.geometric_stiffness.noalias() += x * promised.transpose();
+  load.geometric_stiffness.diagonal().array() -= x.dot(promised);
 }
 
-void Loads::add_turn(int frame, const Vec3& gradient, const Eigen::Matrix3d& hessian) {
+void Loads::add_rotation(int frame, const Vec3& gradient, const Eigen::Matrix3d& hessian) {
   if (frame < 0) return;
   Load& load = on_frame[static_cast<std::size_t>(frame)];
   load.moment += gradient;
   if (curvature == Curvature::none) return;
   load.inertia += hessian;
-  // Two turns one after the other are not the turn by their sum: half their cross product is left.
-  if (curvature == Curvature::exact) load.bend -= cross_matrix(0.5 * gradient);
+  // Rotation vectors do not add up when rotations are composed: half their cross product remains.
+  if (curvature == Curvature::exact) load.geometric_stiffness -= cross_matrix(0.5 * gradient);
 }
 
-void promise(const RobotTable& robot, const JointVector& step, LoadSweep& sweep,
-             std::vector<PointMemory>& points) {
+void predict_multiplier_forces(const RobotModel& robot, const JointVector& step, LoadSweep& sweep,
+                               std::vector<PointMemory>& points) {
   const std::size_t frames = robot.frames.size();
-  sweep.moved.resize(frames);
+  sweep.displacement.resize(frames);
   for (std::size_t i = 0; i < frames; ++i) {
-    const int above = sweep.above[i], joint = robot.frames[i].joint;
+    const int above = sweep.parent_moving_frame[i], joint = robot.frames[i].joint;
     if (above >= 0) {
-      sweep.moved[i] = sweep.moved[static_cast<std::size_t>(above)];
+      sweep.displacement[i] = sweep.displacement[static_cast<std::size_t>(above)];
     } else {
-      sweep.moved[i].setZero();
+      sweep.displacement[i].setZero();
     }
-    if (joint >= 0) sweep.moved[i] += step[joint] * sweep.twist[i];
+    if (joint >= 0) sweep.displacement[i] += step[joint] * sweep.twist[i];
   }
   const bool offset = step.size() > static_cast<Eigen::Index>(robot.joints());
   for (PointMemory& point : points) {
     if (point.frame < 0) continue;
-    const auto& twist = sweep.moved[static_cast<std::size_t>(point.frame)];
+    const auto& twist = sweep.displacement[static_cast<std::size_t>(point.frame)];
     Vec3 away = twist.head<3>().cross(point.x) + twist.tail<3>();
     if (offset) away -= step.tail<3>();
-    point.promised = point.force + point.mass * away;
+    point.multiplier_force = point.force + point.mass * away;
   }
 }
 
-void add_derivatives(const RobotTable& robot, const std::vector<Pose>& base_from_frame,
+void add_derivatives(const RobotModel& robot, const std::vector<Pose>& base_from_frame,
                      Loads& loads, LoadSweep& sweep, solve::Quadratic& model) {
   const std::size_t frames = robot.frames.size();
   sweep.twist.resize(frames);
-  sweep.above.resize(frames);
+  sweep.parent_moving_frame.resize(frames);
   for (std::size_t i = 0; i < frames; ++i) {
-    const RobotTable::Frame& frame = robot.frames[i];
+    const RobotModel::Frame& frame = robot.frames[i];
     const auto parent = static_cast<std::size_t>(frame.parent);
-    sweep.above[i] = frame.parent < 0                  ? -1
-                     : robot.frames[parent].joint >= 0 ? frame.parent
-                                                       : sweep.above[parent];
+    sweep.parent_moving_frame[i] = frame.parent < 0 ? -1
+                                   : robot.frames[parent].joint >= 0
+                                       ? frame.parent
+                                       : sweep.parent_moving_frame[parent];
     if (frame.joint < 0) continue;
     const Pose& pose = base_from_frame[i];
     const Vec3 axis = frame.axis.z() == 1 ? Vec3(frame.ratio * pose.linear().col(2))
@@ -112,13 +113,14 @@ void add_derivatives(const RobotTable& robot, const std::vector<Pose>& base_from
     }
   }
 
-  // More variables than joints: an offset of the goals, against which every point moves.
+  // More variables than joints mean that an offset of the goals is optimised too, relative to which
+  // every point moves.
   const auto joints = static_cast<Eigen::Index>(robot.joints());
   const bool offset = model.gradient.size() == joints + 3;
   const bool exact = loads.curvature == Curvature::exact;
   model.value += loads.value;
   for (std::size_t i = frames; i-- > 0;) {
-    const RobotTable::Frame& frame = robot.frames[i];
+    const RobotModel::Frame& frame = robot.frames[i];
     const Load& load = loads.on_frame[i];
     if (frame.joint >= 0) {
       const Vec3 axis = sweep.twist[i].head<3>(), shift = sweep.twist[i].tail<3>();
@@ -128,15 +130,17 @@ void add_derivatives(const RobotTable& robot, const std::vector<Pose>& base_from
         double* hessian = model.hessian.data();
         const int j = frame.joint;
         Eigen::Matrix<double, 6, 1> answer;
-        answer << load.inertia * axis + load.first.cross(shift),
-            axis.cross(load.first) + load.mass * shift;
-        if (exact) answer.head<3>() += load.bend * axis + shift.cross(load.promised);
+        answer << load.inertia * axis + load.mass_moment.cross(shift),
+            axis.cross(load.mass_moment) + load.mass * shift;
+        if (exact)
+          answer.head<3>() += load.geometric_stiffness * axis + shift.cross(load.multiplier_force);
         hessian[j * n + j] += sweep.twist[i].dot(answer);
         if (offset) {
           model.hessian.block<3, 1>(joints, j) -= answer.tail<3>();
           model.hessian.block<1, 3>(j, joints) -= answer.tail<3>().transpose();
         }
-        for (int k = sweep.above[i]; k >= 0; k = sweep.above[static_cast<std::size_t>(k)]) {
+        for (int k = sweep.parent_moving_frame[i]; k >= 0;
+             k = sweep.parent_moving_frame[static_cast<std::size_t>(k)]) {
           const auto& twist = sweep.twist[static_cast<std::size_t>(k)];
           const int other = robot.frames[static_cast<std::size_t>(k)].joint;
           const double product = twist.dot(answer);

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/humanlike/chain_slopes.hpp"
+#include "core/humanlike/chain_gradients.hpp"
 #include "core/humanlike/knots.hpp"
 
 namespace morphe::humanlike {
 namespace {
 
-/// Heron's formula; round-off of a flat triangle counts as zero.
+/// Computes a triangle's area by Heron's formula; a negative radicand due to round-off counts as
+/// zero.
 double heron(double a, double b, double c) {
   return 0.25 * std::sqrt(std::max(0.0, (a + b + c) * (a - b + c) * (a + b - c) * (-a + b + c)));
 }
@@ -27,19 +28,19 @@ double triangle_area_sum(const Chain& human, const Chain& robot) {
   const std::vector<double> all = all_knots(human_knots, robot_knots);
   double sum = 0;
   for (std::size_t i = 1; i + 1 < all.size(); ++i) {
-    const Vec3 joint = chain_point(human_knots, all[i]).on(human);
-    const Vec3 corresponding = chain_point(robot_knots, all[i]).on(robot);
-    const Vec3 next = chain_point(robot_knots, all[i + 1]).on(robot);
+    const Vec3 joint = chain_point(human_knots, all[i]).point_on(human);
+    const Vec3 corresponding = chain_point(robot_knots, all[i]).point_on(robot);
+    const Vec3 next = chain_point(robot_knots, all[i + 1]).point_on(robot);
     sum +=
         heron((joint - corresponding).norm(), (corresponding - next).norm(), (next - joint).norm());
   }
   return sum;
 }
 
-double hull_volume(const std::vector<Vec3>& points) { return hull_slopes(points).value; }
+double hull_volume(const std::vector<Vec3>& points) { return hull_gradient(points).value; }
 
 double hull_volume_sum(const Chain& human, const Chain& robot) {
-  return hull_volume_slopes(human, robot).value;
+  return hull_volume_gradient(human, robot).value;
 }
 
 }  // namespace morphe::humanlike

@@ -6,9 +6,9 @@
 namespace morphe::humanlike {
 namespace {
 
-bool active(const NaturalPosture::Joint& entry, const FrameGoal& goal) {
+bool is_active(const NaturalPosture::Joint& entry, const FrameGoal& goal) {
   return std::none_of(entry.tips.begin(), entry.tips.end(), [&](int tip) {
-    return seen(goal.tip_position[static_cast<std::size_t>(tip)]);
+    return is_known(goal.tip_position[static_cast<std::size_t>(tip)]);
   });
 }
 
@@ -21,7 +21,7 @@ double posture_error(const NaturalPosture::Joint& entry, const JointVector& q) {
 void NaturalPosture::add(const RobotState& state, const FrameGoal& goal, double share,
                          solve::Quadratic& model) const {
   for (const Joint& entry : joints) {
-    if (!active(entry, goal)) continue;
+    if (!is_active(entry, goal)) continue;
     const double error = posture_error(entry, state.q);
     model.value += share * error * error;
     model.gradient[entry.joint] += 2 * share * error;
@@ -38,12 +38,12 @@ double NaturalPosture::distance(const JointVector& q, const FrameGoal& goal) con
   double sum = 0;
   int count = 0;
   for (const Joint& entry : joints) {
-    if (!active(entry, goal)) continue;
+    if (!is_active(entry, goal)) continue;
     const double error = posture_error(entry, q);
     sum += error * error;
     ++count;
   }
-  return count == 0 ? kNotSeen : std::sqrt(sum / count);
+  return count == 0 ? kUnknown : std::sqrt(sum / count);
 }
 
 }  // namespace morphe::humanlike

@@ -6,23 +6,27 @@
 
 namespace morphe::humanlike {
 
-/// Natural posture of what no goal asks for: sum of (q_joint - q_follow - value)² over joints that
-/// move only tips without a goal in this frame [rad²].
+/// Natural posture of the joints without goals: sum of (q_joint - q_follow - value)² over joints
+/// that only move tips without a goal in this frame [rad²].
 struct NaturalPosture {
+  /// A joint that has a natural posture.
   struct Joint {
     int joint = 0;
-    int follow = -1;        ///< joint to copy, -1 = none
+    int follow = -1;        ///< joint to copy, -1 if it copies no joint
     double value = 0;       ///< [rad]
     std::vector<int> tips;  ///< tips that the joint moves
   };
-  static constexpr Group kGroup = Group::posture;
+  static constexpr TermGroup kGroup = TermGroup::posture;
   double weight = 0;  ///< [1/rad²]
   std::vector<Joint> joints;
+  /// Adds the term at a state, multiplied by `share`, to the model.
   void add(const RobotState& state, const FrameGoal& goal, double share,
            solve::Quadratic& model) const;
-  /// Root mean square distance from the natural posture over the active joints [rad]; NaN if none.
+  /// Returns the root mean square distance from the natural posture over the active joints [rad],
+  /// or NaN if no joint is active.
   double distance(const JointVector& q, const FrameGoal& goal) const;
 };
+/// Declares the config keys of the term.
 template <class Fields>
 void fields(Fields& f, NaturalPosture& o) {
   f("posture", o.weight);

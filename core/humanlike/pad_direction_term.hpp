@@ -4,14 +4,16 @@
 
 namespace morphe::humanlike {
 
-/// Sum over tips with a contact of share · ‖m(q) - n‖² = share · 4 sin²(φ/2): m the middle of the
-/// pad, n the inward normal of the surface it is to touch (FrameGoal::pad_normal), φ the angle
-/// between them.
+/// Sum over tips with a contact of share · ‖m(q) - n‖² = share · 4 sin²(φ/2), with m the middle
+/// direction of the pad, n the inward normal of the surface that it should touch
+/// (FrameGoal::pad_normal), and φ the angle between them.
 struct PadDirection {
-  static constexpr Group kGroup = Group::tip_orientation;
+  static constexpr TermGroup kGroup = TermGroup::tip_orientation;
   double weight = 0;
+  /// Adds the term at a state, multiplied by `share`, to the loads.
   void add(const RobotState& state, const FrameGoal& goal, double share, Loads& loads) const;
 };
+/// Declares the config keys of the term.
 template <class Fields>
 void fields(Fields& f, PadDirection& o) {
   f("pad_direction", o.weight);

@@ -6,12 +6,13 @@
 
 namespace morphe::humanlike {
 
-/// Where the robot is: what every term of a frame's objective reads.
+/// The robot's state, for which the terms of a frame's objective are evaluated.
 struct RobotState {
   const robot::Robot& robot;
   const JointVector& q;  ///< [n]
   const std::vector<Pose>& base_from_frame;
 
+  /// Returns the pose of a frame in the base frame.
   const Pose& pose_of(int frame) const { return base_from_frame[static_cast<std::size_t>(frame)]; }
 };
 

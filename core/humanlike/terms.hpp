@@ -3,8 +3,8 @@
 #include <tuple>
 
 #include "core/humanlike/chain_position_term.hpp"
+#include "core/humanlike/custom_terms.hpp"
 #include "core/humanlike/finger_joint_distance_term.hpp"
-#include "core/humanlike/given_terms.hpp"
 #include "core/humanlike/hand_orientation_term.hpp"
 #include "core/humanlike/hull_volume_term.hpp"
 #include "core/humanlike/joint_angle_term.hpp"
@@ -18,7 +18,7 @@
 
 namespace morphe::humanlike {
 
-/// Every term there is, in the order in which they are summed and in which a config names them.
+/// All terms, in the order in which they are summed and in which their keys appear in a config.
 using Terms = std::tuple<TipPosition,          //
                          TipOrientation,       //
                          PadDirection,         //
@@ -31,6 +31,6 @@ using Terms = std::tuple<TipPosition,          //
                          NaturalPosture,       //
                          ChainPosition,        //
                          JointAngle,           //
-                         GivenTerms>;
+                         CustomTerms>;
 
 }  // namespace morphe::humanlike

@@ -7,8 +7,8 @@ namespace morphe::humanlike {
 void TipOrientation::add(const RobotState& state, const FrameGoal& goal, double share,
                          Loads& loads) const {
   for (std::size_t i = 0; i < state.robot.tips.size(); ++i) {
-    if (!seen(goal.tip_orientation[i])) continue;
-    const RobotTable::Tip& tip = state.robot.tips[i];
+    if (!is_known(goal.tip_orientation[i])) continue;
+    const RobotModel::Tip& tip = state.robot.tips[i];
     const Quat in_frame(tip.transform.linear());
     const Quat current =
         tip.frame < 0 ? in_frame : Quat(state.pose_of(tip.frame).linear()) * in_frame;

@@ -4,13 +4,15 @@
 
 namespace morphe::humanlike {
 
-/// Eq. (1): sum over tips of ‖x(q) - x_goal‖² [m²]; x the tip, or the pad that is to touch
-/// (robot::goal_point).
+/// Eq. (1): sum over tips of ‖x(q) - x_goal‖² [m²], with x the tip or the tracked point of its pad
+/// (robot::tracked_point).
 struct TipPosition {
-  static constexpr Group kGroup = Group::tip_position;
+  static constexpr TermGroup kGroup = TermGroup::tip_position;
   double weight = 0;  ///< w_x [1/m²]
+  /// Adds the term at a state, multiplied by `share`, to the loads.
   void add(const RobotState& state, const FrameGoal& goal, double share, Loads& loads) const;
 };
+/// Declares the config keys of the term.
 template <class Fields>
 void fields(Fields& f, TipPosition& o) {
   f("tip_position", o.weight);

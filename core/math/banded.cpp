@@ -9,13 +9,13 @@ namespace {
 template <class RightSide>
 void substitute(const BandedMatrix& m, RightSide& b) {
   for (Eigen::Index i = 0; i < m.size; ++i) {
-    for (Eigen::Index d = 1; d <= std::min(m.band, i); ++d)
+    for (Eigen::Index d = 1; d <= std::min(m.bandwidth, i); ++d)
       b.row(i) -= m.entry(i, d) * b.row(i - d);
     b.row(i) /= m.entry(i, 0);
   }
   for (Eigen::Index i = m.size - 1; i >= 0; --i) {
     b.row(i) /= m.entry(i, 0);
-    for (Eigen::Index d = 1; d <= std::min(m.band, i); ++d)
+    for (Eigen::Index d = 1; d <= std::min(m.bandwidth, i); ++d)
       b.row(i - d) -= m.entry(i, d) * b.row(i);
   }
 }
@@ -24,10 +24,10 @@ void substitute(const BandedMatrix& m, RightSide& b) {
 
 bool factor(BandedMatrix& m) {
   for (Eigen::Index i = 0; i < m.size; ++i) {
-    const Eigen::Index first = std::max<Eigen::Index>(0, i - m.band);
+    const Eigen::Index first = std::max<Eigen::Index>(0, i - m.bandwidth);
     for (Eigen::Index j = first; j <= i; ++j) {
       double sum = m.entry(i, i - j);
-      for (Eigen::Index k = std::max(first, j - m.band); k < j; ++k) {
+      for (Eigen::Index k = std::max(first, j - m.bandwidth); k < j; ++k) {
         sum -= m.entry(i, i - k) * m.entry(j, j - k);
       }
       if (j < i) {

@@ -4,24 +4,30 @@
 
 namespace morphe::math {
 
-/// A symmetric positive definite matrix with `band` diagonals below the main one: entry(i, d) is
-/// A(i, i - d).
+/// A symmetric positive definite matrix with `bandwidth` diagonals below the main one: entry(i, d)
+/// is A(i, i - d).
 struct BandedMatrix {
-  Eigen::Index size = 0, band = 0;
-  Eigen::VectorXd values;  ///< [size * (band + 1)]
+  Eigen::Index size = 0, bandwidth = 0;
+  Eigen::VectorXd values;  ///< [size * (bandwidth + 1)]
 
+  /// Makes a zero matrix.
   BandedMatrix(Eigen::Index size_in, Eigen::Index band_in)
-      : size(size_in), band(band_in), values(Eigen::VectorXd::Zero(size_in * (band_in + 1))) {}
-  double& entry(Eigen::Index row, Eigen::Index below) { return values[row * (band + 1) + below]; }
+      : size(size_in), bandwidth(band_in), values(Eigen::VectorXd::Zero(size_in * (band_in + 1))) {}
+  /// Returns A(row, row - below).
+  double& entry(Eigen::Index row, Eigen::Index below) {
+    return values[row * (bandwidth + 1) + below];
+  }
+  /// Returns A(row, row - below).
   double entry(Eigen::Index row, Eigen::Index below) const {
-    return values[row * (band + 1) + below];
+    return values[row * (bandwidth + 1) + below];
   }
 };
 
-/// A = L L^T in place; false if A is not positive definite.
+/// Factorises A = L L^T in place; returns false if A is not positive definite.
 bool factor(BandedMatrix& matrix);
-/// Solves L L^T x = b in place, after factor(); b [size] or a column for each right side.
+/// Solves L L^T x = b in place, after factor(); b [size].
 void solve_factored(const BandedMatrix& factored, Eigen::Ref<Eigen::VectorXd> b);
+/// Solves L L^T x = b in place, after factor(), for every column of b [size, columns].
 void solve_factored(const BandedMatrix& factored, JointRows& b);
 
 }  // namespace morphe::math

@@ -6,8 +6,8 @@
 
 namespace morphe::math {
 
-/// Weights of the D + 1 cardinal B-splines of degree D that are not zero on one knot interval, at
-/// z in [0, 1] of it.
+/// Computes the D + 1 cardinal B-splines of degree D that are nonzero on a knot interval, at z in
+/// [0, 1] within it.
 template <int Degree>
 std::array<double, Degree + 1> bspline_weights(double z) {
   std::array<double, Degree + 1> w{};
@@ -23,24 +23,27 @@ std::array<double, Degree + 1> bspline_weights(double z) {
   return w;
 }
 
-/// Joint positions over a clock u in [0, length]: a quintic B-spline on uniform knots (C^4).
+/// Joint positions over a path parameter u in [0, duration_s]: a quintic B-spline on uniform knots
+/// (C^4).
 struct JointSpline {
-  double length = 1;           ///< [s]
-  Eigen::Index intervals = 1;  ///< knots are length / intervals apart
-  Eigen::RowVectorXd
-      origin;             ///< [n] [rad]; apart, so that a joint that stands still does so exactly
-  JointRows coefficient;  ///< [intervals + 5, n] [rad], from the origin
-  double step() const { return length / static_cast<double>(intervals); }
+  double duration_s = 1;       ///< [s]
+  Eigen::Index intervals = 1;  ///< number of knot intervals of equal length
+  /// [n] [rad]; stored separately, so that a joint that does not move is exactly constant.
+  Eigen::RowVectorXd origin;
+  JointRows coefficient;  ///< [intervals + 5, n] [rad], relative to the origin
+  /// Returns the distance between knots.
+  double knot_spacing() const { return duration_s / static_cast<double>(intervals); }
 };
 
-/// Where a clock time lies among the knots: the interval, and z in [0, 1] of it.
-struct SplinePoint {
+/// The position of u among the knots: the interval, and z in [0, 1] within it.
+struct KnotPosition {
   Eigen::Index interval = 0;
   double z = 0;
 };
-SplinePoint spline_point(const JointSpline& spline, double u);
+/// Returns the position of u among the knots.
+KnotPosition knot_position(const JointSpline& spline, double u);
 
-/// d^order q / du^order for order 0 … 3, rows of `out` [4, n].
+/// Computes d^order q / du^order for order 0 … 3, as rows of `out` [4, n].
 void evaluate(const JointSpline& spline, double u, JointRows& out);
 
 }  // namespace morphe::math

@@ -19,7 +19,7 @@ struct Butterworth {
     a1 = 2 * (k * k - 1) * scale;
     a2 = (1 - std::numbers::sqrt2 * k + k * k) * scale;
   }
-  /// In place, as if the first value had stood for ever.
+  /// Filters in place, as if the first value had been constant before.
   void run(std::vector<double>& values) const {
     double x1 = values.front(), x2 = x1, y1 = x1, y2 = x1;
     for (double& value : values) {
@@ -35,11 +35,12 @@ struct Butterworth {
 
 }  // namespace
 
-std::vector<double> low_pass(const std::vector<double>& values, double rate_hz, double cutoff_hz) {
+std::vector<double> low_pass_filter(const std::vector<double>& values, double rate_hz,
+                                    double cutoff_hz) {
   assert(cutoff_hz > 0 && cutoff_hz < rate_hz / 2);
   const std::size_t n = values.size();
   if (n < 2) return values;
-  // A reflection as long as the filter remembers: it decays to 1e-6 in about three periods.
+  // The reflection covers the memory of the filter, which decays to 1e-6 in about three periods.
   const std::size_t pad = std::min(n - 1, static_cast<std::size_t>(3 * rate_hz / cutoff_hz) + 1);
   std::vector<double> padded;
   padded.reserve(n + 2 * pad);
@@ -47,7 +48,7 @@ std::vector<double> low_pass(const std::vector<double>& values, double rate_hz, 
   padded.insert(padded.end(), values.begin(), values.end());
   for (std::size_t i = 1; i <= pad; ++i) padded.push_back(2 * values.back() - values[n - 1 - i]);
 
-  // Two passes multiply the gains, so each has its own cut-off higher by (sqrt(2) - 1)^(-1/4).
+  // Two passes multiply the gains, so the cut-off of each is higher by (sqrt(2) - 1)^(-1/4).
   const double widen = std::pow(std::numbers::sqrt2 - 1, -0.25);
   const Butterworth filter(std::tan(std::numbers::pi * cutoff_hz / rate_hz) * widen);
   filter.run(padded);

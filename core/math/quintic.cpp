@@ -9,7 +9,7 @@ namespace morphe::math {
 namespace {
 
 /// Up to `degree` points that split an interval into parts on which a polynomial is monotone.
-struct Splits {
+struct MonotoneSplits {
   std::array<double, 6> z{};
   int count = 0;
   void add(double value) { z[static_cast<std::size_t>(count++)] = value; }
@@ -29,8 +29,8 @@ Polynomial derivative(const Polynomial& p) {
   return d;
 }
 
-/// The root of a polynomial that is monotone on [a, b] and changes sign there: bisection until the
-/// interval cannot be halved any more.
+/// Returns the root of a polynomial that is monotone on [a, b] and changes sign there, by bisection
+/// down to the floating-point resolution.
 double bracketed_root(const Polynomial& p, int degree, double a, double b, double at_a) {
   for (int step = 0; step < 80; ++step) {
     const double middle = 0.5 * (a + b);
@@ -46,9 +46,10 @@ double bracketed_root(const Polynomial& p, int degree, double a, double b, doubl
   return 0.5 * (a + b);
 }
 
-/// Roots of p in (a, b), given the roots of its derivative there.
-Splits roots_between(const Polynomial& p, int degree, const Splits& turning, double a, double b) {
-  Splits roots;
+/// Returns the roots of p in (a, b), given the roots of its derivative there.
+MonotoneSplits roots_between(const Polynomial& p, int degree, const MonotoneSplits& turning,
+                             double a, double b) {
+  MonotoneSplits roots;
   double left = a, at_left = evaluate(p, degree, a);
   for (int i = 0; i <= turning.count; ++i) {
     const double right = i < turning.count ? turning.z[static_cast<std::size_t>(i)] : b;
@@ -60,7 +61,8 @@ Splits roots_between(const Polynomial& p, int degree, const Splits& turning, dou
   return roots;
 }
 
-Range range_over(const Polynomial& p, int degree, const Splits& turning, double a, double b) {
+Range range_over(const Polynomial& p, int degree, const MonotoneSplits& turning, double a,
+                 double b) {
   const double at_a = evaluate(p, degree, a), at_b = evaluate(p, degree, b);
   Range range{std::min(at_a, at_b), std::max(at_a, at_b)};
   for (int i = 0; i < turning.count; ++i) {
@@ -71,13 +73,13 @@ Range range_over(const Polynomial& p, int degree, const Splits& turning, double 
   return range;
 }
 
-/// Ranges of p and its first three derivatives (in z) over [a, b]. From the jerk down, the roots of
-/// each derivative split the interval where the next lower one turns.
+/// Computes the ranges of p and its first three derivatives (in z) over [a, b]. Beginning with the
+/// jerk, the roots of each derivative split the interval at the extremes of the next lower one.
 std::array<Range, 4> ranges(const Polynomial& p, double a, double b) {
   std::array<Polynomial, 5> d{p, derivative(p)};
   for (std::size_t k = 2; k < 5; ++k) d[k] = derivative(d[k - 1]);
   std::array<Range, 4> out;
-  Splits turning = roots_between(d[4], 1, Splits{}, a, b);
+  MonotoneSplits turning = roots_between(d[4], 1, MonotoneSplits{}, a, b);
   for (std::size_t k = 4; k-- > 0;) {
     const int degree = 5 - static_cast<int>(k);
     out[k] = range_over(d[k], degree, turning, a, b);
@@ -96,18 +98,19 @@ JointState state_at(const Trajectory& trajectory, std::size_t sample, Eigen::Ind
           trajectory.acceleration(row, joint)};
 }
 
-void raise(LimitUse& use, double ratio, std::size_t sample, Eigen::Index joint) {
-  // Written so that a NaN counts as beyond the limit.
+void update_use(LimitUse& use, double ratio, std::size_t sample, Eigen::Index joint) {
+  // The comparison is written such that NaN counts as exceeding the limit.
   if (use.sample >= 0 && ratio <= use.ratio) return;
   use = {ratio, static_cast<int>(sample), static_cast<int>(joint)};
 }
 
-void raise(LimitUse& use, const Range& range, double limit, std::size_t sample,
-           Eigen::Index joint) {
-  raise(use, std::max(-range.least, range.greatest) / limit, sample, joint);
+void update_use(LimitUse& use, const Range& range, double limit, std::size_t sample,
+                Eigen::Index joint) {
+  update_use(use, std::max(-range.least, range.greatest) / limit, sample, joint);
 }
 
-/// Least and greatest Bézier point of a polynomial on [0, 1] from its power coefficients.
+/// Returns the smallest and largest Bézier point of a polynomial on [0, 1] from its power
+/// coefficients.
 template <std::size_t N>
 Range bezier_range(std::array<double, N> b) {
   constexpr std::size_t degree = N - 1;
@@ -132,7 +135,7 @@ Range range_of(double first, Values... others) {
 }
 
 template <class... Values>
-double greatest_of(Values... values) {
+double max_magnitude(Values... values) {
   double greatest = 0;
   ((greatest = std::max(greatest, std::abs(values))), ...);
   return greatest;
@@ -190,8 +193,8 @@ void enclose(const Trajectory& trajectory, std::size_t sample, Enclosure& enclos
   const double *a = &trajectory.acceleration(row, 0),
                *next_a = &trajectory.acceleration(row + 1, 0);
   for (Eigen::Index j = 0; j < joints; ++j) {
-    // The points of each derivative are the differences of the one below; those of the velocity
-    // have the way as their mean.
+    // The points of each derivative are differences of those of the next lower one; the mean of the
+    // velocity points is the distance divided by the duration.
     const double v0 = v[j], v1 = v0 + h / 4 * a[j], v4 = next_v[j], v3 = v4 - h / 4 * next_a[j];
     const double v2 = 5 / h * (next_q[j] - q[j]) - (v0 + v1 + v3 + v4);
     const double a0 = a[j], a1 = 4 / h * (v2 - v1), a2 = 4 / h * (v3 - v2), a3 = next_a[j];
@@ -200,20 +203,20 @@ void enclose(const Trajectory& trajectory, std::size_t sample, Enclosure& enclos
     const auto [lowest, highest] = range_of(q[j], q1, q2, q3, q4, next_q[j]);
     enclosure.lowest[j] = lowest;
     enclosure.highest[j] = highest;
-    enclosure.velocity[j] = greatest_of(v0, v1, v2, v3, v4);
-    enclosure.acceleration[j] = greatest_of(a0, a1, a2, a3);
-    enclosure.jerk[j] = 3 / h * greatest_of(a1 - a0, a2 - a1, a3 - a2);
+    enclosure.velocity[j] = max_magnitude(v0, v1, v2, v3, v4);
+    enclosure.acceleration[j] = max_magnitude(a0, a1, a2, a3);
+    enclosure.jerk[j] = 3 / h * max_magnitude(a1 - a0, a2 - a1, a3 - a2);
   }
 }
 
-double beyond(const QuinticPiece& piece, double lower, double upper) {
+double limit_excess(const QuinticPiece& piece, double lower, double upper) {
   const Range bounds = bezier_range(piece.coefficient);
   if (bounds.least >= lower && bounds.greatest <= upper) return 0;
   const Range position = extremes(piece).position;
   return std::max({0.0, lower - position.least, position.greatest - upper});
 }
 
-LimitReport limit_report(const RobotTable& robot, const Trajectory& trajectory) {
+LimitReport limit_report(const RobotModel& robot, const Trajectory& trajectory) {
   LimitReport report;
   Enclosure within;
   const auto holds = [](const LimitUse& use, double value, double limit) {
@@ -228,18 +231,19 @@ LimitReport limit_report(const RobotTable& robot, const Trajectory& trajectory) 
           holds(report.velocity, within.velocity[joint], robot.velocity[joint]) &&
           holds(report.acceleration, within.acceleration[joint], robot.acceleration[joint]) &&
           holds(report.jerk, within.jerk[joint], robot.jerk[joint]) &&
-          std::ranges::find(robot.braking_curves, joint, &RobotTable::BrakingCurve::joint) ==
+          std::ranges::find(robot.braking_curves, joint, &RobotModel::BrakingCurve::joint) ==
               robot.braking_curves.end()) {
-        continue;  // nothing of it is the worst so far
+        continue;  // no bound of this joint exceeds the maxima so far
       }
       const QuinticPiece piece = quintic_piece(trajectory, sample, joint);
       const QuinticExtremes over = extremes(piece);
-      raise(report.velocity, over.velocity, robot.velocity[joint], sample, joint);
-      raise(report.acceleration, over.acceleration, robot.acceleration[joint], sample, joint);
-      raise(report.jerk, over.jerk, robot.jerk[joint], sample, joint);
-      for (const RobotTable::BrakingCurve& curve : robot.braking_curves) {
+      update_use(report.velocity, over.velocity, robot.velocity[joint], sample, joint);
+      update_use(report.acceleration, over.acceleration, robot.acceleration[joint], sample, joint);
+      update_use(report.jerk, over.jerk, robot.jerk[joint], sample, joint);
+      for (const RobotModel::BrakingCurve& curve : robot.braking_curves) {
         if (curve.joint != joint) continue;
-        raise(report.velocity, braking_ratio(curve, piece, report.velocity.ratio), sample, joint);
+        update_use(report.velocity, braking_ratio(curve, piece, report.velocity.ratio), sample,
+                   joint);
       }
       const double margin = std::min(over.position.least - robot.lower[joint],
                                      robot.upper[joint] - over.position.greatest);

@@ -19,7 +19,7 @@ std::uint64_t RandomStream::next() {
 
 double RandomStream::uniform() { return static_cast<double>(next() >> 11) * 0x1p-53; }
 
-int RandomStream::whole(const std::vector<double>& range) {
+int RandomStream::uniform_integer(const std::vector<double>& range) {
   return static_cast<int>(range[0] + std::floor((range[1] - range[0] + 1) * uniform()));
 }
 

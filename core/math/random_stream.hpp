@@ -8,24 +8,32 @@
 
 namespace morphe::math {
 
-/// Random numbers that are the same with every compiler (the standard library's distributions are
-/// not): SplitMix64 from the first 64 bits of SHA-256("<seed>/<purpose>").
+/// Random numbers that are identical with every compiler (the standard library's distributions are
+/// not): SplitMix64, seeded with the first 64 bits of SHA-256("<seed>/<purpose>").
 class RandomStream {
  public:
+  /// Starts the sequence of a seed and a purpose.
   RandomStream(std::uint64_t seed, std::string_view purpose);
 
-  double uniform();  ///< [0, 1)
+  /// Returns a number uniformly distributed in [0, 1).
+  double uniform();
+  /// Returns a number uniformly distributed in [from, to).
   double uniform(double from, double to) { return from + (to - from) * uniform(); }
-  /// Of a range {from, to}.
+  /// Returns a number uniformly distributed in a range {from, to}.
   double uniform(const std::vector<double>& range) { return uniform(range[0], range[1]); }
-  bool chance(double share) { return uniform() < share; }
-  int whole(const std::vector<double>& range);  ///< from … to, both included
-  double normal();                              ///< mean 0, variance 1 (Marsaglia's polar method)
-  Vec3 normals() {
+  /// Returns true with the probability `share`.
+  bool bernoulli(double share) { return uniform() < share; }
+  /// Returns an integer uniformly distributed in {from, to}, including both.
+  int uniform_integer(const std::vector<double>& range);
+  /// Returns a normally distributed number with mean 0 and variance 1 (Marsaglia's polar method).
+  double normal();
+  /// Returns three independent normally distributed numbers.
+  Vec3 normal_vector3() {
     const double x = normal(), y = normal();
     return {x, y, normal()};
   }
-  Quat rotation();  ///< uniform over all rotations
+  /// Returns a rotation uniformly distributed over all rotations.
+  Quat rotation();
 
  private:
   std::uint64_t next();

@@ -13,12 +13,12 @@ Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& m) {
   return svd.matrixU() * sign * svd.matrixV().transpose();
 }
 
-Pose fit_rigid(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
+Pose fit_rigid_transform(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
   assert(from.size() == to.size());
   Vec3 from_mean = Vec3::Zero(), to_mean = Vec3::Zero();
   int pairs = 0;
   for (std::size_t k = 0; k < from.size(); ++k) {
-    if (!seen(from[k]) || !seen(to[k])) continue;
+    if (!is_known(from[k]) || !is_known(to[k])) continue;
     from_mean += from[k];
     to_mean += to[k];
     ++pairs;
@@ -28,13 +28,14 @@ Pose fit_rigid(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
   to_mean /= pairs;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(), spread = Eigen::Matrix3d::Zero();
   for (std::size_t k = 0; k < from.size(); ++k) {
-    if (!seen(from[k]) || !seen(to[k])) continue;
+    if (!is_known(from[k]) || !is_known(to[k])) continue;
     const Vec3 a = from[k] - from_mean;
     covariance += (to[k] - to_mean) * a.transpose();
     spread += a * a.transpose();
   }
-  constexpr double kFlat = 0.002;  // [m]
-  if (spread.jacobiSvd().singularValues()[1] < kFlat * kFlat) return unseen_pose();
+  constexpr double kCollinearTolerance_m = 0.002;
+  if (spread.jacobiSvd().singularValues()[1] < kCollinearTolerance_m * kCollinearTolerance_m)
+    return unseen_pose();
   Pose pose = Pose::Identity();
   pose.linear() = nearest_rotation(covariance);
   pose.translation() = to_mean - pose.linear() * from_mean;
@@ -46,11 +47,11 @@ double rigid_residual(const Pose& to_from, const std::vector<Vec3>& from,
   double sum = 0;
   int pairs = 0;
   for (std::size_t k = 0; k < from.size(); ++k) {
-    if (!seen(from[k]) || !seen(to[k])) continue;
+    if (!is_known(from[k]) || !is_known(to[k])) continue;
     sum += (to_from * from[k] - to[k]).squaredNorm();
     ++pairs;
   }
-  return pairs == 0 ? kNotSeen : std::sqrt(sum / pairs);
+  return pairs == 0 ? kUnknown : std::sqrt(sum / pairs);
 }
 
 }  // namespace morphe::math

@@ -5,7 +5,7 @@
 namespace morphe::math {
 
 // Eigen compiles a singular value decomposition for the first and an eigenvalue solver for the
-// second, seconds for each file that calls them: so they are called here alone.
+// second, which takes seconds for each file that calls them, so they are called only here.
 
 Quat shortest_rotation(const Vec3& a, const Vec3& b) { return Quat::FromTwoVectors(a, b); }
 

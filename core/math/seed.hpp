@@ -6,10 +6,11 @@
 
 namespace morphe::math {
 
-/// First 64 bits of SHA-256("<seed>/<name>"): seeds that depend on names, not on order.
+/// Returns the first 64 bits of SHA-256("<seed>/<name>"): a seed that depends on a name, not on the
+/// order of calls.
 std::uint64_t seed_from(std::uint64_t seed, std::string_view name);
 
-/// Of "<name>/<number>": the seeds of a row of attempts, frames or searches.
+/// Returns the seed for "<name>/<number>", for numbered attempts, frames or searches.
 std::uint64_t seed_from(std::uint64_t seed, std::string_view name, std::size_t number);
 
 }  // namespace morphe::math

@@ -4,9 +4,9 @@
 
 namespace morphe::math {
 
-/// Sine and cosine of many angles at once: sin(x) to sine[i], cos(x) to cosine[i], x = angle[i] in
-/// rad. Without branches, so that the compiler takes several angles per instruction; within 5e-16
-/// of the true value for |x| < 1e5, beyond that (and for NaN) the standard library's.
+/// Computes sine and cosine of many angles: sin(x) to sine[i], cos(x) to cosine[i], x = angle[i] in
+/// rad. The code has no branches, so that the compiler can vectorise it. The error is at most 5e-16
+/// for |x| < 1e5; for larger angles (and NaN) the standard library is used.
 void sine_cosine(const double* angle, std::size_t count, double* sine, double* cosine);
 
 }  // namespace morphe::math

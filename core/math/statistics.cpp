@@ -8,7 +8,7 @@
 namespace morphe::math {
 
 double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return kNotSeen;
+  if (values.empty()) return kUnknown;
   const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
   std::ranges::sort(values);
   return values[std::min(values.size(), std::max<std::size_t>(rank, 1)) - 1];
@@ -28,7 +28,7 @@ double mean(const std::vector<double>& values) {
     sum += value;
     ++count;
   }
-  return count == 0 ? kNotSeen : sum / static_cast<double>(count);
+  return count == 0 ? kUnknown : sum / static_cast<double>(count);
 }
 
 }  // namespace morphe::math

@@ -4,13 +4,13 @@
 
 namespace morphe::math {
 
-/// The value below which a share of the values lies (nearest rank), NaN if there is none.
+/// Returns the quantile for a share of the values (nearest rank), or NaN if there are no values.
 double quantile(std::vector<double> values, double share);
 
-/// The middle one of at least one value, of an even number the upper; changes their order.
+/// Returns the median of at least one value, the upper one for an even number; changes their order.
 double median(std::vector<double>& values);
 
-/// Over the values that are numbers, NaN if there is none.
+/// Returns the mean of the values that are not NaN, or NaN if there are no such values.
 double mean(const std::vector<double>& values);
 
 }  // namespace morphe::math

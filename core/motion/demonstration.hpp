@@ -11,46 +11,53 @@
 
 namespace morphe {
 
+/// A stream of marker positions.
 struct MarkerStream {
   std::vector<std::string> names;  ///< [K]
   std::vector<double> time;        ///< [N] [s]
-  Table<Vec3> position;            ///< [N, K] [m], NaN = not seen
+  Array2D<Vec3> position;          ///< [N, K] [m], NaN = not seen
 };
 
-/// Tracked bodies: `sensors` (Liberty: shoulder, elbow, wrist) or a `skeleton`, whose joints of the
-/// arm are called right_shoulder, right_elbow, right_wrist, right_index_mcp, _pip, _dip, _tip
-/// (thumb: _cmc, _mcp, _ip, _tip) and left_… once the names of the recording are mapped to ours;
-/// right_hand and left_hand stand at the wrist, turned as HumanMotion's hand frame.
+/// A stream of tracked bodies: `sensors` (Liberty: shoulder, elbow, wrist) or a `skeleton`. Once
+/// the names of the recording are mapped to Morphe's, the joints of the arm in a skeleton are
+/// called right_shoulder, right_elbow, right_wrist, right_index_mcp, _pip, _dip, _tip (thumb: _cmc,
+/// _mcp, _ip, _tip), and likewise left_…. right_hand and left_hand have their origin at the wrist
+/// and the orientation of HumanMotion's hand frame.
 struct BodyStream {
   std::vector<std::string> names;    ///< [S]
   std::vector<std::string> parents;  ///< [S] skeleton only, "" = root
   std::vector<double> time;          ///< [N] [s]
-  Table<Vec3> position;              ///< [N, S] [m]
-  Table<Quat> orientation;           ///< [N, S]
-  Table<double> confidence = {};     ///< [N, S] 0 to 1 as the tracker gave it, or no rows
-  bool rebuilt = false;              ///< joints of a motion that was rebuilt: nothing is filtered
+  Array2D<Vec3> position;            ///< [N, S] [m]
+  Array2D<Quat> orientation;         ///< [N, S]
+  Array2D<double> confidence = {};   ///< [N, S] 0 to 1 as given by the tracker, or no rows
+  /// True if the motion was reconstructed; it is then not filtered.
+  bool rebuilt = false;
 };
 
+/// A stream of joint angles.
 struct AngleStream {
   std::vector<std::string> joints;  ///< [k]
   std::vector<double> time;         ///< [N] [s]
   JointRows angles;                 ///< [N, k] [rad]
 };
 
+/// The kind of measurement that a hand stream holds.
 enum class HandKind { glove, joint_angles, keypoints, fingertips };
+/// Returns the names of the values, in their order.
 constexpr std::array<std::string_view, 4> names_of(HandKind) {
   return {"glove", "joint_angles", "keypoints", "fingertips"};
 }
 
+/// A stream of measurements of the hand.
 struct HandStream {
   HandKind kind = HandKind::fingertips;
   std::vector<std::string> names;  ///< sensors (glove) or joints (joint_angles), else empty
   std::vector<double> time;        ///< [M] [s]
   JointRows angles;                ///< [M, 22 or k] [rad]: glove, joint_angles
-  Table<Vec3> position;            ///< [M, 21 or 5] [m]: keypoints, fingertips (thumb … little)
+  Array2D<Vec3> position;          ///< [M, 21 or 5] [m]: keypoints, fingertips (thumb … little)
 };
 
-/// What was recorded at one go, each stream at its own rate.
+/// All streams that were recorded at the same time, each with its own sampling rate.
 struct Streams {
   std::optional<MarkerStream> markers;
   std::optional<BodyStream> sensors;
@@ -59,32 +66,35 @@ struct Streams {
   std::optional<HandStream> hand;
 };
 
-/// Where a tracked sensor sits on the body: the joint centre it stands for and the axes of its
-/// segment (those of HumanMotion's hand frame for the wrist), in the sensor's frame.
+/// The pose of each tracked sensor relative to the body: the joint centre that it represents and
+/// the axes of its segment (for the wrist, those of HumanMotion's hand frame), in the sensor's
+/// frame.
 struct SensorOffsets {
   std::vector<std::string> sensors;       ///< [S]
   std::vector<Vec3> joint_in_sensor;      ///< [S] [m]
   std::vector<Quat> sensor_from_segment;  ///< [S]
 };
 
+/// A phase of a recording as labelled by hand or by the dataset.
 struct Label {
   double begin_s = 0, end_s = 0;
   PhaseKind phase = PhaseKind::rest;
 };
 
-/// One recording of one person's arm and hand. World frame: X to the subject's right, Y forward,
-/// Z up; the importer brings a recording into it.
+/// A recording of one person's arm and hand. The importer transforms it into the world frame: X to
+/// the subject's right, Y forward, Z up.
 struct Demonstration {
   std::string name, subject, task;
   Side hand = Side::right;
   std::string source, licence;
   std::optional<double> upper_arm, forearm, hand_length, hand_breadth;  ///< [m]
   Streams streams;
-  Streams calibration;                          ///< static trial or calibration pose
-  std::optional<SensorOffsets> sensor_offsets;  ///< from the calibration pose; none = at the joints
+  Streams calibration;  ///< static trial or calibration pose
+  /// From the calibration pose; if absent, sensors are at the joints.
+  std::optional<SensorOffsets> sensor_offsets;
   std::vector<SceneObject> objects;
-  std::vector<Label> labels;  ///< ground truth, where known
-  /// What the importer assumed, repaired or left out, a sentence each.
+  std::vector<Label> labels;  ///< ground truth, if the dataset has it
+  /// Sentences that say which values the importer assumed, repaired or omitted.
   std::vector<std::string> reports;
 };
 

@@ -1,4 +1,4 @@
 #pragma once
 
-/// What libmorphe shows to those who link it; everything else is hidden.
+/// Marks a symbol that libmorphe exports; all other symbols are hidden.
 #define MORPHE_EXPORT __attribute__((visibility("default")))

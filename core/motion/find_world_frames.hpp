@@ -8,12 +8,13 @@
 
 namespace morphe {
 
-/// Centre of the top of a box, with its axes. Nothing for another shape.
-std::optional<Pose> top_of_box(const SceneObject& box, double time_s);
+/// Returns the pose of the centre of a box's top face, with the axes of the box, or nullopt if the
+/// object is not a box.
+std::optional<Pose> box_top_pose(const SceneObject& box, double time_s);
 
-/// Of a scene in the base's frame: its object "table" and what `movement.target` names, both at
-/// the movement's begin.
-WorldFrames world_frames(const Scene& scene, const Movement& movement, const Pose& base_from_world,
-                         const Vec3& shoulder_in_base);
+/// Computes the reference frames of a scene given in the base frame, from its object "table" and
+/// the object named by `movement.target`, both at the begin of the movement.
+WorldFrames find_world_frames(const Scene& scene, const Movement& movement,
+                              const Pose& base_from_world, const Vec3& shoulder_in_base);
 
 }  // namespace morphe

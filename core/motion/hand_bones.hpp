@@ -6,13 +6,14 @@
 
 namespace morphe {
 
-/// Where a hand's digits begin and how long they are, in its own frame (z to the fingers, y to the
-/// thumb, x out of the palm), thumb first. NaN: there is no such digit, or it is not known.
+/// Positions of the knuckles and lengths of a hand's digits in the hand's frame (z to the fingers,
+/// y to the thumb, x out of the palm), thumb first. NaN if the digit is missing or not known.
 struct HandBones {
-  std::array<Vec3, 5> knuckle{unseen_point(), unseen_point(), unseen_point(), unseen_point(),
-                              unseen_point()};  ///< [m]
-  std::array<double, 5> length{kNotSeen, kNotSeen, kNotSeen, kNotSeen,
-                               kNotSeen};  ///< knuckle's axis to the tip, stretched [m]
+  /// Positions of the knuckles [m].
+  std::array<Vec3, 5> knuckle{unknown_point(), unknown_point(), unknown_point(), unknown_point(),
+                              unknown_point()};
+  /// Lengths from the knuckle's axis to the tip of the stretched digit [m].
+  std::array<double, 5> length{kUnknown, kUnknown, kUnknown, kUnknown, kUnknown};
 };
 
 }  // namespace morphe

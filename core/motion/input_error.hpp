@@ -7,8 +7,8 @@
 
 namespace morphe {
 
-/// A bad file, config or argument. what() is one line for each thing wrong, "FILE:LINE: KEY:
-/// message" or "FILE:/h5/path: message". Caught once, in main: exit code 2.
+/// An error in a file, config or argument. what() has one line per error, "FILE:LINE: KEY: message"
+/// or "FILE:/h5/path: message". It is caught once, in main, which exits with code 2.
 struct MORPHE_EXPORT InputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

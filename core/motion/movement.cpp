@@ -14,7 +14,7 @@ PhaseKind phase_at(const std::vector<Phase>& phases, double time_s) {
   return best ? best->kind : PhaseKind::rest;
 }
 
-bool grasping_at(const Movement& movement, double time_s) {
+bool is_grasping_at(const Movement& movement, double time_s) {
   return std::ranges::any_of(movement.phases, [&](const Phase& phase) {
     const bool grasps = phase.kind == PhaseKind::grasp || phase.kind == PhaseKind::hold;
     return grasps && time_s >= phase.begin_s && time_s <= phase.end_s;

@@ -6,21 +6,22 @@
 
 namespace morphe {
 
-/// What stands against something, and a sentence about it. It is true if anything does:
-///   if (const Refusal refusal = attempt()) return refusal;
-struct Refusal {
+/// The reason why planning failed, and a sentence about it. It converts to true on failure:
+///   if (const PlanningFailure failure = attempt()) return failure;
+struct PlanningFailure {
   Reason reason = Reason::none;
   std::string detail;
 
+  /// Returns true if planning failed.
   explicit operator bool() const { return reason != Reason::none; }
 };
 
-/// A value, or why there is none. A value beside a refusal is as far as it came: a path with what
-/// is still wrong with it, a certificate of what does not hold.
+/// A value, or the reason why it could not be computed. A value next to a failure is a partial
+/// result: a path with its remaining findings, or a certificate of the properties that do not hold.
 template <class T>
 struct Outcome {
   T value;
-  Refusal refusal;
+  PlanningFailure failure;
 };
 
 }  // namespace morphe

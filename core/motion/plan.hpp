@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "core/motion/enum_names.hpp"
 #include "core/motion/geometry.hpp"
 #include "core/motion/human_motion.hpp"
 #include "core/motion/movement.hpp"
-#include "core/motion/named.hpp"
 #include "core/motion/reason.hpp"
 #include "core/motion/repair_step.hpp"
 #include "core/motion/scene.hpp"
@@ -19,60 +19,68 @@
 
 namespace morphe {
 
-/// What the robot must reach, frame by frame, in the robot's base frame. NaN = no goal.
-/// Shoulder, elbow and wrist positions are those of the human arm moved into the paper's common
-/// base frame: shifted by `common_base_offset`, which puts the human shoulder at the movement's
-/// start on the robot's. Tip goals stay where they are in the world.
+/// The goals of the robot for each frame, in the robot's base frame; NaN if there is no goal.
+/// Shoulder, elbow and wrist positions are those of the human arm in the paper's common base frame:
+/// they are translated by `common_base_offset`, which moves the human shoulder at the movement's
+/// start to the robot's shoulder. Tip goals keep their position in the world.
 struct Goals {
-  std::vector<double> time;  ///< [F] demonstration time [s]
-  Table<Vec3> tip_position;  ///< [F, m]
-  /// [F, m] what of the link is to be there: 0 the tip, 1 the centre of its pad (robot/pads.hpp),
-  /// between them the point at this share of the way. No rows: the tips, throughout.
-  Table<double> pad_share;
-  /// [m] 1: the goals of this tip close a finger that the person's recording does not show; or
-  /// empty.
+  std::vector<double> time;    ///< [F] demonstration time [s]
+  Array2D<Vec3> tip_position;  ///< [F, m]
+  /// [F, m] point of the fingertip link to which the position goal applies: 0 is the tip, 1 the
+  /// centre of its pad (robot/pads.hpp), values between them interpolate linearly. Without rows,
+  /// all goals apply to the tips.
+  Array2D<double> pad_share;
+  /// [m] 1 if the goals of this tip close a finger that the person's recording does not show; may
+  /// be empty.
   std::vector<std::uint8_t> closed;
-  Table<Quat> tip_orientation;    ///< [F, m]
-  Table<std::uint8_t> reachable;  ///< [F, m] 1, 0; meaningless where there is no goal
+  Array2D<Quat> tip_orientation;    ///< [F, m]
+  Array2D<std::uint8_t> reachable;  ///< [F, m] 1 or 0; meaningless without a goal
   std::vector<Vec3> shoulder_position, elbow_position, wrist_position;  ///< [F]
   std::vector<Quat> wrist_orientation;                                  ///< [F] base_from_hand
-  Table<Vec3> finger_joint_position;                                    ///< [F, 5]
-  std::vector<std::string> estimated;  ///< names of what was not recorded but estimated
+  Array2D<Vec3> finger_joint_position;                                  ///< [F, 5]
+  std::vector<std::string> estimated;  ///< names of arm points that were estimated, not recorded
+  /// Translation of the human arm into the common base frame [m].
   Vec3 common_base_offset = Vec3::Zero();
-  /// How far the robot's base was moved from where the config places it, in the world's axes [m];
-  /// none: not asked for. All goals are in the frame of the base where it stands.
+  /// Displacement of the robot's base from its configured position, in the world's axes [m]; absent
+  /// if the base is not optimised. All goals are given in the frame of the displaced base.
   std::optional<Vec3> free_offset;
 
-  /// The human's hand is made this many times larger (section `hand`); not stored, what is asked
-  /// for is in the goals.
+  /// Scale factor applied to the human's hand (section `hand`). It is not stored, because it is
+  /// already applied to the goals.
   double hand_scale = 1;
 
+  /// Returns the number of frames.
   std::size_t frames() const { return time.size(); }
 };
 
+/// The result of the mapping for the goals of one frame.
 enum class FrameStatus : std::uint8_t { met = 0, compromise = 1, out_of_reach = 2, no_goal = 3 };
+/// Returns the names of the values, in their order.
 constexpr std::array<std::string_view, 4> names_of(FrameStatus) {
   return {"met", "compromise", "out_of_reach", "no_goal"};
 }
 
-struct Mapped {
+/// The joint path that the mapping computes, with its errors and humanlikeness for each frame.
+struct MappingResult {
   JointRows position;        ///< [F, n] [rad]
   JointRows position_error;  ///< [F, m] [m], NaN = no goal
-  /// [F, m] [m] how near the tips can come together to goals that are out of reach, NaN elsewhere;
-  /// not stored.
-  JointRows nearest_error;
+  /// [F, m] [m] smallest errors that the tips can attain at the same time for goals that are out of
+  /// reach, NaN elsewhere; not stored.
+  JointRows least_attainable_error;
   JointRows orientation_error;      ///< [F, m] full angle [rad], NaN = no goal
   std::vector<double> objective;    ///< [F] value of the frame's objective
   JointRows humanlikeness;          ///< [F, 3] A (sum) [m^2], B [m^2], C [m^3]
   std::vector<FrameStatus> status;  ///< [F]
 };
 
-/// What is wrong with a stretch of a path: the robot meets itself, an object or the table; a joint
-/// is beyond a limit or jumps; a tip is too far from its goal.
+/// The cause of a finding: the robot collides with itself, an object or the table; a joint exceeds
+/// a limit or jumps; a tip is too far from its goal.
 enum class Cause : std::uint8_t { jump, limit, object, self, table, tracking };
+/// Returns the names of the values, in their order.
 constexpr std::array<std::string_view, 6> names_of(Cause) {
   return {"jump", "limit", "object", "self", "table", "tracking"};
 }
+/// Returns true if the cause is a collision with the robot itself, an object or the table.
 constexpr bool is_collision(Cause cause) {
   return cause == Cause::self || cause == Cause::object || cause == Cause::table;
 }
@@ -81,171 +89,200 @@ constexpr bool is_collision(Cause cause) {
 struct Finding {
   double begin_s = 0, end_s = 0;  ///< demonstration time
   Cause cause = Cause::jump;
-  std::string first, second;  ///< capsule and capsule or object; joint; tip
-  double depth = 0;           ///< how far beyond what is allowed [m or rad], > 0
+  std::string first, second;  ///< two capsules, or capsule and object; joint; tip
+  double depth = 0;           ///< amount by which the limit is exceeded [m or rad], > 0
 };
 
-enum class Origin : std::uint8_t { mapped = 0, resolved = 1, planned = 2 };
-constexpr std::array<std::string_view, 3> names_of(Origin) {
+/// The step that computed a sample: mapping, re-solving by inverse kinematics, or path planning.
+enum class SampleOrigin : std::uint8_t { mapped = 0, re_solved = 1, planned = 2 };
+/// Returns the names of the values, in their order.
+constexpr std::array<std::string_view, 3> names_of(SampleOrigin) {
   return {"mapped", "re-solved", "planned"};
 }
 
-/// Joint positions along a movement; time here is only a label.
+/// A joint path along a movement; time is only a label of its samples.
 struct JointPath {
   JointRows position;                      ///< [W, n]
-  std::vector<Origin> origin;              ///< [W]
-  std::vector<double> demonstration_time;  ///< [W] [s], not decreasing
+  std::vector<SampleOrigin> origin;        ///< [W]
+  std::vector<double> demonstration_time;  ///< [W] [s], non-decreasing
 };
 
-/// Between two samples: the quintic that meets position, velocity and acceleration at both.
+/// A trajectory. Between two samples it is the quintic polynomial that interpolates position,
+/// velocity and acceleration at both.
 struct Trajectory {
   std::vector<double> time;                    ///< [T] from 0, strictly increasing [s]
   JointRows position, velocity, acceleration;  ///< [T, n]
   std::vector<double> demonstration_time;      ///< [T]
   std::vector<PhaseKind> phase;                ///< [T]
-  std::vector<Origin> origin;                  ///< [T]
-  std::vector<double> clearance;  ///< [T] [m], least over pairs that may not touch; NaN: none
+  std::vector<SampleOrigin> origin;            ///< [T]
+  /// [T] [m], minimum over pairs that may not touch; NaN if there is no such pair.
+  std::vector<double> clearance;
 
+  /// Returns the number of samples.
   std::size_t samples() const { return time.size(); }
 };
 
-/// Where a contact comes from: the person touched there, or a finger without goals was closed.
+/// The origin of a contact: demonstrated by the person, or made by closing a finger without goals.
 enum class ContactOrigin : std::uint8_t { demonstrated, closed };
+/// Returns the names of the values, in their order.
 constexpr std::array<std::string_view, 2> names_of(ContactOrigin) {
   return {"demonstrated", "closed"};
 }
 
-/// A pad on the target, in the target's frame.
+/// A contact of a fingertip pad with the target, in the target's frame.
 struct PadContact {
-  std::string tip;   ///< the robot's
-  std::string link;  ///< the capsule that touches
+  std::string tip;   ///< name of the robot's tip
+  std::string link;  ///< name of the capsule in contact
   ContactOrigin origin = ContactOrigin::demonstrated;
-  Vec3 asked = unseen_point();     ///< point of the surface that the pad was to touch [m]
-  Vec3 point = unseen_point();     ///< that it does: the surface's nearest to the pad
-  Vec3 normal = unseen_point();    ///< of the surface there, unit, inwards
-  double gap = kNotSeen;           ///< between pad and surface, < 0: penetration [m]
-  double pad_angle = kNotSeen;     ///< between the middle of the pad and the normal [rad]
-  double confidence = 1;           ///< that the person touched there, 0 to 1
-  double force = kNotSeen;         ///< along the normal, of the squeeze [N]
-  Vec3 friction = unseen_point();  ///< beside it, of the squeeze, in the target's frame [N]
+  Vec3 asked = unknown_point();     ///< surface point that the pad should touch [m]
+  Vec3 point = unknown_point();     ///< surface point nearest to the pad [m]
+  Vec3 normal = unknown_point();    ///< unit normal of the surface at `point`, pointing inwards
+  double gap = kUnknown;            ///< between pad and surface, < 0: penetration [m]
+  double pad_angle = kUnknown;      ///< between the pad's normal and the surface normal [rad]
+  double confidence = 1;            ///< that the person touched the target at this point, 0 to 1
+  double force = kUnknown;          ///< normal force of the squeeze [N]
+  Vec3 friction = unknown_point();  ///< tangential force of the squeeze, in the target's frame [N]
 };
 
-/// What grasp quality was computed with, and what came out (docs/grasp_quality.md).
+/// The parameters and results of the grasp quality computation (docs/grasp_quality.md).
 struct GraspQuality {
-  double friction = kNotSeen;      ///< coefficient
-  double torsion = kNotSeen;       ///< torsional friction [m]
-  double mass = kNotSeen;          ///< [kg]
-  Vec3 centre = unseen_point();    ///< of mass, in the target's frame [m]
-  double torque_scale = kNotSeen;  ///< [m]
-  /// Ferrari and Canny's, L1, signed: below zero minus the closure residual; certified bounds.
-  double epsilon_lower = kNotSeen, epsilon_upper = kNotSeen;
-  double needed_worst = kNotSeen;  ///< a finger, in the worst direction of gravity [N]
-  double needed_down = kNotSeen;   ///< as the target stands [N]
-  double given = kNotSeen;         ///< least of what the fingers can press with [N]
+  double friction = kUnknown;      ///< coefficient
+  double torsion = kUnknown;       ///< torsional friction [m]
+  double mass = kUnknown;          ///< [kg]
+  Vec3 centre = unknown_point();   ///< of mass, in the target's frame [m]
+  double torque_scale = kUnknown;  ///< [m]
+  /// Certified bounds of the Ferrari-Canny L1 quality, signed: negative values are minus the
+  /// closure residual.
+  double epsilon_lower = kUnknown, epsilon_upper = kUnknown;
+  /// Sufficient normal force per contact, for the worst direction of gravity [N].
+  double needed_worst = kUnknown;
+  /// Sufficient normal force per contact, for the actual direction of gravity [N].
+  double needed_down = kUnknown;
+  double given = kUnknown;  ///< smallest of the forces with which the fingers can press [N]
 };
 
-/// Of the palm's way to a grasp, that says from where it came [m].
-constexpr double kApproachLength = 0.05;
+/// Length of the palm's path before the grasp that defines the approach direction [m].
+constexpr double kApproachLength_m = 0.05;
 
-/// The grasp, relative to the object, so that it can be executed on an object elsewhere.
+/// The grasp relative to the object, such that it can be executed on an object at another pose.
 struct Grasp {
-  int sample = -1;  ///< trajectory sample (path sample if there is none), -1: no grasp
+  /// Trajectory sample (path sample if there is no trajectory), -1 if there is no grasp.
+  int sample = -1;
   Pose base_from_object = Pose::Identity();
   Pose object_from_palm = Pose::Identity();
-  std::vector<Vec3> tips_in_object;  ///< [m] all the robot's tips
-  /// Unit, in the target's frame: how the palm came there over the last kApproachLength; unseen if
-  /// it never was so far away.
-  Vec3 approach_direction = unseen_point();
-  JointVector hand_posture;          ///< all joints at the grasp [n]
-  JointVector pregrasp_posture;      ///< all joints where the hand is widest open [n]
-  std::vector<PadContact> contacts;  ///< at the sample; none unless asked for
+  std::vector<Vec3> tips_in_object;  ///< [m] all tips of the robot
+  /// Unit direction in the target's frame along which the palm approached over the last
+  /// kApproachLength_m; NaN if the palm was never that far away.
+  Vec3 approach_direction = unknown_point();
+  JointVector hand_posture;  ///< all joints at the grasp [n]
+  /// All joints at the sample at which the hand is widest open [n].
+  JointVector pregrasp_posture;
+  std::vector<PadContact> contacts;  ///< at `sample`; empty unless contacts are requested
   GraspQuality quality;
-  /// Beside the trajectory, never part of it: what the joints bear in the squeeze, and where a
-  /// servo of the config's stiffness must be sent for it; [n], or empty.
+  /// Joint torques of the squeeze, and the posture to command to a servo of the configured
+  /// stiffness to produce them. Both are separate from the trajectory and have size [n], or are
+  /// empty.
   JointVector squeeze_torque, squeeze_posture;
 };
 
-/// What holds for the written trajectory as a controller would run it.
+/// Properties that hold for the stored trajectory when a controller executes it.
 struct Certificate {
-  double position_margin = kNotSeen;  ///< least distance to a joint limit [rad]
-  double velocity_ratio = kNotSeen, acceleration_ratio = kNotSeen, jerk_ratio = kNotSeen;
-  /// Proved lower bound of the motion's least, to 0.01 mm [m]; NaN: nothing that could be checked.
-  double clearance = kNotSeen;
-  double position_error_max = kNotSeen, position_error_mean = kNotSeen;  ///< over all goals [m]
-  double position_error_grasp = kNotSeen;   ///< largest in grasp and hold [m], NaN = no such phase
-  double orientation_error_max = kNotSeen;  ///< full angle [rad], NaN = no orientation goals
-  double upper_arm_error_mean = kNotSeen, upper_arm_error_max = kNotSeen;  ///< direction [rad]
-  double tempo = kNotSeen;  ///< duration / human duration
-  double humanlikeness_mapped = kNotSeen, humanlikeness_final = kNotSeen;  ///< mean A [m^2]
-  double natural_posture_error = kNotSeen;  ///< rms of joints that no goal asked for, mapped [rad]
-  /// Smoothness of the goal tips' mean speed, robot's and human's (stages/certify/smoothness.hpp).
-  double sparc_robot = kNotSeen, sparc_human = kNotSeen;
-  double log_dimensionless_jerk_robot = kNotSeen, log_dimensionless_jerk_human = kNotSeen;
+  double position_margin = kUnknown;  ///< smallest distance to a joint limit [rad]
+  double velocity_ratio = kUnknown, acceleration_ratio = kUnknown, jerk_ratio = kUnknown;
+  /// Certified lower bound of the motion's minimum clearance, within 0.01 mm [m]; NaN if there is
+  /// no pair to check.
+  double clearance = kUnknown;
+  double position_error_max = kUnknown, position_error_mean = kUnknown;  ///< over all goals [m]
+  /// Largest in grasp and hold [m], NaN if there is no such phase.
+  double position_error_grasp = kUnknown;
+  /// Full angle [rad], NaN if there are no orientation goals.
+  double orientation_error_max = kUnknown;
+  double upper_arm_error_mean = kUnknown, upper_arm_error_max = kUnknown;  ///< direction [rad]
+  double tempo = kUnknown;  ///< duration / human duration
+  double humanlikeness_mapped = kUnknown, humanlikeness_final = kUnknown;  ///< mean A [m^2]
+  /// RMS over joints without goals, of the mapped path [rad].
+  double natural_posture_error = kUnknown;
+  /// Smoothness of the mean speed of the tips with goals, for robot and human
+  /// (stages/certify/smoothness.hpp).
+  double sparc_robot = kUnknown, sparc_human = kUnknown;
+  double log_dimensionless_jerk_robot = kUnknown, log_dimensionless_jerk_human = kUnknown;
   bool repaired = false;
-  std::vector<std::string> unchecked_links;  ///< the robot's: nothing of them was checked
+  /// The robot's links that were not checked for collisions.
+  std::vector<std::string> unchecked_links;
 };
 
-/// What the plan was judged by; `verify` reads it from the file.
+/// The tolerances that the plan must meet; `verify` reads them from the file.
 struct Tolerances {
-  double margin = 0.001;             ///< clearance asked for [m]
-  double contact_depth = 0.005;      ///< allowed penetration of the target [m]
-  std::optional<double> link_depth;  ///< by links that are no pads; none: contact_depth [m]
-  double tracking_grasp = 0.005;     ///< tips from their goals in grasp and hold [m]
-  double tracking = 0.020;           ///< elsewhere [m]
-  /// A plan of which more goals are out of reach, or a tip farther from its goal, is approximate.
+  double margin = 0.001;         ///< required clearance [m]
+  double contact_depth = 0.005;  ///< allowed penetration of the target [m]
+  /// Allowed for links without pads; contact_depth if absent [m].
+  std::optional<double> link_depth;
+  double tracking_grasp = 0.005;  ///< distance of tips from their goals in grasp and hold [m]
+  double tracking = 0.020;        ///< likewise in other phases [m]
+  /// A plan is approximate if more goals than this share are out of reach, or a tip is farther from
+  /// its goal than `farthest_tip`.
   double out_of_reach_share = 0.5;  ///< of all fingertip goals, below 1
   double farthest_tip = 0.05;       ///< [m]
 };
 
-/// `executable`: runs, and reaches its goals. `approximate`: runs, and comes only as near to them
-/// as it can. `infeasible`: nothing to run, there is a reason.
+/// `executable`: the trajectory can be executed and reaches its goals. `approximate`: it can be
+/// executed, but comes only as close to its goals as possible. `infeasible`: there is no
+/// trajectory; the plan has a reason.
 enum class Status : std::uint8_t { executable, approximate, infeasible };
+/// Returns the names of the values, in their order.
 constexpr std::array<std::string_view, 3> names_of(Status) {
   return {"executable", "approximate", "infeasible"};
 }
 
-/// A movement and all that became of it. Every movement of every demonstration ends as one.
+/// A movement and all results of planning it. There is one for every movement of every
+/// demonstration.
 struct Plan {
   std::string demonstration;
   std::string subject, task;
   Side hand = Side::right;
   Movement movement;
-  Reason reason = Reason::unplanned;  ///< none: there is a trajectory
-  /// The trajectory moves as the person did, but too many goals are out of reach, or tips too far
-  /// from theirs, to say that it does what the person did (Tolerances).
+  /// Reason why there is no trajectory, or Reason's first value if there is one.
+  Reason reason = Reason::unplanned;
+  /// True if the trajectory follows the person's movement, but too many goals are out of reach, or
+  /// tips too far from their goals, to count as the same task (Tolerances).
   bool approximate = false;
-  std::string detail;  ///< a sentence
+  std::string detail;  ///< explanation of the reason, a sentence
   Tolerances tolerances;
   Goals goals;
   Scene scene;  ///< in the robot's base frame
   WorldFrames world;
-  Mapped mapped;
-  std::vector<Finding> findings;   ///< of the mapped path: also those that repair removed
-  std::vector<RepairStep> repair;  ///< in order; empty if the mapped path had no finding
-  std::vector<Finding> remaining;  ///< of `path`: what repair has left
+  MappingResult mapped;
+  std::vector<Finding> findings;  ///< of the mapped path, including those that repair removed
+  /// In the order of execution; empty if the mapped path had no finding.
+  std::vector<RepairStep> repair;
+  std::vector<Finding> remaining;  ///< findings of `path`, which repair could not remove
   JointPath path;
   Grasp grasp;
   Trajectory trajectory;  ///< empty if infeasible
-  Trajectory approach;    ///< from home to the first sample, empty unless asked for
-  Trajectory retreat;     ///< from the last sample back home, likewise
+  Trajectory approach;    ///< from home to the first sample, empty unless requested
+  Trajectory retreat;     ///< from the last sample back home, empty unless requested
   Certificate certificate;
 
+  /// Returns the status that follows from `reason` and `approximate`.
   Status status() const {
     if (reason != Reason::none) return Status::infeasible;
     return approximate ? Status::approximate : Status::executable;
   }
+  /// Returns true if the trajectory reaches its goals within the tolerances.
   bool executable() const { return status() == Status::executable; }
+  /// Returns true if there is a trajectory, executable or approximate.
   bool has_trajectory() const { return status() != Status::infeasible; }
 };
 
-/// What a plans.h5 says of itself as a whole.
+/// The metadata of a plans.h5 as a whole.
 struct PlanFileHeader {
   std::string config;  ///< effective YAML
   std::string config_sha256, dataset_sha256;
   std::string software;    ///< "morphe 0.1.0"
   std::string built_with;  ///< compiler and packages; "" in files of earlier versions
+  /// An input file whose text is stored with the plans.
   struct Input {
-    std::string path, text;  ///< relative path as the config named it
+    std::string path, text;  ///< path relative to the config, as written there
   };
   std::vector<Input> inputs;
 };

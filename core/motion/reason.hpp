@@ -4,33 +4,34 @@
 #include <cstdint>
 #include <string_view>
 
-#include "core/motion/named.hpp"
+#include "core/motion/enum_names.hpp"
 
 namespace morphe {
 
-/// Why a movement is not executable; none: it is.
+/// The reason why a movement is not executable; the first value means that it is.
 enum class Reason : std::uint8_t {
   none,
-  unplanned,           ///< nothing was tried yet
+  unplanned,           ///< planning was not attempted yet
   no_movement,         ///< no complete reach in the demonstration
-  no_shoulder,         ///< the shoulder was never seen
-  no_goal,             ///< no fingertip was seen in the grasp
-  not_human,           ///< no human arm could have been where the rebuilt one is
-  start_in_collision,  ///< the first sample, in every posture that was found
-  goal_in_collision,   ///< the last sample, or a time at which every posture collides
-  unreachable,         ///< a time for which no posture holds the goals, obstacles or not
-  no_path,             ///< no way around a collision
-  collision,           ///< of the motion between the samples
-  smoothing,           ///< the path is free, the smooth curve through it is not
+  no_shoulder,         ///< the shoulder was never observed
+  no_goal,             ///< no fingertip was observed in the grasp
+  not_human,           ///< the reconstructed arm is not anatomically possible
+  start_in_collision,  ///< the first sample collides in every posture that was found
+  goal_in_collision,   ///< the last sample collides, or at some time every posture does
+  unreachable,         ///< at some time no posture reaches the goals, even without obstacles
+  no_path,             ///< no path around a collision was found
+  collision,           ///< the motion collides between the samples
+  smoothing,           ///< the path is free, but its smoothed curve is not
   limit,
   jump,
   tracking,
-  path,      ///< what was to be timed is no path of this robot
-  duration,  ///< the path cannot be followed in the time asked for
+  path,      ///< the input of the time parametrisation is not a path of this robot
+  duration,  ///< the path cannot be followed in the requested duration
   no_approach,
   no_retreat,
-  no_frame,  ///< what an object of the scene stands on is not there
+  no_frame,  ///< the reference frame of an object of the scene is missing
 };
+/// Returns the names of the values, in their order.
 constexpr std::array<std::string_view, 20> names_of(Reason) {
   return {"",
           "unplanned",

@@ -7,17 +7,21 @@
 
 namespace morphe {
 
-/// What one rung of the repair ladder, or one attempt of it, made of a path.
+/// The result of one step of the repair sequence, or of one attempt within a step.
 struct RepairStep {
-  std::int32_t level = 0;  ///< 0: a rung; 1: one of the attempts of the rung above
+  std::int32_t level = 0;  ///< 0: a step; 1: an attempt of the preceding step
   std::string name;        ///< "re-solve gently"
-  double begin_s = kNotSeen, end_s = kNotSeen;  ///< the stretch that it changed, NaN: nothing
-  double change = 0;                            ///< of a joint, the largest [rad or m]
-  std::int32_t findings = 0;                    ///< that its path has
-  double collisions = 0, others = 0;            ///< their depths together [m or rad]
-  std::string worst;                            ///< of them, a sentence; "": the path is free
-  bool kept = false;                            ///< it was less bad than what was there
-  std::string ended;                            ///< why it went no further, "": it was done
+  /// The interval that it changed, NaN if it changed no sample.
+  double begin_s = kUnknown, end_s = kUnknown;
+  double change = 0;                  ///< largest change of a joint [rad or m]
+  std::int32_t findings = 0;          ///< number of findings that remain in the path
+  double collisions = 0, others = 0;  ///< sums of the depths of these findings [m or rad]
+  /// The worst finding, a sentence; "" if there is no finding.
+  std::string worst;
+  /// True if the result was better than the path before it.
+  bool kept = false;
+  /// Reason why the step ended early, "" if it was completed.
+  std::string ended;
 };
 
 }  // namespace morphe

@@ -4,27 +4,28 @@
 #include <vector>
 
 #include "core/motion/geometry.hpp"
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 
 namespace morphe {
 
-/// The robot in one frame of a movement, and what the frame asks of it, in the robot's base frame.
-/// What was not seen is NaN.
-class Posture {
+/// The robot's posture in one frame of a movement, and the goals of this frame, in the robot's base
+/// frame. Values that were not observed are NaN.
+class ResidualInput {
  public:
-  const RobotTable& robot;
+  const RobotModel& robot;
   const JointVector& q;                      ///< [n] [rad]
-  const std::vector<Pose>& base_from_frame;  ///< of each of the robot's frames
-  const std::vector<Vec3>& tip_goal;         ///< for each of the robot's tips [m]
-  const Vec3 &shoulder, &elbow, &wrist;      ///< of the human arm, moved to the robot's [m]
+  const std::vector<Pose>& base_from_frame;  ///< poses of the robot's frames
+  const std::vector<Vec3>& tip_goal;         ///< goals of the robot's tips [m]
+  /// Points of the human arm, moved to the robot's shoulder [m].
+  const Vec3 &shoulder, &elbow, &wrist;
 
-  /// [3, n] d point / d q of a point that moves with a frame [m/rad].
+  /// Returns the Jacobian d point / d q, [3, n] [m/rad], of a point that moves with a frame.
   virtual Eigen::Matrix3Xd point_jacobian(int frame, const Vec3& point_in_base) const = 0;
 
  protected:
-  Posture(const RobotTable& of, const JointVector& at, const std::vector<Pose>& frames,
-          const std::vector<Vec3>& goal, const Vec3& human_shoulder, const Vec3& human_elbow,
-          const Vec3& human_wrist)
+  ResidualInput(const RobotModel& of, const JointVector& at, const std::vector<Pose>& frames,
+                const std::vector<Vec3>& goal, const Vec3& human_shoulder, const Vec3& human_elbow,
+                const Vec3& human_wrist)
       : robot(of),
         q(at),
         base_from_frame(frames),
@@ -32,20 +33,23 @@ class Posture {
         shoulder(human_shoulder),
         elbow(human_elbow),
         wrist(human_wrist) {}
-  ~Posture() = default;
+  ~ResidualInput() = default;
 };
 
-/// A term of the objective that a program brings along: weight times the sum of squares of its
-/// residuals r(q), frame by frame. Where it stands in the objective, and its weight, the config
-/// says: `map.terms: [{name: ..., weight: ...}]`. The mapping takes 2 Jᵀr for its gradient and
-/// 2 JᵀJ for its curvature, so J must be right: compare it with finite differences.
+/// A term of the objective that the calling program provides: weight times the sum of squares of
+/// its residuals r(q), evaluated for each frame. Its position in the objective and its weight are
+/// set in the config: `map.terms: [{name: ..., weight: ...}]`. The mapping uses 2 Jᵀr as its
+/// gradient and 2 JᵀJ as its Hessian, so J must be correct: compare it with finite differences.
 class ResidualTerm {
  public:
+  /// Returns the name under which the config refers to the term.
   virtual ~ResidualTerm() = default;
+  /// Returns the name under which the config refers to the term.
   virtual std::string name() const = 0;
-  /// Sets r [k] and J [k, n] = d r / d q; k may be another in every frame, also 0. Several threads
-  /// call it at once, and the result must depend on the posture alone.
-  virtual void residuals(const Posture& posture, JointVector& r, JointRows& jacobian) const = 0;
+  /// Sets r [k] and J [k, n] = d r / d q. k may differ from frame to frame and may be 0. Several
+  /// threads call this function concurrently, and the result must depend only on the posture.
+  virtual void residuals(const ResidualInput& posture, JointVector& r,
+                         JointRows& jacobian) const = 0;
 };
 
 }  // namespace morphe

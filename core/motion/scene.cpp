@@ -4,12 +4,12 @@
 
 namespace morphe {
 
-const SceneObject* object_named(const std::vector<SceneObject>& objects, const std::string& name) {
+const SceneObject* find_object(const std::vector<SceneObject>& objects, const std::string& name) {
   const auto found = std::ranges::find(objects, name, &SceneObject::name);
   return found == objects.end() ? nullptr : &*found;
 }
 
-SceneObject* object_named(std::vector<SceneObject>& objects, const std::string& name) {
+SceneObject* find_object(std::vector<SceneObject>& objects, const std::string& name) {
   const auto found = std::ranges::find(objects, name, &SceneObject::name);
   return found == objects.end() ? nullptr : &*found;
 }

@@ -20,12 +20,12 @@ StreamReport report_stream(const std::string& name, const std::vector<double>& t
   report.begin_s = time.front();
   report.duration_s = time.back() - time.front();
   report.rate_hz = static_cast<double>(time.size() - 1) / report.duration_s;
-  std::size_t there = 0;
+  std::size_t valid_count = 0;
   for (std::size_t column = 0; column < columns.size(); ++column) {
-    std::size_t here = 0;
+    std::size_t column_valid_count = 0;
     for (std::size_t row = 0; row < time.size(); ++row) {
       if (is_seen(row, column)) {
-        ++here;
+        ++column_valid_count;
         continue;
       }
       const std::size_t first = row;
@@ -36,18 +36,18 @@ StreamReport report_stream(const std::string& name, const std::vector<double>& t
       report.longest_gap_s = length_s;
       report.longest_gap_of = columns[column];
     }
-    if (here == 0) report.unseen.push_back(columns[column]);
-    there += here;
+    if (column_valid_count == 0) report.unseen.push_back(columns[column]);
+    valid_count += column_valid_count;
   }
   const std::size_t all = time.size() * columns.size();
-  report.seen = all == 0 ? 0 : static_cast<double>(there) / static_cast<double>(all);
+  report.seen = all == 0 ? 0 : static_cast<double>(valid_count) / static_cast<double>(all);
   return report;
 }
 
 StreamReport report_points(const std::string& name, const std::vector<double>& time,
-                           const std::vector<std::string>& columns, const Table<Vec3>& points) {
+                           const std::vector<std::string>& columns, const Array2D<Vec3>& points) {
   return report_stream(name, time, columns, [&](std::size_t row, std::size_t column) {
-    return seen(points(row, column));
+    return is_known(points(row, column));
   });
 }
 
@@ -58,7 +58,7 @@ StreamReport report_angles(const std::string& name, const std::vector<double>& t
   });
 }
 
-const char* name_of(HandKind kind) {
+const char* display_name(HandKind kind) {
   switch (kind) {
     case HandKind::glove:
       return "glove";
@@ -90,18 +90,18 @@ std::vector<StreamReport> report_streams(const Streams& streams) {
   }
   if (const auto& s = streams.hand) {
     if (!s->names.empty()) {
-      reports.push_back(report_angles(name_of(s->kind), s->time, s->names, s->angles));
+      reports.push_back(report_angles(display_name(s->kind), s->time, s->names, s->angles));
     } else {
       std::vector<std::string> points;
       for (std::size_t k = 0; k < s->position.cols; ++k)
         points.push_back(fmt::format("point {}", k));
-      reports.push_back(report_points(name_of(s->kind), s->time, points, s->position));
+      reports.push_back(report_points(display_name(s->kind), s->time, points, s->position));
     }
   }
   return reports;
 }
 
-double longest_s(const std::vector<StreamReport>& streams) {
+double longest_duration_s(const std::vector<StreamReport>& streams) {
   double longest = 0;
   for (const StreamReport& stream : streams) longest = std::max(longest, stream.duration_s);
   return longest;

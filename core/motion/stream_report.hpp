@@ -9,21 +9,21 @@
 
 namespace morphe {
 
-/// One recorded stream. A gap is a run of samples in which one of its columns (a marker, a body, a
-/// joint) was not seen, at the ends too.
+/// Statistics of one recorded stream. A gap is a run of samples, possibly at an end of the stream,
+/// in which one of its columns (a marker, a body, a joint) was not observed.
 struct StreamReport {
   std::string name;
   double begin_s = 0, duration_s = 0, rate_hz = 0;
-  double seen = 0;  ///< share of its values that are there
+  double seen = 0;  ///< share of its values that are present
   std::size_t columns = 0, gaps = 0;
   double longest_gap_s = 0;
-  std::string longest_gap_of;       ///< the column, "" without a gap
-  std::vector<std::string> unseen;  ///< columns that were never seen
+  std::string longest_gap_of;       ///< the column, "" if there is no gap
+  std::vector<std::string> unseen;  ///< columns that were never observed
 };
-/// All streams of a demonstration, or of its calibration.
+/// Returns the statistics of all streams of a demonstration or of its calibration.
 MORPHE_EXPORT std::vector<StreamReport> report_streams(const Streams& streams);
 
-/// The longest of its streams [s].
-MORPHE_EXPORT double longest_s(const std::vector<StreamReport>& streams);
+/// Returns the duration of the longest stream [s].
+MORPHE_EXPORT double longest_duration_s(const std::vector<StreamReport>& streams);
 
 }  // namespace morphe

@@ -6,12 +6,14 @@
 
 namespace morphe {
 
-/// "0.1.0", as CMakeLists.txt says it: of the program, the library, the package and the files.
+/// Returns the version of the program, the library, the package and the files, "0.1.0", as set in
+/// CMakeLists.txt.
 MORPHE_EXPORT const char* version();
-/// "morphe 0.1.0", as files say who wrote them.
+/// Returns the name of the software as written into files, "morphe 0.1.0".
 MORPHE_EXPORT const char* software();
-/// "GNU 12.2.0, Eigen3 3.4.0, …, x86-64-v3, glibc 2.36": what the last digits of a result, and the
-/// ways that searches take, depend on. The C library is that of the machine it runs on.
+/// Returns the build environment, "GNU 12.2.0, Eigen3 3.4.0, …, x86-64-v3, glibc 2.36". The last
+/// digits of a result, and the order in which searches visit states, depend on it. The C library is
+/// that of the machine on which the program runs.
 MORPHE_EXPORT std::string built_with();
 
 }  // namespace morphe

@@ -4,20 +4,23 @@
 
 namespace morphe {
 
-inline Pose unseen_pose() {
+/// Returns a pose whose elements are all NaN.
+inline Pose unknown_pose() {
   Pose pose = Pose::Identity();
-  pose.matrix().topRows<3>().setConstant(kNotSeen);
+  pose.matrix().topRows<3>().setConstant(kUnknown);
   return pose;
 }
-inline bool seen(const Pose& pose) { return pose.matrix().allFinite(); }
+/// Returns true if all elements of the pose are finite.
+inline bool is_known(const Pose& pose) { return pose.matrix().allFinite(); }
 
-/// Where things stand as a movement begins, seen from the robot's base: what a user needs to put
-/// something of his own beside them. NaN: there is no such thing.
+/// The reference frames at the begin of a movement, in the robot's base frame, relative to which
+/// users place their own objects. NaN if the frame does not exist.
 struct WorldFrames {
-  Pose base_from_world = unseen_pose();   ///< the recording's frame; of a hand alone the hand's
-  Pose base_from_table = unseen_pose();   ///< centre of its top, axes of the table, z up
-  Pose base_from_target = unseen_pose();  ///< the target's centre and axes
-  Vec3 shoulder = unseen_point();         ///< the person's own, where it was recorded [m]
+  /// The recording's frame; for a hand alone, the hand's frame.
+  Pose base_from_world = unknown_pose();
+  Pose base_from_table = unknown_pose();   ///< centre of the table's top, axes of the table, z up
+  Pose base_from_target = unknown_pose();  ///< centre and axes of the target
+  Vec3 shoulder = unknown_point();         ///< the person's own shoulder, if it was recorded [m]
 };
 
 }  // namespace morphe

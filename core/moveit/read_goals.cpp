@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "core/moveit/reading.hpp"
+#include "core/moveit/read_messages.hpp"
 
 namespace morphe::moveit {
 namespace {
 
 struct GoalReader {
   const robot::RobotDescription& robot;
-  const Frames& frames;
+  const FixedFrames& frames;
   PlanningGoal goal = {};
 
   int link_frame(const config::ConfigNode& node) const {
@@ -20,7 +20,7 @@ struct GoalReader {
   }
 
   void joint(const config::ConfigNode& node) {
-    const RobotTable& table = robot.table;
+    const RobotModel& table = robot.table;
     const std::string name = node["joint_name"].text();
     const auto found = std::ranges::find(table.joint_names, name);
     if (found == table.joint_names.end()) {
@@ -48,7 +48,7 @@ struct GoalReader {
       wanted.point_in_frame = read_vector(node["target_point_offset"]);
     }
     const config::ConfigNode region = node["constraint_region"];
-    wanted.regions = read_shapes(region, frames.of(node));
+    wanted.regions = read_shapes(region, frames.pose_of(node));
     if (region.has("meshes") && !region["meshes"].items().empty()) {
       region["meshes"].fail("a goal's region must be made of primitives");
     }
@@ -58,7 +58,7 @@ struct GoalReader {
   void orientation(const config::ConfigNode& node) {
     OrientationGoal wanted;
     wanted.frame = link_frame(node);
-    wanted.orientation = Quat(frames.of(node).linear()) * read_rotation(node["orientation"]);
+    wanted.orientation = Quat(frames.pose_of(node).linear()) * read_rotation(node["orientation"]);
     static constexpr const char* kKeys[] = {
         "absolute_x_axis_tolerance", "absolute_y_axis_tolerance", "absolute_z_axis_tolerance"};
     for (int k = 0; k < 3; ++k) {
@@ -86,7 +86,8 @@ struct GoalReader {
 }  // namespace
 
 std::vector<PlanningGoal> read_goals(const config::ConfigNode& request,
-                                     const robot::RobotDescription& robot, const Frames& frames) {
+                                     const robot::RobotDescription& robot,
+                                     const FixedFrames& frames) {
   std::vector<PlanningGoal> goals;
   const config::ConfigNode list = request["goal_constraints"];
   GoalReader reader{robot, frames};

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "core/moveit/reading.hpp"
+#include "core/moveit/read_messages.hpp"
 
 namespace morphe::moveit {
 
-Pose Frames::of(const config::ConfigNode& owner) const {
+Pose FixedFrames::pose_of(const config::ConfigNode& owner) const {
   const bool stated = owner.has("header") && owner["header"].has("frame_id");
   const std::string name = stated ? owner["header"]["frame_id"].text() : "";
   const auto found = base_from.find(name);
@@ -16,12 +16,12 @@ Pose Frames::of(const config::ConfigNode& owner) const {
   return found->second;
 }
 
-Frames read_frames(const config::ConfigNode& scene, const std::string& root_link,
-                   const Pose& base_from_world) {
-  Frames frames;
+FixedFrames read_frames(const config::ConfigNode& scene, const std::string& root_link,
+                        const Pose& base_from_world) {
+  FixedFrames frames;
   frames.base_from[""] = frames.base_from["world"] = base_from_world;
   for (const config::ConfigNode& item : items_of(scene, "fixed_frame_transforms")) {
-    const Pose base_from_parent = frames.of(item);
+    const Pose base_from_parent = frames.pose_of(item);
     frames.base_from[item["child_frame_id"].text()] =
         base_from_parent * read_transform(item["transform"]);
   }
@@ -29,14 +29,14 @@ Frames read_frames(const config::ConfigNode& scene, const std::string& root_link
   return frames;
 }
 
-Scene read_objects(const config::ConfigNode& scene, const Frames& frames) {
+Scene read_objects(const config::ConfigNode& scene, const FixedFrames& frames) {
   Scene read;
   const config::ConfigNode world = scene["world"];
   if (world.has("octomap") && world["octomap"].has("octomap")) {
     refuse(world["octomap"]["octomap"], "data", "an octomap is not understood");
   }
   const auto taken = [&](const std::string& name) {
-    return object_named(read.objects, name) != nullptr;
+    return find_object(read.objects, name) != nullptr;
   };
   for (const config::ConfigNode& item : items_of(world, "collision_objects")) {
     const std::string id = item["id"].text();
@@ -45,7 +45,7 @@ Scene read_objects(const config::ConfigNode& scene, const Frames& frames) {
     if (item.has("operation") && item["operation"].text() != "0") {
       item["operation"].fail("must be 0: an object that is there");
     }
-    Pose base_from_object = frames.of(item);
+    Pose base_from_object = frames.pose_of(item);
     if (item.has("pose")) base_from_object = base_from_object * read_pose(item["pose"]);
     int count = 0;
     for (SceneObject& shape : read_shapes(item, base_from_object)) {

@@ -4,20 +4,20 @@
 #include <cmath>
 #include <set>
 
-#include "core/moveit/reading.hpp"
+#include "core/moveit/read_messages.hpp"
 
 namespace morphe::moveit {
 namespace {
 
-constexpr double kLimitTolerance = 1e-6;  ///< files are written with rounded limits [rad]
+constexpr double kLimitTolerance_rad = 1e-6;  ///< limits are rounded in files [rad]
 
-std::string place(const config::ConfigNode& node) {
+std::string source_location(const config::ConfigNode& node) {
   return fmt::format("{}:{}", node.file().string(), node.line());
 }
 
-/// robot_state of a scene, start_state of a request.
+/// Reads the robot_state of a scene, or the start_state of a request.
 struct StateReader {
-  const RobotTable& robot;
+  const RobotModel& robot;
   JointVector position;
   Pose world_from_base = Pose::Identity();
   std::set<std::string> unknown;
@@ -55,7 +55,7 @@ struct StateReader {
   }
 };
 
-void check_start(const config::ConfigNode& request, const RobotTable& robot, JointVector& start) {
+void check_start(const config::ConfigNode& request, const RobotModel& robot, JointVector& start) {
   for (std::size_t k = 0; k < robot.joints(); ++k) {
     const auto j = static_cast<Eigen::Index>(k);
     const auto fail = [&](const std::string& what) {
@@ -65,7 +65,7 @@ void check_start(const config::ConfigNode& request, const RobotTable& robot, Joi
     };
     if (std::isnan(start[j])) fail("has no position, here or in the scene");
     const double inside = std::clamp(start[j], robot.lower[j], robot.upper[j]);
-    if (std::abs(inside - start[j]) > kLimitTolerance) {
+    if (std::abs(inside - start[j]) > kLimitTolerance_rad) {
       fail(fmt::format("starts at {}, outside its limits, {} to {}", start[j], robot.lower[j],
                        robot.upper[j]));
     }
@@ -74,7 +74,7 @@ void check_start(const config::ConfigNode& request, const RobotTable& robot, Joi
 }
 
 void allow_links(const robot::RobotDescription& robot, const std::string& one,
-                 const std::string& other, RobotTable& table) {
+                 const std::string& other, RobotModel& table) {
   const int first = robot.links.at(one), second = robot.links.at(other);
   const int count = static_cast<int>(table.capsules.size());
   for (int i = 0; i < count; ++i) {
@@ -88,9 +88,10 @@ void allow_links(const robot::RobotDescription& robot, const std::string& one,
   }
 }
 
-/// Rows are lists of booleans, or {enabled: [...]} as the message has them.
-void read_matrix(const config::ConfigNode& scene, const robot::RobotDescription& robot,
-                 PlanningProblem& problem) {
+/// Reads the allowed collision matrix. Rows are lists of booleans, or {enabled: [...]} as in the
+/// message.
+void read_allowed_collisions(const config::ConfigNode& scene, const robot::RobotDescription& robot,
+                             PlanningProblem& problem) {
   if (!scene.has("allowed_collision_matrix")) return;
   const config::ConfigNode matrix = scene["allowed_collision_matrix"];
   if (!matrix.has("entry_names")) return;
@@ -107,7 +108,7 @@ void read_matrix(const config::ConfigNode& scene, const robot::RobotDescription&
         allow_links(robot, names[i], names[k], problem.robot);
       } else {
         problem.notes.push_back(fmt::format("{}: {} and {} may touch there, but stay checked",
-                                            place(rows[i]), names[i], names[k]));
+                                            source_location(rows[i]), names[i], names[k]));
       }
     }
   }
@@ -141,14 +142,14 @@ PlanningProblem read_moveit_problem(const std::filesystem::path& scene_file,
   problem.robot = robot.table;
   StateReader state{
       robot.table,
-      JointVector::Constant(static_cast<Eigen::Index>(robot.table.joints()), kNotSeen),
+      JointVector::Constant(static_cast<Eigen::Index>(robot.table.joints()), kUnknown),
       Pose::Identity(),
       {}};
   state.read(scene, "robot_state");
   state.read(request, "start_state");
   for (const std::string& joint : state.unknown) {
     problem.notes.push_back(fmt::format("{}: joint {} is none that this robot moves: left as it is",
-                                        place(request), joint));
+                                        source_location(request), joint));
   }
   problem.start = state.position;
   check_start(request, robot.table, problem.start);
@@ -156,9 +157,9 @@ PlanningProblem read_moveit_problem(const std::filesystem::path& scene_file,
   refuse_padding(scene, "link_scale", "scale", 1);
   refuse(request, "path_constraints", "path constraints are not understood");
   refuse(request, "trajectory_constraints", "trajectory constraints are not understood");
-  const Frames frames = read_frames(scene, root_link(robot), state.world_from_base.inverse());
+  const FixedFrames frames = read_frames(scene, root_link(robot), state.world_from_base.inverse());
   problem.scene = read_objects(scene, frames);
-  read_matrix(scene, robot, problem);
+  read_allowed_collisions(scene, robot, problem);
   problem.goals = read_goals(request, robot, frames);
   return problem;
 }

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "core/moveit/reading.hpp"
+#include "core/moveit/read_messages.hpp"
 
 namespace morphe::moveit {
 namespace {
@@ -36,7 +36,7 @@ SceneObject still_object(Shape shape, std::vector<double> size, const Pose& pose
   return object;
 }
 
-/// shape_msgs/SolidPrimitive: by number or name.
+/// The types of shape_msgs/SolidPrimitive, given by number or name.
 enum class Primitive { box, sphere, cylinder };
 
 Primitive primitive_of(const config::ConfigNode& node) {
@@ -125,7 +125,7 @@ SceneObject read_primitive(const config::ConfigNode& node, const Pose& base_from
       return still_object(Shape::box, size, base_from_shape);
     case Primitive::sphere:
       return still_object(Shape::sphere, size, base_from_shape);
-    case Primitive::cylinder:  // height, radius there
+    case Primitive::cylinder:  // its dimensions are height, radius
       break;
   }
   return still_object(Shape::cylinder, {size[1], size[0]}, base_from_shape);
@@ -136,7 +136,7 @@ std::vector<SceneObject> read_shapes(const config::ConfigNode& owner, const Pose
   const auto read = [&](const char* key, const char* pose_key, auto shape_of) {
     const std::vector<config::ConfigNode> items = items_of(owner, key),
                                           poses = items_of(owner, pose_key);
-    // MoveIt takes one shape without a pose to lie at its owner's.
+    // MoveIt places a single shape without a pose at its owner's pose.
     if (poses.size() != items.size() && !(items.size() == 1 && poses.empty())) {
       owner.fail(fmt::format("{} {}, but {} {}", items.size(), key, poses.size(), pose_key));
     }

@@ -10,38 +10,39 @@
 namespace morphe::physics {
 namespace {
 
-using Words = std::array<char, 1000>;
+using Message = std::array<char, 1000>;
 
-struct Landing {
+struct JumpTarget {
   std::jmp_buf place;
-  Words error{}, warning{};
+  Message error{}, warning{};
 };
-thread_local Landing* t_landing = nullptr;
+thread_local JumpTarget* t_landing = nullptr;
 
-void copy(const char* words, Words& to) { std::snprintf(to.data(), to.size(), "%s", words); }
+void copy(const char* words, Message& to) { std::snprintf(to.data(), to.size(), "%s", words); }
 
-/// A handler that returns would let the engine run on with what it just called broken.
-void take_error(const char* words) {
+/// Jumps out of the engine, which would otherwise continue in an invalid state.
+void on_error(const char* words) {
   if (!t_landing) std::terminate();
   copy(words, t_landing->error);
   std::longjmp(t_landing->place, 1);
 }
 
-void take_warning(const char* words) {
+void on_warning(const char* words) {
   if (t_landing && t_landing->warning[0] == '\0') copy(words, t_landing->warning);
 }
 
-void take_over() {
+void install_handlers() {
   static const bool once = [] {
-    mju_user_error = take_error;
-    mju_user_warning = take_warning;
+    mju_user_error = on_error;
+    mju_user_warning = on_warning;
     return true;
   }();
   static_cast<void>(once);
 }
 
-/// Nothing here has a destructor, and nothing is kept in a register across the jump.
-[[gnu::noinline]] bool lands_well(Landing& landing, const std::function<void()>& call) {
+/// This function has no objects with destructors, and no value that is kept in a register across
+/// the jump.
+[[gnu::noinline]] bool call_with_jump(JumpTarget& landing, const std::function<void()>& call) {
   t_landing = &landing;
   if (setjmp(landing.place) != 0) {
     t_landing = nullptr;
@@ -54,13 +55,13 @@ void take_over() {
 
 }  // namespace
 
-std::string guarded(const std::function<void()>& call) {
-  take_over();
-  Landing landing;
-  if (!lands_well(landing, call)) throw EngineError(landing.error.data());
+std::string call_guarded(const std::function<void()>& call) {
+  install_handlers();
+  JumpTarget landing;
+  if (!call_with_jump(landing, call)) throw EngineError(landing.error.data());
   return landing.warning.data();
 }
 
-std::string engine() { return fmt::format("MuJoCo {}", mj_versionString()); }
+std::string engine_version() { return fmt::format("MuJoCo {}", mj_versionString()); }
 
 }  // namespace morphe::physics

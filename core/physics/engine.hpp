@@ -9,7 +9,7 @@
 
 namespace morphe::physics {
 
-/// mjModel, freed with it.
+/// Owns an mjModel.
 struct Model::Compiled {
   mjModel* model = nullptr;
   ~Compiled() {
@@ -17,10 +17,10 @@ struct Model::Compiled {
   }
 };
 
-/// Calls into MuJoCo so that its errors end here, as EngineError: left to itself it writes
-/// MUJOCO_LOG.TXT, waits for Enter and ends the process. Its handlers are the process's, what they
-/// note is the thread's. `call` is left by a jump: nothing in it may have a destructor.
-/// Returns what MuJoCo warned of meanwhile, "" if of nothing.
-std::string guarded(const std::function<void()>& call);
+/// Calls MuJoCo such that its errors are thrown as EngineError. By default, MuJoCo writes
+/// MUJOCO_LOG.TXT, waits for Enter and ends the process on errors. The error handlers are global,
+/// but their messages are thread-local. `call` may be left by longjmp, so it must not have local
+/// objects with destructors. Returns the first warning of MuJoCo, "" if there is no warning.
+std::string call_guarded(const std::function<void()>& call);
 
 }  // namespace morphe::physics

@@ -21,12 +21,13 @@ int number_of(const Model& model, int kind, const std::string& name) {
 }  // namespace
 
 Model::Model(const std::string& mjcf) : compiled_(std::make_unique<Compiled>()) {
-  const auto files = std::make_unique<mjVFS>();  // two megabytes
+  // Allocated on the heap, because it takes two megabytes.
+  const auto files = std::make_unique<mjVFS>();
   mj_defaultVFS(files.get());
   mj_makeEmptyFileVFS(files.get(), kFile, static_cast<int>(mjcf.size()) + 1);
   std::memcpy(files->filedata[0], mjcf.c_str(), mjcf.size() + 1);
   std::array<char, 1000> wrong{};
-  const std::string warning = guarded([&] {
+  const std::string warning = call_guarded([&] {
     compiled_->model = mj_loadXML(kFile, files.get(), wrong.data(), static_cast<int>(wrong.size()));
   });
   mj_deleteVFS(files.get());

@@ -6,31 +6,37 @@
 
 namespace morphe::physics {
 
-/// "MuJoCo 2.2.2"; "" in a build without it: there no Model can be made.
-std::string engine();
+/// Returns "MuJoCo 2.2.2", or "" in a build without MuJoCo, in which a Model cannot be constructed.
+std::string engine_version();
 
-/// The engine refused a model, or gave up: its own words.
+/// The engine rejected a model or failed; the message is the engine's.
 struct EngineError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A model made of MJCF text; const, and shared by all threads. SI units, radians.
+/// A model compiled from MJCF text; it is const and shared by all threads. SI units, radians.
 class Model {
  public:
-  /// EngineError: what is wrong and in which line of the text; also for what the engine itself
-  /// would only warn of, such as a number that is none.
+  /// Compiles a model. Throws EngineError with the error and its line in the text, also for
+  /// problems of which the engine only warns, such as invalid numbers.
   explicit Model(const std::string& mjcf);
   ~Model();
   Model(Model&&) noexcept;
 
-  /// Numbers of what has a name. EngineError: there is none of that name.
+  /// Returns the index of a named body; throws EngineError if there is no body with that name.
   int body(const std::string& name) const;
+  /// Returns the index of a named joint; throws EngineError if there is no joint with that name.
   int joint(const std::string& name) const;
+  /// Returns the index of a named geom; throws EngineError if there is no geom with that name.
   int geom(const std::string& name) const;
+  /// Returns the index of a named actuator; throws EngineError if there is no actuator with that
+  /// name.
   int actuator(const std::string& name) const;
+  /// Returns the number of geoms.
   int geom_count() const;
 
-  struct Compiled;  ///< engine.hpp
+  struct Compiled;
+  /// Returns the compiled model.
   const Compiled& compiled() const { return *compiled_; }
 
  private:

@@ -22,8 +22,9 @@ void copy_into(const std::vector<double>& from, mjtNum* to) { std::ranges::copy(
 
 struct State::Running {
   mjData* data = nullptr;
-  std::vector<int> carried;                    ///< degrees of freedom whose motors carry their load
-  std::vector<mjtNum> acceleration, inertial;  ///< [nv] that is carried, and the forces for it
+  std::vector<int> compensated_dofs;  ///< degrees of freedom with compensation
+  /// [nv] commanded accelerations, and the forces for them.
+  std::vector<mjtNum> acceleration, inertial_forces;
   ~Running() {
     if (data) mj_deleteData(data);
   }
@@ -31,14 +32,14 @@ struct State::Running {
 
 State::State(const Model& model) : model_(&model), running_(std::make_unique<Running>()) {
   const mjModel& m = model_of(model);
-  guarded([&] { running_->data = mj_makeData(&m); });
+  call_guarded([&] { running_->data = mj_makeData(&m); });
   if (!running_->data) throw EngineError("no memory for a simulation");
   for (int joint = 0; joint < m.njnt; ++joint) {
     if (m.jnt_type[joint] == mjJNT_HINGE || m.jnt_type[joint] == mjJNT_SLIDE)
-      running_->carried.push_back(m.jnt_dofadr[joint]);
+      running_->compensated_dofs.push_back(m.jnt_dofadr[joint]);
   }
   running_->acceleration.assign(static_cast<std::size_t>(m.nv), 0);
-  running_->inertial = running_->acceleration;
+  running_->inertial_forces = running_->acceleration;
 }
 
 State::~State() = default;
@@ -81,7 +82,7 @@ void State::set_acceleration(int joint, double value) {
   running_->acceleration[static_cast<std::size_t>(model_of(*model_).jnt_dofadr[joint])] = value;
 }
 
-double State::asked(int actuator) const {
+double State::commanded_force(int actuator) const {
   const mjModel& m = model_of(*model_);
   const mjData& d = *running_->data;
   const mjtNum* const gain = m.actuator_gainprm + mjNGAIN * actuator;
@@ -90,33 +91,34 @@ double State::asked(int actuator) const {
          bias[2] * d.actuator_velocity[actuator];
 }
 
-double State::given(int actuator) const {
+double State::applied_force(int actuator) const {
   const mjModel& m = model_of(*model_);
   const int dof = m.jnt_dofadr[m.actuator_trnid[2 * actuator]];
   return running_->data->actuator_force[actuator] + running_->data->qfrc_applied[dof];
 }
 
-void State::push(int body, const Vec3& force) {
+void State::apply_force(int body, const Vec3& force) {
   std::ranges::copy(force, running_->data->xfrc_applied + 6 * body);
 }
 
-void State::pose() {
-  guarded([&] { mj_forward(&model_of(*model_), running_->data); });
+void State::update_poses() {
+  call_guarded([&] { mj_forward(&model_of(*model_), running_->data); });
 }
 
 std::optional<std::string> State::step() {
   const mjModel& m = model_of(*model_);
   mjData& d = *running_->data;
   const double before_s = d.time;
-  const std::string warning = guarded([&] {
+  const std::string warning = call_guarded([&] {
     mj_step1(&m, &d);
-    mj_mulM(&m, &d, running_->inertial.data(), running_->acceleration.data());
-    for (const int dof : running_->carried)
-      d.qfrc_applied[dof] = d.qfrc_bias[dof] + running_->inertial[static_cast<std::size_t>(dof)];
+    mj_mulM(&m, &d, running_->inertial_forces.data(), running_->acceleration.data());
+    for (const int dof : running_->compensated_dofs)
+      d.qfrc_applied[dof] =
+          d.qfrc_bias[dof] + running_->inertial_forces[static_cast<std::size_t>(dof)];
     mj_step2(&m, &d);
   });
   if (!warning.empty()) return warning;
-  // A second warning of a kind is counted only.
+  // A further warning of the same kind is only counted.
   for (int kind = 0; kind < mjNWARNING; ++kind) {
     if (d.warning[kind].number > 0)
       return mju_warningText(kind, static_cast<std::size_t>(d.warning[kind].lastinfo));
@@ -125,7 +127,7 @@ std::optional<std::string> State::step() {
   return std::nullopt;
 }
 
-void State::touches(std::vector<Touch>& out) const {
+void State::contacts(std::vector<GeomContact>& out) const {
   const mjModel& m = model_of(*model_);
   const mjData& d = *running_->data;
   out.clear();

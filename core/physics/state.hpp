@@ -10,59 +10,70 @@
 
 namespace morphe::physics {
 
-/// All that goes on from one step to the next: a state that is given it goes on bit for bit as the
-/// one it was taken from. It fits every model with the same bodies, joints and actuators.
+/// The complete state between two steps: a simulation restored from it continues bit for bit like
+/// the original one. It fits every model with the same bodies, joints and actuators.
 struct Snapshot {
   double time_s = 0;
   std::vector<double> position, velocity, control;
-  std::vector<double> acceleration;  ///< where the solver begins its next search
+  std::vector<double> acceleration;  ///< warm start of the solver
 };
 
-/// Two geoms that touch.
-struct Touch {
-  int first = 0, second = 0;  ///< geoms
+/// A contact of two geoms.
+struct GeomContact {
+  int first = 0, second = 0;  ///< indices of the geoms
   Vec3 point, normal;         ///< unit, from the first to the second
-  double distance = 0;        ///< < 0: how deep they lie in each other [m]
-  double force = 0;           ///< along the normal [N]
+  double distance = 0;        ///< negative values are the penetration depth [m]
+  double force = 0;           ///< normal force [N]
 };
 
-/// One simulation of a model, which must outlive it; a thread's own. All poses are in the world's
-/// frame. After a step bodies and touches are as it began, joints as it ended. Motors carry what
-/// gravity, the robot's own motion and the accelerations that were set ask of every joint but free
-/// ones (inverse dynamics), beside what their servos ask.
+/// A simulation of a model, which must outlive it; each thread needs its own. All poses are in the
+/// world frame. After a step, bodies and contacts are those at its begin, joints those at its end.
+/// For every joint except free joints, the motors provide the forces that gravity, the robot's own
+/// motion and the commanded accelerations require (inverse dynamics), in addition to the servo
+/// forces.
 class State {
  public:
+  /// Starts a simulation at the initial state of the model.
   explicit State(const Model& model);
   ~State();
   State(State&&) noexcept;
 
+  /// Returns the simulated time [s].
   double time_s() const;
+  /// Sets the position of a joint.
   void set_joint(int joint, double value);
+  /// Returns the position of a joint.
   double joint(int joint) const;
-  /// Of a body that hangs on nothing; at rest.
+  /// Sets the pose of a free body, at rest.
   void set_body(int body, const Pose& pose);
+  /// Returns the pose of a body.
   Pose body(int body) const;
+  /// Sets the control input of an actuator.
   void set_control(int actuator, double value);
-  /// Which acceleration of a joint its motor is to carry, until it is changed: 0 at first
+  /// Sets the acceleration of a joint that its motor compensates, until it is changed; initially 0
   /// [rad/s^2 or m/s^2].
   void set_acceleration(int joint, double value);
-  /// What the servo asks before the motor's limit, and all that the motor gives: servo within its
-  /// limit and the compensation [N m or N]. Of the last step.
-  double asked(int actuator) const;
-  double given(int actuator) const;
-  /// A force on a body's centre of mass, until it is changed [N].
-  void push(int body, const Vec3& force);
+  /// Returns the servo force before the motor's limit in the last step [N m or N].
+  double commanded_force(int actuator) const;
+  /// Returns the total force of the motor in the last step: the servo force within its limit plus
+  /// the compensation [N m or N].
+  double applied_force(int actuator) const;
+  /// Applies a force to a body's centre of mass, until it is changed [N].
+  void apply_force(int body, const Vec3& force);
 
-  /// Poses that follow from joints and bodies as they were set.
-  void pose();
-  /// One step of the model's length. Nothing, or what went wrong: numbers that are none or huge,
-  /// contacts that were left out. The engine goes on from its start then, silently: what this state
-  /// says from here on means nothing. EngineError: the engine gave up, the same holds.
+  /// Computes the poses that follow from the current joint and body positions.
+  void update_poses();
+  /// Simulates one time step of the model. Returns nullopt, or the problem that occurred: invalid
+  /// or huge numbers, or contacts that were omitted. The engine then continues silently from its
+  /// initial state, so this state is no longer valid. Throws EngineError if the engine failed; the
+  /// state is then invalid too.
   std::optional<std::string> step();
-  /// Of the last step.
-  void touches(std::vector<Touch>& out) const;
+  /// Returns the contacts of the last step.
+  void contacts(std::vector<GeomContact>& out) const;
 
+  /// Returns the complete state.
   Snapshot snapshot() const;
+  /// Restores a complete state.
   void restore(const Snapshot& snapshot);
 
  private:

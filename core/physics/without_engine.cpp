@@ -1,4 +1,4 @@
-// What a build without MuJoCo has in place of the other sources here.
+// Replaces the other sources of this folder in a build without MuJoCo.
 #include <utility>
 
 #include "core/physics/model.hpp"

@@ -6,7 +6,7 @@ DhLink dh_link(DhConvention convention, const DhRow& row) {
   const Eigen::AngleAxisd twist(row.alpha, Vec3::UnitX());
   DhLink link;
   if (convention == DhConvention::modified) {
-    // Rz and Tz share an axis, so the shift along it may stand before the turn.
+    // Rz and Tz share an axis and commute, so the translation along it may precede the rotation.
     link.before.linear() = twist.toRotationMatrix();
     link.before.translation() = Vec3(row.a, 0, 0) + link.before.linear() * Vec3(0, 0, row.d);
   } else {

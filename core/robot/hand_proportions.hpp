@@ -5,30 +5,33 @@
 
 namespace morphe::robot {
 
-/// One finger of the human hand by the ratios of Buchholz et al. (1992): its base across the palm
-/// (to the thumb's side) to hand breadth, all else to hand length. Limits as in the
-/// Anthropomorphism toolbox, which counts the abduction of ring and little finger away from the
-/// thumb.
+/// The proportions of a finger of the human hand, from the ratios of Buchholz et al. (1992): the
+/// position of its base across the palm (to the thumb's side) relative to hand breadth, all other
+/// lengths relative to hand length. Limits are those of the Anthropomorphism toolbox, which counts
+/// the abduction of ring and little finger away from the thumb.
 struct FingerProportions {
   double across, along, proximal, middle, distal;
-  double splay;                        ///< turns it away from the thumb at zero abduction [rad]
+  double splay;                        ///< rotation away from the thumb at zero abduction [rad]
   std::array<double, 4> lower, upper;  ///< abduction, MCP, PIP, DIP [rad]
 };
 
-/// The thumb: base, and three segments. Its rotation takes up two of the toolbox's three CMC
-/// joints: ±30 and 60 degrees.
+/// The proportions of the thumb: its base and three segments. Its rotation replaces two of the
+/// three CMC joints of the toolbox: ±30 and 60 degrees.
 struct ThumbProportions {
   double across, along, metacarpal, proximal, distal;
-  double splay;                        ///< between z and the flat thumb [rad]
+  double splay;                        ///< angle between z and the flat thumb [rad]
   std::array<double, 4> lower, upper;  ///< rotation, abduction, MCP, IP [rad]
 };
 
-constexpr double radians(double degrees) { return degrees * kDegree; }
+/// Converts degrees to radians.
+constexpr double radians(double degrees) { return degrees * kRadPerDegree; }
+/// Converts degrees to radians.
 constexpr std::array<double, 4> radians(std::array<double, 4> degrees) {
   for (double& angle : degrees) angle = radians(angle);
   return degrees;
 }
 
+/// Proportions of the human thumb.
 inline constexpr ThumbProportions kThumbProportions = {0.196,
                                                        0.073,
                                                        0.251,
@@ -38,7 +41,7 @@ inline constexpr ThumbProportions kThumbProportions = {0.196,
                                                        radians({-30, -25, -15, -15}),
                                                        radians({90, 35, 55, 80})};
 
-/// Index, middle, ring, little.
+/// Proportions of the human index, middle, ring and little finger.
 inline constexpr std::array<FingerProportions, 4> kFingerProportions = {{
     {0.251, 0.447, 0.245, 0.143, 0.097, 0, radians({-13, 0, 0, -10}), radians({42, 80, 100, 90})},
     {0, 0.446, 0.266, 0.170, 0.108, radians(3), radians({-13, 0, 0, -10}),

@@ -2,25 +2,28 @@
 
 #include <algorithm>
 
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 #include "core/robot/robot.hpp"
 #include "core/robot/tree.hpp"
 
 namespace morphe::robot {
 
-std::vector<Pad> find_pads(const RobotTable& robot) {
+std::vector<Pad> find_pads(const RobotModel& robot) {
   std::vector<Pose> base_from_frame;
-  forward(robot, JointVector::Zero(static_cast<Eigen::Index>(robot.joints())), base_from_frame);
+  forward_kinematics(robot, JointVector::Zero(static_cast<Eigen::Index>(robot.joints())),
+                     base_from_frame);
   const auto pose_of = [&](int frame) {
     return frame < 0 ? Pose::Identity() : base_from_frame[static_cast<std::size_t>(frame)];
   };
   std::vector<Pad> pads(robot.tips.size());
   for (std::size_t i = 0; i < pads.size(); ++i) {
-    const RobotTable::Tip& tip = robot.tips[i];
+    const RobotModel::Tip& tip = robot.tips[i];
     double nearest = kInfinity;
     for (std::size_t c = 0; c < robot.capsules.size(); ++c) {
-      const RobotTable::Capsule& capsule = robot.capsules[c];
-      if (body_of(robot, capsule.frame) != body_of(robot, tip.frame) || tip.frame < 0) continue;
+      const RobotModel::Capsule& capsule = robot.capsules[c];
+      if (moving_frame_of(robot, capsule.frame) != moving_frame_of(robot, tip.frame) ||
+          tip.frame < 0)
+        continue;
       const Pose tip_from_capsule = pose_of(tip.frame).inverse() * pose_of(capsule.frame);
       for (const Vec3& end : {capsule.from, capsule.to}) {
         const Vec3 centre = tip_from_capsule * end;
@@ -39,9 +42,9 @@ bool is_pad(const Robot& robot, int capsule) {
   return std::ranges::any_of(robot.pads, [&](const Pad& pad) { return pad.capsule == capsule; });
 }
 
-Vec3 goal_point(const Robot& robot, const std::vector<Pose>& base_from_frame, std::size_t tip,
-                double pad_share) {
-  const RobotTable::Tip& of = robot.tips[tip];
+Vec3 tracked_point(const Robot& robot, const std::vector<Pose>& base_from_frame, std::size_t tip,
+                   double pad_share) {
+  const RobotModel::Tip& of = robot.tips[tip];
   Vec3 point = of.transform.translation();
   if (pad_share > 0) point += pad_share * (robot.pads[tip].centre - point);
   return of.frame < 0 ? point : base_from_frame[static_cast<std::size_t>(of.frame)] * point;

@@ -2,31 +2,33 @@
 
 #include <vector>
 
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 
 namespace morphe::robot {
 
 struct Robot;
 
-/// What of a finger touches the object: the ball that ends the tip's own capsule, on the tip's
-/// side. Any direction of its outer half is part of the pad; the middle of it is where the tip's x
-/// axis points.
+/// The pad of a finger, with which it touches the object: the spherical cap of the capsule that is
+/// fixed to the tip, at the capsule's end near the tip. Any direction of the outer hemisphere
+/// belongs to the pad; its middle is the direction of the tip's x axis.
 struct Pad {
-  int capsule = -1;              ///< -1: no capsule is fixed to the tip, it has no pad
-  Vec3 centre = unseen_point();  ///< in the tip's frame (RobotTable::Tip::frame) [m]
-  double radius = kNotSeen;      ///< [m]
-  Vec3 middle = unseen_point();  ///< unit, in the tip's frame
+  /// -1 if no capsule is fixed to the tip, so that it has no pad.
+  int capsule = -1;
+  Vec3 centre = unknown_point();     ///< in the tip's frame (RobotModel::Tip::frame) [m]
+  double radius = kUnknown;          ///< [m]
+  Vec3 direction = unknown_point();  ///< unit vector in the tip's frame
 };
 
-/// [tips] Of several capsules that move with a tip, the one that ends nearest to it.
-std::vector<Pad> find_pads(const RobotTable& robot);
+/// Returns the pad of every tip [tips]. If several capsules move with a tip, the one with the end
+/// nearest to it has the pad.
+std::vector<Pad> find_pads(const RobotModel& robot);
 
-/// Whether a capsule is that of a pad.
+/// Returns true if the capsule has a pad.
 bool is_pad(const Robot& robot, int capsule);
 
-/// The point of a tip's link at a share of the way from the tip to the centre of its pad, which a
-/// goal asks for (Goals::pad_share), in the base frame [m].
-Vec3 goal_point(const Robot& robot, const std::vector<Pose>& base_from_frame, std::size_t tip,
-                double pad_share);
+/// Returns the tracked point of a tip in the base frame [m]: the point at `pad_share` of the way
+/// from the tip to the centre of its pad, to which a goal applies (Goals::pad_share).
+Vec3 tracked_point(const Robot& robot, const std::vector<Pose>& base_from_frame, std::size_t tip,
+                   double pad_share);
 
 }  // namespace morphe::robot

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/robot/levers.hpp"
+#include "core/robot/motion_bounds.hpp"
 #include "core/robot/tree.hpp"
 
 namespace morphe::robot {
@@ -11,18 +11,18 @@ namespace {
 
 constexpr const char* kArm = "arm";
 
-int tip_beyond(const RobotTable& robot, const RobotTable::Centre& centre) {
+int distal_tip(const RobotModel& robot, const RobotModel::JointCentre& centre) {
   if (centre.chain == kArm) return -1;
   for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
     if (robot.tips[tip].finger < 0) continue;
-    if (hangs_on(robot, robot.tips[tip].frame, centre.frame)) return static_cast<int>(tip);
+    if (is_in_subtree(robot, robot.tips[tip].frame, centre.frame)) return static_cast<int>(tip);
   }
   return -1;
 }
 
 }  // namespace
 
-Robot::Robot(RobotTable table) : RobotTable(std::move(table)) {
+Robot::Robot(RobotModel table) : RobotModel(std::move(table)) {
   for (std::size_t f = 0; f < frames.size(); ++f) {
     const bool turns = frames[f].joint >= 0;
     const int parent = frames[f].parent;
@@ -31,19 +31,19 @@ Robot::Robot(RobotTable table) : RobotTable(std::move(table)) {
                                         : moving_frame[static_cast<std::size_t>(parent)]);
   }
   const int palm = frames.empty() ? -1 : palm_frame;
-  for (const int frame : upwards(*this, palm)) {
+  for (const int frame : ancestors(*this, palm)) {
     if (joint_of(*this, frame) >= 0) arm_joints.push_back(joint_of(*this, frame));
   }
   std::ranges::sort(arm_joints);
   arm_joints.erase(std::unique(arm_joints.begin(), arm_joints.end()), arm_joints.end());
-  for (const Centre& centre : centres) {
+  for (const JointCentre& centre : centres) {
     if (centre.chain == kArm) arm_centres.push_back(centre.frame);
-    tip_of_centre.push_back(tip_beyond(*this, centre));
-    centres_of_chain.push_back(
-        static_cast<double>(std::ranges::count(centres, centre.chain, &Centre::chain)));
+    tip_of_centre.push_back(distal_tip(*this, centre));
+    chain_centre_count.push_back(
+        static_cast<double>(std::ranges::count(centres, centre.chain, &JointCentre::chain)));
   }
   pads = find_pads(*this);
-  capsule_levers = levers_of_capsules(*this);
+  capsule_motion_bounds = robot::capsule_motion_bounds(*this);
 }
 
 std::vector<Vec3> arm_centre_positions(const Robot& robot,

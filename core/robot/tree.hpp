@@ -1,16 +1,18 @@
 #pragma once
 
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 
 namespace morphe::robot {
 
-/// What upwards() goes through.
-class Upwards {
+/// The range that ancestors() returns.
+class AncestorRange {
  public:
-  Upwards(const RobotTable& robot, int frame) : robot_(robot), first_(frame) {}
+  /// The frames from `frame` up to the base.
+  AncestorRange(const RobotModel& robot, int frame) : robot_(robot), first_(frame) {}
 
+  /// Moves from a frame to its parent.
   struct Iterator {
-    const RobotTable& robot;
+    const RobotModel& robot;
     int frame;
     int operator*() const { return frame; }
     Iterator& operator++() {
@@ -23,50 +25,53 @@ class Upwards {
   Iterator end() const { return {robot_, -1}; }
 
  private:
-  const RobotTable& robot_;
+  const RobotModel& robot_;
   int first_;
 };
 
-/// The frames from one up to the base, which is none itself: for (const int f : upwards(robot, 7)).
-inline Upwards upwards(const RobotTable& robot, int frame) { return {robot, frame}; }
+/// Returns the frames from one up to the base, which is excluded: for (const int f :
+/// ancestors(robot, 7)).
+inline AncestorRange ancestors(const RobotModel& robot, int frame) { return {robot, frame}; }
 
-/// The joint that turns a frame itself, -1: none.
-inline int joint_of(const RobotTable& robot, int frame) {
+/// Returns the joint that moves a frame directly, or -1 if there is no such joint.
+inline int joint_of(const RobotModel& robot, int frame) {
   return robot.frames[static_cast<std::size_t>(frame)].joint;
 }
 
-/// Whether a frame moves with another: it is that one, or hangs on it. All hang on the base (-1).
-inline bool hangs_on(const RobotTable& robot, int frame, int ancestor) {
+/// Returns true if a frame equals `ancestor` or is a descendant of it. All frames are descendants
+/// of the base (-1).
+inline bool is_in_subtree(const RobotModel& robot, int frame, int ancestor) {
   while (frame > ancestor) frame = robot.frames[static_cast<std::size_t>(frame)].parent;
-  return frame == ancestor;  // parents come first
+  return frame == ancestor;  // parents precede their children
 }
 
-/// The frame that a joint moves at or above one, with which it is rigid; -1 = the base.
-inline int body_of(const RobotTable& robot, int frame) {
+/// Returns the nearest frame that a joint moves, the frame itself included, to which it is rigidly
+/// connected; -1 = the base.
+inline int moving_frame_of(const RobotModel& robot, int frame) {
   while (frame >= 0 && joint_of(robot, frame) < 0) {
     frame = robot.frames[static_cast<std::size_t>(frame)].parent;
   }
   return frame;
 }
 
-/// Whether a joint's own value is a length: the first of its frames slides.
-inline bool slides(const RobotTable& robot, int joint) {
-  for (const RobotTable::Frame& frame : robot.frames) {
+/// Returns true if a joint's own value is a length, because the first of its frames is prismatic.
+inline bool is_prismatic(const RobotModel& robot, int joint) {
+  for (const RobotModel::Frame& frame : robot.frames) {
     if (frame.joint == joint) return frame.slides;
   }
   return false;
 }
 
-/// Whether a joint moves a frame, directly or through a coupling.
-inline bool moves(const RobotTable& robot, int joint, int frame) {
-  for (const int f : upwards(robot, frame)) {
+/// Returns true if a joint moves a frame, directly or through a coupling.
+inline bool joint_moves_frame(const RobotModel& robot, int joint, int frame) {
+  for (const int f : ancestors(robot, frame)) {
     if (joint_of(robot, f) == joint) return true;
   }
   return false;
 }
 
-/// The last frame that both move with, directly or not; -1 = the base.
-inline int common_ancestor(const RobotTable& robot, int frame, int other) {
+/// Returns the last frame with which both frames move; -1 = the base.
+inline int common_ancestor(const RobotModel& robot, int frame, int other) {
   while (frame != other) {
     int& lower = frame > other ? frame : other;
     lower = robot.frames[static_cast<std::size_t>(lower)].parent;

@@ -9,58 +9,60 @@ namespace {
 
 using Eigen::Index;
 
-constexpr Index kWidth = 4;
-using Four = double __attribute__((vector_size(kWidth * sizeof(double))));
+constexpr Index kSimdWidth = 4;
+using SimdVector = double __attribute__((vector_size(kSimdWidth * sizeof(double))));
 
-Four load(const double* from) {
-  Four four;
+SimdVector load(const double* from) {
+  SimdVector four;
   std::memcpy(&four, from, sizeof four);
   return four;
 }
-void store(const Four& four, double* to) { std::memcpy(to, &four, sizeof four); }
+void store(const SimdVector& four, double* to) { std::memcpy(to, &four, sizeof four); }
 
 /// Four columns of a block of the factor, `stride` apart.
 struct Panel {
-  const double* left;   ///< what stands before the target's rows
-  const double* right;  ///< what stands before the four rows whose pivots these columns have
-  Index depth;          ///< columns before
+  const double* left;   ///< factor entries to the left of the target's rows
+  const double* right;  ///< factor entries to the left of these columns' pivot rows
+  Index depth;          ///< number of columns to the left
   Index stride;
 };
 
-/// sum = target [4 kRows, 4] - left rightᵀ, of the columns from `first` on.
+/// Computes sum = target [4 kRows, 4] - left rightᵀ for the columns from `first` on.
 template <int kRows>
 void subtract_product(const Panel& panel, Index row, Index first, const double* target,
-                      Four (&sum)[kRows][kWidth]) {
-  for (Index c = 0; c < kWidth; ++c) {
+                      SimdVector (&sum)[kRows][kSimdWidth]) {
+  for (Index c = 0; c < kSimdWidth; ++c) {
     for (Index r = 0; r < kRows; ++r) {
-      sum[r][c] = load(target + c * panel.stride + row + r * kWidth);
+      sum[r][c] = load(target + c * panel.stride + row + r * kSimdWidth);
     }
   }
   const double* left = panel.left + first * panel.stride + row;
   const double* right = panel.right + first * panel.stride;
   for (Index k = first; k < panel.depth; ++k, left += panel.stride, right += panel.stride) {
-    Four rows[kRows];
-    for (Index r = 0; r < kRows; ++r) rows[r] = load(left + r * kWidth);
-    for (Index c = 0; c < kWidth; ++c) {
+    SimdVector rows[kRows];
+    for (Index r = 0; r < kRows; ++r) rows[r] = load(left + r * kSimdWidth);
+    for (Index c = 0; c < kSimdWidth; ++c) {
       for (Index r = 0; r < kRows; ++r) sum[r][c] -= rows[r] * right[c];
     }
   }
 }
 
 template <int kRows>
-void store(const Four (&sum)[kRows][kWidth], Index row, Index stride, double* target) {
-  for (Index c = 0; c < kWidth; ++c) {
-    for (Index r = 0; r < kRows; ++r) store(sum[r][c], target + c * stride + row + r * kWidth);
+void store(const SimdVector (&sum)[kRows][kSimdWidth], Index row, Index stride, double* target) {
+  for (Index c = 0; c < kSimdWidth; ++c) {
+    for (Index r = 0; r < kRows; ++r) store(sum[r][c], target + c * stride + row + r * kSimdWidth);
   }
 }
 
-/// Rows of the panel below its pivots, or of another block: target = (target - left rightᵀ) L⁻ᵀ.
+/// Solves rows of the panel below its pivots, or of another block: target = (target - left rightᵀ)
+/// L⁻ᵀ.
 template <int kRows>
-void divide(const Panel& panel, const double* inverse, Index row, Index first, double* target) {
-  Four sum[kRows][kWidth];
+void solve_panel(const Panel& panel, const double* inverse, Index row, Index first,
+                 double* target) {
+  SimdVector sum[kRows][kSimdWidth];
   subtract_product(panel, row, first, target, sum);
   const double* pivots = panel.right + panel.depth * panel.stride;
-  for (Index c = 0; c < kWidth; ++c) {
+  for (Index c = 0; c < kSimdWidth; ++c) {
     for (Index d = 0; d < c; ++d) {
       const double factor = pivots[d * panel.stride + c];
       for (Index r = 0; r < kRows; ++r) sum[r][c] -= factor * sum[r][d];
@@ -70,11 +72,11 @@ void divide(const Panel& panel, const double* inverse, Index row, Index first, d
   store(sum, row, panel.stride, target);
 }
 
-/// The four rows with the panel's own pivots. False if one is not positive.
-bool divide_own(const Panel& panel, Index row, Index first, double* target, double* inverse) {
-  Four sum[1][kWidth];
+/// Factorises the four rows with the panel's own pivots. Returns false if a pivot is not positive.
+bool factor_pivots(const Panel& panel, Index row, Index first, double* target, double* inverse) {
+  SimdVector sum[1][kSimdWidth];
   subtract_product(panel, row, first, target, sum);
-  for (Index c = 0; c < kWidth; ++c) {
+  for (Index c = 0; c < kSimdWidth; ++c) {
     for (Index d = 0; d < c; ++d) sum[0][c] -= sum[0][d][c] * sum[0][d];
     if (!(sum[0][c][c] > 0)) return false;
     inverse[c] = 1 / std::sqrt(sum[0][c][c]);
@@ -88,24 +90,24 @@ bool divide_own(const Panel& panel, Index row, Index first, double* target, doub
 
 void BandCholesky::resize(std::size_t frames, Index n) {
   n_ = n;
-  padded_ = (n + kWidth - 1) / kWidth * kWidth;
+  padded_ = (n + kSimdWidth - 1) / kSimdWidth * kSimdWidth;
   const auto padded = static_cast<std::size_t>(padded_);
   rows_.resize(frames * (kBandBlocks + 1) * padded * padded);
   inverse_.resize(frames * padded);
   x_.resize(frames * padded);
 }
 
-void BandCholesky::clear(std::size_t frame) {
+void BandCholesky::clear_row(std::size_t frame) {
   std::fill_n(columns(frame, kBandBlocks), (kBandBlocks + 1) * padded_ * padded_, 0.0);
   double* own = columns(frame, 0);
-  for (Index j = n_; j < padded_; ++j) own[j * padded_ + j] = 1;  // beyond the matrix: the identity
+  for (Index j = n_; j < padded_; ++j) own[j * padded_ + j] = 1;  // the identity beyond the matrix
 }
 
-BandCholesky::Own BandCholesky::own(std::size_t frame) {
+BandCholesky::Own BandCholesky::diagonal_block(std::size_t frame) {
   return {columns(frame, 0), n_, n_, Eigen::OuterStride<>(padded_)};
 }
 
-BandCholesky::Diagonal BandCholesky::between(std::size_t frame, Index before) {
+BandCholesky::Diagonal BandCholesky::off_diagonal(std::size_t frame, Index before) {
   return {columns(frame, before), n_, Eigen::InnerStride<>(padded_ + 1)};
 }
 
@@ -120,31 +122,31 @@ bool BandCholesky::factorise(std::size_t first) {
   return true;
 }
 
-/// L_fe = (A_fe - sum over c < e of L_fc L_ecᵀ) L_ee⁻ᵀ for e = f - before, four columns at a time;
-/// of the last block only what is on the diagonal or below. The first block of a row, a diagonal
-/// one over a transposed factor, has nothing below its diagonal: there neither rows nor columns of
-/// zeros are gone through. False if a pivot is not positive.
+/// Computes L_fe = (A_fe - sum over c < e of L_fc L_ecᵀ) L_ee⁻ᵀ for e = f - before, four columns at
+/// a time; of the last block only the lower triangle. The first block of a row, a diagonal block
+/// times a transposed factor, is zero below its diagonal; rows and columns of zeros are skipped
+/// there. Returns false if a pivot is not positive.
 bool BandCholesky::factorise_block(std::size_t frame, Index before, Index reach) {
   const std::size_t other = frame - static_cast<std::size_t>(before);
-  const Index blocks = reach - before;  // that both rows have before this one
+  const Index blocks = reach - before;  // common to both rows and before this one
   double* target = columns(frame, before);
   double* inverse = inverse_.data() + static_cast<Index>(other) * padded_;
-  for (Index j = 0; j < padded_; j += kWidth) {
+  for (Index j = 0; j < padded_; j += kSimdWidth) {
     const Panel panel{columns(frame, reach), columns(other, blocks) + j, blocks * padded_ + j,
                       padded_};
     double* column = target + j * padded_;
     const auto first = [&](Index row) { return reach > 0 ? row : 0; };
     Index row = 0;
     if (before == 0) {
-      if (!divide_own(panel, j, first(j), column, inverse + j)) return false;
-      row = j + kWidth;
+      if (!factor_pivots(panel, j, first(j), column, inverse + j)) return false;
+      row = j + kSimdWidth;
     }
-    const Index end = before > 0 && blocks == 0 ? j + kWidth : padded_;
-    for (; row + 3 * kWidth <= end; row += 3 * kWidth) {
-      divide<3>(panel, inverse + j, row, first(row), column);
+    const Index end = before > 0 && blocks == 0 ? j + kSimdWidth : padded_;
+    for (; row + 3 * kSimdWidth <= end; row += 3 * kSimdWidth) {
+      solve_panel<3>(panel, inverse + j, row, first(row), column);
     }
-    if (end - row == 2 * kWidth) divide<2>(panel, inverse + j, row, first(row), column);
-    if (end - row == kWidth) divide<1>(panel, inverse + j, row, first(row), column);
+    if (end - row == 2 * kSimdWidth) solve_panel<2>(panel, inverse + j, row, first(row), column);
+    if (end - row == kSimdWidth) solve_panel<1>(panel, inverse + j, row, first(row), column);
   }
   return true;
 }

@@ -5,29 +5,30 @@
 
 namespace morphe::solve {
 
-/// A x = b for a symmetric positive definite A of n x n blocks whose blocks off its diagonal are
-/// diagonal themselves, and zero more than kBandBlocks off: what frames in a row make that
-/// differences of third order join. By the block Cholesky factor, 9 n³ operations a frame, row of
-/// blocks by row of blocks, in a kernel that keeps 12 x 4 numbers in registers; solves of a size
-/// after the first allocate nothing.
+/// Solves A x = b for a symmetric positive definite A of n x n blocks whose off-diagonal blocks are
+/// diagonal, and zero more than kBandBlocks off the diagonal, as for consecutive frames that are
+/// coupled by differences up to third order. It uses the block Cholesky factorisation, with 9 n³
+/// operations per frame, one row of blocks after the other, in a kernel that keeps 12 x 4 numbers
+/// in registers. It allocates no memory after the first solve of a size.
 class BandCholesky {
  public:
   static constexpr Eigen::Index kBandBlocks = 3;
   using Own = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
   using Diagonal = Eigen::Map<Eigen::VectorXd, 0, Eigen::InnerStride<>>;
 
+  /// Sets the number of frames and of variables per frame.
   void resize(std::size_t frames, Eigen::Index n);
-  /// Block row `frame` of A's lower half, all zero: to be filled in before factorise() replaces it
-  /// by the factor's.
-  void clear(std::size_t frame);
-  /// The block of `frame` with itself, of which the lower triangle counts.
-  Own own(std::size_t frame);
-  /// The diagonal of that with the frame one, two or three before.
-  Diagonal between(std::size_t frame, Eigen::Index before);
-  /// False if A is not positive definite. The block rows before `first` are still those of the last
-  /// factorise(), and only the others were filled in since.
+  /// Sets block row `frame` of A's lower half to zero, to be filled in before factorise() replaces
+  /// it by the factor's.
+  void clear_row(std::size_t frame);
+  /// Returns the diagonal block of `frame`, of which the lower triangle is used.
+  Own diagonal_block(std::size_t frame);
+  /// Returns the diagonal of the block of `frame` with the frame one, two or three before.
+  Diagonal off_diagonal(std::size_t frame, Eigen::Index before);
+  /// Factorises A; returns false if it is not positive definite. The block rows before `first` keep
+  /// the last factorisation, and only the others need to be filled in again.
   bool factorise(std::size_t first = 0);
-  /// b [frames * n] becomes x.
+  /// Replaces b [frames * n] by x.
   void solve(Eigen::VectorXd& b);
 
  private:
@@ -37,9 +38,9 @@ class BandCholesky {
   }
   bool factorise_block(std::size_t frame, Eigen::Index before, Eigen::Index reach);
 
-  Eigen::Index n_ = 0, padded_ = 0;  ///< rows of a block, and to the next multiple of 4
-  std::vector<double> rows_;         ///< [frames][4 padded][padded], column by column
-  std::vector<double> inverse_, x_;  ///< [frames][padded] of the pivots; the solution
+  Eigen::Index n_ = 0, padded_ = 0;  ///< rows of a block, and padded to a multiple of 4
+  std::vector<double> rows_;         ///< [frames][4 padded][padded], in column-major order
+  std::vector<double> inverse_, x_;  ///< [frames][padded]: inverse pivots; the solution
 };
 
 }  // namespace morphe::solve

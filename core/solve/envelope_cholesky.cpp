@@ -12,7 +12,7 @@ constexpr Index kLanes = Lanes::SizeAtCompileTime;
 
 Index padded(Index count) { return (count + kLanes - 1) / kLanes * kLanes; }
 
-/// Subtracts a multiple of `other` from the first `count` entries of `row`, and of what pads them.
+/// Subtracts a multiple of `other` from the first `count` entries of `row`, including its padding.
 void subtract(double* row, double multiple, const double* other, Index count) {
   for (Index k = 0; k < count; k += kLanes) {
     Eigen::Map<Lanes>(row + k) -= multiple * Eigen::Map<const Lanes>(other + k);
@@ -21,7 +21,7 @@ void subtract(double* row, double multiple, const double* other, Index count) {
 
 }  // namespace
 
-/// The entries of s_p from `from` to before p.
+/// Returns the entries of s_p from `from` to p - 1.
 Eigen::Map<const JointVector> EnvelopeCholesky::before(Index pivot, Index from) const {
   return {rows.data() + pivot * rows.cols() + from, pivot - from};
 }
@@ -54,7 +54,7 @@ bool EnvelopeCholesky::factorise(const Eigen::MatrixXd& hessian, double damping,
     }
     if (!(row[p] > 1e-14 * std::abs(hessian(p, p) + damping))) {
       const double squared = squared_length_at(p);
-      missing = std::max(-row[p], 1e-12 * std::abs(hessian(p, p) + damping)) / squared;
+      missing_damping = std::max(-row[p], 1e-12 * std::abs(hessian(p, p) + damping)) / squared;
       curvature = row[p] / squared;
       return false;
     }
@@ -67,15 +67,18 @@ bool EnvelopeCholesky::factorise(const Eigen::MatrixXd& hessian, double damping,
   return true;
 }
 
-/// ‖v‖² of the v with v_p = 1 and nothing before p for which vᵀ (H + damping I) v is p's pivot.
+/// Returns ‖v‖² of the v with v_p = 1 and zeros before p for which vᵀ (H + damping I) v is the
+/// pivot of p.
 double EnvelopeCholesky::squared_length_at(Index pivot) {
   const Index n = rows.rows();
-  direction.setZero(n);
-  direction[pivot] = 1;
+  negative_curvature_direction.setZero(n);
+  negative_curvature_direction[pivot] = 1;
   for (Index k = pivot + 1; k < n; ++k) {
-    direction[k] = -before(k, pivot).dot(direction.segment(pivot, k - pivot)) * inverse_pivot[k];
+    negative_curvature_direction[k] =
+        -before(k, pivot).dot(negative_curvature_direction.segment(pivot, k - pivot)) *
+        inverse_pivot[k];
   }
-  return direction.squaredNorm();
+  return negative_curvature_direction.squaredNorm();
 }
 
 void EnvelopeCholesky::solve(JointVector& right_side) const {

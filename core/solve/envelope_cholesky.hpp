@@ -7,21 +7,22 @@
 
 namespace morphe::solve {
 
-/// H + damping I = sum over p of s_p s_pᵀ, s_p without entries after p, and without the rows and
-/// columns of variables that are held. Eliminated from the last variable to the first, so that in a
-/// tree whose parents come first (a robot: arm, then fingers) no entry appears that H does not
-/// have, and rows that a pivot does not meet cost nothing. Any symmetric positive definite H will
-/// do; a full one costs n³/3. No allocation after the first call.
+/// Factorises H + damping I = sum over p of s_p s_pᵀ, in which s_p has no entries after p; rows and
+/// columns of held variables are excluded. It eliminates from the last variable to the first, so
+/// that there is no fill-in for a tree whose parents come first (a robot: arm, then fingers), and
+/// rows without an entry at a pivot cost no operations. H can be any symmetric positive definite
+/// matrix; a full one costs n³/3. No memory is allocated after the first call.
 class EnvelopeCholesky {
  public:
-  double missing = 0;     ///< where factorise failed: at least so much more damping is needed
-  JointVector direction;  ///< and along this
-  double curvature = 0;   ///< H + damping I is so curved
+  /// Lower bound of the additional damping that is needed if factorise() failed.
+  double missing_damping = 0;
+  JointVector negative_curvature_direction;  ///< direction of negative curvature in this case
+  double curvature = 0;                      ///< curvature of H + damping I along it
 
-  /// False if a pivot is not clearly positive: then nothing can be solved. Of H the upper triangle
-  /// is read.
+  /// Factorises; returns false if a pivot is not clearly positive, in which case solve() must not
+  /// be called. Of H the upper triangle is read.
   bool factorise(const Eigen::MatrixXd& hessian, double damping, const std::vector<char>& held);
-  /// right_side becomes the solution; a held variable's entry stays what it is.
+  /// Replaces right_side by the solution; entries of held variables do not change.
   void solve(JointVector& right_side) const;
 
  private:

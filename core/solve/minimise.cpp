@@ -4,7 +4,7 @@
 #include <nlopt.hpp>
 #include <utility>
 
-#include "core/solve/structured.hpp"
+#include "core/solve/trust_region.hpp"
 
 namespace morphe::solve {
 namespace {
@@ -15,14 +15,14 @@ constexpr std::array<std::pair<const char*, nlopt::algorithm>, 3> kAlgorithms{{
     {"lbfgs", nlopt::LD_LBFGS},
 }};
 
-struct Call {
+struct NloptCall {
   const BoundedProblem* problem;
   Minimum* best;
   JointVector x, gradient;
 };
 
 double evaluate(unsigned n, const double* x, double* gradient, void* data) {
-  Call& call = *static_cast<Call*>(data);
+  NloptCall& call = *static_cast<NloptCall*>(data);
   const auto size = static_cast<Eigen::Index>(n);
   call.x = Eigen::Map<const JointVector>(x, size);
   const double value = call.problem->objective(call.x, gradient ? &call.gradient : nullptr);
@@ -37,7 +37,7 @@ double evaluate(unsigned n, const double* x, double* gradient, void* data) {
 
 }  // namespace
 
-std::string why_invalid(const MinimiseOptions& options) {
+std::string validation_error(const MinimiseOptions& options) {
   bool known = options.algorithm == "structured";
   for (const auto& entry : kAlgorithms) known |= options.algorithm == entry.first;
   if (!known)
@@ -49,13 +49,13 @@ std::string why_invalid(const MinimiseOptions& options) {
 Minimum minimise(const BoundedProblem& problem, const JointVector& start,
                  const MinimiseOptions& options) {
   if (options.algorithm == "structured") {
-    StructuredScratch scratch;
-    return minimise_structured(problem, start, options, scratch);
+    TrustRegionScratch scratch;
+    return minimise_trust_region(problem, start, options, scratch);
   }
   Minimum best;
   best.x = start.cwiseMax(problem.lower).cwiseMin(problem.upper);
   best.value = std::numeric_limits<double>::infinity();
-  Call call{&problem, &best, best.x, JointVector::Zero(start.size())};
+  NloptCall call{&problem, &best, best.x, JointVector::Zero(start.size())};
 
   nlopt::algorithm algorithm = kAlgorithms.front().second;
   for (const auto& entry : kAlgorithms) {
@@ -78,7 +78,7 @@ Minimum minimise(const BoundedProblem& problem, const JointVector& start,
     const nlopt::result result = solver.optimize(x, value);
     best.converged = result > 0 && result != nlopt::MAXEVAL_REACHED;
   } catch (const std::runtime_error&) {
-    // NLopt's way of saying that round-off or a line search stopped it: the best point stands.
+    // NLopt throws if round-off or the line search stopped it; the best point is still valid.
     best.converged = false;
   }
   return best;

@@ -11,13 +11,15 @@ namespace {
 
 using Eigen::Index;
 
-/// Half of D's share at a step bounds what a frame's own model may be wrong by. Where it did not,
-/// the damping that would have been enough; where it was far too much, less. If a step that is not
-/// taken blames no frame, all are damped: the same step again would end the same.
-void adapt(const MovementPoint& from, const JointRows& aimed, const MovementPoint& to, bool taken,
-           JointVector& damping) {
-  constexpr double kLeast = 1e-6, kFall = 5, kRise = 1000, kRiseIfTaken = 2, kRiseOfAll = 4;
-  const JointVector wrong = wrong_by(from, aimed, to);
+/// Adapts the damping. The error of a frame's model may be up to half of D's contribution at a
+/// step. If it was larger, the damping becomes the one that would have sufficed; if it was much
+/// smaller, the damping is reduced. If a rejected step shows no frame with such an error, all
+/// frames are damped, because the same step would otherwise be repeated.
+void adapt_damping(const MovementPoint& from, const JointRows& aimed, const MovementPoint& to,
+                   bool taken, JointVector& damping) {
+  constexpr double kMinDamping = 1e-6, kDampingFallFactor = 5, kDampingRiseFactor = 1000,
+                   kAcceptedRiseFactor = 2, kCommonRiseFactor = 4;
+  const JointVector wrong = model_error(from, aimed, to);
   bool any_wrong = false;
   for (Index f = 0; f < from.q.rows(); ++f) {
     const double squared = (aimed.row(f) - from.q.row(f)).squaredNorm();
@@ -25,13 +27,13 @@ void adapt(const MovementPoint& from, const JointRows& aimed, const MovementPoin
     const double enough = 2 * wrong[f] / squared;
     if (enough > damping[f]) {
       any_wrong = true;
-      damping[f] = taken ? std::min(enough, kRiseIfTaken * damping[f])
-                         : std::clamp(enough, 2 * damping[f], kRise * damping[f]);
+      damping[f] = taken ? std::min(enough, kAcceptedRiseFactor * damping[f])
+                         : std::clamp(enough, 2 * damping[f], kDampingRiseFactor * damping[f]);
     } else if (taken && enough < damping[f] / 4) {
-      damping[f] = std::max(damping[f] / kFall, kLeast);
+      damping[f] = std::max(damping[f] / kDampingFallFactor, kMinDamping);
     }
   }
-  if (!taken && !any_wrong) damping *= kRiseOfAll;
+  if (!taken && !any_wrong) damping *= kCommonRiseFactor;
 }
 
 void clamp(const MovementProblem& problem, JointRows& q) {
@@ -44,8 +46,8 @@ void clamp(const MovementProblem& problem, JointRows& q) {
 
 MovementMinimum minimise_movement(const MovementProblem& problem, const JointRows& start,
                                   const MovementOptions& options) {
-  constexpr double kFirstDamping = 3;
-  constexpr double kMostDamping = 1e12;
+  constexpr double kInitialDamping = 3;
+  constexpr double kMaxDamping = 1e12;
   MovementPoint now, next, corrected;
   now.q = start;
   clamp(problem, now.q);
@@ -54,19 +56,21 @@ MovementMinimum minimise_movement(const MovementProblem& problem, const JointRow
   BandCholesky hessian;
   hessian.resize(problem.frames, start.cols());
   const DifferenceCurvature between = difference_curvature(problem);
-  JointVector damping = JointVector::Constant(now.q.rows(), kFirstDamping);
-  // A step's first correction where it gains less than kKept of what it promised; another one while
-  // it gains nothing, if what is missing is not many times what there is to gain.
-  constexpr int kCorrections = 3;
-  constexpr double kKept = 0.7, kNear = 10;
+  JointVector damping = JointVector::Constant(now.q.rows(), kInitialDamping);
+  // A step is corrected for the first time if it decreases the value by less than kMinGainRatio of
+  // the prediction; again as long as it does not decrease the value, unless the increase exceeds
+  // the possible decrease many times.
+  constexpr int kMaxCorrections = 3;
+  constexpr double kMinGainRatio = 0.7, kMaxLossRatio = 10;
   const auto step_to = [&](const JointRows& aimed) {
     next.q = aimed;
     evaluate(problem, next);
-    const double promised = now.value - next.value + wrong_by(now, aimed, next).sum();
-    for (int k = 0; k < kCorrections; ++k) {
+    const double promised = now.value - next.value + model_error(now, aimed, next).sum();
+    for (int k = 0; k < kMaxCorrections; ++k) {
       const double gain = now.value - next.value;
-      if (k == 0 ? gain > kKept * promised : gain > 0 || -gain > kNear * promised) break;
-      correct(problem, between, now, aimed, next, damping, corrected.q);
+      if (k == 0 ? gain > kMinGainRatio * promised : gain > 0 || -gain > kMaxLossRatio * promised)
+        break;
+      correct_step(problem, between, now, aimed, next, damping, corrected.q);
       clamp(problem, corrected.q);
       evaluate(problem, corrected);
       if (!(corrected.value < next.value)) break;
@@ -76,10 +80,9 @@ MovementMinimum minimise_movement(const MovementProblem& problem, const JointRow
   JointRows step, aimed;
   int small = 0;
   MovementMinimum result;
-  while (result.iterations < options.iterations && small < 2 &&
-         damping.minCoeff() <= kMostDamping) {
+  while (result.iterations < options.iterations && small < 2 && damping.minCoeff() <= kMaxDamping) {
     ++result.iterations;
-    if (!short_step(problem, between, now, damping, hessian, step)) {
+    if (!damped_step(problem, between, now, damping, hessian, step)) {
       damping *= 8;
       continue;
     }
@@ -87,7 +90,7 @@ MovementMinimum minimise_movement(const MovementProblem& problem, const JointRow
     clamp(problem, aimed);
     step_to(aimed);
     const bool taken = next.value < now.value;
-    adapt(now, aimed, next, taken, damping);
+    adapt_damping(now, aimed, next, taken, damping);
     if (!taken) continue;
     small = now.value - next.value < options.relative_value * now.value ? small + 1 : 0;
     std::swap(now, next);

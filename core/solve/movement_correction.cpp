@@ -7,7 +7,8 @@ namespace morphe::solve {
 
 using Eigen::Index;
 
-JointVector wrong_by(const MovementPoint& from, const JointRows& aimed, const MovementPoint& to) {
+JointVector model_error(const MovementPoint& from, const JointRows& aimed,
+                        const MovementPoint& to) {
   JointVector wrong(from.q.rows()), step, bent;
   for (Index f = 0; f < from.q.rows(); ++f) {
     const auto frame = static_cast<std::size_t>(f);
@@ -20,10 +21,10 @@ JointVector wrong_by(const MovementPoint& from, const JointRows& aimed, const Mo
   return wrong;
 }
 
-void correct(const MovementProblem& problem, const DifferenceCurvature& between,
-             const MovementPoint& from, const JointRows& aimed, const MovementPoint& to,
-             const JointVector& damping, JointRows& corrected) {
-  constexpr double kLittleCurved = 10;
+void correct_step(const MovementProblem& problem, const DifferenceCurvature& between,
+                  const MovementPoint& from, const JointRows& aimed, const MovementPoint& to,
+                  const JointVector& damping, JointRows& corrected) {
+  constexpr double kMinCurvature = 10;
   corrected = to.q;
   JointVector step, change;
   Eigen::MatrixXd hessian;
@@ -35,7 +36,7 @@ void correct(const MovementProblem& problem, const DifferenceCurvature& between,
     change.noalias() += from.models[frame].hessian * step;
     hessian = to.models[frame].hessian;
     hessian.diagonal() += between[frame].col(0);
-    hessian.diagonal().array() += std::max(damping[f], kLittleCurved);
+    hessian.diagonal().array() += std::max(damping[f], kMinCurvature);
     for (Index j = 0; j < change.size(); ++j) {
       if (to.q(f, j) > problem.lower[j] && to.q(f, j) < problem.upper[j]) continue;
       hessian.row(j).setZero();

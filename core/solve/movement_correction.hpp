@@ -4,16 +4,17 @@
 
 namespace morphe::solve {
 
-/// [F] How much higher each frame's own value is at `to` than its model at `from` has it at the
-/// aimed positions [F, n], from which `to` may be a correction away.
-JointVector wrong_by(const MovementPoint& from, const JointRows& aimed, const MovementPoint& to);
+/// Returns [F] the difference between each frame's own value at `to` and the value that its model
+/// at `from` predicts at the aimed positions [F, n], from which `to` may differ by a correction.
+JointVector model_error(const MovementPoint& from, const JointRows& aimed, const MovementPoint& to);
 
-/// A step along a curved valley leaves the floor by its square, and a term that it newly meets was
-/// in no model. Moves every frame by itself to where its slope is what the step's own model has at
-/// the aimed positions, by its model at `to`; directions in which little is curved, and variables
-/// on their bounds, stay as they are. Into `corrected` [F, n], perhaps outside the bounds.
-void correct(const MovementProblem& problem, const DifferenceCurvature& between,
-             const MovementPoint& from, const JointRows& aimed, const MovementPoint& to,
-             const JointVector& damping, JointRows& corrected);
+/// Corrects a step. Along a curved valley a step leaves the bottom by a second-order distance, and
+/// terms that become active only now were in no model. Moves every frame separately to the position
+/// at which its gradient, by its model at `to`, equals the gradient that the step's own model has
+/// at the aimed positions; directions of low curvature and variables on their bounds do not change.
+/// The result `corrected` [F, n] may be outside the bounds.
+void correct_step(const MovementProblem& problem, const DifferenceCurvature& between,
+                  const MovementPoint& from, const JointRows& aimed, const MovementPoint& to,
+                  const JointVector& damping, JointRows& corrected);
 
 }  // namespace morphe::solve

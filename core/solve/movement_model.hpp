@@ -6,27 +6,28 @@
 
 namespace morphe::solve {
 
-/// A movement at one point of its search: the frames' own models there.
+/// A movement at one point of the search, with the models of its frames.
 struct MovementPoint {
   JointRows q;                    ///< [F, n]
   std::vector<Quadratic> models;  ///< [F]
-  double frame_value = 0;         ///< sum of the frames' own
-  double value = 0;               ///< with the differences'
+  double frame_value = 0;         ///< sum over the frames
+  double value = 0;               ///< including the differences
 };
 
-/// Fills everything else from `point.q`.
+/// Computes all other members from `point.q`.
 void evaluate(const MovementProblem& problem, MovementPoint& point);
 
-/// [F, n] of the whole value.
+/// Returns the gradient [F, n] of the whole objective.
 JointRows gradient(const MovementProblem& problem, const MovementPoint& point);
 
-/// What the differences add to the Hessian, anywhere: for each frame the diagonals of its blocks
-/// with itself and the three frames before, [n, 4].
+/// The constant contribution of the differences to the Hessian: for each frame the diagonals of its
+/// blocks with itself and the three frames before, [n, 4].
 using DifferenceCurvature = std::vector<Eigen::MatrixXd>;
+/// Computes the contribution of the differences.
 DifferenceCurvature difference_curvature(const MovementProblem& problem);
 
-/// [F, n] (H + D) v, H = the frames' Hessians and the differences', D = damping[f] on the diagonal
-/// of frame f.
+/// Returns [F, n] (H + D) v, with H the Hessians of frames and differences, and D = damping[f] on
+/// the diagonal of frame f.
 JointRows multiply(const DifferenceCurvature& between, const MovementPoint& point,
                    const JointVector& damping, const JointRows& v);
 

@@ -8,17 +8,17 @@ namespace morphe::solve {
 namespace {
 
 using Eigen::Index;
-using Held = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using ActiveSet = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// H + D with held variables cut out, from a frame on.
+/// Computes H + D without held variables, from a frame on.
 void damped_hessian(const DifferenceCurvature& between, const MovementPoint& point,
-                    const Held& held, const JointVector& damping, Index first,
+                    const ActiveSet& held, const JointVector& damping, Index first,
                     BandCholesky& hessian) {
   const Index frames = point.q.rows(), n = point.q.cols();
   for (Index f = first; f < frames; ++f) {
     const auto frame = static_cast<std::size_t>(f);
-    hessian.clear(frame);
-    auto own = hessian.own(frame);
+    hessian.clear_row(frame);
+    auto own = hessian.diagonal_block(frame);
     own = point.models[frame].hessian;
     own.diagonal().array() += damping[f];
     own.diagonal() += between[frame].col(0);
@@ -29,7 +29,7 @@ void damped_hessian(const DifferenceCurvature& between, const MovementPoint& poi
       own(j, j) = 1;
     }
     for (Index before = 1; before <= std::min(f, BandCholesky::kBandBlocks); ++before) {
-      auto joined = hessian.between(frame, before);
+      auto joined = hessian.off_diagonal(frame, before);
       for (Index j = 0; j < n; ++j) {
         if (!held(f, j) && !held(f - before, j)) joined[j] = between[frame](j, before);
       }
@@ -37,11 +37,11 @@ void damped_hessian(const DifferenceCurvature& between, const MovementPoint& poi
   }
 }
 
-/// Holds free variables that the step takes out of the bounds, on them, and frees held ones that
-/// the slope of the model draws back inside; by how much the bounds were left, and the first frame
-/// of those changed.
-double change_held(const MovementProblem& problem, const JointRows& q, const JointRows& slope,
-                   JointRows& step, Held& held, Index& first) {
+/// Holds free variables that the step would move out of the bounds, at these bounds, and frees held
+/// variables that the model's gradient moves back inside. Returns the largest violation of the
+/// bounds, and the first frame that changed.
+double update_active_set(const MovementProblem& problem, const JointRows& q, const JointRows& slope,
+                         JointRows& step, ActiveSet& held, Index& first) {
   double outside = 0;
   first = q.rows();
   for (Index f = 0; f < q.rows(); ++f) {
@@ -64,33 +64,34 @@ double change_held(const MovementProblem& problem, const JointRows& q, const Joi
   return outside;
 }
 
-/// Takes the negative curvature out of every frame's own model, where free variables see it and the
-/// damping does not outweigh it: direction by direction, as the factorization meets them.
-void make_convex(MovementPoint& point, const Held& held, const JointVector& damping) {
-  constexpr double kLeast = 1e-9;  // of the largest curvature: clearly positive
+/// Removes the negative curvature from every frame's own model, as far as it is in the subspace of
+/// free variables and not outweighed by the damping, one direction at a time as found by the
+/// factorisation.
+void make_convex(MovementPoint& point, const ActiveSet& held, const JointVector& damping) {
+  constexpr double kMinCurvatureRatio = 1e-9;  // relative to the largest curvature
   EnvelopeCholesky factor;
   std::vector<char> own_held(static_cast<std::size_t>(held.cols()));
   JointVector down;
   for (Index f = 0; f < point.q.rows(); ++f) {
     Eigen::MatrixXd& hessian = point.models[static_cast<std::size_t>(f)].hessian;
     for (Index j = 0; j < held.cols(); ++j) own_held[static_cast<std::size_t>(j)] = held(f, j);
-    const double least = kLeast * hessian.diagonal().cwiseAbs().maxCoeff();
+    const double least = kMinCurvatureRatio * hessian.diagonal().cwiseAbs().maxCoeff();
     for (Index k = 0; k < 2 * held.cols(); ++k) {
       if (factor.factorise(hessian, damping[f], own_held)) break;
-      down = factor.direction.normalized();
+      down = factor.negative_curvature_direction.normalized();
       hessian += (std::max(damping[f] - factor.curvature, least) * down) * down.transpose();
     }
   }
 }
 
-/// short_step() as the damping is.
-bool bounded_step(const MovementProblem& problem, const DifferenceCurvature& between,
-                  MovementPoint& now, const JointRows& g, const JointVector& damping,
-                  BandCholesky& hessian, JointRows& step) {
-  constexpr int kChanges = 3;
-  constexpr double kOutside = 1e-4;  // clamping may cut off
+/// Computes damped_step() with the given damping.
+bool active_set_step(const MovementProblem& problem, const DifferenceCurvature& between,
+                     MovementPoint& now, const JointRows& g, const JointVector& damping,
+                     BandCholesky& hessian, JointRows& step) {
+  constexpr int kMaxActiveSetChanges = 3;
+  constexpr double kBoundTolerance_rad = 1e-4;  // that may be removed by clamping
   const Index frames = now.q.rows(), n = now.q.cols();
-  Held held(frames, n);
+  ActiveSet held(frames, n);
   for (Index f = 0; f < frames; ++f) {
     for (Index j = 0; j < n; ++j) {
       held(f, j) = (now.q(f, j) <= problem.lower[j] && g(f, j) > 0) ||
@@ -98,8 +99,8 @@ bool bounded_step(const MovementProblem& problem, const DifferenceCurvature& bet
     }
   }
   step.setZero(frames, n);
-  Index first = 0;  // frame with another set of held variables
-  for (int change = 0; change < kChanges; ++change) {
+  Index first = 0;  // first frame whose active set has changed
+  for (int change = 0; change < kMaxActiveSetChanges; ++change) {
     damped_hessian(between, now, held, damping, first, hessian);
     if (!hessian.factorise(static_cast<std::size_t>(first))) {
       make_convex(now, held, damping);
@@ -115,19 +116,20 @@ bool bounded_step(const MovementProblem& problem, const DifferenceCurvature& bet
     hessian.solve(solved);
     step = Eigen::Map<const JointRows>(solved.data(), frames, n);
     const JointRows slope = g + multiply(between, now, damping, step);
-    if (change_held(problem, now.q, slope, step, held, first) <= kOutside) break;
+    if (update_active_set(problem, now.q, slope, step, held, first) <= kBoundTolerance_rad) break;
   }
   return true;
 }
 
-/// Damps frames whose steps are longer than models hold; false if there is none.
-bool damp_long(const JointRows& g, const JointRows& step, JointVector& damping) {
-  constexpr double kLongest = 0.5;  // of any variable
+/// Damps frames whose steps exceed the range of validity of the models; returns false if there are
+/// no such frames.
+bool damp_long_steps(const JointRows& g, const JointRows& step, JointVector& damping) {
+  constexpr double kMaxStep_rad = 0.5;  // of any variable
   bool any = false;
   for (Index f = 0; f < step.rows(); ++f) {
-    const double ratio = step.row(f).cwiseAbs().maxCoeff() / kLongest;
+    const double ratio = step.row(f).cwiseAbs().maxCoeff() / kMaxStep_rad;
     if (ratio <= 1.5) continue;
-    // As if the step were all along one curvature.
+    // Assumes that the whole step is along a direction of one curvature.
     const double curvature = std::abs(g.row(f).dot(step.row(f))) / step.row(f).squaredNorm();
     damping[f] += std::max(damping[f], (ratio - 1) * curvature);
     any = true;
@@ -137,13 +139,13 @@ bool damp_long(const JointRows& g, const JointRows& step, JointVector& damping) 
 
 }  // namespace
 
-bool short_step(const MovementProblem& problem, const DifferenceCurvature& between,
-                MovementPoint& now, JointVector& damping, BandCholesky& hessian, JointRows& step) {
-  constexpr int kAttempts = 5;
+bool damped_step(const MovementProblem& problem, const DifferenceCurvature& between,
+                 MovementPoint& now, JointVector& damping, BandCholesky& hessian, JointRows& step) {
+  constexpr int kMaxAttempts = 5;
   const JointRows g = gradient(problem, now);
-  bool solved = bounded_step(problem, between, now, g, damping, hessian, step);
-  for (int k = 0; k < kAttempts && solved && damp_long(g, step, damping); ++k) {
-    solved = bounded_step(problem, between, now, g, damping, hessian, step);
+  bool solved = active_set_step(problem, between, now, g, damping, hessian, step);
+  for (int k = 0; k < kMaxAttempts && solved && damp_long_steps(g, step, damping); ++k) {
+    solved = active_set_step(problem, between, now, g, damping, hessian, step);
   }
   return solved;
 }

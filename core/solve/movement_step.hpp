@@ -5,12 +5,12 @@
 
 namespace morphe::solve {
 
-/// The step [F, n] from a point that minimises the damped model within the bounds (a primal-dual
-/// active set method, as far as a few changes of the held variables bring it), and no longer than
-/// models hold: frames whose step is get more of the damping [F], which stays with them. A model
-/// without a minimum is made convex, for good. False if the damping does not suffice for that
-/// either. `hessian` is scratch of the problem's size.
-bool short_step(const MovementProblem& problem, const DifferenceCurvature& between,
-                MovementPoint& now, JointVector& damping, BandCholesky& hessian, JointRows& step);
+/// Computes the step [F, n] from a point that minimises the damped model within the bounds (a
+/// primal-dual active set method, up to a few changes of the active set) and does not exceed the
+/// range of validity of the models: frames with longer steps get more damping [F], which is kept. A
+/// model without a minimum is permanently made convex. Returns false if the damping is insufficient
+/// even then. `hessian` is scratch of the problem's size.
+bool damped_step(const MovementProblem& problem, const DifferenceCurvature& between,
+                 MovementPoint& now, JointVector& damping, BandCholesky& hessian, JointRows& step);
 
 }  // namespace morphe::solve

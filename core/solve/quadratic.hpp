@@ -6,19 +6,21 @@
 
 namespace morphe::solve {
 
-/// Local model of a sum of terms at a point: value, gradient and Hessian, which is positive
-/// semidefinite (Gauss–Newton) or, if that was asked for, exact and then perhaps indefinite. A
+/// A local quadratic model of a sum of terms at a point: value, gradient and Hessian. The Hessian
+/// is positive semidefinite (Gauss–Newton) or, if requested, exact and then possibly indefinite. A
 /// least-squares term r(q) adds r², 2 Jᵀr and 2 JᵀJ.
 struct Quadratic {
   double value = 0;
   JointVector gradient;     ///< [n]
   Eigen::MatrixXd hessian;  ///< [n, n], symmetric
 
+  /// Sets the model to zero, with n variables.
   void reset(Eigen::Index n) {
     value = 0;
     gradient.setZero(n);
     hessian.setZero(n, n);
   }
+  /// Multiplies the model by a factor.
   void scale(double factor) {
     value *= factor;
     gradient *= factor;

@@ -11,8 +11,9 @@
 
 namespace morphe::store {
 
-/// How one value of a plain struct's array lies in a file: `Scalar`, the trailing dimensions, and
-/// the copy in and out, bit for bit. Rotations lie as w, x, y, z, poses as row-major 4 x 4.
+/// Defines how one element of an array of plain structs is stored in a file: `Scalar`, the trailing
+/// dimensions, and the conversion in both directions, bit for bit. Rotations are stored as w, x, y,
+/// z, poses as row-major 4 x 4.
 template <class T>
 struct ItemCodec {
   static_assert(std::is_same_v<T, double> || std::is_same_v<T, std::int32_t> ||
@@ -20,11 +21,15 @@ struct ItemCodec {
   using Scalar = typename std::conditional_t<std::is_enum_v<T>, std::underlying_type<T>,
                                              std::type_identity<T>>::type;
   static constexpr std::size_t size = 1;
+  /// Returns the trailing dimensions.
   static Hdf5Shape shape() { return {}; }
+  /// Converts a value to scalars.
   static void encode(const T& value, Scalar* out) { *out = static_cast<Scalar>(value); }
+  /// Converts scalars to a value.
   static void decode(const Scalar* in, T& value) { value = static_cast<T>(*in); }
 };
 
+/// The codec of points with three coordinates.
 template <class Point>
 struct PointCodec {
   using Scalar = typename Point::Scalar;
@@ -37,11 +42,14 @@ struct PointCodec {
     std::memcpy(value.data(), in, sizeof(Scalar) * size);
   }
 };
+/// The codec of points.
 template <>
 struct ItemCodec<Vec3> : PointCodec<Vec3> {};
+/// The codec of triangles.
 template <>
 struct ItemCodec<Eigen::Vector3i> : PointCodec<Eigen::Vector3i> {};
 
+/// The codec of pairs of indices.
 template <>
 struct ItemCodec<std::array<int, 2>> {
   using Scalar = std::int32_t;
@@ -54,6 +62,7 @@ struct ItemCodec<std::array<int, 2>> {
   static void decode(const Scalar* in, std::array<int, 2>& value) { value = {in[0], in[1]}; }
 };
 
+/// The codec of rotations, stored as w, x, y, z.
 template <>
 struct ItemCodec<Quat> {
   using Scalar = double;
@@ -69,6 +78,7 @@ struct ItemCodec<Quat> {
   }
 };
 
+/// The codec of poses, stored as row-major 4 x 4 matrices.
 template <>
 struct ItemCodec<Pose> {
   using Scalar = double;
@@ -84,27 +94,33 @@ struct ItemCodec<Pose> {
   }
 };
 
+/// Appends the trailing dimensions of an element to a shape.
 template <class T>
 Hdf5Shape with_item_shape(Hdf5Shape shape) {
   for (const std::size_t size : ItemCodec<T>::shape()) shape.push_back(size);
   return shape;
 }
 
-/// A whole array: `Scalar`, the shape that a reader asks for, and both ways.
+/// Defines how a whole array is stored: `Scalar`, the shape that readers require, and the
+/// conversion in both directions.
 template <class T>
-struct ArrayCodec {  // one value
+struct ArrayCodec {  // a single value
   using Scalar = typename ItemCodec<T>::Scalar;
+  /// Returns the shape that readers require.
   static Hdf5Shape shape() { return with_item_shape<T>({}); }
+  /// Converts a value to an array of a file.
   static Hdf5Array<Scalar> encode(const T& value) {
     Hdf5Array<Scalar> array{shape(), std::vector<Scalar>(ItemCodec<T>::size)};
     ItemCodec<T>::encode(value, array.values.data());
     return array;
   }
+  /// Converts an array of a file to a value.
   static void decode(const Hdf5Array<Scalar>& array, T& value) {
     ItemCodec<T>::decode(array.values.data(), value);
   }
 };
 
+/// The codec of one-dimensional arrays.
 template <class T>
 struct ArrayCodec<std::vector<T>> {
   using Scalar = typename ItemCodec<T>::Scalar;
@@ -124,16 +140,17 @@ struct ArrayCodec<std::vector<T>> {
   }
 };
 
+/// The codec of two-dimensional arrays.
 template <class T>
-struct ArrayCodec<Table<T>> {
+struct ArrayCodec<Array2D<T>> {
   using Scalar = typename ItemCodec<T>::Scalar;
   static Hdf5Shape shape() { return with_item_shape<T>({kAnyLength, kAnyLength}); }
-  static Hdf5Array<Scalar> encode(const Table<T>& table) {
+  static Hdf5Array<Scalar> encode(const Array2D<T>& table) {
     Hdf5Array<Scalar> array = ArrayCodec<std::vector<T>>::encode(table.values);
     array.dims = with_item_shape<T>({table.rows, table.cols});
     return array;
   }
-  static void decode(const Hdf5Array<Scalar>& array, Table<T>& table) {
+  static void decode(const Hdf5Array<Scalar>& array, Array2D<T>& table) {
     table.rows = array.dims[0];
     table.cols = array.dims[1];
     Hdf5Array<Scalar> flat = array;
@@ -142,6 +159,7 @@ struct ArrayCodec<Table<T>> {
   }
 };
 
+/// The codec of joint vectors.
 template <>
 struct ArrayCodec<JointVector> {
   using Scalar = double;
@@ -155,6 +173,7 @@ struct ArrayCodec<JointVector> {
   }
 };
 
+/// The codec of matrices with one row of joint values per sample.
 template <>
 struct ArrayCodec<JointRows> {
   using Scalar = double;

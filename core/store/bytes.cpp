@@ -8,7 +8,7 @@
 namespace morphe::store {
 namespace {
 
-/// A plan and its place in the file, which HDF5 keeps in the names of groups.
+/// Lays out a plan and its position in the file, which HDF5 stores in the names of groups.
 template <class Io, class T>
 void lay_out_named_plan(Io& io, T& plan) {
   io.attribute("demonstration", plan.demonstration);
@@ -29,7 +29,7 @@ void lay_out_header(Io& io, T& header) {
 }
 
 template <class Layout>
-std::string written(const Layout& layout) {
+std::string serialize(const Layout& layout) {
   std::string bytes;
   BytesWriter io(bytes);
   layout(io);
@@ -39,29 +39,29 @@ std::string written(const Layout& layout) {
 }  // namespace
 
 std::string bytes_of(const Plan& plan) {
-  return written([&](BytesWriter& io) { lay_out_named_plan(io, plan); });
+  return serialize([&](BytesWriter& io) { lay_out_named_plan(io, plan); });
 }
 
 std::string bytes_of(const Demonstration& demonstration) {
-  return written([&](BytesWriter& io) {
+  return serialize([&](BytesWriter& io) {
     io.attribute("name", demonstration.name);
     lay_out_demonstration(io, demonstration);
   });
 }
 
-std::string bytes_of(const RobotTable& robot) {
-  return written([&](BytesWriter& io) { lay_out_robot(io, robot); });
+std::string bytes_of(const RobotModel& robot) {
+  return serialize([&](BytesWriter& io) { lay_out_robot(io, robot); });
 }
 
 std::string bytes_of(const SceneObject& object) {
-  return written([&](BytesWriter& io) {
+  return serialize([&](BytesWriter& io) {
     io.attribute("name", object.name);
     lay_out_object(io, object, "world");
   });
 }
 
 std::string bytes_of(const PlanFileHeader& header) {
-  return written([&](BytesWriter& io) { lay_out_header(io, header); });
+  return serialize([&](BytesWriter& io) { lay_out_header(io, header); });
 }
 
 Plan plan_from_bytes(std::string_view bytes) {
@@ -71,8 +71,8 @@ Plan plan_from_bytes(std::string_view bytes) {
   return plan;
 }
 
-RobotTable robot_from_bytes(std::string_view bytes) {
-  RobotTable robot;
+RobotModel robot_from_bytes(std::string_view bytes) {
+  RobotModel robot;
   BytesReader io(bytes);
   lay_out_robot(io, robot);
   return robot;

@@ -5,20 +5,27 @@
 
 #include "core/motion/demonstration.hpp"
 #include "core/motion/plan.hpp"
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 
 namespace morphe::store {
 
-/// What the files of docs/formats.md hold of these, as plain bytes (bytes_layout.hpp): bit for bit,
-/// and nothing that a file does not hold. Reading throws InputError for bytes that are damaged.
+/// Serialises the data that the files of docs/formats.md store, as plain bytes (bytes_layout.hpp):
+/// bit for bit, and without data that the files do not store.
 std::string bytes_of(const Plan& plan);
+/// Serialises a demonstration.
 std::string bytes_of(const Demonstration& demonstration);
-std::string bytes_of(const RobotTable& robot);
+/// Serialises a robot.
+std::string bytes_of(const RobotModel& robot);
+/// Serialises an object of the scene.
 std::string bytes_of(const SceneObject& object);
+/// Serialises the header of a file.
 std::string bytes_of(const PlanFileHeader& header);
 
+/// Restores a plan; throws InputError if the bytes are damaged.
 Plan plan_from_bytes(std::string_view bytes);
-RobotTable robot_from_bytes(std::string_view bytes);
+/// Restores a robot; throws InputError if the bytes are damaged.
+RobotModel robot_from_bytes(std::string_view bytes);
+/// Restores a header; throws InputError if the bytes are damaged.
 PlanFileHeader header_from_bytes(std::string_view bytes);
 
 }  // namespace morphe::store

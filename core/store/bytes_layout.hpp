@@ -17,72 +17,88 @@
 
 namespace morphe::store {
 
-/// The layouts of the files (layout.hpp) over plain bytes instead of HDF5: what a file would hold,
-/// for hashing and for the journal of a run. The same values give the same bytes. Every item is
-/// preceded by its name; numbers are little-endian as in memory. Bytes that do not hold what is
-/// asked for throw InputError.
+/// Reports errors of the classes below by throwing InputError.
 struct BytesPlace {
   [[noreturn]] void fail(const std::string& message) const { throw InputError(message); }
 };
 
+/// Appends the items of a layout to a byte string. This is the form of the layouts of the files
+/// (layout.hpp) as plain bytes instead of HDF5, for hashing and for the journal of a run. Equal
+/// values give equal bytes. Every item is preceded by its name; numbers are little-endian as in
+/// memory.
 class BytesWriter {
  public:
   static constexpr bool reading = false;
   explicit BytesWriter(std::string& bytes) : bytes_(bytes) {}
-  BytesPlace here() const { return {}; }
+  /// Returns an object that reports errors.
+  BytesPlace current_group() const { return {}; }
 
+  /// Writes a dataset.
   template <class T>
-  void dataset(const char* name, const T& values, const Tags&) {
+  void dataset(const char* name, const T& values, const DatasetAttributes&) {
     begin(name);
     const auto array = ArrayCodec<T>::encode(values);
     put(array.dims.size());
     for (const std::size_t dim : array.dims) put(dim);
     put_raw(array.values.data(), array.values.size() * sizeof(array.values[0]));
   }
+  /// Writes a dataset if `present` is true.
   template <class T>
-  void dataset_if(bool present, const char* name, const T& values, const Tags& tags) {
+  void dataset_if(bool present, const char* name, const T& values, const DatasetAttributes& tags) {
     if (present) dataset(name, values, tags);
   }
+  /// Writes a dataset of names.
   void names(const char* name, const std::vector<std::string>& values) { attribute(name, values); }
-  void names_if_any(const char* name, const std::vector<std::string>& values) {
+  /// Writes names unless there are no names.
+  void optional_names(const char* name, const std::vector<std::string>& values) {
     if (!values.empty()) names(name, values);
   }
+  /// Writes one member of all rows.
   template <class Row, class Member>
-  void column(const char* name, const std::vector<Row>& rows, Member Row::*member, const Tags&) {
+  void column(const char* name, const std::vector<Row>& rows, Member Row::*member,
+              const DatasetAttributes&) {
     begin(name);
     put(rows.size());
     for (const Row& row : rows) put_item(row.*member);
   }
+  /// Writes one member of all rows if `present` is true.
   template <class Row, class Member>
   void column_if(bool present, const char* name, const std::vector<Row>& rows, Member Row::*member,
-                 const Tags& tags) {
+                 const DatasetAttributes& tags) {
     if (present) column(name, rows, member, tags);
   }
+  /// Writes an attribute.
   template <class T>
   void attribute(const char* name, const T& value) {
     begin(name);
     put_item(value);
   }
-  void maybe_true(const char* name, bool value) {
+  /// Writes a flag, which is stored only if it is true.
+  void optional_flag(const char* name, bool value) {
     if (value) attribute(name, value);
   }
+  /// Writes an optional attribute.
   template <class T>
-  void maybe(const char* name, const T& value) {
+  void optional_attribute(const char* name, const T& value) {
     attribute(name, value);
   }
+  /// Writes an optional attribute.
   template <class T>
-  void maybe(const char* name, const std::optional<T>& value) {
+  void optional_attribute(const char* name, const std::optional<T>& value) {
     if (value) attribute(name, *value);
   }
+  /// Writes a group.
   template <class Body>
   void group(const std::string& name, const Body& body) {
     begin(name);
     body(*this);
   }
+  /// Writes a group if `present` is true.
   template <class Body>
   void group_if(bool present, const char* name, const Body& body) {
     if (present) group(name, body);
   }
+  /// Writes one group for each item.
   template <class Item, class Body>
   void each(const std::vector<Item>& items, const Body& body) {
     put(items.size());
@@ -105,7 +121,7 @@ class BytesWriter {
       put_text(value);
     } else if constexpr (std::is_same_v<T, bool>) {
       put_item(std::uint8_t{value});
-    } else if constexpr (Named<T>) {
+    } else if constexpr (NamedEnum<T>) {
       put_text(name_of(value));
     } else {
       using Codec = ItemCodec<T>;
@@ -123,15 +139,19 @@ class BytesWriter {
   std::string& bytes_;
 };
 
+/// Reads the items of a layout from a byte string. Bytes that do not contain the requested data
+/// throw InputError.
 class BytesReader {
  public:
   static constexpr bool reading = true;
   explicit BytesReader(std::string_view bytes) : bytes_(bytes) {}
-  BytesPlace here() const { return {}; }
+  /// Returns an object that reports errors.
+  BytesPlace current_group() const { return {}; }
   bool at_end() const { return bytes_.empty(); }
 
+  /// Reads a dataset.
   template <class T>
-  void dataset(const char* name, T& values, const Tags&) {
+  void dataset(const char* name, T& values, const DatasetAttributes&) {
     expect(name);
     using Codec = ArrayCodec<T>;
     Hdf5Array<typename Codec::Scalar> array;
@@ -139,58 +159,73 @@ class BytesReader {
     std::size_t count = 1;
     for (std::size_t& dim : array.dims) {
       dim = take();
-      if (dim != 0 && count > bytes_.size() / dim) damaged();
+      if (dim != 0 && count > bytes_.size() / dim) fail_damaged();
       count *= dim;
     }
     const Hdf5Shape shape = Codec::shape();
     if (!std::equal(
             array.dims.begin(), array.dims.end(), shape.begin(), shape.end(),
             [](std::size_t is, std::size_t asked) { return asked == kAnyLength || asked == is; }))
-      damaged();
+      fail_damaged();
     array.values.resize(count);
     take_raw(array.values.data(), count * sizeof(array.values[0]));
     Codec::decode(array, values);
   }
+  /// Reads a dataset if it is present.
   template <class T>
-  void dataset_if(bool, const char* name, T& values, const Tags& tags) {
-    if (comes(name)) dataset(name, values, tags);
+  void dataset_if(bool, const char* name, T& values, const DatasetAttributes& tags) {
+    if (next_is(name)) dataset(name, values, tags);
   }
+  /// Reads a dataset of names.
   void names(const char* name, std::vector<std::string>& values) { attribute(name, values); }
-  void names_if_any(const char* name, std::vector<std::string>& values) { maybe(name, values); }
+  /// Reads names if they are present.
+  void optional_names(const char* name, std::vector<std::string>& values) {
+    optional_attribute(name, values);
+  }
+  /// Reads one member of all rows.
   template <class Row, class Member>
-  void column(const char* name, std::vector<Row>& rows, Member Row::*member, const Tags&) {
+  void column(const char* name, std::vector<Row>& rows, Member Row::*member,
+              const DatasetAttributes&) {
     expect(name);
     rows.resize(take_count(1));
     for (Row& row : rows) take_item(row.*member);
   }
+  /// Reads one member of all rows if it is present.
   template <class Row, class Member>
   void column_if(bool, const char* name, std::vector<Row>& rows, Member Row::*member,
-                 const Tags& tags) {
-    if (comes(name)) column(name, rows, member, tags);
+                 const DatasetAttributes& tags) {
+    if (next_is(name)) column(name, rows, member, tags);
   }
+  /// Reads an attribute.
   template <class T>
   void attribute(const char* name, T& value) {
     expect(name);
     take_item(value);
   }
-  void maybe_true(const char* name, bool& value) { maybe(name, value); }
+  /// Reads a flag, which is stored only if it is true.
+  void optional_flag(const char* name, bool& value) { optional_attribute(name, value); }
+  /// Reads an optional attribute.
   template <class T>
-  void maybe(const char* name, T& value) {
-    if (comes(name)) attribute(name, value);
+  void optional_attribute(const char* name, T& value) {
+    if (next_is(name)) attribute(name, value);
   }
+  /// Reads an optional attribute.
   template <class T>
-  void maybe(const char* name, std::optional<T>& value) {
-    if (comes(name)) attribute(name, value.emplace());
+  void optional_attribute(const char* name, std::optional<T>& value) {
+    if (next_is(name)) attribute(name, value.emplace());
   }
+  /// Reads a group.
   template <class Body>
   void group(const std::string& name, const Body& body) {
     expect(name);
     body(*this);
   }
+  /// Reads a group if it is present.
   template <class Body>
   void group_if(bool, const char* name, const Body& body) {
-    if (comes(name)) group(name, body);
+    if (next_is(name)) group(name, body);
   }
+  /// Reads one group for each item.
   template <class Item, class Body>
   void each(std::vector<Item>& items, const Body& body) {
     items.resize(take_count(1));
@@ -201,9 +236,9 @@ class BytesReader {
   }
 
  private:
-  [[noreturn]] static void damaged() { throw InputError("is damaged"); }
+  [[noreturn]] static void fail_damaged() { throw InputError("is damaged"); }
   void take_raw(void* out, std::size_t count) {
-    if (count > bytes_.size()) damaged();
+    if (count > bytes_.size()) fail_damaged();
     if (count > 0) std::memcpy(out, bytes_.data(), count);
     bytes_.remove_prefix(count);
   }
@@ -212,10 +247,10 @@ class BytesReader {
     take_raw(&number, sizeof number);
     return number;
   }
-  /// A number of items that take at least `bytes_each` bytes.
+  /// Reads a count of items that take at least `bytes_each` bytes each.
   std::size_t take_count(std::size_t bytes_each) {
     const std::uint64_t count = take();
-    if (count > bytes_.size() / bytes_each) damaged();
+    if (count > bytes_.size() / bytes_each) fail_damaged();
     return count;
   }
   std::string take_text() {
@@ -223,7 +258,7 @@ class BytesReader {
     take_raw(text.data(), text.size());
     return text;
   }
-  bool comes(std::string_view name) {
+  bool next_is(std::string_view name) {
     const std::string_view before = bytes_;
     if (at_end()) return false;
     const bool same = take_text() == name;
@@ -231,7 +266,7 @@ class BytesReader {
     return same;
   }
   void expect(std::string_view name) {
-    if (take_text() != name) damaged();
+    if (take_text() != name) fail_damaged();
   }
   template <class T>
   void take_item(T& value) {
@@ -241,9 +276,9 @@ class BytesReader {
       std::uint8_t number = 0;
       take_item(number);
       value = number != 0;
-    } else if constexpr (Named<T>) {
-      const std::optional<T> known = named<T>(take_text());
-      if (!known) damaged();
+    } else if constexpr (NamedEnum<T>) {
+      const std::optional<T> known = enum_from_name<T>(take_text());
+      if (!known) fail_damaged();
       value = *known;
     } else {
       using Codec = ItemCodec<T>;

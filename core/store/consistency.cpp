@@ -7,25 +7,25 @@
 #include <string_view>
 
 #include "core/files/printable.hpp"
-#include "core/store/workable.hpp"
+#include "core/store/input_bounds.hpp"
 
 namespace morphe::store {
 namespace {
 
-/// Keeps the first fault it is shown.
-class Faults {
+/// Checks conditions and keeps the first violation.
+class ConsistencyChecker {
  public:
-  explicit Faults(std::string path = "") : path_(std::move(path)) {}
+  explicit ConsistencyChecker(std::string path = "") : path_(std::move(path)) {}
 
   void require(bool holds, const char* name, const std::string& message) {
-    if (!holds && first.empty()) first = fmt::format("{}{}: {}", path_, name, message);
+    if (!holds && first_error.empty()) first_error = fmt::format("{}{}: {}", path_, name, message);
   }
   void length(const char* name, std::size_t is, std::size_t wanted) {
     require(is == wanted, name, fmt::format("has {} rows, not {}", is, wanted));
   }
-  /// Columns count only where there are rows.
+  /// Checks the size of a table; the number of columns is checked only if there are rows.
   template <class T>
-  void table(const char* name, const Table<T>& table, std::size_t rows, std::size_t cols) {
+  void table(const char* name, const Array2D<T>& table, std::size_t rows, std::size_t cols) {
     length(name, table.rows, rows);
     columns(name, table.rows, table.cols, cols);
     require(table.values.size() == table.rows * table.cols, name, "is not filled");
@@ -38,19 +38,19 @@ class Faults {
     require(is >= least && (is < 0 || static_cast<std::size_t>(is) < count), name,
             fmt::format("{} is not in [{}, {})", is, least, count));
   }
-  /// What is printed: no control characters, no line ends.
+  /// Checks a text that is printed: it must not contain control characters or line ends.
   void text(const char* name, const std::string& text) {
     require(files::is_printable(text), name,
-            "holds control characters: '" + files::printable(text) + "'");
+            "holds control characters: '" + files::make_printable(text) + "'");
   }
   void texts(const char* name, const std::vector<std::string>& texts) {
     for (const std::string& one : texts) text(name, one);
   }
-  void take(const Faults& inner) {
-    if (first.empty()) first = inner.first;
+  void take(const ConsistencyChecker& inner) {
+    if (first_error.empty()) first_error = inner.first_error;
   }
 
-  std::string first;
+  std::string first_error;
 
  private:
   void columns(const char* name, std::size_t rows, std::size_t is, std::size_t wanted) {
@@ -60,13 +60,13 @@ class Faults {
   std::string path_;
 };
 
-/// Names of groups and of what is printed: each once.
-Faults faults_of_names(const std::vector<SceneObject>& objects, const std::string& path) {
-  Faults faults(path);
+/// Checks that the names, which are used for groups and printed, are unique.
+ConsistencyChecker check_names(const std::vector<SceneObject>& objects, const std::string& path) {
+  ConsistencyChecker faults(path);
   std::set<std::string_view> names;
   for (const SceneObject& object : objects) {
     const std::string& name = object.name;
-    const std::string shown = files::printable(name);
+    const std::string shown = files::make_printable(name);
     faults.require(names.insert(name).second, shown.c_str(), "the name stands twice");
     faults.require(
         !name.empty() && name != "." && name.find('/') == std::string::npos && shown == name,
@@ -75,8 +75,8 @@ Faults faults_of_names(const std::vector<SceneObject>& objects, const std::strin
   return faults;
 }
 
-Faults faults_of(const SceneObject& object, const std::string& path) {
-  Faults faults(path + object.name + "/");
+ConsistencyChecker check_arrays(const SceneObject& object, const std::string& path) {
+  ConsistencyChecker faults(path + object.name + "/");
   static constexpr std::size_t kSizes[] = {1, 3, 2, 2, 0};  // in the order of Shape
   const std::size_t sizes = kSizes[static_cast<std::size_t>(object.shape)];
   faults.require(object.size.size() == sizes, "@size",
@@ -89,8 +89,8 @@ Faults faults_of(const SceneObject& object, const std::string& path) {
   return faults;
 }
 
-Faults faults_of(const BodyStream& bodies, const std::string& path, bool parents) {
-  Faults faults(path);
+ConsistencyChecker check_arrays(const BodyStream& bodies, const std::string& path, bool parents) {
+  ConsistencyChecker faults(path);
   faults.texts("@names", bodies.names);
   if (parents) faults.length("@parents", bodies.parents.size(), bodies.names.size());
   faults.table("position", bodies.position, bodies.time.size(), bodies.names.size());
@@ -101,8 +101,8 @@ Faults faults_of(const BodyStream& bodies, const std::string& path, bool parents
   return faults;
 }
 
-Faults faults_of(const HandStream& hand, const std::string& path) {
-  Faults faults(path);
+ConsistencyChecker check_arrays(const HandStream& hand, const std::string& path) {
+  ConsistencyChecker faults(path);
   faults.texts("@names", hand.names);
   switch (hand.kind) {
     case HandKind::glove:
@@ -115,32 +115,32 @@ Faults faults_of(const HandStream& hand, const std::string& path) {
       faults.table("position", hand.position, hand.time.size(), 21);
       break;
     case HandKind::fingertips:
-      faults.table("position", hand.position, hand.time.size(), kFingers);
+      faults.table("position", hand.position, hand.time.size(), kFingerCount);
       break;
   }
   return faults;
 }
 
-Faults faults_of(const Streams& streams, const std::string& path) {
-  Faults faults(path);
+ConsistencyChecker check_arrays(const Streams& streams, const std::string& path) {
+  ConsistencyChecker faults(path);
   if (streams.markers) {
     const MarkerStream& markers = *streams.markers;
     faults.texts("markers/@names", markers.names);
     faults.table("markers/position", markers.position, markers.time.size(), markers.names.size());
   }
-  if (streams.sensors) faults.take(faults_of(*streams.sensors, path + "sensors/", false));
-  if (streams.skeleton) faults.take(faults_of(*streams.skeleton, path + "skeleton/", true));
+  if (streams.sensors) faults.take(check_arrays(*streams.sensors, path + "sensors/", false));
+  if (streams.skeleton) faults.take(check_arrays(*streams.skeleton, path + "skeleton/", true));
   if (streams.arm_angles) {
     const AngleStream& arm = *streams.arm_angles;
     faults.texts("arm_angles/@joints", arm.joints);
     faults.table("arm_angles/angles", arm.angles, arm.time.size(), arm.joints.size());
   }
-  if (streams.hand) faults.take(faults_of(*streams.hand, path + "hand/"));
+  if (streams.hand) faults.take(check_arrays(*streams.hand, path + "hand/"));
   return faults;
 }
 
-Faults faults_of(const Goals& goals, std::size_t tips) {
-  Faults faults("goals/");
+ConsistencyChecker check_arrays(const Goals& goals, std::size_t tips) {
+  ConsistencyChecker faults("goals/");
   const std::size_t frames = goals.frames();
   faults.table("tip_position", goals.tip_position, frames, tips);
   if (goals.pad_share.rows > 0) faults.table("pad_share", goals.pad_share, frames, tips);
@@ -151,13 +151,14 @@ Faults faults_of(const Goals& goals, std::size_t tips) {
   faults.length("elbow_position", goals.elbow_position.size(), frames);
   faults.length("wrist_position", goals.wrist_position.size(), frames);
   faults.length("wrist_orientation", goals.wrist_orientation.size(), frames);
-  faults.table("finger_joint_position", goals.finger_joint_position, frames, kFingers);
+  faults.table("finger_joint_position", goals.finger_joint_position, frames, kFingerCount);
   return faults;
 }
 
-/// Nothing is mapped, or every frame of the goals.
-Faults faults_of(const Mapped& mapped, std::size_t frames, const RobotTable& robot) {
-  Faults faults("mapped/");
+/// Checks that either no frame or every frame of the goals is mapped.
+ConsistencyChecker check_arrays(const MappingResult& mapped, std::size_t frames,
+                                const RobotModel& robot) {
+  ConsistencyChecker faults("mapped/");
   if (mapped.position.rows() == 0) frames = 0;
   faults.table("position", mapped.position, frames, robot.joints());
   faults.table("position_error", mapped.position_error, frames, robot.tips.size());
@@ -166,17 +167,18 @@ Faults faults_of(const Mapped& mapped, std::size_t frames, const RobotTable& rob
   faults.table("humanlikeness", mapped.humanlikeness, frames, 3);
   faults.length("status", mapped.status.size(), frames);
   for (const FrameStatus status : mapped.status)
-    faults.index("status", static_cast<int>(status), 0, count_of<FrameStatus>());
+    faults.index("status", static_cast<int>(status), 0, enum_count<FrameStatus>());
   return faults;
 }
 
-void check_origin(Faults& faults, const std::vector<Origin>& origins) {
-  for (const Origin origin : origins)
-    faults.index("origin", static_cast<int>(origin), 0, count_of<Origin>());
+void check_origin(ConsistencyChecker& faults, const std::vector<SampleOrigin>& origins) {
+  for (const SampleOrigin origin : origins)
+    faults.index("origin", static_cast<int>(origin), 0, enum_count<SampleOrigin>());
 }
 
-Faults faults_of(const Trajectory& trajectory, const std::string& path, std::size_t joints) {
-  Faults faults(path);
+ConsistencyChecker check_arrays(const Trajectory& trajectory, const std::string& path,
+                                std::size_t joints) {
+  ConsistencyChecker faults(path);
   const std::size_t samples = trajectory.samples();
   faults.table("position", trajectory.position, samples, joints);
   faults.table("velocity", trajectory.velocity, samples, joints);
@@ -186,13 +188,13 @@ Faults faults_of(const Trajectory& trajectory, const std::string& path, std::siz
   faults.length("origin", trajectory.origin.size(), samples);
   faults.length("clearance", trajectory.clearance.size(), samples);
   for (const PhaseKind phase : trajectory.phase)
-    faults.index("phase", static_cast<int>(phase), 0, count_of<PhaseKind>());
+    faults.index("phase", static_cast<int>(phase), 0, enum_count<PhaseKind>());
   check_origin(faults, trajectory.origin);
   return faults;
 }
 
-Faults faults_of(const JointPath& path, std::size_t joints) {
-  Faults faults("path/");
+ConsistencyChecker check_arrays(const JointPath& path, std::size_t joints) {
+  ConsistencyChecker faults("path/");
   const std::size_t samples = path.demonstration_time.size();
   faults.table("position", path.position, samples, joints);
   faults.length("origin", path.origin.size(), samples);
@@ -200,8 +202,8 @@ Faults faults_of(const JointPath& path, std::size_t joints) {
   return faults;
 }
 
-Faults faults_of(const Grasp& grasp, std::size_t samples, const RobotTable& robot) {
-  Faults faults("grasp/");
+ConsistencyChecker check_arrays(const Grasp& grasp, std::size_t samples, const RobotModel& robot) {
+  ConsistencyChecker faults("grasp/");
   faults.index("@sample", grasp.sample, 0, samples);
   faults.length("tips_in_object", grasp.tips_in_object.size(), robot.tips.size());
   faults.length("hand_posture", static_cast<std::size_t>(grasp.hand_posture.size()),
@@ -220,24 +222,24 @@ Faults faults_of(const Grasp& grasp, std::size_t samples, const RobotTable& robo
 }  // namespace
 
 std::string inconsistency(const Demonstration& demonstration) {
-  Faults faults;
+  ConsistencyChecker faults;
   faults.text("@subject", demonstration.subject);
   faults.text("@task", demonstration.task);
-  faults.take(faults_of(demonstration.streams, ""));
-  faults.take(faults_of(demonstration.calibration, "calibration/"));
+  faults.take(check_arrays(demonstration.streams, ""));
+  faults.take(check_arrays(demonstration.calibration, "calibration/"));
   if (const auto& offsets = demonstration.sensor_offsets) {
     const std::size_t sensors = offsets->sensors.size();
     faults.length("calibration/offsets/position", offsets->joint_in_sensor.size(), sensors);
     faults.length("calibration/offsets/orientation", offsets->sensor_from_segment.size(), sensors);
   }
-  faults.take(faults_of_names(demonstration.objects, "objects/"));
+  faults.take(check_names(demonstration.objects, "objects/"));
   for (const SceneObject& object : demonstration.objects)
-    faults.take(faults_of(object, "objects/"));
-  return faults.first.empty() ? why_unworkable(demonstration) : faults.first;
+    faults.take(check_arrays(object, "objects/"));
+  return faults.first_error.empty() ? bounds_violation(demonstration) : faults.first_error;
 }
 
-std::string inconsistency(const RobotTable& robot) {
-  Faults faults;
+std::string inconsistency(const RobotModel& robot) {
+  ConsistencyChecker faults;
   const std::size_t frames = robot.frames.size();
   const auto vector = [&](const char* name, const JointVector& values) {
     faults.length(name, static_cast<std::size_t>(values.size()), robot.joints());
@@ -245,9 +247,9 @@ std::string inconsistency(const RobotTable& robot) {
   faults.text("@name", robot.name);
   faults.texts("@joints", robot.joint_names);
   faults.texts("unchecked_links", robot.unchecked_links);
-  for (const RobotTable::Frame& frame : robot.frames) faults.text("frames/name", frame.name);
-  for (const RobotTable::Tip& tip : robot.tips) faults.text("tips/name", tip.name);
-  for (const RobotTable::Capsule& capsule : robot.capsules)
+  for (const RobotModel::Frame& frame : robot.frames) faults.text("frames/name", frame.name);
+  for (const RobotModel::Tip& tip : robot.tips) faults.text("tips/name", tip.name);
+  for (const RobotModel::Capsule& capsule : robot.capsules)
     faults.text("capsules/name", capsule.name);
   vector("lower", robot.lower);
   vector("upper", robot.upper);
@@ -258,50 +260,50 @@ std::string inconsistency(const RobotTable& robot) {
     faults.index("frames/parent", robot.frames[i].parent, -1, i);
     faults.index("frames/joint", robot.frames[i].joint, -1, robot.joints());
   }
-  for (const RobotTable::CoupledLimit& limit : robot.coupled_limits) {
+  for (const RobotModel::CoupledLimit& limit : robot.coupled_limits) {
     faults.index("coupled_limits/frame", limit.frame, 0, frames);
-    if (!faults.first.empty()) break;
+    if (!faults.first_error.empty()) break;
     faults.require(robot.frames[static_cast<std::size_t>(limit.frame)].joint >= 0,
                    "coupled_limits/frame", "is fixed");
   }
-  for (const RobotTable::BrakingCurve& curve : robot.braking_curves)
+  for (const RobotModel::BrakingCurve& curve : robot.braking_curves)
     faults.index("braking_curves/joint", curve.joint, 0, robot.joints());
-  for (const RobotTable::Tip& tip : robot.tips) {
+  for (const RobotModel::Tip& tip : robot.tips) {
     faults.index("tips/frame", tip.frame, 0, frames);
-    faults.index("tips/finger", tip.finger, -1, kFingers);
+    faults.index("tips/finger", tip.finger, -1, kFingerCount);
     faults.require(!(tip.along < 0 || tip.along > 1), "tips/along", "is not a share");
   }
-  for (const RobotTable::Centre& centre : robot.centres)
+  for (const RobotModel::JointCentre& centre : robot.centres)
     faults.index("centres/frame", centre.frame, 0, frames);
-  for (const RobotTable::Capsule& capsule : robot.capsules)
+  for (const RobotModel::Capsule& capsule : robot.capsules)
     faults.index("capsules/frame", capsule.frame, -1, frames);
   for (const std::array<int, 2>& pair : robot.allowed_pairs)
     for (const int capsule : pair) faults.index("allowed_pairs", capsule, 0, robot.capsules.size());
   faults.index("@shoulder_frame", robot.shoulder_frame, 0, frames);
   faults.index("@palm_frame", robot.palm_frame, 0, frames);
-  return faults.first;
+  return faults.first_error;
 }
 
-std::string inconsistency(const Plan& plan, const RobotTable& robot) {
-  Faults faults;
+std::string inconsistency(const Plan& plan, const RobotModel& robot) {
+  ConsistencyChecker faults;
   faults.text("@subject", plan.subject);
   faults.text("@task", plan.task);
   faults.text("@target", plan.movement.target);
   faults.require(plan.has_trajectory() == (plan.trajectory.samples() > 0), "trajectory",
                  plan.has_trajectory() ? "has no sample, but the plan is executable"
                                        : "is there, but the plan is infeasible");
-  faults.take(faults_of(plan.goals, robot.tips.size()));
-  faults.take(faults_of_names(plan.scene.objects, "scene/"));
-  for (const SceneObject& object : plan.scene.objects) faults.take(faults_of(object, "scene/"));
-  faults.take(faults_of(plan.mapped, plan.goals.frames(), robot));
-  faults.take(faults_of(plan.path, robot.joints()));
-  faults.take(faults_of(plan.trajectory, "trajectory/", robot.joints()));
-  faults.take(faults_of(plan.approach, "approach/", robot.joints()));
-  faults.take(faults_of(plan.retreat, "retreat/", robot.joints()));
+  faults.take(check_arrays(plan.goals, robot.tips.size()));
+  faults.take(check_names(plan.scene.objects, "scene/"));
+  for (const SceneObject& object : plan.scene.objects) faults.take(check_arrays(object, "scene/"));
+  faults.take(check_arrays(plan.mapped, plan.goals.frames(), robot));
+  faults.take(check_arrays(plan.path, robot.joints()));
+  faults.take(check_arrays(plan.trajectory, "trajectory/", robot.joints()));
+  faults.take(check_arrays(plan.approach, "approach/", robot.joints()));
+  faults.take(check_arrays(plan.retreat, "retreat/", robot.joints()));
   const std::size_t samples =
       plan.has_trajectory() ? plan.trajectory.samples() : plan.path.demonstration_time.size();
-  if (plan.grasp.sample >= 0) faults.take(faults_of(plan.grasp, samples, robot));
-  return faults.first;
+  if (plan.grasp.sample >= 0) faults.take(check_arrays(plan.grasp, samples, robot));
+  return faults.first_error;
 }
 
 }  // namespace morphe::store

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/files/part_file.hpp"
+#include "core/files/atomic_file.hpp"
 #include "core/store/consistency.hpp"
 #include "core/store/demonstration_layout.hpp"
 #include "core/store/hdf5_file.hpp"
@@ -18,17 +18,18 @@ constexpr int kDemonstrationVersion = 1;
 
 }  // namespace
 
-// Members close in reverse order: groups, then the file, then what is left of it is removed.
+// Members are destroyed in reverse order: groups, then the file, then the unfinished file on disk
+// is removed.
 struct DemonstrationWriter::State {
-  files::PartFile part;
+  files::AtomicFile part;
   Hdf5File file;
   Hdf5Group demonstrations;
 };
 
 DemonstrationWriter::DemonstrationWriter(const std::filesystem::path& path)
-    : state_(new State{files::PartFile(path), {}, {}}) {
+    : state_(new State{files::AtomicFile(path), {}, {}}) {
   state_->file = Hdf5File::create(state_->part.part());
-  state_->file.call_it(path);
+  state_->file.set_display_name(path);
   const Hdf5Group root = state_->file.root();
   write_format(root, kDemonstrationFormat, kDemonstrationVersion);
   state_->demonstrations = root.create("demonstrations");
@@ -39,7 +40,7 @@ DemonstrationWriter::~DemonstrationWriter() = default;
 void DemonstrationWriter::add(const Demonstration& demonstration) {
   const std::string fault = inconsistency(demonstration);
   if (!fault.empty())
-    state_->demonstrations.refuse(fmt::format("{}/{}", demonstration.name, fault));
+    state_->demonstrations.throw_if_fault(fmt::format("{}/{}", demonstration.name, fault));
   LayoutWriter io(state_->demonstrations.create(demonstration.name));
   lay_out_demonstration(io, demonstration);
   state_->file.expect_written();
@@ -81,13 +82,13 @@ Demonstration DemonstrationReader::read(const std::string& name) const {
   LayoutReader io(state_->demonstrations.open(name));
   lay_out_demonstration(io, demonstration);
   state_->file.expect_unchanged();
-  io.here().refuse(inconsistency(demonstration));
+  io.current_group().throw_if_fault(inconsistency(demonstration));
   return demonstration;
 }
 
 void DemonstrationReader::expect_unchanged() const { state_->file.expect_unchanged(); }
 
-std::size_t DemonstrationReader::frames(const std::string& name) const {
+std::size_t DemonstrationReader::longest_stream_samples(const std::string& name) const {
   const Hdf5Group demonstration = state_->demonstrations.open(name);
   std::size_t most = 0;
   for (const char* stream : {"markers", "sensors", "skeleton", "arm_angles", "hand"}) {

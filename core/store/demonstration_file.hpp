@@ -12,14 +12,18 @@
 
 namespace morphe::store {
 
-/// Writes demonstrations.h5 (docs/formats.md). The file appears, whole and synced, with finish();
-/// without it nothing is left behind. InputError: a name that is empty, taken or holds '/'; arrays
-/// of one stream that differ in length; a disk that does not take it.
+/// Writes demonstrations.h5 (docs/formats.md). finish() makes the complete, synced file appear at
+/// its path; without it no file is left behind. Throws InputError for a name that is empty, in use
+/// or contains '/', for arrays of one stream that differ in length, and for write errors of the
+/// disk.
 class MORPHE_EXPORT DemonstrationWriter {
  public:
+  /// Creates the file.
   explicit DemonstrationWriter(const std::filesystem::path& path);
   ~DemonstrationWriter();
+  /// Writes a demonstration.
   void add(const Demonstration& demonstration);
+  /// Completes the file and moves it to its path.
   void finish();
 
  private:
@@ -28,22 +32,28 @@ class MORPHE_EXPORT DemonstrationWriter {
 };
 
 /// Reads demonstrations.h5, one demonstration at a time, in the order in which they were written
-/// (by name where the file does not say). Streams that are absent are nullopt. InputError
-/// "FILE:/h5/path: message" for whatever is missing, damaged or does not fit together, and for a
-/// file that changed since it was opened.
+/// (by name if the file does not store the order). Absent streams are nullopt. Throws InputError
+/// "FILE:/h5/path: message" for data that is missing, damaged or inconsistent, and if the file has
+/// changed since it was opened.
 class MORPHE_EXPORT DemonstrationReader {
  public:
+  /// Opens the file.
   explicit DemonstrationReader(const std::filesystem::path& path);
   ~DemonstrationReader();
-  /// All names in their order, without holding them.
+  /// Visits all names in order without storing them.
   void each_name(const std::function<void(const std::string&)>& visit) const;
+  /// Reads the demonstration with this name.
   Demonstration read(const std::string& name) const;
-  void expect_unchanged() const;  ///< what read() asks of the file, too
-  /// Samples of its longest stream, told without reading it.
-  std::size_t frames(const std::string& name) const;
+  /// Throws InputError if the file has changed; read() checks this too.
+  void expect_unchanged() const;
+  /// Returns the number of samples of the longest stream without reading it.
+  std::size_t longest_stream_samples(const std::string& name) const;
 
+  /// Returns the number of demonstrations.
   std::size_t size() const { return names().size(); }
-  const std::vector<std::string>& names() const;  ///< kept from the first call on
+  /// Returns all names in order; they are stored from the first call on.
+  const std::vector<std::string>& names() const;
+  /// Reads the demonstration with this index in names().
   Demonstration read(std::size_t index) const { return read(names().at(index)); }
 
  private:

@@ -10,7 +10,7 @@
 
 namespace morphe::store {
 
-/// A group that is there if the stream is; reading makes the stream.
+/// Lays out a group that is present if the stream is; reading creates the stream.
 template <class Io, class Stream, class Body>
 void lay_out_stream(Io& io, const char* name, Stream& stream, const Body& body) {
   io.group_if(stream.has_value(), name, [&](Io& inner) {
@@ -19,6 +19,7 @@ void lay_out_stream(Io& io, const char* name, Stream& stream, const Body& body) 
   });
 }
 
+/// Lays out the streams of a recording.
 template <class Io, class T>
 void lay_out_streams(Io& io, T& streams) {
   const std::string world = "world";
@@ -37,7 +38,7 @@ void lay_out_streams(Io& io, T& streams) {
   lay_out_stream(io, "sensors", streams.sensors, bodies);
   lay_out_stream(io, "skeleton", streams.skeleton, [&](Io& in, auto& stream) {
     in.attribute("parents", stream.parents);
-    in.maybe_true("rebuilt", stream.rebuilt);
+    in.optional_flag("rebuilt", stream.rebuilt);
     bodies(in, stream);
   });
   lay_out_stream(io, "arm_angles", streams.arm_angles, [&](Io& in, auto& stream) {
@@ -58,32 +59,34 @@ void lay_out_streams(Io& io, T& streams) {
   });
 }
 
-inline bool any(const Streams& s) {
+/// Returns true if at least one stream is present.
+inline bool has_streams(const Streams& s) {
   return s.markers || s.sensors || s.skeleton || s.arm_angles || s.hand;
 }
 
-/// /demonstrations/<name> of docs/formats.md. What a file of others may leave out keeps its
-/// default.
+/// Lays out /demonstrations/<name> of docs/formats.md. Items that files of other programs may omit
+/// keep their defaults.
 template <class Io, class T>
 void lay_out_demonstration(Io& io, T& demo) {
-  io.maybe("subject", demo.subject);
-  io.maybe("task", demo.task);
-  io.maybe("hand", demo.hand);
-  io.maybe("source", demo.source);
-  io.maybe("licence", demo.licence);
-  io.maybe("upper_arm", demo.upper_arm);
-  io.maybe("forearm", demo.forearm);
-  io.maybe("hand_length", demo.hand_length);
-  io.maybe("hand_breadth", demo.hand_breadth);
+  io.optional_attribute("subject", demo.subject);
+  io.optional_attribute("task", demo.task);
+  io.optional_attribute("hand", demo.hand);
+  io.optional_attribute("source", demo.source);
+  io.optional_attribute("licence", demo.licence);
+  io.optional_attribute("upper_arm", demo.upper_arm);
+  io.optional_attribute("forearm", demo.forearm);
+  io.optional_attribute("hand_length", demo.hand_length);
+  io.optional_attribute("hand_breadth", demo.hand_breadth);
   lay_out_streams(io, demo.streams);
-  io.group_if(any(demo.calibration) || demo.sensor_offsets.has_value(), "calibration", [&](Io& in) {
-    lay_out_streams(in, demo.calibration);
-    lay_out_stream(in, "offsets", demo.sensor_offsets, [](Io& inner, auto& offsets) {
-      inner.attribute("sensors", offsets.sensors);
-      inner.dataset("position", offsets.joint_in_sensor, {"m", "sensor", ""});
-      inner.dataset("orientation", offsets.sensor_from_segment, {"1", "sensor", ""});
-    });
-  });
+  io.group_if(has_streams(demo.calibration) || demo.sensor_offsets.has_value(), "calibration",
+              [&](Io& in) {
+                lay_out_streams(in, demo.calibration);
+                lay_out_stream(in, "offsets", demo.sensor_offsets, [](Io& inner, auto& offsets) {
+                  inner.attribute("sensors", offsets.sensors);
+                  inner.dataset("position", offsets.joint_in_sensor, {"m", "sensor", ""});
+                  inner.dataset("orientation", offsets.sensor_from_segment, {"1", "sensor", ""});
+                });
+              });
   io.group_if(!demo.objects.empty(), "objects", [&](Io& in) {
     in.each(demo.objects, [](Io& inner, auto& object) { lay_out_object(inner, object, "world"); });
   });
@@ -92,7 +95,7 @@ void lay_out_demonstration(Io& io, T& demo) {
     in.column("end_s", demo.labels, &Label::end_s, {"s", "", ""});
     in.column("phase", demo.labels, &Label::phase, {});
   });
-  io.names_if_any("reports", demo.reports);
+  io.optional_names("reports", demo.reports);
 }
 
 }  // namespace morphe::store

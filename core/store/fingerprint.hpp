@@ -7,9 +7,9 @@
 
 namespace morphe::store {
 
-/// SHA-256 of all that a file holds of a plan and of the robot that it is for: what was computed
-/// from a plan can tell whether it still is that plan.
-inline std::string fingerprint(const RobotTable& robot, const Plan& plan) {
+/// Returns the SHA-256 of the stored data of a plan and its robot. Results computed from a plan are
+/// stored with it, to detect that the plan has changed.
+inline std::string fingerprint(const RobotModel& robot, const Plan& plan) {
   return files::sha256(bytes_of(robot) + bytes_of(plan));
 }
 

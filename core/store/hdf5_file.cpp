@@ -20,44 +20,45 @@ namespace {
 
 static_assert(std::is_same_v<hid_t, Hdf5Id::Id> && std::is_same_v<herr_t, int>);
 
-// Groups and attributes up to this number stay inside the object header, which is far smaller
-// than the heaps and trees that HDF5 makes beyond.
-constexpr unsigned kMostInHeader = 64;
-constexpr unsigned kLeastInHeap = 32;
+// Up to this number, groups and attributes are stored in the object header, which is far smaller
+// than the heaps and trees that HDF5 creates beyond it.
+constexpr unsigned kMaxCompactEntries = 64;
+constexpr unsigned kMinDenseEntries = 32;
 
 constexpr std::size_t kMetadataCacheBytes = std::size_t{256} << 10;
 
-/// Properties of a group's (or the root's) creation that make its bytes reproducible and its links
-/// ordered.
+/// Sets the properties of a group's (or the root's) creation that make its bytes reproducible and
+/// its links ordered.
 void describe_group(hid_t properties) {
   H5Pset_obj_track_times(properties, false);
   H5Pset_link_creation_order(properties, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
-  H5Pset_link_phase_change(properties, kMostInHeader, kLeastInHeap);
-  H5Pset_attr_phase_change(properties, kMostInHeader, kLeastInHeap);
+  H5Pset_link_phase_change(properties, kMaxCompactEntries, kMinDenseEntries);
+  H5Pset_attr_phase_change(properties, kMaxCompactEntries, kMinDenseEntries);
 }
 
 Hdf5Id properties(hid_t kind) { return {H5Pcreate(kind), H5Pclose}; }
 
-/// HDF5 prints what goes wrong, in every thread that has not told it not to.
-void keep_quiet() {
+/// Suppresses the error messages that HDF5 prints, which must be done in every thread.
+void silence_hdf5_errors() {
   thread_local const bool told = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
   static_cast<void>(told);
 }
 
-/// A file holds what it holds: what points into another one leads nowhere.
-void follow_no_external_links() {
+/// Disables external links, so that links into other files cannot be followed.
+void disable_external_links() {
   static const bool told = H5Lunregister(H5L_TYPE_EXTERNAL) >= 0;
   static_cast<void>(told);
 }
 
 Hdf5Id access_properties() {
-  keep_quiet();
-  follow_no_external_links();
+  silence_hdf5_errors();
+  disable_external_links();
   Hdf5Id access = properties(H5P_FILE_ACCESS);
-  // Checksummed headers, and no tree for a dataset of one chunk.
+  // Uses checksummed headers, and no tree for a dataset of one chunk.
   H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110);
   H5Pset_fclose_degree(access.get(), H5F_CLOSE_STRONG);
-  // Memory that does not grow with the file. In memory, an entry takes some 16 times its bytes.
+  // Bounds the memory independently of the file size. In memory, an entry takes about 16 times its
+  // bytes.
   H5AC_cache_config_t cache{};
   cache.version = H5AC__CURR_CACHE_CONFIG_VERSION;
   H5Pget_mdc_config(access.get(), &cache);
@@ -70,7 +71,7 @@ Hdf5Id access_properties() {
   return access;
 }
 
-/// What an iteration over links calls; an exception waits here until HDF5 has returned.
+/// The callback of an iteration over links; an exception is stored here until HDF5 has returned.
 struct Visit {
   const std::function<void(const std::string&)>& call;
   std::exception_ptr thrown;
@@ -111,7 +112,8 @@ Hdf5File Hdf5File::create(const std::filesystem::path& path, files::Disk& disk) 
   Hdf5File file;
   const Hdf5Id access = access_properties();
   write_through_output_driver(access.get(), disk);
-  // No space in advance: HDF5 keeps a list, in memory, of what is left of each such block.
+  // Does not allocate space in advance: HDF5 keeps a list, in memory, of the remainder of each such
+  // block.
   H5Pset_meta_block_size(access.get(), 0);
   H5Pset_small_data_block_size(access.get(), 0);
   const Hdf5Id creation = properties(H5P_FILE_CREATE);
@@ -171,7 +173,7 @@ void Hdf5File::close() {
 }
 
 Hdf5Group Hdf5Group::create(const std::string& name) const {
-  keep_quiet();
+  silence_hdf5_errors();
   if (name.empty() || name == "." || name.find('/') != std::string::npos ||
       !files::is_printable(name))
     fail(fmt::format(
@@ -195,8 +197,8 @@ bool Hdf5Group::is_group(const std::string& name) const {
 }
 
 Hdf5Group Hdf5Group::open(const std::string& name) const {
-  keep_quiet();
-  if (leads_outside(id_.get(), name)) fail(name, "leads into another file");
+  silence_hdf5_errors();
+  if (is_external_link(id_.get(), name)) fail(name, "leads into another file");
   if (!has(name)) fail(name, "is missing");
   Hdf5Id id(H5Gopen2(id_.get(), name.c_str(), H5P_DEFAULT), H5Gclose);
   if (!id.valid()) fail(name, "is not a readable group");
@@ -227,19 +229,19 @@ void Hdf5Group::each_child(const std::function<void(const std::string&)>& visit)
 
 void Hdf5Group::fail(const std::string& message) const {
   throw InputError(
-      fmt::format("{}:{}: {}", file_, path_.empty() ? "/" : path_, files::printable(message)));
+      fmt::format("{}:{}: {}", file_, path_.empty() ? "/" : path_, files::make_printable(message)));
 }
 
 void Hdf5Group::fail(const std::string& name, const std::string& message) const {
-  throw InputError(fmt::format("{}: {}", where(name), files::printable(message)));
+  throw InputError(fmt::format("{}: {}", where(name), files::make_printable(message)));
 }
 
-void Hdf5Group::refuse(const std::string& fault) const {
+void Hdf5Group::throw_if_fault(const std::string& fault) const {
   if (!fault.empty()) throw InputError(where(fault));
 }
 
 std::string Hdf5Group::where(const std::string& name) const {
-  return fmt::format("{}:{}/{}", file_, path_, files::printable(name));
+  return fmt::format("{}:{}/{}", file_, path_, files::make_printable(name));
 }
 
 std::size_t Hdf5Group::file_bytes() const {

@@ -12,20 +12,25 @@
 
 namespace morphe::store {
 
-/// An HDF5 identifier that closes itself. (hdf5.h itself stays in the .cpp files.)
+/// An HDF5 identifier that is closed in its destructor. (hdf5.h itself is only included in .cpp
+/// files.)
 class Hdf5Id {
  public:
   using Id = std::int64_t;    ///< hid_t
   using Close = int (*)(Id);  ///< herr_t
   Hdf5Id() = default;
+  /// Owns an identifier, to be closed with `close`.
   Hdf5Id(Id id, Close close) : id_(id), close_(close) {}
   Hdf5Id(Hdf5Id&& other) noexcept;
   Hdf5Id& operator=(Hdf5Id&& other) noexcept;
   ~Hdf5Id() { reset(); }
 
+  /// Returns true if there is an open identifier.
   bool valid() const { return id_ >= 0; }
+  /// Returns the identifier.
   Id get() const { return id_; }
-  /// False if HDF5 could not close it (a file: what was still buffered is not written).
+  /// Closes the identifier. Returns false if HDF5 could not close it (for a file, buffered data was
+  /// then not written).
   bool reset();
 
  private:
@@ -33,14 +38,14 @@ class Hdf5Id {
   Close close_ = nullptr;
 };
 
-/// Values of a dataset, row-major.
+/// The values of a dataset, row-major.
 template <class T>
 struct Hdf5Array {
   std::vector<std::size_t> dims;
   std::vector<T> values;
 };
 
-/// Whatever a dataset or an attribute holds: numbers of any kind, or texts.
+/// The content of a dataset or attribute of any type: numbers or texts.
 struct Hdf5Value {
   std::vector<std::size_t> dims;
   bool is_text = false;
@@ -48,66 +53,95 @@ struct Hdf5Value {
   std::vector<std::string> texts;
 };
 
-/// In the shape that a reader asks for: any length.
+/// A dimension of any length, in a shape that a reader requires.
 inline constexpr std::size_t kAnyLength = static_cast<std::size_t>(-1);
+/// The dimensions of a dataset.
 using Hdf5Shape = std::vector<std::size_t>;
 
-/// A group of an open file. Datasets are chunked with a Fletcher-32 checksum, so that damage fails
-/// at reading; those without elements are contiguous. Strings are UTF-8, written in fixed length;
-/// those of variable length, as h5py writes them, are read too. Scalars: double, std::int32_t,
-/// std::uint8_t. Whatever is missing, damaged or of another type or shape throws InputError
-/// "FILE:/h5/path: message".
+/// A group of an open file. Datasets are chunked with a Fletcher-32 checksum, so that damage is
+/// detected when reading; those without elements are contiguous. Strings are UTF-8, written with
+/// fixed length; strings of variable length, as written by h5py, can be read too. Scalars: double,
+/// std::int32_t, std::uint8_t. Items that are missing, damaged or of another type or shape throw
+/// InputError "FILE:/h5/path: message".
 class Hdf5Group {
  public:
   Hdf5Group() = default;
+  /// Owns an open group; `file` and `path` are used in messages.
   Hdf5Group(Hdf5Id id, std::string file, std::string path)
       : id_(std::move(id)), file_(std::move(file)), path_(std::move(path)) {}
 
-  /// Links keep the order of their creation. InputError if the name is not one link's name, or is
-  /// taken.
+  /// Creates a group. Links keep the order of their creation. Throws InputError if the name is not
+  /// valid for a single link, or in use.
   Hdf5Group create(const std::string& name) const;
+  /// Writes a dataset.
   template <class T>
   void write(const std::string& name, const Hdf5Array<T>& array) const;
+  /// Writes a dataset of strings.
   void write_strings(const std::string& name, const std::vector<std::string>& values) const;
-  void write_text(const std::string& name, const std::string& text) const;  ///< scalar dataset
+  /// Writes a text as a scalar dataset.
+  void write_text(const std::string& name, const std::string& text) const;
 
-  /// An attribute of this group, or of one of its datasets.
+  /// Sets an attribute of this group, or of one of its datasets.
   void set(const std::string& name, const std::string& text, const char* dataset = ".") const;
+  /// Sets an attribute of this group.
   void set(const std::string& name, double value) const;
+  /// Sets an attribute of this group.
   void set(const std::string& name, std::int32_t value) const;
+  /// Sets an attribute of this group.
   void set(const std::string& name, std::uint8_t value) const;
+  /// Sets an attribute of this group.
   void set(const std::string& name, const std::vector<double>& values) const;
+  /// Sets an attribute of this group.
   void set(const std::string& name, const std::vector<std::string>& values) const;
 
+  /// Returns true if there is a link of that name.
   bool has(const std::string& name) const;
+  /// Returns true if the link of that name is a group.
   bool is_group(const std::string& name) const;
+  /// Opens a group.
   Hdf5Group open(const std::string& name) const;
-  /// Names of the links: in the order of their creation where the file holds it, else by name.
+  /// Returns the names of the links, in the order of their creation if the file stores it, else by
+  /// name.
   std::vector<std::string> children() const;
-  /// The same, one by one, without holding them all.
+  /// Visits these names one by one, without storing them.
   void each_child(const std::function<void(const std::string&)>& visit) const;
-  /// First dimension of a dataset.
+  /// Returns the first dimension of a dataset.
   std::size_t length(const std::string& name) const;
+  /// Reads a dataset of the given shape.
   template <class T>
   Hdf5Array<T> read(const std::string& name, const Hdf5Shape& shape) const;
+  /// Reads a dataset of strings.
   std::vector<std::string> read_strings(const std::string& name) const;
+  /// Reads a scalar dataset with a text.
   std::string read_text(const std::string& name) const;
 
+  /// Reads a dataset of any type.
   Hdf5Value value(const std::string& name) const;
 
+  /// Returns true if this group has the attribute.
   bool has_attribute(const std::string& name) const;
-  std::vector<std::string> attributes(const char* dataset = ".") const;  ///< names, sorted
+  /// Returns the names of the attributes, sorted.
+  std::vector<std::string> attributes(const char* dataset = ".") const;
+  /// Reads an attribute of any type.
   Hdf5Value value_of_attribute(const std::string& name, const char* dataset = ".") const;
+  /// Reads an attribute of this group, or of one of its datasets.
   void get(const std::string& name, std::string& text, const char* dataset = ".") const;
+  /// Reads an attribute of this group.
   void get(const std::string& name, double& value) const;
+  /// Reads an attribute of this group.
   void get(const std::string& name, std::int32_t& value) const;
+  /// Reads an attribute of this group.
   void get(const std::string& name, std::uint8_t& value) const;
+  /// Reads an attribute of this group.
   void get(const std::string& name, std::vector<double>& values) const;
+  /// Reads an attribute of this group.
   void get(const std::string& name, std::vector<std::string>& values) const;
 
-  [[noreturn]] void fail(const std::string& message) const;  ///< about this group
-  /// Fails with "path/below: message", unless it is empty.
-  void refuse(const std::string& fault) const;
+  /// Throws InputError about this group.
+  [[noreturn]] void fail(const std::string& message) const;
+  /// Throws InputError "path/below: message" unless the message is empty.
+  void throw_if_fault(const std::string& fault) const;
+  /// Throws InputError about an item of this group.
   [[noreturn]] void fail(const std::string& name, const std::string& message) const;
 
  private:
@@ -118,24 +152,26 @@ class Hdf5Group {
   std::string file_, path_;
 };
 
-/// The same calls write the same bytes: no times are stored. One thread at a time.
+/// An HDF5 file. The same calls write the same bytes, because no times are stored. It must be used
+/// by one thread at a time.
 class Hdf5File {
  public:
   Hdf5File() = default;
-  /// Overwrites; InputError if the file cannot be created.
+  /// Creates or overwrites a file; throws InputError if it cannot be created.
   static Hdf5File create(const std::filesystem::path& path, files::Disk& disk = files::real_disk());
-  /// Read only; InputError if it is missing, empty, truncated or not HDF5.
+  /// Opens a file for reading; throws InputError if it is missing, empty, truncated or not HDF5.
   static Hdf5File open(const std::filesystem::path& path);
 
+  /// Returns the root group.
   Hdf5Group root() const;
-  /// InputError if the file was truncated or written to since it was opened: HDF5 itself takes what
-  /// is missing at the end for zeros. A file that was removed stays readable.
+  /// Throws InputError if the file was truncated or written to since it was opened, because HDF5
+  /// itself reads a missing end as zeros. A file that was removed remains readable.
   void expect_unchanged() const;
-  /// Name in messages, if it is not the path.
-  void call_it(const std::filesystem::path& path) { name_ = path.string(); }
-  /// InputError if something that was written did not reach the disk.
+  /// Sets the name used in messages, if it is not the path.
+  void set_display_name(const std::filesystem::path& path) { name_ = path.string(); }
+  /// Throws InputError if data that was written did not reach the disk.
   void expect_written() const;
-  /// Flushes and closes; InputError if not everything could be written.
+  /// Flushes and closes the file; throws InputError if some data could not be written.
   void close();
 
  private:
@@ -149,9 +185,9 @@ class Hdf5File {
   void expect_written(int error) const;
 };
 
-/// Root attributes `format` and `version` [int].
+/// Writes the root attributes `format` and `version` [int].
 void write_format(const Hdf5Group& root, const std::string& format, int version);
-/// InputError if the file is of another format or of a higher version.
+/// Throws InputError if the file has another format or a higher version.
 void check_format(const Hdf5Group& root, const std::string& format, int version);
 
 }  // namespace morphe::store

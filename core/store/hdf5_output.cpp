@@ -4,7 +4,7 @@
 #include <hdf5.h>
 #include <unistd.h>
 
-// Drivers moved out of hdf5.h, and got a version and a number, in HDF5 1.14.
+// HDF5 1.14 moved drivers out of hdf5.h, and gave them a version and a number.
 #if H5_VERSION_GE(1, 13, 0)
 #include <H5FDdevelop.h>
 #endif
@@ -19,23 +19,23 @@
 namespace morphe::store {
 namespace {
 
-constexpr const char* kName = "morphe-output";
-constexpr haddr_t kMostBytes = (haddr_t{1} << 62) - 1;
+constexpr const char* kDriverName = "morphe-output";
+constexpr haddr_t kMaxFileBytes = (haddr_t{1} << 62) - 1;
 
-/// What HDF5 knows as a file: its own part comes first.
+/// The file type of the driver; HDF5's own part comes first.
 struct Output {
   H5FD_t known;
   int descriptor;
   int error;
   files::Disk* disk;
-  int* report;  ///< where close_file() leaves the error, or null
+  int* report;  ///< receives the error in close_file(), or null
   haddr_t end_of_address, end_of_file;
 };
 
 Output* output(H5FD_t* file) { return reinterpret_cast<Output*>(file); }
 const Output* output(const H5FD_t* file) { return reinterpret_cast<const Output*>(file); }
 
-/// What the access properties tell the driver.
+/// The driver's part of the access properties.
 struct Access {
   files::Disk* disk;
 };
@@ -50,7 +50,7 @@ H5FD_t* open_file(const char* name, unsigned flags, hid_t properties, haddr_t) {
   return file ? &file->known : nullptr;
 }
 
-/// Closing writes, too: the last error is told to whoever asked for it.
+/// Closes the file and reports the last error, because closing writes too.
 herr_t close_file(H5FD_t* file) {
   Output& out = *output(file);
   if (::close(out.descriptor) != 0 && out.error == 0) out.error = errno;
@@ -82,7 +82,7 @@ herr_t get_handle(H5FD_t* file, hid_t, void** handle) {
   return 0;
 }
 
-/// What was never written, or did not reach the disk, reads as zeros.
+/// Reads bytes; parts that were never written, or did not reach the disk, read as zeros.
 herr_t read_bytes(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t address, std::size_t count,
                   void* buffer) {
   auto* to = static_cast<char*>(buffer);
@@ -135,8 +135,8 @@ const H5FD_class_t& driver_class() {
     d.version = H5FD_CLASS_VERSION;
     d.value = H5_VFD_RESERVED;
 #endif
-    d.name = kName;
-    d.maxaddr = kMostBytes;
+    d.name = kDriverName;
+    d.maxaddr = kMaxFileBytes;
     d.fc_degree = H5F_CLOSE_WEAK;
     d.fapl_size = sizeof(Access);
     d.open = open_file;
@@ -157,7 +157,8 @@ const H5FD_class_t& driver_class() {
   return driver;
 }
 
-/// The descriptor, which HDF5 gives, is a member of Output, right behind HDF5's own part.
+/// Returns the file of the driver. HDF5 gives a pointer to `descriptor`, the member of Output right
+/// behind HDF5's own part.
 Output* output_of(hid_t file) {
   void* handle = nullptr;
   if (H5Fget_vfd_handle(file, H5P_DEFAULT, &handle) < 0) return nullptr;

@@ -11,9 +11,9 @@
 namespace morphe::store {
 namespace {
 
-// No filter in use packs tighter (deflate's limit is 1032), so a file cannot ask for more memory
-// than this multiple of what it holds.
-constexpr double kMostInflation = 1100;
+// No supported filter compresses more (deflate's limit is 1032), so a file cannot request more
+// memory than this multiple of its size.
+constexpr double kMaxCompressionRatio = 1100;
 
 bool fits(double, H5T_class_t kind) { return kind == H5T_FLOAT || kind == H5T_INTEGER; }
 bool fits(std::int32_t, H5T_class_t kind) { return kind == H5T_INTEGER; }
@@ -24,7 +24,7 @@ const char* kind_name(std::uint8_t) { return "integers"; }
 
 struct Extent {
   std::vector<std::size_t> dims;
-  double count = 1;  ///< elements; a double cannot overflow
+  double count = 1;  ///< number of elements; a double cannot overflow
 };
 
 Extent extent_of(hid_t space) {
@@ -38,16 +38,16 @@ Extent extent_of(hid_t space) {
   return extent;
 }
 
-/// What a dataset of the file says of itself; `problem` is empty if its elements can be asked for.
-struct Opened {
+/// The properties of a dataset in a file; `problem` is empty if its elements can be read.
+struct OpenDataset {
   Hdf5Id id, type;
   Extent extent;
   std::string problem;
 };
 
-Opened open_dataset(hid_t group, const std::string& name, std::size_t file_bytes) {
-  Opened data;
-  if (leads_outside(group, name)) {
+OpenDataset open_dataset(hid_t group, const std::string& name, std::size_t file_bytes) {
+  OpenDataset data;
+  if (is_external_link(group, name)) {
     data.problem = "leads into another file";
     return data;
   }
@@ -71,7 +71,7 @@ Opened open_dataset(hid_t group, const std::string& name, std::size_t file_bytes
   }
   const double stored = static_cast<double>(H5Dget_storage_size(data.id.get()));
   const double asked = data.extent.count * static_cast<double>(H5Tget_size(data.type.get()));
-  if (stored > static_cast<double>(file_bytes) || asked > stored * kMostInflation)
+  if (stored > static_cast<double>(file_bytes) || asked > stored * kMaxCompressionRatio)
     data.problem = "claims more values than the file holds";
   return data;
 }
@@ -89,7 +89,7 @@ bool agrees(const Hdf5Shape& dims, const Hdf5Shape& shape) {
       [](std::size_t is, std::size_t asked) { return asked == kAnyLength || asked == is; });
 }
 
-/// Strings of fixed or variable length, as `read(type, buffer)` delivers them; false on failure.
+/// Reads strings of fixed or variable length with `read(type, buffer)`; returns false on failure.
 template <class Read>
 bool strings_of(hid_t stored, hid_t space, std::size_t count, const Read& read,
                 std::vector<std::string>& out) {
@@ -127,7 +127,7 @@ struct Attribute {
   Extent extent;
 };
 
-/// Invalid id if there is no such attribute, or it is larger than the file.
+/// Returns an invalid id if there is no such attribute, or if it is larger than the file.
 Attribute open_attribute(hid_t group, const char* object, const std::string& name,
                          std::size_t file_bytes) {
   Attribute found;
@@ -168,7 +168,7 @@ bool attribute_strings(const Attribute& found, std::vector<std::string>& values)
 
 template <class T>
 Hdf5Array<T> Hdf5Group::read(const std::string& name, const Hdf5Shape& shape) const {
-  const Opened data = open_dataset(id_.get(), name, file_bytes());
+  const OpenDataset data = open_dataset(id_.get(), name, file_bytes());
   if (!data.problem.empty()) fail(name, data.problem);
   if (!fits(T{}, H5Tget_class(data.type.get())))
     fail(name, fmt::format("does not hold {}", kind_name(T{})));
@@ -189,13 +189,13 @@ template Hdf5Array<std::int32_t> Hdf5Group::read(const std::string&, const Hdf5S
 template Hdf5Array<std::uint8_t> Hdf5Group::read(const std::string&, const Hdf5Shape&) const;
 
 std::size_t Hdf5Group::length(const std::string& name) const {
-  const Opened data = open_dataset(id_.get(), name, file_bytes());
+  const OpenDataset data = open_dataset(id_.get(), name, file_bytes());
   if (!data.problem.empty()) fail(name, data.problem);
   return data.extent.dims.empty() ? 1 : data.extent.dims.front();
 }
 
 std::vector<std::string> Hdf5Group::read_strings(const std::string& name) const {
-  const Opened data = open_dataset(id_.get(), name, file_bytes());
+  const OpenDataset data = open_dataset(id_.get(), name, file_bytes());
   if (!data.problem.empty()) fail(name, data.problem);
   if (H5Tget_class(data.type.get()) != H5T_STRING) fail(name, "does not hold strings");
   if (data.extent.dims.size() > 1)
@@ -218,7 +218,7 @@ std::string Hdf5Group::read_text(const std::string& name) const {
 }
 
 Hdf5Value Hdf5Group::value(const std::string& name) const {
-  const Opened data = open_dataset(id_.get(), name, file_bytes());
+  const OpenDataset data = open_dataset(id_.get(), name, file_bytes());
   if (!data.problem.empty()) fail(name, data.problem);
   Hdf5Value value;
   value.dims = data.extent.dims;

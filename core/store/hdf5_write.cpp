@@ -9,21 +9,22 @@
 namespace morphe::store {
 namespace {
 
-constexpr std::size_t kMostChunkBytes = std::size_t{16} << 20;
+constexpr std::size_t kMaxChunkBytes = std::size_t{16} << 20;
 
 hid_t file_type(double) { return H5T_IEEE_F64LE; }
 hid_t file_type(std::int32_t) { return H5T_STD_I32LE; }
 hid_t file_type(std::uint8_t) { return H5T_STD_U8LE; }
 
-/// Strings as HDF5 takes them: UTF-8 of one length, padded with zeros. Of variable length they
-/// would lie in a heap without checksums, where a flipped bit crashes the library at reading.
+/// Strings in the format that HDF5 writes: UTF-8 of one length, padded with zeros. Strings of
+/// variable length would be stored in a heap without checksums, in which a flipped bit crashes the
+/// library when reading.
 struct PaddedStrings {
   Hdf5Id type;
   std::size_t length = 1;
   std::string bytes;
 };
 
-PaddedStrings padded(const std::vector<std::string>& values) {
+PaddedStrings pad_strings(const std::vector<std::string>& values) {
   PaddedStrings strings;
   for (const std::string& value : values) strings.length = std::max(strings.length, value.size());
   strings.bytes.assign(values.size() * strings.length, '\0');
@@ -43,7 +44,7 @@ Hdf5Id simple_space(const std::vector<std::size_t>& dims) {
   return {H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr), H5Sclose};
 }
 
-/// One chunk with a checksum; several along the first axis when it would be larger than 16 MiB.
+/// Chooses one chunk with a checksum, or several along the first axis if it would exceed 16 MiB.
 Hdf5Id dataset_properties(const std::vector<std::size_t>& dims, std::size_t element_bytes) {
   Hdf5Id creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_obj_track_times(creation.get(), false);
@@ -51,7 +52,7 @@ Hdf5Id dataset_properties(const std::vector<std::size_t>& dims, std::size_t elem
   for (std::size_t axis = 1; axis < dims.size(); ++axis) row_bytes *= dims[axis];
   if (dims.empty() || dims[0] == 0 || row_bytes == 0) return creation;
   std::vector<hsize_t> chunk(dims.begin(), dims.end());
-  chunk[0] = std::clamp<hsize_t>(kMostChunkBytes / row_bytes, 1, chunk[0]);
+  chunk[0] = std::clamp<hsize_t>(kMaxChunkBytes / row_bytes, 1, chunk[0]);
   H5Pset_chunk(creation.get(), static_cast<int>(chunk.size()), chunk.data());
   H5Pset_fletcher32(creation.get());
   return creation;
@@ -94,7 +95,7 @@ template void Hdf5Group::write(const std::string&, const Hdf5Array<std::uint8_t>
 void Hdf5Group::write_strings(const std::string& name,
                               const std::vector<std::string>& values) const {
   if (has(name)) fail(name, "is there already");
-  const PaddedStrings strings = padded(values);
+  const PaddedStrings strings = pad_strings(values);
   if (!write_dataset(id_.get(), name, strings.type.get(), strings.type.get(),
                      simple_space({values.size()}),
                      dataset_properties({values.size()}, strings.length), strings.bytes.data()))
@@ -103,21 +104,21 @@ void Hdf5Group::write_strings(const std::string& name,
 
 void Hdf5Group::write_text(const std::string& name, const std::string& text) const {
   if (has(name)) fail(name, "is there already");
-  const PaddedStrings strings = padded({text});
+  const PaddedStrings strings = pad_strings({text});
   if (!write_dataset(id_.get(), name, strings.type.get(), strings.type.get(), scalar_space(),
                      dataset_properties({}, strings.length), strings.bytes.data()))
     fail(name, "cannot be written");
 }
 
 void Hdf5Group::set(const std::string& name, const std::string& text, const char* dataset) const {
-  const PaddedStrings strings = padded({text});
+  const PaddedStrings strings = pad_strings({text});
   if (!write_attribute(id_.get(), dataset, name, strings.type.get(), strings.type.get(),
                        scalar_space(), strings.bytes.data()))
     fail("@" + name, "cannot be written");
 }
 
 void Hdf5Group::set(const std::string& name, const std::vector<std::string>& values) const {
-  const PaddedStrings strings = padded(values);
+  const PaddedStrings strings = pad_strings(values);
   if (!write_attribute(id_.get(), ".", name, strings.type.get(), strings.type.get(),
                        simple_space({values.size()}), strings.bytes.data()))
     fail("@" + name, "cannot be written");

@@ -7,50 +7,61 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/motion/enum_names.hpp"
 #include "core/motion/geometry.hpp"
-#include "core/motion/named.hpp"
 #include "core/store/layout.hpp"
 
 namespace morphe::store {
 
-/// The layouts of the files (layout.hpp) as JSON, for what others read: a group is an object, its
-/// attributes and datasets are members, columns of rows are an array of objects. Points are three
-/// numbers, poses four rows of four, enumerations their names; what is not finite is null.
+/// Writes the layouts of the files (layout.hpp) as JSON for other programs: a group is an object,
+/// its attributes and datasets are members, columns of rows are an array of objects. Points are
+/// three numbers, poses four rows of four, enumerations their names; values that are not finite are
+/// null.
 class JsonWriter {
  public:
   using Json = nlohmann::ordered_json;
   static constexpr bool reading = false;
   Json json = Json::object();
 
+  /// Writes an attribute.
   template <class T>
   void attribute(const char* name, const T& value) {
     json[name] = json_of(value);
   }
+  /// Writes a dataset.
   template <class T>
-  void dataset(const char* name, const T& value, const Tags&) {
+  void dataset(const char* name, const T& value, const DatasetAttributes&) {
     json[name] = json_of(value);
   }
+  /// Writes a dataset if `present` is true.
   template <class T>
-  void dataset_if(bool present, const char* name, const T& value, const Tags& tags) {
+  void dataset_if(bool present, const char* name, const T& value, const DatasetAttributes& tags) {
     if (present) dataset(name, value, tags);
   }
+  /// Writes a dataset of names.
   void names(const char* name, const std::vector<std::string>& values) { json[name] = values; }
-  void names_if_any(const char* name, const std::vector<std::string>& values) {
+  /// Writes names unless there are no names.
+  void optional_names(const char* name, const std::vector<std::string>& values) {
     if (!values.empty()) names(name, values);
   }
+  /// Writes one member of all rows.
   template <class Row, class Member>
-  void column(const char* name, const std::vector<Row>& rows, Member Row::*member, const Tags&) {
+  void column(const char* name, const std::vector<Row>& rows, Member Row::*member,
+              const DatasetAttributes&) {
     if (!json.is_array()) json = Json::array();
     for (std::size_t k = 0; k < rows.size(); ++k) json[k][name] = json_of(rows[k].*member);
   }
+  /// Writes an optional attribute.
   template <class T>
-  void maybe(const char* name, const T& value) {
+  void optional_attribute(const char* name, const T& value) {
     attribute(name, value);
   }
+  /// Writes an optional attribute.
   template <class T>
-  void maybe(const char* name, const std::optional<T>& value) {
+  void optional_attribute(const char* name, const std::optional<T>& value) {
     if (value) attribute(name, *value);
   }
+  /// Writes a group if `present` is true.
   template <class Body>
   void group_if(bool present, const char* name, const Body& body) {
     if (!present) return;
@@ -61,7 +72,7 @@ class JsonWriter {
 
  private:
   static Json json_of(double value) { return std::isfinite(value) ? Json(value) : Json(); }
-  template <Named E>
+  template <NamedEnum E>
   static Json json_of(E value) {
     return name_of(value);
   }
@@ -76,7 +87,7 @@ class JsonWriter {
     for (const T& value : values) list.push_back(json_of(value));
     return list;
   }
-  /// A vector of numbers as a list, a matrix as its rows.
+  /// Returns a vector of numbers as a list, a matrix as a list of its rows.
   template <class Derived>
   static Json json_of(const Eigen::DenseBase<Derived>& values) {
     Json list = Json::array();

@@ -4,7 +4,7 @@
 
 #include <charconv>
 
-#include "core/files/part_file.hpp"
+#include "core/files/atomic_file.hpp"
 #include "core/store/consistency.hpp"
 #include "core/store/hdf5_file.hpp"
 #include "core/store/plan_header.hpp"
@@ -17,7 +17,7 @@ namespace {
 constexpr const char* kPlanFormat = "morphe-plans";
 constexpr int kPlanVersion = 1;
 
-/// "000" -> 0.
+/// Parses a movement's name: "000" -> 0.
 int movement_index(const Hdf5Group& demonstration, const std::string& name) {
   int index = -1;
   const auto parsed = std::from_chars(name.data(), name.data() + name.size(), index);
@@ -28,28 +28,29 @@ int movement_index(const Hdf5Group& demonstration, const std::string& name) {
 
 }  // namespace
 
-// Members close in reverse order: groups, then the file, then what is left of it is removed.
+// Members are destroyed in reverse order: groups, then the file, then the unfinished file on disk
+// is removed.
 struct PlanWriter::State {
-  files::PartFile part;
-  RobotTable robot;
+  files::AtomicFile part;
+  RobotModel robot;
   Hdf5File file;
   Hdf5Group plans;
 };
 
 PlanWriter::PlanWriter(const std::filesystem::path& path, const PlanFileHeader& header,
-                       const RobotTable& robot)
+                       const RobotModel& robot)
     : PlanWriter(path, header, robot, files::real_disk()) {}
 
 PlanWriter::PlanWriter(const std::filesystem::path& path, const PlanFileHeader& header,
-                       const RobotTable& robot, files::Disk& disk)
-    : state_(new State{files::PartFile(path, disk), robot, {}, {}}) {
+                       const RobotModel& robot, files::Disk& disk)
+    : state_(new State{files::AtomicFile(path, disk), robot, {}, {}}) {
   state_->file = Hdf5File::create(state_->part.part(), disk);
-  state_->file.call_it(path);
+  state_->file.set_display_name(path);
   const Hdf5Group root = state_->file.root();
   write_format(root, kPlanFormat, kPlanVersion);
   write_plan_header(root, header, robot.name);
-  LayoutWriter io(root.create("robot"), joint_unit(robot.some_slide()));
-  io.here().refuse(inconsistency(robot));
+  LayoutWriter io(root.create("robot"), joint_unit(robot.has_prismatic_joint()));
+  io.current_group().throw_if_fault(inconsistency(robot));
   lay_out_robot(io, robot);
   state_->plans = root.create("plans");
 }
@@ -60,12 +61,12 @@ void PlanWriter::add(const Plan& plan) {
   const std::string movement = fmt::format("{:03}", plan.movement.index);
   const std::string fault = inconsistency(plan, state_->robot);
   if (!fault.empty())
-    state_->plans.refuse(fmt::format("{}/{}/{}", plan.demonstration, movement, fault));
+    state_->plans.throw_if_fault(fmt::format("{}/{}/{}", plan.demonstration, movement, fault));
   const Hdf5Group& plans = state_->plans;
   const bool there = !plan.demonstration.empty() && plans.has(plan.demonstration);
   const Hdf5Group demonstration =
       there ? plans.open(plan.demonstration) : plans.create(plan.demonstration);
-  LayoutWriter io(demonstration.create(movement), joint_unit(state_->robot.some_slide()));
+  LayoutWriter io(demonstration.create(movement), joint_unit(state_->robot.has_prismatic_joint()));
   lay_out_plan(io, plan);
   state_->file.expect_written();
 }
@@ -88,7 +89,7 @@ PlanReader::PlanReader(const std::filesystem::path& path) : state_(new State) {
   header_ = read_plan_header(root);
   LayoutReader io(root.open("robot"));
   lay_out_robot(io, robot_);
-  io.here().refuse(inconsistency(robot_));
+  io.current_group().throw_if_fault(inconsistency(robot_));
   state_->plans = root.open("plans");
   for (const std::string& demonstration : state_->plans.children()) {
     const Hdf5Group group = state_->plans.open(demonstration);
@@ -111,7 +112,7 @@ Plan PlanReader::read(std::size_t index) const {
   plan.movement.index = movement_index(demonstration, movement);
   LayoutReader io(demonstration.open(movement));
   lay_out_plan(io, plan);
-  io.here().refuse(inconsistency(plan, robot_));
+  io.current_group().throw_if_fault(inconsistency(plan, robot_));
   return plan;
 }
 

@@ -8,7 +8,7 @@
 
 #include "core/motion/export.hpp"
 #include "core/motion/plan.hpp"
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 
 namespace morphe::files {
 struct Disk;  // core/files/disk.hpp
@@ -16,19 +16,23 @@ struct Disk;  // core/files/disk.hpp
 
 namespace morphe::store {
 
-/// Writes plans.h5 (docs/formats.md), plan by plan, in the order of the calls. The file appears,
-/// whole and synced, with finish(); without it nothing is left behind. InputError: a plan or input
-/// that is there already, a demonstration's name that is empty or holds '/', an absolute input
-/// path, arrays that do not fit the robot or each other, a disk that does not take it.
+/// Writes plans.h5 (docs/formats.md), plan by plan, in the order of the calls. finish() makes the
+/// complete, synced file appear at its path; without it no file is left behind. Throws InputError
+/// for a plan or input that is already in the file, a demonstration's name that is empty or
+/// contains '/', an absolute input path, arrays that are inconsistent with the robot or each other,
+/// and for write errors of the disk.
 class MORPHE_EXPORT PlanWriter {
  public:
+  /// Creates the file.
   PlanWriter(const std::filesystem::path& path, const PlanFileHeader& header,
-             const RobotTable& robot);
-  /// To a disk that may fail.
+             const RobotModel& robot);
+  /// Writes to a disk that may fail.
   PlanWriter(const std::filesystem::path& path, const PlanFileHeader& header,
-             const RobotTable& robot, files::Disk& disk);
+             const RobotModel& robot, files::Disk& disk);
   ~PlanWriter();
+  /// Writes a plan.
   void add(const Plan& plan);
+  /// Completes the file and moves it to its path.
   void finish();
 
  private:
@@ -36,25 +40,31 @@ class MORPHE_EXPORT PlanWriter {
   std::unique_ptr<State> state_;
 };
 
-/// Reads plans.h5, one plan at a time, in the order in which they were written. What read() returns
-/// fits together and fits robot(): lengths agree, indices are in range; InputError
-/// "FILE:/h5/path: message" otherwise. Values are not judged: that is for `verify`.
+/// Reads plans.h5, one plan at a time, in the order in which they were written. The plans that
+/// read() returns are consistent in themselves and with robot(): lengths agree, indices are in
+/// range; otherwise it throws InputError "FILE:/h5/path: message". It does not check values, which
+/// is the task of `verify`.
 class MORPHE_EXPORT PlanReader {
  public:
+  /// Opens the file.
   explicit PlanReader(const std::filesystem::path& path);
   ~PlanReader();
+  /// Returns the header of the file.
   const PlanFileHeader& header() const { return header_; }
-  const RobotTable& robot() const { return robot_; }
+  /// Returns the robot of all plans.
+  const RobotModel& robot() const { return robot_; }
+  /// Returns the number of plans.
   std::size_t size() const { return paths_.size(); }
-  /// "<demonstration>/<000>"
+  /// Returns the paths "<demonstration>/<000>" of all plans.
   const std::vector<std::string>& plan_paths() const { return paths_; }
+  /// Reads the plan with this index in plan_paths().
   Plan read(std::size_t index) const;
 
  private:
   struct State;
   std::unique_ptr<State> state_;
   PlanFileHeader header_;
-  RobotTable robot_;
+  RobotModel robot_;
   std::vector<std::string> paths_;
 };
 

@@ -5,12 +5,12 @@
 namespace morphe::store {
 namespace {
 
-// A file whose groups link in circles ends here.
-constexpr int kMostInputs = 10000;
-constexpr int kDeepest = 64;
+// Limits the reading of files whose groups link in circles.
+constexpr int kMaxInputCount = 10000;
+constexpr int kMaxFolderDepth = 64;
 
-/// Folder by folder, each where it is first named, so that reading and writing again gives the same
-/// bytes.
+/// Writes the inputs folder by folder, each at its first occurrence, so that reading and writing
+/// again gives the same bytes.
 void write_inputs(const Hdf5Group& folder, std::vector<PlanFileHeader::Input> inputs) {
   for (PlanFileHeader::Input& input : inputs) {
     while (input.path.starts_with("./")) input.path.erase(0, 2);
@@ -37,10 +37,10 @@ void write_inputs(const Hdf5Group& folder, std::vector<PlanFileHeader::Input> in
   }
 }
 
-/// `left` is how many members may still be visited.
+/// Reads the inputs; `left` is the number of members that may still be visited.
 void read_inputs(const Hdf5Group& folder, const std::string& prefix, int depth, int& left,
                  std::vector<PlanFileHeader::Input>& inputs) {
-  if (depth > kDeepest) folder.fail("lies too deep");
+  if (depth > kMaxFolderDepth) folder.fail("lies too deep");
   for (const std::string& name : folder.children()) {
     if (--left < 0) folder.fail("holds too many files");
     if (folder.is_group(name)) {
@@ -71,7 +71,7 @@ PlanFileHeader read_plan_header(const Hdf5Group& root) {
   root.get("dataset_sha256", header.dataset_sha256);
   root.get("software", header.software);
   if (root.has_attribute("built_with")) root.get("built_with", header.built_with);
-  int left = kMostInputs;
+  int left = kMaxInputCount;
   read_inputs(root.open("inputs"), "", 0, left, header.inputs);
   return header;
 }

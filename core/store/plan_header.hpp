@@ -7,10 +7,10 @@
 
 namespace morphe::store {
 
-/// The root attributes of plans.h5 and /inputs, where a file's folders are groups. Reading gives
-/// the inputs folder by folder, each in the order of its creation.
+/// Writes the root attributes of plans.h5 and /inputs, in which folders are groups.
 void write_plan_header(const Hdf5Group& root, const PlanFileHeader& header,
                        const std::string& robot_name);
+/// Reads the header. It returns the inputs folder by folder, each in the order of its creation.
 PlanFileHeader read_plan_header(const Hdf5Group& root);
 
 }  // namespace morphe::store

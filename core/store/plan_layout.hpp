@@ -8,10 +8,11 @@
 
 namespace morphe::store {
 
+/// Lays out the goals.
 template <class Io, class T>
 void lay_out_goals(Io& io, T& goals) {
   io.attribute("common_base_offset", goals.common_base_offset);
-  io.maybe("free_offset", goals.free_offset);
+  io.optional_attribute("free_offset", goals.free_offset);
   io.dataset("time", goals.time, {"s", "", ""});
   io.dataset("tip_position", goals.tip_position, {"m", "base", ""});
   io.dataset_if(goals.pad_share.rows > 0, "pad_share", goals.pad_share, {"1", "", ""});
@@ -26,6 +27,7 @@ void lay_out_goals(Io& io, T& goals) {
   io.names("estimated", goals.estimated);
 }
 
+/// Lays out the reference frames.
 template <class Io, class T>
 void lay_out_world(Io& io, T& world) {
   io.dataset("recording", world.base_from_world, {"m", "base", ""});
@@ -34,9 +36,10 @@ void lay_out_world(Io& io, T& world) {
   io.dataset("shoulder", world.shoulder, {"m", "base", ""});
 }
 
+/// Lays out the mapped path.
 template <class Io, class T>
 void lay_out_mapped(Io& io, T& mapped) {
-  io.dataset("position", mapped.position, of_joints());
+  io.dataset("position", mapped.position, joint_attributes());
   io.dataset("position_error", mapped.position_error, {"m", "", ""});
   io.dataset("orientation_error", mapped.orientation_error, {"rad", "", ""});
   io.dataset("objective", mapped.objective, {"1", "", ""});
@@ -44,6 +47,7 @@ void lay_out_mapped(Io& io, T& mapped) {
   io.dataset("status", mapped.status, {"1", "", meaning<FrameStatus>()});
 }
 
+/// Lays out findings.
 template <class Io, class T>
 void lay_out_findings(Io& io, T& findings) {
   io.column("begin_s", findings, &Finding::begin_s, {"s", "", ""});
@@ -54,13 +58,14 @@ void lay_out_findings(Io& io, T& findings) {
   io.column("depth", findings, &Finding::depth, {"m or rad", "", ""});
 }
 
+/// Lays out the repair steps.
 template <class Io, class T>
 void lay_out_repair(Io& io, T& steps) {
   io.column("level", steps, &RepairStep::level, {"1", "", "0=rung,1=attempt"});
   io.column("name", steps, &RepairStep::name, {});
   io.column("begin_s", steps, &RepairStep::begin_s, {"s", "", ""});
   io.column("end_s", steps, &RepairStep::end_s, {"s", "", ""});
-  io.column("change", steps, &RepairStep::change, of_joints());
+  io.column("change", steps, &RepairStep::change, joint_attributes());
   io.column("findings", steps, &RepairStep::findings, {"1", "", ""});
   io.column("collisions", steps, &RepairStep::collisions, {"m", "", ""});
   io.column("others", steps, &RepairStep::others, {"m or rad", "", ""});
@@ -69,6 +74,7 @@ void lay_out_repair(Io& io, T& steps) {
   io.column("ended", steps, &RepairStep::ended, {});
 }
 
+/// Lays out the contacts of a grasp.
 template <class Io, class T>
 void lay_out_contacts(Io& io, T& contacts) {
   io.column("tip", contacts, &PadContact::tip, {});
@@ -84,6 +90,7 @@ void lay_out_contacts(Io& io, T& contacts) {
   io.column("friction", contacts, &PadContact::friction, {"N", "object", ""});
 }
 
+/// Lays out the grasp quality.
 template <class Io, class T>
 void lay_out_quality(Io& io, T& quality) {
   io.attribute("friction", quality.friction);
@@ -98,6 +105,7 @@ void lay_out_quality(Io& io, T& quality) {
   io.attribute("given", quality.given);
 }
 
+/// Lays out the grasp.
 template <class Io, class T>
 void lay_out_grasp(Io& io, T& grasp) {
   io.attribute("sample", grasp.sample);
@@ -105,30 +113,32 @@ void lay_out_grasp(Io& io, T& grasp) {
   io.dataset("object_pose", grasp.base_from_object, {"m", "base", ""});
   io.dataset("wrist_pose_in_object", grasp.object_from_palm, {"m", "object", ""});
   io.dataset("tips_in_object", grasp.tips_in_object, {"m", "object", ""});
-  io.dataset("hand_posture", grasp.hand_posture, of_joints());
-  io.dataset("pregrasp_posture", grasp.pregrasp_posture, of_joints());
+  io.dataset("hand_posture", grasp.hand_posture, joint_attributes());
+  io.dataset("pregrasp_posture", grasp.pregrasp_posture, joint_attributes());
   io.group_if(!grasp.contacts.empty(), "contacts",
               [&](Io& in) { lay_out_contacts(in, grasp.contacts); });
   io.group_if(!grasp.contacts.empty(), "quality",
               [&](Io& in) { lay_out_quality(in, grasp.quality); });
   io.group_if(grasp.squeeze_torque.size() > 0, "squeeze", [&](Io& in) {
     in.dataset("torque", grasp.squeeze_torque, {"N m", "", ""});
-    in.dataset("servo_target", grasp.squeeze_posture, of_joints());
+    in.dataset("servo_target", grasp.squeeze_posture, joint_attributes());
   });
 }
 
+/// Lays out a trajectory.
 template <class Io, class T>
 void lay_out_trajectory(Io& io, T& trajectory) {
   io.dataset("time", trajectory.time, {"s", "", ""});
-  io.dataset("position", trajectory.position, of_joints());
-  io.dataset("velocity", trajectory.velocity, of_joints("/s"));
-  io.dataset("acceleration", trajectory.acceleration, of_joints("/s^2"));
+  io.dataset("position", trajectory.position, joint_attributes());
+  io.dataset("velocity", trajectory.velocity, joint_attributes("/s"));
+  io.dataset("acceleration", trajectory.acceleration, joint_attributes("/s^2"));
   io.dataset("demonstration_time", trajectory.demonstration_time, {"s", "", ""});
   io.dataset("phase", trajectory.phase, {"1", "", meaning<PhaseKind>()});
-  io.dataset("origin", trajectory.origin, {"1", "", meaning<Origin>()});
+  io.dataset("origin", trajectory.origin, {"1", "", meaning<SampleOrigin>()});
   io.dataset("clearance", trajectory.clearance, {"m", "", ""});
 }
 
+/// Lays out the certificate.
 template <class Io, class T>
 void lay_out_certificate(Io& io, T& certificate) {
   io.attribute("position_margin", certificate.position_margin);
@@ -151,11 +161,11 @@ void lay_out_certificate(Io& io, T& certificate) {
   io.attribute("log_dimensionless_jerk_robot", certificate.log_dimensionless_jerk_robot);
   io.attribute("log_dimensionless_jerk_human", certificate.log_dimensionless_jerk_human);
   io.attribute("repaired", certificate.repaired);
-  io.names_if_any("unchecked_links", certificate.unchecked_links);
+  io.optional_names("unchecked_links", certificate.unchecked_links);
 }
 
-/// "executable" or "approximate" exactly if there is no reason; reading refuses a file that says
-/// otherwise.
+/// Lays out the status, which is "executable" or "approximate" exactly if there is no reason;
+/// reading rejects files in which they contradict each other.
 template <class Io, class T>
 void lay_out_status(Io& io, T& plan) {
   io.attribute("reason", plan.reason);
@@ -164,11 +174,11 @@ void lay_out_status(Io& io, T& plan) {
   io.attribute("status", status);
   if constexpr (Io::reading) plan.approximate = status == Status::approximate;
   if (status != plan.status())
-    io.here().fail(fmt::format("@status is '{}' with the @reason '{}'", name_of(status),
-                               name_of(plan.reason)));
+    io.current_group().fail(fmt::format("@status is '{}' with the @reason '{}'", name_of(status),
+                                        name_of(plan.reason)));
 }
 
-/// /plans/<demonstration>/<movement> of docs/formats.md.
+/// Lays out /plans/<demonstration>/<movement> of docs/formats.md.
 template <class Io, class T>
 void lay_out_plan(Io& io, T& plan) {
   lay_out_status(io, plan);
@@ -182,12 +192,12 @@ void lay_out_plan(Io& io, T& plan) {
   io.attribute("contact_depth", plan.tolerances.contact_depth);
   io.attribute("tracking_grasp", plan.tolerances.tracking_grasp);
   io.attribute("tracking", plan.tolerances.tracking);
-  if constexpr (Io::reading) {  // files of earlier versions say nothing of it
-    plan.tolerances.out_of_reach_share = plan.tolerances.farthest_tip = kNotSeen;
+  if constexpr (Io::reading) {  // files of earlier versions do not contain these
+    plan.tolerances.out_of_reach_share = plan.tolerances.farthest_tip = kUnknown;
   }
-  io.maybe("link_depth", plan.tolerances.link_depth);
-  io.maybe("out_of_reach_share", plan.tolerances.out_of_reach_share);
-  io.maybe("farthest_tip", plan.tolerances.farthest_tip);
+  io.optional_attribute("link_depth", plan.tolerances.link_depth);
+  io.optional_attribute("out_of_reach_share", plan.tolerances.out_of_reach_share);
+  io.optional_attribute("farthest_tip", plan.tolerances.farthest_tip);
   io.group("goals", [&](Io& in) { lay_out_goals(in, plan.goals); });
   io.group("phases", [&](Io& in) {
     in.column("name", plan.movement.phases, &Phase::kind, {});
@@ -199,7 +209,7 @@ void lay_out_plan(Io& io, T& plan) {
     in.each(plan.scene.objects,
             [](Io& inner, auto& object) { lay_out_object(inner, object, "base"); });
   });
-  io.group_if(seen(plan.world.base_from_world), "world",
+  io.group_if(is_known(plan.world.base_from_world), "world",
               [&](Io& in) { lay_out_world(in, plan.world); });
   io.group("mapped", [&](Io& in) { lay_out_mapped(in, plan.mapped); });
   io.group("findings", [&](Io& in) { lay_out_findings(in, plan.findings); });
@@ -207,8 +217,8 @@ void lay_out_plan(Io& io, T& plan) {
   io.group_if(!plan.remaining.empty(), "remaining",
               [&](Io& in) { lay_out_findings(in, plan.remaining); });
   io.group("path", [&](Io& in) {
-    in.dataset("position", plan.path.position, of_joints());
-    in.dataset("origin", plan.path.origin, {"1", "", meaning<Origin>()});
+    in.dataset("position", plan.path.position, joint_attributes());
+    in.dataset("origin", plan.path.origin, {"1", "", meaning<SampleOrigin>()});
     in.dataset("demonstration_time", plan.path.demonstration_time, {"s", "", ""});
   });
   io.group_if(plan.grasp.sample >= 0, "grasp", [&](Io& in) { lay_out_grasp(in, plan.grasp); });

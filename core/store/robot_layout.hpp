@@ -1,54 +1,54 @@
 #pragma once
 
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 #include "core/store/layout.hpp"
 
 namespace morphe::store {
 
-/// /robot of docs/formats.md.
+/// Lays out /robot of docs/formats.md.
 template <class Io, class T>
 void lay_out_robot(Io& io, T& robot) {
   io.attribute("name", robot.name);
   io.attribute("shoulder_frame", robot.shoulder_frame);
   io.attribute("palm_frame", robot.palm_frame);
-  io.maybe("side", robot.side);
+  io.optional_attribute("side", robot.side);
   io.names("joint_names", robot.joint_names);
-  io.dataset("lower", robot.lower, of_joints());
-  io.dataset("upper", robot.upper, of_joints());
-  io.dataset("velocity", robot.velocity, of_joints("/s"));
-  io.dataset("acceleration", robot.acceleration, of_joints("/s^2"));
-  io.dataset("jerk", robot.jerk, of_joints("/s^3"));
+  io.dataset("lower", robot.lower, joint_attributes());
+  io.dataset("upper", robot.upper, joint_attributes());
+  io.dataset("velocity", robot.velocity, joint_attributes("/s"));
+  io.dataset("acceleration", robot.acceleration, joint_attributes("/s^2"));
+  io.dataset("jerk", robot.jerk, joint_attributes("/s^3"));
   io.group("frames", [&](Io& in) {
-    using Frame = RobotTable::Frame;
+    using Frame = RobotModel::Frame;
     in.column("name", robot.frames, &Frame::name, {});
     in.column("parent", robot.frames, &Frame::parent, {"1", "", ""});
     in.column("transform", robot.frames, &Frame::transform, {"m", "parent", ""});
     in.column("axis", robot.frames, &Frame::axis, {"1", "joint", ""});
     in.column("joint", robot.frames, &Frame::joint, {"1", "", ""});
     in.column("ratio", robot.frames, &Frame::ratio, {"1", "", ""});
-    in.column("offset", robot.frames, &Frame::offset, of_joints());
-    in.column_if(robot.some_slide(), "slides", robot.frames, &Frame::slides,
+    in.column("offset", robot.frames, &Frame::offset, joint_attributes());
+    in.column_if(robot.has_prismatic_joint(), "slides", robot.frames, &Frame::slides,
                  {"1", "", "0=turns,1=slides"});
   });
   io.group_if(!robot.coupled_limits.empty(), "coupled_limits", [&](Io& in) {
-    using Limit = RobotTable::CoupledLimit;
+    using Limit = RobotModel::CoupledLimit;
     in.column("frame", robot.coupled_limits, &Limit::frame, {"1", "", ""});
-    in.column("lower", robot.coupled_limits, &Limit::lower, of_joints());
-    in.column("upper", robot.coupled_limits, &Limit::upper, of_joints());
-    in.column("velocity", robot.coupled_limits, &Limit::velocity, of_joints("/s"));
-    in.column("acceleration", robot.coupled_limits, &Limit::acceleration, of_joints("/s^2"));
-    in.column("jerk", robot.coupled_limits, &Limit::jerk, of_joints("/s^3"));
+    in.column("lower", robot.coupled_limits, &Limit::lower, joint_attributes());
+    in.column("upper", robot.coupled_limits, &Limit::upper, joint_attributes());
+    in.column("velocity", robot.coupled_limits, &Limit::velocity, joint_attributes("/s"));
+    in.column("acceleration", robot.coupled_limits, &Limit::acceleration, joint_attributes("/s^2"));
+    in.column("jerk", robot.coupled_limits, &Limit::jerk, joint_attributes("/s^3"));
   });
   io.group_if(!robot.braking_curves.empty(), "braking_curves", [&](Io& in) {
-    using Curve = RobotTable::BrakingCurve;
+    using Curve = RobotModel::BrakingCurve;
     in.column("joint", robot.braking_curves, &Curve::joint, {"1", "", ""});
-    in.column("slope", robot.braking_curves, &Curve::slope, of_joints("/s^2"));
-    in.column("drop", robot.braking_curves, &Curve::drop, of_joints("/s"));
-    in.column("lower_end", robot.braking_curves, &Curve::lower_end, of_joints());
-    in.column("upper_end", robot.braking_curves, &Curve::upper_end, of_joints());
+    in.column("slope", robot.braking_curves, &Curve::slope, joint_attributes("/s^2"));
+    in.column("drop", robot.braking_curves, &Curve::drop, joint_attributes("/s"));
+    in.column("lower_end", robot.braking_curves, &Curve::lower_end, joint_attributes());
+    in.column("upper_end", robot.braking_curves, &Curve::upper_end, joint_attributes());
   });
   io.group("tips", [&](Io& in) {
-    using Tip = RobotTable::Tip;
+    using Tip = RobotModel::Tip;
     in.column("name", robot.tips, &Tip::name, {});
     in.column("frame", robot.tips, &Tip::frame, {"1", "", ""});
     in.column("transform", robot.tips, &Tip::transform, {"m", "joint", ""});
@@ -57,12 +57,12 @@ void lay_out_robot(Io& io, T& robot) {
     in.column("along", robot.tips, &Tip::along, {"1", "", ""});
   });
   io.group("centres", [&](Io& in) {
-    using Centre = RobotTable::Centre;
+    using Centre = RobotModel::JointCentre;
     in.column("frame", robot.centres, &Centre::frame, {"1", "", ""});
     in.column("chain", robot.centres, &Centre::chain, {});
   });
   io.group("capsules", [&](Io& in) {
-    using Capsule = RobotTable::Capsule;
+    using Capsule = RobotModel::Capsule;
     in.column("name", robot.capsules, &Capsule::name, {});
     in.column("frame", robot.capsules, &Capsule::frame, {"1", "", ""});
     in.column("from", robot.capsules, &Capsule::from, {"m", "joint", ""});
@@ -72,7 +72,7 @@ void lay_out_robot(Io& io, T& robot) {
               {"1", "", "0=no,1=yes"});
   });
   io.dataset("allowed_pairs", robot.allowed_pairs, {"1", "", ""});
-  io.names_if_any("unchecked_links", robot.unchecked_links);
+  io.optional_names("unchecked_links", robot.unchecked_links);
 }
 
 }  // namespace morphe::store

@@ -9,16 +9,17 @@
 
 namespace morphe::store {
 
-/// A time that may be unknown: no attribute, NaN.
+/// Lays out a time that may be unknown, which is stored as a missing attribute and is NaN in
+/// memory.
 template <class Io, class Time>
 void lay_out_time(Io& io, const char* name, Time& time_s) {
   std::optional<double> known;
   if (!Io::reading && !std::isnan(time_s)) known = time_s;
-  io.maybe(name, known);
-  if constexpr (Io::reading) time_s = known.value_or(kNotSeen);
+  io.optional_attribute(name, known);
+  if constexpr (Io::reading) time_s = known.value_or(kUnknown);
 }
 
-/// objects/<name>/ and scene/<object>/ of docs/formats.md.
+/// Lays out objects/<name>/ and scene/<object>/ of docs/formats.md.
 template <class Io, class T>
 void lay_out_object(Io& io, T& object, const std::string& frame) {
   io.attribute("shape", object.shape);
@@ -32,7 +33,7 @@ void lay_out_object(Io& io, T& object, const std::string& frame) {
     io.dataset("triangles", object.triangles, {"1", "", ""});
   }
   if (Io::reading || !object.attached_frame.empty())
-    io.maybe("attached_frame", object.attached_frame);
+    io.optional_attribute("attached_frame", object.attached_frame);
   lay_out_time(io, "attach_s", object.attach_s);
   lay_out_time(io, "release_s", object.release_s);
 }

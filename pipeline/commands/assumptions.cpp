@@ -29,7 +29,7 @@ void Assumptions::add(const Demonstration& demonstration) {
 
 std::string Assumptions::text() const {
   std::string text;
-  for (const Said& said : said_) {
+  for (const Line& said : said_) {
     const std::string others =
         said.recordings > 1 ? fmt::format(" and {} more", said.recordings - 1) : "";
     text += fmt::format("  {}{}: {}\n", said.name, others, said.sentence);

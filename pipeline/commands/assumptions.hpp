@@ -8,21 +8,23 @@
 
 namespace morphe::commands {
 
-/// What importers assumed, repaired or left out, for people: sentences that differ in their numbers
-/// alone are one line, of the first recording that has it.
+/// A summary of the values that importers assumed, repaired or left out. Sentences that differ only
+/// in their numbers are one line, with the text of the first recording that has it.
 class Assumptions {
  public:
+  /// Adds the reports of a recording.
   void add(const Demonstration& demonstration);
-  /// "  NAME: sentence", or "  NAME and 14 more: sentence"; a line each.
+  /// Returns one line for each sentence: "  NAME: sentence", or "  NAME and 14 more: sentence".
   std::string text() const;
 
  private:
-  struct Said {
+  struct Line {
     std::string name, sentence;
     std::size_t recordings = 0;
   };
-  std::vector<Said> said_;
-  std::map<std::string, std::size_t> at_;  ///< by the sentence without its numbers
+  std::vector<Line> said_;
+  /// Index by the sentence without its numbers.
+  std::map<std::string, std::size_t> at_;
 };
 
 }  // namespace morphe::commands

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <system_error>
 
-#include "core/motion/counted.hpp"
+#include "core/motion/count_with_noun.hpp"
 #include "core/motion/human_motion.hpp"
 #include "core/motion/input_error.hpp"
 #include "stages/import/clips/write_clip.hpp"
@@ -17,36 +17,37 @@
 namespace morphe::commands {
 namespace {
 
-/// A skeleton of a right arm that is put together joint by joint.
+/// A skeleton of a right arm that is composed joint by joint.
 struct Skeleton {
   BodyStream body;
   std::vector<std::vector<Vec3>> points;
-  std::vector<std::vector<Quat>> turns;
+  std::vector<std::vector<Quat>> orientations;
   std::vector<bool> estimated;
 
   void add(const std::string& name, std::vector<Vec3> point, bool was_estimated,
            std::vector<Quat> turn = {}) {
-    if (std::ranges::none_of(point, [](const Vec3& p) { return seen(p); })) return;
+    if (std::ranges::none_of(point, [](const Vec3& p) { return is_known(p); })) return;
     body.names.push_back(name);
-    if (turn.empty()) turn.assign(point.size(), unseen_rotation());
+    if (turn.empty()) turn.assign(point.size(), unknown_rotation());
     points.push_back(std::move(point));
-    turns.push_back(std::move(turn));
+    orientations.push_back(std::move(turn));
     estimated.push_back(was_estimated);
   }
-  BodyStream finished(const std::vector<double>& time) {
+  BodyStream build(const std::vector<double>& time) {
     const std::size_t rows = time.size(), joints = body.names.size();
     body.time = time;
     body.rebuilt = true;
     body.parents.assign(joints, "");
-    body.position = Table<Vec3>(rows, joints, unseen_point());
-    body.orientation = Table<Quat>(rows, joints, unseen_rotation());
+    body.position = Array2D<Vec3>(rows, joints, unknown_point());
+    body.orientation = Array2D<Quat>(rows, joints, unknown_rotation());
     if (std::ranges::find(estimated, true) != estimated.end()) {
-      body.confidence = Table<double>(rows, joints, 1);  // 0 is how reconstruction knows estimates
+      body.confidence = Array2D<double>(
+          rows, joints, 1);  // reconstruction recognises estimates by a confidence of 0
     }
     for (std::size_t k = 0; k < joints; ++k) {
       for (std::size_t i = 0; i < rows; ++i) {
         body.position(i, k) = points[k][i];
-        body.orientation(i, k) = turns[k][i];
+        body.orientation(i, k) = orientations[k][i];
         if (estimated[k]) body.confidence(i, k) = 0;
       }
     }
@@ -55,7 +56,7 @@ struct Skeleton {
 };
 
 template <class T>
-std::vector<T> column_of(const Table<T>& table, std::size_t column) {
+std::vector<T> column_of(const Array2D<T>& table, std::size_t column) {
   std::vector<T> values;
   for (std::size_t i = 0; i < table.rows; ++i) values.push_back(table(i, column));
   return values;
@@ -69,37 +70,38 @@ BodyStream skeleton_of(const HumanMotion& motion) {
   skeleton.add("right_shoulder", motion.shoulder, estimated("shoulder"));
   skeleton.add("right_elbow", motion.elbow, estimated("elbow"));
   skeleton.add("right_wrist", motion.wrist, estimated("wrist"));
-  if (std::ranges::any_of(motion.wrist_orientation, [](const Quat& q) { return seen(q); })) {
+  if (std::ranges::any_of(motion.wrist_orientation, [](const Quat& q) { return is_known(q); })) {
     skeleton.add("right_hand", motion.wrist, estimated("wrist orientation"),
                  motion.wrist_orientation);
   }
-  for (std::size_t finger = 0; finger < kFingers; ++finger) {
+  for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
     const std::vector<std::string> names = imports::finger_joint_names(finger);
     skeleton.add("right_" + names[1], column_of(motion.finger_joint, finger), false);
     skeleton.add("right_" + names[3], column_of(motion.tip, finger), estimated("fingertips"),
                  column_of(motion.tip_orientation, finger));
   }
-  return skeleton.finished(motion.time);
+  return skeleton.build(motion.time);
 }
 
 }  // namespace
 
-Demonstration joints_of(const Demonstration& demonstration) {
-  if (imports::is_as_a_clip(demonstration)) return demonstration;
-  // A right arm, of a left one in the mirror: seen in it again, it is itself.
+Demonstration reconstructed_joints(const Demonstration& demonstration) {
+  if (imports::can_write_clip(demonstration)) return demonstration;
+  // Left arms are reconstructed as their mirror images, and the result is mirrored back.
   const bool left = demonstration.hand == Side::left;
-  const HumanMotion motion =
-      reconstruct::reconstruct(left ? reconstruct::mirrored(demonstration) : demonstration, {}, {});
+  const HumanMotion motion = reconstruct::reconstruct(
+      left ? reconstruct::mirror_image(demonstration) : demonstration, {}, {});
   Demonstration arm;
   BodyStream skeleton = skeleton_of(motion);
   if (!skeleton.names.empty()) arm.streams.skeleton = std::move(skeleton);
-  if (left) arm = reconstruct::mirrored(arm);
+  if (left) arm = reconstruct::mirror_image(arm);
   Demonstration joints = demonstration;
   joints.streams = std::move(arm.streams);
   joints.calibration = {};
   joints.sensor_offsets.reset();
   joints.reports.emplace_back("joints as Morphe rebuilt them from the recording");
-  joints.reports.insert(joints.reports.end(), motion.problems.begin(), motion.problems.end());
+  joints.reports.insert(joints.reports.end(), motion.reconstruction_notes.begin(),
+                        motion.reconstruction_notes.end());
   if (!motion.estimated.empty()) {
     joints.reports.push_back(
         fmt::format("estimated, not recorded: {}", fmt::join(motion.estimated, ", ")));
@@ -112,9 +114,9 @@ void ClipOutput::add(const Demonstration& demonstration) {
   if (name.find('/') != std::string::npos || name.starts_with('.')) {
     throw InputError(fmt::format("{}: '{}' can be no file's name", folder_.string(), name));
   }
-  const Demonstration joints = joints_of(demonstration);
-  if (!imports::is_as_a_clip(joints)) {
-    without_.push_back(name);
+  const Demonstration joints = reconstructed_joints(demonstration);
+  if (!imports::can_write_clip(joints)) {
+    without_clip_.push_back(name);
     return;
   }
   std::error_code error;
@@ -127,8 +129,8 @@ void ClipOutput::add(const Demonstration& demonstration) {
 }
 
 std::string ClipOutput::text() const {
-  std::string text = fmt::format("{}: {}\n", folder_.string(), counted(written_, "clip"));
-  for (const std::string& name : without_) {
+  std::string text = fmt::format("{}: {}\n", folder_.string(), count_with_noun(written_, "clip"));
+  for (const std::string& name : without_clip_) {
     text +=
         fmt::format("  {}: no clip: it holds no joints, and none can be rebuilt from it\n", name);
   }

@@ -9,24 +9,26 @@
 
 namespace morphe::commands {
 
-/// The joints of the motion that is rebuilt from a recording, as a skeleton; the recording itself
-/// where it is one, or the keypoints of a hand. Objects, names and facts stay. No skeleton and no
-/// hand where nothing can be rebuilt.
-Demonstration joints_of(const Demonstration& demonstration);
+/// Returns a demonstration with the joints of the motion reconstructed from a recording as a
+/// skeleton, or the recording itself if it has a skeleton or the keypoints of a hand. Objects,
+/// names and metadata are kept. Skeleton and hand are absent if the motion cannot be reconstructed.
+Demonstration reconstructed_joints(const Demonstration& demonstration);
 
-/// A folder of clips, one a demonstration.
+/// A folder of clips, one for each demonstration.
 class ClipOutput {
  public:
+  /// Uses the given folder, which is created with the first clip.
   explicit ClipOutput(std::filesystem::path folder) : folder_(std::move(folder)) {}
-  /// Writes NAME.npz. What cannot be rebuilt gets no clip: a line in text(). InputError if it
-  /// cannot be written, or the name is none of a file.
+  /// Writes NAME.npz. A demonstration that cannot be reconstructed has no clip and is listed in
+  /// text(). Throws InputError if the clip cannot be written or the name is not a valid file name.
   void add(const Demonstration& demonstration);
-  std::string text() const;  ///< "DIR: 3 clips", and a line for each that there is none of
+  /// Returns "DIR: 3 clips" and a line for each demonstration without a clip.
+  std::string text() const;
 
  private:
   std::filesystem::path folder_;
   std::size_t written_ = 0;
-  std::vector<std::string> without_;
+  std::vector<std::string> without_clip_;
 };
 
 }  // namespace morphe::commands

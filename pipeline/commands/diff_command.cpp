@@ -14,7 +14,7 @@ namespace morphe::commands {
 Command diff_command(CLI::App& app) {
   struct Arguments {
     std::string first, second;
-    RowChoice choice;
+    RowSelection choice;
     bool json = false, all = false;
   };
   const auto arguments = std::make_shared<Arguments>();
@@ -24,13 +24,13 @@ Command diff_command(CLI::App& app) {
   add_row_options(app, arguments->choice);
   app.add_flag("--json", arguments->json, "Print JSON, all of it");
   return [arguments] {
-    check_choice(arguments->choice);
+    check_selection(arguments->choice);
     const PlanDiff diff =
-        compare_plans(plans_file(arguments->first), plans_file(arguments->second));
+        compare_plans(find_plans_file(arguments->first), find_plans_file(arguments->second));
     if (arguments->json) {
       fmt::print("{}", diff_json(diff));
     } else {
-      fmt::print("{}", diff_text(diff, chosen_pairs(diff, arguments->choice), arguments->all,
+      fmt::print("{}", diff_text(diff, select_pairs(diff, arguments->choice), arguments->all,
                                  terminal_width()));
     }
     return diff.equal() ? 0 : 1;

@@ -12,7 +12,7 @@ Json side_json(const std::optional<PlanRow>& row) {
   Json json{{"status", row->status},
             {"reason", row->reason},
             {"against_estimate", row->against_estimate}};
-  for (std::size_t k = 0; k < kPlanFigures; ++k)
+  for (std::size_t k = 0; k < kPlanFigureCount; ++k)
     json[std::string(plan_figures()[k].key)] = row->figures[k];
   return json;
 }
@@ -23,7 +23,7 @@ Json data_json(const run::Difference& difference) {
   if (difference.max_abs) {
     row["max_abs"] = *difference.max_abs;
     row["unit"] = difference.unit;
-    row["at"] = difference.at;
+    row["at"] = difference.location;
     row["values"] = {difference.first, difference.second};
   }
   row["change"] = difference.change;
@@ -66,7 +66,7 @@ std::string diff_json(const PlanDiff& diff) {
   json["files"] = diff.file;
   json["status"] = status_json(diff);
   json["figures"] = Json::object();
-  for (std::size_t k = 0; k < kPlanFigures; ++k) {
+  for (std::size_t k = 0; k < kPlanFigureCount; ++k) {
     const FigureChange& change = diff.figures[k];
     json["figures"][std::string(plan_figures()[k].key)] = {{"plans", change.plans},
                                                            {"median_first", change.median_first},
@@ -76,7 +76,7 @@ std::string diff_json(const PlanDiff& diff) {
   }
   json["rows"] = rows;
   json["plans"] = Json::array();
-  for (const run::Difference& difference : diff.data.differences)
+  for (const run::Difference& difference : diff.dataset_differences.differences)
     json["plans"].push_back(data_json(difference));
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -17,16 +17,16 @@ std::string plans(std::size_t count) {
   return fmt::format("{} plan{}", count, count == 1 ? "" : "s");
 }
 
-/// With its sign; "=" for a change that does not show in the digits printed.
+/// Formats a change with its sign, "=" if it rounds to zero at the printed digits.
 std::string change_text(const PlanFigure& figure, double change) {
   if (std::isnan(change)) return "-";
-  const std::string text = fmt::format("{:+.{}f}", figure.per_si * change, figure.digits);
+  const std::string text = fmt::format("{:+.{}f}", figure.print_scale * change, figure.digits);
   return text.find_first_of("123456789") == std::string::npos ? "=" : text;
 }
 
 bool shows(const PlanPair& pair) {
   if (!pair.in_both() || pair.status_changed()) return true;
-  for (std::size_t k = 0; k < kPlanFigures; ++k) {
+  for (std::size_t k = 0; k < kPlanFigureCount; ++k) {
     const bool there = std::isnan(pair.first->figures[k]);
     if (there != std::isnan(pair.second->figures[k])) return true;
     if (change_text(plan_figures()[k], pair.change(k)).find_first_not_of("-=") != std::string::npos)
@@ -41,7 +41,7 @@ std::string outcome(const PlanRow& row) {
 
 std::set<std::string> differing_plans(const PlanDiff& diff) {
   std::set<std::string> differing;
-  for (const run::Difference& difference : diff.data.differences)
+  for (const run::Difference& difference : diff.dataset_differences.differences)
     if (!difference.plan.empty()) differing.insert(difference.plan);
   return differing;
 }
@@ -65,7 +65,8 @@ std::string counts_text(const PlanDiff& diff, const std::set<std::string>& diffe
   return text;
 }
 
-/// No longer executable, executable now, and the rest: how many, then each with its reason.
+/// Lists the plans that are no longer executable, those that are executable now, and those with
+/// another change of status: the number, then each with its reason.
 std::string status_text(const std::vector<PlanPair>& pairs, std::size_t width) {
   std::string worse, better, other;
   std::size_t lost = 0, won = 0, changed = 0;
@@ -75,7 +76,7 @@ std::string status_text(const std::vector<PlanPair>& pairs, std::size_t width) {
     std::string line =
         fmt::format("  {}: {} -> {}\n", pair.name, outcome(*pair.first), outcome(*pair.second));
     if (was && !is && !pair.second->lines.empty())
-      line += folded(pair.second->lines.front(), width, "    ");
+      line += wrap_line(pair.second->lines.front(), width, "    ");
     (was && !is ? worse : is && !was ? better : other) += line;
     ++(was && !is ? lost : is && !was ? won : changed);
   }
@@ -87,7 +88,7 @@ std::string status_text(const std::vector<PlanPair>& pairs, std::size_t width) {
   return text;
 }
 
-/// Whether the arm that a plan is compared with is an estimate, on either side.
+/// Returns true if the arm with which the plan is compared is estimated in one of the files.
 bool against_estimate(const PlanPair& pair) {
   return (pair.first && pair.first->against_estimate) ||
          (pair.second && pair.second->against_estimate);
@@ -100,14 +101,14 @@ std::string figures_text(const PlanDiff& diff, std::size_t width) {
                    {"median", "A", false, 0}, {"", "B", false, 0},
                    {"", "B - A", false, 0},   {"largest", "change", false, 0},
                    {"", "of plan", true, 2},  {"over", "plans", false, 1}};
-  for (std::size_t k = 0; k < kPlanFigures; ++k) {
+  for (std::size_t k = 0; k < kPlanFigureCount; ++k) {
     const PlanFigure& figure = plan_figures()[k];
     const FigureChange& change = diff.figures[k];
     if (change.plans == 0) continue;
     table.rows.push_back(
         {{std::string(figure.name), std::string(figure.unit),
-          printed(figure, change.median_first, estimate),
-          printed(figure, change.median_second, estimate),
+          format_figure(figure, change.median_first, estimate),
+          format_figure(figure, change.median_second, estimate),
           change_text(figure, change.median_second - change.median_first),
           change_text(figure, change.largest), change.plan, fmt::format("{}", change.plans)},
          {}});
@@ -115,10 +116,10 @@ std::string figures_text(const PlanDiff& diff, std::size_t width) {
   return table.rows.empty() ? "" : table_text(table, width);
 }
 
-/// What a narrow terminal can do without first.
-constexpr std::array<std::string_view, 3> kSpareColumns{"mapped", "step", "tips_mean"};
+/// The columns that are dropped first on a narrow terminal.
+constexpr std::array<std::string_view, 3> kOptionalColumns{"mapped", "step", "tips_mean"};
 
-/// Per plan B - A.
+/// Returns a table of B - A for each plan.
 std::string rows_text(const std::vector<PlanPair>& pairs, std::size_t width) {
   TextTable table;
   table.columns = {{"B - A", "", true, 0}, {"status", "", true, 0}};
@@ -127,7 +128,7 @@ std::string rows_text(const std::vector<PlanPair>& pairs, std::size_t width) {
     const std::size_t blank = name.find(' ');
     const bool one = blank == std::string::npos;
     const std::string rest = one ? "" : name.substr(blank + 1) + " ";
-    const bool spare = std::ranges::find(kSpareColumns, figure.key) != kSpareColumns.end();
+    const bool spare = std::ranges::find(kOptionalColumns, figure.key) != kOptionalColumns.end();
     table.columns.push_back(
         {name.substr(0, blank), rest + std::string(figure.unit), false, spare ? 3 : 1});
   }
@@ -143,10 +144,10 @@ std::string rows_text(const std::vector<PlanPair>& pairs, std::size_t width) {
                             : pair.status_changed()
                                 ? pair.first->status + " -> " + pair.second->status
                                 : pair.first->status};
-    for (std::size_t k = 0; k < kPlanFigures; ++k) {
+    for (std::size_t k = 0; k < kPlanFigureCount; ++k) {
       const PlanFigure& figure = plan_figures()[k];
       const std::string text = change_text(figure, pair.change(k));
-      const bool marked = figure.of_the_arm && text.size() > 1 && against_estimate(pair);
+      const bool marked = figure.uses_human_arm && text.size() > 1 && against_estimate(pair);
       row.cells.push_back(marked ? "~" + text : text);
     }
   }
@@ -157,21 +158,22 @@ std::string rows_text(const std::vector<PlanPair>& pairs, std::size_t width) {
   return text;
 }
 
-/// Metres as mm; everything else as the file has it.
+/// Formats metres as mm and other units as given in the file.
 std::string amount_text(const run::Difference& difference) {
   const bool metres = difference.unit == "m";
   const std::string unit = metres ? "mm" : difference.unit == "1" ? "" : difference.unit;
   const double scale = metres ? 1e3 : 1;
   return fmt::format("at most {:.6g}{}{} ({:.6g} -> {:.6g}){}{}", scale * *difference.max_abs,
                      unit.empty() ? "" : " ", unit, scale * difference.first,
-                     scale * difference.second, difference.at.empty() ? "" : " at ", difference.at);
+                     scale * difference.second, difference.location.empty() ? "" : " at ",
+                     difference.location);
 }
 
 std::string datasets_text(const PlanDiff& diff, const std::vector<PlanPair>& pairs) {
   std::set<std::string> names{""};
   for (const PlanPair& pair : pairs) names.insert(pair.name);
   std::string text = "\n";
-  for (const run::Difference& difference : diff.data.differences) {
+  for (const run::Difference& difference : diff.dataset_differences.differences) {
     if (!names.contains(difference.plan)) continue;
     text += difference.plan.empty() ? "the file" : difference.plan;
     if (!difference.dataset.empty()) text += " " + difference.dataset;

@@ -6,7 +6,7 @@
 #include "core/files/embedded.hpp"
 
 extern "C" {
-// morphe_doc_pages.S
+// defined in morphe_doc_pages.S
 extern const morphe::files::EmbeddedFile morphe_doc_pages[];
 extern const std::size_t morphe_doc_pages_count;
 }
@@ -14,20 +14,20 @@ extern const std::size_t morphe_doc_pages_count;
 namespace morphe::commands {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
+std::string_view trim(std::string_view text) {
   const std::size_t first = text.find_first_not_of(' ');
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-/// "see [the page](scene.md) of `scene`" -> "see the page of scene".
-std::string plain(std::string_view markdown) {
+/// Removes links and code marks: "see [the page](scene.md) of `scene`" -> "see the page of scene".
+std::string strip_markdown(std::string_view markdown) {
   std::string text;
   for (std::size_t i = 0; i < markdown.size(); ++i) {
     const std::size_t close = markdown.find("](", i);
     if (markdown[i] == '[' && close != std::string_view::npos &&
         markdown.find('[', i + 1) > close) {
-      text += plain(markdown.substr(i + 1, close - i - 1));
+      text += strip_markdown(markdown.substr(i + 1, close - i - 1));
       i = markdown.find(')', close);
       if (i == std::string_view::npos) break;
     } else if (markdown[i] != '`') {
@@ -37,15 +37,15 @@ std::string plain(std::string_view markdown) {
   return text;
 }
 
-/// "| `key` | default | meaning |"
+/// Adds the key of a row "| `key` | default | meaning |".
 void add_row(const std::string& type, std::string_view line, DocTables& tables) {
   std::vector<std::size_t> bars;
   for (std::size_t at = 0; (at = line.find('|', at)) != std::string_view::npos; ++at)
     bars.push_back(at);
   if (bars.size() < 4) return;
-  const std::string_view key = trimmed(line.substr(bars[0] + 1, bars[1] - bars[0] - 1));
+  const std::string_view key = trim(line.substr(bars[0] + 1, bars[1] - bars[0] - 1));
   const std::string_view meaning = line.substr(bars[2] + 1, bars.back() - bars[2] - 1);
-  if (key.starts_with('`')) tables[{type, plain(key)}] = plain(trimmed(meaning));
+  if (key.starts_with('`')) tables[{type, strip_markdown(key)}] = strip_markdown(trim(meaning));
 }
 
 }  // namespace

@@ -7,7 +7,8 @@ struct CommandExamples {
   std::string_view command, lines;
 };
 
-/// tests/cli/test_help.py runs them in this order: each finds what those before it wrote.
+/// The examples. tests/cli/test_help.py runs them in this order: each uses the results of the
+/// preceding ones.
 constexpr CommandExamples kExamples[] = {
     {"run",
      "  morphe run configs/pipelines/pa10_dlr_hit2.yaml --out outputs/first --report\n"
@@ -22,7 +23,7 @@ constexpr CommandExamples kExamples[] = {
      "  morphe report outputs/first outputs/again --out outputs/both.html --svg "
      "outputs/pictures\n"},
     {"simulate",
-     "  morphe simulate outputs/first --out outputs/physics --only ADL001DR2 --ensemble 2\n"},
+     "  morphe simulate outputs/first --out outputs/physics --only ADL001DR2 --rollouts 2\n"},
     {"export",
      "  morphe export outputs/first --format csv --out outputs/csv\n"
      "  morphe export outputs/first --format robomimic --out outputs/training\n"},

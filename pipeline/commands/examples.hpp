@@ -5,8 +5,9 @@
 
 namespace morphe::commands {
 
-/// What --help shows below the options of a command ("robot setup"), a line each: commands that
-/// work as they stand where Morphe's configs and datasets are. "" if there are none.
+/// Returns the examples that --help prints below the options of a command ("robot setup"), one per
+/// line. The commands can be run unchanged in a folder with Morphe's configs and datasets. Returns
+/// "" if there are no examples.
 std::string examples_of(std::string_view command);
 
 }  // namespace morphe::commands

@@ -11,8 +11,8 @@
 #include "core/store/plan_file.hpp"
 #include "pipeline/commands/commands.hpp"
 #include "pipeline/commands/plans_file.hpp"
-#include "pipeline/explain/explained.hpp"
-#include "pipeline/explain/story.hpp"
+#include "pipeline/explain/collect_advice.hpp"
+#include "pipeline/explain/step_summary.hpp"
 #include "pipeline/planning/run_config.hpp"
 #include "pipeline/run/journal.hpp"
 
@@ -24,19 +24,20 @@ using Json = nlohmann::ordered_json;
 
 struct ExplainArguments {
   std::string file, plan, dataset;
-  bool attempt = false, json = false;
+  bool try_advice = false, json = false;
 };
 
-/// A plans.h5 and what lies beside it.
-struct Source {
+/// A plans.h5 and the related files in its folder.
+struct PlanSource {
   fs::path plans;
   store::PlanReader reader;
   robot::Robot robot;
-  std::optional<planning::RunConfig> config;  ///< none: the file does not hold enough of it
+  /// Empty if the file does not contain a complete config.
+  std::optional<planning::RunConfig> config;
   std::string why_no_config;
   std::unique_ptr<store::DemonstrationReader> recordings;  ///< for --try
 
-  explicit Source(const fs::path& file) : plans(file), reader(file), robot(reader.robot()) {
+  explicit PlanSource(const fs::path& file) : plans(file), reader(file), robot(reader.robot()) {
     try {
       config = planning::stored_config(file);
     } catch (const InputError& error) {
@@ -45,8 +46,8 @@ struct Source {
   }
 };
 
-void open_recordings(const ExplainArguments& arguments, Source& source) {
-  if (!arguments.attempt) return;
+void open_recordings(const ExplainArguments& arguments, PlanSource& source) {
+  if (!arguments.try_advice) return;
   if (!source.config) throw InputError(fmt::format("explain --try: {}", source.why_no_config));
   fs::path dataset = arguments.dataset;
   if (dataset.empty()) dataset = source.plans.parent_path() / "demonstrations.h5";
@@ -63,8 +64,9 @@ void open_recordings(const ExplainArguments& arguments, Source& source) {
   source.recordings = std::make_unique<store::DemonstrationReader>(dataset);
 }
 
-/// Those that are asked for: by name, of a demonstration, or all that are infeasible.
-std::vector<std::size_t> chosen(const ExplainArguments& arguments, const Source& source) {
+/// Returns the selected plans: the named one, those of a demonstration, or all infeasible ones.
+std::vector<std::size_t> selected_plans(const ExplainArguments& arguments,
+                                        const PlanSource& source) {
   std::vector<std::size_t> found;
   const std::vector<std::string>& paths = source.reader.plan_paths();
   for (std::size_t k = 0; k < paths.size(); ++k) {
@@ -75,8 +77,8 @@ std::vector<std::size_t> chosen(const ExplainArguments& arguments, const Source&
   return found;
 }
 
-/// Seconds by step that planning its demonstration took; "" without a journal.
-std::string taken(const Source& source, const Plan& plan) {
+/// Returns the planning time of the plan's demonstration by stage, "" without a journal.
+std::string planning_time_text(const PlanSource& source, const Plan& plan) {
   const fs::path folder = source.plans.parent_path();
   if (!fs::exists(folder / run::Journal::kFile)) return "";
   const auto finished = run::Journal::read(folder)->find(plan.demonstration);
@@ -97,13 +99,13 @@ std::string outcome_of(const Plan& plan) {
                      1e3 * plan.certificate.position_error_max);
 }
 
-Json json_of(const Source& source, const Plan& plan, const std::string& path,
+Json json_of(const PlanSource& source, const Plan& plan, const std::string& path,
              const std::vector<explain::TriedAdvice>& advice) {
   Json json{{"plan", path},
             {"status", name_of(plan.status())},
             {"reason", name_of(plan.reason)},
             {"detail", plan.detail},
-            {"story", explain::story_of(source.reader.robot(), plan)},
+            {"story", explain::step_summary(source.reader.robot(), plan)},
             {"advice", Json::array()}};
   for (const explain::TriedAdvice& one : advice) {
     Json entry{{"effect", name_of(one.advice.effect)},
@@ -119,9 +121,10 @@ Json json_of(const Source& source, const Plan& plan, const std::string& path,
   return json;
 }
 
-std::string text_of(const Source& source, const Plan& plan,
+std::string text_of(const PlanSource& source, const Plan& plan,
                     const std::vector<explain::TriedAdvice>& advice) {
-  std::string text = explain::story_of(source.reader.robot(), plan) + taken(source, plan);
+  std::string text =
+      explain::step_summary(source.reader.robot(), plan) + planning_time_text(source, plan);
   const char* step = "try";
   for (const explain::TriedAdvice& one : advice) {
     text += fmt::format("  {:<13} {}\n", step, explain::text_of(one.advice));
@@ -134,18 +137,18 @@ std::string text_of(const Source& source, const Plan& plan,
 int execute(const ExplainArguments& arguments) {
   Json all = Json::array();
   std::size_t told = 0;
-  for (const fs::path& file : plans_files(arguments.file)) {
-    Source source(file);
+  for (const fs::path& file : find_plans_files(arguments.file)) {
+    PlanSource source(file);
     open_recordings(arguments, source);
-    for (const std::size_t k : chosen(arguments, source)) {
+    for (const std::size_t k : selected_plans(arguments, source)) {
       const Plan plan = source.reader.read(k);
       std::optional<Demonstration> recording;
       if (source.recordings) recording = source.recordings->read(plan.demonstration);
       std::vector<explain::TriedAdvice> advice;
       if (!plan.has_trajectory()) {
         advice =
-            explain::explained_advice(source.robot, plan, source.config ? &*source.config : nullptr,
-                                      recording ? &*recording : nullptr);
+            explain::collect_advice(source.robot, plan, source.config ? &*source.config : nullptr,
+                                    recording ? &*recording : nullptr);
       }
       if (arguments.json) {
         all.push_back(json_of(source, plan, source.reader.plan_paths()[k], advice));
@@ -171,7 +174,7 @@ Command explain_command(CLI::App& app) {
   app.add_option("FILE", arguments->file, "plans.h5, or a run's folder")->required();
   app.add_option("PLAN", arguments->plan,
                  "DEMONSTRATION/000, or a demonstration (default: all that are infeasible)");
-  app.add_flag("--try", arguments->attempt,
+  app.add_flag("--try", arguments->try_advice,
                "Plan each infeasible movement again with what may help, until something does");
   app.add_option("--dataset", arguments->dataset,
                  "demonstrations.h5 for --try (default: the one in the run's folder)");

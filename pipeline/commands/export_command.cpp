@@ -4,7 +4,7 @@
 #include <cmath>
 #include <memory>
 
-#include "core/motion/counted.hpp"
+#include "core/motion/count_with_noun.hpp"
 #include "core/motion/input_error.hpp"
 #include "pipeline/commands/commands.hpp"
 #include "pipeline/commands/plans_file.hpp"
@@ -15,25 +15,26 @@
 namespace morphe::commands {
 namespace {
 
-constexpr double kHighestRate_hz = 1e4;  ///< no arm is driven faster, and the files grow
+/// Larger rates exceed those of arm controllers and increase the size of the files.
+constexpr double kMaxRate_hz = 1e4;
 
 struct ExportArguments {
-  std::string plans, out, approach{name_of(exports::Ways::apart)};
+  std::string plans, out, approach{name_of(exports::ApproachMode::apart)};
   exports::ExportOptions options;
 };
 
 int execute(ExportArguments& arguments) {
-  const std::filesystem::path plans = plans_file(arguments.plans);
+  const std::filesystem::path plans = find_plans_file(arguments.plans);
   const double delay_s = arguments.options.motion.delay_s,
                rate_hz = arguments.options.motion.rate_hz;
   if (std::isnan(delay_s)) throw InputError("--delay: must be a number of seconds");
   if (std::isnan(rate_hz)) throw InputError("--rate: must be a number of points a second");
-  arguments.options.motion.approach = *named<exports::Ways>(arguments.approach);
+  arguments.options.motion.approach = *enum_from_name<exports::ApproachMode>(arguments.approach);
   run::OutputFolder folder(arguments.out);
   const exports::ExportReport report =
       exports::export_plans(plans, folder.path(), arguments.options);
   folder.keep();
-  for (const exports::LeftOut& left : report.left_out) {
+  for (const exports::SkippedPlan& left : report.left_out) {
     fmt::print("{} left out: {}\n", left.plan, left.why);
   }
   for (const std::string& file : report.files) {
@@ -62,7 +63,7 @@ Command export_command(CLI::App& app) {
       ->allow_extra_args(false);
   app.add_option("--rate", options.motion.rate_hz,
                  "Points a second, on the certified curve; else the plan's own samples")
-      ->check(CLI::Range(1e-3, kHighestRate_hz));
+      ->check(CLI::Range(1e-3, kMaxRate_hz));
   app.add_option("--delay", options.motion.delay_s,
                  "Seconds that each motion waits in its first posture")
       ->check(CLI::Range(0.0, 3600.0));

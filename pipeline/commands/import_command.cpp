@@ -5,13 +5,13 @@
 #include <filesystem>
 #include <memory>
 
-#include "core/motion/counted.hpp"
+#include "core/motion/count_with_noun.hpp"
 #include "core/motion/input_error.hpp"
 #include "pipeline/commands/assumptions.hpp"
 #include "pipeline/commands/clip_output.hpp"
 #include "pipeline/commands/commands.hpp"
-#include "pipeline/commands/dataset_input.hpp"
 #include "pipeline/commands/import_options.hpp"
+#include "pipeline/commands/import_summary.hpp"
 #include "pipeline/commands/input_file.hpp"
 
 namespace morphe::commands {
@@ -19,37 +19,38 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool holds_folder(const imports::ImportRequest& request) {
+bool has_folder(const imports::ImportRequest& request) {
   return std::ranges::any_of(request.paths,
                              [](const fs::path& path) { return fs::is_directory(path); });
 }
 
-/// What was found in folders is written as a manifest beside the demonstrations, not beside clips.
+/// Imports recordings. If they were found in folders, a manifest is written beside the
+/// demonstrations, but not beside clips.
 int execute(const imports::ImportRequest& request, const fs::path& out, const fs::path& clips) {
   if (out.empty() && clips.empty()) {
     throw InputError("import: --out FILE.h5, --clip DIR or both must be given");
   }
-  const bool of_folder = !out.empty() && holds_folder(request);
-  const FoundManifest manifest(fs::path(out).replace_extension(".recordings.yaml"));
-  if (of_folder) manifest.check();
+  const bool of_folder = !out.empty() && has_folder(request);
+  const GeneratedManifest manifest(fs::path(out).replace_extension(".recordings.yaml"));
+  if (of_folder) manifest.expect_replaceable();
   Assumptions assumptions;
   ClipOutput clip_output(clips);
   const auto see = [&](const Demonstration& demonstration) {
     assumptions.add(demonstration);
     if (!clips.empty()) clip_output.add(demonstration);
   };
-  const imports::Imported imported =
+  const imports::ImportResult imported =
       out.empty() ? imports::import_recordings(
                         request, [&](Demonstration&& demonstration) { see(demonstration); })
                   : imports::write_demonstrations(request, out, see);
-  fmt::print(stderr, "{}", found_text(imported));
+  fmt::print(stderr, "{}", import_summary_text(imported));
   if (of_folder) manifest.write(imported);
   if (!clips.empty()) fmt::print("{}", clip_output.text());
   if (!out.empty()) {
-    fmt::print("{}: {}\n", out.string(), counted(imported.entries.size(), "demonstration"));
+    fmt::print("{}: {}\n", out.string(), count_with_noun(imported.entries.size(), "demonstration"));
   }
   fmt::print("{}", assumptions.text());
-  return failed_in(imported) > 0 ? 1 : 0;
+  return count_failed(imported) > 0 ? 1 : 0;
 }
 
 }  // namespace

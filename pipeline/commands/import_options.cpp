@@ -14,14 +14,14 @@ void add_import_options(CLI::App& app, imports::ImportRequest& request) {
   app.add_option("--format", request.format,
                  "Format of the recordings (default: recognised by their content)")
       ->check(CLI::IsMember(imports::import_format_names()));
-  app.add_option("--names", request.names, "YAML file that maps recorded names to Morphe's")
+  app.add_option("--names", request.name_map, "YAML file that maps recorded names to Morphe's")
       ->transform(input_file());
   app.add_option("--axes", request.conventions.axes,
                  "Recorded axes that point right, forward and up, such as 'x y z'");
   app.add_option_function<std::string>(
          "--forward",
          [&request](const std::string& by) {
-           request.conventions.forward = *named<imports::ForwardBy>(by);
+           request.conventions.forward = *enum_from_name<imports::ForwardSource>(by);
          },
          "Which way is forward: where the body faces (body, the default), or as recorded")
       ->check(CLI::IsMember({"body", "recorded"}));
@@ -33,7 +33,9 @@ void add_import_options(CLI::App& app, imports::ImportRequest& request) {
                  "Order of the joints of a clip's hands, such as openpose or mano");
   app.add_option_function<std::string>(
          "--hand",
-         [&request](const std::string& hand) { request.hand = named<imports::Hands>(hand); },
+         [&request](const std::string& hand) {
+           request.hand = enum_from_name<imports::HandSelection>(hand);
+         },
          "The hand that reaches: right, left or both, a demonstration each (default: told from the "
          "motion)")
       ->check(CLI::IsMember({"right", "left", "both"}));

@@ -8,7 +8,7 @@ class App;
 
 namespace morphe::commands {
 
-/// What the command line says about recordings that are read: --static, --format, --names, --axes,
+/// Adds the options that describe recordings to be read: --static, --format, --names, --axes,
 /// --unit, --rate and --hand. `request` must outlive the parsing.
 void add_import_options(CLI::App& app, imports::ImportRequest& request);
 

@@ -1,12 +1,12 @@
 #include "pipeline/commands/input_file.hpp"
 
-#include "core/files/shipped.hpp"
+#include "core/files/data_files.hpp"
 
 namespace morphe::commands {
 
 CLI::Validator input_file() {
   return {[](std::string& file) {
-            file = files::here_or_shipped(file).string();
+            file = files::resolve_data_file(file).string();
             return std::string();
           },
           ""};

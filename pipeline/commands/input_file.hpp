@@ -4,7 +4,8 @@
 
 namespace morphe::commands {
 
-/// For an option that names a file to read: one that is not there may be a shipped one.
+/// Returns a validator for an option that names a file to read: a file that does not exist at its
+/// path is searched among the shipped files.
 CLI::Validator input_file();
 
 }  // namespace morphe::commands

@@ -3,12 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "core/motion/counted.hpp"
+#include "core/motion/count_with_noun.hpp"
 #include "core/store/demonstration_file.hpp"
-#include "core/store/harmless.hpp"
+#include "core/store/sandbox_probe.hpp"
 #include "pipeline/commands/commands.hpp"
-#include "pipeline/commands/dataset_input.hpp"
 #include "pipeline/commands/import_options.hpp"
+#include "pipeline/commands/import_summary.hpp"
 #include "pipeline/commands/input_file.hpp"
 #include "pipeline/commands/inspect_report.hpp"
 #include "pipeline/planning/pipeline_config.hpp"
@@ -28,14 +28,14 @@ bool is_one_recording(const std::filesystem::path& file) {
          !std::filesystem::is_directory(file);
 }
 
-/// Demonstrations of one file: imported ones, or recordings, folders and manifests that are read
-/// first; what was found in those.
-imports::Imported for_each(const imports::ImportRequest& request,
-                           const std::function<void(Demonstration&&)>& sink) {
+/// Passes all demonstrations of a file to `sink`: an imported one, or recordings, folders and
+/// manifests that are imported first. Returns the recordings found in the latter.
+imports::ImportResult for_each(const imports::ImportRequest& request,
+                               const std::function<void(Demonstration&&)>& sink) {
   const std::filesystem::path& file = request.paths.front();
-  if (std::filesystem::is_directory(file) || !is_demonstrations(file))
+  if (std::filesystem::is_directory(file) || !is_demonstrations_file(file))
     return imports::import_recordings(request, sink);
-  store::expect_harmless(file);
+  store::probe_in_sandbox(file);
   const store::DemonstrationReader reader(file);
   for (std::size_t i = 0; i < reader.size(); ++i) sink(reader.read(i));
   return {};
@@ -67,26 +67,27 @@ Command inspect_command(CLI::App& app) {
     std::vector<Inspection> all;
     const bool points = arguments->points || is_one_recording(arguments->file);
     std::size_t demonstrations = 0, movements = 0, usable = 0;
-    const imports::Imported imported =
+    const imports::ImportResult imported =
         for_each(arguments->request, [&](Demonstration&& demonstration) {
           Inspection inspection = inspect(demonstration, options);
           ++demonstrations;
           movements += inspection.movements.size();
-          usable += inspection.usable();
+          usable += inspection.count_usable();
           if (arguments->json) {
             all.push_back(std::move(inspection));
           } else {
             fmt::print("{}", inspection_text(inspection));
-            if (points) fmt::print("{}", imports::survey_text(inspection.survey));
+            if (points) fmt::print("{}", imports::summary_text(inspection.survey));
           }
         });
     if (arguments->json) {
-      fmt::print("{}\n", inspections_json(all, imported.left_out));
+      fmt::print("{}\n", inspections_json(all, imported.skipped));
     } else {
-      fmt::print("{}{}: {}, {}, {} of them usable\n", found_text(imported), arguments->file,
-                 counted(demonstrations, "demonstration"), counted(movements, "movement"), usable);
+      fmt::print("{}{}: {}, {}, {} of them usable\n", import_summary_text(imported),
+                 arguments->file, count_with_noun(demonstrations, "demonstration"),
+                 count_with_noun(movements, "movement"), usable);
     }
-    return failed_in(imported) > 0 ? 1 : 0;
+    return count_failed(imported) > 0 ? 1 : 0;
   };
 }
 

@@ -41,14 +41,14 @@ Json json_of(const MovementReport& report) {
           {"unusable", report.unusable}};
 }
 
-Json json_of(const imports::SurveyedPoint& point) {
+Json json_of(const imports::PointSummary& point) {
   const auto place = [](const Vec3& v) {
-    return seen(v) ? Json::array({v.x(), v.y(), v.z()}) : Json(nullptr);
+    return is_known(v) ? Json::array({v.x(), v.y(), v.z()}) : Json(nullptr);
   };
   return {{"name", point.name},
-          {"taken_for", point.taken_for},
-          {"seen", point.seen},
-          {"middle_m", place(point.middle)},
+          {"taken_for", point.body_part},
+          {"seen", point.seen_share},
+          {"middle_m", place(point.centre)},
           {"extent_m", place(point.extent)}};
 }
 
@@ -61,7 +61,7 @@ Json json_list(const Items& items) {
 
 Json json_of(const Inspection& i) {
   Json rebuilt = Json::object(), residuals = Json::array();
-  for (const auto& [what, how_much] : i.rebuilt) rebuilt[what] = how_much;
+  for (const auto& [what, how_much] : i.reconstructed_shares) rebuilt[what] = how_much;
   for (const Residual& r : i.residuals) {
     residuals.push_back({{"name", r.name},
                          {"rms_m", std::isfinite(r.rms_m) ? Json(r.rms_m) : Json(nullptr)},
@@ -123,7 +123,7 @@ std::string inspection_text(const Inspection& i) {
   for (const StreamReport& stream : i.calibration) add_stream(stream, "calibration ", text);
   if (!i.objects.empty()) text += fmt::format("  objects: {}\n", fmt::join(i.objects, ", "));
   std::vector<std::string> rebuilt;
-  for (const auto& [what, how_much] : i.rebuilt) {
+  for (const auto& [what, how_much] : i.reconstructed_shares) {
     if (how_much > 0) rebuilt.push_back(fmt::format("{} {:.0f} %", what, 100 * how_much));
   }
   if (!rebuilt.empty()) text += fmt::format("  rebuilt: {}\n", fmt::join(rebuilt, ", "));
@@ -138,13 +138,13 @@ std::string inspection_text(const Inspection& i) {
 }
 
 std::string inspections_json(const std::vector<Inspection>& inspections,
-                             const std::vector<imports::LeftOut>& left_out) {
+                             const std::vector<imports::SkippedFile>& left_out) {
   Json all = Json::array();
   for (const Inspection& inspection : inspections) all.push_back(json_of(inspection));
   Json json{{"demonstrations", all}};
-  for (const imports::LeftOut& one : left_out) {
+  for (const imports::SkippedFile& one : left_out) {
     json["left_out"].push_back(
-        {{"file", one.file.string()}, {"why", one.why}, {"failed", one.failed}});
+        {{"file", one.file.string()}, {"why", one.reason}, {"failed", one.failed}});
   }
   return json.dump(2);
 }

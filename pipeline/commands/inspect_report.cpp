@@ -11,22 +11,23 @@
 namespace morphe::commands {
 namespace {
 
-double share(const std::vector<Vec3>& points) {
-  const auto count = std::ranges::count_if(points, [](const Vec3& p) { return seen(p); });
+double seen_share(const std::vector<Vec3>& points) {
+  const auto count = std::ranges::count_if(points, [](const Vec3& p) { return is_known(p); });
   return points.empty() ? 0 : static_cast<double>(count) / static_cast<double>(points.size());
 }
 
-void inspect_rebuilt(const HumanMotion& motion, Inspection& inspection) {
-  inspection.rebuilt = {{"shoulder", share(motion.shoulder)},
-                        {"elbow", share(motion.elbow)},
-                        {"wrist", share(motion.wrist)}};
-  for (std::size_t finger = 0; finger < kFingers && motion.tip.rows > 0; ++finger) {
+void inspect_reconstruction(const HumanMotion& motion, Inspection& inspection) {
+  inspection.reconstructed_shares = {{"shoulder", seen_share(motion.shoulder)},
+                                     {"elbow", seen_share(motion.elbow)},
+                                     {"wrist", seen_share(motion.wrist)}};
+  for (std::size_t finger = 0; finger < kFingerCount && motion.tip.rows > 0; ++finger) {
     std::vector<Vec3> tip;
     for (std::size_t i = 0; i < motion.tip.rows; ++i) tip.push_back(motion.tip(i, finger));
-    inspection.rebuilt.emplace_back(fmt::format("{} tip", kFingerNames[finger]), share(tip));
+    inspection.reconstructed_shares.emplace_back(fmt::format("{} tip", kFingerNames[finger]),
+                                                 seen_share(tip));
   }
   std::vector<std::string> tips;
-  for (const auto& [what, how_much] : inspection.rebuilt) {
+  for (const auto& [what, how_much] : inspection.reconstructed_shares) {
     if (how_much > 0) continue;
     if (what == "shoulder") {
       inspection.missing.push_back("the shoulder: no movement can be planned");
@@ -38,7 +39,7 @@ void inspect_rebuilt(const HumanMotion& motion, Inspection& inspection) {
       tips.push_back(what.substr(0, what.find(' ')));
     }
   }
-  if (tips.size() == kFingers) {
+  if (tips.size() == kFingerCount) {
     inspection.missing.push_back("all fingertips: no movement can be planned");
   } else if (!tips.empty()) {
     inspection.missing.push_back(
@@ -47,17 +48,17 @@ void inspect_rebuilt(const HumanMotion& motion, Inspection& inspection) {
   }
 }
 
-/// Shares the reasons of plans.h5: no_shoulder, no_goal and not_human.
-std::string why_unusable(const HumanMotion& motion, const Movement& movement,
-                         const reconstruct::HumanOptions& human) {
-  if (const Refusal refusal = reconstruct::refuse_inhuman(motion, human)) {
+/// Returns the reason with the same codes as in plans.h5: no_shoulder, no_goal and not_human.
+std::string find_unusable_reason(const HumanMotion& motion, const Movement& movement,
+                                 const reconstruct::HumanOptions& human) {
+  if (const PlanningFailure refusal = reconstruct::check_human_limits(motion, human)) {
     return fmt::format("{}: {}", name_of(refusal.reason), refusal.detail);
   }
   bool shoulder = false, tip = false;
   for (std::size_t i = 0; i < motion.time.size(); ++i) {
     if (motion.time[i] < movement.begin_s || motion.time[i] > movement.end_s) continue;
-    shoulder = shoulder || seen(motion.shoulder[i]);
-    for (std::size_t f = 0; f < motion.tip.cols; ++f) tip = tip || seen(motion.tip(i, f));
+    shoulder = shoulder || is_known(motion.shoulder[i]);
+    for (std::size_t f = 0; f < motion.tip.cols; ++f) tip = tip || is_known(motion.tip(i, f));
   }
   return !shoulder ? "no_shoulder: the shoulder was not seen in it"
          : !tip    ? "no_goal: no fingertip was seen in it"
@@ -66,7 +67,7 @@ std::string why_unusable(const HumanMotion& motion, const Movement& movement,
 
 }  // namespace
 
-std::size_t Inspection::usable() const {
+std::size_t Inspection::count_usable() const {
   return static_cast<std::size_t>(
       std::ranges::count_if(movements, [](const MovementReport& m) { return m.unusable.empty(); }));
 }
@@ -80,22 +81,23 @@ Inspection inspect(const Demonstration& demonstration, const InspectOptions& opt
   result.task = demonstration.task;
   result.hand = demonstration.hand;
   result.streams = report_streams(demonstration.streams);
-  result.survey = imports::survey_of(imports::recorded_points(demonstration.streams, result.hand));
+  result.survey =
+      imports::summarise_points(imports::recorded_points(demonstration.streams, result.hand));
   result.survey.file = demonstration.name;
   result.survey.unit = "m";
   result.calibration = report_streams(demonstration.calibration);
-  result.duration_s = longest_s(result.streams);
+  result.duration_s = longest_duration_s(result.streams);
   for (const SceneObject& object : demonstration.objects) result.objects.push_back(object.name);
-  inspect_rebuilt(motion, result);
+  inspect_reconstruction(motion, result);
   result.residuals = motion.residuals;
   result.estimated = motion.estimated;
   for (Movement& movement : segment::segment(
-           motion, options.segment, reconstruct::objects_beside(demonstration, Side::right))) {
-    std::string unusable = why_unusable(motion, movement, options.human);
+           motion, options.segment, reconstruct::objects_on_side(demonstration, Side::right))) {
+    std::string unusable = find_unusable_reason(motion, movement, options.human);
     result.movements.push_back({std::move(movement), std::move(unusable)});
   }
   result.reports = demonstration.reports;
-  result.problems = motion.problems;
+  result.problems = motion.reconstruction_notes;
   if (result.movements.empty()) result.problems.push_back("no movement was found in it");
   return result;
 }

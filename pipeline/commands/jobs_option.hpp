@@ -6,10 +6,10 @@ class App;
 
 namespace morphe::commands {
 
-/// --jobs N, 0 (as without it) for one thread a core. `jobs` must outlive the parsing.
+/// Adds --jobs N; 0 (the default) means one thread per core. `jobs` must outlive the parsing.
 void add_jobs_option(CLI::App& app, int& jobs);
 
-/// How many threads that is.
+/// Returns the number of threads for a value of --jobs.
 int threads_of(int jobs);
 
 }  // namespace morphe::commands

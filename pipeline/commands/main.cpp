@@ -13,20 +13,20 @@
 #include "core/motion/version.hpp"
 #include "pipeline/commands/commands.hpp"
 #include "pipeline/commands/examples.hpp"
-#include "pipeline/commands/paste.hpp"
+#include "pipeline/commands/import_question_text.hpp"
 #include "pipeline/commands/standard_streams.hpp"
 #include "pipeline/commands/suggestions.hpp"
 #include "pipeline/run/stop_signal.hpp"
 
 namespace {
 
-struct Entry {
+struct CommandEntry {
   const char* name;
   const char* description;
   morphe::commands::Command (*add)(CLI::App&);
 };
 
-constexpr std::array<Entry, 17> kCommands{{
+constexpr std::array<CommandEntry, 17> kCommands{{
     {"diff", "Compare two plans.h5: which plans differ, and by how much",
      morphe::commands::diff_command},
     {"doctor", "Look whether everything is there that Morphe needs",
@@ -59,10 +59,10 @@ constexpr std::array<Entry, 17> kCommands{{
      morphe::commands::verify_command},
 }};
 
-constexpr int kBadInput = 2;
+constexpr int kInputErrorExitCode = 2;
 
-/// What the compiler was told the machine can do.
-bool machine_suffices() {
+/// Returns true if the processor supports the instructions for which the program was compiled.
+bool is_cpu_supported() {
 #if defined(__AVX2__) && defined(__FMA__)
   return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
 #else
@@ -70,7 +70,7 @@ bool machine_suffices() {
 #endif
 }
 
-/// Below each --help: examples.
+/// Adds examples to the help of each command.
 void add_examples(CLI::App& app, const std::string& before) {
   for (CLI::App* const command : app.get_subcommands({})) {
     const std::string name = before + command->get_name();
@@ -79,12 +79,12 @@ void add_examples(CLI::App& app, const std::string& before) {
   }
 }
 
-int say(const std::string& wrong, const std::string& command) {
+int print_usage_error(const std::string& wrong, const std::string& command) {
   fmt::print(stderr, "{}\nmorphe {}--help says more.\n", wrong, command);
-  return kBadInput;
+  return kInputErrorExitCode;
 }
 
-/// `morphe --complete WORD…`, for the shell.
+/// Implements `morphe --complete WORD…` for the shell.
 int complete(const CLI::App& app, int argc, char** argv) {
   const std::vector<std::string> words(argv + 2, argv + argc);
   for (const std::string& word : morphe::commands::completions(app, words))
@@ -92,22 +92,24 @@ int complete(const CLI::App& app, int argc, char** argv) {
   return 0;
 }
 
-/// --help, --version, and what is wrong with the words of a command line.
-int told(const CLI::App& app, const CLI::ParseError& error) {
+/// Prints the output of --help and --version, or the errors of a command line.
+int print_parse_error(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream out, err;
   const int code = app.exit(error, out, err);
   fmt::print("{}", out.str());
   fmt::print(stderr, "{}", err.str());
-  return code == 0 ? 0 : kBadInput;
+  return code == 0 ? 0 : kInputErrorExitCode;
 }
 
 int execute(int argc, char** argv) {
-  if (!machine_suffices()) {
+  if (!is_cpu_supported()) {
     std::fputs("morphe: built for processors with AVX2 and FMA (see MORPHE_ARCH)\n", stderr);
-    return kBadInput;
+    return kInputErrorExitCode;
   }
   morphe::run::watch_stop_signals();
-  std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is an error to be told, like a full disk
+  std::signal(
+      SIGXFSZ,
+      SIG_IGN);  // exceeding a limit on file sizes is reported as an error, like a full disk
   CLI::App app(
       "Morphe turns recorded human reaches and grasps into executable robot trajectories.\n"
       "Shipped files (configs/..., datasets/...) are found from any folder.",
@@ -125,7 +127,7 @@ int execute(int argc, char** argv) {
   if (!first.empty() && first[0] != '-') {
     const std::vector<std::string> names = morphe::commands::command_names(app);
     if (std::ranges::find(names, first) == names.end())
-      return say(morphe::commands::unknown_command(app, first), "");
+      return print_usage_error(morphe::commands::unknown_command(app, first), "");
   }
   try {
     app.parse(argc, argv);
@@ -135,22 +137,22 @@ int execute(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     const std::string unknown = morphe::commands::unknown_options(app);
     if (error.get_exit_code() != 0 && !unknown.empty())
-      return say(unknown.substr(0, unknown.size() - 1), first + " ");
-    return told(app, error);
-  } catch (const morphe::imports::ImportQuestion& question) {
+      return print_usage_error(unknown.substr(0, unknown.size() - 1), first + " ");
+    return print_parse_error(app, error);
+  } catch (const morphe::imports::UnresolvedImport& question) {
     fmt::print(stderr, "{}\n{}", question.what(),
-               morphe::commands::question_text(question, {argv + 1, argv + argc}));
+               morphe::commands::import_question_text(question, {argv + 1, argv + argc}));
   } catch (const morphe::InputError& error) {
     fmt::print(stderr, "{}\n", error.what());
   } catch (const std::exception& error) {
     fmt::print(stderr, "morphe: {}\n", error.what());
   }
-  return kBadInput;
+  return kInputErrorExitCode;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   morphe::commands::guard_standard_streams();
-  return morphe::commands::after_standard_output(execute(argc, argv));
+  return morphe::commands::flush_standard_output(execute(argc, argv));
 }

@@ -30,9 +30,9 @@ int execute(const MergeArguments& arguments) {
   const run::BatchSummary summary =
       run::merge_shards({arguments.folders.begin(), arguments.folders.end()}, plans);
   out.keep();
-  fmt::print("{}\n", arguments.json ? run::summary_json(summary)
-                                    : fmt::format("{}: {}", plans.string(),
-                                                  run::summary_text_for_people(summary)));
+  fmt::print("{}\n", arguments.json
+                         ? run::summary_json(summary)
+                         : fmt::format("{}: {}", plans.string(), run::summary_sentence(summary)));
   if (summary.failed > 0) return 1;
   return arguments.strict && summary.infeasible > 0 ? 1 : 0;
 }

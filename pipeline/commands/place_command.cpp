@@ -4,17 +4,17 @@
 #include <filesystem>
 #include <memory>
 
-#include "core/files/part_file.hpp"
+#include "core/files/atomic_file.hpp"
 #include "core/motion/input_error.hpp"
 #include "core/store/demonstration_file.hpp"
 #include "pipeline/commands/commands.hpp"
-#include "pipeline/commands/dataset_input.hpp"
+#include "pipeline/commands/import_summary.hpp"
 #include "pipeline/commands/input_file.hpp"
 #include "pipeline/commands/jobs_option.hpp"
 #include "pipeline/commands/place_report.hpp"
 #include "pipeline/commands/text_file.hpp"
 #include "pipeline/place/place.hpp"
-#include "pipeline/place/reach_map.hpp"
+#include "pipeline/place/reachability_map.hpp"
 #include "pipeline/run/status_line.hpp"
 #include "stages/import/import.hpp"
 
@@ -41,13 +41,13 @@ std::vector<Demonstration> read_dataset(const PlaceArguments& arguments,
   }
   if (!fs::exists(file)) throw InputError(fmt::format("{}: cannot be read", file.string()));
   std::vector<Demonstration> demonstrations;
-  if (fs::is_directory(file) || !is_demonstrations(file)) {
+  if (fs::is_directory(file) || !is_demonstrations_file(file)) {
     imports::ImportRequest request;
     request.paths = {file};
-    const imports::Imported imported = imports::import_recordings(
+    const imports::ImportResult imported = imports::import_recordings(
         request,
         [&](Demonstration&& demonstration) { demonstrations.push_back(std::move(demonstration)); });
-    fmt::print(stderr, "{}", found_text(imported));
+    fmt::print(stderr, "{}", import_summary_text(imported));
     return demonstrations;
   }
   const store::DemonstrationReader reader(file);
@@ -55,8 +55,8 @@ std::vector<Demonstration> read_dataset(const PlaceArguments& arguments,
   return demonstrations;
 }
 
-place::Kept kept(const std::string& list) {
-  place::Kept keep;
+place::FixedCoordinates parse_keep_option(const std::string& list) {
+  place::FixedCoordinates keep;
   for (const std::string& word : CLI::detail::split(list, ',')) {
     if (word.empty()) continue;
     bool* const part = word == "x"          ? &keep.x
@@ -74,17 +74,17 @@ place::PlaceOptions options_of(const PlaceArguments& arguments, std::uint64_t se
   place::PlaceOptions options = arguments.options;
   options.seed = seed;
   options.jobs = threads_of(arguments.jobs);
-  options.keep = kept(arguments.keep);
-  options.mount = named<place::Mount>(arguments.mount).value();
-  options.tilt_rad = arguments.tilt_deg * kDegree;
-  if (const std::string wrong = why_invalid(options); !wrong.empty()) {
+  options.fixed = parse_keep_option(arguments.keep);
+  options.mount = enum_from_name<place::MountDirection>(arguments.mount).value();
+  options.max_tilt_rad = arguments.tilt_deg * kRadPerDegree;
+  if (const std::string wrong = validation_error(options); !wrong.empty()) {
     throw InputError("place: " + wrong);
   }
   return options;
 }
 
-/// A line that changes on a terminal, otherwise one for each tenth.
-place::Report progress(bool quiet, run::StatusLine& status) {
+/// Returns a callback that shows a changing line on a terminal, otherwise one line for each tenth.
+place::ProgressCallback progress(bool quiet, run::StatusLine& status) {
   return [quiet, &status](const std::string& what, int done, int of) {
     if (quiet) return;
     const std::string text = fmt::format("place: {} {} of {}", what, done, of);
@@ -93,8 +93,8 @@ place::Report progress(bool quiet, run::StatusLine& status) {
   };
 }
 
-/// A config that extends the given one, by where the base stands and nothing else.
-std::string config_text(const PlaceArguments& arguments, const place::Found& best) {
+/// Returns a config that extends the given one by the placement of the base only.
+std::string config_text(const PlaceArguments& arguments, const place::PlacementResult& best) {
   const fs::path folder = fs::absolute(arguments.out).parent_path();
   const fs::path base =
       fs::weakly_canonical(arguments.config).lexically_relative(fs::weakly_canonical(folder));
@@ -104,21 +104,22 @@ std::string config_text(const PlaceArguments& arguments, const place::Found& bes
 
 int execute(const PlaceArguments& arguments) {
   for (const std::string& out : {arguments.out, arguments.map})
-    files::expect_no_input(out, arguments.config);
+    files::expect_not_input(out, arguments.config);
   const planning::LoadedConfig config = planning::load_config(arguments.config, arguments.settings);
   const place::PlaceOptions options = options_of(arguments, config.options.seed);
-  const planning::Planner planner{config.options, config.robot};
-  const std::vector<place::Trial> trials =
+  const planning::PlanningInputs planner{config.options, config.robot};
+  const std::vector<place::TrialMovement> trials =
       place::make_trials(planner, read_dataset(arguments, config), options);
   run::StatusLine status;
-  const place::Report report = progress(arguments.json || arguments.quiet, status);
-  const std::vector<place::Found> found = place::place(planner, trials, options, report);
-  const place::Found given =
-      place::plan_at(planner, trials, config.options.placement, options.jobs);
+  const place::ProgressCallback report = progress(arguments.json || arguments.quiet, status);
+  const std::vector<place::PlacementResult> found =
+      place::find_placements(planner, trials, options, report);
+  const place::PlacementResult given =
+      place::plan_with_placement(planner, trials, config.options.placement, options.jobs);
   if (!arguments.out.empty()) write_text(arguments.out, config_text(arguments, found.front()));
   if (!arguments.map.empty()) {
-    write_text(arguments.map,
-               place::svg_of(place::reach_map(planner, trials, found.front(), options, report)));
+    write_text(arguments.map, place::svg_of(place::reachability_map(planner, trials, found.front(),
+                                                                    options, report)));
   }
   status.clear();
   if (arguments.json) {
@@ -159,7 +160,7 @@ Command place_command(CLI::App& app) {
   app.add_option("--tilt", arguments->tilt_deg, "Degrees by which it may lean from there");
   app.add_option("--keep", arguments->keep,
                  "What of the config's placement stays: of x, y, z, rotation, with commas between");
-  app.add_option("--person", options.person_m,
+  app.add_option("--person", options.person_clearance_m,
                  "Metres that the base keeps from the person's middle");
   app.add_option("--trials", options.trials, "Movements to try placements on, at most");
   app.add_option("--candidates", options.candidates, "Placements to map");

@@ -12,9 +12,9 @@ using Json = nlohmann::ordered_json;
 
 Json number(double value) { return std::isnan(value) ? Json() : Json(value); }
 
-Json json_of(const place::Found& found) {
-  const place::Planned& planned = found.planned;
-  const place::Measures& m = planned.measures;
+Json json_of(const place::PlacementResult& found) {
+  const place::PlannedSummary& planned = found.plan_summary;
+  const place::PlacementMeasures& m = planned.measures;
   Json rotation = Json::array();
   for (const auto& turn : found.placement.rotation) {
     rotation.push_back({{"axis", turn.axis}, {"angle", turn.angle}});
@@ -31,8 +31,8 @@ Json json_of(const place::Found& found) {
           {"tip_error_max", number(planned.tip_error_max_m)},
           {"upper_arm_median", planned.upper_arm_median},
           {"upper_arm_max", planned.upper_arm_max},
-          {"palm", m.palm},
-          {"tempo", m.speed},
+          {"palm", m.palm_error},
+          {"tempo", m.speed_ratio},
           {"cost", place::cost_of(m)}};
 }
 
@@ -47,15 +47,15 @@ std::string place_table_head() {
       "deg", "deg", "", "right, fwd, up mm", "right, fwd, up", "table");
 }
 
-std::string place_row(const std::string& name, const place::Found& found) {
-  const place::Planned& p = found.planned;
-  const Vec3 base = 1e3 * found.base, up = found.stand.up();
+std::string place_row(const std::string& name, const place::PlacementResult& found) {
+  const place::PlannedSummary& p = found.plan_summary;
+  const Vec3 base = 1e3 * found.base, up = found.base_placement.up();
   return fmt::format(
       "{:<8} {:>10} {:>8.1f} {:>8.2f} {:>10.1f} {:>8.1f} {:>8.1f} {:>6} {:>20} {:>16} {:>7}", name,
       fmt::format("{} of {}", p.executable, p.movements), 100 * p.measures.out_of_reach,
-      1e3 * p.measures.tip_error_m, p.upper_arm_median / kDegree, p.upper_arm_max / kDegree,
-      p.measures.palm / kDegree,
-      p.executable == p.movements ? fmt::format("{:.2f}", p.measures.speed) : "-",
+      1e3 * p.measures.tip_error_m, p.upper_arm_median / kRadPerDegree,
+      p.upper_arm_max / kRadPerDegree, p.measures.palm_error / kRadPerDegree,
+      p.executable == p.movements ? fmt::format("{:.2f}", p.measures.speed_ratio) : "-",
       fmt::format("{:.0f} {:.0f} {:.0f}", base.x(), base.y(), base.z()),
       fmt::format("{:.2f} {:.2f} {:.2f}", up.x(), up.y(), up.z()),
       std::isnan(found.above_table) ? "-" : fmt::format("{:.0f}", 1e3 * found.above_table));
@@ -65,16 +65,18 @@ std::string placement_yaml(const map::PlacementOptions& placement) {
   std::string yaml = "placement:\n  rotation:";
   if (placement.rotation.empty()) yaml += " []";
   for (const auto& turn : placement.rotation) {
-    yaml += fmt::format("\n    - {{axis: {}, angle: {:.1f} deg}}", turn.axis, turn.angle / kDegree);
+    yaml += fmt::format("\n    - {{axis: {}, angle: {:.1f} deg}}", turn.axis,
+                        turn.angle / kRadPerDegree);
   }
   const Vec3& at = placement.shoulder_offset;
   return yaml +
          fmt::format("\n  shoulder_offset: [{:.3f}, {:.3f}, {:.3f}]\n", at.x(), at.y(), at.z());
 }
 
-std::string place_json(const place::Found& given, const std::vector<place::Found>& found) {
+std::string place_json(const place::PlacementResult& given,
+                       const std::vector<place::PlacementResult>& found) {
   Json places = Json::array();
-  for (const place::Found& one : found) places.push_back(json_of(one));
+  for (const place::PlacementResult& one : found) places.push_back(json_of(one));
   return Json{{"given", json_of(given)}, {"places", places}}.dump();
 }
 

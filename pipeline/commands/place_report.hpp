@@ -6,14 +6,17 @@
 
 namespace morphe::commands {
 
-/// A row a placement: what full plans from there are like, and where it is. Without a newline at
-/// the end.
+/// Returns the head of a table with one row per placement: the results of full plans and the
+/// placement itself. There is no newline at the end.
 std::string place_table_head();
-std::string place_row(const std::string& name, const place::Found& found);
+/// Returns the row of a placement.
+std::string place_row(const std::string& name, const place::PlacementResult& found);
 
-/// The config section, indented by nothing.
+/// Returns the config section without indentation.
 std::string placement_yaml(const map::PlacementOptions& placement);
 
-std::string place_json(const place::Found& given, const std::vector<place::Found>& found);
+/// Returns the given placement and the found ones as JSON.
+std::string place_json(const place::PlacementResult& given,
+                       const std::vector<place::PlacementResult>& found);
 
 }  // namespace morphe::commands

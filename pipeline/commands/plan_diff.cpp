@@ -11,15 +11,16 @@
 namespace morphe::commands {
 namespace {
 
-/// Of what cannot be read as a plan the row says why; its datasets are compared nevertheless.
-PlanRow row_in(const store::PlanReader& plans, const robot::Robot& robot, std::size_t index) {
+/// Reads a plan as a row. If it cannot be read, the row contains the error; its datasets are
+/// compared nevertheless.
+PlanRow read_row(const store::PlanReader& plans, const robot::Robot& robot, std::size_t index) {
   try {
     return row_of(robot, plans.read(index));
   } catch (const InputError& error) {
     PlanRow row;
     row.name = plans.plan_paths()[index];
     row.status = "damaged";
-    row.figures.fill(kNotSeen);
+    row.figures.fill(kUnknown);
     row.lines = {error.what()};
     return row;
   }
@@ -31,14 +32,14 @@ std::vector<PlanPair> pairs_of(const store::PlanReader& first, const store::Plan
   std::map<std::string, std::size_t> at;
   for (std::size_t k = 0; k < first.size(); ++k) {
     at[first.plan_paths()[k]] = pairs.size();
-    pairs.push_back({first.plan_paths()[k], row_in(first, robot_of_first, k), {}});
+    pairs.push_back({first.plan_paths()[k], read_row(first, robot_of_first, k), {}});
   }
   for (std::size_t k = 0; k < second.size(); ++k) {
     const std::string& name = second.plan_paths()[k];
     const auto found = at.find(name);
     PlanPair& pair =
         found == at.end() ? pairs.emplace_back(PlanPair{name, {}, {}}) : pairs[found->second];
-    pair.second = row_in(second, robot_of_second, k);
+    pair.second = read_row(second, robot_of_second, k);
   }
   return pairs;
 }
@@ -84,30 +85,30 @@ bool PlanPair::status_changed() const {
 }
 
 double PlanPair::change(std::size_t figure) const {
-  return in_both() ? second->figures[figure] - first->figures[figure] : kNotSeen;
+  return in_both() ? second->figures[figure] - first->figures[figure] : kUnknown;
 }
 
 PlanDiff compare_plans(const std::filesystem::path& first, const std::filesystem::path& second) {
   PlanDiff diff{first, second, {}, {}, {}, {}, run::diff_files(first, second)};
   const store::PlanReader a(first), b(second);
   diff.pairs = pairs_of(a, b);
-  for (std::size_t k = 0; k < kPlanFigures; ++k) diff.figures[k] = change_of(diff.pairs, k);
+  for (std::size_t k = 0; k < kPlanFigureCount; ++k) diff.figures[k] = change_of(diff.pairs, k);
   if (a.header().config != b.header().config)
     diff.config = run::config_changes(a.header().config, b.header().config);
-  diff.file = file_changes(a.header(), b.header(), diff.data);
+  diff.file = file_changes(a.header(), b.header(), diff.dataset_differences);
   return diff;
 }
 
-std::vector<PlanPair> chosen_pairs(const PlanDiff& diff, const RowChoice& choice) {
+std::vector<PlanPair> select_pairs(const PlanDiff& diff, const RowSelection& choice) {
   std::vector<PlanPair> pairs;
   for (const PlanPair& pair : diff.pairs) {
-    if ((pair.first && chosen(choice, *pair.first)) ||
-        (pair.second && chosen(choice, *pair.second)))
+    if ((pair.first && is_selected(choice, *pair.first)) ||
+        (pair.second && is_selected(choice, *pair.second)))
       pairs.push_back(pair);
   }
-  if (choice.sort == "name") std::ranges::stable_sort(pairs, {}, &PlanPair::name);
+  if (choice.sort_key == "name") std::ranges::stable_sort(pairs, {}, &PlanPair::name);
   const auto& figures = plan_figures();
-  const auto key = std::ranges::find(figures, choice.sort, &PlanFigure::key);
+  const auto key = std::ranges::find(figures, choice.sort_key, &PlanFigure::key);
   if (key == figures.end()) return pairs;
   const auto k = static_cast<std::size_t>(key - figures.begin());
   std::ranges::stable_sort(pairs, std::ranges::greater{}, [&](const PlanPair& pair) {

@@ -10,46 +10,64 @@
 
 namespace morphe::commands {
 
-/// A plan of either file; without a row where that file does not hold it.
+/// A plan of two files; a row is absent if its file does not contain the plan.
 struct PlanPair {
+  /// The name of the plan.
   std::string name;
+  /// The rows of the two files.
   std::optional<PlanRow> first, second;
 
+  /// Returns true if both files contain the plan.
   bool in_both() const { return first && second; }
+  /// Returns true if both files contain the plan with different status.
   bool status_changed() const;
-  /// Of a figure, SI: second - first; NaN where it does not apply in one of them.
+  /// Returns second - first of a figure in SI units, NaN if it does not apply in one of the files.
   double change(std::size_t figure) const;
 };
 
-/// What became of a figure over the plans of both files that have it in both.
+/// The change of a figure over the plans that have it in both files.
 struct FigureChange {
+  /// The number of these plans.
   std::size_t plans = 0;
-  double median_first = kNotSeen, median_second = kNotSeen;
-  double largest = 0;  ///< signed change of the plan that moved most
-  std::string plan;    ///< that plan, "" if none moved
+  /// The medians in the two files.
+  double median_first = kUnknown, median_second = kUnknown;
+  /// Signed change that is largest in magnitude.
+  double largest = 0;
+  /// Plan with this change, "" if there is no change.
+  std::string plan;
 };
 
+/// The differences of two plans.h5 files.
 struct PlanDiff {
+  /// The paths of the files.
   std::filesystem::path first, second;
-  std::vector<PlanPair> pairs;  ///< in the order of the first file, then what is the second's alone
-  std::array<FigureChange, kPlanFigures> figures;
-  std::vector<std::string> config;  ///< "map.starts 24 -> 32"
-  std::vector<std::string> file;    ///< what else of the files differs: "another dataset"
-  run::DiffReport data;             ///< bit for bit
+  /// In the order of the first file, then those that only the second contains.
+  std::vector<PlanPair> pairs;
+  /// The changes of all figures.
+  std::array<FigureChange, kPlanFigureCount> figures;
+  /// Changes of the config, such as "map.starts 24 -> 32".
+  std::vector<std::string> config;
+  /// Other differences of the files, such as "another dataset".
+  std::vector<std::string> file;
+  /// Bitwise differences.
+  run::DiffReport dataset_differences;
 
-  bool equal() const { return data.differences.empty(); }
+  /// Returns true if the files are equal.
+  bool equal() const { return dataset_differences.differences.empty(); }
 };
 
+/// Compares two plans.h5 files.
 PlanDiff compare_plans(const std::filesystem::path& first, const std::filesystem::path& second);
 
-/// Pairs that --only and --sort choose: a pair is shown if either of its rows is, the one that
-/// moved most first.
-std::vector<PlanPair> chosen_pairs(const PlanDiff& diff, const RowChoice& choice);
+/// Selects the pairs for --only and --sort: a pair is selected if one of its rows is; pairs with
+/// the largest change come first.
+std::vector<PlanPair> select_pairs(const PlanDiff& diff, const RowSelection& choice);
 
-/// Summary, then a row for each plan of `pairs` that changed; with `all` every dataset, too.
+/// Returns the summary, then a row for each plan of `pairs` that changed; with `all`, every dataset
+/// as well.
 std::string diff_text(const PlanDiff& diff, const std::vector<PlanPair>& pairs, bool all,
                       std::size_t width);
-/// docs/formats.md says what.
+/// Returns the differences as JSON, as docs/formats.md defines it.
 std::string diff_json(const PlanDiff& diff);
 
 }  // namespace morphe::commands

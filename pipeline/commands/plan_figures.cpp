@@ -11,9 +11,9 @@
 namespace morphe::commands {
 namespace {
 
-/// Over the mapped frames: the worst of the goals in reach [m].
-double mapped_worst(const RobotTable&, const Plan& plan) {
-  double worst_m = kNotSeen;
+/// Returns the largest error over the mapped frames and the goals in reach [m].
+double mapped_tip_error_max(const RobotModel&, const Plan& plan) {
+  double worst_m = kUnknown;
   const JointRows& errors = plan.mapped.position_error;
   for (Eigen::Index f = 0; f < errors.rows(); ++f) {
     for (Eigen::Index tip = 0; tip < errors.cols(); ++tip) {
@@ -25,7 +25,7 @@ double mapped_worst(const RobotTable&, const Plan& plan) {
   return worst_m;
 }
 
-double share_out_of_reach(const RobotTable&, const Plan& plan) {
+double share_out_of_reach(const RobotModel&, const Plan& plan) {
   double goals = 0, out = 0;
   const JointRows& errors = plan.mapped.position_error;
   for (Eigen::Index f = 0; f < errors.rows(); ++f) {
@@ -36,11 +36,11 @@ double share_out_of_reach(const RobotTable&, const Plan& plan) {
           plan.goals.reachable(static_cast<std::size_t>(f), static_cast<std::size_t>(tip)) ? 0 : 1;
     }
   }
-  return goals > 0 ? out / goals : kNotSeen;
+  return goals > 0 ? out / goals : kUnknown;
 }
 
-/// Largest step of a joint between two frames of the mapping, per 10 ms [rad].
-double largest_step(const RobotTable&, const Plan& plan) {
+/// Returns the largest step of a joint between two frames of the mapping, per 10 ms [rad].
+double largest_step(const RobotModel&, const Plan& plan) {
   double largest = 0;
   const JointRows& q = plan.mapped.position;
   for (Eigen::Index f = 1; f < q.rows(); ++f) {
@@ -51,56 +51,58 @@ double largest_step(const RobotTable&, const Plan& plan) {
   return largest;
 }
 
-double duration(const RobotTable&, const Plan& plan) {
-  return plan.trajectory.time.empty() ? kNotSeen : plan.trajectory.time.back();
+double duration(const RobotModel&, const Plan& plan) {
+  return plan.trajectory.time.empty() ? kUnknown : plan.trajectory.time.back();
 }
 
 template <double Certificate::*figure>
-double certified(const RobotTable&, const Plan& plan) {
+double certificate_figure(const RobotModel&, const Plan& plan) {
   return plan.certificate.*figure;
 }
 
-constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 
-constexpr std::array<PlanFigure, kPlanFigures> kFigures{{
-    {"mapped", "mapped tips", "mm", 1e3, 2, 1, mapped_worst},
+constexpr std::array<PlanFigure, kPlanFigureCount> kFigures{{
+    {"mapped", "mapped tips", "mm", 1e3, 2, 1, mapped_tip_error_max},
     {"out_of_reach", "out of reach", "%", 100, 1, 1, share_out_of_reach},
     {"step", "largest step", "rad", 1, 3, 1, largest_step},
-    {"grasp", "tips at grasp", "mm", 1e3, 2, 1, certified<&Certificate::position_error_grasp>},
-    {"tips_mean", "tips mean", "mm", 1e3, 2, 1, certified<&Certificate::position_error_mean>},
-    {"tips", "tips max", "mm", 1e3, 2, 1, certified<&Certificate::position_error_max>},
+    {"grasp", "tips at grasp", "mm", 1e3, 2, 1,
+     certificate_figure<&Certificate::position_error_grasp>},
+    {"tips_mean", "tips mean", "mm", 1e3, 2, 1,
+     certificate_figure<&Certificate::position_error_mean>},
+    {"tips", "tips max", "mm", 1e3, 2, 1, certificate_figure<&Certificate::position_error_max>},
     {"humanlikeness", "humanlikeness A", "cm^2", 1e4, 1, 1,
-     certified<&Certificate::humanlikeness_final>, true},
-    {"upper_arm", "upper arm", "deg", kDegrees, 1, 1, certified<&Certificate::upper_arm_error_mean>,
-     true},
-    {"palm", "palm", "deg", kDegrees, 1, 1, planning::palm_error},
-    {"clearance", "clearance", "mm", 1e3, 1, -1, certified<&Certificate::clearance>},
-    {"tempo", "tempo", "", 1, 2, 1, certified<&Certificate::tempo>},
+     certificate_figure<&Certificate::humanlikeness_final>, true},
+    {"upper_arm", "upper arm", "deg", kDegreesPerRadian, 1, 1,
+     certificate_figure<&Certificate::upper_arm_error_mean>, true},
+    {"palm", "palm", "deg", kDegreesPerRadian, 1, 1, planning::palm_error},
+    {"clearance", "clearance", "mm", 1e3, 1, -1, certificate_figure<&Certificate::clearance>},
+    {"tempo", "tempo", "", 1, 2, 1, certificate_figure<&Certificate::tempo>},
     {"duration", "duration", "s", 1, 2, 1, duration},
 }};
 
 }  // namespace
 
-const std::array<PlanFigure, kPlanFigures>& plan_figures() { return kFigures; }
+const std::array<PlanFigure, kPlanFigureCount>& plan_figures() { return kFigures; }
 
-FigureValues figures_of(const RobotTable& robot, const Plan& plan) {
+FigureValues figures_of(const RobotModel& robot, const Plan& plan) {
   FigureValues values;
-  for (std::size_t k = 0; k < kPlanFigures; ++k) values[k] = kFigures[k].of(robot, plan);
+  for (std::size_t k = 0; k < kPlanFigureCount; ++k) values[k] = kFigures[k].compute(robot, plan);
   return values;
 }
 
 double median_of(std::vector<double> values) {
   std::erase_if(values, [](double value) { return std::isnan(value); });
-  if (values.empty()) return kNotSeen;
+  if (values.empty()) return kUnknown;
   std::ranges::sort(values);
   const std::size_t half = values.size() / 2;
   return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
-std::string printed(const PlanFigure& figure, double value, bool arm_estimated) {
+std::string format_figure(const PlanFigure& figure, double value, bool arm_estimated) {
   if (std::isnan(value)) return "-";
-  return fmt::format("{}{:.{}f}", arm_estimated && figure.of_the_arm ? "~" : "",
-                     figure.per_si * value, figure.digits);
+  return fmt::format("{}{:.{}f}", arm_estimated && figure.uses_human_arm ? "~" : "",
+                     figure.print_scale * value, figure.digits);
 }
 
 }  // namespace morphe::commands

@@ -6,34 +6,44 @@
 #include <vector>
 
 #include "core/motion/plan.hpp"
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 
 namespace morphe::commands {
 
-/// A figure of a plan, as tables and comparisons show it.
+/// A figure of a plan, as shown in tables and comparisons.
 struct PlanFigure {
-  std::string_view key;         ///< of --sort and in JSON, where it stands in SI units
-  std::string_view name, unit;  ///< as printed; a number without a unit: ""
-  double per_si;                ///< what is printed = per_si * value
+  /// Key for --sort and for JSON, in which the value is in SI units.
+  std::string_view key;
+  /// Printed name and unit, "" for a dimensionless number.
+  std::string_view name, unit;
+  /// Factor from the value to the printed number.
+  double print_scale;
+  /// The number of printed decimals.
   int digits;
-  int worse;                                     ///< 1: the larger, the worse; -1: the smaller
-  double (*of)(const RobotTable&, const Plan&);  ///< NaN: does not apply
-  bool of_the_arm = false;                       ///< compares with the person's shoulder and elbow
+  /// 1 if larger values are worse, -1 if smaller values are worse.
+  int worse_sign;
+  /// Computes the value, NaN if it does not apply.
+  double (*compute)(const RobotModel&, const Plan&);
+  /// True if it compares with the shoulder and elbow of the person.
+  bool uses_human_arm = false;
 };
 
-inline constexpr std::size_t kPlanFigures = 12;
-/// mapped, out_of_reach, step, grasp, tips_mean, tips, humanlikeness, upper_arm, palm, clearance,
-/// tempo, duration.
-const std::array<PlanFigure, kPlanFigures>& plan_figures();
+/// The number of figures.
+inline constexpr std::size_t kPlanFigureCount = 12;
+/// Returns the figures mapped, out_of_reach, step, grasp, tips_mean, tips, humanlikeness,
+/// upper_arm, palm, clearance, tempo and duration.
+const std::array<PlanFigure, kPlanFigureCount>& plan_figures();
 
-using FigureValues = std::array<double, kPlanFigures>;
-FigureValues figures_of(const RobotTable& robot, const Plan& plan);
+/// The values of all figures of a plan.
+using FigureValues = std::array<double, kPlanFigureCount>;
+/// Computes the values of all figures of a plan.
+FigureValues figures_of(const RobotModel& robot, const Plan& plan);
 
-/// The middle of those that are numbers, of an even count the mean of the two; NaN if there is
-/// none.
+/// Returns the median of the values that are not NaN, which for an even number is the mean of the
+/// two middle ones; NaN if there are no such values.
 double median_of(std::vector<double> values);
 
-/// "-" for NaN; in the unit of print. "~" before a figure of an arm that was estimated.
-std::string printed(const PlanFigure& figure, double value, bool arm_estimated = false);
+/// Formats a figure in its printed unit, "-" for NaN, with "~" before a figure of an estimated arm.
+std::string format_figure(const PlanFigure& figure, double value, bool arm_estimated = false);
 
 }  // namespace morphe::commands

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/motion/arm_estimated.hpp"
+#include "core/motion/arm_estimate.hpp"
 #include "core/motion/input_error.hpp"
 #include "pipeline/commands/scene_remarks.hpp"
 #include "pipeline/commands/text_table.hpp"
@@ -29,14 +29,14 @@ double mean_mm(const JointRows& errors) {
     sum += error;
     ++count;
   }
-  return count > 0 ? 1e3 * sum / count : kNotSeen;
+  return count > 0 ? 1e3 * sum / count : kUnknown;
 }
 
-/// Where goals are out of reach: how far the tips are from them, and how far they have to be.
+/// Describes goals out of reach: the errors of the tips and the smallest attainable errors.
 std::string reach_line(const Plan& plan) {
-  const JointRows& nearest = plan.mapped.nearest_error;
+  const JointRows& nearest = plan.mapped.least_attainable_error;
   if (std::isnan(mean_mm(nearest))) return "";
-  const JointRows there = nearest.array().isNaN().select(kNotSeen, plan.mapped.position_error);
+  const JointRows there = nearest.array().isNaN().select(kUnknown, plan.mapped.position_error);
   return fmt::format(
       "out of reach: tips {} mm from these goals in the mean, {} mm as near as they can come; {} "
       "mm over all goals",
@@ -67,14 +67,14 @@ std::vector<std::string> lines_of(const robot::Robot& robot, const Plan& plan) {
   return lines;
 }
 
-json rows_of(const Pose& pose) {
+json matrix_json(const Pose& pose) {
   json rows = json::array();
   for (int row = 0; row < 3; ++row)
     for (int col = 0; col < 4; ++col) rows.push_back(pose.matrix()(row, col));
   return rows;
 }
 
-double number_of(const json& value) { return value.is_null() ? kNotSeen : value.get<double>(); }
+double number_of(const json& value) { return value.is_null() ? kUnknown : value.get<double>(); }
 
 Pose pose_of(const json& value) {
   Pose pose = Pose::Identity();
@@ -84,13 +84,14 @@ Pose pose_of(const json& value) {
   return pose;
 }
 
-std::size_t figure_named(const std::string& key) {
+std::size_t figure_index(const std::string& key) {
   const auto& figures = plan_figures();
   return static_cast<std::size_t>(std::ranges::find(figures, key, &PlanFigure::key) -
                                   figures.begin());
 }
 
-/// What the table shows of the figures, with its heads, and what a narrow terminal can do without.
+/// A column of the table for a figure, with its head and its priority of being dropped on a narrow
+/// terminal.
 struct FigureColumn {
   const char *key, *top, *below;
   int spare;
@@ -114,14 +115,14 @@ PlanRow row_of(const robot::Robot& robot, const Plan& plan) {
   row.status = plan.executable() && plan.certificate.repaired ? "repaired" : name_of(plan.status());
   row.reason = name_of(plan.reason);
   row.figures = figures_of(robot, plan);
-  row.against_estimate = arm_estimated(plan.goals);
+  row.against_estimate = is_arm_estimated(plan.goals);
   row.lines = lines_of(robot, plan);
   row.world = plan.world;
   row.remarks = scene_remarks(plan);
   return row;
 }
 
-std::string row_text(const PlanRow& row) {
+std::string row_to_json(const PlanRow& row) {
   const WorldFrames& world = row.world;
   return json{{"name", row.name},
               {"status", row.status},
@@ -129,22 +130,22 @@ std::string row_text(const PlanRow& row) {
               {"figures", row.figures},
               {"against_estimate", row.against_estimate},
               {"lines", row.lines},
-              {"recording", rows_of(world.base_from_world)},
-              {"table", rows_of(world.base_from_table)},
-              {"target", rows_of(world.base_from_target)},
+              {"recording", matrix_json(world.base_from_world)},
+              {"table", matrix_json(world.base_from_table)},
+              {"target", matrix_json(world.base_from_target)},
               {"shoulder", {world.shoulder.x(), world.shoulder.y(), world.shoulder.z()}},
               {"remarks", row.remarks}}
       .dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
-PlanRow row_from_text(const std::string& text) {
+PlanRow row_from_json(const std::string& text) {
   PlanRow row;
   try {
     const json row_json = json::parse(text);
     row_json.at("name").get_to(row.name);
     row_json.at("status").get_to(row.status);
     row_json.at("reason").get_to(row.reason);
-    for (std::size_t k = 0; k < kPlanFigures; ++k)
+    for (std::size_t k = 0; k < kPlanFigureCount; ++k)
       row.figures[k] = number_of(row_json.at("figures").at(k));
     row_json.at("against_estimate").get_to(row.against_estimate);
     row_json.at("lines").get_to(row.lines);
@@ -160,33 +161,34 @@ PlanRow row_from_text(const std::string& text) {
   return row;
 }
 
-void check_choice(const RowChoice& choice) {
-  if (choice.sort.empty() || choice.sort == "name" || figure_named(choice.sort) < kPlanFigures)
+void check_selection(const RowSelection& choice) {
+  if (choice.sort_key.empty() || choice.sort_key == "name" ||
+      figure_index(choice.sort_key) < kPlanFigureCount)
     return;
   std::vector<std::string_view> keys;
   for (const PlanFigure& figure : plan_figures()) keys.push_back(figure.key);
   throw InputError(
-      fmt::format("--sort: '{}' is none of name, {}", choice.sort, fmt::join(keys, ", ")));
+      fmt::format("--sort: '{}' is none of name, {}", choice.sort_key, fmt::join(keys, ", ")));
 }
 
-bool chosen(const RowChoice& choice, const PlanRow& row) {
+bool is_selected(const RowSelection& choice, const PlanRow& row) {
   const std::string demonstration = row.name.substr(0, row.name.rfind('/'));
-  return std::ranges::all_of(choice.only, [&](const std::string& word) {
+  return std::ranges::all_of(choice.filters, [&](const std::string& word) {
     return word == row.status || (word == name_of(Status::executable) && row.executable()) ||
-           (!row.reason.empty() && word == row.reason) || report::matches(row.name, word) ||
-           report::matches(demonstration, word);
+           (!row.reason.empty() && word == row.reason) || report::matches_pattern(row.name, word) ||
+           report::matches_pattern(demonstration, word);
   });
 }
 
-void sort_rows(const RowChoice& choice, std::vector<PlanRow>& rows) {
-  if (choice.sort.empty()) return;
-  if (choice.sort == "name") {
+void sort_rows(const RowSelection& choice, std::vector<PlanRow>& rows) {
+  if (choice.sort_key.empty()) return;
+  if (choice.sort_key == "name") {
     std::ranges::stable_sort(rows, {}, &PlanRow::name);
     return;
   }
-  const std::size_t k = figure_named(choice.sort);
+  const std::size_t k = figure_index(choice.sort_key);
   const auto badness = [&](const PlanRow& row) {
-    return std::isnan(row.figures[k]) ? -kInfinity : plan_figures()[k].worse * row.figures[k];
+    return std::isnan(row.figures[k]) ? -kInfinity : plan_figures()[k].worse_sign * row.figures[k];
   };
   std::ranges::stable_sort(rows, std::ranges::greater{}, badness);
 }
@@ -200,8 +202,8 @@ std::string plan_table(const std::vector<PlanRow>& rows, std::size_t width) {
     TextTable::Row& out = table.rows.emplace_back();
     out.cells = {row.name, row.status};
     for (const FigureColumn& column : kColumns) {
-      const std::size_t k = figure_named(column.key);
-      out.cells.push_back(printed(plan_figures()[k], row.figures[k], row.against_estimate));
+      const std::size_t k = figure_index(column.key);
+      out.cells.push_back(format_figure(plan_figures()[k], row.figures[k], row.against_estimate));
     }
     out.lines = row.lines;
   }

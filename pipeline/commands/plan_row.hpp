@@ -9,39 +9,52 @@
 
 namespace morphe::commands {
 
-/// What tables say of a plan.
+/// The data of a plan shown in tables.
 struct PlanRow {
-  std::string name;    ///< "<demonstration>/<000>"
-  std::string status;  ///< executable, repaired (and executable), approximate or infeasible
-  std::string reason;  ///< its code, "" unless infeasible
+  /// Name "<demonstration>/<000>".
+  std::string name;
+  /// Status: executable, repaired (and executable), approximate or infeasible.
+  std::string status;
+  /// Code of the reason, "" unless infeasible.
+  std::string reason;
+  /// The values of the figures.
   FigureValues figures{};
-  bool against_estimate = false;   ///< shoulder or elbow were not recorded
-  std::vector<std::string> lines;  ///< why it is infeasible, what to try, notes, findings
-  WorldFrames world;               ///< where things stand
-  std::map<std::string, std::string> remarks;  ///< scene_remarks()
+  /// True if shoulder or elbow were not recorded.
+  bool against_estimate = false;
+  /// Reason for an infeasible plan, advice, notes, findings.
+  std::vector<std::string> lines;
+  /// Frames of the scene.
+  WorldFrames world;
+  /// Result of scene_remarks().
+  std::map<std::string, std::string> remarks;
 
+  /// Returns true for executable plans, including repaired ones.
   bool executable() const { return status == name_of(Status::executable) || status == "repaired"; }
 };
+/// Computes the row of a plan.
 PlanRow row_of(const robot::Robot& robot, const Plan& plan);
 
-/// As a run's journal keeps it: one line. Bit for bit the same when read back.
-std::string row_text(const PlanRow& row);
-PlanRow row_from_text(const std::string& text);
+/// Converts a row to one line of JSON, as the journal of a run stores it. Reading it back gives an
+/// identical row.
+std::string row_to_json(const PlanRow& row);
+/// Converts the JSON back to a row.
+PlanRow row_from_json(const std::string& text);
 
-/// Which rows are shown, and in what order.
-struct RowChoice {
-  std::string sort;               ///< the key of a figure (the worst first) or name; "" as they are
-  std::vector<std::string> only;  ///< each a status, a reason or a pattern of names
+/// The selection and the order of the rows shown.
+struct RowSelection {
+  std::string sort_key;  ///< key of a figure (worst rows first) or name, "" for the original order
+  std::vector<std::string> filters;  ///< each a status, a reason or a pattern of names
 };
 
-/// InputError names the keys there are.
-void check_choice(const RowChoice& choice);
-/// executable counts what was repaired; a pattern (* and ?) may leave out the movement.
-bool chosen(const RowChoice& choice, const PlanRow& row);
-/// Rows without the figure come last.
-void sort_rows(const RowChoice& choice, std::vector<PlanRow>& rows);
+/// Throws InputError with the list of valid keys if the key is invalid.
+void check_selection(const RowSelection& choice);
+/// Returns true if a row satisfies all filters. The status executable includes repaired plans; a
+/// pattern (* and ?) may omit the movement.
+bool is_selected(const RowSelection& choice, const PlanRow& row);
+/// Sorts the rows. Rows without the figure come last.
+void sort_rows(const RowSelection& choice, std::vector<PlanRow>& rows);
 
-/// The table with everything that stands below its rows.
+/// Returns the table with all lines below its rows.
 std::string plan_table(const std::vector<PlanRow>& rows, std::size_t width);
 
 }  // namespace morphe::commands

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/motion/input_error.hpp"
-#include "core/store/harmless.hpp"
+#include "core/store/sandbox_probe.hpp"
 
 namespace morphe::commands {
 
@@ -28,16 +28,16 @@ std::vector<fs::path> find_plans(const fs::path& named) {
 
 }  // namespace
 
-std::vector<fs::path> plans_files(const fs::path& named) {
+std::vector<fs::path> find_plans_files(const fs::path& named) {
   std::vector<fs::path> found = find_plans(named);
-  for (const fs::path& file : found) store::expect_harmless(file);
+  for (const fs::path& file : found) store::probe_in_sandbox(file);
   return found;
 }
 
-fs::path plans_file(const fs::path& named) {
+fs::path find_plans_file(const fs::path& named) {
   const std::vector<fs::path> found = find_plans(named);
   if (found.size() == 1) {
-    store::expect_harmless(found.front());
+    store::probe_in_sandbox(found.front());
     return found.front();
   }
   std::string list;

@@ -6,8 +6,8 @@
 #include <set>
 #include <thread>
 
-#include "core/files/part_file.hpp"
-#include "core/motion/counted.hpp"
+#include "core/files/atomic_file.hpp"
+#include "core/motion/count_with_noun.hpp"
 #include "core/motion/input_error.hpp"
 #include "pipeline/commands/commands.hpp"
 #include "pipeline/commands/plans_file.hpp"
@@ -35,7 +35,7 @@ std::vector<report::ReportRequest::Run> runs_of(const std::vector<std::string>& 
   std::vector<report::ReportRequest::Run> runs;
   std::set<std::string> names;
   for (const std::string& named : files) {
-    for (const fs::path& file : plans_files(named)) {
+    for (const fs::path& file : find_plans_files(named)) {
       std::string name = stem_or_folder(file);
       for (int k = 2; !names.insert(name).second; ++k)
         name = fmt::format("{} ({})", stem_or_folder(file), k);
@@ -47,19 +47,19 @@ std::vector<report::ReportRequest::Run> runs_of(const std::vector<std::string>& 
 
 void read_worst(const std::vector<std::string>& worst, report::Selection& selection) {
   if (worst.empty()) return;
-  const std::vector<std::string> names = report::worst_by_names();
+  const std::vector<std::string> names = report::ranking_measure_names();
   try {
     std::size_t used = 0;
-    selection.worst = std::stoi(worst[0], &used);
-    if (used != worst[0].size()) selection.worst = 0;
+    selection.worst_count = std::stoi(worst[0], &used);
+    if (used != worst[0].size()) selection.worst_count = 0;
   } catch (const std::exception&) {
-    selection.worst = 0;
+    selection.worst_count = 0;
   }
-  if (selection.worst < 1)
+  if (selection.worst_count < 1)
     throw InputError(fmt::format("--worst: '{}' is no number of plans", worst[0]));
   if (std::ranges::find(names, worst[1]) == names.end())
     throw InputError(fmt::format("--worst: '{}' is none of {}", worst[1], fmt::join(names, ", ")));
-  selection.by = worst[1];
+  selection.ranking_measure = worst[1];
 }
 
 int execute(ReportArguments& arguments) {
@@ -67,13 +67,13 @@ int execute(ReportArguments& arguments) {
     throw InputError("report: needs --out PAGE.html, --svg FOLDER or both");
   report::ReportRequest& request = arguments.request;
   request.runs = runs_of(arguments.files);
-  for (const auto& run : request.runs) files::expect_no_input(arguments.out, run.plans);
+  for (const auto& run : request.runs) files::expect_not_input(arguments.out, run.plans);
   request.jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   read_worst(arguments.worst, request.selection);
   if (!arguments.out.empty()) {
     const report::ReportSummary summary = report::write_report(request, arguments.out);
     for (const std::string& note : summary.notes) fmt::print("{}\n", note);
-    fmt::print("{}: {}, {:.1f} MB\n", arguments.out, counted(summary.shown, "plan"),
+    fmt::print("{}: {}, {:.1f} MB\n", arguments.out, count_with_noun(summary.shown, "plan"),
                1e-6 * static_cast<double>(fs::file_size(arguments.out)));
   }
   if (!arguments.svg.empty()) {
@@ -96,10 +96,10 @@ Command report_command(CLI::App& app) {
   app.add_option("--svg", arguments->svg, "Folder for a filmstrip of each plan (SVG)");
   app.add_option("--plans", arguments->request.selection.pattern,
                  "Plans of that name alone: DEMONSTRATION/000, with * and ?");
-  app.add_flag("--failed", arguments->request.selection.failed, "Infeasible plans alone");
-  app.add_option(
-         "--worst", arguments->worst,
-         fmt::format("N BY: the N worst alone, by {}", fmt::join(report::worst_by_names(), ", ")))
+  app.add_flag("--failed", arguments->request.selection.infeasible_only, "Infeasible plans alone");
+  app.add_option("--worst", arguments->worst,
+                 fmt::format("N BY: the N worst alone, by {}",
+                             fmt::join(report::ranking_measure_names(), ", ")))
       ->expected(2)
       ->type_name("N BY");
   app.add_option("--meshes", arguments->request.meshes,

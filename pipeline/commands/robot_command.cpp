@@ -3,15 +3,15 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "core/files/part_file.hpp"
+#include "core/files/atomic_file.hpp"
 #include "core/motion/input_error.hpp"
 #include "core/robot/files/write_urdf.hpp"
 #include "pipeline/commands/commands.hpp"
 #include "pipeline/commands/input_file.hpp"
 #include "pipeline/commands/robot_setup.hpp"
 #include "pipeline/commands/text_file.hpp"
-#include "pipeline/describe/draw.hpp"
-#include "pipeline/describe/report.hpp"
+#include "pipeline/describe/robot_svg.hpp"
+#include "pipeline/describe/robot_text.hpp"
 #include "pipeline/describe/self_collision.hpp"
 
 namespace morphe::commands {
@@ -39,9 +39,9 @@ Command robot_command(CLI::App& app) {
     if (app.got_subcommand("setup")) return setup();
     if (arguments->file.empty()) throw InputError("robot: needs FILE, or setup");
     for (const std::string& out : {arguments->svg, arguments->urdf})
-      files::expect_no_input(out, arguments->file);
+      files::expect_not_input(out, arguments->file);
     const robot::RobotDescription robot = read_robot(arguments->file);
-    if (!arguments->svg.empty()) write_text(arguments->svg, describe::svg_of(robot.table));
+    if (!arguments->svg.empty()) write_text(arguments->svg, describe::robot_svg(robot.table));
     std::vector<std::string> unknown;
     if (!arguments->urdf.empty()) {
       robot::WrittenUrdf urdf = robot::urdf_of(robot, fs::path(arguments->urdf).parent_path());

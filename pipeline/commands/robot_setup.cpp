@@ -7,13 +7,13 @@
 #include <memory>
 #include <sstream>
 
-#include "core/files/part_file.hpp"
-#include "core/motion/counted.hpp"
+#include "core/files/atomic_file.hpp"
+#include "core/motion/count_with_noun.hpp"
 #include "core/motion/input_error.hpp"
 #include "pipeline/commands/input_file.hpp"
 #include "pipeline/commands/text_file.hpp"
-#include "pipeline/describe/draw.hpp"
-#include "pipeline/describe/report.hpp"
+#include "pipeline/describe/robot_svg.hpp"
+#include "pipeline/describe/robot_text.hpp"
 #include "pipeline/setup/setup.hpp"
 
 namespace morphe::commands {
@@ -40,8 +40,8 @@ std::optional<std::string> text_of(const fs::path& file) {
   return text.str();
 }
 
-setup::MeshPlaces places_of(const std::vector<std::string>& packages) {
-  setup::MeshPlaces places;
+setup::PackagePaths places_of(const std::vector<std::string>& packages) {
+  setup::PackagePaths places;
   for (const std::string& package : packages) {
     const std::size_t equals = package.find('=');
     if (equals == std::string::npos || equals == 0)
@@ -51,19 +51,20 @@ setup::MeshPlaces places_of(const std::vector<std::string>& packages) {
   return places;
 }
 
-/// Writes a description and its picture, and says what to look at.
-void finish(const setup::SetupResult& result, const fs::path& out) {
+/// Writes a description and its picture, and prints the properties to be checked.
+void write_description(const setup::SetupResult& result, const fs::path& out) {
   write_text(out, result.text);
   const robot::RobotDescription robot = robot::load_robot(out);
   fs::path picture = out;
   picture.replace_extension(".svg");
-  write_text(picture, describe::svg_of(robot.table, result.points));
+  write_text(picture, describe::robot_svg(robot.table, result.points));
   for (const std::string& note : result.notes) fmt::print("note: {}\n", note);
-  for (const std::string& remark : describe::remarks(robot)) fmt::print("note: {}\n", remark);
+  for (const std::string& remark : describe::plausibility_notes(robot))
+    fmt::print("note: {}\n", remark);
   for (const std::string& check : result.to_check) fmt::print("check: {}\n", check);
-  fmt::print("{}: {}, {}, {}; {}\n", out.string(), counted(robot.table.joints(), "joint"),
-             counted(robot.table.tips.size(), "tip"),
-             counted(robot.table.capsules.size(), "capsule"), picture.string());
+  fmt::print("{}: {}, {}, {}; {}\n", out.string(), count_with_noun(robot.table.joints(), "joint"),
+             count_with_noun(robot.table.tips.size(), "tip"),
+             count_with_noun(robot.table.capsules.size(), "capsule"), picture.string());
 }
 
 setup::SetupRequest request_for(const SetupArguments& arguments, const fs::path& urdf,
@@ -72,7 +73,7 @@ setup::SetupRequest request_for(const SetupArguments& arguments, const fs::path&
   request.urdf = urdf;
   request.out = out;
   request.hand = arguments.hand;
-  request.places = places_of(arguments.packages);
+  request.package_paths = places_of(arguments.packages);
   if (arguments.capsules > 0) {
     setup::CapsuleBudget& budget = request.budget;
     budget.arm = budget.wrist = budget.palm = budget.finger = arguments.capsules;
@@ -83,7 +84,7 @@ setup::SetupRequest request_for(const SetupArguments& arguments, const fs::path&
 int execute(const SetupArguments& arguments) {
   if (arguments.inputs.size() > 2) throw InputError("robot setup: takes an arm, a hand, or both");
   const fs::path out = arguments.out;
-  for (const std::string& input : arguments.inputs) files::expect_no_input(out, input);
+  for (const std::string& input : arguments.inputs) files::expect_not_input(out, input);
   std::vector<fs::path> descriptions;
   for (const std::string& input : arguments.inputs) {
     const bool alone = arguments.inputs.size() == 1;
@@ -97,14 +98,14 @@ int execute(const SetupArguments& arguments) {
     setup::SetupRequest request = request_for(arguments, input, file);
     if (alone) request.name = arguments.name;
     if (!alone) request.hand.clear();
-    finish(setup::set_up(request, text_of(file)), file);
+    write_description(setup::make_description(request, text_of(file)), file);
     descriptions.push_back(file);
   }
   if (descriptions.size() < 2) return 0;
   setup::MountRequest request{descriptions[0], descriptions[1], out, arguments.name, {}};
   const auto& m = arguments.mount;
   if (!m.empty()) request.mount = {{m[0], m[1], m[2]}, {m[3], m[4], m[5]}};
-  finish(setup::mount_hand(request, text_of(out)), out);
+  write_description(setup::mount_hand(request, text_of(out)), out);
   return 0;
 }
 
@@ -137,7 +138,7 @@ robot::RobotDescription read_robot(const fs::path& file) {
   setup::SetupRequest request;
   request.urdf = file;
   request.out = file.parent_path() / (file.stem().string() + ".yaml");
-  const setup::SetupResult result = setup::set_up(request, std::nullopt);
+  const setup::SetupResult result = setup::make_description(request, std::nullopt);
   robot::RobotDescription robot = robot::parse_robot(result.text, request.out);
   robot.notes.insert(robot.notes.end(), result.notes.begin(), result.notes.end());
   for (const std::string& check : result.to_check) robot.notes.push_back("check " + check);

@@ -10,7 +10,7 @@ namespace morphe::commands {
 /// Adds `setup` to `morphe robot`.
 Command add_robot_setup(CLI::App& robot);
 
-/// A description, or a URDF with all that setup makes of it.
+/// Reads a description, or a URDF that is completed by setup.
 robot::RobotDescription read_robot(const std::filesystem::path& file);
 
 }  // namespace morphe::commands

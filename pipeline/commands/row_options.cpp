@@ -6,11 +6,11 @@
 
 namespace morphe::commands {
 
-void add_row_options(CLI::App& app, RowChoice& choice) {
+void add_row_options(CLI::App& app, RowSelection& choice) {
   std::string keys = "name";
   for (const PlanFigure& figure : plan_figures()) keys += fmt::format(", {}", figure.key);
-  app.add_option("--sort", choice.sort, "The worst rows first: " + keys)->type_name("KEY");
-  app.add_option("--only", choice.only,
+  app.add_option("--sort", choice.sort_key, "The worst rows first: " + keys)->type_name("KEY");
+  app.add_option("--only", choice.filters,
                  "Rows of that status (executable, repaired, approximate, infeasible) or reason, "
                  "or plans of "
                  "that name, with * and ?; several must all hold")

@@ -8,7 +8,7 @@ class App;
 
 namespace morphe::commands {
 
-/// --sort KEY and --only WHAT.
-void add_row_options(CLI::App& app, RowChoice& choice);
+/// Adds --sort KEY and --only WHAT.
+void add_row_options(CLI::App& app, RowSelection& choice);
 
 }  // namespace morphe::commands

@@ -7,21 +7,21 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "core/collision/certified.hpp"
+#include "core/collision/continuous_check.hpp"
 #include "core/files/sha256.hpp"
-#include "core/motion/counted.hpp"
+#include "core/motion/count_with_noun.hpp"
 #include "core/motion/version.hpp"
 #include "pipeline/commands/assumptions.hpp"
 #include "pipeline/commands/commands.hpp"
-#include "pipeline/commands/dataset_input.hpp"
 #include "pipeline/commands/import_options.hpp"
+#include "pipeline/commands/import_summary.hpp"
 #include "pipeline/commands/input_file.hpp"
 #include "pipeline/commands/jobs_option.hpp"
-#include "pipeline/commands/plan_report.hpp"
-#include "pipeline/commands/robots_report.hpp"
+#include "pipeline/commands/plan_table_footer.hpp"
+#include "pipeline/commands/reference_frames_table.hpp"
+#include "pipeline/commands/robots_table.hpp"
 #include "pipeline/commands/row_options.hpp"
 #include "pipeline/commands/text_table.hpp"
-#include "pipeline/commands/world_report.hpp"
 #include "pipeline/planning/plan_movement.hpp"
 #include "pipeline/planning/run_config.hpp"
 #include "pipeline/report/report.hpp"
@@ -37,22 +37,22 @@ namespace fs = std::filesystem;
 struct RunArguments {
   std::string config, from, out, shard = "1/1";
   std::vector<std::string> datasets, settings;
-  imports::ImportRequest recordings;  ///< what is said about those that are imported
+  imports::ImportRequest recordings;  ///< options for recordings that are imported
   int jobs = 0;
   bool fresh = false, explain = false, strict = false, json = false, report = false;
   bool quiet = false, verbose = false;
-  RowChoice choice;
+  RowSelection choice;
 };
 
-/// What a shell adds to the number of the signal that ended a program.
-constexpr int kStopped = 128;
+/// The offset that a shell adds to the number of the signal that ended a program.
+constexpr int kSignalExitOffset = 128;
 
-run::Detail detail_of(const RunArguments& arguments) {
-  if (arguments.verbose) return run::Detail::everything;
-  return arguments.json || arguments.quiet ? run::Detail::nothing : run::Detail::usual;
+run::Verbosity detail_of(const RunArguments& arguments) {
+  if (arguments.verbose) return run::Verbosity::verbose;
+  return arguments.json || arguments.quiet ? run::Verbosity::quiet : run::Verbosity::normal;
 }
 
-/// Of several robots the config names the same one.
+/// Returns the dataset of a run. With several robots, all configs name the same one.
 std::vector<fs::path> dataset_of(const RunArguments& arguments,
                                  const planning::LoadedConfig& config) {
   if (!arguments.datasets.empty()) return {arguments.datasets.begin(), arguments.datasets.end()};
@@ -62,7 +62,8 @@ std::vector<fs::path> dataset_of(const RunArguments& arguments,
       fmt::format("{}: dataset: is missing (and there is no --dataset)", arguments.config));
 }
 
-/// One robot's run. A config without `robots` has one, whose folder is that of the results.
+/// The run of one robot. A config without `robots` has one, with the folder of the results as its
+/// folder.
 struct RobotRun {
   std::string name;
   planning::RunConfig config;
@@ -94,37 +95,37 @@ std::vector<RobotRun> runs_of(const RunArguments& arguments, const std::string& 
   return runs;
 }
 
-/// Whether manifests alone say what the dataset is.
-bool all_said(const std::vector<fs::path>& named) {
+/// Returns true if the dataset is given by manifests only.
+bool are_all_manifests(const std::vector<fs::path>& named) {
   return std::ranges::all_of(named, [](const fs::path& path) {
     return !fs::is_directory(path) && (path.extension() == ".yaml" || path.extension() == ".yml");
   });
 }
 
-/// The demonstrations.h5 of a run. Recordings are imported into the run's folder: the plans then
-/// belong to a file that lies beside them, and takes its name when they do, with a manifest of what
-/// was found.
+/// The demonstrations.h5 of a run. Recordings are imported into the run's folder, so that the plans
+/// refer to a file beside them. It takes its final name together with the plans, and a manifest of
+/// the recordings is written.
 class Dataset {
  public:
   Dataset(imports::ImportRequest request, const fs::path& folder)
       : file_(request.paths.front()), manifest_(folder / "recordings.yaml") {
     for (const fs::path& named : request.paths) {
       key_ += fs::weakly_canonical(named).string() + "\n";
-      if (fs::is_directory(named) || !is_demonstrations(named)) continue;
+      if (fs::is_directory(named) || !is_demonstrations_file(named)) continue;
       if (request.paths.size() > 1)
         throw InputError(fmt::format("{}: HDF5 stands alone as a dataset", named.string()));
       return;
     }
-    found_here_ = !all_said(request.paths);
-    if (found_here_) manifest_.check();
+    writes_manifest_ = !are_all_manifests(request.paths);
+    if (writes_manifest_) manifest_.expect_replaceable();
     published_ = folder / "demonstrations.h5";
     file_ = folder / "demonstrations.h5.new";
-    request.results = folder;
+    request.results_folder = folder;
     Assumptions assumptions;
     imported_ = imports::write_demonstrations(
         request, file_,
         [&](const Demonstration& demonstration) { assumptions.add(demonstration); });
-    fmt::print(stderr, "{}{}", found_text(imported_), assumptions.text());
+    fmt::print(stderr, "{}{}", import_summary_text(imported_), assumptions.text());
   }
   ~Dataset() {
     std::error_code ignored;
@@ -133,64 +134,65 @@ class Dataset {
   Dataset(const Dataset&) = delete;
   Dataset& operator=(const Dataset&) = delete;
   const fs::path& file() const { return file_; }
-  const std::string& key() const { return key_; }  ///< of how it was named
-  int failed() const { return failed_in(imported_); }
+  const std::string& key() const { return key_; }  ///< identifies the dataset by its paths
+  int failed() const { return count_failed(imported_); }
   void publish() {
     if (published_.empty()) return;
     fs::rename(file_, published_);
     file_ = std::exchange(published_, {});
-    if (found_here_) manifest_.write(imported_);
+    if (writes_manifest_) manifest_.write(imported_);
   }
 
  private:
   fs::path file_, published_;
   std::string key_;
-  FoundManifest manifest_;
-  bool found_here_ = false;
-  imports::Imported imported_;
+  GeneratedManifest manifest_;
+  bool writes_manifest_ = false;
+  imports::ImportResult imported_;
 };
 
-/// The summary alone if it is to be quiet; else the rows, of a large run only if some are chosen or
-/// sorted, and where things stand.
+/// Prints the summary only in quiet mode; otherwise also the rows (for a large run, only if they
+/// are filtered or sorted) and the positions of the reference frames.
 void print_table(const RunArguments& arguments, const RobotRun& one) {
   const robot::Robot& robot = one.config.loaded.robot;
-  constexpr int kMostRows = 1000;
+  constexpr int kMaxPrintedRows = 1000;
   if (arguments.quiet) {
-    fmt::print("{}: {}\n", one.plans().string(), run::summary_text_for_people(one.summary));
+    fmt::print("{}: {}\n", one.plans().string(), run::summary_sentence(one.summary));
     return;
   }
-  const RowChoice& choice = arguments.choice;
-  if (one.summary.movements <= kMostRows || !choice.sort.empty() || !choice.only.empty()) {
+  const RowSelection& choice = arguments.choice;
+  if (one.summary.movements <= kMaxPrintedRows || !choice.sort_key.empty() ||
+      !choice.filters.empty()) {
     std::vector<PlanRow> rows;
     one.folder->journal().each_row([&](const std::string& text) {
-      PlanRow row = row_from_text(text);
-      if (chosen(choice, row)) rows.push_back(std::move(row));
+      PlanRow row = row_from_json(text);
+      if (is_selected(choice, row)) rows.push_back(std::move(row));
     });
     sort_rows(choice, rows);
     const std::size_t width = terminal_width();
-    fmt::print("{}{}", plan_table(rows, width), world_text(robot.name, rows, width));
-    if (!choice.only.empty())
+    fmt::print("{}{}", plan_table(rows, width), reference_frames_text(robot.name, rows, width));
+    if (!choice.filters.empty())
       fmt::print("shown: {} of {} plans\n", rows.size(), one.summary.movements);
   }
   const std::string speed = run::speed_text(one.summary);
-  fmt::print("{}\n{}{}{}: {}\n", plan_table_foot(robot, one.summary), speed,
-             speed.empty() ? "" : "\n", one.plans().string(),
-             run::summary_text_for_people(one.summary));
+  fmt::print("{}\n{}{}{}: {}\n", plan_table_footer(robot, one.summary), speed,
+             speed.empty() ? "" : "\n", one.plans().string(), run::summary_sentence(one.summary));
 }
 
-int stopped(const RobotRun& one, int signal) {
+int report_stop(const RobotRun& one, int signal) {
   fmt::print(stderr,
              "{}: stopped by {}: {} of {} finished and kept; the same command goes on from here\n",
              one.folder->path().string(), signal == SIGINT ? "SIGINT" : "SIGTERM",
-             one.summary.demonstrations, counted(one.folder->journal().wanted(), "demonstration"));
-  return kStopped + signal;
+             one.summary.demonstrations,
+             count_with_noun(one.folder->journal().scheduled_count(), "demonstration"));
+  return kSignalExitOffset + signal;
 }
 
-/// Plans everything for one robot. The signal that stopped it, or 0.
+/// Plans all demonstrations for one robot. Returns the signal that stopped the run, or 0.
 int plan_all(const RunArguments& arguments, const run::Shard& shard, Dataset& dataset,
              RobotRun& one) {
   const robot::Robot& robot = one.config.loaded.robot;
-  const planning::Planner planner{one.config.loaded.options, robot};
+  const planning::PlanningInputs planner{one.config.loaded.options, robot};
   run::RunRequest request;
   request.dataset = dataset.file();
   request.plans = one.plans();
@@ -208,7 +210,7 @@ int plan_all(const RunArguments& arguments, const run::Shard& shard, Dataset& da
   request.plan = [&](const Demonstration& demonstration) {
     return planning::plan_demonstration(planner, demonstration);
   };
-  request.rows = [&](const Plan& plan) { return row_text(row_of(robot, plan)); };
+  request.rows = [&](const Plan& plan) { return row_to_json(row_of(robot, plan)); };
   request.publish = [&] { dataset.publish(); };
   run::Progress progress(detail_of(arguments));
   const run::RunResult result = run::run_dataset(one.folder->journal(), request, progress);
@@ -243,7 +245,7 @@ void print_results(const RunArguments& arguments, const std::vector<RobotRun>& r
   if (several) fmt::print("{}", robots_table(robots, terminal_width()));
 }
 
-/// DIR/report.html: every robot's plans side by side.
+/// Writes DIR/report.html with the plans of all robots side by side.
 void write_page(const RunArguments& arguments, const std::vector<RobotRun>& runs) {
   report::ReportRequest request;
   request.jobs = threads_of(arguments.jobs);
@@ -261,7 +263,7 @@ int execute(const RunArguments& arguments) {
     throw InputError("run: needs either CONFIG or --from");
   if (!arguments.from.empty() && !arguments.settings.empty())
     throw InputError("--set: does not go with --from");
-  check_choice(arguments.choice);
+  check_selection(arguments.choice);
   const std::string software = morphe::software();
   const run::Shard shard = run::parse_shard(arguments.shard);
   std::vector<RobotRun> runs = runs_of(arguments, software, shard);
@@ -271,7 +273,7 @@ int execute(const RunArguments& arguments) {
   for (const RobotRun& one : runs) one.folder->expect_own_plans();
   for (RobotRun& one : runs) {
     const int signal = plan_all(arguments, shard, dataset, one);
-    if (signal != 0) return stopped(one, signal);
+    if (signal != 0) return report_stop(one, signal);
   }
   print_results(arguments, runs);
   if (arguments.report) write_page(arguments, runs);

@@ -1,5 +1,5 @@
 #include "pipeline/commands/scene_remarks.hpp"
-#include "core/motion/extent.hpp"
+#include "core/motion/bounding_box.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 namespace morphe::commands {
 namespace {
 
-constexpr double kHangs_m = 0.02, kSinks_m = 0.005;
+constexpr double kMaxFloatingHeight_m = 0.02, kMaxSinkDepth_m = 0.005;
 
-bool overlap(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b) {
+bool overlaps_horizontally(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b) {
   return (a.min().head<2>().array() < b.max().head<2>().array()).all() &&
          (b.min().head<2>().array() < a.max().head<2>().array()).all();
 }
@@ -19,29 +19,29 @@ bool overlap(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b) {
 
 std::map<std::string, std::string> scene_remarks(const Plan& plan) {
   std::map<std::string, std::string> remarks;
-  const SceneObject* table = object_named(plan.scene.objects, "table");
-  if (!table || !seen(plan.world.base_from_table)) return remarks;
+  const SceneObject* table = find_object(plan.scene.objects, "table");
+  if (!table || !is_known(plan.world.base_from_table)) return remarks;
   const Pose table_from_base = plan.world.base_from_table.inverse();
   const auto extent = [&](const SceneObject& object) {
-    return extent_of(object, table_from_base * recorded_pose(object, plan.movement.begin_s));
+    return bounding_box(object, table_from_base * recorded_pose(object, plan.movement.begin_s));
   };
   const Eigen::AlignedBox3d top = extent(*table);
   for (const SceneObject& object : plan.scene.objects) {
     if (&object == table || object.name == plan.movement.target || object.time.size() > 1) continue;
     const Eigen::AlignedBox3d box = extent(object);
-    if (!overlap(box, top)) continue;
+    if (!overlaps_horizontally(box, top)) continue;
     const double low = box.min().z();
     const bool held_up = std::ranges::any_of(plan.scene.objects, [&](const SceneObject& other) {
       const Eigen::AlignedBox3d below = extent(other);
-      return &other != &object && &other != table && overlap(box, below) && below.min().z() < low &&
-             below.max().z() > low - kHangs_m;
+      return &other != &object && &other != table && overlaps_horizontally(box, below) &&
+             below.min().z() < low && below.max().z() > low - kMaxFloatingHeight_m;
     });
-    if (low > kHangs_m && !held_up) {
+    if (low > kMaxFloatingHeight_m && !held_up) {
       remarks[object.name] = fmt::format(
           "{} hangs {:.0f} mm above the table, with nothing below it; to stand on it: relative_to: "
           "table, anchor: foot, position [x, y, 0]",
           object.name, 1e3 * low);
-    } else if (low < -kSinks_m && box.max().z() > kSinks_m) {
+    } else if (low < -kMaxSinkDepth_m && box.max().z() > kMaxSinkDepth_m) {
       remarks[object.name] = fmt::format(
           "{} goes {:.0f} mm into the table; to stand on it: relative_to: table, anchor: foot, "
           "position [x, y, 0]",

@@ -7,9 +7,10 @@
 
 namespace morphe::commands {
 
-/// Sentences on the fixed bodies of a plan's scene, table and target aside, that are over the
-/// table: one that hangs more than 20 mm above it with nothing below, or goes more than 5 mm into
-/// it. Most often its place was given in another frame than was thought.
-std::map<std::string, std::string> scene_remarks(const Plan& plan);  ///< by object
+/// Returns a sentence for each fixed body of a plan's scene, except table and target, that is above
+/// the table and either floats more than 20 mm above it without support, or penetrates it by more
+/// than 5 mm. In most cases its position was given in another frame than intended. The sentences
+/// are indexed by object.
+std::map<std::string, std::string> scene_remarks(const Plan& plan);
 
 }  // namespace morphe::commands

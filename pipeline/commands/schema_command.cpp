@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <memory>
 
-#include "core/config/did_you_mean.hpp"
 #include "core/config/schema.hpp"
-#include "core/files/part_file.hpp"
+#include "core/config/spelling_hint.hpp"
+#include "core/files/atomic_file.hpp"
 #include "core/robot/files/robot_schema.hpp"
 #include "pipeline/commands/commands.hpp"
 #include "pipeline/commands/doc_tables.hpp"
@@ -23,38 +23,38 @@ namespace {
 struct FileKind {
   const char* name;
   const char* title;
-  config::Schema (*schema)(const config::Meanings&);
+  config::Schema (*schema)(const config::KeyDescriptions&);
 };
 
 constexpr FileKind kFileKinds[] = {
     {"config", "A pipeline of Morphe", planning::config_schema},
     {"manifest", "A manifest of recordings for Morphe", imports::manifest_schema},
     {"robot", "A robot description of Morphe",
-     [](const config::Meanings&) { return robot::robot_schema(); }},
+     [](const config::KeyDescriptions&) { return robot::robot_schema(); }},
     {"scene", "Objects of a scene of Morphe", scene::scene_schema},
     {"study", "A study of Morphe", study::study_schema},
     {"synthetic", "What Morphe generates",
-     [](const config::Meanings& meanings) {
+     [](const config::KeyDescriptions& meanings) {
        return config::schema_of<synthesize::SynthesizeOptions>(meanings);
      }},
 };
 
 std::string text_of(const FileKind& kind) {
   const DocTables tables = doc_tables();
-  const config::Meanings meanings = [&](const std::string& type, const std::string& key) {
+  const config::KeyDescriptions meanings = [&](const std::string& type, const std::string& key) {
     const auto found = tables.find({type, key});
     return found == tables.end() ? std::string() : found->second;
   };
   return config::schema_document(kind.title, kind.schema(meanings)).dump(1) + "\n";
 }
 
-const FileKind& kind_called(const std::string& name) {
+const FileKind& find_file_kind(const std::string& name) {
   std::vector<std::string> names;
   for (const FileKind& kind : kFileKinds) {
     if (name == kind.name) return kind;
     names.emplace_back(kind.name);
   }
-  const std::string meant = config::did_you_mean(name, names);
+  const std::string meant = config::spelling_hint(name, names);
   throw InputError(
       fmt::format("schema: there is none of '{}'{}", name,
                   meant.empty() ? fmt::format("; there are {}", fmt::join(names, ", ")) : meant));
@@ -64,7 +64,7 @@ int write_all(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   for (const FileKind& kind : kFileKinds) {
     const std::filesystem::path file = folder / fmt::format("{}.json", kind.name);
-    files::write_whole(file, text_of(kind));
+    files::write_atomically(file, text_of(kind));
     fmt::print("{}\n", file.string());
   }
   return 0;
@@ -84,11 +84,11 @@ Command schema_command(CLI::App& app) {
     if (arguments->kind.empty() && arguments->out.empty())
       throw InputError("schema: needs KIND, or --out FOLDER for all of them");
     if (arguments->kind.empty()) return write_all(arguments->out);
-    const std::string text = text_of(kind_called(arguments->kind));
+    const std::string text = text_of(find_file_kind(arguments->kind));
     if (arguments->out.empty()) {
       fmt::print("{}", text);
     } else {
-      files::write_whole(arguments->out, text);
+      files::write_atomically(arguments->out, text);
       fmt::print("{}\n", arguments->out);
     }
     return 0;

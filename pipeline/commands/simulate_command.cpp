@@ -3,10 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "core/files/part_file.hpp"
+#include "core/files/atomic_file.hpp"
 #include "core/files/sha256.hpp"
 #include "core/motion/input_error.hpp"
-#include "core/parallel/ordered_map.hpp"
+#include "core/parallel/ordered_parallel_map.hpp"
 #include "core/physics/model.hpp"
 #include "core/store/plan_file.hpp"
 #include "pipeline/commands/commands.hpp"
@@ -25,27 +25,28 @@ namespace {
 namespace fs = std::filesystem;
 
 struct SimulateArguments {
-  std::string plans, out, directions{name_of(simulate::Directions::first)}, integrator = "implicit";
-  std::string contacts{name_of(simulate::Contacts::stored)};
+  std::string plans, out, load_directions{name_of(simulate::Directions::first)},
+      integrator = "implicit";
+  std::string contacts{name_of(simulate::ContactSource::planned)};
   std::string servos;
   std::vector<double> friction_range, mass_range;
   simulate::SimulateOptions options;
-  RowChoice choice;
+  RowSelection choice;
   int jobs = 0;
   bool fresh = false, quiet = false, json = false;
 };
 
-/// A plan on its way to its file.
-struct PlanInHand {
+/// A plan to be simulated.
+struct SimulationTask {
   Plan plan;
   std::string name, key;
   fs::path file;
-  std::optional<simulate::PlanResult> found;  ///< that an earlier call has left
+  std::optional<simulate::PlanResult> found;  ///< result of an earlier call
 };
 
-struct PlanDone {
+struct SimulationOutput {
   simulate::PlanResult result;
-  std::string text;  ///< of its file; "" if that is there
+  std::string text;  ///< content of its file, "" if the file exists
   fs::path file;
 };
 
@@ -61,23 +62,24 @@ std::vector<simulate::PlanResult> simulate_all(const SimulateArguments& argument
   std::vector<simulate::PlanResult> results;
   run::StatusLine status;
   std::size_t next = 0;
-  parallel::OrderedMap<PlanInHand, PlanDone> map;
-  map.next = [&]() -> std::unique_ptr<PlanInHand> {
+  parallel::OrderedParallelMap<SimulationTask, SimulationOutput> map;
+  map.next = [&]() -> std::unique_ptr<SimulationTask> {
     while (next < reader.size()) {
-      auto one = std::make_unique<PlanInHand>();
+      auto one = std::make_unique<SimulationTask>();
       one->name = reader.plan_paths()[next];
       one->plan = reader.read(next++);
-      if (!arguments.choice.only.empty() && !chosen(arguments.choice, row_of(robot, one->plan)))
+      if (!arguments.choice.filters.empty() &&
+          !is_selected(arguments.choice, row_of(robot, one->plan)))
         continue;
-      one->key = simulate::key_of(robot, one->plan, arguments.options, program);
+      one->key = simulate::result_key(robot, one->plan, arguments.options, program);
       one->file = file_of(folder.path(), one->plan);
       if (!arguments.fresh) one->found = simulate::read_result(one->file, one->key);
       return one;
     }
     return nullptr;
   };
-  map.work = [&](const PlanInHand& one) {
-    auto done = std::make_unique<PlanDone>();
+  map.work = [&](const SimulationTask& one) {
+    auto done = std::make_unique<SimulationOutput>();
     done->file = one.file;
     if (one.found) {
       done->result = *one.found;
@@ -87,8 +89,8 @@ std::vector<simulate::PlanResult> simulate_all(const SimulateArguments& argument
     }
     return done;
   };
-  map.write = [&](const PlanDone& done) {
-    if (!done.text.empty()) files::write_whole(done.file, done.text);
+  map.write = [&](const SimulationOutput& done) {
+    if (!done.text.empty()) files::write_atomically(done.file, done.text);
     folder.keep();
     results.push_back(done.result);
     if (!arguments.quiet && status.on_terminal())
@@ -104,26 +106,27 @@ std::optional<simulate::Range> range_of(const std::vector<double>& ends) {
 }
 
 int execute(SimulateArguments& arguments) {
-  if (physics::engine().empty()) {
+  if (physics::engine_version().empty()) {
     throw InputError(
         "simulate: this build has no MuJoCo: install libmujoco-dev, configure and build again");
   }
-  arguments.options.directions = *named<simulate::Directions>(arguments.directions);
-  arguments.options.contacts = *named<simulate::Contacts>(arguments.contacts);
+  arguments.options.load_directions =
+      *enum_from_name<simulate::Directions>(arguments.load_directions);
+  arguments.options.contacts = *enum_from_name<simulate::ContactSource>(arguments.contacts);
   arguments.options.friction_range = range_of(arguments.friction_range);
   arguments.options.mass_range = range_of(arguments.mass_range);
   arguments.options.euler = arguments.integrator == "euler";
-  if (const std::string wrong = why_invalid(arguments.options); !wrong.empty())
+  if (const std::string wrong = validation_error(arguments.options); !wrong.empty())
     throw InputError("simulate: --" + wrong);
-  check_choice(arguments.choice);
-  const store::PlanReader reader(plans_file(arguments.plans));
+  check_selection(arguments.choice);
+  const store::PlanReader reader(find_plans_file(arguments.plans));
   if (!arguments.servos.empty())
     arguments.options.servos = simulate::read_servos(arguments.servos, reader.robot());
   run::OutputFolder folder(arguments.out);
   const std::vector<simulate::PlanResult> results = simulate_all(arguments, reader, folder);
-  std::string table = simulate::csv_head();
+  std::string table = simulate::csv_header();
   for (const simulate::PlanResult& result : results) table += simulate::csv_rows(result);
-  files::write_whole(folder.path() / "simulation.csv", table);
+  files::write_atomically(folder.path() / "simulation.csv", table);
   folder.keep();
   fmt::print("{}", arguments.json ? simulation_json(results)
                                   : simulation_table(results, arguments.options, terminal_width()));
@@ -137,13 +140,13 @@ Command simulate_command(CLI::App& app) {
   simulate::SimulateOptions& options = arguments->options;
   app.add_option("FILE", arguments->plans, "plans.h5, or a run's folder")->required();
   app.add_option("--out", arguments->out, "Folder to write the results to")->required();
-  app.add_option("--ensemble", options.ensemble,
+  app.add_option("--rollouts", options.rollouts,
                  "Rollouts a plan, of which all but the first are varied (default: 16)");
-  app.add_option("--directions", arguments->directions,
+  app.add_option("--load-directions", arguments->load_directions,
                  "Rollouts in which the weight also comes from six directions: none, first, every")
       ->check(CLI::IsMember({"none", "first", "every"}));
   app.add_option("--friction", options.friction, "Between fingers and target (default: 0.8)");
-  app.add_option("--torsion", options.torsion_m,
+  app.add_option("--torsional-friction", options.torsional_friction_m,
                  "Torsional friction between them, a length in m (default: 0.002)");
   app.add_option("--mass", options.mass_kg, "Of the target, kg (default: 0.3)");
   app.add_option("--friction-range", arguments->friction_range,
@@ -155,23 +158,26 @@ Command simulate_command(CLI::App& app) {
       ->expected(2)
       ->type_name("FROM TO");
   app.add_option("--contacts", arguments->contacts,
-                 "stored: the plan's squeeze, where it has one; nearest: of the fingers with goals")
-      ->check(CLI::IsMember({"stored", "nearest"}));
-  app.add_option("--force", options.force_N,
+                 "planned: the plan's squeeze, where it has one; nearest: of the fingers with "
+                 "goals")
+      ->check(CLI::IsMember({"planned", "nearest"}));
+  app.add_option("--thumb-force", options.force_N,
                  "The thumb's squeeze of nearest contacts, N (default: 8)");
-  app.add_option("--stiffness", options.hand_stiffness,
+  app.add_option("--hand-stiffness", options.hand_stiffness,
                  "Of the fingers' servos, N m/rad (default: 10)");
-  app.add_option("--torque", options.hand_torque, "Limit of the fingers' motors, N m (default: 1)");
+  app.add_option("--hand-torque-limit", options.hand_torque_limit,
+                 "Limit of the fingers' motors, N m (default: 1)");
   app.add_option("--servos", arguments->servos,
-                 "YAML file of single joints' stiffness, resistance, armature, damping and torque")
+                 "YAML file of single joints' stiffness, velocity_gain, armature, damping and "
+                 "torque_limit")
       ->type_name("FILE");
   app.add_option("--density", options.density,
                  "Of the robot's capsules, kg per cubic metre (default: 1000)");
-  app.add_option("--step", options.step_s, "Of the simulation, s (default: 0.002)");
+  app.add_option("--time-step", options.step_s, "Of the simulation, s (default: 0.002)");
   app.add_option("--integrator", arguments->integrator, "implicit or euler")
       ->check(CLI::IsMember({"implicit", "euler"}));
   app.add_option("--seed", options.seed, "Of what is varied (default: 1)");
-  app.add_option("--only", arguments->choice.only,
+  app.add_option("--only", arguments->choice.filters,
                  "Plans of that status or reason, or of that name, with * and ?; several must all "
                  "hold")
       ->type_name("WHAT")

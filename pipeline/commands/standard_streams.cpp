@@ -16,17 +16,17 @@
 namespace morphe::commands {
 namespace {
 
-constexpr int kBadOutput = 2;
-constexpr std::string_view kClearLine = "\r\033[K";  ///< pipeline/run/status_line.cpp
+constexpr int kOutputErrorExitCode = 2;
+constexpr std::string_view kClearLine = "\r\033[K";  ///< as in pipeline/run/status_line.cpp
 
-/// What stands behind one of the two streams.
-struct Guarded {
+/// The state of one of the two streams.
+struct GuardedStream {
   int descriptor;
   int error = 0;        ///< errno of the first write that failed
-  std::string pending;  ///< the first bytes of a letter
+  std::string pending;  ///< the first bytes of an incomplete character
 };
 
-void write_all(Guarded& stream, std::string_view bytes) {
+void write_all(GuardedStream& stream, std::string_view bytes) {
   while (!bytes.empty() && stream.error == 0) {
     const ssize_t put = ::write(stream.descriptor, bytes.data(), bytes.size());
     if (put >= 0) {
@@ -37,39 +37,40 @@ void write_all(Guarded& stream, std::string_view bytes) {
   }
 }
 
-std::string shown(std::string_view text) {
+std::string escape_controls(std::string_view text) {
   std::string out;
   for (std::size_t at = 0; (at = text.find(kClearLine)) != std::string_view::npos;) {
-    out += files::printable(text.substr(0, at), "\n\t");
+    out += files::make_printable(text.substr(0, at), "\n\t");
     out += kClearLine;
     text.remove_prefix(at + kClearLine.size());
   }
-  return out + files::printable(text, "\n\t");
+  return out + files::make_printable(text, "\n\t");
 }
 
-/// As fopencookie() asks for it; says that everything was taken.
+/// Writes to a stream as fopencookie() requires, and always reports that all bytes were accepted.
 ssize_t write_guarded(void* cookie, const char* bytes, std::size_t count) {
-  Guarded& stream = *static_cast<Guarded*>(cookie);
+  GuardedStream& stream = *static_cast<GuardedStream*>(cookie);
   std::string text = std::move(stream.pending) + std::string(bytes, count);
-  const std::size_t rest = files::unfinished_letter(text);
+  const std::size_t rest = files::incomplete_utf8_bytes(text);
   stream.pending = text.substr(text.size() - rest);
   text.resize(text.size() - rest);
-  write_all(stream, shown(text));
+  write_all(stream, escape_controls(text));
   return static_cast<ssize_t>(count);
 }
 
-Guarded& out() {
-  static Guarded stream{STDOUT_FILENO, 0, {}};
+GuardedStream& out() {
+  static GuardedStream stream{STDOUT_FILENO, 0, {}};
   return stream;
 }
 
-Guarded& err() {
-  static Guarded stream{STDERR_FILENO, 0, {}};
+GuardedStream& err() {
+  static GuardedStream stream{STDERR_FILENO, 0, {}};
   return stream;
 }
 
-/// `stdout` and `stderr` are variables in the GNU C library.
-void replace(FILE*& stream, Guarded& by, int buffering) {
+/// Replaces a stream, which is possible because `stdout` and `stderr` are variables in the GNU C
+/// library.
+void replace(FILE*& stream, GuardedStream& by, int buffering) {
   const cookie_io_functions_t functions{nullptr, write_guarded, nullptr, nullptr};
   FILE* const guarded = ::fopencookie(&by, "w", functions);
   if (!guarded) return;
@@ -80,7 +81,7 @@ void replace(FILE*& stream, Guarded& by, int buffering) {
 }  // namespace
 
 void guard_standard_streams() {
-  // One that was closed is opened the wrong way round, so that using it fails as it did.
+  // A closed descriptor is opened in the wrong direction, so that using it fails as before.
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(descriptor, F_GETFD) >= 0) continue;
     if (::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY) != descriptor) return;
@@ -90,15 +91,15 @@ void guard_standard_streams() {
   replace(stderr, err(), _IONBF);
 }
 
-int after_standard_output(int code) {
+int flush_standard_output(int code) {
   std::fflush(stdout);
-  write_all(out(), files::printable(out().pending));
+  write_all(out(), files::make_printable(out().pending));
   out().pending.clear();
   const int error = out().error;
   if (error == 0) return code;
   if (error != EPIPE)
     fmt::print(stderr, "standard output: cannot be written: {}\n", std::strerror(error));
-  return kBadOutput;
+  return kOutputErrorExitCode;
 }
 
 }  // namespace morphe::commands

@@ -2,14 +2,16 @@
 
 namespace morphe::commands {
 
-/// From here on what is written to stdout and stderr is shown as files::printable() has it, but for
-/// line ends, tabs and the status line's own clearing of a line. Writing never fails: what stderr
-/// does not take is lost, and stdout is asked at the end. Descriptors 0 to 2 are open, so that no
-/// file gets one of them. Once, before anything is printed.
+/// Redirects stdout and stderr such that their text is escaped by files::make_printable(), except
+/// for line ends, tabs and the control sequence that clears the status line. Writing never fails:
+/// text that stderr does not accept is lost, and errors of stdout are reported at the end.
+/// Descriptors 0 to 2 are opened, so that no file is given one of them. To be called once, before
+/// any output.
 void guard_standard_streams();
 
-/// The exit code of a command that ended with `code`: 2, with a message, if stdout did not take
-/// everything. Nothing is said where a reader left, as `head` does.
-int after_standard_output(int code);
+/// Flushes stdout and returns the exit code of a command that ended with `code`: 2, with a message,
+/// if stdout did not accept all of the text. There is no message if the reader closed the pipe, as
+/// `head` does.
+int flush_standard_output(int code);
 
 }  // namespace morphe::commands

@@ -6,12 +6,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "core/config/did_you_mean.hpp"
+#include "core/config/spelling_hint.hpp"
 
 namespace morphe::commands {
 namespace {
 
-/// The command that these words name, as far as they do.
+/// Returns the command that the words name, following them as far as possible.
 const CLI::App& command_of(const CLI::App& app, const std::vector<std::string>& words) {
   const CLI::App* at = &app;
   for (const std::string& word : words) {
@@ -47,7 +47,7 @@ std::vector<std::string> option_names(const CLI::App& app) {
 
 std::string unknown_command(const CLI::App& app, std::string_view word) {
   const std::vector<std::string> names = command_names(app);
-  const std::string meant = config::did_you_mean(word, names);
+  const std::string meant = config::spelling_hint(word, names);
   return fmt::format("there is no command '{}'{}", word,
                      meant.empty() ? fmt::format("; there are {}", fmt::join(names, ", ")) : meant);
 }
@@ -60,7 +60,7 @@ std::string unknown_options(const CLI::App& app) {
     if (word.size() < 2 || word[0] != '-') continue;
     const std::string name = word.substr(0, word.find('='));
     lines += fmt::format("{}: there is no option {}{}\n", command->get_name(), name,
-                         config::did_you_mean(name, option_names(*command)));
+                         config::spelling_hint(name, option_names(*command)));
   }
   return lines;
 }

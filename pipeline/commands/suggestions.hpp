@@ -10,20 +10,20 @@ class App;
 
 namespace morphe::commands {
 
-/// Names of the subcommands of a program or command, in order.
+/// Returns the names of the subcommands of a program or command, in order.
 std::vector<std::string> command_names(const CLI::App& app);
-/// "--out", "--dataset", … of a command.
+/// Returns the options of a command: "--out", "--dataset", …
 std::vector<std::string> option_names(const CLI::App& app);
 
-/// What to say of a command that does not exist.
+/// Returns the message for a command that does not exist.
 std::string unknown_command(const CLI::App& app, std::string_view word);
 
-/// A line for each option on a command line that its command does not have, "" if there is none.
-/// To be asked after the command line was parsed, or could not be.
+/// Returns a line for each option on a command line that its command does not have, "" if there is
+/// no such option. To be called after the command line was parsed, successfully or not.
 std::string unknown_options(const CLI::App& app);
 
-/// For the shell: what the last of these words, which follow the program's name, may become. Empty
-/// where it is a file or a free value.
+/// Returns the shell completions of the last of the given words, which follow the program's name.
+/// The result is empty if the word is a file or a free value.
 std::vector<std::string> completions(const CLI::App& app, const std::vector<std::string>& words);
 
 }  // namespace morphe::commands

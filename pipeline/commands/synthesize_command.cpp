@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "core/config/fields.hpp"
-#include "core/files/part_file.hpp"
-#include "core/motion/counted.hpp"
-#include "core/parallel/ordered_map.hpp"
+#include "core/files/atomic_file.hpp"
+#include "core/motion/count_with_noun.hpp"
+#include "core/parallel/ordered_parallel_map.hpp"
 #include "core/store/demonstration_file.hpp"
 #include "pipeline/commands/commands.hpp"
 #include "pipeline/commands/input_file.hpp"
@@ -33,19 +33,19 @@ synthesize::SynthesizeOptions load_options(const std::string& file) {
   return options;
 }
 
-/// F.h5 -> F.truth.h5
-fs::path truth_beside(const fs::path& out) {
+/// Returns F.truth.h5 for F.h5.
+fs::path truth_file_for(const fs::path& out) {
   fs::path truth = out;
   return truth.replace_extension(".truth" + out.extension().string());
 }
 
 int execute(const SynthesizeArguments& arguments) {
   const synthesize::SynthesizeOptions options = load_options(arguments.config);
-  files::expect_no_input(arguments.out, arguments.config);
-  files::expect_no_input(truth_beside(arguments.out), arguments.config);
-  store::DemonstrationWriter recorded(arguments.out), truth(truth_beside(arguments.out));
+  files::expect_not_input(arguments.out, arguments.config);
+  files::expect_not_input(truth_file_for(arguments.out), arguments.config);
+  store::DemonstrationWriter recorded(arguments.out), truth(truth_file_for(arguments.out));
   double recorded_s = 0;
-  parallel::OrderedMap<std::size_t, synthesize::SyntheticRecording> map;
+  parallel::OrderedParallelMap<std::size_t, synthesize::SyntheticRecording> map;
   map.next = [&, next = std::size_t{0}]() mutable {
     return next == arguments.count ? nullptr : std::make_unique<std::size_t>(next++);
   };
@@ -62,8 +62,8 @@ int execute(const SynthesizeArguments& arguments) {
   recorded.finish();
   truth.finish();
   fmt::print("{}: {}, {:.0f} s; truth in {}\n", arguments.out,
-             counted(arguments.count, "demonstration"), recorded_s,
-             truth_beside(arguments.out).string());
+             count_with_noun(arguments.count, "demonstration"), recorded_s,
+             truth_file_for(arguments.out).string());
   return 0;
 }
 

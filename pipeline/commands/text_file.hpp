@@ -5,7 +5,7 @@
 
 namespace morphe::commands {
 
-/// InputError if it cannot be written.
+/// Writes a text file. Throws InputError if it cannot be written.
 void write_text(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace morphe::commands

@@ -6,33 +6,45 @@
 
 namespace morphe::commands {
 
-/// A table for people: columns as wide as what stands in them, so that no name breaks it.
+/// A table for display, with columns as wide as their contents, so that long names do not break the
+/// layout.
 struct TextTable {
+  /// A column of the table.
   struct Column {
-    std::string top, below;  ///< head of two lines
-    bool left = false;       ///< texts stand left, numbers right
-    int spare = 0;           ///< where the terminal is narrow the largest goes first; 0: stays
+    /// Head of two lines.
+    std::string top, subhead;
+    /// True to align left (texts), false to align right (numbers).
+    bool left = false;
+    /// On a narrow terminal, columns with the largest priority are dropped first; 0 for columns
+    /// that are kept.
+    int drop_priority = 0;
   };
+  /// A row of the table.
   struct Row {
+    /// The texts of the cells.
     std::vector<std::string> cells;
-    std::vector<std::string> lines;  ///< below the row, indented
+    /// Lines below the row, indented.
+    std::vector<std::string> lines;
   };
+  /// The columns, from left to right.
   std::vector<Column> columns;
+  /// The rows.
   std::vector<Row> rows;
 };
 
-/// Every line ends in a newline. Where `width` is not 0, no line is longer: columns are left out
-/// (the last line says which), what stands in the first is shortened, lines are folded.
+/// Formats a table; every line ends in a newline. If `width` is not 0, lines are limited to it as
+/// far as possible: columns are dropped (the last line names them), texts in the first column are
+/// shortened, and lines are wrapped.
 std::string table_text(const TextTable& table, std::size_t width);
 
-/// A line, folded at blanks where it is longer than `width` (not 0); what goes on is indented
+/// Wraps a line at blanks if it is longer than `width` (not 0); continuation lines are indented
 /// further.
-std::string folded(const std::string& text, std::size_t width, const std::string& indent);
+std::string wrap_line(const std::string& text, std::size_t width, const std::string& indent);
 
-/// Of standard output; 0 if that is no terminal.
+/// Returns the width of standard output, 0 if it is not a terminal.
 std::size_t terminal_width();
 
-/// Columns that a text takes, each code point one.
-std::size_t width_of(const std::string& text);
+/// Returns the number of columns of a text, one for each code point.
+std::size_t display_width(const std::string& text);
 
 }  // namespace morphe::commands

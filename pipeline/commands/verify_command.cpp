@@ -6,7 +6,7 @@
 #include "pipeline/commands/commands.hpp"
 #include "pipeline/commands/jobs_option.hpp"
 #include "pipeline/commands/plans_file.hpp"
-#include "pipeline/planning/asked_of.hpp"
+#include "pipeline/planning/plan_requirements.hpp"
 #include "stages/verify/verify.hpp"
 
 namespace morphe::commands {
@@ -23,7 +23,7 @@ Command verify_command(CLI::App& app) {
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] {
     const verify::VerifyReport report = verify::verify_file(
-        plans_file(arguments->file), planning::asked_of, threads_of(arguments->jobs));
+        find_plans_file(arguments->file), planning::plan_requirements, threads_of(arguments->jobs));
     fmt::print("{}",
                arguments->json ? verify::verify_json(report) + "\n" : verify::verify_text(report));
     return report.violations.empty() ? 0 : 1;

@@ -14,10 +14,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// std::uniform_real_distribution differs between libraries.
-double share_of(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
+/// Used because std::uniform_real_distribution differs between libraries.
+double uniform_01(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
 
-std::array<std::string, 2> names(const RobotTable& robot, const SelfCollisionPair& pair) {
+std::array<std::string, 2> names(const RobotModel& robot, const SelfCollisionPair& pair) {
   const auto name = [&](std::size_t side) {
     return robot.capsules[static_cast<std::size_t>(pair.capsules[side])].name;
   };
@@ -25,12 +25,12 @@ std::array<std::string, 2> names(const RobotTable& robot, const SelfCollisionPai
 }
 
 double share(const SelfCollision& found, const SelfCollisionPair& pair) {
-  return static_cast<double>(pair.colliding) / found.samples;
+  return static_cast<double>(pair.colliding_samples) / found.samples;
 }
 
 }  // namespace
 
-SelfCollision sample_self_collision(const RobotTable& table, int samples) {
+SelfCollision sample_self_collision(const RobotModel& table, int samples) {
   const robot::Robot robot(table);
   const Scene nothing;
   const collision::CollisionWorld world = collision::make_world(robot, nothing, {}, {});
@@ -43,9 +43,9 @@ SelfCollision sample_self_collision(const RobotTable& table, int samples) {
   JointVector q(robot.lower.size());
   for (int sample = 0; sample < samples; ++sample) {
     for (Eigen::Index j = 0; j < q.size(); ++j) {
-      q[j] = robot.lower[j] + share_of(random) * (robot.upper[j] - robot.lower[j]);
+      q[j] = robot.lower[j] + uniform_01(random) * (robot.upper[j] - robot.lower[j]);
     }
-    collision::pose_bodies(world, q, 0, scratch);
+    collision::update_bodies(world, q, 0, scratch);
     for (SelfCollisionPair& pair : pairs) {
       const auto [i, k] = pair.capsules;
       const double distance =
@@ -53,20 +53,20 @@ SelfCollision sample_self_collision(const RobotTable& table, int samples) {
                                      scratch.bodies[static_cast<std::size_t>(k)])
               .distance;
       pair.least_m = std::min(pair.least_m, distance);
-      pair.colliding += distance < 0;
+      pair.colliding_samples += distance < 0;
     }
   }
   SelfCollision found{samples, {}, {}, {}};
   for (const SelfCollisionPair& pair : pairs) {
-    auto& list = pair.colliding == samples ? found.always
-                 : pair.colliding == 0     ? found.never
-                                           : found.sometimes;
+    auto& list = pair.colliding_samples == samples ? found.always
+                 : pair.colliding_samples == 0     ? found.never
+                                                   : found.sometimes;
     list.push_back(pair);
   }
   return found;
 }
 
-std::string self_collision_text(const RobotTable& robot, const SelfCollision& found) {
+std::string self_collision_text(const RobotModel& robot, const SelfCollision& found) {
   std::string text = fmt::format(
       "{} pairs of capsules in {} positions: {} always overlap, {} never, {} sometimes\n",
       found.always.size() + found.never.size() + found.sometimes.size(), found.samples,
@@ -90,7 +90,7 @@ std::string self_collision_text(const RobotTable& robot, const SelfCollision& fo
   return text;
 }
 
-std::string self_collision_json(const RobotTable& robot, const SelfCollision& found) {
+std::string self_collision_json(const RobotModel& robot, const SelfCollision& found) {
   Json always = Json::array(), never = Json::array(), sometimes = Json::array();
   for (const auto& pair : found.always) always.push_back(names(robot, pair));
   for (const auto& pair : found.never) {

@@ -4,29 +4,37 @@
 #include <string>
 #include <vector>
 
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 
 namespace morphe::describe {
 
-/// Two capsules that are checked, in `samples` positions drawn evenly from the joints' ranges.
+/// Two capsules that are checked against each other, in `samples` positions drawn uniformly from
+/// the ranges of the joints.
 struct SelfCollisionPair {
+  /// The indices of the capsules.
   std::array<int, 2> capsules{};
-  int colliding = 0;   ///< samples in which they overlap
-  double least_m = 0;  ///< least distance seen, < 0: overlap
+  /// Number of samples in which they overlap.
+  int colliding_samples = 0;
+  /// Smallest distance, negative for an overlap [m].
+  double least_m = 0;
 };
+/// The pairs of capsules, classified by their overlap.
 struct SelfCollision {
+  /// The number of samples.
   int samples = 0;
-  std::vector<SelfCollisionPair> always, never, sometimes;  ///< in the order of the capsules
+  /// The pairs that always, never and sometimes overlap, in the order of the capsules.
+  std::vector<SelfCollisionPair> always, never, sometimes;
 };
 
-/// Pairs that overlap in every sample belong into `allowed_pairs`: they are made that way. Those
-/// that never do may be put there to save time; samples prove nothing. The same robot gives the
-/// same result.
-SelfCollision sample_self_collision(const RobotTable& robot, int samples);
+/// Samples the self-collision of a robot. Pairs that overlap in every sample belong in
+/// `allowed_pairs`, because they overlap by design. Pairs that never overlap may be added there to
+/// save time, but samples do not prove that they cannot. Equal robots give equal results.
+SelfCollision sample_self_collision(const RobotModel& robot, int samples);
 
-/// For a person, with lines for `allowed_pairs`.
-std::string self_collision_text(const RobotTable& robot, const SelfCollision& found);
-/// {samples, always: [[a, b]], never: [{pair, least_m}], sometimes: [{pair, share, least_m}]}
-std::string self_collision_json(const RobotTable& robot, const SelfCollision& found);
+/// Returns a text for display, with lines for `allowed_pairs`.
+std::string self_collision_text(const RobotModel& robot, const SelfCollision& found);
+/// Returns {samples, always: [[a, b]], never: [{pair, least_m}], sometimes: [{pair, share,
+/// least_m}]}.
+std::string self_collision_json(const RobotModel& robot, const SelfCollision& found);
 
 }  // namespace morphe::describe

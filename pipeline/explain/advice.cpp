@@ -8,48 +8,50 @@
 #include <map>
 #include <string_view>
 
-#include "core/motion/goals_at.hpp"
-#include "pipeline/explain/shortfall.hpp"
+#include "core/motion/goal_interpolation.hpp"
+#include "pipeline/explain/path_violations.hpp"
 
 namespace morphe::explain {
 namespace {
 
-constexpr double kMm = 1e3;
-constexpr double kRoom_m = 3e-4;     ///< smoothing and certificate take up to this much
-constexpr double kOtherPath = 0.05;  ///< with another tolerance repair may end with another path
+constexpr double kSmoothingAllowance_m = 3e-4;  ///< tolerance consumed by smoothing and certificate
+/// allowance because repair may end with another path under another tolerance
+constexpr double kReplanAllowanceShare = 0.05;
 
-/// A tolerance that lets an error pass, to half a millimetre.
+/// Returns the tolerance for an error, rounded up to half a millimetre.
 double tolerance_for(double error_m) {
-  return std::ceil(2e3 * ((1 + kOtherPath) * error_m + kRoom_m)) / 2e3;
+  return std::ceil(2e3 * ((1 + kReplanAllowanceShare) * error_m + kSmoothingAllowance_m)) / 2e3;
 }
 
-std::string words_of(const Miss& miss) {
+std::string violation_text(const TipError& miss) {
   return fmt::format("{} is {:.1f} mm from its goal at {:.2f} s{}, {:.1f} allowed", miss.tip,
-                     kMm * miss.error_m, miss.time_s, miss.grasping ? " in the grasp" : "",
-                     kMm * miss.allowed_m);
+                     kMillimetresPerMetre * miss.error_m, miss.time_s,
+                     miss.grasping ? " in the grasp" : "", kMillimetresPerMetre * miss.allowed_m);
 }
 
-std::string words_of(const Contact& contact) {
-  const double distance_m = contact.required_m - contact.missing_m;
+std::string violation_text(const ClearanceViolation& contact) {
+  const double distance_m = contact.required_m - contact.lacking_clearance_m;
   const std::string asked =
-      contact.key != "check.margin"
-          ? fmt::format("{:.1f} mm of overlap allowed", -kMm * contact.required_m)
-          : fmt::format("{:.1f} mm apart asked for", kMm * contact.required_m);
+      contact.config_key != "check.margin"
+          ? fmt::format("{:.1f} mm of overlap allowed", -kMillimetresPerMetre * contact.required_m)
+          : fmt::format("{:.1f} mm apart asked for", kMillimetresPerMetre * contact.required_m);
   return fmt::format("{} and {} {} {:.1f} mm at {:.2f}-{:.2f} s, {}", contact.first, contact.second,
-                     distance_m < 0 ? "overlap by" : "come as near as", kMm * std::abs(distance_m),
-                     contact.begin_s, contact.end_s, asked);
+                     distance_m < 0 ? "overlap by" : "come as near as",
+                     kMillimetresPerMetre * std::abs(distance_m), contact.begin_s, contact.end_s,
+                     asked);
 }
 
-/// What a margin or the depths that let all contacts pass have to be; "" if none can.
-std::string tolerance_of_contacts(const Shortfall& shortfall, std::vector<std::string>& settings) {
-  double margin_m = kNotSeen;
+/// Sets the margin or the depths that allow all contacts and returns the text; "" if no values do.
+std::string relax_contact_tolerances(const PathViolations& shortfall,
+                                     std::vector<std::string>& settings) {
+  double margin_m = kUnknown;
   std::map<std::string_view, double> depths_m;
-  for (const Contact& contact : shortfall.contacts) {
-    const double distance_m = contact.required_m - contact.missing_m;
-    if (contact.key == "check.margin") {
+  for (const ClearanceViolation& contact : shortfall.contacts) {
+    const double distance_m = contact.required_m - contact.lacking_clearance_m;
+    if (contact.config_key == "check.margin") {
       margin_m = std::fmin(margin_m, distance_m);
     } else {
-      double& depth_m = depths_m.emplace(contact.key, 0).first->second;
+      double& depth_m = depths_m.emplace(contact.config_key, 0).first->second;
       depth_m = std::max(depth_m, -distance_m);
     }
   }
@@ -60,32 +62,33 @@ std::string tolerance_of_contacts(const Shortfall& shortfall, std::vector<std::s
   for (const auto& [key, depth_m] : depths_m) {
     settings.push_back(fmt::format("{}={:.4f}", key, tolerance_for(depth_m)));
   }
-  return words_of(shortfall.contacts.front());
+  return violation_text(shortfall.contacts.front());
 }
 
-/// What would let the path pass as it is, if tolerances can.
-void add_acceptance(const Plan& plan, const Shortfall& shortfall, std::vector<Advice>& advice) {
+/// Adds the advice whose tolerances accept the path as it is, if there is any.
+void add_acceptance(const Plan& plan, const PathViolations& shortfall,
+                    std::vector<Advice>& advice) {
   if (!shortfall.jumps.empty() || !shortfall.limits.empty()) return;
-  Advice accept{Effect::accepts, {}, ""};
+  Advice accept{AdviceKind::accepts, {}, ""};
   std::vector<std::string> words;
   double farthest_m = 0;
-  const auto allow = [&](const char* key, const std::optional<Miss>& miss) {
+  const auto allow = [&](const char* key, const std::optional<TipError>& miss) {
     if (!miss) return;
     const double tolerance_m = tolerance_for(miss->error_m);
     farthest_m = std::max(farthest_m, tolerance_m);
     accept.settings.push_back(fmt::format("{}={:.4f}", key, tolerance_m));
-    words.push_back(words_of(*miss));
+    words.push_back(violation_text(*miss));
   };
-  allow("check.tracking_grasp", shortfall.in_grasp);
-  allow("check.tracking", shortfall.elsewhere);
+  allow("check.tracking_grasp", shortfall.grasp_tip_error);
+  allow("check.tracking", shortfall.other_tip_error);
   if (!shortfall.contacts.empty()) {
-    const std::string contact = tolerance_of_contacts(shortfall, accept.settings);
+    const std::string contact = relax_contact_tolerances(shortfall, accept.settings);
     if (contact.empty()) {
-      advice.push_back({Effect::changes,
+      advice.push_back({AdviceKind::changes,
                         {},
                         fmt::format("{}: no tolerance allows that; their shapes, the scene or the "
                                     "place of the base would have to change",
-                                    words_of(shortfall.contacts.front()))});
+                                    violation_text(shortfall.contacts.front()))});
       return;
     }
     words.push_back(contact);
@@ -95,7 +98,7 @@ void add_acceptance(const Plan& plan, const Shortfall& shortfall, std::vector<Ad
   if (farthest_m > plan.tolerances.farthest_tip) {
     accept.sentence +=
         fmt::format("; beyond check.farthest_tip, {:.1f} mm, the plan is called approximate",
-                    kMm * plan.tolerances.farthest_tip);
+                    kMillimetresPerMetre * plan.tolerances.farthest_tip);
   }
   advice.push_back(std::move(accept));
 }
@@ -108,7 +111,7 @@ std::string out_of_reach_words(const Plan& plan) {
 }
 
 void add_reach(const Plan& plan, std::vector<Advice>& advice) {
-  advice.push_back({Effect::solves,
+  advice.push_back({AdviceKind::solves,
                     {"map.free_offset.limit=0.1"},
                     out_of_reach_words(plan) +
                         "the base may stand up to 100 mm from there, one place a movement (`morphe "
@@ -116,28 +119,28 @@ void add_reach(const Plan& plan, std::vector<Advice>& advice) {
 }
 
 void add_effort(std::vector<Advice>& advice) {
-  advice.push_back({Effect::solves,
+  advice.push_back({AdviceKind::solves,
                     {"map.starts=96", "map.candidates=8", "repair.searches=8"},
                     "four times the search for other ways to hold the goals"});
 }
 
 void add_detours(std::vector<Advice>& advice) {
-  advice.push_back({Effect::solves,
+  advice.push_back({AdviceKind::solves,
                     {"repair.attempts=6", "repair.iterations=20000"},
                     "the planner looks for a way around longer, and more widely"});
 }
 
-/// What concerns one reason alone.
+/// Adds the advice for one reason only.
 void add_for_reason(const Plan& plan, std::vector<Advice>& advice) {
   const auto change = [&](const char* sentence) {
-    advice.push_back({Effect::changes, {}, sentence});
+    advice.push_back({AdviceKind::changes, {}, sentence});
   };
   switch (plan.reason) {
     case Reason::no_movement:
       change(
           "the recording has to hold a whole reach, from rest to rest: see what `morphe "
           "inspect` finds in it");
-      advice.push_back({Effect::accepts,
+      advice.push_back({AdviceKind::accepts,
                         {"segment.whole=true"},
                         "the recording is one movement, whatever happens in it"});
       break;
@@ -150,7 +153,7 @@ void add_for_reason(const Plan& plan, std::vector<Advice>& advice) {
       change(
           "`morphe inspect` says what the body shows: look at the axes (`axes`, `forward`), at the "
           "hand that was taken, and whether names of left and right are swapped");
-      advice.push_back({Effect::accepts,
+      advice.push_back({AdviceKind::accepts,
                         {"human.beyond_limits_m=1"},
                         "the arm is followed as it was rebuilt, human or not"});
       break;
@@ -163,20 +166,20 @@ void add_for_reason(const Plan& plan, std::vector<Advice>& advice) {
       change("limits that the joint can keep, or a place of the base where it has more room");
       break;
     case Reason::duration:
-      advice.push_back({Effect::accepts,
+      advice.push_back({AdviceKind::accepts,
                         {"retime.mode=fastest", "retime.duration_s=null"},
                         "as long as the limits make it"});
       break;
     case Reason::smoothing:
     case Reason::collision:
-      advice.push_back({Effect::solves,
+      advice.push_back({AdviceKind::solves,
                         {"map.clearance.band=0.015", "repair.extra_clearance=0.01"},
                         "a path that keeps clear by more leaves room for the smooth curve"});
       break;
     case Reason::no_approach:
     case Reason::no_retreat:
       change("another home posture (`approach.home`)");
-      advice.push_back({Effect::accepts,
+      advice.push_back({AdviceKind::accepts,
                         {"approach=null"},
                         "without a way from home and back: the movement itself was planned"});
       break;
@@ -188,14 +191,16 @@ void add_for_reason(const Plan& plan, std::vector<Advice>& advice) {
   }
 }
 
-bool is_about_tips(const Shortfall& shortfall) { return shortfall.in_grasp || shortfall.elsewhere; }
+bool is_about_tips(const PathViolations& shortfall) {
+  return shortfall.grasp_tip_error || shortfall.other_tip_error;
+}
 
 }  // namespace
 
 std::vector<Advice> advice_for(const robot::Robot& robot, const Plan& plan) {
   std::vector<Advice> advice;
   if (plan.path.position.rows() > 0) {
-    const Shortfall shortfall = shortfall_of(robot, plan);
+    const PathViolations shortfall = find_path_violations(robot, plan);
     if (is_about_tips(shortfall) || plan.reason == Reason::goal_in_collision ||
         plan.reason == Reason::start_in_collision) {
       add_reach(plan, advice);
@@ -203,20 +208,21 @@ std::vector<Advice> advice_for(const robot::Robot& robot, const Plan& plan) {
     if (!shortfall.contacts.empty()) add_detours(advice);
     const bool dead_end =
         plan.reason == Reason::unreachable || plan.reason == Reason::goal_in_collision;
-    if (!shortfall.empty() && !dead_end) add_effort(advice);  // a dead end stays one
+    // more effort does not help at an infeasible frame
+    if (!shortfall.empty() && !dead_end) add_effort(advice);
     add_acceptance(plan, shortfall, advice);
   }
   add_for_reason(plan, advice);
   if (advice.empty()) {
     advice.push_back(
-        {Effect::changes, {}, "another place of the base: `morphe place` looks for one"});
+        {AdviceKind::changes, {}, "another place of the base: `morphe place` looks for one"});
   }
   return advice;
 }
 
 std::string text_of(const Advice& advice) {
-  constexpr std::array<std::string_view, count_of<Effect>()> kWords{"may solve it", "accepts it",
-                                                                    "assumes otherwise", ""};
+  constexpr std::array<std::string_view, enum_count<AdviceKind>()> kWords{
+      "may solve it", "accepts it", "assumes otherwise", ""};
   if (advice.settings.empty()) return advice.sentence;
   std::string settings;
   for (const std::string& one : advice.settings) {

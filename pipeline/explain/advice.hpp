@@ -10,27 +10,29 @@
 
 namespace morphe::explain {
 
-/// What an advice does about a movement that is infeasible.
-///   solves   asks the same of the robot by other means; whether that is enough, planning tells
-///   accepts  asks for less: what is wrong stays as it is, and is allowed
-///   assumes  what nobody recorded, and was therefore assumed, is assumed otherwise
-///   changes  something that no key of the config stands for: the recording, the scene, the robot
-enum class Effect { solves, accepts, assumes, changes };
-constexpr std::array<std::string_view, 4> names_of(Effect) {
+/// The effect of an advice for an infeasible movement.
+///   solves   achieves the same goals by other means; only planning shows if they suffice
+///   accepts  relaxes requirements: the violation remains and is allowed
+///   assumes  changes an assumption about something that was not recorded
+///   changes  changes something without a key in the config: the recording, the scene, the robot
+enum class AdviceKind { solves, accepts, assumes, changes };
+constexpr std::array<std::string_view, 4> names_of(AdviceKind) {
   return {"solves", "accepts", "assumes", "changes"};
 }
 
+/// An advice for an infeasible plan.
 struct Advice {
-  Effect effect = Effect::changes;
-  std::vector<std::string> settings;  ///< KEY=VALUE as `morphe run --set` takes them, all at once
-  std::string sentence;               ///< why, with the case's numbers
+  AdviceKind effect = AdviceKind::changes;
+  /// KEY=VALUE as accepted by `morphe run --set`, to be applied together
+  std::vector<std::string> settings;
+  std::string sentence;  ///< the reason, with the numbers of the plan
 };
 
-/// What to try for an infeasible plan, from its own numbers; at least one. First what may solve it,
-/// then what accepts it.
+/// Returns the advice for an infeasible plan, derived from its own numbers; at least one. Advice
+/// that may solve it comes first, then advice that accepts it.
 std::vector<Advice> advice_for(const robot::Robot& robot, const Plan& plan);
 
-/// "may solve it: --set map.starts=48 (…)".
+/// Returns "may solve it: --set map.starts=48 (…)".
 std::string text_of(const Advice& advice);
 
 }  // namespace morphe::explain

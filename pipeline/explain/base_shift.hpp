@@ -8,19 +8,21 @@
 
 namespace morphe::explain {
 
-/// Where else the base would have to stand for a movement that is infeasible.
+/// A shift of the base that would make an infeasible movement easier.
 struct BaseShift {
-  Vec3 shift = Vec3::Zero();     ///< of the base, along the world's axes [m]
-  double before = 0, after = 0;  ///< depths of what single postures have wrong, summed [m or rad]
-  std::size_t frames = 0;        ///< that were looked at
+  Vec3 shift = Vec3::Zero();  ///< shift of the base, along the world's axes [m]
+  /// depths of the findings of single postures, summed, before and after the shift [m or rad]
+  double depth_before = 0, depth_after = 0;
+  std::size_t frames = 0;  ///< number of frames evaluated
 };
 
-/// The shift |s_k| <= limit_m (a compass search down to 10 mm) that makes
-///   sum over frames of depths(best posture) + 0.01 |s|
-/// least: frames around what repair has left and a few along the movement, the best posture by
-/// solves with tips and freedom alone from those of the path and of the mapping. From the plan
-/// alone: goals of tips and the scene move against the base, the arm's stay. None: nothing was
-/// mapped, the target is in the hand in all of these frames, or no shift makes it half as bad.
+/// Returns the shift |s_k| <= limit_m (by a compass search down to 10 mm) that minimises
+///   sum over frames of depths(best posture) + 0.01 |s|.
+/// The frames are those around the findings that repair has left and a few along the movement; the
+/// best posture results from solves with tips and clearance only, starting from the postures of the
+/// path and of the mapping. The shift is computed from the plan alone: the goals of tips and the
+/// scene move relative to the base, the arm's goals stay. Returns nullopt if the plan was not
+/// mapped, the target is attached in all of these frames, or no shift halves the sum.
 std::optional<BaseShift> find_base_shift(const robot::Robot& robot,
                                          const planning::PipelineConfig& config, const Plan& plan,
                                          double limit_m);

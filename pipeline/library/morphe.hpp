@@ -1,10 +1,11 @@
 #pragma once
 
-/// Morphe as a library: recordings -> demonstrations.h5 -> plans -> plans.h5, and its judge.
-/// docs/library.md shows all of it in one page. SI units (m, s, rad); what was not seen is NaN.
+/// Morphe as a library: recordings -> demonstrations.h5 -> plans -> plans.h5, and the verification
+/// of plans. docs/library.md describes all of it on one page. Units are SI (m, s, rad); values that
+/// were not observed are NaN.
 ///
-/// Whatever is wrong with a file, a config or an argument is thrown as InputError: one line that
-/// says which file, line and key. A file to read is looked for as it is named, and then among those
+/// All errors in a file, a config or an argument are thrown as InputError, with one line that names
+/// the file, line and key. Files to be read are searched at the given path, and then among those
 /// that were installed with Morphe (configs/…, datasets/…).
 
 #include <cstddef>
@@ -18,7 +19,7 @@
 #include "core/motion/input_error.hpp"
 #include "core/motion/plan.hpp"
 #include "core/motion/residual_term.hpp"
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 #include "core/motion/version.hpp"
 #include "core/store/demonstration_file.hpp"
 #include "core/store/plan_file.hpp"
@@ -26,25 +27,27 @@
 
 namespace morphe {
 
-/// A pipeline's config, with the robot and the scene that it names. Copies share one.
+/// A pipeline config with the robot and the scene to which it refers. Copies share the same state.
 class MORPHE_EXPORT Pipeline {
  public:
-  /// `settings` are "a.b=value": each replaces a value of the config. `terms` are added to the
-  /// objective with the weights that the config's `map.terms` gives them.
+  /// Loads the config. `settings` are "a.b=value": each replaces a value of the config. `terms` are
+  /// added to the objective with the weights given by the config's `map.terms`.
   explicit Pipeline(const std::filesystem::path& config,
                     const std::vector<std::string>& settings = {},
                     const std::vector<std::shared_ptr<const ResidualTerm>>& terms = {});
 
-  /// A plan for each movement of the demonstration, executable or with the reason why not, in
-  /// their order; the same as `morphe run` makes, to the last bit. May be called from several
-  /// threads at once. A demonstration that nothing can be made of throws.
+  /// Plans every movement of the demonstration. Returns the plans in order, executable or with the
+  /// reason for the failure, bitwise equal to those of `morphe run`. It may be called from several
+  /// threads at once. Throws for a demonstration that cannot be processed at all.
   std::vector<Plan> plan(const Demonstration& demonstration) const;
 
-  /// What a plans.h5 says of itself whose plans are this pipeline's of a demonstrations.h5.
+  /// Returns the header of a plans.h5 with this pipeline's plans of a demonstrations.h5.
   PlanFileHeader header(const std::filesystem::path& demonstrations) const;
 
-  const RobotTable& robot() const;
-  /// The demonstrations.h5 or the recordings that the config names, "" if it names none.
+  /// Returns the robot of the config.
+  const RobotModel& robot() const;
+  /// Returns the demonstrations.h5 or the recordings that the config names, "" if it names no
+  /// dataset.
   const std::filesystem::path& dataset() const;
 
  private:
@@ -52,16 +55,17 @@ class MORPHE_EXPORT Pipeline {
   std::shared_ptr<const State> state_;
 };
 
-/// Reads a recording, or a manifest (.yaml) of recordings, and writes a demonstrations.h5; returns
-/// how many demonstrations there are.
+/// Reads a recording, or a manifest (.yaml) of recordings, and writes a demonstrations.h5. Returns
+/// the number of demonstrations.
 MORPHE_EXPORT std::size_t import_recordings(const std::filesystem::path& recordings,
                                             const std::filesystem::path& demonstrations);
 
-/// A robot description (docs/formats.md): DH chains, a URDF, a generated robot, or parts.
-MORPHE_EXPORT RobotTable load_robot(const std::filesystem::path& description);
+/// Loads a robot description (docs/formats.md): DH chains, a URDF, a generated robot, or parts.
+MORPHE_EXPORT RobotModel load_robot(const std::filesystem::path& description);
 
-/// Every plan of a plans.h5 by what it promises, and by what its own config and inputs ask for, as
-/// `morphe verify` judges it; verify::verify_file alone knows nothing of the latter.
+/// Verifies every plan of a plans.h5 against its certificate and against the requirements of its
+/// own config and inputs, as `morphe verify` does; verify::verify_file alone does not check the
+/// latter.
 MORPHE_EXPORT verify::VerifyReport verify_plans(const std::filesystem::path& plans);
 
 }  // namespace morphe

@@ -1,5 +1,5 @@
+#include "core/files/data_files.hpp"
 #include "core/files/sha256.hpp"
-#include "core/files/shipped.hpp"
 #include "pipeline/library/morphe.hpp"
 #include "pipeline/planning/plan_movement.hpp"
 
@@ -8,10 +8,10 @@ namespace morphe {
 struct Pipeline::State {
   State(const std::filesystem::path& file, const std::vector<std::string>& settings,
         const std::vector<std::shared_ptr<const ResidualTerm>>& terms)
-      : config(planning::load_config(files::here_or_shipped(file), settings, terms)) {}
+      : config(planning::load_config(files::resolve_data_file(file), settings, terms)) {}
 
   planning::LoadedConfig config;
-  planning::Planner planner{config.options, config.robot};
+  planning::PlanningInputs planner{config.options, config.robot};
 };
 
 Pipeline::Pipeline(const std::filesystem::path& config, const std::vector<std::string>& settings,
@@ -19,7 +19,8 @@ Pipeline::Pipeline(const std::filesystem::path& config, const std::vector<std::s
     : state_(std::make_shared<State>(config, settings, terms)) {}
 
 std::vector<Plan> Pipeline::plan(const Demonstration& demonstration) const {
-  // Sums may depend on how rows lie in memory: a copy lies as this library's own do.
+  // Sums may depend on the alignment of rows in memory; a copy has the alignment that this
+  // library's own data have.
   const Demonstration own = demonstration;
   return planning::plan_demonstration(state_->planner, own).plans;
 }
@@ -28,7 +29,7 @@ PlanFileHeader Pipeline::header(const std::filesystem::path& demonstrations) con
   return planning::header_of(state_->config, files::sha256_of_file(demonstrations));
 }
 
-const RobotTable& Pipeline::robot() const { return state_->config.robot; }
+const RobotModel& Pipeline::robot() const { return state_->config.robot; }
 
 const std::filesystem::path& Pipeline::dataset() const { return state_->config.dataset; }
 

@@ -1,7 +1,7 @@
-#include "core/files/shipped.hpp"
+#include "core/files/data_files.hpp"
 #include "core/robot/files/description.hpp"
 #include "pipeline/library/morphe.hpp"
-#include "pipeline/planning/asked_of.hpp"
+#include "pipeline/planning/plan_requirements.hpp"
 #include "stages/import/import.hpp"
 
 namespace morphe {
@@ -9,16 +9,16 @@ namespace morphe {
 std::size_t import_recordings(const std::filesystem::path& recordings,
                               const std::filesystem::path& demonstrations) {
   imports::ImportRequest request;
-  request.paths = {files::here_or_shipped(recordings)};
+  request.paths = {files::resolve_data_file(recordings)};
   return imports::write_demonstrations(request, demonstrations).entries.size();
 }
 
-RobotTable load_robot(const std::filesystem::path& description) {
-  return robot::load_robot(files::here_or_shipped(description)).table;
+RobotModel load_robot(const std::filesystem::path& description) {
+  return robot::load_robot(files::resolve_data_file(description)).table;
 }
 
 verify::VerifyReport verify_plans(const std::filesystem::path& plans) {
-  return verify::verify_file(plans, planning::asked_of);
+  return verify::verify_file(plans, planning::plan_requirements);
 }
 
 }  // namespace morphe

@@ -8,41 +8,56 @@
 
 namespace morphe::place {
 
-/// What full plans from a placement are like, movement by movement.
-struct Planned {
-  Measures measures;  ///< means of the mapped frames, but for
-                      ///<   out_of_reach: as plans judge it; colliding: share not executable;
-                      ///<   upper_arm: of the trajectory, where there is one; speed: tempo
+/// The results of full plans with a placement over all movements.
+struct PlannedSummary {
+  /// The means over the mapped frames, with these exceptions. out_of_reach: as the plans determine
+  /// it; collision_share: share of plans without a trajectory; upper_arm_error: of the trajectory,
+  /// if there is one; speed_ratio: tempo of the trajectory.
+  PlacementMeasures measures;
+  /// The number of movements and of executable plans.
   int movements = 0, executable = 0;
-  double upper_arm_median = 0, upper_arm_max = 0;  ///< of the movements' means [rad]
-  double tip_error_max_m = kNotSeen;               ///< of executable plans
+  /// Median and maximum of the movements' means [rad].
+  double upper_arm_median = 0, upper_arm_max = 0;
+  /// Maximum over plans with a trajectory [m].
+  double tip_error_max_m = kUnknown;
 };
 
-struct Found {
-  Stand stand;
-  map::PlacementOptions placement;  ///< of that stand, rounded as it was planned
-  Measures tried;                   ///< by the search
-  Planned planned;
-  Vec3 base = Vec3::Zero();       ///< the base's origin from the human shoulder [m]
-  double above_table = kNotSeen;  ///< and above the table's top, mean over the movements [m]
+/// A placement with its measures.
+struct PlacementResult {
+  /// The placement as represented in the search.
+  BasePlacement base_placement;
+  /// The placement in the config, rounded as it was planned.
+  map::PlacementOptions placement;
+  /// Measures of the search.
+  PlacementMeasures search_measures;
+  /// The results of full plans.
+  PlannedSummary plan_summary;
+  /// Origin of the base relative to the human shoulder [m].
+  Vec3 base = Vec3::Zero();
+  /// Height of the base above the table's top, mean over the movements [m].
+  double above_table = kUnknown;
 };
 
-/// Called with what is done and its share, from one thread at a time.
-using Report = std::function<void(const std::string& what, int done, int of)>;
+/// A callback with the current stage and its progress, called from one thread at a time.
+using ProgressCallback = std::function<void(const std::string& what, int done, int of)>;
 
-/// Places for the robot's base, one for all movements, the best first.
-///   1. `samples` random places that the constraints allow; the `candidates` with the fewest goals
-///      outside of where the robot's tips get (Reach)
-///   2. these mapped in one trial, the better third in three, with few frames (score.hpp)
-///   3. the best `refined` of them that differ, improved by a compass search over shift and turn
-///      (refine.hpp) over all trials: all roughly, the better half finely
-///   4. the best `planned` of these that differ, planned in full and ordered by that
-/// The same options give the same places with any number of threads. InputError if none is allowed.
-std::vector<Found> place(const planning::Planner& planner, const std::vector<Trial>& trials,
-                         const PlaceOptions& options, const Report& report);
+/// Finds placements of the robot's base, each for all movements, the best first:
+///   1. `samples` random placements that satisfy the constraints; the `candidates` with the
+///      smallest share of goals outside the ReachabilityGrid are kept
+///   2. these are mapped in one trial, the better third in three, with few frames (score.hpp)
+///   3. the best `refined` distinct ones are improved by a compass search over shift and turn
+///      (refine.hpp) over all trials: all with coarse steps, the better half with fine steps
+///   4. the best `planned` distinct ones are planned in full and sorted by the result
+/// Equal options give equal placements with any number of threads. Throws InputError if no
+/// placement is allowed.
+std::vector<PlacementResult> find_placements(const planning::PlanningInputs& planner,
+                                             const std::vector<TrialMovement>& trials,
+                                             const PlaceOptions& options,
+                                             const ProgressCallback& report);
 
-/// The same full plans of one placement.
-Found plan_at(const planning::Planner& planner, const std::vector<Trial>& trials,
-              const map::PlacementOptions& placement, int jobs);
+/// Computes full plans with one placement.
+PlacementResult plan_with_placement(const planning::PlanningInputs& planner,
+                                    const std::vector<TrialMovement>& trials,
+                                    const map::PlacementOptions& placement, int jobs);
 
 }  // namespace morphe::place

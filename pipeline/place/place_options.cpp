@@ -4,11 +4,12 @@
 
 namespace morphe::place {
 
-std::string why_invalid(const PlaceOptions& options) {
-  if (!(options.tilt_rad >= 0 && options.tilt_rad <= std::numbers::pi / 2)) {
+std::string validation_error(const PlaceOptions& options) {
+  if (!(options.max_tilt_rad >= 0 && options.max_tilt_rad <= std::numbers::pi / 2)) {
     return "tilt: must be from 0 to 90 degrees";
   }
-  if (!(options.person_m >= 0 && options.person_m < 1)) return "person: must be from 0 to 1 m";
+  if (!(options.person_clearance_m >= 0 && options.person_clearance_m < 1))
+    return "person: must be from 0 to 1 m";
   if (options.samples < options.candidates || options.candidates < options.refined ||
       options.refined < options.planned || options.planned < 1) {
     return "samples >= candidates >= refined >= planned >= 1 does not hold";

@@ -7,38 +7,52 @@
 
 namespace morphe::place {
 
-/// Which way the base's z axis may point. World: X to the person's right, Y forward, Z up.
-///   any      anywhere
+/// The allowed directions of the base's z axis. World: X to the person's right, Y forward, Z up.
+///   any      any direction
 ///   floor    up
 ///   ceiling  down
-///   wall     level, in any direction
-///   side     level, to the person's right or left
-enum class Mount { any, floor, ceiling, wall, side };
-constexpr std::array<std::string_view, 5> names_of(Mount) {
+///   wall     horizontal, in any direction
+///   side     horizontal, to the person's right or left
+enum class MountDirection { any, floor, ceiling, wall, side };
+/// Returns the names of the values.
+constexpr std::array<std::string_view, 5> names_of(MountDirection) {
   return {"any", "floor", "ceiling", "wall", "side"};
 }
 
-/// What of the config's placement is not searched for.
-struct Kept {
-  bool x = false, y = false, z = false;  ///< of `shoulder_offset`
+/// The parts of the config's placement that are kept in the search.
+struct FixedCoordinates {
+  /// Components of `shoulder_offset`.
+  bool x = false, y = false, z = false;
+  /// True if the rotation is kept.
   bool rotation = false;
 };
 
-/// `morphe place`: what is allowed, and how long it is looked for.
+/// The constraints and the effort of `morphe place`.
 struct PlaceOptions {
-  Mount mount = Mount::any;
-  double tilt_rad = 0;  ///< by which a mount may lean from its direction
-  Kept keep;
-  double person_m = 0.15;  ///< the base keeps this far from the person's middle, a plumb line
-  int samples = 16000;     ///< places looked at by reach alone
-  int candidates = 600;    ///< the best of them, mapped in three trials with a few frames
-  int refined = 16;        ///< the best of these, improved over all trials
-  int planned = 3;         ///< the best of these, planned in full
-  int trials = 8;          ///< movements at most, evenly over the dataset
-  int jobs = 1;            ///< threads
+  /// The mount of the base.
+  MountDirection mount = MountDirection::any;
+  /// Maximum tilt of a mount from its direction [rad].
+  double max_tilt_rad = 0;
+  /// The coordinates that are kept.
+  FixedCoordinates fixed;
+  /// Minimum distance of the base from the vertical line through the person's middle [m].
+  double person_clearance_m = 0.15;
+  /// Number of placements evaluated by reachability only.
+  int samples = 16000;
+  /// Number of best ones that are mapped in up to three trials with a few frames.
+  int candidates = 600;
+  /// Number of best ones that are improved over all trials.
+  int refined = 16;
+  /// Number of best ones that are planned in full.
+  int planned = 3;
+  /// Maximum number of movements, evenly distributed over the dataset.
+  int trials = 8;
+  /// Number of threads.
+  int jobs = 1;
+  /// The seed of the search.
   std::uint64_t seed = 1;
 };
-/// "", or what is wrong.
-std::string why_invalid(const PlaceOptions& options);
+/// Returns a message about the first invalid value, "" if all values are valid.
+std::string validation_error(const PlaceOptions& options);
 
 }  // namespace morphe::place

@@ -4,30 +4,37 @@
 
 namespace morphe::place {
 
-/// A placement and what it is worth over the trials.
+/// A placement with its measures over the trials.
 struct Candidate {
-  Stand stand;
-  Measures measures;
+  /// The placement.
+  BasePlacement stand;
+  /// The mean measures.
+  PlacementMeasures measures;
+  /// The cost of the measures.
   double cost = 0;
 };
 
-/// Mean over the trials by search from random starts.
-Candidate try_stand(const planning::Planner& planner, const Stand& stand,
-                    const std::vector<const Trial*>& trials, const Effort& effort,
-                    std::uint64_t seed);
+/// Evaluates a placement as the mean over the trials by a search from random starts.
+Candidate evaluate_placement(const planning::PlanningInputs& planner, const BasePlacement& stand,
+                             const std::vector<const TrialMovement*>& trials,
+                             const SearchEffort& effort, std::uint64_t seed);
 
-/// Of a compass search: the first step, and how often it is halved.
-struct Steps {
-  double shift_m = 0.12, turn_rad = 24 * kDegree;
+/// The steps of a compass search.
+struct CompassSteps {
+  /// The first steps: shift [m] and turn [rad].
+  double shift_m = 0.12, turn_rad = 24 * kRadPerDegree;
+  /// The number of levels, each with half the steps of the previous one.
   int levels = 4;
 };
 
-/// A compass search over shift and turn about the world's axes: along each of the six as far as it
-/// gains, at each level with half the steps of the one before. Postures are followed from those of
-/// the last place that gained; at each level they are searched for anew. Always allowed; never
-/// worse than what the search finds at `start`.
-Candidate refine(const planning::Planner& planner, const Stand& start, const Steps& steps,
-                 const Stand& configured, const std::vector<Trial>& trials,
-                 const Vec3& robot_shoulder, const PlaceOptions& options, std::uint64_t seed);
+/// Improves a placement by a compass search over shift and turn about the world's axes: it moves
+/// along each of the six directions as long as the cost decreases, at each level with half the
+/// steps of the previous one. Postures are warm-started from those of the last improvement; at each
+/// level they are searched again from random starts. The result is always allowed and never worse
+/// than the search result at `start`.
+Candidate refine(const planning::PlanningInputs& planner, const BasePlacement& start,
+                 const CompassSteps& steps, const BasePlacement& configured,
+                 const std::vector<TrialMovement>& trials, const Vec3& robot_shoulder,
+                 const PlaceOptions& options, std::uint64_t seed);
 
 }  // namespace morphe::place

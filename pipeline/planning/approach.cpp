@@ -7,16 +7,16 @@
 #include "core/math/seed.hpp"
 #include "pipeline/planning/planner.hpp"
 #include "stages/certify/certify.hpp"
-#include "stages/repair/ladder.hpp"
-#include "stages/repair/transfer.hpp"
+#include "stages/repair/repair_strategy.hpp"
+#include "stages/repair/transit.hpp"
 
 namespace morphe::planning {
 namespace {
 
-/// What stands at one end must be where the other motion, or the robot at home, is [rad, m].
-constexpr double kEnds = 1e-6;
+/// Tolerance between an end of the motion and the adjacent motion or the home posture [rad, m].
+constexpr double kEndTolerance = 1e-6;
 
-double off_ends(const JointPath& path, const Trajectory& trajectory) {
+double end_error(const JointPath& path, const Trajectory& trajectory) {
   const auto off = [](const auto& own, const auto& asked) {
     return (own - asked).cwiseAbs().maxCoeff();
   };
@@ -24,56 +24,58 @@ double off_ends(const JointPath& path, const Trajectory& trajectory) {
                   off(trajectory.position.bottomRows(1), path.position.bottomRows(1)));
 }
 
-/// Timed and certified; smoothing that makes it collide, or that misses an end (where a joint
-/// leaves its limit at once), is taken back.
-Refusal run_along(const Planner& planner, const collision::CollisionWorld& world,
-                  const JointPath& path, const ApproachOptions& options, double time_s,
-                  Trajectory& trajectory) {
+/// Computes the time parametrisation and certifies it; smoothing is disabled if it causes a
+/// collision or misses an end (if a joint leaves its limit at once).
+PlanningFailure time_and_certify(const PlanningInputs& planner,
+                                 const collision::CollisionWorld& world, const JointPath& path,
+                                 const ApproachOptions& options, double time_s,
+                                 Trajectory& trajectory) {
   retime::RetimeOptions time_law = planner.config.retime;
-  time_law.mode = retime::Tempo::fastest;
+  time_law.mode = retime::RetimeMode::fastest;
   time_law.duration_s.reset();
   time_law.phase_speed.clear();
   time_law.limit_share *= options.limit_share;
   while (true) {
     Outcome<retime::RetimeResult> retimed =
         retime::retime(planner.robot, path, Movement{}, time_law);
-    if (retimed.refusal) return retimed.refusal;
+    if (retimed.failure) return retimed.failure;
     trajectory = std::move(retimed.value.trajectory);
-    // The demonstration waits meanwhile: touching is judged by that moment.
+    // The demonstration time stands still, so that contact is judged by that moment.
     std::ranges::fill(trajectory.demonstration_time, time_s);
     std::ranges::fill(trajectory.phase, PhaseKind::rest);
-    Refusal refusal = certify::certify_motion(world, trajectory).refusal;
-    if (const double off = off_ends(path, trajectory); !refusal && !(off <= kEnds))
-      refusal = {Reason::smoothing, fmt::format("an end of it is missed by {:.2g} rad or m", off)};
+    PlanningFailure failure = certify::certify_motion(world, trajectory).failure;
+    if (const double off = end_error(path, trajectory); !failure && !(off <= kEndTolerance))
+      failure = {Reason::smoothing, fmt::format("an end of it is missed by {:.2g} rad or m", off)};
     const bool smoothed = time_law.tip_tolerance + time_law.joint_tolerance > 0;
-    if (refusal.reason != Reason::smoothing || !smoothed) return refusal;
+    if (failure.reason != Reason::smoothing || !smoothed) return failure;
     time_law.tip_tolerance = time_law.joint_tolerance = 0;
   }
 }
 
-std::string sentence(const Refusal& refusal) {
-  return fmt::format("{}: {}", name_of(refusal.reason), refusal.detail);
+std::string sentence(const PlanningFailure& failure) {
+  return fmt::format("{}: {}", name_of(failure.reason), failure.detail);
 }
 
-/// Why there is no way between two postures.
-std::string no_way(const collision::CollisionWorld& world, const JointVector& from,
-                   const JointVector& to, double time_s, const repair::RepairOptions& repair) {
+/// Returns the reason for which there is no path between two postures.
+std::string no_path_reason(const collision::CollisionWorld& world, const JointVector& from,
+                           const JointVector& to, double time_s,
+                           const repair::RepairOptions& repair) {
   collision::CollisionScratch scratch;
   for (const JointVector& end : {from, to}) {
     const collision::PairSeparation pair = collision::least_slack(world, end, time_s, scratch);
     if (pair.slack() >= 0) continue;
     return fmt::format("{} – {} {:.4f} m too close at an end of it",
-                       collision::first_name(world, pair), collision::second_name(world, pair),
-                       -pair.slack());
+                       collision::first_body_name(world, pair),
+                       collision::second_body_name(world, pair), -pair.slack());
   }
-  return repair::no_free_path(repair);
+  return repair::no_path_message(repair);
 }
 
-/// Back the way it came: the plan's own motion and then its approach, last sample first.
-JointPath reversed(const Trajectory& trajectory, const JointPath& approach) {
-  constexpr Eigen::Index kEvery = 5;
+/// Returns the plan's own motion followed by its approach, both reversed.
+JointPath reverse_path(const Trajectory& trajectory, const JointPath& approach) {
+  constexpr Eigen::Index kReverseSampleStride = 5;
   std::vector<JointVector> rows;
-  for (Eigen::Index k = trajectory.position.rows() - 1; k > 0; k -= kEvery) {
+  for (Eigen::Index k = trajectory.position.rows() - 1; k > 0; k -= kReverseSampleStride) {
     rows.push_back(trajectory.position.row(k).transpose());
   }
   for (Eigen::Index k = approach.position.rows() - 1; k >= 0; --k) {
@@ -81,7 +83,7 @@ JointPath reversed(const Trajectory& trajectory, const JointPath& approach) {
   }
   JointPath back;
   back.position.resize(static_cast<Eigen::Index>(rows.size()), trajectory.position.cols());
-  back.origin.assign(rows.size(), Origin::planned);
+  back.origin.assign(rows.size(), SampleOrigin::planned);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     back.position.row(static_cast<Eigen::Index>(k)) = rows[k].transpose();
     back.demonstration_time.push_back(0.01 * static_cast<double>(k));
@@ -91,14 +93,14 @@ JointPath reversed(const Trajectory& trajectory, const JointPath& approach) {
 
 }  // namespace
 
-std::string why_invalid(const ApproachOptions& options) {
+std::string validation_error(const ApproachOptions& options) {
   if (!(options.limit_share > 0) || !(options.limit_share <= 1)) {
     return "limit_share must be above 0 and at most 1";
   }
   return "";
 }
 
-JointVector home_posture(const RobotTable& robot, const ApproachOptions& options) {
+JointVector home_posture(const RobotModel& robot, const ApproachOptions& options) {
   JointVector home = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
   for (const ApproachOptions::Joint& joint : options.home) {
     const auto found = std::ranges::find(robot.joint_names, joint.joint);
@@ -107,41 +109,44 @@ JointVector home_posture(const RobotTable& robot, const ApproachOptions& options
   return home.cwiseMax(robot.lower).cwiseMin(robot.upper);
 }
 
-Refusal add_approach(const Planner& planner, const ApproachOptions& options, std::uint64_t seed,
-                     Plan& plan) {
+PlanningFailure add_approach(const PlanningInputs& planner, const ApproachOptions& options,
+                             std::uint64_t seed, Plan& plan) {
   const repair::RepairOptions& repair = planner.config.repair;
   const JointVector home = home_posture(planner.robot, options);
   collision::CollisionWorld world = collision::make_world(
       planner.robot, plan.scene, plan.movement, plan.tolerances, planner.config.scene.meshes);
-  collision::carry_target(plan.trajectory.demonstration_time, plan.trajectory.position, world);
+  collision::attach_target(plan.trajectory.demonstration_time, plan.trajectory.position, world);
   const Trajectory& way = plan.trajectory;
   const double begin_s = way.demonstration_time.front(), end_s = way.demonstration_time.back();
   const JointVector first = way.position.row(0).transpose();
   const JointVector last = way.position.row(way.position.rows() - 1).transpose();
 
   const JointPath there =
-      repair::plan_transfer(world, home, first, begin_s, repair, math::seed_from(seed, "approach"));
+      repair::plan_transit(world, home, first, begin_s, repair, math::seed_from(seed, "approach"));
   if (there.position.rows() == 0) {
-    return {Reason::no_approach, no_way(world, home, first, begin_s, repair)};
+    return {Reason::no_approach, no_path_reason(world, home, first, begin_s, repair)};
   }
-  if (const Refusal refused = run_along(planner, world, there, options, begin_s, plan.approach)) {
+  if (const PlanningFailure refused =
+          time_and_certify(planner, world, there, options, begin_s, plan.approach)) {
     return {Reason::no_approach, sentence(refused)};
   }
   if (!options.back) return {};
 
-  if (collision::place_of_target(world, end_s) == collision::TargetPlace::in_hand) {
+  if (collision::target_state_at(world, end_s) == collision::TargetState::attached) {
     return {Reason::no_retreat, "the target is in the hand at the end"};
   }
   const JointPath back =
-      repair::plan_transfer(world, last, home, end_s, repair, math::seed_from(seed, "retreat"));
+      repair::plan_transit(world, last, home, end_s, repair, math::seed_from(seed, "retreat"));
   const bool found = back.position.rows() > 0;
-  Refusal refused;
-  if (found) refused = run_along(planner, world, back, options, end_s, plan.retreat);
+  PlanningFailure refused;
+  if (found) refused = time_and_certify(planner, world, back, options, end_s, plan.retreat);
   if (!found || refused) {
-    refused = run_along(planner, world, reversed(way, there), options, end_s, plan.retreat);
+    refused =
+        time_and_certify(planner, world, reverse_path(way, there), options, end_s, plan.retreat);
   }
   if (!refused) return {};
-  return {Reason::no_retreat, found ? sentence(refused) : no_way(world, last, home, end_s, repair)};
+  return {Reason::no_retreat,
+          found ? sentence(refused) : no_path_reason(world, last, home, end_s, repair)};
 }
 
 }  // namespace morphe::planning

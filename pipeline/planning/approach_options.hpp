@@ -5,15 +5,17 @@
 
 namespace morphe::planning {
 
-/// Where the robot stands before and after a plan (config section `approach`).
+/// The robot's posture before and after a plan, and the motions to and from it (config section
+/// `approach`).
 struct ApproachOptions {
+  /// The home position of one joint.
   struct Joint {
     std::string joint;
     double value = 0;  ///< [rad]
   };
-  std::vector<Joint> home;   ///< joints that are not named: 0, or their nearest limit
-  double limit_share = 0.5;  ///< of velocity, acceleration and jerk on the way
-  bool back = true;          ///< a retreat too
+  std::vector<Joint> home;   ///< joints that are not listed are at 0, or at their nearest limit
+  double limit_share = 0.5;  ///< share of the velocity, acceleration and jerk limits
+  bool back = true;          ///< true to plan a retreat, too
 };
 template <class Fields>
 void fields(Fields& f, ApproachOptions::Joint& o) {
@@ -26,6 +28,7 @@ void fields(Fields& f, ApproachOptions& o) {
   f("limit_share", o.limit_share);
   f("back", o.back);
 }
-std::string why_invalid(const ApproachOptions& options);
+/// Returns an error sentence, or "" if the options are valid.
+std::string validation_error(const ApproachOptions& options);
 
 }  // namespace morphe::planning

@@ -16,9 +16,9 @@ Plan begin_plan(const Demonstration& demonstration, const Movement& movement,
   return plan;
 }
 
-Plan fail(Plan plan, Refusal refusal) {
-  plan.reason = refusal.reason;
-  plan.detail = std::move(refusal.detail);
+Plan fail(Plan plan, PlanningFailure failure) {
+  plan.reason = failure.reason;
+  plan.detail = std::move(failure.detail);
   plan.approximate = false;
   plan.trajectory = plan.approach = plan.retreat = {};
   return plan;

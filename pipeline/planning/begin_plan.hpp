@@ -6,11 +6,11 @@
 
 namespace morphe::planning {
 
-/// A plan that says no more than what it is of.
+/// Returns a plan that only identifies its demonstration and movement.
 Plan begin_plan(const Demonstration& demonstration, const Movement& movement,
                 const Tolerances& tolerances);
 
-/// The plan, given up: its reason and no trajectory.
-Plan fail(Plan plan, Refusal refusal);
+/// Returns the plan as a failed one, with its reason and without a trajectory.
+Plan fail(Plan plan, PlanningFailure failure);
 
 }  // namespace morphe::planning

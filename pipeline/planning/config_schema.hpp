@@ -4,7 +4,7 @@
 
 namespace morphe::planning {
 
-/// What a pipeline config may hold: sections, `extends` and `robots`.
-config::Schema config_schema(const config::Meanings& meanings);
+/// Returns the schema of a pipeline config: its sections, `extends` and `robots`.
+config::Schema config_schema(const config::KeyDescriptions& meanings);
 
 }  // namespace morphe::planning

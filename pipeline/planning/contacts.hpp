@@ -6,35 +6,38 @@
 
 #include "core/collision/world.hpp"
 #include "pipeline/planning/planner.hpp"
-#include "stages/grasp/touch.hpp"
+#include "stages/grasp/desired_contact.hpp"
 
 namespace morphe::planning {
 
+/// The desired contacts of a plan, and notes about them.
 struct Contacts {
-  std::vector<grasp::Touch> touches;
-  std::vector<std::string> notes;  ///< a sentence each
+  std::vector<grasp::DesiredContact> contacts;
+  std::vector<std::string> notes;  ///< one sentence each
 };
 
-/// Where the person touched the target of a plan whose path follows the tips; none: the notes say
-/// why, if there is a target.
-Contacts wanted_contacts(const Planner& planner, const collision::CollisionWorld& world,
-                         const Plan& plan);
+/// Returns the contacts of the person with the target of a plan whose path follows the tips; if
+/// there are none although there is a target, the notes contain the reason.
+Contacts desired_contacts(const PlanningInputs& planner, const collision::CollisionWorld& world,
+                          const Plan& plan);
 
-/// Pads on the target instead of tips near it: the goals become those of pads, the other fingers
-/// close, and the path settles beside where it was, clear of the whole scene; where it is nearly
-/// free then, it is re-solved firmly. A pad that does not come to its place touches beside it; the
-/// goals of tips that are in the way without touching are kept out of the target; what is in the
-/// way still costs the fingers in question their contacts. Without contacts the tips only keep out
-/// of the target, as far as `world` asks for it. Nothing is searched: goals of pads lie beside
-/// those of tips, and so do the paths. `world` is that of plan.scene, with the plan's tolerances.
-/// Refused: no contact could be kept, or the tips cannot keep out.
-Refusal touch_target(const Planner& planner, const collision::CollisionWorld& world,
-                     std::uint64_t seed, Contacts& contacts, Plan& plan);
+/// Plans contacts of the pads with the target instead of tips near it. The goals become those of
+/// the pads, the other fingers close, and the path is optimised locally in the whole scene; if it
+/// is nearly free afterwards, it is solved again with high weights. A pad that does not reach its
+/// contact point may touch beside it; the goals of tips that obstruct without touching are kept
+/// outside of the target; fingers that still obstruct lose their contacts. Without contacts the
+/// tips are only kept out of the target, as far as `world` requires it. There is no global search,
+/// because the goals of pads are close to those of tips, and so are the paths. `world` is that of
+/// plan.scene, with the plan's tolerances. Refuses if no contact could be kept, or the tips cannot
+/// be kept out.
+PlanningFailure plan_contacts(const PlanningInputs& planner, const collision::CollisionWorld& world,
+                              std::uint64_t seed, Contacts& contacts, Plan& plan);
 
-/// Whether findings speak of a tip: it is away from its goals, or its own link collides.
-bool in_the_way(const robot::Robot& robot, std::size_t tip, const std::vector<Finding>& findings);
+/// Returns true if the findings concern a tip: it is away from its goals, or its own link collides.
+bool findings_concern_tip(const robot::Robot& robot, std::size_t tip,
+                          const std::vector<Finding>& findings);
 
-/// "contacts given up: tracking, thumb_tip ...", or those of some tips.
-std::string given_up_sentence(const std::vector<std::string>& tips, const Refusal& refusal);
+/// Returns "contacts given up: tracking, thumb_tip ...", or the same for the contacts of some tips.
+std::string given_up_sentence(const std::vector<std::string>& tips, const PlanningFailure& failure);
 
 }  // namespace morphe::planning

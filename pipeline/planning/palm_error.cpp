@@ -1,22 +1,22 @@
 #include "pipeline/planning/palm_error.hpp"
 
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 
 namespace morphe::planning {
 
-double palm_error(const RobotTable& robot, const Plan& plan) {
+double palm_error(const RobotModel& robot, const Plan& plan) {
   std::vector<Pose> frames;
   double sum = 0;
   int count = 0;
   for (Eigen::Index f = 0; f < plan.mapped.position.rows(); ++f) {
     const Quat hand = plan.goals.wrist_orientation[static_cast<std::size_t>(f)];
-    if (!seen(hand)) continue;
-    robot::forward(robot, plan.mapped.position.row(f).transpose(), frames);
+    if (!is_known(hand)) continue;
+    robot::forward_kinematics(robot, plan.mapped.position.row(f).transpose(), frames);
     const Pose& palm = frames[static_cast<std::size_t>(robot.palm_frame)];
     sum += angle_between(Quat(palm.linear()), hand);
     ++count;
   }
-  return count > 0 ? sum / count : kNotSeen;
+  return count > 0 ? sum / count : kUnknown;
 }
 
 }  // namespace morphe::planning

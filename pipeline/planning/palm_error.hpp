@@ -1,12 +1,12 @@
 #pragma once
 
 #include "core/motion/plan.hpp"
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 
 namespace morphe::planning {
 
-/// Mean angle [rad] between the mapped robot's palm and the human hand, over the frames in which
-/// the hand was seen; kNotSeen if none.
-double palm_error(const RobotTable& robot, const Plan& plan);
+/// Returns the mean angle [rad] between the mapped robot's palm and the human hand, over the frames
+/// in which the hand was seen; kUnknown if there are no such frames.
+double palm_error(const RobotModel& robot, const Plan& plan);
 
 }  // namespace morphe::planning

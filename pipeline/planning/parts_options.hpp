@@ -4,14 +4,15 @@
 
 namespace morphe::planning {
 
-/// What of a long recording of a hand alone is executable (config section `parts`).
+/// The options for executing parts of a long recording of a hand alone (config section `parts`).
 struct PartsOptions {
-  double least_s = 1;  ///< parts are not made shorter than this
+  double least_s = 1;  ///< minimum duration of a part [s]
 };
 template <class Fields>
 void fields(Fields& f, PartsOptions& o) {
   f("least_s", o.least_s);
 }
-std::string why_invalid(const PartsOptions& options);
+/// Returns an error sentence, or "" if the options are valid.
+std::string validation_error(const PartsOptions& options);
 
 }  // namespace morphe::planning

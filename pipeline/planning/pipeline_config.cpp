@@ -24,7 +24,7 @@ std::string text_of(const std::filesystem::path& file) {
 
 using Paths = std::vector<std::filesystem::path>;
 
-/// The deepest folder that holds them all.
+/// Returns the deepest folder that contains all files.
 std::filesystem::path common_folder(const Paths& files) {
   std::filesystem::path common = files.front().parent_path();
   for (const auto& file : files) {
@@ -34,9 +34,9 @@ std::filesystem::path common_folder(const Paths& files) {
   return common;
 }
 
-/// The files a run was made from. Where they lie on this machine is nothing to tell: those of a
-/// group are named relative to the deepest folder that holds them all, by their own name alone if
-/// that is the root; a name that is taken lies in a numbered folder.
+/// Returns the files from which a run was made. Their locations on this machine are not recorded:
+/// files of a group are named relative to the deepest common folder, or by their file name alone if
+/// that is the root; a name that is already in use gets a numbered folder.
 std::vector<PlanFileHeader::Input> collect(const std::vector<Paths>& groups) {
   std::vector<PlanFileHeader::Input> inputs;
   std::set<std::string> taken;
@@ -57,12 +57,14 @@ std::vector<PlanFileHeader::Input> collect(const std::vector<Paths>& groups) {
 
 config::ConfigNode load_extended(const std::filesystem::path& file, Paths& files);
 
-/// What a config, or an entry of its robots, says `extends: FILE` of; nothing where it does not.
+/// Returns the base of a config, or of an entry of its robots, that `extends: FILE`; nullopt
+/// without this key.
 std::optional<config::ConfigNode> load_base(const config::ConfigNode& node, Paths& files) {
   if (!node.has("extends")) return {};
   const config::ConfigNode extends = node["extends"];
-  constexpr std::size_t kMost = 100;
-  if (files.size() > kMost) extends.fail(fmt::format("more than {} configs in a row", kMost));
+  constexpr std::size_t kMaxExtendsDepth = 100;
+  if (files.size() > kMaxExtendsDepth)
+    extends.fail(fmt::format("more than {} configs in a row", kMaxExtendsDepth));
   const std::filesystem::path base = node.folder() / extends.text();
   for (const auto& known : files) {
     if (std::filesystem::weakly_canonical(known) == std::filesystem::weakly_canonical(base)) {
@@ -72,7 +74,7 @@ std::optional<config::ConfigNode> load_base(const config::ConfigNode& node, Path
   return load_extended(base, files);
 }
 
-/// A config and what it leaves out, taken from those that it extends.
+/// Loads a config, with omitted keys taken from those that it extends.
 config::ConfigNode load_extended(const std::filesystem::path& file, Paths& files) {
   config::ConfigNode node = config::ConfigNode::load(file);
   files.push_back(file);
@@ -80,8 +82,8 @@ config::ConfigNode load_extended(const std::filesystem::path& file, Paths& files
   return node;
 }
 
-/// Index of the joint that an entry of a list names; an empty name is none, -1.
-int named_joint(const config::ConfigNode& entry, const char* key, const RobotTable& robot) {
+/// Returns the index of the joint named in a list entry; -1 for an empty name.
+int named_joint(const config::ConfigNode& entry, const char* key, const RobotModel& robot) {
   if (!entry.has(key) || entry[key].text().empty()) return -1;
   const std::string joint = entry[key].text();
   const auto found = std::ranges::find(robot.joint_names, joint);
@@ -91,9 +93,10 @@ int named_joint(const config::ConfigNode& entry, const char* key, const RobotTab
   return static_cast<int>(found - robot.joint_names.begin());
 }
 
-/// The joints of the natural posture and of home are the robot's, home within its limits.
+/// Checks that the joints of the natural posture and of home exist in the robot, and that home is
+/// within its limits.
 void check_joints(const config::ConfigNode& node, const LoadedConfig& loaded) {
-  const RobotTable& robot = loaded.robot;
+  const RobotModel& robot = loaded.robot;
   if (node.has("map") && node["map"].has("natural")) {
     for (const config::ConfigNode& entry : node["map"]["natural"].items()) {
       named_joint(entry, "joint", robot);
@@ -111,12 +114,12 @@ void check_joints(const config::ConfigNode& node, const LoadedConfig& loaded) {
   }
 }
 
-/// What map.terms names is what the program brings.
+/// Checks that the terms in map.terms are supplied by the program, and adds them.
 void bring_terms(const config::ConfigNode& node,
                  const std::vector<std::shared_ptr<const ResidualTerm>>& terms,
                  map::MapOptions& options) {
   const std::string unknown =
-      humanlike::bring(terms, options.objective.get<humanlike::GivenTerms>());
+      humanlike::resolve_custom_terms(terms, options.objective.get<humanlike::CustomTerms>());
   if (unknown.empty()) return;
   std::string known;
   for (const auto& term : terms) known += (known.empty() ? "" : ", ") + term->name();
@@ -126,10 +129,10 @@ void bring_terms(const config::ConfigNode& node,
 
 using Terms = std::vector<std::shared_ptr<const ResidualTerm>>;
 
-/// What the keys say, which came from these files.
+/// Loads the options of a config that was read from these files.
 LoadedConfig load(config::ConfigNode node, const Paths& files,
                   const std::vector<std::string>& settings, const Terms& terms) {
-  // Files that are named by an absolute path form groups of their own.
+  // Files named by an absolute path form groups of their own.
   std::vector<Paths> groups{files};
   const auto group_of = [&](const std::filesystem::path& named) -> Paths& {
     return named.is_absolute() ? groups.emplace_back() : groups.front();
@@ -164,7 +167,7 @@ LoadedConfig load(config::ConfigNode node, const Paths& files,
       loaded.options.map.natural.push_back({joint.joint, joint.follow, joint.value});
     }
   }
-  if (loaded.options.parts && !map::hand_alone(loaded.robot)) {
+  if (loaded.options.parts && !map::is_hand_only(loaded.robot)) {
     node["parts"].fail("is for hands without an arm: " + loaded.robot.name + " has one");
   }
   loaded.effective = config::write_options(loaded.options);
@@ -172,7 +175,7 @@ LoadedConfig load(config::ConfigNode node, const Paths& files,
   return loaded;
 }
 
-/// Of an entry of `robots`: a folder's name that no other has.
+/// Returns the name of an entry of `robots`: a valid folder name that is unique.
 std::string name_of_entry(const config::ConfigNode& entry,
                           const std::vector<RobotConfig>& earlier) {
   const config::ConfigNode node = entry["name"];
@@ -191,8 +194,8 @@ std::string name_of_entry(const config::ConfigNode& entry,
 Tolerances tolerances_of(const PipelineConfig& config) {
   Tolerances tolerances = config.check.tolerances;
   if (config.grasp) {
-    tolerances.contact_depth = config.grasp->penetration_m;
-    tolerances.link_depth = config.grasp->link_penetration_m;
+    tolerances.contact_depth = config.grasp->contact_depth_m;
+    tolerances.link_depth = config.grasp->link_depth_m;
   }
   return tolerances;
 }
@@ -216,7 +219,7 @@ std::vector<RobotConfig> load_robots(const std::filesystem::path& file,
     return {{"", load(own, files, settings, terms)}};
   }
   const config::ConfigNode robots_node = (here ? own : *base)["robots"];
-  const config::ConfigNode list = robots_node.detached();
+  const config::ConfigNode list = robots_node.copy_as_document();
   if (list.items().empty()) list.fail("must name a robot");
   own.erase("robots");
   own.erase("extends");
@@ -225,7 +228,7 @@ std::vector<RobotConfig> load_robots(const std::filesystem::path& file,
   for (const config::ConfigNode& entry : list.items()) {
     if (entry.has("dataset")) entry["dataset"].fail("is the same for all: it stands beside robots");
     Paths of_robot = files;
-    config::ConfigNode node = entry.detached();
+    config::ConfigNode node = entry.copy_as_document();
     node.extend(own);
     if (std::optional<config::ConfigNode> extended = load_base(entry, of_robot)) {
       if (extended->has("robots")) entry["extends"].fail("has robots of its own");

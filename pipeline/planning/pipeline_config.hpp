@@ -13,7 +13,7 @@
 #include "pipeline/planning/parts_options.hpp"
 #include "stages/check/check_path.hpp"
 #include "stages/grasp/grasp_options.hpp"
-#include "stages/map/hand_fit.hpp"
+#include "stages/map/hand_alignment.hpp"
 #include "stages/map/map_options.hpp"
 #include "stages/map/placement.hpp"
 #include "stages/reconstruct/reconstruct.hpp"
@@ -24,7 +24,7 @@
 
 namespace morphe::planning {
 
-/// A file that the config names, relative to the config's folder.
+/// A file named in the config, relative to the config's folder.
 struct FileOption {
   std::string file;
 };
@@ -33,7 +33,7 @@ void fields(Fields& f, FileOption& o) {
   f.required("file", o.file);
 }
 
-/// A config file, section by section.
+/// A config file, with one member per section.
 struct PipelineConfig {
   std::optional<FileOption> dataset;  ///< demonstrations.h5 or a recordings manifest (.yaml)
   FileOption robot;
@@ -46,11 +46,11 @@ struct PipelineConfig {
   segment::SegmentOptions segment;
   map::MapOptions map;
   check::CheckOptions check;
-  std::optional<grasp::GraspOptions> grasp;  ///< none: tips near the object, as in the paper
+  std::optional<grasp::GraspOptions> grasp;  ///< if absent: tips near the object, as in the paper
   repair::RepairOptions repair;
   retime::RetimeOptions retime;
-  std::optional<ApproachOptions> approach;  ///< none: not asked for
-  std::optional<PartsOptions> parts;        ///< likewise
+  std::optional<ApproachOptions> approach;  ///< if absent: no approach and retreat
+  std::optional<PartsOptions> parts;        ///< if absent: no planning in parts
 };
 template <class Fields>
 void fields(Fields& f, PipelineConfig& o) {
@@ -72,41 +72,42 @@ void fields(Fields& f, PipelineConfig& o) {
   f("parts", o.parts);
 }
 
-/// What a plan is judged by: with the section `grasp`, pads and links sink into the target as it
-/// says.
+/// Returns the tolerances by which a plan is judged; with the section `grasp`, pads and links may
+/// penetrate the target as specified there.
 Tolerances tolerances_of(const PipelineConfig& config);
 
-/// A config with everything that it names.
+/// A config with all files that it names.
 struct LoadedConfig {
   PipelineConfig options;
   robot::Robot robot;
   std::filesystem::path dataset;  ///< resolved against the config's folder; empty if not named
   std::string effective;          ///< YAML with every key, defaults included
-  std::vector<PlanFileHeader::Input> inputs;
+  std::vector<PlanFileHeader::Input> inputs;  ///< the files that were read
 };
 
-/// Reads a config of one robot, applies "a.b=value" settings, loads what it names; `terms` are
-/// those that the program brings for `map.terms`. Throws InputError for bad files and values and
-/// for keys that nobody reads.
+/// Reads a config of one robot, applies "a.b=value" settings and loads the files that it names;
+/// `terms` are the program's own terms for `map.terms`. Throws InputError for invalid files and
+/// values and for unknown keys.
 LoadedConfig load_config(const std::filesystem::path& file,
                          const std::vector<std::string>& settings = {},
                          const std::vector<std::shared_ptr<const ResidualTerm>>& terms = {});
 
-/// One of a config's `robots`; of a config without them, which has one, the name is "".
+/// One of a config's `robots`; the name is "" for a config without this section, which has one
+/// robot.
 struct RobotConfig {
   std::string name;
   LoadedConfig loaded;
 };
 
-/// The configs that a file with `robots` stands for. An entry has a `name` and any section of a
-/// config but `dataset`; what it leaves out comes from the rest of the file, then from the config
-/// that it `extends`, if any (the dataset aside), then from what the file extends. Settings hold
-/// for each.
+/// Reads the configs of a file with `robots`. An entry has a `name` and any section of a config
+/// except `dataset`; omitted keys come from the rest of the file, then from the config that the
+/// entry `extends`, if any (except its dataset), then from the file's own base. Settings apply to
+/// each.
 std::vector<RobotConfig> load_robots(
     const std::filesystem::path& file, const std::vector<std::string>& settings = {},
     const std::vector<std::shared_ptr<const ResidualTerm>>& terms = {});
 
-/// What a plans.h5 says of itself that is made with the config from that dataset.
+/// Returns the header of a plans.h5 that is made with the config from that dataset.
 PlanFileHeader header_of(const LoadedConfig& config, const std::string& dataset_sha256);
 
 }  // namespace morphe::planning

@@ -17,32 +17,33 @@
 namespace morphe::planning {
 namespace {
 
-Pose base_from_motion(const Planner& planner, const HumanMotion& motion, const Movement& movement,
-                      const Vec3& offset) {
+Pose base_from_motion(const PlanningInputs& planner, const HumanMotion& motion,
+                      const Movement& movement, const Vec3& offset) {
   map::PlacementOptions placement = planner.config.placement;
   placement.shoulder_offset += offset;
   const robot::Robot& robot = planner.robot;
-  if (map::hand_alone(robot)) return map::place_hand(robot, placement).inverse();
+  if (map::is_hand_only(robot)) return map::place_hand(robot, placement).inverse();
   return map::place_robot(robot, map::shoulder_at_begin(motion, movement), placement).inverse();
 }
 
-/// What is grasped goes where the hand takes it.
-void carry(const Planner& planner, const HumanMotion& motion, const Movement& movement,
-           Scene& scene) {
+/// Attaches the target to the hand.
+void attach_target(const PlanningInputs& planner, const HumanMotion& motion,
+                   const Movement& movement, Scene& scene) {
   const robot::Robot& robot = planner.robot;
   for (SceneObject& object : scene.objects) {
     if (object.name != movement.target || !(object.attach_s < movement.end_s)) continue;
     if (planner.config.scene.target.carried == scene::Carrier::palm) {
       object.attached_frame = robot.frames[static_cast<std::size_t>(robot.palm_frame)].name;
     } else {
-      scene::carry_between_tips(motion, movement, object);
+      scene::move_with_tips(motion, movement, object);
     }
   }
 }
 
-/// The part of the scene that the mapping's clearance term knows.
-Scene mapping_scene(const PipelineConfig& config, const Scene& scene, const Movement& movement) {
-  std::vector<std::string> names = scene::mapping_objects(config.scene, scene);
+/// Returns the part of the scene for the mapping's clearance term.
+Scene select_mapping_scene(const PipelineConfig& config, const Scene& scene,
+                           const Movement& movement) {
+  std::vector<std::string> names = scene::mapping_obstacles(config.scene, scene);
   if (config.map.clear_of_target) names.push_back(movement.target);
   Scene part;
   for (const SceneObject& object : scene.objects) {
@@ -53,11 +54,11 @@ Scene mapping_scene(const PipelineConfig& config, const Scene& scene, const Move
 
 }  // namespace
 
-Scene scene_around(const Planner& planner, const Demonstration& demonstration,
+Scene scene_around(const PlanningInputs& planner, const Demonstration& demonstration,
                    const HumanMotion& motion, Movement& movement) {
-  if (!map::hand_alone(planner.robot)) {
+  if (!map::is_hand_only(planner.robot)) {
     Scene scene = scene::build_scene(planner.config.scene, demonstration, motion, movement);
-    carry(planner, motion, movement, scene);
+    attach_target(planner, motion, movement, scene);
     return scene;
   }
   scene::SceneOptions configured = planner.config.scene;
@@ -68,50 +69,50 @@ Scene scene_around(const Planner& planner, const Demonstration& demonstration,
   return scene::build_scene(configured, {}, motion, movement);
 }
 
-std::vector<SceneObject> other_arm_beside(const Planner& planner,
-                                          const Demonstration& demonstration,
-                                          std::vector<std::string>& notes) {
+std::vector<SceneObject> other_arm_obstacles(const PlanningInputs& planner,
+                                             const Demonstration& demonstration,
+                                             std::vector<std::string>& notes) {
   const PipelineConfig& config = planner.config;
   if (!config.scene.other_arm) return {};
-  if (map::hand_alone(planner.robot)) {
+  if (map::is_hand_only(planner.robot)) {
     notes.emplace_back("a hand alone has no place in the world: the other arm is no obstacle");
     return {};
   }
   const HumanMotion other = reconstruct::reconstruct_other_arm(demonstration, config.reconstruct,
                                                                config.human, planner.robot.side);
-  if (const Refusal inhuman = reconstruct::refuse_inhuman(other, config.human)) {
+  if (const PlanningFailure inhuman = reconstruct::check_human_limits(other, config.human)) {
     notes.push_back("the person's other arm, an obstacle all the same: " + inhuman.detail);
   }
   std::vector<SceneObject> capsules = scene::other_arm_capsules(config.scene, other, notes);
   std::erase_if(capsules, [&](const SceneObject& capsule) {
-    const bool recorded = object_named(demonstration.objects, capsule.name) != nullptr;
+    const bool recorded = find_object(demonstration.objects, capsule.name) != nullptr;
     if (recorded) notes.push_back(capsule.name + " is an object that was recorded, as it was");
     return recorded;
   });
   return capsules;
 }
 
-PlacedMovement::PlacedMovement(const Planner& planner, const HumanMotion& motion,
+PlacedMovement::PlacedMovement(const PlanningInputs& planner, const HumanMotion& motion,
                                const Movement& movement, const Scene& around, const Vec3& offset) {
   const PipelineConfig& config = planner.config;
   const robot::Robot& robot = planner.robot;
   const Pose base_from_world = base_from_motion(planner, motion, movement, offset);
-  scene = scene::move_scene(around, base_from_world);
+  scene = scene::transform_scene(around, base_from_world);
   const Vec3 shoulder = base_from_world * map::shoulder_at_begin(motion, movement);
-  frames = world_frames(scene, movement, base_from_world, shoulder);
-  nowhere = scene::add_relative_objects(config.scene, frames, movement.begin_s, scene);
+  frames = find_world_frames(scene, movement, base_from_world, shoulder);
+  missing_support = scene::add_relative_objects(config.scene, frames, movement.begin_s, scene);
   goals = map::make_goals(robot, motion, movement, base_from_world);
   if (config.map.free_offset.limit_m > 0) goals.free_offset = offset;
-  known = mapping_scene(config, scene, movement);
-  world =
-      collision::make_world(robot, known, movement, config.check.tolerances, config.scene.meshes);
+  mapping_scene = select_mapping_scene(config, scene, movement);
+  world = collision::make_world(robot, mapping_scene, movement, config.check.tolerances,
+                                config.scene.meshes);
   problem = map::make_mapping_problem(robot, goals, world, config.map, movement.phases);
   if (config.map.mode == map::MapMode::joint_to_joint) {
     problem.goals = map::joint_to_joint_goals(robot, motion.hand_angles, motion.time, goals);
   }
 }
 
-std::vector<std::size_t> few_frames(std::size_t frames, std::size_t most) {
+std::vector<std::size_t> evenly_spaced_frames(std::size_t frames, std::size_t most) {
   const std::size_t count = std::min(most, frames);
   if (count == 1) return {0};
   std::vector<std::size_t> few;
@@ -119,16 +120,19 @@ std::vector<std::size_t> few_frames(std::size_t frames, std::size_t most) {
   return few;
 }
 
-Vec3 choose_offset(const Planner& planner, const HumanMotion& motion, const Movement& movement,
-                   const Scene& around, std::uint64_t seed) {
+Vec3 choose_offset(const PlanningInputs& planner, const HumanMotion& motion,
+                   const Movement& movement, const Scene& around, std::uint64_t seed) {
   const map::MapOptions& options = planner.config.map;
   const PlacedMovement unmoved(planner, motion, movement, around, Vec3::Zero());
   const bool any_goal = std::ranges::any_of(
-      unmoved.problem.goals, [](const humanlike::FrameGoal& goal) { return goal.tips_seen() > 0; });
+      unmoved.problem.goals,
+      [](const humanlike::FrameGoal& goal) { return goal.goal_tip_count() > 0; });
   if (unmoved.problem.frames() < 5 || !any_goal) return Vec3::Zero();
-  const std::vector<std::size_t> frames = few_frames(unmoved.problem.frames(), 16);
+  const std::vector<std::size_t> frames = evenly_spaced_frames(unmoved.problem.frames(), 16);
   const JointRows start =
-      map::search_movement(map::on_frames(unmoved.problem, frames), options, seed).front().q;
+      map::search_movement(map::problem_at_frames(unmoved.problem, frames), options, seed)
+          .front()
+          .q;
   map::MappingScratch scratch;
   const auto cost = [&](const Vec3& offset) {
     const PlacedMovement moved(planner, motion, movement, around, offset);

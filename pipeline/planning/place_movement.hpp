@@ -6,46 +6,46 @@
 
 namespace morphe::planning {
 
-/// The bodies around a movement, in the frame of the motion; sets movement.target. Around a hand
-/// alone there is only what the config names: table, target and recorded objects are the world's,
-/// in which such a hand has no place.
-Scene scene_around(const Planner& planner, const Demonstration& demonstration,
+/// Returns the scene around a movement, in the frame of the motion, and sets movement.target. For a
+/// hand alone the scene contains only the objects of the config: table, target and recorded objects
+/// are in the world frame, in which such a hand has no pose.
+Scene scene_around(const PlanningInputs& planner, const Demonstration& demonstration,
                    const HumanMotion& motion, Movement& movement);
 
-/// The person's other arm where the robot's side has it, if `scene.other_arm` asks for it:
-/// obstacles to stand among the demonstration's objects, once its movements are found. What became
-/// of it is said in `notes`. A recorded object of such a name stays what it is.
-std::vector<SceneObject> other_arm_beside(const Planner& planner,
-                                          const Demonstration& demonstration,
-                                          std::vector<std::string>& notes);
+/// Returns the person's other arm, on the robot's side, as obstacles if `scene.other_arm` is set.
+/// They are to be added to the demonstration's objects once its movements have been found. Remarks
+/// are appended to `notes`. A recorded object of the same name takes precedence.
+std::vector<SceneObject> other_arm_obstacles(const PlanningInputs& planner,
+                                             const Demonstration& demonstration,
+                                             std::vector<std::string>& notes);
 
-/// A movement with the robot in its place, ready to be mapped. All but `around` in the base frame.
+/// A movement with the placed robot, ready to be mapped. All members are in the base frame.
 struct PlacedMovement {
-  /// `offset` moves the base from where the placement puts it, along the world's axes [m]: as if
-  /// it were added to `placement.shoulder_offset`.
-  PlacedMovement(const Planner& planner, const HumanMotion& motion, const Movement& movement,
+  /// Places the robot. `around` is in the world frame. `offset` moves the base from its placement,
+  /// along the world's axes [m], as if it were added to `placement.shoulder_offset`.
+  PlacedMovement(const PlanningInputs& planner, const HumanMotion& motion, const Movement& movement,
                  const Scene& around, const Vec3& offset);
   PlacedMovement(const PlacedMovement&) = delete;
   PlacedMovement& operator=(const PlacedMovement&) = delete;
 
   Scene scene;
   WorldFrames frames;
-  std::string nowhere;  ///< a sentence: what an object stands on is not there; "" if all is
+  std::string missing_support;  ///< a sentence if the support of an object is missing, otherwise ""
   Goals goals;
-  Scene known;                      ///< the part of the scene that the mapping keeps clear of
-  collision::CollisionWorld world;  ///< of `known`
+  Scene mapping_scene;              ///< part of the scene for the mapping's clearance term
+  collision::CollisionWorld world;  ///< of `mapping_scene`
   map::MappingProblem problem;
 };
 
-/// At most so many of a movement's frames, evenly spread, the first and the last among them.
-std::vector<std::size_t> few_frames(std::size_t frames, std::size_t most);
+/// Returns at most `most` of a movement's frames, evenly spaced, including the first and the last.
+std::vector<std::size_t> evenly_spaced_frames(std::size_t frames, std::size_t most);
 
-/// Section 3.3: the offset |o_k| <= free_offset.limit that makes
-///   mean over at most 16 frames of min_q F + free_offset.weight * ‖o‖²
-/// least, found by a compass search from zero in steps down to 1 mm. Minima are those near the best
-/// course without an offset. One offset for the whole movement: a base does not move while the arm
-/// does.
-Vec3 choose_offset(const Planner& planner, const HumanMotion& motion, const Movement& movement,
-                   const Scene& around, std::uint64_t seed);
+/// Section 3.3: returns the offset |o_k| <= free_offset.limit that minimises
+///   mean over at most 16 frames of min_q F + free_offset.weight * ‖o‖²,
+/// by a compass search from zero with steps down to 1 mm. The minima are those near the best
+/// solution without an offset. There is one offset for the whole movement, because the base does
+/// not move during it.
+Vec3 choose_offset(const PlanningInputs& planner, const HumanMotion& motion,
+                   const Movement& movement, const Scene& around, std::uint64_t seed);
 
 }  // namespace morphe::planning

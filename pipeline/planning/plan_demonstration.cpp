@@ -1,61 +1,63 @@
-// rebuild() and plan_demonstration() of plan_movement.hpp.
+// reconstruct_demonstration() and plan_demonstration() of plan_movement.hpp.
 #include <algorithm>
 #include <iterator>
 #include <utility>
 
-#include "core/parallel/ordered_map.hpp"
-#include "core/robot/hand_bones.hpp"
+#include "core/parallel/ordered_parallel_map.hpp"
+#include "core/robot/hand_dimensions.hpp"
 #include "pipeline/planning/begin_plan.hpp"
 #include "pipeline/planning/place_movement.hpp"
 #include "pipeline/planning/plan_movement.hpp"
 #include "pipeline/planning/plan_parts.hpp"
 #include "pipeline/planning/plan_sentences.hpp"
-#include "pipeline/planning/timed.hpp"
+#include "pipeline/planning/time_stage.hpp"
 #include "stages/reconstruct/hand_frame.hpp"
 #include "stages/reconstruct/human_limits.hpp"
 #include "stages/reconstruct/mirror.hpp"
 
 namespace morphe::planning {
 
-Rebuilt rebuild(const Planner& planner, const Demonstration& demonstration, StageSeconds& seconds) {
+Reconstruction reconstruct_demonstration(const PlanningInputs& planner,
+                                         const Demonstration& demonstration,
+                                         StageSeconds& seconds) {
   const PipelineConfig& config = planner.config;
-  const bool alone = map::hand_alone(planner.robot);
-  Rebuilt rebuilt;
-  rebuilt.motion = timed(seconds, "reconstruct", [&] {
+  const bool alone = map::is_hand_only(planner.robot);
+  Reconstruction rebuilt;
+  rebuilt.motion = time_stage(seconds, "reconstruct", [&] {
     return alone ? reconstruct::reconstruct_hand(demonstration, config.reconstruct, config.human)
                  : reconstruct::reconstruct(demonstration, config.reconstruct, config.human);
   });
-  rebuilt.beside = demonstration;
-  rebuilt.beside.objects = reconstruct::objects_beside(demonstration, Side::right);
-  rebuilt.movements = timed(seconds, "segment", [&] {
-    return segment::segment(rebuilt.motion, config.segment, rebuilt.beside.objects);
+  rebuilt.on_robot_side = demonstration;
+  rebuilt.on_robot_side.objects = reconstruct::objects_on_side(demonstration, Side::right);
+  rebuilt.movements = time_stage(seconds, "segment", [&] {
+    return segment::segment(rebuilt.motion, config.segment, rebuilt.on_robot_side.objects);
   });
   if (planner.robot.side == Side::left) {
-    rebuilt.motion = reconstruct::mirrored(std::move(rebuilt.motion));
-    rebuilt.beside.objects = reconstruct::objects_beside(demonstration, Side::left);
+    rebuilt.motion = reconstruct::mirror_image(std::move(rebuilt.motion));
+    rebuilt.on_robot_side.objects = reconstruct::objects_on_side(demonstration, Side::left);
   }
-  const std::vector<SceneObject> other_arm = timed(seconds, "reconstruct", [&] {
-    return other_arm_beside(planner, demonstration, rebuilt.motion.problems);
+  const std::vector<SceneObject> other_arm = time_stage(seconds, "reconstruct", [&] {
+    return other_arm_obstacles(planner, demonstration, rebuilt.motion.reconstruction_notes);
   });
-  std::ranges::copy(other_arm, std::back_inserter(rebuilt.beside.objects));
+  std::ranges::copy(other_arm, std::back_inserter(rebuilt.on_robot_side.objects));
   if (!alone) return rebuilt;
-  rebuilt.motion = reconstruct::in_hand_frame(std::move(rebuilt.motion));
-  const map::HandFit fit =
-      map::fit_hand(robot::hand_bones(planner.robot), rebuilt.motion.bones, config.hand);
-  rebuilt.motion = map::fitted_motion(std::move(rebuilt.motion), fit);
-  if (!fit.problem.empty()) rebuilt.motion.problems.push_back(fit.problem);
+  rebuilt.motion = reconstruct::transform_to_hand_frame(std::move(rebuilt.motion));
+  const map::HandAlignment fit =
+      map::align_hand(robot::hand_dimensions(planner.robot), rebuilt.motion.bones, config.hand);
+  rebuilt.motion = map::apply_alignment(std::move(rebuilt.motion), fit);
+  if (!fit.problem.empty()) rebuilt.motion.reconstruction_notes.push_back(fit.problem);
   return rebuilt;
 }
 
-run::DemonstrationOutcome plan_demonstration(const Planner& planner,
+run::DemonstrationOutcome plan_demonstration(const PlanningInputs& planner,
                                              const Demonstration& demonstration) {
   run::DemonstrationOutcome outcome;
   StageSeconds& seconds = outcome.stage_seconds;
   const PipelineConfig& config = planner.config;
-  const Rebuilt rebuilt = rebuild(planner, demonstration, seconds);
+  const Reconstruction rebuilt = reconstruct_demonstration(planner, demonstration, seconds);
   const HumanMotion& motion = rebuilt.motion;
   const std::vector<Movement>& movements = rebuilt.movements;
-  const Demonstration& beside = rebuilt.beside;
+  const Demonstration& beside = rebuilt.on_robot_side;
   std::vector<std::vector<Plan>> plans(movements.size());
   std::vector<StageSeconds> of_movement(movements.size());
   parallel::for_each_index(movements.size(), [&](std::size_t k) {
@@ -76,11 +78,12 @@ run::DemonstrationOutcome plan_demonstration(const Planner& planner,
   }
   if (movements.empty()) {
     const std::string nothing =
-        map::hand_alone(planner.robot)
+        map::is_hand_only(planner.robot)
             ? "no complete reach in it (segment.whole plans a recording of gestures)"
             : "no complete reach in it";
-    const std::string detail =
-        motion.problems.empty() ? nothing : nothing + "; " + joined(motion.problems);
+    const std::string detail = motion.reconstruction_notes.empty()
+                                   ? nothing
+                                   : nothing + "; " + join_sentences(motion.reconstruction_notes);
     outcome.plans.push_back(fail(begin_plan(demonstration, {}, planner.config.check.tolerances),
                                  {Reason::no_movement, detail}));
   }

@@ -7,11 +7,11 @@
 
 namespace morphe::planning {
 
-std::string why_invalid(const PartsOptions& options) {
+std::string validation_error(const PartsOptions& options) {
   return options.least_s >= 0.1 ? "" : "least_s must be at least 0.1";
 }
 
-std::vector<Plan> plan_parts(const Planner& planner, const Demonstration& demonstration,
+std::vector<Plan> plan_parts(const PlanningInputs& planner, const Demonstration& demonstration,
                              const HumanMotion& recorded, const Movement& movement,
                              const PartsOptions& options, StageSeconds& seconds) {
   std::vector<Plan> parts;

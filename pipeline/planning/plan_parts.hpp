@@ -7,11 +7,11 @@
 
 namespace morphe::planning {
 
-/// The movement's plan; one that fails after it was mapped is cut into halves, each planned by
-/// itself with the base where it was, and so on until a part succeeds or would be cut below
-/// least_s. All parts in order of time, none left out: those that fail carry their reasons. Each
-/// executable one is at rest where it begins and ends.
-std::vector<Plan> plan_parts(const Planner& planner, const Demonstration& demonstration,
+/// Plans a movement in parts. A movement that fails after the mapping is divided into halves, each
+/// planned separately with the same base position, and so on until a part succeeds or would become
+/// shorter than least_s. Returns all parts in temporal order; failed ones contain their reasons.
+/// Each executable part begins and ends at rest.
+std::vector<Plan> plan_parts(const PlanningInputs& planner, const Demonstration& demonstration,
                              const HumanMotion& recorded, const Movement& movement,
                              const PartsOptions& options, StageSeconds& seconds);
 

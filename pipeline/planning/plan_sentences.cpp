@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "core/collision/mesh_solid.hpp"
-#include "core/motion/arm_estimated.hpp"
+#include "core/motion/arm_estimate.hpp"
 
 namespace morphe::planning {
 namespace {
 
-/// How well the demonstration's time base is kept.
+/// Returns a sentence on the delay against the demonstration's timing.
 std::string lateness(const Trajectory& trajectory) {
   constexpr double kOnTime_s = 0.01;
   double most_s = 0, late_s = 0;
@@ -27,20 +27,20 @@ std::string lateness(const Trajectory& trajectory) {
 
 }  // namespace
 
-std::string joined(const std::vector<std::string>& sentences) {
+std::string join_sentences(const std::vector<std::string>& sentences) {
   return fmt::format("{}", fmt::join(sentences, "; "));
 }
 
 std::string warnings(const collision::CollisionWorld& world, const Goals& goals,
                      const Movement& movement, const HumanMotion& motion,
                      const Trajectory& trajectory, bool kept) {
-  constexpr double kUncertain = 0.5;
+  constexpr double kMaxUncertainConfidence = 0.5;
   const robot::Robot& robot = *world.robot;
   std::vector<std::string> sentences, asked;
   for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
     std::size_t count = 0;
     if (!goals.closed.empty() && goals.closed[tip] != 0) continue;
-    for (std::size_t f = 0; f < goals.frames(); ++f) count += seen(goals.tip_position(f, tip));
+    for (std::size_t f = 0; f < goals.frames(); ++f) count += is_known(goals.tip_position(f, tip));
     if (count > 0) asked.push_back(robot.tips[tip].name);
     if (count > 0 && count < goals.frames()) {
       sentences.push_back(fmt::format("{} has a goal in {} of {} frames", robot.tips[tip].name,
@@ -64,29 +64,30 @@ std::string warnings(const collision::CollisionWorld& world, const Goals& goals,
   if (kept && !trajectory.time.empty()) sentences.push_back(lateness(trajectory));
   if (asked.size() == 1) sentences.push_back("no tip but " + asked.front() + " has goals");
   for (const Phase& phase : movement.phases) {
-    if (phase.begin_s > movement.end_s || phase.confidence > kUncertain) continue;
+    if (phase.begin_s > movement.end_s || phase.confidence > kMaxUncertainConfidence) continue;
     sentences.push_back(fmt::format("{} begins or ends uncertainly ({:.0f} %)", name_of(phase.kind),
                                     100 * phase.confidence));
   }
-  sentences.insert(sentences.end(), motion.problems.begin(), motion.problems.end());
-  return joined(sentences);
+  sentences.insert(sentences.end(), motion.reconstruction_notes.begin(),
+                   motion.reconstruction_notes.end());
+  return join_sentences(sentences);
 }
 
-std::string no_squeeze(const Grasp& grasp) {
+std::string grasp_force_warning(const Grasp& grasp) {
   const bool judged = !std::isnan(grasp.quality.epsilon_upper);
   if (!judged || grasp.squeeze_torque.size() > 0) return "";
   return fmt::format("no squeeze: no forces of these contacts balance (epsilon {:.2f})",
                      grasp.quality.epsilon_upper);
 }
 
-std::string not_humanlike(const Certificate& certificate, const Goals& goals) {
-  constexpr double kFar = 45 * kDegree;
-  if (!(certificate.upper_arm_error_mean > kFar)) return "";
+std::string humanlikeness_warning(const Certificate& certificate, const Goals& goals) {
+  constexpr double kMaxUpperArmError_rad = 45 * kRadPerDegree;
+  if (!(certificate.upper_arm_error_mean > kMaxUpperArmError_rad)) return "";
   return fmt::format(
       "not humanlike: the upper arm is {}{:.0f} degrees from the person's{} in the mean (morphe "
       "place)",
-      arm_estimated(goals) ? "~" : "", certificate.upper_arm_error_mean / kDegree,
-      arm_estimated(goals) ? ", which is an estimate," : "");
+      is_arm_estimated(goals) ? "~" : "", certificate.upper_arm_error_mean / kRadPerDegree,
+      is_arm_estimated(goals) ? ", which is an estimate," : "");
 }
 
 }  // namespace morphe::planning

@@ -8,21 +8,21 @@
 
 namespace morphe::planning {
 
-/// Sentences one after the other, as a plan's detail has them.
-std::string joined(const std::vector<std::string>& sentences);
+/// Joins sentences into one text, as in a plan's detail.
+std::string join_sentences(const std::vector<std::string>& sentences);
 
-/// What a user must know of an executable plan: tips whose goals are missing in some frames, a hand
-/// of which one tip alone was seen, meshes with holes, how late it is where tempo is `kept`, phases
-/// that may begin or end elsewhere (a recording that is cut off in them), and what reconstruction
-/// had to complain of.
+/// Returns the warnings about an executable plan: tips without goals in some frames, a hand with
+/// only one seen tip, meshes with holes, the delay of the timing in mode `kept`, phases with
+/// uncertain borders (including a recording that is cut off in them), and the warnings of the
+/// reconstruction.
 std::string warnings(const collision::CollisionWorld& world, const Goals& goals,
                      const Movement& movement, const HumanMotion& motion,
                      const Trajectory& trajectory, bool kept);
 
-/// "", or that pads touch but cannot hold.
-std::string no_squeeze(const Grasp& grasp);
+/// Returns a warning that the pads touch but cannot hold the object, or "".
+std::string grasp_force_warning(const Grasp& grasp);
 
-/// "", or that the upper arm points elsewhere than the person's.
-std::string not_humanlike(const Certificate& certificate, const Goals& goals);
+/// Returns a warning that the upper arm's direction differs from the person's, or "".
+std::string humanlikeness_warning(const Certificate& certificate, const Goals& goals);
 
 }  // namespace morphe::planning

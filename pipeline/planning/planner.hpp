@@ -5,8 +5,8 @@
 
 namespace morphe::planning {
 
-/// What is the same for every movement of a run.
-struct Planner {
+/// The inputs common to all movements of a run.
+struct PlanningInputs {
   const PipelineConfig& config;
   const robot::Robot& robot;
 };

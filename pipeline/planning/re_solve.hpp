@@ -2,23 +2,24 @@
 
 #include "stages/map/map_options.hpp"
 #include "stages/map/mapping_problem.hpp"
-#include "stages/repair/ladder.hpp"
+#include "stages/repair/repair_strategy.hpp"
 
 namespace morphe::planning {
 
-/// What re-solving needs to know; all but `check` must outlive the rungs.
-struct ReSolving {
-  const map::MappingProblem& whole;  ///< the movement against the whole scene
+/// The inputs of re-solving; all except `check` must outlive the strategies.
+struct ReSolveContext {
+  const map::MappingProblem& whole;  ///< the movement in the whole scene
   const map::MapOptions& options;
-  repair::Check check;
+  repair::PathCheck check;
 };
 
-/// The least change of the mapping: the path re-solved near its findings against the whole scene,
-/// its clearance term firmer and firmer until tips give way to it.
-repair::Rung gently(const ReSolving& solving);
+/// Returns the strategy that changes the mapping least: it solves the path again near its findings
+/// in the whole scene, with increasing weights of the clearance term until the tips yield.
+repair::RepairStrategy re_solve_mildly(const ReSolveContext& solving);
 
-/// The same, as firmly as it takes: for tips that gave way to clearance nobody asked for, just
-/// free; at last tips and freedom alone decide.
-repair::Rung firmly(const ReSolving& solving);
+/// Returns the strategy that solves the path again with the weights necessary to free it: if tips
+/// have yielded to more clearance than required, only freedom from collision is requested; finally,
+/// tips and clearance alone determine the result.
+repair::RepairStrategy re_solve_strongly(const ReSolveContext& solving);
 
 }  // namespace morphe::planning

@@ -66,7 +66,7 @@ RunConfig stored_config(const fs::path& plans) {
       scene::load_scene_files(loaded.options.scene, node["scene"]);
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}: holds no mesh files; run with the config itself: {}",
-                                   plans.string(), files.as_stored(error.what())));
+                                   plans.string(), files.with_stored_paths(error.what())));
     }
     loaded.options.scene.file = named;
   }

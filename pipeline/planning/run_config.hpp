@@ -7,20 +7,21 @@
 
 namespace morphe::planning {
 
-/// A config with what tells it from others.
+/// A config with the values that identify it.
 struct RunConfig {
   LoadedConfig loaded;
-  std::string effective;       ///< as plans.h5 holds it
-  std::string without_paths;   ///< what plans depend on: effective, but for the names of files
-  std::string scene_sha256;    ///< of the objects that a scene's file and meshes hold
-  std::string dataset_sha256;  ///< that the dataset must have, "" = any
+  std::string effective;       ///< in the form stored in plans.h5
+  std::string without_paths;   ///< the part that plans depend on: `effective` without file names
+  std::string scene_sha256;    ///< of the objects in the scene's file and meshes
+  std::string dataset_sha256;  ///< required for the dataset; "" if any is accepted
 };
 
+/// Returns the run config of a loaded config.
 RunConfig run_config(LoadedConfig loaded);
 
-/// The config, robot and scene that a plans.h5 was made with, from the file alone, and the dataset
-/// that it asks for. InputError: no plans.h5, or one whose scene names files that it does not hold
-/// (meshes).
+/// Returns the config, robot and scene of a plans.h5 from the file alone, and the dataset that it
+/// requires. Throws InputError if it is not a plans.h5, or its scene names files that it does not
+/// contain (meshes).
 RunConfig stored_config(const std::filesystem::path& plans);
 
 }  // namespace morphe::planning

@@ -19,7 +19,7 @@ UnpackedInputs::UnpackedInputs(const std::vector<PlanFileHeader::Input>& inputs)
   try {
     for (const PlanFileHeader::Input& input : inputs) {
       const fs::path file = (folder_ / input.path).lexically_normal();
-      if (!holds(file)) throw InputError(fmt::format("/inputs/{}: lies outside", input.path));
+      if (!contains(file)) throw InputError(fmt::format("/inputs/{}: lies outside", input.path));
       fs::create_directories(file.parent_path());
       std::ofstream(file, std::ios::binary) << input.text;
       folders_.push_back(file.parent_path());
@@ -37,7 +37,7 @@ UnpackedInputs::~UnpackedInputs() {
   fs::remove_all(folder_, ignored);
 }
 
-bool UnpackedInputs::holds(const fs::path& file) const {
+bool UnpackedInputs::contains(const fs::path& file) const {
   return !file.lexically_normal().lexically_relative(folder_).string().starts_with("..");
 }
 
@@ -45,13 +45,13 @@ fs::path UnpackedInputs::find(const fs::path& named) const {
   for (const fs::path& wanted : {named, named.filename()}) {
     for (const fs::path& folder : folders_) {
       const fs::path file = folder / wanted;
-      if (wanted.is_relative() && holds(file) && fs::is_regular_file(file)) return file;
+      if (wanted.is_relative() && contains(file) && fs::is_regular_file(file)) return file;
     }
   }
   return {};
 }
 
-std::vector<fs::path> UnpackedInputs::all_of(const fs::path& named) const {
+std::vector<fs::path> UnpackedInputs::find_all(const fs::path& named) const {
   std::vector<fs::path> found;
   if (const fs::path first = find(named); !first.empty()) found.push_back(first);
   for (const fs::path& file : files_) {
@@ -66,7 +66,7 @@ std::vector<fs::path> UnpackedInputs::all_of(const fs::path& named) const {
   return found;
 }
 
-std::string UnpackedInputs::as_stored(std::string message) const {
+std::string UnpackedInputs::with_stored_paths(std::string message) const {
   const std::string folder = folder_.string();
   for (std::size_t at; (at = message.find(folder)) != std::string::npos;)
     message.replace(at, folder.size(), "/inputs");

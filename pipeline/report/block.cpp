@@ -12,7 +12,7 @@
 namespace morphe::report {
 namespace {
 
-constexpr double kMostSteps = 1099511627776.0;  // 2^40
+constexpr double kMaxSteps = 1099511627776.0;  // 2^40
 
 void append_varint(std::string& bytes, std::uint64_t value) {
   for (; value >= 128; value >>= 7) bytes += static_cast<char>(value % 128 + 128);
@@ -45,7 +45,7 @@ void Block::add_column(const JointRows& values, Eigen::Index column, double step
       append_varint(bytes_, 0);
       continue;
     }
-    const std::int64_t whole = std::llround(std::clamp(value / step, -kMostSteps, kMostSteps));
+    const std::int64_t whole = std::llround(std::clamp(value / step, -kMaxSteps, kMaxSteps));
     append_varint(bytes_, zigzag(whole - 2 * last + before) + 1);
     before = last;
     last = whole;
@@ -64,12 +64,12 @@ nlohmann::ordered_json Block::column(const std::vector<double>& values, double s
       Eigen::Map<const JointVector>(values.data(), static_cast<Eigen::Index>(values.size())), step);
 }
 
-std::string Block::packed() const {
+std::string Block::to_base64() const {
   const std::string text = json_text(json);
   std::string whole;
   const auto length = static_cast<std::uint32_t>(text.size());
   for (int shift = 0; shift < 32; shift += 8) whole += static_cast<char>(length >> shift & 255U);
-  return files::base64(deflated(whole + text + bytes_));
+  return files::encode_base64(deflated(whole + text + bytes_));
 }
 
 }  // namespace morphe::report

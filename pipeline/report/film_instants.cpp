@@ -5,31 +5,32 @@
 
 namespace morphe::report {
 
-const ShownMotion* goal_motion(const PlanView& view) {
-  for (const ShownMotion& motion : view.motions) {
+const DisplayMotion* goal_motion(const PlanView& view) {
+  for (const DisplayMotion& motion : view.motions) {
     if (motion.name != "approach" && motion.name != "retreat" && !motion.time.empty())
       return &motion;
   }
   return nullptr;
 }
 
-std::size_t row_near(const std::vector<double>& times, double x) {
+std::size_t nearest_row(const std::vector<double>& times, double x) {
   const auto nearer = [&](double a, double b) { return std::abs(a - x) < std::abs(b - x); };
   return static_cast<std::size_t>(std::ranges::min_element(times, nearer) - times.begin());
 }
 
 std::vector<FilmInstant> film_instants(const Plan& plan, const PlanView& view) {
-  const ShownMotion* motion = goal_motion(view);
+  const DisplayMotion* motion = goal_motion(view);
   const std::vector<double>& times = motion ? motion->time : plan.goals.time;
   const std::vector<double>& demonstration = motion ? motion->demonstration_time : plan.goals.time;
   std::vector<FilmInstant> instants;
   if (times.empty()) return instants;
-  for (int k = 0; k < kFilmPoses; ++k) {
-    const double share = static_cast<double>(k) / (kFilmPoses - 1);
-    const std::size_t row = row_near(times, times.front() + share * (times.back() - times.front()));
+  for (int k = 0; k < kFilmPoseCount; ++k) {
+    const double share = static_cast<double>(k) / (kFilmPoseCount - 1);
+    const std::size_t row =
+        nearest_row(times, times.front() + share * (times.back() - times.front()));
     instants.push_back({times[row], demonstration[row], row, ""});
   }
-  double matters_s = kNotSeen;
+  double matters_s = kUnknown;
   std::string words;
   if (view.worst) {
     matters_s = view.worst->demonstration_s;
@@ -39,7 +40,7 @@ std::vector<FilmInstant> film_instants(const Plan& plan, const PlanView& view) {
     words = "grasp";
   }
   if (std::isnan(matters_s)) return instants;
-  const std::size_t row = row_near(demonstration, matters_s);
+  const std::size_t row = nearest_row(demonstration, matters_s);
   std::size_t nearest = 1;
   for (std::size_t k = 1; k + 1 < instants.size(); ++k) {
     if (std::abs(instants[k].time_s - times[row]) < std::abs(instants[nearest].time_s - times[row]))

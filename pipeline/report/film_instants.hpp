@@ -9,23 +9,27 @@
 
 namespace morphe::report {
 
-inline constexpr int kFilmPoses = 5;
+/// The number of poses in a filmstrip.
+inline constexpr int kFilmPoseCount = 5;
 
-/// A time at which a filmstrip shows a movement.
+/// An instant at which a filmstrip shows a movement.
 struct FilmInstant {
+  /// The time in the motion and in the demonstration [s].
   double time_s, demonstration_s;
-  std::size_t row;    ///< of the motion, or without one of the goals
-  std::string words;  ///< "grasp", "worst" or ""
+  /// Row of the motion, or of the goals if there is no motion.
+  std::size_t row;
+  /// Caption "grasp", "worst" or "".
+  std::string caption;
 };
 
-/// Equal times from the first to the last sample; the inner one that is nearest to what matters
-/// most (the worst instant, or the grasp) is put there.
+/// Selects instants at equal intervals from the first to the last sample. The inner one nearest to
+/// the most relevant instant (the worst instant, or the grasp) is moved there.
 std::vector<FilmInstant> film_instants(const Plan& plan, const PlanView& view);
 
-/// The motion that follows the goals, null if nothing was planned.
-const ShownMotion* goal_motion(const PlanView& view);
+/// Returns the motion that follows the goals, null if no motion was planned.
+const DisplayMotion* goal_motion(const PlanView& view);
 
-/// Row with the time nearest to x.
-std::size_t row_near(const std::vector<double>& times, double x);
+/// Returns the row with the time nearest to x.
+std::size_t nearest_row(const std::vector<double>& times, double x);
 
 }  // namespace morphe::report

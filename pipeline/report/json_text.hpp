@@ -5,8 +5,8 @@
 
 namespace morphe::report {
 
-/// JSON that may stand inside an HTML script element: no '<', '>' or '&' but as \u escapes. What is
-/// no UTF-8 is replaced; a number that is not finite is null.
+/// Returns JSON that can be placed inside an HTML script element: '<', '>' and '&' are written as
+/// \u escapes. Invalid UTF-8 is replaced; a number that is not finite becomes null.
 std::string json_text(const nlohmann::ordered_json& json);
 
 }  // namespace morphe::report

@@ -7,9 +7,10 @@
 
 namespace morphe::report {
 
+/// Returns [x, y, z].
 inline nlohmann::ordered_json point_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-/// 16 numbers, row by row.
+/// Returns the 16 numbers of a pose, row by row.
 inline nlohmann::ordered_json pose_json(const Pose& pose) {
   nlohmann::ordered_json out = nlohmann::ordered_json::array();
   for (Eigen::Index row = 0; row < 4; ++row) {
@@ -18,7 +19,7 @@ inline nlohmann::ordered_json pose_json(const Pose& pose) {
   return out;
 }
 
-/// null for what is not finite.
+/// Returns the number, or null if it is not finite.
 inline nlohmann::ordered_json number_json(double value) {
   return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
 }

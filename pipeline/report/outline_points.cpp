@@ -8,9 +8,9 @@ std::vector<Vec3> outline_points(const SceneObject& object) {
   std::vector<Vec3> points;
   const std::vector<double>& size = object.size;
   const auto add_ring = [&](double radius, double z) {
-    constexpr int kAround = 24;
-    for (int k = 0; k < kAround; ++k) {
-      const double angle = 2 * M_PI * k / kAround;
+    constexpr int kPointsPerRing = 24;
+    for (int k = 0; k < kPointsPerRing; ++k) {
+      const double angle = 2 * M_PI * k / kPointsPerRing;
       points.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
     }
   };

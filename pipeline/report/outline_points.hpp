@@ -6,8 +6,8 @@
 
 namespace morphe::report {
 
-/// Points of a body, in its frame, around which a convex outline shows it from any side (round ones
-/// within 3 % of their radius; a mesh by its hull).
+/// Returns points of a body, in its frame, whose convex outline represents it from any side (round
+/// bodies within 3 % of their radius, a mesh by its convex hull).
 std::vector<Vec3> outline_points(const SceneObject& object);
 
 }  // namespace morphe::report

@@ -35,7 +35,7 @@ std::string_view page_file(std::string_view name) {
   return {};
 }
 
-std::string bundled(const std::vector<std::string_view>& modules) {
+std::string bundle_modules(const std::vector<std::string_view>& modules) {
   constexpr std::string_view kExport = "export ";
   std::string script = "(() => {\n\"use strict\";\n";
   for (const std::string_view module : modules) {
@@ -48,11 +48,11 @@ std::string bundled(const std::vector<std::string_view>& modules) {
   return script + "})();\n";
 }
 
-std::string bundled_modules() {
+std::string bundle_page_modules() {
   std::vector<std::string_view> modules;
   for (std::string_view name : lines_of(page_file("modules.txt")))
     modules.push_back(page_file(name.substr(0, name.find('\n'))));
-  return bundled(modules);
+  return bundle_modules(modules);
 }
 
 }  // namespace morphe::report

@@ -18,7 +18,7 @@ JointRows rows_of(const std::vector<Vec3>& points) {
   return rows;
 }
 
-JointRows rows_of(const Table<Vec3>& points) {
+JointRows rows_of(const Array2D<Vec3>& points) {
   JointRows rows(static_cast<Eigen::Index>(points.rows),
                  3 * static_cast<Eigen::Index>(points.cols));
   for (std::size_t row = 0; row < points.rows; ++row) {
@@ -38,66 +38,68 @@ JointRows rows_of(const std::vector<Quat>& rotations) {
   return rows;
 }
 
-JointRows rows_of(const Table<std::uint8_t>& values) {
+JointRows rows_of(const Array2D<std::uint8_t>& values) {
   JointRows rows(static_cast<Eigen::Index>(values.rows), static_cast<Eigen::Index>(values.cols));
   for (Eigen::Index i = 0; i < rows.size(); ++i)
     rows.data()[i] = values.values[static_cast<std::size_t>(i)];
   return rows;
 }
 
-template <Named E>
+template <NamedEnum E>
 std::vector<int> numbers_of(const std::vector<E>& values) {
   std::vector<int> out;
   for (const E value : values) out.push_back(static_cast<int>(value));
   return out;
 }
 
-/// Seven columns: position, then the quaternion w x y z.
+/// Returns seven columns: position, then the quaternion w x y z.
 JointRows pose_rows(const std::vector<Vec3>& position, const std::vector<Quat>& orientation) {
   JointRows rows(static_cast<Eigen::Index>(position.size()), 7);
   rows << rows_of(position), rows_of(orientation);
   return rows;
 }
 
-std::vector<Vec3> where_they_were(const Goals& goals, const std::vector<Vec3>& points) {
+std::vector<Vec3> all_without_common_offset(const Goals& goals, const std::vector<Vec3>& points) {
   std::vector<Vec3> out;
-  for (const Vec3& point : points) out.push_back(where_it_was(goals, point));
+  for (const Vec3& point : points) out.push_back(without_common_offset(goals, point));
   return out;
 }
 
-Table<Vec3> where_they_were(const Goals& goals, Table<Vec3> points) {
-  for (Vec3& point : points.values) point = where_it_was(goals, point);
+Array2D<Vec3> all_without_common_offset(const Goals& goals, Array2D<Vec3> points) {
+  for (Vec3& point : points.values) point = without_common_offset(goals, point);
   return points;
 }
 
 Json human_json(Block& block, const Goals& goals, const std::vector<double>& speed) {
   Json json;
-  json["time"] = block.column(goals.time, Steps::kTime);
-  json["tips"] = block.table(rows_of(goals.tip_position), Steps::kLength);
+  json["time"] = block.column(goals.time, Resolution::kTime_s);
+  json["tips"] = block.table(rows_of(goals.tip_position), Resolution::kLength_m);
   json["reachable"] = block.table(rows_of(goals.reachable), 1);
   const auto points = [&](const char* name, const std::vector<Vec3>& of) {
-    json[name] = block.table(rows_of(where_they_were(goals, of)), Steps::kLength);
+    json[name] = block.table(rows_of(all_without_common_offset(goals, of)), Resolution::kLength_m);
   };
   points("shoulder", goals.shoulder_position);
   points("elbow", goals.elbow_position);
   points("wrist", goals.wrist_position);
-  json["wrist_orientation"] = block.table(rows_of(goals.wrist_orientation), Steps::kQuaternion);
+  json["wrist_orientation"] =
+      block.table(rows_of(goals.wrist_orientation), Resolution::kQuaternion);
   json["fingers"] =
-      block.table(rows_of(where_they_were(goals, goals.finger_joint_position)), Steps::kLength);
-  json["speed"] = block.column(speed, Steps::kError);
+      block.table(rows_of(all_without_common_offset(goals, goals.finger_joint_position)),
+                  Resolution::kLength_m);
+  json["speed"] = block.column(speed, Resolution::kError);
   return json;
 }
 
-Json mapped_json(Block& block, const Mapped& mapped) {
+Json mapped_json(Block& block, const MappingResult& mapped) {
   if (mapped.position.rows() == 0) return nullptr;
-  return {{"position", block.table(mapped.position, Steps::kAngle)},
-          {"position_error", block.table(mapped.position_error, Steps::kError)},
-          {"orientation_error", block.table(mapped.orientation_error, Steps::kAngle)},
-          {"humanlikeness", block.table(mapped.humanlikeness, Steps::kError)},
-          {"status", block.whole_numbers(numbers_of(mapped.status))}};
+  return {{"position", block.table(mapped.position, Resolution::kAngle_rad)},
+          {"position_error", block.table(mapped.position_error, Resolution::kError)},
+          {"orientation_error", block.table(mapped.orientation_error, Resolution::kAngle_rad)},
+          {"humanlikeness", block.table(mapped.humanlikeness, Resolution::kError)},
+          {"status", block.integer_column(numbers_of(mapped.status))}};
 }
 
-Json nearest_json(Block& block, const ShownMotion& motion, int capsules) {
+Json nearest_json(Block& block, const DisplayMotion& motion, int capsules) {
   std::vector<int> first, second;
   std::vector<double> distance, required;
   JointRows points(static_cast<Eigen::Index>(motion.nearest.size()), 6);
@@ -105,68 +107,70 @@ Json nearest_json(Block& block, const ShownMotion& motion, int capsules) {
     const collision::PairSeparation& pair = motion.nearest[k];
     const bool none = pair.capsule < 0;
     first.push_back(pair.capsule);
-    second.push_back(none ? -1 : pair.object ? capsules + pair.other : pair.other);
-    distance.push_back(none ? kNotSeen : pair.separation.distance);
-    required.push_back(none ? kNotSeen : pair.required);
+    second.push_back(none ? -1 : pair.other_is_object ? capsules + pair.other : pair.other);
+    distance.push_back(none ? kUnknown : pair.separation.distance);
+    required.push_back(none ? kUnknown : pair.required_distance_m);
     auto row = points.row(static_cast<Eigen::Index>(k));
     if (none)
-      row.setConstant(kNotSeen);
+      row.setConstant(kUnknown);
     else
       row << pair.separation.on_first.transpose(), pair.separation.on_second.transpose();
   }
-  return {{"first", block.whole_numbers(first)},
-          {"second", block.whole_numbers(second)},
-          {"distance", block.column(distance, Steps::kError)},
-          {"required", block.column(required, Steps::kError)},
-          {"points", block.table(points, Steps::kLength)}};
+  return {{"first", block.integer_column(first)},
+          {"second", block.integer_column(second)},
+          {"distance", block.column(distance, Resolution::kError)},
+          {"required", block.column(required, Resolution::kError)},
+          {"points", block.table(points, Resolution::kLength_m)}};
 }
 
-JointRows target_rows(const ShownMotion& motion) {
+JointRows target_rows(const DisplayMotion& motion) {
   JointRows rows(static_cast<Eigen::Index>(motion.target_pose.size()), 7);
   for (std::size_t k = 0; k < motion.target_pose.size(); ++k) {
     auto row = rows.row(static_cast<Eigen::Index>(k));
     const Pose& pose = motion.target_pose[k];
     if (motion.target_moved[k] == 0)
-      row.setConstant(kNotSeen);
+      row.setConstant(kUnknown);
     else
       row << pose.translation().transpose(), numbers_of(Quat(pose.linear()));
   }
   return rows;
 }
 
-JointRows touching_rows(const ShownMotion& motion) {
-  JointRows rows(static_cast<Eigen::Index>(motion.touching.size()), 3);
-  for (std::size_t k = 0; k < motion.touching.size(); ++k) {
-    const ShownMotion::Touch& touch = motion.touching[k];
+JointRows touching_rows(const DisplayMotion& motion) {
+  JointRows rows(static_cast<Eigen::Index>(motion.touching_pairs.size()), 3);
+  for (std::size_t k = 0; k < motion.touching_pairs.size(); ++k) {
+    const DisplayMotion::Touch& touch = motion.touching_pairs[k];
     rows.row(static_cast<Eigen::Index>(k)) << touch.row, touch.capsule, touch.other;
   }
   return rows;
 }
 
-Json motion_json(Block& block, const ShownMotion& motion, int capsules) {
+Json motion_json(Block& block, const DisplayMotion& motion, int capsules) {
   Json json;
   json["name"] = motion.name;
-  json["time"] = block.column(motion.time, Steps::kTime);
-  json["demonstration_time"] = block.column(motion.demonstration_time, Steps::kTime);
-  json["position"] = block.table(motion.position, Steps::kAngle);
+  json["time"] = block.column(motion.time, Resolution::kTime_s);
+  json["demonstration_time"] = block.column(motion.demonstration_time, Resolution::kTime_s);
+  json["position"] = block.table(motion.position, Resolution::kAngle_rad);
   if (motion.velocity.rows() > 0) {
-    json["velocity"] = block.table(motion.velocity, Steps::kShare);
-    json["acceleration"] = block.table(motion.acceleration, Steps::kShare);
-    json["jerk"] = block.table(motion.jerk, Steps::kShare);
+    json["velocity"] = block.table(motion.velocity, Resolution::kLimitRatio);
+    json["acceleration"] = block.table(motion.acceleration, Resolution::kLimitRatio);
+    json["jerk"] = block.table(motion.jerk, Resolution::kLimitRatio);
   }
-  json["phase"] = block.whole_numbers(numbers_of(motion.phase));
-  json["origin"] = block.whole_numbers(numbers_of(motion.origin));
-  json["sample"] = block.whole_numbers(motion.sample);
-  if (!motion.clearance.empty()) json["clearance"] = block.column(motion.clearance, Steps::kError);
+  json["phase"] = block.integer_column(numbers_of(motion.phase));
+  json["origin"] = block.integer_column(numbers_of(motion.origin));
+  json["sample"] = block.integer_column(motion.sample);
+  if (!motion.clearance.empty())
+    json["clearance"] = block.column(motion.clearance, Resolution::kError);
   json["nearest"] = nearest_json(block, motion, capsules);
   json["touching"] = block.table(touching_rows(motion), 1);
-  json["object_pose"] = block.table(target_rows(motion), Steps::kLength);
+  json["object_pose"] = block.table(target_rows(motion), Resolution::kLength_m);
   if (motion.tip_error.rows() > 0) {
-    json["tip_error"] = block.table(motion.tip_error, Steps::kError);
-    json["orientation_error"] = block.table(motion.orientation_error, Steps::kAngle);
-    json["humanlikeness"] = block.column(motion.humanlikeness, Steps::kError);
+    json["tip_error"] = block.table(motion.tip_error, Resolution::kError);
+    json["orientation_error"] = block.table(motion.orientation_error, Resolution::kAngle_rad);
+    json["humanlikeness"] = block.column(motion.humanlikeness, Resolution::kError);
   }
-  if (!motion.speed.empty()) json["speed"] = block.column(motion.speed, Steps::kError);
+  if (!motion.mean_tip_speed.empty())
+    json["speed"] = block.column(motion.mean_tip_speed, Resolution::kError);
   return json;
 }
 
@@ -182,8 +186,9 @@ Json objects_json(Block& block, const Scene& scene, const std::vector<std::strin
     json["attached_frame"] = object.attached_frame;
     json["attach_s"] = number_json(object.attach_s);
     json["release_s"] = number_json(object.release_s);
-    json["time"] = block.column(object.time, Steps::kTime);
-    json["pose"] = block.table(pose_rows(object.position, object.orientation), Steps::kLength);
+    json["time"] = block.column(object.time, Resolution::kTime_s);
+    json["pose"] =
+        block.table(pose_rows(object.position, object.orientation), Resolution::kLength_m);
     objects.push_back(json);
   }
   return objects;
@@ -256,7 +261,7 @@ Block plan_block(const robot::Robot& robot, const Plan& plan, const PlanView& vi
   json["human"] = human_json(block, plan.goals, view.human_speed);
   json["mapped"] = mapped_json(block, plan.mapped);
   json["motions"] = Json::array();
-  for (const ShownMotion& motion : view.motions)
+  for (const DisplayMotion& motion : view.motions)
     json["motions"].push_back(motion_json(block, motion, static_cast<int>(robot.capsules.size())));
   return block;
 }
@@ -266,7 +271,7 @@ Block mesh_block(const std::vector<Vec3>& vertices, const std::vector<Eigen::Vec
   JointRows corners(static_cast<Eigen::Index>(triangles.size()), 3);
   for (std::size_t i = 0; i < triangles.size(); ++i)
     corners.row(static_cast<Eigen::Index>(i)) = triangles[i].cast<double>().transpose();
-  block.json["vertices"] = block.table(rows_of(vertices), Steps::kLength);
+  block.json["vertices"] = block.table(rows_of(vertices), Resolution::kLength_m);
   block.json["triangles"] = block.table(corners, 1);
   return block;
 }

@@ -8,22 +8,22 @@
 
 namespace morphe::report {
 
-/// Steps of the tables: what is shown differs from what was computed by half of one at most.
-struct Steps {
-  static constexpr double kAngle = 1e-4;       ///< [rad], of sliding joints [m]
-  static constexpr double kLength = 1e-5;      ///< [m]
-  static constexpr double kError = 1e-6;       ///< tips' errors, clearance [m], [rad]
-  static constexpr double kTime = 1e-6;        ///< [s]
-  static constexpr double kShare = 1e-3;       ///< of a limit
-  static constexpr double kQuaternion = 1e-5;  ///< of a unit quaternion
+/// The steps of the tables. A displayed value differs from the computed one by at most half a step.
+struct Resolution {
+  static constexpr double kAngle_rad = 1e-4;   ///< angles [rad], positions of sliding joints [m]
+  static constexpr double kLength_m = 1e-5;    ///< lengths [m]
+  static constexpr double kError = 1e-6;       ///< errors of the tips and clearance [m], [rad]
+  static constexpr double kTime_s = 1e-6;      ///< times [s]
+  static constexpr double kLimitRatio = 1e-3;  ///< ratio to a limit
+  static constexpr double kQuaternion = 1e-5;  ///< components of a unit quaternion
 };
 
-/// A plan as the page takes it (page/README.md); `object_blocks` names the mesh of each object, ""
-/// of others.
+/// Builds the block of a plan in the format of the page (page/README.md). `object_blocks` contains
+/// the name of the mesh block of each object, "" for objects without one.
 Block plan_block(const robot::Robot& robot, const Plan& plan, const PlanView& view,
                  const std::vector<std::string>& object_blocks);
 
-/// {vertices, triangles}
+/// Builds the block {vertices, triangles} of a mesh.
 Block mesh_block(const std::vector<Vec3>& vertices, const std::vector<Eigen::Vector3i>& triangles);
 
 }  // namespace morphe::report

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "pipeline/explain/advice.hpp"
-#include "pipeline/report/shown_motion.hpp"
+#include "pipeline/report/display_motion.hpp"
 #include "pipeline/report/worst_instant.hpp"
 #include "stages/certify/smoothness.hpp"
 
@@ -13,28 +13,28 @@ namespace {
 
 Vec3 first_shoulder(const Goals& goals) {
   for (const Vec3& shoulder : goals.shoulder_position) {
-    if (seen(shoulder)) return where_it_was(goals, shoulder);
+    if (is_known(shoulder)) return without_common_offset(goals, shoulder);
   }
   return Vec3::Zero();
 }
 
-/// [F]: the central differences, nothing at the two ends.
+/// Computes central differences [F], NaN at both ends.
 std::vector<double> human_speed_of(const Goals& goals) {
-  std::vector<double> speed(goals.frames(), kNotSeen);
+  std::vector<double> speed(goals.frames(), kUnknown);
   const std::vector<double> inner = certify::human_speed(goals).speed;
   if (inner.size() + 2 == speed.size()) std::ranges::copy(inner, speed.begin() + 1);
   return speed;
 }
 
-std::vector<ShownMotion> motions_of(const robot::Robot& robot, const Plan& plan) {
+std::vector<DisplayMotion> motions_of(const robot::Robot& robot, const Plan& plan) {
   collision::CollisionWorld world =
       collision::make_world(robot, plan.scene, plan.movement, plan.tolerances);
-  std::vector<ShownMotion> motions;
+  std::vector<DisplayMotion> motions;
   if (plan.has_trajectory()) {
-    collision::carry_target(plan.trajectory.demonstration_time, plan.trajectory.position, world);
+    collision::attach_target(plan.trajectory.demonstration_time, plan.trajectory.position, world);
     const auto add = [&](const char* name, const Trajectory& trajectory, bool follows) {
       if (trajectory.samples() > 0)
-        motions.push_back(shown_trajectory(name, world, plan, trajectory, follows));
+        motions.push_back(display_trajectory(name, world, plan, trajectory, follows));
     };
     add("approach", plan.approach, false);
     add("trajectory", plan.trajectory, true);
@@ -45,21 +45,21 @@ std::vector<ShownMotion> motions_of(const robot::Robot& robot, const Plan& plan)
   const JointRows& position = path ? plan.path.position : plan.mapped.position;
   if (position.rows() == 0) return motions;
   const std::vector<double>& time = path ? plan.path.demonstration_time : plan.goals.time;
-  collision::carry_target(time, position, world);
-  const std::vector<Origin> mapped(time.size(), Origin::mapped);
-  motions.push_back(shown_path(path ? "path" : "mapped", world, plan, position, time,
-                               path ? plan.path.origin : mapped));
+  collision::attach_target(time, position, world);
+  const std::vector<SampleOrigin> mapped(time.size(), SampleOrigin::mapped);
+  motions.push_back(display_path(path ? "path" : "mapped", world, plan, position, time,
+                                 path ? plan.path.origin : mapped));
   return motions;
 }
 
 }  // namespace
 
-Vec3 where_it_was(const Goals& goals, const Vec3& in_common_base) {
+Vec3 without_common_offset(const Goals& goals, const Vec3& in_common_base) {
   return in_common_base - goals.common_base_offset;
 }
 
-PlanView view_of(const robot::Robot& robot, const std::optional<Eigen::Matrix3d>& world_from_base,
-                 const Plan& plan) {
+PlanView make_plan_view(const robot::Robot& robot,
+                        const std::optional<Eigen::Matrix3d>& world_from_base, const Plan& plan) {
   PlanView view;
   view.upright = world_from_base.has_value();
   if (world_from_base) view.world_from_base.linear() = *world_from_base;

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 struct Visual {
   fs::path file;
-  std::string named;
+  std::string mesh_name;
   Pose link_from_mesh = Pose::Identity();
   Vec3 scale = Vec3::Ones();
 };
@@ -44,7 +44,7 @@ struct Folder {
     if (error) throw InputError(fmt::format("{}: cannot be read", folder.string()));
     std::ranges::sort(files);
   }
-  /// The file whose path ends in the longest part of that name.
+  /// Returns the file whose path ends in the longest part of the given name.
   fs::path find(std::string name) const {
     if (const auto scheme = name.find("://"); scheme != std::string::npos)
       name.erase(0, scheme + 3);
@@ -69,8 +69,8 @@ Visual visual_of(const files::XmlElement& element, const files::XmlElement& mesh
                  const Folder& folder) {
   Visual visual;
   const char* named = mesh.Attribute("filename");
-  visual.named = named == nullptr ? "" : named;
-  visual.file = folder.find(visual.named);
+  visual.mesh_name = named == nullptr ? "" : named;
+  visual.file = folder.find(visual.mesh_name);
   visual.scale = numbers_of(mesh.Attribute("scale"), Vec3::Ones());
   if (const files::XmlElement* origin = element.FirstChildElement("origin")) {
     const Vec3 rpy = numbers_of(origin->Attribute("rpy"), Vec3::Zero());
@@ -83,7 +83,8 @@ Visual visual_of(const files::XmlElement& element, const files::XmlElement& mesh
   return visual;
 }
 
-/// Visuals by the name that a frame has: the link's, or that of the joint that carries it.
+/// Returns the visuals by the name that a frame may have: that of the link, or of the joint that
+/// carries it.
 std::multimap<std::string, Visual> visuals_of(const fs::path& urdf, const Folder& folder) {
   const files::XmlText text(urdf, "robot");
   std::map<std::string, std::string> joint_of_link;
@@ -109,11 +110,12 @@ std::multimap<std::string, Visual> visuals_of(const fs::path& urdf, const Folder
   return visuals;
 }
 
-/// "" or what is wrong.
+/// Loads a visual. Returns "" or a description of the error.
 std::string load_into(const Visual& visual, int frame, FoundMeshes& found) {
-  if (visual.file.empty()) return fmt::format("{}: is not in the folder of meshes", visual.named);
+  if (visual.file.empty())
+    return fmt::format("{}: is not in the folder of meshes", visual.mesh_name);
   SceneObject surface;
-  const std::string wrong = collision::load_surface(visual.file, surface);
+  const std::string wrong = collision::load_raw_mesh(visual.file, surface);
   if (!wrong.empty()) return fmt::format("{}: {}", visual.file.string(), wrong);
   FrameMesh mesh;
   mesh.frame = frame;
@@ -126,12 +128,12 @@ std::string load_into(const Visual& visual, int frame, FoundMeshes& found) {
 
 }  // namespace
 
-FoundMeshes find_meshes(const RobotTable& robot, const fs::path& path) {
+FoundMeshes find_meshes(const RobotModel& robot, const fs::path& path) {
   const Folder folder(path);
   std::multimap<std::string, Visual> visuals;
   for (const fs::path& file : folder.files) {
     if (file.extension() != ".urdf") continue;
-    // The first file that knows a name counts.
+    // The first file that contains a name is used.
     std::multimap<std::string, Visual> of_file = visuals_of(file, folder);
     std::erase_if(of_file, [&](const auto& entry) { return visuals.contains(entry.first); });
     visuals.merge(of_file);
@@ -146,8 +148,8 @@ FoundMeshes find_meshes(const RobotTable& robot, const fs::path& path) {
     if (of_frame.empty()) {
       for (const char* extension : {".stl", ".obj", ".dae", ".glb"}) {
         Visual visual;
-        visual.named = name + extension;
-        visual.file = folder.find(visual.named);
+        visual.mesh_name = name + extension;
+        visual.file = folder.find(visual.mesh_name);
         if (!visual.file.empty()) of_frame.push_back(visual);
       }
     }

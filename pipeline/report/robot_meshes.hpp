@@ -4,27 +4,35 @@
 #include <string>
 #include <vector>
 
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 
 namespace morphe::report {
 
-/// What a frame looks like: corners in the frame [m].
+/// The visual mesh of a frame: vertices in the frame [m].
 struct FrameMesh {
+  /// The index of the frame.
   int frame = 0;
+  /// The vertices in the frame [m].
   std::vector<Vec3> vertices;
+  /// The indices of the vertices of each triangle.
   std::vector<Eigen::Vector3i> triangles;
-  std::string block;  ///< of the page
+  /// Name of its block in the page.
+  std::string block;
 };
 
+/// The meshes of a robot and the problems with them.
 struct FoundMeshes {
+  /// The meshes that were found.
   std::vector<FrameMesh> meshes;
-  std::vector<std::string> notes;  ///< what was not found or could not be read
+  /// Sentences about meshes that were not found or could not be read.
+  std::vector<std::string> notes;
 };
 
-/// Meshes of a robot's frames below a folder: of every URDF there the visuals of each link whose
-/// name, or whose joint's name, a frame has (package://P/FILE and other names are looked for as
-/// P/FILE, FILE and by FILE's own name); and of frames that none of them has FRAME.stl, .obj, .dae
-/// or .glb, in the frame's own axes. InputError if the folder cannot be read.
-FoundMeshes find_meshes(const RobotTable& robot, const std::filesystem::path& folder);
+/// Finds meshes of a robot's frames below a folder. From every URDF in it, the visuals of each link
+/// are used whose name, or whose joint's name, is that of a frame (package://P/FILE and other names
+/// are searched as P/FILE, FILE, and by FILE's own name). For frames without such a link,
+/// FRAME.stl, .obj, .dae or .glb is used, in the frame's own axes. Throws InputError if the folder
+/// cannot be read.
+FoundMeshes find_meshes(const RobotModel& robot, const std::filesystem::path& folder);
 
 }  // namespace morphe::report

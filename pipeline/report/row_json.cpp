@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/motion/goals_at.hpp"
+#include "core/motion/goal_interpolation.hpp"
 #include "core/store/json_layout.hpp"
 #include "core/store/plan_layout.hpp"
 #include "pipeline/report/numbers_json.hpp"
@@ -12,9 +12,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::vector<bool> sliding_joints(const RobotTable& robot) {
+std::vector<bool> sliding_joints(const RobotModel& robot) {
   std::vector<bool> slides(robot.joints(), false), known(robot.joints(), false);
-  for (const RobotTable::Frame& frame : robot.frames) {
+  for (const RobotModel::Frame& frame : robot.frames) {
     if (frame.joint < 0) continue;
     const auto joint = static_cast<std::size_t>(frame.joint);
     if (!known[joint]) slides[joint] = frame.slides;
@@ -23,7 +23,7 @@ std::vector<bool> sliding_joints(const RobotTable& robot) {
   return slides;
 }
 
-Json joints_json(const RobotTable& robot) {
+Json joints_json(const RobotModel& robot) {
   const std::vector<bool> slides = sliding_joints(robot);
   Json out = Json::array();
   for (std::size_t i = 0; i < robot.joints(); ++i) {
@@ -41,7 +41,7 @@ Json joints_json(const RobotTable& robot) {
 
 }  // namespace
 
-Json row_json(const RobotTable& robot, const Plan& plan, const std::string& path) {
+Json row_json(const RobotModel& robot, const Plan& plan, const std::string& path) {
   const GoalCount goals = count_goals(plan.goals);
   store::JsonWriter certificate;
   if (plan.has_trajectory()) store::lay_out_certificate(certificate, plan.certificate);
@@ -73,7 +73,7 @@ Json row_json(const RobotTable& robot, const Plan& plan, const std::string& path
   return row;
 }
 
-Json robot_json(const RobotTable& robot) {
+Json robot_json(const RobotModel& robot) {
   Json out;
   out["name"] = robot.name;
   out["side"] = name_of(robot.side);
@@ -82,7 +82,7 @@ Json robot_json(const RobotTable& robot) {
   out["unchecked_links"] = robot.unchecked_links;
   out["joints"] = joints_json(robot);
   for (const char* list : {"frames", "tips", "capsules", "centres"}) out[list] = Json::array();
-  for (const RobotTable::Frame& frame : robot.frames) {
+  for (const RobotModel::Frame& frame : robot.frames) {
     out["frames"].push_back({{"name", frame.name},
                              {"parent", frame.parent},
                              {"transform", pose_json(frame.transform)},
@@ -92,14 +92,14 @@ Json robot_json(const RobotTable& robot) {
                              {"offset", frame.offset},
                              {"slides", frame.slides}});
   }
-  for (const RobotTable::Tip& tip : robot.tips) {
+  for (const RobotModel::Tip& tip : robot.tips) {
     out["tips"].push_back({{"name", tip.name},
                            {"frame", tip.frame},
                            {"transform", pose_json(tip.transform)},
                            {"finger", tip.finger},
                            {"along", number_json(tip.along)}});
   }
-  for (const RobotTable::Capsule& capsule : robot.capsules) {
+  for (const RobotModel::Capsule& capsule : robot.capsules) {
     out["capsules"].push_back({{"name", capsule.name},
                                {"frame", capsule.frame},
                                {"from", point_json(capsule.from)},
@@ -107,7 +107,7 @@ Json robot_json(const RobotTable& robot) {
                                {"radius", capsule.radius},
                                {"may_touch_target", capsule.may_touch_target}});
   }
-  for (const RobotTable::Centre& centre : robot.centres)
+  for (const RobotModel::JointCentre& centre : robot.centres)
     out["centres"].push_back({{"frame", centre.frame}, {"chain", centre.chain}});
   return out;
 }

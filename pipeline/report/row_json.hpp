@@ -4,14 +4,14 @@
 #include <string>
 
 #include "core/motion/plan.hpp"
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 
 namespace morphe::report {
 
-/// A plan's row of the first page (page/README.md): numbers as the file has them.
-nlohmann::ordered_json row_json(const RobotTable& robot, const Plan& plan, const std::string& path);
+/// Returns the row of a plan on the overview page (page/README.md), with the numbers of the file.
+nlohmann::ordered_json row_json(const RobotModel& robot, const Plan& plan, const std::string& path);
 
-/// The robot as the page computes its poses.
-nlohmann::ordered_json robot_json(const RobotTable& robot);
+/// Returns the robot in the form from which the page computes its poses.
+nlohmann::ordered_json robot_json(const RobotModel& robot);
 
 }  // namespace morphe::report

@@ -7,24 +7,24 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/motion/counted.hpp"
-#include "core/motion/goals_at.hpp"
+#include "core/motion/count_with_noun.hpp"
+#include "core/motion/goal_interpolation.hpp"
 
 namespace morphe::report {
 namespace {
 
 double out_of_reach_share(const Plan& plan) {
   const GoalCount count = count_goals(plan.goals);
-  return count.all > 0 ? count.share_out_of_reach() : kNotSeen;
+  return count.all > 0 ? count.share_out_of_reach() : kUnknown;
 }
 
-/// The more, the worse.
-struct Badness {
+/// A measure by which plans are ranked; larger values are worse.
+struct RankingMeasure {
   const char* name;
   double (*of)(const Plan&);
 };
 
-constexpr std::array<Badness, 7> kBadness{{
+constexpr std::array<RankingMeasure, 7> kRankingMeasures{{
     {"tips", [](const Plan& plan) { return plan.certificate.position_error_max; }},
     {"grasp", [](const Plan& plan) { return plan.certificate.position_error_grasp; }},
     {"clearance", [](const Plan& plan) { return -plan.certificate.clearance; }},
@@ -34,8 +34,8 @@ constexpr std::array<Badness, 7> kBadness{{
     {"out_of_reach", out_of_reach_share},
 }};
 
-std::vector<std::size_t> worst_of(const std::vector<std::size_t>& plans,
-                                  const std::vector<double>& badness, std::size_t count) {
+std::vector<std::size_t> select_worst(const std::vector<std::size_t>& plans,
+                                      const std::vector<double>& badness, std::size_t count) {
   std::vector<std::size_t> order(plans.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto rank = [&](std::size_t i) { return std::isnan(badness[i]) ? -kInfinity : badness[i]; };
@@ -50,50 +50,56 @@ std::vector<std::size_t> worst_of(const std::vector<std::size_t>& plans,
 std::string left_out_sentence(const Selection& selection, std::size_t all, std::size_t matching,
                               std::size_t shown) {
   if (shown == all) return "";
-  std::string what = selection.worst > 0 && shown < matching
-                         ? fmt::format("the {} worst by {}", selection.worst, selection.by)
-                         : "those";
-  if (what != "those" && (!selection.pattern.empty() || selection.failed)) what += " of those";
+  std::string what =
+      selection.worst_count > 0 && shown < matching
+          ? fmt::format("the {} worst by {}", selection.worst_count, selection.ranking_measure)
+          : "those";
+  if (what != "those" && (!selection.pattern.empty() || selection.infeasible_only))
+    what += " of those";
   if (!selection.pattern.empty()) what += fmt::format(" called {}", selection.pattern);
-  if (selection.failed) what += " that are infeasible";
-  return fmt::format("{} of {} are left out: shown are {}", all - shown, counted(all, "plan"),
+  if (selection.infeasible_only) what += " that are infeasible";
+  return fmt::format("{} of {} are left out: shown are {}", all - shown, count_with_noun(all, "plan"),
                      what);
 }
 
 }  // namespace
 
-std::vector<std::string> worst_by_names() {
+std::vector<std::string> ranking_measure_names() {
   std::vector<std::string> names;
-  for (const Badness& badness : kBadness) names.emplace_back(badness.name);
+  for (const RankingMeasure& badness : kRankingMeasures) names.emplace_back(badness.name);
   return names;
 }
 
-bool matches(std::string_view name, std::string_view pattern) {
+bool matches_pattern(std::string_view name, std::string_view pattern) {
   if (pattern.empty()) return name.empty();
   if (pattern.front() == '*') {
-    return matches(name, pattern.substr(1)) || (!name.empty() && matches(name.substr(1), pattern));
+    return matches_pattern(name, pattern.substr(1)) ||
+           (!name.empty() && matches_pattern(name.substr(1), pattern));
   }
   return !name.empty() && (pattern.front() == '?' || pattern.front() == name.front()) &&
-         matches(name.substr(1), pattern.substr(1));
+         matches_pattern(name.substr(1), pattern.substr(1));
 }
 
-Selected select_plans(const store::PlanReader& reader, const Selection& selection) {
-  const auto by = std::ranges::find(kBadness, selection.by, &Badness::name);
-  const bool look_inside = selection.failed || selection.worst > 0;
-  Selected selected;
+SelectedPlans select_plans(const store::PlanReader& reader, const Selection& selection) {
+  const auto by =
+      std::ranges::find(kRankingMeasures, selection.ranking_measure, &RankingMeasure::name);
+  const bool look_inside = selection.infeasible_only || selection.worst_count > 0;
+  SelectedPlans selected;
   std::vector<double> badness;
   for (std::size_t i = 0; i < reader.size(); ++i) {
-    if (!selection.pattern.empty() && !matches(reader.plan_paths()[i], selection.pattern)) continue;
+    if (!selection.pattern.empty() && !matches_pattern(reader.plan_paths()[i], selection.pattern))
+      continue;
     if (look_inside) {
       const Plan plan = reader.read(i);
-      if (selection.failed && plan.has_trajectory()) continue;
-      if (selection.worst > 0) badness.push_back(by->of(plan));
+      if (selection.infeasible_only && plan.has_trajectory()) continue;
+      if (selection.worst_count > 0) badness.push_back(by->of(plan));
     }
     selected.plans.push_back(i);
   }
   const std::size_t matching = selected.plans.size();
-  if (selection.worst > 0)
-    selected.plans = worst_of(selected.plans, badness, static_cast<std::size_t>(selection.worst));
+  if (selection.worst_count > 0)
+    selected.plans =
+        select_worst(selected.plans, badness, static_cast<std::size_t>(selection.worst_count));
   selected.left_out = left_out_sentence(selection, reader.size(), matching, selected.plans.size());
   return selected;
 }

@@ -7,26 +7,28 @@
 
 namespace morphe::report {
 
-/// Which plans of a file are shown.
+/// A selection of the plans of a file.
 struct Selection {
-  std::string pattern;  ///< of "<demonstration>/<000>", * and ? stand for any; "" = all
-  bool failed = false;  ///< infeasible ones alone
-  int worst = 0;        ///< this many that are worst by `by`; 0 = all
-  std::string by;       ///< one of worst_by_names()
+  std::string pattern;  ///< pattern for "<demonstration>/<000>" with wildcards * and ?, "" for all
+  bool infeasible_only = false;  ///< true to select only infeasible plans
+  int worst_count = 0;           ///< number of plans that are worst by `ranking_measure`, 0 for all
+  std::string ranking_measure;   ///< one of ranking_measure_names()
 };
 
-/// tips, grasp, clearance, tempo, upper_arm, humanlikeness, out_of_reach
-std::vector<std::string> worst_by_names();
+/// Returns tips, grasp, clearance, tempo, upper_arm, humanlikeness and out_of_reach.
+std::vector<std::string> ranking_measure_names();
 
-struct Selected {
-  std::vector<std::size_t> plans;  ///< of the file, in its order
-  std::string left_out;            ///< a sentence, "" if nothing is left out
+/// The selected plans of a file.
+struct SelectedPlans {
+  std::vector<std::size_t> plans;  ///< indices in the file, in its order
+  std::string left_out;  ///< sentence about omitted plans, "" if there are no omitted plans
 };
-/// Reads plans as far as the selection asks for their content. Of `worst`, plans without a value
-/// come last; of equals the earlier one is worse.
-Selected select_plans(const store::PlanReader& reader, const Selection& selection);
+/// Selects plans, reading them only as far as the selection depends on their content. If only the
+/// worst are selected, plans without a value come last, and of equal plans the earlier one counts
+/// as worse.
+SelectedPlans select_plans(const store::PlanReader& reader, const Selection& selection);
 
-/// Whether a name matches a pattern of * and ?.
-bool matches(std::string_view name, std::string_view pattern);
+/// Returns true if a name matches a pattern of * and ?.
+bool matches_pattern(std::string_view name, std::string_view pattern);
 
 }  // namespace morphe::report

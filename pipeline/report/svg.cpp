@@ -18,7 +18,7 @@ Svg::Svg(double width, double height, std::string_view title)
                         "width=\"{0:.0f}\" height=\"{1:.0f}\" font-family=\"sans-serif\" "
                         "role=\"img\">\n<title>{2}</title>\n"
                         "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n",
-                        width, height, files::xml_escaped(title))) {}
+                        width, height, files::escape_xml(title))) {}
 
 void Svg::line(const Vec2& from, const Vec2& to, double width, std::string_view colour,
                double opacity, std::string_view dash) {
@@ -70,11 +70,11 @@ void Svg::text(const Vec2& at, double size, std::string_view anchor, std::string
   text_ += fmt::format(
       "<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.1f}\" text-anchor=\"{}\" "
       "fill=\"{}\">{}</text>\n",
-      at.x(), at.y(), size, anchor, colour, files::xml_escaped(words));
+      at.x(), at.y(), size, anchor, colour, files::escape_xml(words));
 }
 
 void Svg::begin_clip(const Vec2& corner, const Vec2& size) {
-  const int id = clips_++;
+  const int id = clip_count_++;
   text_ += fmt::format(
       "<clipPath id=\"clip{0}\"><rect x=\"{1:.2f}\" y=\"{2:.2f}\" width=\"{3:.2f}\" "
       "height=\"{4:.2f}\"/></clipPath>\n<g clip-path=\"url(#clip{0})\">\n",

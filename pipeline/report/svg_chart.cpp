@@ -9,13 +9,14 @@
 namespace morphe::report {
 namespace {
 
-constexpr double kText = 11;
+constexpr double kFontSize_px = 11;
 
 struct Axis {
   double low = 0, high = 1, step = 0.5;
 };
 
-/// A step of 1, 2 or 5 times a power of ten, with which at most `steps` are needed.
+/// Returns a step of 1, 2 or 5 times a power of ten that divides the span into at most `steps`
+/// parts.
 double round_step(double span, int steps) {
   const double least = span / steps, power = std::pow(10, std::floor(std::log10(least)));
   for (const double factor : {1.0, 2.0, 5.0}) {
@@ -56,21 +57,21 @@ void draw_chart(Svg& svg, const Vec2& corner, const Vec2& size, std::string_view
     const double above = (y - y_axis.low) / (y_axis.high - y_axis.low);
     return Vec2(low.x() + right * (high.x() - low.x()), high.y() - above * (high.y() - low.y()));
   };
-  svg.text(corner + Vec2(4, 12), kText + 1, "start", title);
+  svg.text(corner + Vec2(4, 12), kFontSize_px + 1, "start", title);
   for (int k = 0; k * y_axis.step <= y_axis.high; ++k) {
     const double y = k * y_axis.step;
     const Vec2 at = place(x_axis.low, y);
     svg.line(at, place(x_axis.high, y), 0.5, k == 0 ? Colours::kInk : Colours::kObject);
-    svg.text(at + Vec2(-5, 4), kText, "end", fmt::format("{:.6g}", y));
+    svg.text(at + Vec2(-5, 4), kFontSize_px, "end", fmt::format("{:.6g}", y));
   }
   const double first = std::ceil(x_axis.low / x_axis.step - 1e-9);
   for (int k = 0; (first + k) * x_axis.step <= x_axis.high + 1e-9; ++k) {
     const double x = (first + k) * x_axis.step;
     const Vec2 at = place(x, 0);
     svg.line(at, at + Vec2(0, 4), 0.5, Colours::kInk);
-    svg.text(at + Vec2(0, 16), kText, "middle", fmt::format("{:.6g}", x));
+    svg.text(at + Vec2(0, 16), kFontSize_px, "middle", fmt::format("{:.6g}", x));
   }
-  svg.text({high.x(), high.y() + 28}, kText, "end", "time [s]");
+  svg.text({high.x(), high.y() + 28}, kFontSize_px, "end", "time [s]");
   for (const double x : marks) svg.line(place(x, 0), place(x, y_axis.high), 0.6, Colours::kFaint);
   double next = low.x() + 8;
   for (const ChartLine& line : lines) {
@@ -79,7 +80,7 @@ void draw_chart(Svg& svg, const Vec2& corner, const Vec2& size, std::string_view
     svg.polyline(points, 1.5, line.colour, line.dash);
     const Vec2 at(next, high.y() + 25);
     svg.polyline({at, at + Vec2(20, 0)}, 1.5, line.colour, line.dash);
-    svg.text(at + Vec2(24, 4), kText, "start", line.name);
+    svg.text(at + Vec2(24, 4), kFontSize_px, "start", line.name);
     next += 44 + 6.2 * static_cast<double>(line.name.size());
   }
 }

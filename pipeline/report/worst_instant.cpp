@@ -8,7 +8,6 @@
 namespace morphe::report {
 namespace {
 
-constexpr double kMm = 1e3;
 
 bool is_about_contact(Reason reason) {
   return reason == Reason::start_in_collision || reason == Reason::goal_in_collision ||
@@ -19,44 +18,45 @@ bool is_about_tips(Reason reason) {
   return reason == Reason::tracking || reason == Reason::unreachable;
 }
 
-struct Contact {
-  double demonstration_s = kNotSeen;
+struct ClearanceViolation {
+  double demonstration_s = kUnknown;
   collision::PairSeparation pair;
 };
 
-/// The least slack of all rows, none if nothing is nearer than it may be.
-std::optional<Contact> worst_contact(const std::vector<ShownMotion>& motions) {
-  std::optional<Contact> worst;
-  for (const ShownMotion& motion : motions) {
+/// Finds the row with the least slack, empty if no pair is closer than allowed.
+std::optional<ClearanceViolation> worst_contact(const std::vector<DisplayMotion>& motions) {
+  std::optional<ClearanceViolation> worst;
+  for (const DisplayMotion& motion : motions) {
     for (std::size_t k = 0; k < motion.nearest.size(); ++k) {
       const collision::PairSeparation& pair = motion.nearest[k];
       if (pair.capsule < 0 || !(pair.slack() < 0)) continue;
       if (!worst || pair.slack() < worst->pair.slack())
-        worst = Contact{motion.demonstration_time[k], pair};
+        worst = ClearanceViolation{motion.demonstration_time[k], pair};
     }
   }
   return worst;
 }
 
-struct Miss {
-  double demonstration_s = kNotSeen, error = 0, tolerance = 0;
+struct TipError {
+  double demonstration_s = kUnknown, error = 0, tolerance = 0;
   std::size_t tip = 0;
   bool grasping = false;
   double excess() const { return error - tolerance; }
 };
 
-/// The tip farthest beyond what its phase allows, none if all are within.
-std::optional<Miss> worst_miss(const Plan& plan, const std::vector<ShownMotion>& motions) {
-  std::optional<Miss> worst;
-  for (const ShownMotion& motion : motions) {
+/// Finds the tip with the largest excess over the tolerance of its phase, empty if all are within
+/// it.
+std::optional<TipError> worst_miss(const Plan& plan, const std::vector<DisplayMotion>& motions) {
+  std::optional<TipError> worst;
+  for (const DisplayMotion& motion : motions) {
     for (Eigen::Index row = 0; row < motion.tip_error.rows(); ++row) {
       const double time_s = motion.demonstration_time[static_cast<std::size_t>(row)];
-      const bool grasping = grasping_at(plan.movement, time_s);
+      const bool grasping = is_grasping_at(plan.movement, time_s);
       const Tolerances& allowed = plan.tolerances;
       const double tolerance = grasping ? allowed.tracking_grasp : allowed.tracking;
       for (Eigen::Index tip = 0; tip < motion.tip_error.cols(); ++tip) {
-        const Miss miss{time_s, motion.tip_error(row, tip), tolerance,
-                        static_cast<std::size_t>(tip), grasping};
+        const TipError miss{time_s, motion.tip_error(row, tip), tolerance,
+                            static_cast<std::size_t>(tip), grasping};
         if (miss.excess() > (worst ? worst->excess() : 0)) worst = miss;
       }
     }
@@ -72,17 +72,18 @@ const Finding* deepest_finding(const Plan& plan) {
 std::string other_name(const robot::Robot& robot, const Plan& plan,
                        const collision::PairSeparation& pair) {
   const auto i = static_cast<std::size_t>(pair.other);
-  return pair.object ? plan.scene.objects[i].name : robot.capsules[i].name;
+  return pair.other_is_object ? plan.scene.objects[i].name : robot.capsules[i].name;
 }
 
 std::string distance_words(double distance) {
-  return distance < 0 ? fmt::format("overlap by {:.2f} mm", -kMm * distance)
-                      : fmt::format("are {:.2f} mm apart", kMm * distance);
+  return distance < 0 ? fmt::format("overlap by {:.2f} mm", -kMillimetresPerMetre * distance)
+                      : fmt::format("are {:.2f} mm apart", kMillimetresPerMetre * distance);
 }
 
 std::string required_words(double required) {
-  return required < 0 ? fmt::format("{:.2f} mm of overlap is allowed", -kMm * required)
-                      : fmt::format("{:.2f} mm is asked for", kMm * required);
+  return required < 0
+             ? fmt::format("{:.2f} mm of overlap is allowed", -kMillimetresPerMetre * required)
+             : fmt::format("{:.2f} mm is asked for", kMillimetresPerMetre * required);
 }
 
 std::string contact_sentence(const robot::Robot& robot, const Plan& plan,
@@ -90,12 +91,13 @@ std::string contact_sentence(const robot::Robot& robot, const Plan& plan,
   return fmt::format("{} and {} {}; {}",
                      robot.capsules[static_cast<std::size_t>(pair.capsule)].name,
                      other_name(robot, plan, pair), distance_words(pair.separation.distance),
-                     required_words(pair.required));
+                     required_words(pair.required_distance_m));
 }
 
-std::string miss_sentence(const robot::Robot& robot, const Miss& miss) {
+std::string miss_sentence(const robot::Robot& robot, const TipError& miss) {
   return fmt::format("{} is {:.2f} mm from its goal; {:.2f} mm is allowed {}",
-                     robot.tips[miss.tip].name, kMm * miss.error, kMm * miss.tolerance,
+                     robot.tips[miss.tip].name, kMillimetresPerMetre * miss.error,
+                     kMillimetresPerMetre * miss.tolerance,
                      miss.grasping ? "in grasp and hold" : "outside grasp and hold");
 }
 
@@ -109,7 +111,7 @@ std::string finding_sentence(const Finding& finding) {
 }  // namespace
 
 std::optional<WorstInstant> worst_instant(const robot::Robot& robot, const Plan& plan,
-                                          const std::vector<ShownMotion>& motions) {
+                                          const std::vector<DisplayMotion>& motions) {
   if (is_about_contact(plan.reason)) {
     if (const auto contact = worst_contact(motions))
       return WorstInstant{contact->demonstration_s, contact_sentence(robot, plan, contact->pair)};

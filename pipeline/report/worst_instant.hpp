@@ -4,10 +4,10 @@
 
 namespace morphe::report {
 
-/// The instant of an infeasible plan that is farthest from what its reason is about: the least
-/// slack, the tip farthest beyond its tolerance, the deepest finding. None: nothing was planned, or
-/// the reason has no instant.
+/// Finds the instant of an infeasible plan at which the condition named by its reason is violated
+/// most: the least slack, the tip farthest beyond its tolerance, or the deepest finding. Returns an
+/// empty value if no motion was planned or if the reason does not refer to an instant.
 std::optional<WorstInstant> worst_instant(const robot::Robot& robot, const Plan& plan,
-                                          const std::vector<ShownMotion>& motions);
+                                          const std::vector<DisplayMotion>& motions);
 
 }  // namespace morphe::report

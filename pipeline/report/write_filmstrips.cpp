@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/files/part_file.hpp"
+#include "core/files/atomic_file.hpp"
 #include "pipeline/report/filmstrip.hpp"
 #include "pipeline/report/opened_run.hpp"
 #include "pipeline/report/report.hpp"
@@ -15,12 +15,13 @@ std::vector<std::string> write_filmstrips(const ReportRequest& request,
   for (const OpenedRun& run : runs) {
     for (const std::size_t k : run.selected.plans) {
       const std::string& path = run.reader->plan_paths()[k];
-      std::string name = runs.size() > 1 ? fmt::format("{}_{}.svg", run.named.name, path)
+      std::string name = runs.size() > 1 ? fmt::format("{}_{}.svg", run.request.name, path)
                                          : fmt::format("{}.svg", path);
       std::ranges::replace(name, '/', '_');
       const Plan plan = run.reader->read(k);
-      files::write_whole(folder / name, filmstrip(run.robot, plan, path,
-                                                  view_of(run.robot, run.world_from_base, plan)));
+      files::write_atomically(
+          folder / name,
+          filmstrip(run.robot, plan, path, make_plan_view(run.robot, run.world_from_base, plan)));
       names.push_back(name);
     }
   }

@@ -5,20 +5,20 @@
 #include <memory>
 #include <set>
 
+#include "core/files/atomic_file.hpp"
 #include "core/files/base64.hpp"
-#include "core/files/part_file.hpp"
 #include "core/files/sha256.hpp"
 #include "core/motion/input_error.hpp"
 #include "core/motion/version.hpp"
-#include "core/parallel/ordered_map.hpp"
-#include "pipeline/explain/reason_words.hpp"
+#include "core/parallel/ordered_parallel_map.hpp"
+#include "pipeline/explain/reason_sentence.hpp"
 #include "pipeline/report/json_text.hpp"
 #include "pipeline/report/opened_run.hpp"
 #include "pipeline/report/page_files.hpp"
-#include "pipeline/report/physics_json.hpp"
 #include "pipeline/report/plan_block.hpp"
 #include "pipeline/report/robot_meshes.hpp"
 #include "pipeline/report/row_json.hpp"
+#include "pipeline/report/simulation_summary_json.hpp"
 
 namespace morphe::report {
 namespace {
@@ -26,10 +26,12 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// The page as a stream that tells what it could not take.
-class Page {
+/// The page as an output stream that records write errors.
+class PageWriter {
  public:
-  explicit Page(const fs::path& file) : file_(file), stream_(file, std::ios::binary) { check(); }
+  explicit PageWriter(const fs::path& file) : file_(file), stream_(file, std::ios::binary) {
+    check();
+  }
   void add(std::string_view text) { stream_ << text; }
   void block(const std::string& id, const std::string& text) {
     add(fmt::format("<script type=\"application/octet-stream\" id=\"{}\">{}</script>\n", id, text));
@@ -53,16 +55,16 @@ std::string block_id(std::size_t run, std::size_t plan) {
 }
 
 std::string hash_source(std::string_view text) {
-  return fmt::format("'sha256-{}'", files::base64(files::sha256_bytes(text)));
+  return fmt::format("'sha256-{}'", files::encode_base64(files::sha256_bytes(text)));
 }
 
-/// What stands where index.html has a comment of that name.
-struct Parts {
+/// The contents that replace the comments of the same names in index.html.
+struct PageParts {
   std::string style, modules;
 
-  Parts()
+  PageParts()
       : style(fmt::format("{}{}", page_file("dygraph.min.css"), page_file("style.css"))),
-        modules(bundled_modules()) {}
+        modules(bundle_page_modules()) {}
   std::string policy() const {
     return fmt::format(
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src {} "
@@ -79,9 +81,9 @@ struct Parts {
 Json run_json(const OpenedRun& run, const std::vector<FrameMesh>& meshes) {
   const PlanFileHeader& header = run.reader->header();
   Json json;
-  json["name"] = run.named.name;
-  json["file"] = run.named.plans.filename().string();
-  json["sha256"] = files::sha256_of_file(run.named.plans);
+  json["name"] = run.request.name;
+  json["file"] = run.request.plans.filename().string();
+  json["sha256"] = files::sha256_of_file(run.request.plans);
   json["robot_name"] = run.robot.name;
   json["software"] = header.software;
   json["built_with"] = header.built_with;
@@ -98,7 +100,7 @@ Json run_json(const OpenedRun& run, const std::vector<FrameMesh>& meshes) {
   return json;
 }
 
-void write_rows(const std::vector<OpenedRun>& runs, const ReportRequest& request, Page& page,
+void write_rows(const std::vector<OpenedRun>& runs, const ReportRequest& request, PageWriter& page,
                 std::vector<std::string>& notes) {
   page.add("<script type=\"application/json\" id=\"rows\">[");
   bool first = true;
@@ -109,8 +111,8 @@ void write_rows(const std::vector<OpenedRun>& runs, const ReportRequest& request
       row["block"] = block_id(r, k);
       const Plan plan = runs[r].reader->read(k);
       row.update(row_json(runs[r].robot, plan, runs[r].reader->plan_paths()[k]));
-      row["physics"] = physics_json(physics_folders(request.physics, runs[r].named.plans),
-                                    runs[r].robot, plan, notes);
+      row["physics"] = simulation_summary_json(
+          simulation_folders(request.physics, runs[r].request.plans), runs[r].robot, plan, notes);
       page.add(first ? "\n" : ",\n");
       page.add(json_text(row));
       first = false;
@@ -123,38 +125,39 @@ struct NamedBlock {
   std::string id, text;
 };
 
-/// The meshes of a scene, each called by what it holds: plans share them.
+/// Returns the meshes of a scene. Each is named by the hash of its content, so that plans share
+/// them.
 std::vector<NamedBlock> object_blocks(const Scene& scene) {
-  constexpr std::size_t kEnough = 16;
+  constexpr std::size_t kHashLength = 16;
   std::vector<NamedBlock> blocks;
   for (const SceneObject& object : scene.objects) {
     if (object.shape != Shape::mesh) {
       blocks.push_back({});
       continue;
     }
-    const std::string text = mesh_block(object.vertices, object.triangles).packed();
-    blocks.push_back({"object-" + files::sha256(text).substr(0, kEnough), text});
+    const std::string text = mesh_block(object.vertices, object.triangles).to_base64();
+    blocks.push_back({"object-" + files::sha256(text).substr(0, kHashLength), text});
   }
   return blocks;
 }
 
-/// A plan's block, and before it those that it names.
+/// Returns the block of a plan, preceded by the blocks to which it refers.
 std::vector<NamedBlock> blocks_of(const OpenedRun& run, const std::string& id, const Plan& plan) {
   std::vector<NamedBlock> blocks = object_blocks(plan.scene);
   std::vector<std::string> ids;
   for (const NamedBlock& block : blocks) ids.push_back(block.id);
-  const PlanView view = view_of(run.robot, run.world_from_base, plan);
-  blocks.push_back({id, plan_block(run.robot, plan, view, ids).packed()});
+  const PlanView view = make_plan_view(run.robot, run.world_from_base, plan);
+  blocks.push_back({id, plan_block(run.robot, plan, view, ids).to_base64()});
   return blocks;
 }
 
 void write_plans(const OpenedRun& run, std::size_t r, int jobs, std::set<std::string>& written,
-                 Page& page) {
+                 PageWriter& page) {
   struct Item {
     std::size_t index;
     Plan plan;
   };
-  parallel::OrderedMap<Item, std::vector<NamedBlock>> map;
+  parallel::OrderedParallelMap<Item, std::vector<NamedBlock>> map;
   map.next = [&, next = std::size_t{0}]() mutable -> std::unique_ptr<Item> {
     if (next == run.selected.plans.size()) return nullptr;
     const std::size_t index = run.selected.plans[next++];
@@ -172,8 +175,8 @@ void write_plans(const OpenedRun& run, std::size_t r, int jobs, std::set<std::st
   parallel::run(map, jobs);
 }
 
-/// The page's text up to and without a comment of its own, which is taken with it.
-std::string_view up_to(std::string_view& rest, std::string_view comment) {
+/// Removes and returns the text before a given comment, and removes the comment as well.
+std::string_view take_until(std::string_view& rest, std::string_view comment) {
   const std::size_t at = rest.find(comment);
   assert(at != std::string_view::npos);
   const std::string_view before = rest.substr(0, at);
@@ -186,10 +189,12 @@ std::string_view up_to(std::string_view& rest, std::string_view comment) {
 ReportSummary write_report(const ReportRequest& request, const fs::path& file) {
   const std::vector<OpenedRun> runs = open_runs(request);
   ReportSummary summary;
-  Json report = {{"software", software()}, {"angle_error", Steps::kAngle / 2}, {"hz", kShownHz}};
-  for (std::size_t k = 1; k < count_of<Reason>(); ++k) {
+  Json report = {{"software", software()},
+                 {"angle_error", Resolution::kAngle_rad / 2},
+                 {"hz", kDisplayRate_hz}};
+  for (std::size_t k = 1; k < enum_count<Reason>(); ++k) {
     const auto reason = static_cast<Reason>(k);
-    report["reasons"][std::string(name_of(reason))] = explain::sentence_of(reason);
+    report["reasons"][std::string(name_of(reason))] = explain::reason_sentence(reason);
   }
   report["runs"] = Json::array();
   std::vector<NamedBlock> robot_blocks;
@@ -199,7 +204,7 @@ ReportSummary write_report(const ReportRequest& request, const fs::path& file) {
       FoundMeshes found = find_meshes(runs[r].robot, request.meshes);
       for (FrameMesh& mesh : found.meshes) {
         mesh.block = fmt::format("robot-{}-{}", r, meshes.size());
-        robot_blocks.push_back({mesh.block, mesh_block(mesh.vertices, mesh.triangles).packed()});
+        robot_blocks.push_back({mesh.block, mesh_block(mesh.vertices, mesh.triangles).to_base64()});
         meshes.push_back(std::move(mesh));
       }
       for (const std::string& note : found.notes) summary.notes.push_back(note);
@@ -210,24 +215,24 @@ ReportSummary write_report(const ReportRequest& request, const fs::path& file) {
     if (!left_out.empty()) summary.notes.push_back(left_out);
   }
 
-  files::PartFile whole(file);
-  Page page(whole.part());
-  const Parts parts;
+  files::AtomicFile whole(file);
+  PageWriter page(whole.part());
+  const PageParts parts;
   std::string_view rest = page_file("index.html");
-  page.add(up_to(rest, "<!--policy-->"));
+  page.add(take_until(rest, "<!--policy-->"));
   page.add(parts.policy());
-  page.add(up_to(rest, "<!--style-->"));
+  page.add(take_until(rest, "<!--style-->"));
   page.add(fmt::format("<style>{}</style>\n", parts.style));
-  page.add(up_to(rest, "<!--licences-->"));
+  page.add(take_until(rest, "<!--licences-->"));
   page.add(page_file("licences.txt"));
-  page.add(up_to(rest, "<!--report-->"));
+  page.add(take_until(rest, "<!--report-->"));
   page.add(fmt::format("<script type=\"application/json\" id=\"report\">{}</script>\n",
                        json_text(report)));
-  page.add(up_to(rest, "<!--rows-->"));
+  page.add(take_until(rest, "<!--rows-->"));
   write_rows(runs, request, page, summary.notes);
-  page.add(up_to(rest, "<!--scripts-->"));
+  page.add(take_until(rest, "<!--scripts-->"));
   page.add(parts.scripts());
-  page.add(up_to(rest, "<!--blocks-->"));
+  page.add(take_until(rest, "<!--blocks-->"));
   for (const NamedBlock& block : robot_blocks) page.block(block.id, block.text);
   std::set<std::string> written;
   for (std::size_t r = 0; r < runs.size(); ++r)

@@ -8,13 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "core/motion/counted.hpp"
-#include "core/parallel/ordered_map.hpp"
+#include "core/motion/count_with_noun.hpp"
+#include "core/parallel/ordered_parallel_map.hpp"
 
 namespace morphe::run {
 namespace {
 
-/// Tip goals of the mapped frames, and how many of them the robot cannot reach.
+/// Counts the fingertip goals of the mapped frames, and those that the robot cannot reach.
 void count_goals(const Plan& plan, BatchSummary& summary) {
   const JointRows& errors = plan.mapped.position_error;
   for (Eigen::Index f = 0; f < errors.rows(); ++f) {
@@ -27,7 +27,7 @@ void count_goals(const Plan& plan, BatchSummary& summary) {
   }
 }
 
-double all_steps_s(const BatchSummary& summary) {
+double total_cpu_s(const BatchSummary& summary) {
   double sum = 0;
   for (const auto& [stage, seconds] : summary.stage_seconds) sum += seconds;
   return sum;
@@ -94,7 +94,7 @@ DemonstrationOutcome attempt(const std::function<DemonstrationOutcome(const Demo
 
 BatchSummary run_batch(const Batch& batch, int jobs) {
   BatchSummary summary;
-  parallel::OrderedMap<Demonstration, DemonstrationOutcome> map;
+  parallel::OrderedParallelMap<Demonstration, DemonstrationOutcome> map;
   map.next = batch.next;
   map.work = [&](const Demonstration& demonstration) {
     return std::make_unique<DemonstrationOutcome>(attempt(batch.plan, demonstration));
@@ -107,7 +107,7 @@ BatchSummary run_batch(const Batch& batch, int jobs) {
   return summary;
 }
 
-std::string summary_text_for_people(const BatchSummary& summary) {
+std::string summary_sentence(const BatchSummary& summary) {
   std::string reasons;
   for (const auto& [reason, count] : summary.reasons)
     reasons += fmt::format("{}{} {}", reasons.empty() ? " (" : ", ", reason, count);
@@ -115,8 +115,8 @@ std::string summary_text_for_people(const BatchSummary& summary) {
   const std::string approximate =
       summary.approximate > 0 ? fmt::format("{} approximate, ", summary.approximate) : "";
   std::string text = fmt::format("{}, {}: {} executable ({} repaired), {}{} infeasible{}",
-                                 counted(summary.demonstrations, "demonstration"),
-                                 counted(summary.movements, "movement"), summary.executable,
+                                 count_with_noun(summary.demonstrations, "demonstration"),
+                                 count_with_noun(summary.movements, "movement"), summary.executable,
                                  summary.repaired, approximate, summary.infeasible, reasons);
   if (summary.failed > 0) text += fmt::format(", {} failed", summary.failed);
   if (summary.reused > 0) text += fmt::format("; {} finished before", summary.reused);
@@ -124,7 +124,7 @@ std::string summary_text_for_people(const BatchSummary& summary) {
 }
 
 double frames_per_second(const BatchSummary& summary) {
-  const double seconds = all_steps_s(summary);
+  const double seconds = total_cpu_s(summary);
   return seconds > 0 ? static_cast<double>(summary.frames) / seconds : 0;
 }
 
@@ -143,8 +143,8 @@ std::string speed_text(const BatchSummary& summary) {
   std::ranges::stable_sort(steps, std::ranges::greater{}, &std::pair<std::string, double>::second);
   std::string text =
       fmt::format("{} planned, {:.0f} for each second of a core; {:.0f} ms a movement",
-                  counted(summary.frames, "frame"), frames_per_second(summary),
-                  1e3 * all_steps_s(summary) / static_cast<double>(summary.mapped));
+                  count_with_noun(summary.frames, "frame"), frames_per_second(summary),
+                  1e3 * total_cpu_s(summary) / static_cast<double>(summary.mapped));
   const char* before = ": ";
   for (const auto& [stage, ms] : steps) {
     if (ms < 0.5) continue;

@@ -10,7 +10,7 @@
 namespace morphe::run {
 namespace {
 
-/// A value on one line, as YAML would write it in a list.
+/// Formats a value on one line, in the flow style of YAML.
 std::string flow(const config::ConfigNode& node) {
   std::vector<std::string> parts;
   if (node.is_list()) {

@@ -11,8 +11,9 @@ Database::Database(const std::filesystem::path& file, DatabaseUse use) : file_(f
   try {
     if (sqlite3_open_v2(file.c_str(), &handle_, flags, nullptr) != SQLITE_OK) fail();
     sqlite3_extended_result_codes(handle_, 1);
-    // Held from the first access until it is closed, and no shared memory, which network folders
-    // do not have. A log that is committed survives the process, not always a power cut.
+    // The file is locked from the first access until it is closed, and shared memory is not used
+    // because network folders do not support it. A committed log survives the process, but not
+    // always a power failure.
     run("PRAGMA locking_mode=EXCLUSIVE; PRAGMA cache_size=-1024; PRAGMA synchronous=NORMAL;");
     if (use == DatabaseUse::write) {
       run("PRAGMA page_size=16384; PRAGMA journal_mode=WAL; BEGIN EXCLUSIVE; COMMIT;");
@@ -26,7 +27,7 @@ Database::Database(const std::filesystem::path& file, DatabaseUse use) : file_(f
 }
 
 Database::~Database() {
-  // What is not committed is taken back.
+  // Closing rolls back an open transaction.
   sqlite3_close_v2(handle_);
 }
 
@@ -36,7 +37,7 @@ void Database::run(const std::string& sql) {
 
 bool Database::in_transaction() const { return sqlite3_get_autocommit(handle_) == 0; }
 
-void Database::settle() { run("PRAGMA journal_mode=DELETE;"); }
+void Database::checkpoint() { run("PRAGMA journal_mode=DELETE;"); }
 
 void Database::fail() const {
   const int code = sqlite3_errcode(handle_) & 0xff;

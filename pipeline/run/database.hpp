@@ -13,28 +13,36 @@ struct sqlite3_stmt;
 
 namespace morphe::run {
 
-/// The file is no database, or one that cannot be read.
+/// An error thrown for a file that is not a database or cannot be read as one.
 struct DamagedDatabase : InputError {
   using InputError::InputError;
 };
 
+/// The access to a database.
 enum class DatabaseUse { read, write };
 
-/// One SQLite file, held by this process alone until it is closed, also when the process is killed.
-/// InputError "FILE: message": held by another process, no database, damaged, a full disk.
+/// A SQLite file that this process holds exclusively until it is closed; the lock is released as
+/// well if the process is killed. Throws InputError "FILE: message" if another process holds the
+/// file, if it is not a database, if it is damaged, or if the disk is full.
 class Database {
  public:
+  /// Opens the file for reading or writing.
   Database(const std::filesystem::path& file, DatabaseUse use);
   ~Database();
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
 
-  void run(const std::string& sql);  ///< one or several statements without results
+  /// Runs one or several statements without results.
+  void run(const std::string& sql);
+  /// Returns true if a transaction is open.
   bool in_transaction() const;
-  /// Writes what is committed into the file itself, without a log beside it.
-  void settle();
-  [[noreturn]] void fail() const;  ///< with SQLite's own words
+  /// Writes all committed data into the file itself, so that no log remains beside it.
+  void checkpoint();
+  /// Throws InputError with SQLite's own message.
+  [[noreturn]] void fail() const;
+  /// Throws InputError with the given message.
   [[noreturn]] void fail(const std::string& message) const;
+  /// Returns the SQLite connection.
   sqlite3* handle() const { return handle_; }
 
  private:
@@ -42,22 +50,29 @@ class Database {
   sqlite3* handle_ = nullptr;
 };
 
-/// A prepared statement. bind() counts from 1, columns from 0.
+/// A prepared statement. Parameters of bind() are counted from 1, columns from 0.
 class Statement {
  public:
+  /// Prepares the statement.
   Statement(const Database& database, const std::string& sql);
   ~Statement();
   Statement(const Statement&) = delete;
   Statement& operator=(const Statement&) = delete;
 
+  /// Binds a text or an integer to a parameter.
   Statement& bind(int place, std::string_view text);
   Statement& bind(int place, std::int64_t number);
-  /// Bytes that stay where they are until the statement has run.
+  /// Binds bytes that must remain valid until the statement has run.
   Statement& bind_bytes(int place, std::string_view bytes);
-  bool step();  ///< true: a row is there
-  void run();   ///< steps to the end and makes it ready to be bound again
+  /// Steps to the next row. Returns true if a row is available.
+  bool step();
+  /// Steps to the end and resets the statement, so that it can be bound again.
+  void run();
+  /// Resets the statement and clears its bindings.
   void reset();
-  std::string text(int column) const;  ///< bytes too
+  /// Returns a text or bytes.
+  std::string text(int column) const;
+  /// Returns an integer.
   std::int64_t number(int column) const;
 
  private:

@@ -11,32 +11,32 @@
 #include "core/store/hdf5_file.hpp"
 #include "core/store/plan_file.hpp"
 #include "pipeline/run/config_changes.hpp"
-#include "pipeline/run/diff_place.hpp"
+#include "pipeline/run/element_location.hpp"
 
 namespace morphe::run {
 namespace {
 
-bool same(double a, double b) {
+bool same_bits(double a, double b) {
   return (std::isnan(a) && std::isnan(b)) ||
          std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
 std::string text_of(const store::Hdf5Value& value) {
-  constexpr std::size_t kLongest = 60;
+  constexpr std::size_t kMaxTextLength = 60;
   const std::string text = value.is_text ? fmt::format("{}", fmt::join(value.texts, ","))
                                          : fmt::format("{}", fmt::join(value.numbers, ","));
-  return text.size() > kLongest || text.find('\n') != std::string::npos ? "another text"
-                                                                        : "'" + text + "'";
+  return text.size() > kMaxTextLength || text.find('\n') != std::string::npos ? "another text"
+                                                                              : "'" + text + "'";
 }
 
-/// Of the same shape: how far apart, and how many are not there in one of them. Returns the index
-/// of the two that are farthest apart.
+/// Compares the numbers of two datasets of equal shape: finds the largest difference and counts the
+/// values that are NaN in only one of them. Returns the index of the largest difference.
 std::size_t compare_numbers(const store::Hdf5Value& a, const store::Hdf5Value& b,
                             Difference& found) {
   std::size_t one_sided = 0, where = 0;
   for (std::size_t i = 0; i < a.numbers.size(); ++i) {
     const double x = a.numbers[i], y = b.numbers[i];
-    if (same(x, y)) continue;
+    if (same_bits(x, y)) continue;
     if (std::isnan(x) != std::isnan(y)) {
       ++one_sided;
     } else if (const double apart = std::abs(x - y); !found.max_abs || apart > *found.max_abs) {
@@ -57,7 +57,7 @@ class Comparison {
 
   void compare_files(const store::Hdf5Group& a, const store::Hdf5Group& b) {
     compare_attributes(a, b, ".", "");
-    in_either(a, b, [&](const std::string& name, bool in_a, bool in_b) {
+    visit_union(a, b, [&](const std::string& name, bool in_a, bool in_b) {
       if (name != "plans") return compare_member(a, b, name, in_a, in_b, name);
       compare_all_plans(a.open(name), b.open(name));
     });
@@ -65,10 +65,10 @@ class Comparison {
 
  private:
   void compare_all_plans(const store::Hdf5Group& a, const store::Hdf5Group& b) {
-    in_either(a, b, [&](const std::string& demonstration, bool in_a, bool in_b) {
+    visit_union(a, b, [&](const std::string& demonstration, bool in_a, bool in_b) {
       if (in_a && in_b) {
         const store::Hdf5Group of_a = a.open(demonstration), of_b = b.open(demonstration);
-        in_either(of_a, of_b, [&](const std::string& movement, bool here, bool there) {
+        visit_union(of_a, of_b, [&](const std::string& movement, bool here, bool there) {
           begin_plan(demonstration, movement);
           compare_member(of_a, of_b, movement, here, there, "");
         });
@@ -88,9 +88,11 @@ class Comparison {
     ++report.plans;
   }
 
-  /// Names of either group: those of the first in their order, then the second's own.
+  /// Visits the names of both groups: those of the first in their order, then those that only the
+  /// second has.
   template <class Visit>
-  static void in_either(const store::Hdf5Group& a, const store::Hdf5Group& b, const Visit& visit) {
+  static void visit_union(const store::Hdf5Group& a, const store::Hdf5Group& b,
+                          const Visit& visit) {
     a.each_child([&](const std::string& name) { visit(name, true, b.has(name)); });
     b.each_child([&](const std::string& name) {
       if (!a.has(name)) visit(name, false, true);
@@ -106,7 +108,8 @@ class Comparison {
       const store::Hdf5Value first = a.value(name);
       compare_values(first, b.value(name), path, [&](std::size_t index, Difference& found) {
         if (has_unit(a, name)) found.unit = a.value_of_attribute("unit", name.c_str()).texts.at(0);
-        if (!plan_.empty()) found.at = place_in(a, name, path, first.dims, index, names_);
+        if (!plan_.empty())
+          found.location = element_location(a, name, path, first.dims, index, names_);
       });
       compare_attributes(a, b, name.c_str(), path + "/");
       return;
@@ -114,7 +117,7 @@ class Comparison {
     const store::Hdf5Group of_a = a.open(name), of_b = b.open(name);
     const std::string below = path.empty() ? "" : path + "/";
     compare_attributes(of_a, of_b, ".", below);
-    in_either(of_a, of_b, [&](const std::string& member, bool here, bool there) {
+    visit_union(of_a, of_b, [&](const std::string& member, bool here, bool there) {
       compare_member(of_a, of_b, member, here, there, below + member);
     });
   }
@@ -144,7 +147,8 @@ class Comparison {
            group.value_of_attribute("unit", dataset.c_str()).is_text;
   }
 
-  /// `tell(index, found)` adds unit and place of the two numbers that are farthest apart.
+  /// Compares two values. `tell(index, found)` adds the unit and the location of the largest
+  /// difference.
   template <class Tell>
   void compare_values(const store::Hdf5Value& a, const store::Hdf5Value& b, const std::string& path,
                       const Tell& tell) {

@@ -14,16 +14,17 @@
 namespace morphe::run {
 namespace {
 
-/// A lock of the open file, not of the process: it is let go when this descriptor is closed.
-bool lock_whole(int descriptor) {
+/// Locks the open file description rather than the process: the lock is released when this
+/// descriptor is closed.
+bool lock_file(int descriptor) {
   struct flock whole {};
   whole.l_type = F_WRLCK;
   whole.l_whence = SEEK_SET;
   return ::fcntl(descriptor, F_OFD_SETLK, &whole) == 0;
 }
 
-/// Whether the path still names the open file: its last holder may have taken it away.
-bool names(const std::filesystem::path& file, int descriptor) {
+/// Returns true if the path still names the open file, which its last holder may have removed.
+bool is_same_file(const std::filesystem::path& file, int descriptor) {
   struct stat named {
   }, open{};
   return ::fstat(descriptor, &open) == 0 && ::lstat(file.c_str(), &named) == 0 &&
@@ -33,16 +34,16 @@ bool names(const std::filesystem::path& file, int descriptor) {
 }  // namespace
 
 FolderLock::FolderLock(const std::filesystem::path& folder) : file_(folder / ".lock") {
-  constexpr int kMostTries = 1000;
-  for (int i = 0; i < kMostTries; ++i) {
+  constexpr int kMaxLockAttempts = 1000;
+  for (int i = 0; i < kMaxLockAttempts; ++i) {
     std::error_code ignored;
     std::filesystem::create_directories(folder, ignored);
     descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (descriptor_ < 0 && errno == ENOENT) continue;
     if (descriptor_ < 0) break;
-    const bool locked = lock_whole(descriptor_);
+    const bool locked = lock_file(descriptor_);
     const int error = errno;
-    if (locked && names(file_, descriptor_)) {
+    if (locked && is_same_file(file_, descriptor_)) {
       unfinished_.emplace(file_);
       return;
     }
@@ -57,7 +58,9 @@ FolderLock::FolderLock(const std::filesystem::path& folder) : file_(folder / ".l
 }
 
 FolderLock::~FolderLock() {
-  ::unlink(file_.c_str());  // while it is held: nobody else's can be there
+  ::unlink(
+      file_
+          .c_str());  // removed while the lock is held, so it cannot be the file of another process
   ::close(descriptor_);
 }
 

@@ -3,17 +3,19 @@
 #include <filesystem>
 #include <optional>
 
-#include "core/files/unfinished.hpp"
+#include "core/files/unfinished_path.hpp"
 
 namespace morphe::run {
 
-/// Holds a folder for this process alone until it is destroyed or the process ends: of two that
-/// begin at once, one gets it. DIR/.lock is locked, and taken away in the end. The folder is made
-/// again if another process took it away meanwhile. InputError: another run is at work in it, or it
-/// cannot be locked.
+/// A lock by which this process holds a folder until the lock is destroyed or the process ends: if
+/// two processes start at the same time, only one obtains it. DIR/.lock is locked, and removed at
+/// the end. The folder is created again if another process has removed it meanwhile. Throws
+/// InputError if another run holds the folder or if it cannot be locked.
 class FolderLock {
  public:
+  /// Locks the folder.
   explicit FolderLock(const std::filesystem::path& folder);
+  /// Removes the lock file and releases the lock.
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
@@ -21,7 +23,7 @@ class FolderLock {
  private:
   std::filesystem::path file_;
   int descriptor_ = -1;
-  std::optional<files::Unfinished> unfinished_;
+  std::optional<files::UnfinishedPath> unfinished_;
 };
 
 }  // namespace morphe::run

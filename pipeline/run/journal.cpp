@@ -12,8 +12,8 @@
 #include "core/motion/input_error.hpp"
 #include "core/store/bytes.hpp"
 #include "pipeline/run/journal_tables.hpp"
-#include "pipeline/run/plans_print.hpp"
-#include "pipeline/run/summary_text.hpp"
+#include "pipeline/run/plans_fingerprint.hpp"
+#include "pipeline/run/serialize_summary.hpp"
 
 namespace morphe::run {
 namespace {
@@ -21,11 +21,11 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-// A batch ends with whichever of these comes first. When it ends changes no result, only how much
-// is lost if the process is killed.
-constexpr int kMostInBatch = 64;
-constexpr std::size_t kMostBatchBytes = std::size_t{32} << 20;
-constexpr std::chrono::seconds kLongestBatch{1};
+// A batch ends when the first of these limits is reached. The limits do not change any result; they
+// only determine how much is lost if the process is killed.
+constexpr int kMaxBatchRecords = 64;
+constexpr std::size_t kMaxBatchBytes = std::size_t{32} << 20;
+constexpr std::chrono::seconds kMaxBatchDuration{1};
 
 std::int64_t whole_number(const std::string& text) {
   std::int64_t number = -1;
@@ -35,10 +35,11 @@ std::int64_t whole_number(const std::string& text) {
   return number;
 }
 
-/// plans_print() of a header as the journal keeps it; "" if it is damaged.
-std::string print_of(const std::string& header) {
+/// Returns the plans_fingerprint() of a header as the journal stores it, "" if the header is
+/// damaged.
+std::string header_fingerprint(const std::string& header) {
   try {
-    return plans_print(store::header_from_bytes(header));
+    return plans_fingerprint(store::header_from_bytes(header));
   } catch (const InputError&) {
     return "";
   }
@@ -46,7 +47,7 @@ std::string print_of(const std::string& header) {
 
 }  // namespace
 
-// Statements close before the database does.
+// Statements are destroyed before the database is closed.
 struct Journal::State {
   State(const fs::path& file, DatabaseUse use) : database(file, use) {}
 
@@ -68,27 +69,27 @@ struct Journal::State {
     if (database.in_transaction()) database.run("COMMIT");
   }
   void close_batch_if_full() {
-    if (batch >= kMostInBatch || batch_bytes >= kMostBatchBytes ||
-        Clock::now() - batch_begin >= kLongestBatch)
+    if (batch >= kMaxBatchRecords || batch_bytes >= kMaxBatchBytes ||
+        Clock::now() - batch_begin >= kMaxBatchDuration)
       close_batch();
   }
-  [[noreturn]] void damaged(const std::string& what) const {
+  [[noreturn]] void fail_damaged(const std::string& what) const {
     database.fail(fmt::format("is damaged: {}; --fresh begins anew", what));
   }
   BatchSummary summary(const std::string& name, const std::string& text) const {
     try {
-      return summary_from_text(text);
+      return deserialize_summary(text);
     } catch (const InputError&) {
-      damaged(fmt::format("{}: its summary cannot be read", name));
+      fail_damaged(fmt::format("{}: its summary cannot be read", name));
     }
   }
-  /// What is said under a key of `about`, taken by `take`, which throws if it cannot.
+  /// Passes the value of a key of `about` to `take`, which throws if it cannot read it.
   template <class Take>
   void read(const char* key, const Take& take) const {
     try {
       take(about(database, key));
     } catch (const std::exception&) {
-      damaged(fmt::format("its {} cannot be read", key));
+      fail_damaged(fmt::format("its {} cannot be read", key));
     }
   }
   std::int64_t count(const std::string& sql) const {
@@ -109,7 +110,7 @@ std::unique_ptr<Journal> Journal::write(const fs::path& folder, const std::strin
     state = std::make_unique<State>(file, DatabaseUse::write);
     if (!is_empty(state->database) && !fresh) check_journal(state->database);
   } catch (const DamagedDatabase& error) {
-    // Nobody can hold what is no database.
+    // A file that is not a database cannot be locked by another run.
     if (!fresh) throw InputError(fmt::format("{}; --fresh begins anew", error.what()));
     std::error_code ignored;
     fs::remove(file, ignored);
@@ -120,8 +121,8 @@ std::unique_ptr<Journal> Journal::write(const fs::path& folder, const std::strin
   if (fresh || is_empty(database)) {
     database.run("BEGIN");
     make_journal_tables(database);
-    set_about(database, "software", software);
-    set_about(database, "shard", shard_text(shard));
+    set_metadata(database, "software", software);
+    set_metadata(database, "shard", shard_text(shard));
     database.run("COMMIT");
   }
   if (const std::string by = about(database, "software"); by != software)
@@ -147,17 +148,17 @@ void Journal::begin(
     const std::function<void(const std::function<void(const DatasetEntry&)>&)>& each_wanted) {
   const std::lock_guard lock(state_->mutex);
   Database& database = state_->database;
-  const std::string in_place = plans_in_place();
+  const std::string in_place = current_plans_fingerprint();
   state_->open_batch();
-  set_about(database, "complete", "0");
-  set_about(database, "plans", in_place);
-  set_about(database, "program", identity.program);
-  set_about(database, "scene", identity.scene);
-  set_about(database, "config", files::sha256(config));
-  set_about(database, "demonstrations", std::to_string(identity.demonstrations));
-  set_about(database, "header", store::bytes_of(identity.header));
-  set_about(database, "robot", store::bytes_of(identity.robot));
-  set_about(database, "dataset_key", identity.dataset_key);
+  set_metadata(database, "complete", "0");
+  set_metadata(database, "plans", in_place);
+  set_metadata(database, "program", identity.program);
+  set_metadata(database, "scene", identity.scene);
+  set_metadata(database, "config", files::sha256(config));
+  set_metadata(database, "demonstrations", std::to_string(identity.demonstrations));
+  set_metadata(database, "header", store::bytes_of(identity.header));
+  set_metadata(database, "robot", store::bytes_of(identity.robot));
+  set_metadata(database, "dataset_key", identity.dataset_label);
   Statement keep(database, "INSERT OR IGNORE INTO configs VALUES(?, ?)");
   keep.bind(1, files::sha256(config)).bind(2, config).run();
   database.run("DELETE FROM wanted");
@@ -167,20 +168,21 @@ void Journal::begin(
     insert.bind(1, place.position).bind(2, place.name).run();
     ++wanted;
   });
-  set_about(database, "wanted", std::to_string(wanted));
+  set_metadata(database, "wanted", std::to_string(wanted));
   state_->close_batch();
   state_->position = -1;
 }
 
-std::optional<Finished> Journal::find(const std::string& name) const {
+std::optional<FinishedDemonstration> Journal::find(const std::string& name) const {
   const std::lock_guard lock(state_->mutex);
   Statement select(state_->database,
                    "SELECT input, config, robot, scene, program, dataset, error, summary FROM done "
                    "WHERE name = ?");
   if (!select.bind(1, name).step()) return std::nullopt;
-  Finished found;
+  FinishedDemonstration found;
   found.name = name;
-  found.print = {select.text(0), select.text(1), select.text(2), select.text(3), select.text(4)};
+  found.fingerprint = {select.text(0), select.text(1), select.text(2), select.text(3),
+                       select.text(4)};
   found.dataset = select.text(5);
   found.error = select.text(6);
   found.summary = state_->summary(name, select.text(7));
@@ -193,7 +195,7 @@ std::string Journal::config(const std::string& hash) const {
   return select.bind(1, hash).step() ? select.text(0) : "";
 }
 
-void Journal::add(const Finished& finished) {
+void Journal::add(const FinishedDemonstration& finished) {
   const std::lock_guard lock(state_->mutex);
   const Database& database = state_->database;
   state_->open_batch();
@@ -201,21 +203,21 @@ void Journal::add(const Finished& finished) {
   forget.bind(1, finished.name).run();
   Statement insert(database, "INSERT INTO plans VALUES(?, ?, ?, ?, ?)");
   std::int64_t number = 0;
-  for (const Finished::StoredPlan& plan : finished.plans) {
+  for (const FinishedDemonstration::StoredPlan& plan : finished.plans) {
     insert.bind(1, finished.name).bind(2, number++).bind(3, files::sha256(plan.bytes));
-    insert.bind(4, plan.rows).bind_bytes(5, plan.bytes).run();
+    insert.bind(4, plan.table_rows).bind_bytes(5, plan.bytes).run();
     state_->batch_bytes += plan.bytes.size();
   }
   Statement done(database, "INSERT OR REPLACE INTO done VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)");
-  const Fingerprint& print = finished.print;
+  const Fingerprint& print = finished.fingerprint;
   done.bind(1, finished.name).bind(2, print.input).bind(3, print.config).bind(4, print.robot);
   done.bind(5, print.scene).bind(6, print.program).bind(7, finished.dataset);
-  done.bind(8, finished.error).bind(9, summary_text(finished.summary)).run();
+  done.bind(8, finished.error).bind(9, serialize_summary(finished.summary)).run();
   ++state_->batch;
   state_->close_batch_if_full();
 }
 
-void Journal::seen_in(const std::string& name, const std::string& dataset) {
+void Journal::set_dataset_hash(const std::string& name, const std::string& dataset) {
   const std::lock_guard lock(state_->mutex);
   state_->open_batch();
   Statement update(state_->database, "UPDATE done SET dataset = ? WHERE name = ?");
@@ -237,15 +239,15 @@ void Journal::each_result(const std::function<void(const std::string&)>& visit) 
   while (select.step()) visit(select.text(0));
 }
 
-void Journal::complete() {
+void Journal::mark_complete() {
   const std::lock_guard lock(state_->mutex);
   state_->open_batch();
   state_->database.run(
       "DELETE FROM configs WHERE sha256 NOT IN (SELECT config FROM done)"
       "  AND sha256 <> (SELECT CAST(value AS TEXT) FROM about WHERE key = 'config');");
-  set_about(state_->database, "complete", "1");
+  set_metadata(state_->database, "complete", "1");
   state_->close_batch();
-  state_->database.settle();
+  state_->database.checkpoint();
 }
 
 bool Journal::is_complete() const {
@@ -258,12 +260,12 @@ RunIdentity Journal::identity() const {
   const Database& database = state_->database;
   RunIdentity identity;
   identity.software = about(database, "software");
-  identity.dataset_key = about(database, "dataset_key");
+  identity.dataset_label = about(database, "dataset_key");
   identity.program = about(database, "program");
   identity.scene = about(database, "scene");
   state_->read("shard", [&](const std::string& text) { identity.shard = parse_shard(text); });
   const std::string header = about(database, "header");
-  if (header.empty()) return identity;  // killed before it began
+  if (header.empty()) return identity;  // the run was killed before it began
   state_->read("demonstrations",
                [&](const std::string& text) { identity.demonstrations = whole_number(text); });
   state_->read("header", [&](const std::string& bytes) {
@@ -274,31 +276,33 @@ RunIdentity Journal::identity() const {
   return identity;
 }
 
-/// Of a run that is at work or was killed before it wrote its own: those of the run before.
-std::string Journal::plans_in_place() const {
+/// Returns the fingerprint of the last written plans: those of the run before if the current run is
+/// still active or was killed before it wrote its own.
+std::string Journal::current_plans_fingerprint() const {
   const std::string kept = about(state_->database, "plans");
   const std::string header = about(state_->database, "header");
   if (header.empty() || about(state_->database, "complete") != "1") return kept;
-  return print_of(header);
+  return header_fingerprint(header);
 }
 
-bool Journal::wrote(const std::string& print) const {
+bool Journal::owns_plans(const std::string& print) const {
   const std::lock_guard lock(state_->mutex);
   const std::string header = about(state_->database, "header");
   if (print.empty() || header.empty()) return false;
-  return print == print_of(header) || print == about(state_->database, "plans");
+  return print == header_fingerprint(header) || print == about(state_->database, "plans");
 }
 
-std::int64_t Journal::wanted() const {
+std::int64_t Journal::scheduled_count() const {
   const std::lock_guard lock(state_->mutex);
   const std::int64_t found = state_->count("SELECT count(*) FROM wanted");
-  const std::string written = about(state_->database, "wanted");  // none of earlier versions
+  const std::string written =
+      about(state_->database, "wanted");  // absent in journals of earlier versions
   if (!written.empty() && written != std::to_string(found))
-    state_->damaged(fmt::format("{} of {} demonstrations are there", found, written));
+    state_->fail_damaged(fmt::format("{} of {} demonstrations are there", found, written));
   return found;
 }
 
-std::int64_t Journal::unfinished() const {
+std::int64_t Journal::unfinished_count() const {
   const std::lock_guard lock(state_->mutex);
   return state_->count(
       "SELECT count(*) FROM wanted WHERE name NOT IN (SELECT name FROM done WHERE"
@@ -312,7 +316,7 @@ bool Journal::has_results() const {
 }
 
 std::optional<DatasetEntry> Journal::next() {
-  // A query of its own each time: an open one would keep SQLite from emptying its log.
+  // A new query is made each time because an open one would prevent SQLite from truncating its log.
   const std::lock_guard lock(state_->mutex);
   Statement select(
       state_->database,
@@ -322,8 +326,9 @@ std::optional<DatasetEntry> Journal::next() {
   return DatasetEntry{state_->position, select.text(1)};
 }
 
-void Journal::each_plan(const std::string& name,
-                        const std::function<void(const Finished::StoredPlan&)>& visit) const {
+void Journal::each_plan(
+    const std::string& name,
+    const std::function<void(const FinishedDemonstration::StoredPlan&)>& visit) const {
   const std::lock_guard lock(state_->mutex);
   Statement done(state_->database, "SELECT summary FROM done WHERE name = ?");
   const std::int64_t written =
@@ -334,16 +339,16 @@ void Journal::each_plan(const std::string& name,
   select.bind(1, name);
   std::int64_t found = 0;
   for (; select.step(); ++found) {
-    const Finished::StoredPlan plan{select.text(0), select.text(1)};
+    const FinishedDemonstration::StoredPlan plan{select.text(0), select.text(1)};
     if (select.number(3) != found || files::sha256(plan.bytes) != select.text(2))
-      state_->damaged(fmt::format("{}: a plan is damaged", name));
+      state_->fail_damaged(fmt::format("{}: a plan is damaged", name));
     visit(plan);
   }
   if (found != written)
-    state_->damaged(fmt::format("{}: {} of {} plans are there", name, found, written));
+    state_->fail_damaged(fmt::format("{}: {} of {} plans are there", name, found, written));
 }
 
-void Journal::damaged(const std::string& what) const { state_->damaged(what); }
+void Journal::fail_damaged(const std::string& what) const { state_->fail_damaged(what); }
 
 BatchSummary Journal::summary() const {
   const std::lock_guard lock(state_->mutex);

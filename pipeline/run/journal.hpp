@@ -9,99 +9,138 @@
 #include <vector>
 
 #include "core/motion/plan.hpp"
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 #include "pipeline/run/batch.hpp"
 #include "pipeline/run/shard.hpp"
 
 namespace morphe::run {
 
-/// What a demonstration's plans depend on, as SHA-256.
+/// The SHA-256 hashes of all inputs on which the plans of a demonstration depend.
 struct Fingerprint {
-  std::string input;  ///< what the dataset holds of it
+  /// The demonstration as the dataset contains it.
+  std::string input;
+  /// The effective config, the robot and the scene.
   std::string config, robot, scene;
-  std::string program;  ///< the executable itself: another build may give other bytes
+  /// The executable itself, because another build may produce other bytes.
+  std::string program;
 };
 
-/// A finished demonstration, as it is kept.
-struct Finished {
+/// A finished demonstration, as the journal stores it.
+struct FinishedDemonstration {
+  /// A plan, as the journal stores it.
   struct StoredPlan {
-    std::string rows;   ///< of the table for people
-    std::string bytes;  ///< bytes_of(plan)
+    std::string table_rows;  ///< its rows in the printed table
+    std::string bytes;       ///< bytes_of(plan)
   };
+  /// The name of the demonstration.
   std::string name;
-  Fingerprint print;
-  std::string dataset;  ///< SHA-256 of the file in which `input` was last seen
-  std::string error;    ///< "" unless it failed
+  /// The inputs on which its plans depend.
+  Fingerprint fingerprint;
+  /// SHA-256 of the file in which `input` was last found.
+  std::string dataset;
+  /// The error, "" unless the demonstration failed.
+  std::string error;
+  /// The counts and times of this demonstration.
   BatchSummary summary;
+  /// The plans, in the order of the movements.
   std::vector<StoredPlan> plans;
 };
 
-/// What a journal says of its run as a whole.
+/// The properties of a run as a whole that its journal records.
 struct RunIdentity {
-  std::string software;  ///< "morphe 0.1.0"
+  /// The name and version of the program: "morphe 0.1.0".
+  std::string software;
+  /// The hashes of the executable and of the scene.
   std::string program, scene;
+  /// The part of the dataset that the run plans.
   Shard shard;
-  std::int64_t demonstrations = 0;  ///< of the whole dataset
+  /// Number of demonstrations of the whole dataset.
+  std::int64_t demonstrations = 0;
+  /// The header of the run's plans.h5.
   PlanFileHeader header;
-  RobotTable robot;
-  std::string dataset_key;  ///< how the dataset was named
+  /// The robot for which the run plans.
+  RobotModel robot;
+  /// The dataset as it was named by the user.
+  std::string dataset_label;
 };
 
-/// A place in the dataset.
+/// A demonstration and its position in the dataset.
 struct DatasetEntry {
+  /// The index in the dataset, from 0.
   std::int64_t position = 0;
+  /// The name of the demonstration.
   std::string name;
 };
 
-/// DIR/journal.sqlite: every finished demonstration of a run. What was committed survives the
-/// process, whenever it is killed; the rest is lost. One process at a time holds a journal, until
-/// it ends. Safe to call from several threads. InputError: another run holds it, another version or
-/// shard wrote it, it is damaged, the disk is full.
+/// The file DIR/journal.sqlite, which stores every finished demonstration of a run. Committed
+/// results survive the process even if it is killed at any time; other results are lost. A journal
+/// is held by one process at a time, until that process ends. It is safe to call from several
+/// threads. Throws InputError if another run holds it, if another version or shard wrote it, if it
+/// is damaged, or if the disk is full.
 class Journal {
  public:
+  /// The name of the file in the run's folder.
   static constexpr const char* kFile = "journal.sqlite";
 
-  /// For a run, made where it is missing. `fresh` empties it, whoever wrote it.
+  /// Opens the journal for a run and creates it if it is missing. `fresh` empties it, whatever
+  /// wrote it.
   static std::unique_ptr<Journal> write(const std::filesystem::path& folder,
                                         const std::string& software, const Shard& shard,
                                         bool fresh);
-  /// For merging.
+  /// Opens the journal for merging.
   static std::unique_ptr<Journal> read(const std::filesystem::path& folder);
   ~Journal();
 
-  /// A run begins: what it is, and which demonstrations belong to it. `config` is the effective
-  /// config without paths, kept so that a later run can say what changed.
+  /// Begins a run with the given identity and the demonstrations that belong to it. `config` is the
+  /// effective config without paths; it is stored so that a later run can report the changes.
   void begin(
       const RunIdentity& identity, const std::string& config,
       const std::function<void(const std::function<void(const DatasetEntry&)>&)>& each_wanted);
-  std::optional<Finished> find(const std::string& name) const;  ///< without its plans
-  std::string config(const std::string& sha256) const;          ///< "" if it is not known
-  void add(const Finished& finished);  ///< replaces what is there; committed in batches
-  void seen_in(const std::string& name, const std::string& dataset);
+  /// Returns a finished demonstration without its plans.
+  std::optional<FinishedDemonstration> find(const std::string& name) const;
+  /// Returns the stored config, "" if the hash is unknown.
+  std::string config(const std::string& sha256) const;
+  /// Adds a demonstration or replaces its entry. Entries are committed in batches.
+  void add(const FinishedDemonstration& finished);
+  /// Records the file in which the demonstration was last found.
+  void set_dataset_hash(const std::string& name, const std::string& dataset);
+  /// Commits all results that were added.
   void commit();
-  /// Demonstrations that the last run wanted and finished without fault, in its order.
+  /// Visits the demonstrations that the last run scheduled and finished without an error, in its
+  /// order.
   void each_result(const std::function<void(const std::string&)>& visit) const;
-  /// The run's results are written.
-  void complete();
+  /// Records that the results of the run are written.
+  void mark_complete();
 
+  /// Returns true if the results of the last run are written.
   bool is_complete() const;
-  /// Whether plans of that plans_print() are those that this journal's runs left in its folder.
-  bool wrote(const std::string& print) const;
+  /// Returns true if plans with the given plans_fingerprint() are those that the runs of this
+  /// journal left in its folder.
+  bool owns_plans(const std::string& print) const;
+  /// Returns the identity of the last run.
   RunIdentity identity() const;
-  std::int64_t wanted() const;
-  std::int64_t unfinished() const;
-  bool has_results() const;            ///< of a demonstration that did not fail
-  std::optional<DatasetEntry> next();  ///< of the wanted ones, in order, from begin() or read() on
-  /// In order; InputError if they are not those that were written, or not all of them.
+  /// Returns the number of demonstrations that the run scheduled.
+  std::int64_t scheduled_count() const;
+  /// Returns the number of scheduled demonstrations without a result of the run's config and
+  /// program.
+  std::int64_t unfinished_count() const;
+  /// Returns true if there is a demonstration that did not fail.
+  bool has_results() const;
+  /// Returns the next scheduled demonstration, in order, from begin() or read() on.
+  std::optional<DatasetEntry> next();
+  /// Visits the plans of a demonstration in order. Throws InputError if a plan is damaged or if
+  /// plans are missing.
   void each_plan(const std::string& name,
-                 const std::function<void(const Finished::StoredPlan&)>& visit) const;
-  /// "FILE: is damaged: what; --fresh begins anew".
-  [[noreturn]] void damaged(const std::string& what) const;
-  BatchSummary summary() const;  ///< over the wanted ones
+                 const std::function<void(const FinishedDemonstration::StoredPlan&)>& visit) const;
+  /// Throws InputError "FILE: is damaged: DETAIL; --fresh begins anew".
+  [[noreturn]] void fail_damaged(const std::string& what) const;
+  /// Returns the sum over the scheduled demonstrations.
+  BatchSummary summary() const;
+  /// Visits the table rows of all scheduled demonstrations, in order.
   void each_row(const std::function<void(const std::string&)>& visit) const;
 
  private:
-  std::string plans_in_place() const;
+  std::string current_plans_fingerprint() const;
 
   struct State;
   explicit Journal(std::unique_ptr<State> state);

@@ -23,7 +23,7 @@ DROP TABLE IF EXISTS done; DROP TABLE IF EXISTS plans;
 void make_journal_tables(Database& database) {
   database.run(kDrop);
   database.run(kTables);
-  set_about(database, "format", kFormat);
+  set_metadata(database, "format", kFormat);
 }
 
 std::string about(const Database& database, const std::string& key) {
@@ -31,7 +31,7 @@ std::string about(const Database& database, const std::string& key) {
   return select.bind(1, key).step() ? select.text(0) : "";
 }
 
-void set_about(const Database& database, const std::string& key, const std::string& value) {
+void set_metadata(const Database& database, const std::string& key, const std::string& value) {
   Statement insert(database, "INSERT OR REPLACE INTO about VALUES(?, ?)");
   insert.bind(1, key).bind_bytes(2, value).run();
 }

@@ -6,15 +6,18 @@
 
 namespace morphe::run {
 
-/// The tables of a journal: `about` (key, value), `configs` by hash, `wanted` (the run's places in
-/// the dataset), `done` (a row a finished demonstration) and `plans` (a row each). Makes them anew.
+/// Drops the tables of a journal and creates them anew: `about` (key, value), `configs` by hash,
+/// `wanted` (the positions of the run in the dataset), `done` (a row for each finished
+/// demonstration) and `plans` (a row for each plan).
 void make_journal_tables(Database& database);
+/// Returns true if the database has no tables.
 bool is_empty(const Database& database);
-/// InputError unless these are the tables that this version makes.
+/// Throws InputError unless the tables are those that this version creates.
 void check_journal(const Database& database);
 
-/// A row of `about`, "" if it is not there.
+/// Returns the value of a row of `about`, "" if there is no such row.
 std::string about(const Database& database, const std::string& key);
-void set_about(const Database& database, const std::string& key, const std::string& value);
+/// Writes a row of `about`.
+void set_metadata(const Database& database, const std::string& key, const std::string& value);
 
 }  // namespace morphe::run

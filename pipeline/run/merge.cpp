@@ -10,12 +10,12 @@
 #include <queue>
 #include <utility>
 
-#include "core/motion/counted.hpp"
+#include "core/motion/count_with_noun.hpp"
 #include "core/motion/input_error.hpp"
 #include "core/store/bytes.hpp"
 #include "pipeline/run/config_changes.hpp"
 #include "pipeline/run/journal.hpp"
-#include "pipeline/run/plans_print.hpp"
+#include "pipeline/run/plans_fingerprint.hpp"
 #include "pipeline/run/write_plans.hpp"
 
 namespace morphe::run {
@@ -29,15 +29,16 @@ struct OpenShard {
   Shard shard;
 };
 
-/// Every shard is one open file; the usual limit of a shell is 1024.
-void allow_many_files() {
+/// Raises the limit of open files: every shard is one open file, and the usual limit of a shell is
+/// 1024.
+void raise_open_file_limit() {
   rlimit limit{};
   if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
   limit.rlim_cur = limit.rlim_max;
   setrlimit(RLIMIT_NOFILE, &limit);
 }
 
-/// How a shard differs from the first, "" if it belongs to the same run.
+/// Describes the difference of a shard from the first, "" if both belong to the same run.
 std::string difference(const RunIdentity& first, const RunIdentity& other) {
   if (other.shard.count != first.shard.count)
     return fmt::format("is shard {} of another division, not one of {}", shard_text(other.shard),
@@ -56,10 +57,10 @@ std::string difference(const RunIdentity& first, const RunIdentity& other) {
   return "";
 }
 
-class Complaints {
+class MergeErrors {
  public:
   void add(const std::string& complaint) { list_.push_back(complaint); }
-  void raise() const {
+  void throw_if_any() const {
     if (!list_.empty()) throw InputError(fmt::format("merge: {}", fmt::join(list_, "; ")));
   }
 
@@ -67,9 +68,10 @@ class Complaints {
   std::vector<std::string> list_;
 };
 
-/// Those that are there belong to `first` and are finished; none is missing or there twice.
+/// Checks that all shards belong to the run `first` and are finished, and that each is present
+/// exactly once.
 void check(const std::vector<OpenShard>& shards, const RunIdentity& first) {
-  Complaints complaints;
+  MergeErrors complaints;
   std::map<int, fs::path> found;
   for (const OpenShard& shard : shards) {
     const std::string name = shard.folder.string();
@@ -79,13 +81,13 @@ void check(const std::vector<OpenShard>& shards, const RunIdentity& first) {
     } else if (const std::string wrong = difference(first, identity); !wrong.empty()) {
       complaints.add(fmt::format("{}: {}", name, wrong));
       continue;
-    } else if (const std::int64_t left = shard.journal->unfinished();
+    } else if (const std::int64_t left = shard.journal->unfinished_count();
                left > 0 || !shard.journal->is_complete()) {
       complaints.add(fmt::format("{}: shard {} is not finished: {} of {} are left", name,
                                  shard_text(shard.shard), left,
-                                 counted(shard.journal->wanted(), "demonstration")));
+                                 count_with_noun(shard.journal->scheduled_count(), "demonstration")));
     }
-    shard.journal->wanted();  // or it says that some are missing
+    shard.journal->scheduled_count();  // throws if entries are missing
     const auto [place, is_new] = found.emplace(shard.shard.index, shard.folder);
     if (!is_new)
       complaints.add(fmt::format("{}: shard {} is there twice, in {} too", name,
@@ -97,7 +99,7 @@ void check(const std::vector<OpenShard>& shards, const RunIdentity& first) {
   if (!missing.empty())
     complaints.add(
         fmt::format("missing of {} shards: {}", first.shard.count, fmt::join(missing, ", ")));
-  complaints.raise();
+  complaints.throw_if_any();
 }
 
 std::vector<OpenShard> open_all(const std::vector<fs::path>& folders) {
@@ -110,9 +112,9 @@ std::vector<OpenShard> open_all(const std::vector<fs::path>& folders) {
   return shards;
 }
 
-/// The demonstrations of all shards in the order of the dataset, each exactly once.
-void in_order(std::vector<OpenShard>& shards, std::int64_t count,
-              const std::function<void(Journal&, const std::string&)>& visit) {
+/// Visits the demonstrations of all shards in the order of the dataset, each exactly once.
+void visit_in_dataset_order(std::vector<OpenShard>& shards, std::int64_t count,
+                            const std::function<void(Journal&, const std::string&)>& visit) {
   using Head = std::pair<std::int64_t, std::size_t>;  // position, shard
   std::vector<std::string> names(shards.size());
   std::priority_queue<Head, std::vector<Head>, std::greater<>> heads;
@@ -137,22 +139,23 @@ void in_order(std::vector<OpenShard>& shards, std::int64_t count,
 }  // namespace
 
 BatchSummary merge_shards(const std::vector<fs::path>& folders, const fs::path& plans) {
-  allow_many_files();
+  raise_open_file_limit();
   std::vector<OpenShard> shards = open_all(folders);
   if (shards.empty()) throw InputError("merge: no shards");
-  // One that never began says nothing of the run.
+  // A shard that never began does not identify the run.
   RunIdentity first;
   for (std::size_t i = 0; i < shards.size() && first.header.software.empty(); ++i)
     first = shards[i].journal->identity();
   check(shards, first);
-  if (fs::exists(plans) && plans_print(plans) != plans_print(first.header))
+  if (fs::exists(plans) && plans_fingerprint(plans) != plans_fingerprint(first.header))
     throw InputError(
         fmt::format("{}: is of another run, and would be replaced: move it away, or "
                     "give another --out",
                     plans.string()));
   store::PlanWriter writer(plans, first.header, first.robot);
-  in_order(shards, first.demonstrations,
-           [&](Journal& journal, const std::string& name) { write_plans(journal, name, writer); });
+  visit_in_dataset_order(
+      shards, first.demonstrations,
+      [&](Journal& journal, const std::string& name) { write_plans(journal, name, writer); });
   writer.finish();
   BatchSummary summary;
   for (const OpenShard& shard : shards) add(shard.journal->summary(), summary);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/motion/counted.hpp"
+#include "core/motion/count_with_noun.hpp"
 
 namespace morphe::run {
 namespace {
@@ -16,9 +16,9 @@ double seconds_since(std::chrono::steady_clock::time_point then) {
 
 }  // namespace
 
-std::string progress_text(const BatchSummary& sum, std::int64_t total, const WorkSoFar& work) {
+std::string progress_text(const BatchSummary& sum, std::int64_t total, const RunWorkload& work) {
   std::string text = fmt::format("{} of {}", sum.demonstrations, total);
-  const double each_s = seconds_each(work);
+  const double each_s = seconds_per_demonstration(work);
   if (std::isfinite(each_s) && each_s > 0) {
     const double rate = work.jobs / each_s;
     text += rate >= 1 ? fmt::format(", {:.1f} a second", rate)
@@ -31,8 +31,8 @@ std::string progress_text(const BatchSummary& sum, std::int64_t total, const Wor
   return sum.failed > 0 ? text + fmt::format(", {} failed", sum.failed) : text;
 }
 
-Progress::Progress(Detail detail) : detail_(detail) {
-  if (detail_ == Detail::nothing || !status_.on_terminal()) return;
+Progress::Progress(Verbosity detail) : detail_(detail) {
+  if (detail_ == Verbosity::quiet || !status_.on_terminal()) return;
   ticking_ = std::thread([this] {
     std::unique_lock lock(mutex_);
     while (!ended_.wait_for(lock, std::chrono::seconds(1), [this] { return end_; })) show(true);
@@ -55,76 +55,76 @@ void Progress::begin(std::int64_t total, int jobs) {
   show(true);
 }
 
-void Progress::takes_in_hand(const std::string& demonstration) {
+void Progress::start_demonstration(const std::string& demonstration) {
   const std::lock_guard lock(mutex_);
-  in_hand_[demonstration] = Clock::now();
+  running_[demonstration] = Clock::now();
 }
 
-void Progress::has_finished(const std::string& demonstration) {
+void Progress::finish_demonstration(const std::string& demonstration) {
   const std::lock_guard lock(mutex_);
-  const auto one = in_hand_.find(demonstration);
-  work_.finished_s += seconds_since(one->second);
+  const auto one = running_.find(demonstration);
+  work_.finished_total_s += seconds_since(one->second);
   ++work_.finished;
-  in_hand_.erase(one);
+  running_.erase(one);
 }
 
-void Progress::reused(const BatchSummary& summary) {
+void Progress::add_reused(const BatchSummary& summary) {
   const std::lock_guard lock(mutex_);
   add(summary, sum_);
   ++sum_.reused;
   show(false);
 }
 
-void Progress::done(const std::string& demonstration, const BatchSummary& summary,
-                    const std::string& error) {
+void Progress::add_result(const std::string& demonstration, const BatchSummary& summary,
+                          const std::string& error) {
   const std::lock_guard lock(mutex_);
   add(summary, sum_);
-  const bool each = !status_.on_terminal() || detail_ == Detail::everything;
-  if (detail_ != Detail::nothing && (each || !error.empty())) {
+  const bool each = !status_.on_terminal() || detail_ == Verbosity::verbose;
+  if (detail_ != Verbosity::quiet && (each || !error.empty())) {
     status_.print(fmt::format("[{}/{}] {}: {}", sum_.demonstrations, total_, demonstration,
-                              error.empty() ? counted(summary.movements, "movement") : error));
+                              error.empty() ? count_with_noun(summary.movements, "movement") : error));
   }
   show(sum_.demonstrations == total_);
 }
 
 void Progress::line(const std::string& text) { status_.print(text); }
 
-void Progress::stopping() {
+void Progress::announce_stop() {
   status_.print("finishing what is in hand; again to stop now (what is finished is kept)");
   const std::lock_guard lock(mutex_);
   stopping_ = true;
 }
 
-BatchSummary Progress::so_far() const {
+BatchSummary Progress::current_summary() const {
   const std::lock_guard lock(mutex_);
   return sum_;
 }
 
 void Progress::show(bool now) {
-  constexpr std::chrono::milliseconds kLeastPause{100};
-  if (detail_ == Detail::nothing || !status_.on_terminal()) return;
-  if (!now && Clock::now() - last_shown_ < kLeastPause) return;
+  constexpr std::chrono::milliseconds kMinUpdateInterval{100};
+  if (detail_ == Verbosity::quiet || !status_.on_terminal()) return;
+  if (!now && Clock::now() - last_shown_ < kMinUpdateInterval) return;
   last_shown_ = Clock::now();
   status_.show(text());
 }
 
 std::string Progress::text() const {
-  constexpr double kLong_s = 3;
-  WorkSoFar work = work_;
+  constexpr double kLongRunning_s = 3;
+  RunWorkload work = work_;
   std::string longest;
   double longest_s = 0;
-  for (const auto& [name, begun] : in_hand_) {
+  for (const auto& [name, begun] : running_) {
     work.ages_s.push_back(seconds_since(begun));
     if (work.ages_s.back() <= longest_s) continue;
     longest_s = work.ages_s.back();
     longest = name;
   }
-  const auto in_hand = static_cast<std::int64_t>(in_hand_.size());
+  const auto in_hand = static_cast<std::int64_t>(running_.size());
   work.waiting =
       stopping_ ? 0 : std::max<std::int64_t>(0, total_ - sum_.reused - work.finished - in_hand);
   std::string text = stopping_ ? "finishing what is in hand: " : "";
   text += progress_text(sum_, total_, work);
-  if (longest_s < kLong_s) return text;
+  if (longest_s < kLongRunning_s) return text;
   return text + fmt::format("; {} for {}", longest, duration_text(longest_s));
 }
 

@@ -14,50 +14,57 @@
 
 namespace morphe::run {
 
-/// How much is said of a run while it lasts.
-enum class Detail { nothing, usual, everything };
+/// The amount of progress information that is printed during a run.
+enum class Verbosity { quiet, normal, verbose };
 
-/// How far a run is, on standard error: a line that changes on a terminal (counts, rate, time left,
-/// and what has been in hand for long), otherwise a line for each demonstration, which `everything`
-/// prints on a terminal as well. Safe to call from several threads.
+/// The progress of a run on standard error. On a terminal it is a line that changes (counts, rate,
+/// remaining time, and demonstrations that have been running for long); otherwise it is a line for
+/// each demonstration, which `verbose` prints on a terminal as well. It is safe to call from
+/// several threads.
 class Progress {
  public:
-  explicit Progress(Detail detail);
+  explicit Progress(Verbosity detail);
   ~Progress();
+  /// Begins a run over `total` demonstrations on `jobs` threads.
   void begin(std::int64_t total, int jobs);
-  void takes_in_hand(const std::string& demonstration);
-  void has_finished(const std::string& demonstration);
-  /// A demonstration that an earlier run had finished.
-  void reused(const BatchSummary& summary);
-  /// What became of one, in the order of the dataset.
-  void done(const std::string& demonstration, const BatchSummary& summary,
-            const std::string& error);
-  void line(const std::string& text);  ///< beside the progress, also if it says nothing
-  /// No more is begun: a line of its own says so at once.
-  void stopping();
-  BatchSummary so_far() const;
+  /// Records that a demonstration has started.
+  void start_demonstration(const std::string& demonstration);
+  /// Records that a demonstration has ended.
+  void finish_demonstration(const std::string& demonstration);
+  /// Adds a demonstration that an earlier run had finished.
+  void add_reused(const BatchSummary& summary);
+  /// Adds the result of a demonstration, in the order of the dataset.
+  void add_result(const std::string& demonstration, const BatchSummary& summary,
+                  const std::string& error);
+  /// Prints a line beside the progress, also in quiet mode.
+  void line(const std::string& text);
+  /// Prints a line at once which says that no further demonstration is started.
+  void announce_stop();
+  /// Returns the sum over the results added so far.
+  BatchSummary current_summary() const;
 
  private:
   using Clock = std::chrono::steady_clock;
   void show(bool now);
   std::string text() const;
 
-  const Detail detail_;
+  const Verbosity detail_;
   StatusLine status_;
   mutable std::mutex mutex_;
   bool stopping_ = false;
   std::int64_t total_ = 0;
   BatchSummary sum_;
-  WorkSoFar work_;
-  std::map<std::string, Clock::time_point> in_hand_;
+  RunWorkload work_;
+  std::map<std::string, Clock::time_point> running_;
   Clock::time_point last_shown_;
   std::condition_variable ended_;
   bool end_ = false;
   std::thread ticking_;
 };
 
-/// What the line says: "37 of 100, 12.3 a minute, 5 min left: 30 executable (2 repaired), 4
-/// infeasible, 1 failed"; before one is finished there is neither rate nor time left.
-std::string progress_text(const BatchSummary& sum, std::int64_t total, const WorkSoFar& work);
+/// Returns the text of the progress line: "37 of 100, 12.3 a minute, 5 min left: 30 executable (2
+/// repaired), 4 infeasible, 1 failed". Rate and remaining time are left out before the first
+/// demonstration is finished.
+std::string progress_text(const BatchSummary& sum, std::int64_t total, const RunWorkload& work);
 
 }  // namespace morphe::run

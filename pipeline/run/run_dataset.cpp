@@ -8,7 +8,7 @@
 
 #include "core/files/sha256.hpp"
 #include "core/motion/input_error.hpp"
-#include "core/parallel/ordered_map.hpp"
+#include "core/parallel/ordered_parallel_map.hpp"
 #include "core/store/bytes.hpp"
 #include "core/store/consistency.hpp"
 #include "core/store/demonstration_file.hpp"
@@ -19,19 +19,20 @@
 namespace morphe::run {
 namespace {
 
-/// A demonstration to be planned, or why it could not be read; or one that was finished before.
+/// A demonstration to be planned, the error for which it could not be read, or its earlier result.
 struct Task {
   Demonstration demonstration;
-  std::string input;  ///< SHA-256
+  std::string input;  ///< SHA-256 of the demonstration
   std::string error;
-  std::string why;  ///< it is planned
-  std::optional<Finished> before;
+  std::string plan_reason;  ///< the reason for which it is planned
+  std::optional<FinishedDemonstration> previous_result;
 };
 
-/// Nothing, if the run was stopped before this one began.
-struct Done {
-  Finished finished;  ///< in the journal; here without its plans
-  std::string why;    ///< it was planned, "" if it was finished before
+/// The result of a task, empty if the run was stopped before the task began.
+struct TaskResult {
+  /// The demonstration as stored in the journal, here without its plans.
+  FinishedDemonstration finished;
+  std::string plan_reason;  ///< the reason for which it was planned, "" if it was finished before
 };
 
 class Run {
@@ -48,31 +49,31 @@ class Run {
       throw InputError(
           fmt::format("{}: is not the dataset of these plans: its SHA-256 is {}, not {}",
                       request_.dataset.string(), dataset, request_.expected_dataset));
-    print_.config = files::sha256(request_.config);
-    print_.robot = files::sha256(store::bytes_of(identity.robot));
-    print_.scene = identity.scene;
-    print_.program = identity.program;
+    fingerprint_.config = files::sha256(request_.config);
+    fingerprint_.robot = files::sha256(store::bytes_of(identity.robot));
+    fingerprint_.scene = identity.scene;
+    fingerprint_.program = identity.program;
   }
 
   RunResult run() {
     begin();
     writer_.emplace(request_.plans, request_.identity.header, request_.identity.robot,
                     *request_.disk);
-    parallel::OrderedMap<Task, Done> map;
+    parallel::OrderedParallelMap<Task, TaskResult> map;
     map.next = [&] { return next(); };
     map.work = [&](const Task& task) { return work(task); };
-    map.write = [&](const Done& done) { write(done); };
+    map.write = [&](const TaskResult& done) { write(done); };
     try {
       morphe::parallel::run(map, request_.jobs);
     } catch (...) {
-      writer_.reset();  // first, as it makes room
-      keep_what_is_done();
+      writer_.reset();  // reset first, because this frees disk space
+      commit_finished();
       throw;
     }
     journal_.commit();
-    const int stopped_by = stop_.seen();
+    const int stopped_by = stop_.received_signal();
     if (stopped_by == 0) finish();
-    return {stopped_by, progress_.so_far()};
+    return {stopped_by, progress_.current_summary()};
   }
 
  private:
@@ -84,9 +85,9 @@ class Run {
       ++count;
       if (shard.count > 1) frames.push_back(frames_of(name));
     });
-    const std::vector<std::uint32_t> shard_of = share_out(frames, shard.count);
-    look_at_results_before();
-    request_.identity.dataset_key = request_.dataset_key;
+    const std::vector<std::uint32_t> shard_of = assign_shards(frames, shard.count);
+    check_previous_results();
+    request_.identity.dataset_label = request_.dataset_key;
     journal_.begin(request_.identity, request_.config, [&](const auto& want) {
       std::int64_t position = 0;
       reader_.each_name([&](const std::string& name) {
@@ -96,17 +97,18 @@ class Run {
         ++position;
       });
     });
-    progress_.begin(journal_.wanted(), request_.jobs);
+    progress_.begin(journal_.scheduled_count(), request_.jobs);
   }
 
-  /// Whether those of another dataset would be replaced, and which demonstrations went.
-  void look_at_results_before() {
+  /// Throws if plans of another dataset would be replaced, and reports demonstrations that the
+  /// dataset no longer contains.
+  void check_previous_results() {
     std::vector<std::string> before, gone;
     journal_.each_result([&](const std::string& name) { before.push_back(name); });
     if (before.empty()) return;
     std::set<std::string> here;
     reader_.each_name([&](const std::string& name) { here.insert(name); });
-    bool same = journal_.identity().dataset_key == request_.dataset_key;
+    bool same = journal_.identity().dataset_label == request_.dataset_key;
     for (const std::string& name : before) {
       if (!here.contains(name)) {
         gone.push_back(name);
@@ -119,72 +121,77 @@ class Run {
       throw InputError(fmt::format(
           "{}: holds plans of another dataset ({}), which would be replaced: give another --out, "
           "or --fresh to replace them",
-          folder, some_of(before)));
+          folder, sample_names(before)));
     if (gone.empty()) return;
     progress_.line(fmt::format(
         "{}: {} demonstration{} no longer in the dataset ({}): the plans leave plans.h5 and are "
         "kept for when they come back",
-        folder, gone.size(), gone.size() == 1 ? " is" : "s are", some_of(gone)));
+        folder, gone.size(), gone.size() == 1 ? " is" : "s are", sample_names(gone)));
   }
 
   bool is_unchanged(const std::string& name) {
-    const std::optional<Finished> found = journal_.find(name);
+    const std::optional<FinishedDemonstration> found = journal_.find(name);
     if (found->dataset == dataset()) return true;
     try {
-      return files::sha256(store::bytes_of(reader_.read(name))) == found->print.input;
+      return files::sha256(store::bytes_of(reader_.read(name))) == found->fingerprint.input;
     } catch (const InputError&) {
       return false;
     }
   }
 
-  static std::string some_of(const std::vector<std::string>& names) {
-    constexpr std::size_t kMost = 3;
+  static std::string sample_names(const std::vector<std::string>& names) {
+    constexpr std::size_t kMaxListedNames = 3;
     const std::vector<std::string> first(
-        names.begin(), names.begin() + static_cast<std::ptrdiff_t>(std::min(kMost, names.size())));
-    return fmt::format(
-        "{}{}", fmt::join(first, ", "),
-        names.size() > kMost ? fmt::format(" and {} more", names.size() - kMost) : "");
+        names.begin(),
+        names.begin() + static_cast<std::ptrdiff_t>(std::min(kMaxListedNames, names.size())));
+    return fmt::format("{}{}", fmt::join(first, ", "),
+                       names.size() > kMaxListedNames
+                           ? fmt::format(" and {} more", names.size() - kMaxListedNames)
+                           : "");
   }
 
-  /// One that is damaged has none, in every shard alike.
+  /// Returns the number of frames, 0 for a damaged demonstration, so that all shards agree.
   std::size_t frames_of(const std::string& name) const {
     try {
-      return reader_.frames(name);
+      return reader_.longest_stream_samples(name);
     } catch (const InputError&) {
       return 0;
     }
   }
 
   std::unique_ptr<Task> next() {
-    const std::optional<DatasetEntry> place = stop_.seen() == 0 ? journal_.next() : std::nullopt;
+    const std::optional<DatasetEntry> place =
+        stop_.received_signal() == 0 ? journal_.next() : std::nullopt;
     if (!place) return nullptr;
-    const std::optional<Finished> found = journal_.find(place->name);
-    std::vector<std::string> why = reasons_of_run(found);
+    const std::optional<FinishedDemonstration> found = journal_.find(place->name);
+    std::vector<std::string> why = replan_reasons(found);
     std::unique_ptr<Task> task;
     if (!found || !why.empty() || found->dataset != dataset()) task = read(place->name);
-    if (found && task && found->print.input != task->input) why.push_back("its recording changed");
+    if (found && task && found->fingerprint.input != task->input)
+      why.push_back("its recording changed");
     if (found && why.empty()) {
-      if (task) journal_.seen_in(place->name, dataset());
+      if (task) journal_.set_dataset_hash(place->name, dataset());
       ++readable_;
       task = std::make_unique<Task>();
-      task->before = found;
+      task->previous_result = found;
       return task;
     }
     if (!found) why.push_back("not done before");
-    task->why = fmt::format("{}", fmt::join(why, "; "));
+    task->plan_reason = fmt::format("{}", fmt::join(why, "; "));
     return task;
   }
 
-  /// Why a finished demonstration is done again, but for its recording.
-  std::vector<std::string> reasons_of_run(const std::optional<Finished>& found) {
+  /// Returns the reasons for which a finished demonstration is planned again, except for changes of
+  /// its recording.
+  std::vector<std::string> replan_reasons(const std::optional<FinishedDemonstration>& found) {
     std::vector<std::string> why;
     if (!found) return why;
     if (!found->error.empty()) why.push_back("it failed: " + found->error);
-    if (found->print.config != print_.config)
-      why.push_back("the config changed: " + changes_since(found->print.config));
-    if (found->print.robot != print_.robot) why.push_back("the robot changed");
-    if (found->print.scene != print_.scene) why.push_back("the scene changed");
-    if (found->print.program != print_.program) why.push_back("morphe was built anew");
+    if (found->fingerprint.config != fingerprint_.config)
+      why.push_back("the config changed: " + changes_since(found->fingerprint.config));
+    if (found->fingerprint.robot != fingerprint_.robot) why.push_back("the robot changed");
+    if (found->fingerprint.scene != fingerprint_.scene) why.push_back("the scene changed");
+    if (found->fingerprint.program != fingerprint_.program) why.push_back("morphe was built anew");
     return why;
   }
 
@@ -213,30 +220,31 @@ class Run {
     return task;
   }
 
-  std::unique_ptr<Done> work(const Task& task) {
-    auto done = std::make_unique<Done>();
-    if (stop_.seen() != 0) return done;
-    done->why = task.why;
-    if (task.before) {
-      done->finished = *task.before;
+  std::unique_ptr<TaskResult> work(const Task& task) {
+    auto done = std::make_unique<TaskResult>();
+    if (stop_.received_signal() != 0) return done;
+    done->plan_reason = task.plan_reason;
+    if (task.previous_result) {
+      done->finished = *task.previous_result;
       return done;
     }
-    progress_.takes_in_hand(task.demonstration.name);
+    progress_.start_demonstration(task.demonstration.name);
     done->finished = plan(task);
-    progress_.has_finished(task.demonstration.name);
-    keep(done->finished);
+    progress_.finish_demonstration(task.demonstration.name);
+    store_result(done->finished);
     return done;
   }
 
-  /// At once, not when its turn comes to be written: one before it may take long, and be stopped.
-  void keep(Finished& finished) {
+  /// Stores a result at once rather than in the order of writing, because an earlier demonstration
+  /// may take long and be interrupted.
+  void store_result(FinishedDemonstration& finished) {
     journal_.add(finished);
     finished.plans.clear();
-    if (stop_.seen() != 0) journal_.commit();
+    if (stop_.received_signal() != 0) journal_.commit();
   }
 
-  /// What could be written, or why not.
-  Finished plan(const Task& task) {
+  /// Plans a demonstration; returns its plans as they are stored, or the error.
+  FinishedDemonstration plan(const Task& task) {
     DemonstrationOutcome outcome;
     outcome.error = task.error;
     if (task.error.empty()) outcome = attempt(request_.plan, task.demonstration);
@@ -247,10 +255,10 @@ class Run {
       outcome.error = fault;
       break;
     }
-    Finished finished;
+    FinishedDemonstration finished;
     finished.name = task.demonstration.name;
-    finished.print = print_;
-    finished.print.input = task.input;
+    finished.fingerprint = fingerprint_;
+    finished.fingerprint.input = task.input;
     finished.dataset = dataset();
     finished.error = outcome.error;
     finished.summary = summary_of(outcome);
@@ -259,14 +267,14 @@ class Run {
     return finished;
   }
 
-  void write(const Done& done) {
-    const Finished& finished = done.finished;
+  void write(const TaskResult& done) {
+    const FinishedDemonstration& finished = done.finished;
     if (finished.name.empty()) return;
-    if (done.why.empty()) {
-      progress_.reused(finished.summary);
+    if (done.plan_reason.empty()) {
+      progress_.add_reused(finished.summary);
     } else {
-      if (request_.explain) progress_.line(fmt::format("{}: {}", finished.name, done.why));
-      progress_.done(finished.name, finished.summary, finished.error);
+      if (request_.explain) progress_.line(fmt::format("{}: {}", finished.name, done.plan_reason));
+      progress_.add_result(finished.name, finished.summary, finished.error);
     }
     write_plans(journal_, finished.name, *writer_);
   }
@@ -275,20 +283,21 @@ class Run {
     if (readable_ == 0 && !first_unreadable_.empty()) throw InputError(first_unreadable_);
     writer_->finish();
     request_.publish();
-    journal_.complete();
+    journal_.mark_complete();
   }
 
-  void keep_what_is_done() {
+  void commit_finished() {
     try {
       journal_.commit();
-    } catch (const InputError&) {  // the disk is full: the batch is lost, what came before is not
+    } catch (
+        const InputError&) {  // the disk is full: the batch is lost, but earlier results are not
     }
   }
 
-  /// A signal came: it is said at once, and what is finished is safe from the next one.
+  /// Handles a signal: reports it at once and commits finished results before the next signal.
   void stop() {
-    progress_.stopping();
-    keep_what_is_done();
+    progress_.announce_stop();
+    commit_finished();
   }
 
   const std::string& dataset() const { return request_.identity.header.dataset_sha256; }
@@ -298,10 +307,11 @@ class Run {
   Progress& progress_;
   store::DemonstrationReader reader_;
   std::optional<store::PlanWriter> writer_;
-  Fingerprint print_;  ///< of this run; the input is each demonstration's own
+  Fingerprint fingerprint_;  ///< of this run; `input` is set for each demonstration
   std::int64_t readable_ = 0;
   std::string first_unreadable_, explained_, changes_;
-  StopSignal stop_{[this] { stop(); }};  // the last: it calls what stands above
+  StopSignal stop_{
+      [this] { stop(); }};  // last member, because it calls functions that use the members above
 };
 
 }  // namespace

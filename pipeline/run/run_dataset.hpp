@@ -11,35 +11,51 @@
 
 namespace morphe::run {
 
-/// What to run, and what becomes of it.
+/// The inputs, outputs and callbacks of a run over a dataset.
 struct RunRequest {
-  std::filesystem::path dataset;  ///< demonstrations.h5
-  std::filesystem::path plans;    ///< plans.h5, replaced when the new one is complete
-  RunIdentity identity;  ///< run_dataset() fills in the dataset's hash and its demonstrations
-  std::string config;    ///< effective config, but for the paths of files
-  std::string expected_dataset;  ///< SHA-256 that the dataset must have, "" = any
-  std::string dataset_key;       ///< how the dataset was named; for the journal alone
+  /// Path of demonstrations.h5.
+  std::filesystem::path dataset;
+  /// Path of plans.h5, which is replaced when the new file is complete.
+  std::filesystem::path plans;
+  /// Identity; run_dataset() fills in the hash and the size of the dataset.
+  RunIdentity identity;
+  /// Effective config without the paths of files.
+  std::string config;
+  /// Required SHA-256 of the dataset, "" for any.
+  std::string expected_dataset;
+  /// The dataset as it was named by the user; for the journal only.
+  std::string dataset_key;
+  /// The number of threads.
   int jobs = 1;
-  files::Disk* disk = &files::real_disk();  ///< for plans.h5
+  /// The disk to which plans.h5 is written.
+  files::Disk* disk = &files::real_disk();
+  /// True if the reason for planning a demonstration is printed.
   bool explain = false;
+  /// Plans one demonstration.
   std::function<DemonstrationOutcome(const Demonstration&)> plan;
-  std::function<std::string(const Plan&)> rows;  ///< of the table for people
-  std::function<void()> publish;                 ///< called when plans.h5 is in its place
+  /// Returns the rows of a plan in the printed table.
+  std::function<std::string(const Plan&)> rows;
+  /// Called after plans.h5 has been moved to its final path.
+  std::function<void()> publish;
 };
 
+/// The result of run_dataset().
 struct RunResult {
-  int signal = 0;  ///< that stopped it before the end; 0: it is complete
+  /// Number of the signal that stopped the run, 0 if it is complete.
+  int signal = 0;
+  /// The sum over the demonstrations of this run.
   BatchSummary summary;
 };
 
-/// Plans what the journal does not hold yet of the dataset (of its shard), and writes plans.h5 from
-/// the journal meanwhile, in the order of the dataset; it takes its name when all is done. A
-/// signal (StopSignal): what is in hand is finished and committed. A demonstration that cannot be
-/// read or planned is a failed one, and tried again the next time. What was finished of
-/// demonstrations that the dataset no longer has is told, leaves plans.h5 and stays in the journal.
-/// InputError: none at all can be read; the dataset changes under the run; results cannot be
-/// written; or the journal is another dataset's: one that was named otherwise, and no demonstration
-/// is the same. What was finished is in the journal.
+/// Plans the demonstrations of the dataset (of its shard) that the journal does not yet contain,
+/// and writes plans.h5 from the journal meanwhile, in the order of the dataset. The file takes its
+/// final name when the run is complete. After a signal (StopSignal) the demonstrations that are
+/// running are finished and committed. A demonstration that cannot be read or planned is recorded
+/// as failed and tried again by the next run. Results of demonstrations that the dataset no longer
+/// contains are reported and left out of plans.h5, but stay in the journal. Throws InputError if no
+/// demonstration can be read, if the dataset changes during the run, if results cannot be written,
+/// or if the journal belongs to another dataset, that is, one that was named differently and shares
+/// no unchanged demonstration. Finished results are in the journal in all these cases.
 RunResult run_dataset(Journal& journal, RunRequest request, Progress& progress);
 
 }  // namespace morphe::run

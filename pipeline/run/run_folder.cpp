@@ -5,7 +5,7 @@
 #include <system_error>
 
 #include "core/motion/input_error.hpp"
-#include "pipeline/run/plans_print.hpp"
+#include "pipeline/run/plans_fingerprint.hpp"
 
 namespace morphe::run {
 
@@ -22,7 +22,7 @@ RunFolder::RunFolder(const fs::path& path, const std::string& software, const Sh
 void RunFolder::expect_own_plans() const {
   const fs::path plans = folder_.path() / "plans.h5";
   if (fresh_ || !fs::exists(plans)) return;
-  if (journal_was_there_ && journal_->wrote(plans_print(plans))) return;
+  if (journal_was_there_ && journal_->owns_plans(plans_fingerprint(plans))) return;
   throw InputError(fmt::format(
       "{}: is not of the journal in this folder, and would be replaced: move it away, give another "
       "--out, or --fresh to replace it",
@@ -30,9 +30,9 @@ void RunFolder::expect_own_plans() const {
 }
 
 RunFolder::~RunFolder() {
-  const bool keep = kept_ || something_is_finished();
+  const bool keep = kept_ || has_finished_results();
   std::error_code ignored;
-  // While it is held: nobody else has opened it.
+  // The files are removed while the lock is held, so no other process has opened them.
   if (!keep && !journal_was_there_) {
     fs::remove(folder_.path() / Journal::kFile, ignored);
     fs::remove(folder_.path() / (std::string(Journal::kFile) + "-wal"), ignored);
@@ -41,11 +41,11 @@ RunFolder::~RunFolder() {
   if (keep) folder_.keep();
 }
 
-bool RunFolder::something_is_finished() const {
+bool RunFolder::has_finished_results() const {
   try {
     return journal_->has_results();
   } catch (const InputError&) {
-    return true;  // it cannot be told
+    return true;  // unknown, so the folder is kept
   }
 }
 

@@ -15,7 +15,7 @@
 namespace morphe::run {
 namespace {
 
-constexpr int kMostShards = 1000000;
+constexpr int kMaxShardCount = 1000000;
 
 bool parse_number(std::string_view text, int& number) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -51,7 +51,7 @@ Shard parse_shard(const std::string& text) {
   const std::size_t slash = view.find('/');
   if (slash == std::string_view::npos || !parse_number(view.substr(0, slash), shard.index) ||
       !parse_number(view.substr(slash + 1), shard.count) || shard.count < 1 ||
-      shard.count > kMostShards || shard.index < 1 || shard.index > shard.count)
+      shard.count > kMaxShardCount || shard.index < 1 || shard.index > shard.count)
     throw InputError(fmt::format("--shard {}: must be I/N with 1 <= I <= N, or slurm", text));
   return shard;
 }
@@ -60,19 +60,19 @@ std::string shard_text(const Shard& shard) {
   return fmt::format("{}/{}", shard.index, shard.count);
 }
 
-std::vector<std::uint32_t> share_out(const std::vector<std::size_t>& frames, int count) {
+std::vector<std::uint32_t> assign_shards(const std::vector<std::size_t>& frames, int count) {
   std::vector<std::uint32_t> order(frames.size()), shard_of(frames.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return frames[a] > frames[b]; });
-  using Load = std::pair<std::size_t, std::uint32_t>;  // frames so far, shard
+  using Load = std::pair<std::size_t, std::uint32_t>;  // frames so far, index of the shard
   std::priority_queue<Load, std::vector<Load>, std::greater<>> loads;
   for (int i = 1; i <= count; ++i) loads.emplace(0, static_cast<std::uint32_t>(i));
   for (const std::uint32_t demonstration : order) {
     const auto [load, shard] = loads.top();
     loads.pop();
     shard_of[demonstration] = shard;
-    // A demonstration without any frame costs something, too.
+    // A demonstration without any frame has a cost as well.
     loads.emplace(load + std::max<std::size_t>(1, frames[demonstration]), shard);
   }
   return shard_of;

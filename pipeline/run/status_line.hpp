@@ -5,10 +5,10 @@
 
 namespace morphe::run {
 
-/// The last line of a terminal, on standard error, that says how far something is: it is rewritten
-/// in place and taken away before anything else is printed, so that neither results nor errors hang
-/// on to it. Never wider than the terminal. Where standard error is a file or a pipe there is none.
-/// Safe to use from several threads.
+/// The last line of a terminal, on standard error, which shows progress. It is rewritten in place
+/// and removed before other text is printed, so that neither results nor errors are appended to it.
+/// It is never wider than the terminal. If standard error is a file or a pipe, no status line is
+/// shown. It is safe to use from several threads.
 class StatusLine {
  public:
   StatusLine();
@@ -16,10 +16,13 @@ class StatusLine {
   StatusLine(const StatusLine&) = delete;
   StatusLine& operator=(const StatusLine&) = delete;
 
+  /// Returns true if standard error is a terminal.
   bool on_terminal() const { return terminal_; }
+  /// Replaces the text of the status line.
   void show(const std::string& text);
+  /// Removes the status line.
   void clear();
-  /// A line of its own, which stays; on a file or pipe, too.
+  /// Prints a permanent line, also to a file or pipe.
   void print(const std::string& text);
 
  private:

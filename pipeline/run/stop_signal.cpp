@@ -9,12 +9,13 @@
 #include <mutex>
 #include <utility>
 
-#include "core/files/unfinished.hpp"
+#include "core/files/unfinished_path.hpp"
 
 namespace morphe::run {
 namespace {
 
-/// Never destroyed: a signal may come while the process ends.
+/// The registered StopSignal. The listener is never destroyed because a signal may arrive while the
+/// process ends.
 struct StopListener {
   std::mutex mutex;
   StopSignal* stop = nullptr;
@@ -25,9 +26,9 @@ StopListener& listener() {
   return *one;
 }
 
-/// A shell must see what the process died of.
-[[noreturn]] void die_of(int signal) {
-  files::remove_unfinished();
+/// Ends the process by the signal itself, so that a shell sees the cause of its death.
+[[noreturn]] void terminate_by_signal(int signal) {
+  files::remove_unfinished_paths();
   std::signal(signal, SIG_DFL);
   sigset_t only;
   sigemptyset(&only);
@@ -39,21 +40,22 @@ StopListener& listener() {
 
 }  // namespace
 
-void take_stop_signal(int signal) {
+void handle_stop_signal(int signal) {
   const std::lock_guard lock(listener().mutex);
   StopSignal* const stop = listener().stop;
   if (stop && stop->seen_ == 0) {
     stop->seen_ = signal;
-    stop->telling_ = std::thread([stop] {  // the next signal is not to wait for it
-      stop->told_();
-      stop->answered_ = true;
-    });
+    stop->telling_ =
+        std::thread([stop] {  // a thread of its own, so that the next signal is handled meanwhile
+          stop->on_stop_();
+          stop->answered_ = true;
+        });
     return;
   }
-  constexpr std::chrono::milliseconds kLongest{300}, kStep{5};
-  for (auto waited = kStep; stop && !stop->answered_ && waited < kLongest; waited += kStep)
-    std::this_thread::sleep_for(kStep);
-  die_of(signal);
+  constexpr std::chrono::milliseconds kMaxWait{300}, kWaitStep{5};
+  for (auto waited = kWaitStep; stop && !stop->answered_ && waited < kMaxWait; waited += kWaitStep)
+    std::this_thread::sleep_for(kWaitStep);
+  terminate_by_signal(signal);
 }
 
 void watch_stop_signals() {
@@ -66,11 +68,11 @@ void watch_stop_signals() {
   }
   pthread_sigmask(SIG_BLOCK, &waited_for, nullptr);
   std::thread([waited_for] {
-    for (int signal = 0; sigwait(&waited_for, &signal) == 0;) take_stop_signal(signal);
+    for (int signal = 0; sigwait(&waited_for, &signal) == 0;) handle_stop_signal(signal);
   }).detach();
 }
 
-StopSignal::StopSignal(std::function<void()> told) : told_(std::move(told)) {
+StopSignal::StopSignal(std::function<void()> told) : on_stop_(std::move(told)) {
   const std::lock_guard lock(listener().mutex);
   listener().stop = this;
 }

@@ -6,29 +6,31 @@
 
 namespace morphe::run {
 
-/// From here on a thread waits for SIGINT and SIGTERM, those that are not ignored. To be called
-/// once, before any other thread is started. A signal is the process's, so what becomes of it is:
-/// it ends the process, as if nobody had waited, but first takes away what is unfinished
-/// (files::Unfinished). A StopSignal is told first.
+/// Starts a thread that waits for SIGINT and SIGTERM, unless they are ignored. It must be called
+/// once, before any other thread is started. A signal ends the process as it does by default, but
+/// unfinished paths are removed first (files::UnfinishedPath). If there is a StopSignal, it
+/// receives the signal first.
 void watch_stop_signals();
 
-/// While it lives, the first signal does not end the process but is told here: work that is in hand
-/// can be finished. The next one ends it at once, but for at most 0.3 s in which what was told is
-/// answered. One at a time; nothing happens without
+/// An object that receives the first signal instead of the process, so that running work can be
+/// finished. The next signal ends the process at once, after at most 0.3 s in which the callback
+/// may return. There may be one such object at a time. It has no effect without
 /// watch_stop_signals().
 class StopSignal {
  public:
-  /// `told` is called when the first comes, on a thread of its own.
+  /// Registers the callback `told`, which is called on a thread of its own when the first signal
+  /// arrives.
   explicit StopSignal(std::function<void()> told);
   ~StopSignal();
   StopSignal(const StopSignal&) = delete;
   StopSignal& operator=(const StopSignal&) = delete;
-  /// Number of the signal that came, 0: none yet. From any thread.
-  int seen() const { return seen_; }
+  /// Returns the number of the signal that arrived, 0 if there is no signal yet. It may be called
+  /// from any thread.
+  int received_signal() const { return seen_; }
 
  private:
-  friend void take_stop_signal(int signal);
-  std::function<void()> told_;
+  friend void handle_stop_signal(int signal);
+  std::function<void()> on_stop_;
   std::thread telling_;
   std::atomic<int> seen_ = 0;
   std::atomic<bool> answered_ = false;

@@ -8,10 +8,10 @@
 
 namespace morphe::run {
 
-double seconds_each(const WorkSoFar& work) {
-  if (work.finished == 0) return kNotSeen;
-  const double mean_s = work.finished_s / static_cast<double>(work.finished);
-  double sum_s = work.finished_s;
+double seconds_per_demonstration(const RunWorkload& work) {
+  if (work.finished == 0) return kUnknown;
+  const double mean_s = work.finished_total_s / static_cast<double>(work.finished);
+  double sum_s = work.finished_total_s;
   auto count = static_cast<double>(work.finished);
   for (const double age_s : work.ages_s) {
     if (age_s <= mean_s) continue;
@@ -21,8 +21,8 @@ double seconds_each(const WorkSoFar& work) {
   return sum_s / count;
 }
 
-double time_left_s(const WorkSoFar& work) {
-  const double each_s = seconds_each(work);
+double time_left_s(const RunWorkload& work) {
+  const double each_s = seconds_per_demonstration(work);
   double sum_s = each_s * static_cast<double>(work.waiting), longest_s = 0;
   for (const double age_s : work.ages_s) {
     const double left_s = std::max(0.0, each_s - age_s);

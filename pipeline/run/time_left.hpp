@@ -6,24 +6,30 @@
 
 namespace morphe::run {
 
-/// What a run's time is told from.
-struct WorkSoFar {
-  double finished_s = 0;       ///< that the finished ones took, together
-  std::int64_t finished = 0;   ///< by this run
-  std::vector<double> ages_s;  ///< of those in hand
-  std::int64_t waiting = 0;    ///< not begun
+/// The numbers from which the remaining time of a run is estimated.
+struct RunWorkload {
+  /// Total duration of the finished demonstrations [s].
+  double finished_total_s = 0;
+  /// Number of demonstrations that this run has finished.
+  std::int64_t finished = 0;
+  /// Time since the start of each running demonstration [s].
+  std::vector<double> ages_s;
+  /// Number of demonstrations that have not started.
+  std::int64_t waiting = 0;
+  /// The number of threads.
   int jobs = 1;
 };
 
-/// Seconds that one takes: the mean of the finished ones and of those in hand that have taken
-/// longer already. NaN before one is finished.
-double seconds_each(const WorkSoFar& work);
+/// Returns the duration of one demonstration [s]: the mean over the finished ones and over those
+/// running ones that have already taken longer. Returns NaN before one is finished.
+double seconds_per_demonstration(const RunWorkload& work);
 
-/// Seconds until all are finished if each takes seconds_each(); at least as long as the youngest in
-/// hand still needs. NaN before one is finished.
-double time_left_s(const WorkSoFar& work);
+/// Returns the time until all demonstrations are finished [s] if each takes
+/// seconds_per_demonstration(). It is at least the time that the youngest running demonstration
+/// still needs. Returns NaN before one is finished.
+double time_left_s(const RunWorkload& work);
 
-/// "14 s", "5 min", "1.5 h".
+/// Formats a duration: "14 s", "5 min", "1.5 h".
 std::string duration_text(double seconds);
 
 }  // namespace morphe::run

@@ -14,14 +14,14 @@ Plan plan_of(const Journal& journal, const std::string& demonstration, const std
     if (plan.demonstration == demonstration) return plan;
   } catch (const InputError&) {
   }
-  journal.damaged(fmt::format("{}: a plan cannot be read", demonstration));
+  journal.fail_damaged(fmt::format("{}: a plan cannot be read", demonstration));
 }
 
 }  // namespace
 
 void write_plans(const Journal& journal, const std::string& demonstration,
                  store::PlanWriter& writer) {
-  journal.each_plan(demonstration, [&](const Finished::StoredPlan& plan) {
+  journal.each_plan(demonstration, [&](const FinishedDemonstration::StoredPlan& plan) {
     writer.add(plan_of(journal, demonstration, plan.bytes));
   });
 }

@@ -7,7 +7,8 @@
 
 namespace morphe::run {
 
-/// The plans of one demonstration, from the journal into the file, one at a time in memory.
+/// Copies the plans of one demonstration from the journal to the file, with one plan in memory at a
+/// time.
 void write_plans(const Journal& journal, const std::string& demonstration,
                  store::PlanWriter& writer);
 

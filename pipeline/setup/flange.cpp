@@ -5,8 +5,8 @@
 namespace morphe::setup {
 namespace {
 
-/// The frame fixed to the last link that lies farthest along its axis, near to it.
-int farthest_fixed(const Kinematics& robot, int last, const Vec3& outwards) {
+/// Returns the frame fixed to the last link, near its axis, that is farthest along the axis.
+int farthest_fixed_frame(const Kinematics& robot, int last, const Vec3& outwards) {
   const Line axis = robot.axis(last);
   int best = last;
   double farthest = 1e-6;
@@ -32,21 +32,22 @@ Flange find_flange(const Kinematics& robot, const std::vector<int>& arm) {
   Flange flange;
   const int last = arm.back();
   const Line axis = robot.axis(last);
-  // The joint before lies behind the flange; where the two frames are one, +z is usual.
+  // The preceding joint is behind the flange; if the two frames coincide, +z is the usual
+  // direction.
   Vec3 outwards = axis.direction;
   if (arm.size() > 1) {
     const Vec3 before = robot.pose(arm[arm.size() - 2]).translation();
     const double behind = (axis.point - before).dot(axis.direction);
     if (behind < -1e-3) outwards = -outwards;
-    flange.sure = std::abs(behind) > 1e-3 ? Sure::derived : Sure::assumed;
+    flange.sure = std::abs(behind) > 1e-3 ? Provenance::derived : Provenance::assumed;
   }
-  flange.frame = farthest_fixed(robot, last, outwards);
+  flange.frame = farthest_fixed_frame(robot, last, outwards);
   const Pose& pose = robot.pose(flange.frame);
   Vec3 x = pose.linear().col(0);
   x -= x.dot(outwards) * outwards;
   if (x.norm() < 0.5) x = pose.linear().col(1) - pose.linear().col(1).dot(outwards) * outwards;
   Pose base_from_flange = Pose::Identity();
-  base_from_flange.translation() = foot(axis, pose.translation());
+  base_from_flange.translation() = project_onto_line(axis, pose.translation());
   base_from_flange.linear().col(2) = outwards;
   base_from_flange.linear().col(0) = x.normalized();
   base_from_flange.linear().col(1) = outwards.cross(x.normalized());

@@ -7,13 +7,17 @@
 
 namespace morphe::setup {
 
-/// Where a hand is screwed to an arm: z along the last axis, outwards (away from the joints before
-/// it), x as of the link that the file has there.
+/// The flange to which a hand is mounted: z along the last axis, outwards (away from the preceding
+/// joints), x as in the link that the file has there.
 struct Flange {
+  /// The index of the frame to which the flange is fixed.
   int frame = -1;
+  /// The pose of the flange in the frame.
   Pose frame_from_flange = Pose::Identity();
-  Sure sure = Sure::derived;
+  /// The certainty of the pose.
+  Provenance sure = Provenance::derived;
 };
+/// Finds the flange of an arm.
 Flange find_flange(const Kinematics& robot, const std::vector<int>& arm);
 
 }  // namespace morphe::setup

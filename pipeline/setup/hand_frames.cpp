@@ -9,24 +9,24 @@
 namespace morphe::setup {
 namespace {
 
-constexpr double kHumanFinger_m = 0.103;  ///< Buchholz 1992, middle finger from its knuckle
-constexpr double kHumanHand_m = 0.19;
+constexpr double kHumanFingerLength_m = 0.103;  ///< Buchholz 1992, middle finger from its knuckle
+constexpr double kHumanHandLength_m = 0.19;
 
-Vec3 across(const Vec3& v, const Vec3& axis) { return v - v.dot(axis) * axis; }
+Vec3 perpendicular_part(const Vec3& v, const Vec3& axis) { return v - v.dot(axis) * axis; }
 
-/// Points of a finger's last body, what is fixed to it included, in the base frame.
-std::vector<Vec3> last_body(const Kinematics& robot, int last, const BodyPoints& points) {
+/// Returns the points of a finger's last body and of bodies fixed to it, in the base frame.
+std::vector<Vec3> last_link_points(const Kinematics& robot, int last, const BodyPoints& points) {
   std::vector<Vec3> found;
   for (const auto& [frame, own] : points) {
-    if (!robot::hangs_on(robot.table(), frame, last)) continue;
-    if (!moving_between(robot, last, frame).empty()) continue;
+    if (!robot::is_in_subtree(robot.table(), frame, last)) continue;
+    if (!joint_frames_between(robot, last, frame).empty()) continue;
     for (const Vec3& point : own) found.push_back(robot.pose(frame) * point);
   }
   return found;
 }
 
-/// A frame below the last joint that is called a tip, or that nothing else is there for.
-int file_tip(const Kinematics& robot, int last, const BodyPoints& points) {
+/// Finds a frame below the last joint that is named a tip or has no shapes.
+int find_urdf_tip(const Kinematics& robot, int last, const BodyPoints& points) {
   int best = -1;
   double farthest = 1e-3;
   const auto look = [&](const auto& self, int frame) -> void {
@@ -54,28 +54,28 @@ Vec3 mean_of(const std::vector<Vec3>& points) {
   return sum;
 }
 
-/// The middle of those within a few millimetres of the farthest along a direction.
-Vec3 end_along(const std::vector<Vec3>& points, const Vec3& direction) {
-  constexpr double kEnd_m = 0.003;
+/// Returns the mean of the points within a few millimetres of the farthest one along a direction.
+Vec3 farthest_point_along(const std::vector<Vec3>& points, const Vec3& direction) {
+  constexpr double kEndDepth_m = 0.003;
   double farthest = -HUGE_VAL;
   for (const Vec3& point : points) farthest = std::max(farthest, point.dot(direction));
   std::vector<Vec3> end;
   for (const Vec3& point : points) {
-    if (point.dot(direction) > farthest - kEnd_m) end.push_back(point);
+    if (point.dot(direction) > farthest - kEndDepth_m) end.push_back(point);
   }
   return mean_of(end);
 }
 
-/// The surface over the bone's line, a little before its end.
+/// Returns the point of the surface above the line of the bone, slightly before its end.
 Vec3 pad_surface(const std::vector<Vec3>& points, const Vec3& from, const Vec3& bone,
                  const Vec3& normal) {
   double end = -HUGE_VAL, height = -HUGE_VAL;
   for (const Vec3& point : points) end = std::max(end, (point - from).dot(bone));
-  const double station = end - std::min(kBeforeEnd_m, 0.3 * end);
+  const double station = end - std::min(kPadSetback_m, 0.3 * end);
   const Vec3 side = bone.cross(normal);
   double least = HUGE_VAL, most = -HUGE_VAL;
   for (const Vec3& point : points) {
-    if ((point - from).dot(bone) < station - kBeforeEnd_m) continue;
+    if ((point - from).dot(bone) < station - kPadSetback_m) continue;
     height = std::max(height, (point - from).dot(normal));
     least = std::min(least, (point - from).dot(side));
     most = std::max(most, (point - from).dot(side));
@@ -83,85 +83,88 @@ Vec3 pad_surface(const std::vector<Vec3>& points, const Vec3& from, const Vec3& 
   return from + station * bone + height * normal + 0.5 * (least + most) * side;
 }
 
-Pose frame_with(const Vec3& origin, const Vec3& x, const Vec3& z) {
+Pose make_frame(const Vec3& origin, const Vec3& x, const Vec3& z) {
   Pose pose = Pose::Identity();
   pose.translation() = origin;
   pose.linear().col(2) = z.normalized();
-  pose.linear().col(0) = across(x, pose.linear().col(2)).normalized();
+  pose.linear().col(0) = perpendicular_part(x, pose.linear().col(2)).normalized();
   pose.linear().col(1) = pose.linear().col(2).cross(pose.linear().col(0));
   return pose;
 }
 
-/// Where a body without shapes ends, as its mass tells.
-Vec3 end_by_mass(const Kinematics& robot, int last, const Line& axis) {
+/// Estimates the end of a body without shapes from its centre of mass.
+Vec3 fingertip_from_inertia(const Kinematics& robot, int last, const Line& axis) {
   const auto inertia = robot.model->inertias.find(robot.link[static_cast<std::size_t>(last)]);
   if (inertia == robot.model->inertias.end()) return robot.pose(last).translation();
   const Vec3 centre = robot.pose(last) * inertia->second.link_from_inertia.translation();
-  return foot(axis, centre) + 2 * across(centre - foot(axis, centre), axis.direction);
+  return project_onto_line(axis, centre) +
+         2 * perpendicular_part(centre - project_onto_line(axis, centre), axis.direction);
 }
 
 Pad find_pad(const Kinematics& robot, const Finger& finger, const BodyPoints& points) {
   Pad pad;
   pad.frame = finger.frames.back();
   const Line axis = robot.axis(pad.frame);
-  const std::vector<Vec3> body = last_body(robot, pad.frame, points);
-  const int own = file_tip(robot, pad.frame, points);
+  const std::vector<Vec3> body = last_link_points(robot, pad.frame, points);
+  const int own = find_urdf_tip(robot, pad.frame, points);
   Vec3 end = Vec3::Zero();
   if (own >= 0) {
-    pad.file_link = robot.link[static_cast<std::size_t>(own)];
+    pad.urdf_tip_link = robot.link[static_cast<std::size_t>(own)];
     end = robot.pose(own).translation();
-    pad.file_tip = robot.pose(pad.frame).inverse() * end;
+    pad.urdf_tip = robot.pose(pad.frame).inverse() * end;
   }
   if (!body.empty()) {
     const Vec3 towards = own >= 0 ? end : mean_of(body);
-    const Vec3 way = across(towards - foot(axis, towards), axis.direction).normalized();
-    const Vec3 shapes_end = end_along(body, way);
-    pad.beyond_shapes = own >= 0 && (end - shapes_end).dot(way) > kBeyondShapes_m;
-    if (!pad.beyond_shapes) end = shapes_end;
+    const Vec3 way =
+        perpendicular_part(towards - project_onto_line(axis, towards), axis.direction).normalized();
+    const Vec3 shapes_end = farthest_point_along(body, way);
+    pad.tip_beyond_shapes = own >= 0 && (end - shapes_end).dot(way) > kMaxTipBeyondShapes_m;
+    if (!pad.tip_beyond_shapes) end = shapes_end;
   } else if (own < 0) {
-    end = end_by_mass(robot, pad.frame, axis);
+    end = fingertip_from_inertia(robot, pad.frame, axis);
   }
-  const Vec3 from = foot(axis, end);
+  const Vec3 from = project_onto_line(axis, end);
   Vec3 bone = end - from;
   if (bone.norm() < 1e-4) bone = axis.direction.unitOrthogonal();
   bone.normalize();
-  const Vec3 normal = robot.closing_sense(pad.frame) * axis.direction.cross(bone);
-  const bool measured = !body.empty() && !pad.beyond_shapes;
+  const Vec3 normal = robot.closing_sign(pad.frame) * axis.direction.cross(bone);
+  const bool measured = !body.empty() && !pad.tip_beyond_shapes;
   const Vec3 surface =
       measured ? pad_surface(body, from, bone, normal) : Vec3(end + kPadDepth_m * normal);
-  pad.sure = measured ? Sure::derived : own >= 0 ? Sure::read : Sure::assumed;
-  pad.frame_from_pad = robot.pose(pad.frame).inverse() * frame_with(surface, normal, bone);
+  pad.sure = measured ? Provenance::derived : own >= 0 ? Provenance::read : Provenance::assumed;
+  pad.frame_from_pad = robot.pose(pad.frame).inverse() * make_frame(surface, normal, bone);
   return pad;
 }
 
-/// Both at once: the one's normal points to the other.
+/// Finds both pads together, because the normal of each points to the other.
 std::vector<Pad> gripper_pads(const Kinematics& robot, const Hand& hand, const BodyPoints& points) {
   std::vector<Vec3> middle;
   for (const Finger& finger : hand.fingers) {
-    const std::vector<Vec3> body = last_body(robot, finger.frames.back(), points);
+    const std::vector<Vec3> body = last_link_points(robot, finger.frames.back(), points);
     middle.push_back(body.empty() ? robot.pose(finger.frames.back()).translation() : mean_of(body));
   }
   Vec3 between = middle[1] - middle[0];
   if (between.norm() < 1e-3) between = robot.axis(hand.fingers[0].frames.back()).direction;
   between.normalize();
   const Vec3 palm = robot.pose(hand.root).translation();
-  Vec3 forward = across(0.5 * (middle[0] + middle[1]) - palm, between);
-  if (forward.norm() < 1e-3) forward = across(robot.pose(hand.root).linear().col(2), between);
+  Vec3 forward = perpendicular_part(0.5 * (middle[0] + middle[1]) - palm, between);
+  if (forward.norm() < 1e-3)
+    forward = perpendicular_part(robot.pose(hand.root).linear().col(2), between);
   forward.normalize();
   std::vector<Pad> pads;
   for (const std::size_t k : {0, 1}) {
     Pad pad;
     pad.frame = hand.fingers[k].frames.back();
     const Vec3 normal = k == 0 ? between : Vec3(-between);
-    const std::vector<Vec3> body = last_body(robot, pad.frame, points);
-    const int own = file_tip(robot, pad.frame, points);
+    const std::vector<Vec3> body = last_link_points(robot, pad.frame, points);
+    const int own = find_urdf_tip(robot, pad.frame, points);
     if (own >= 0) {
-      pad.file_link = robot.link[static_cast<std::size_t>(own)];
-      pad.file_tip = robot.pose(pad.frame).inverse() * robot.pose(own).translation();
+      pad.urdf_tip_link = robot.link[static_cast<std::size_t>(own)];
+      pad.urdf_tip = robot.pose(pad.frame).inverse() * robot.pose(own).translation();
     }
-    pad.sure = body.empty() ? Sure::assumed : Sure::derived;
+    pad.sure = body.empty() ? Provenance::assumed : Provenance::derived;
     const Vec3 surface = body.empty() ? middle[k] : pad_surface(body, palm, forward, normal);
-    pad.frame_from_pad = robot.pose(pad.frame).inverse() * frame_with(surface, normal, forward);
+    pad.frame_from_pad = robot.pose(pad.frame).inverse() * make_frame(surface, normal, forward);
     pads.push_back(pad);
   }
   return pads;
@@ -197,20 +200,23 @@ Palm find_palm(const Kinematics& robot, const Hand& hand, const std::vector<Pad>
   }
   Palm palm;
   const Vec3 to_thumb = 0.5 * (knuckle(0) + pad(0).translation()) - knuckles;
-  Vec3 y = hand.gripper ? Vec3(-pad(0).linear().col(0)) : axes;  // a thumb's pad faces the others
+  Vec3 y = hand.gripper ? Vec3(-pad(0).linear().col(0))
+                        : axes;  // the pad of a thumb faces the other fingers
   y.normalize();
   const Vec3 order = count > 2 ? Vec3(knuckle(1) - knuckle(count - 1)) : to_thumb;
-  // The order of the fingers tells the thumb's side as well, also where the thumb is in the middle.
+  // The order of the fingers indicates the side of the thumb as well, even if the thumb is in the
+  // middle.
   const Vec3 sidewards = std::abs(order.dot(y)) > 0.005 ? order : to_thumb;
   if (!hand.gripper && sidewards.dot(y) < 0) y = -y;
-  const Vec3 z = (hand.gripper ? Vec3(pad(0).linear().col(2)) : across(bones, y)).normalized();
+  const Vec3 z =
+      (hand.gripper ? Vec3(pad(0).linear().col(2)) : perpendicular_part(bones, y)).normalized();
   const Vec3 x = y.cross(z);
   if (!hand.gripper && x.dot(normals) < 0) palm.side = Side::left;
-  const double size = hand.gripper ? 1 : length_m / kHumanFinger_m;
-  const Vec3 wrist = knuckles - size * robot::kFingerProportions[1].along * kHumanHand_m * z;
-  // Of a left hand y points away from the thumb: x stays out of the palm.
+  const double size = hand.gripper ? 1 : length_m / kHumanFingerLength_m;
+  const Vec3 wrist = knuckles - size * robot::kFingerProportions[1].along * kHumanHandLength_m * z;
+  // For a left hand, y points away from the thumb, so that x points out of the palm.
   const Vec3 out = palm.side == Side::left ? Vec3(-x) : x;
-  palm.root_from_palm = robot.pose(hand.root).inverse() * frame_with(wrist, out, z);
+  palm.root_from_palm = robot.pose(hand.root).inverse() * make_frame(wrist, out, z);
   return palm;
 }
 

@@ -8,39 +8,49 @@
 
 namespace morphe::setup {
 
-/// Where a finger touches: z along the last bone, x out of the pad, origin on the pad's surface.
+/// The pad of a finger: z along the last bone, x out of the pad, origin on the surface of the pad.
 struct Pad {
-  int frame = -1;  ///< the last one of the finger
+  /// Last frame of the finger.
+  int frame = -1;
+  /// The pose of the pad in the frame.
   Pose frame_from_pad = Pose::Identity();
-  std::string file_link;         ///< a tip that the file has itself, "" if it has none
-  Vec3 file_tip = Vec3::Zero();  ///< where, in the frame
-  Sure sure = Sure::assumed;
-  bool beyond_shapes = false;  ///< the file's tip lies where the finger's shapes do not get to
+  /// Link of a tip in the file, "" if there is no such link.
+  std::string urdf_tip_link;
+  /// Position of that tip in the frame [m].
+  Vec3 urdf_tip = Vec3::Zero();
+  /// The certainty of the pose.
+  Provenance sure = Provenance::assumed;
+  /// True if the tip in the file is beyond the shapes of the finger.
+  bool tip_beyond_shapes = false;
 };
 
-/// The file's tip counts, and not where the shapes end, if it lies farther out than that.
-inline constexpr double kBeyondShapes_m = 0.01;
-/// How far before a finger's end its pad touches, at most: a human fingertip's half.
-inline constexpr double kBeforeEnd_m = 0.008;
-/// From the pad's surface to the axis of the finger, which goals are given for.
+/// The distance beyond the end of the shapes above which the tip in the file is used instead [m].
+inline constexpr double kMaxTipBeyondShapes_m = 0.01;
+/// The maximum distance of the pad from the end of a finger [m], half of a human fingertip.
+inline constexpr double kPadSetback_m = 0.008;
+/// The distance from the surface of the pad to the axis of the finger, to which goals refer [m].
 inline constexpr double kPadDepth_m = 0.010;
 
-/// The pads of a hand's fingers, in their order. With c the foot of the end on the last joint's
-/// axis: bone = end - c, normal = (axis in the sense of closing) × bone, the end being that of the
-/// body's points farthest along the bone. A finger without shapes, or whose shapes end
-/// before the file's own tip (a bracket without its rubber), ends in that tip, else twice as far as
-/// its centre of mass. The pads of a gripper face each other across the line
-/// between them.
+/// Finds the pads of a hand's fingers, in their order. With c the projection of the end onto the
+/// axis of the last joint: bone = end - c, normal = (axis in the sense of closing) × bone, with the
+/// end at the point of the body farthest along the bone. The end of a finger without shapes, or
+/// with shapes that end before the tip in the file (a bracket without its rubber), is that tip;
+/// without such a tip it is at twice the distance of its centre of mass. The pads of a gripper face
+/// each other across the line between them.
 std::vector<Pad> find_pads(const Kinematics& robot, const Hand& hand, const BodyPoints& points);
 
-/// The palm: z to the fingers, y to the thumb's side and x out of the palm of a right hand; of a
-/// left one y away from the thumb. Its origin lies behind the knuckles by as much as a human wrist
-/// does, at the size of the robot's fingers.
+/// The palm frame: z towards the fingers, y to the side of the thumb and x out of the palm for a
+/// right hand; for a left hand, y points away from the thumb. Its origin is behind the knuckles at
+/// the distance of a human wrist, scaled to the size of the robot's fingers.
 struct Palm {
+  /// The pose of the palm in the root frame of the hand.
   Pose root_from_palm = Pose::Identity();
+  /// The side of the hand.
   Side side = Side::right;
-  Sure sure = Sure::derived;
+  /// The certainty of the pose.
+  Provenance sure = Provenance::derived;
 };
+/// Finds the palm of a hand.
 Palm find_palm(const Kinematics& robot, const Hand& hand, const std::vector<Pad>& pads);
 
 }  // namespace morphe::setup

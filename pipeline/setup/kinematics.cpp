@@ -3,7 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 
 namespace morphe::setup {
 
@@ -11,8 +11,8 @@ Line Kinematics::axis(int f) const {
   return {pose(f).translation(), pose(f).linear() * frame(f).axis};
 }
 
-double Kinematics::closing_sense(int f) const {
-  const RobotTable::Frame& moved = frame(f);
+double Kinematics::closing_sign(int f) const {
+  const RobotModel::Frame& moved = frame(f);
   const double up = table().upper[moved.joint] - rest[moved.joint];
   const double down = rest[moved.joint] - table().lower[moved.joint];
   return (up >= down ? 1 : -1) * (moved.ratio >= 0 ? 1 : -1);
@@ -21,9 +21,9 @@ double Kinematics::closing_sense(int f) const {
 Kinematics kinematics_of(const robot::UrdfModel& model) {
   Kinematics robot;
   robot.model = &model;
-  const RobotTable& table = model.table;
+  const RobotModel& table = model.table;
   robot.rest = JointVector::Zero(table.lower.size()).cwiseMax(table.lower).cwiseMin(table.upper);
-  robot::forward(table, robot.rest, robot.base_from_frame);
+  robot::forward_kinematics(table, robot.rest, robot.base_from_frame);
   robot.children.resize(table.frames.size());
   for (std::size_t f = 0; f < table.frames.size(); ++f) {
     const int parent = table.frames[f].parent;
@@ -34,7 +34,7 @@ Kinematics kinematics_of(const robot::UrdfModel& model) {
   return robot;
 }
 
-std::vector<int> moving_between(const Kinematics& robot, int above, int frame) {
+std::vector<int> joint_frames_between(const Kinematics& robot, int above, int frame) {
   std::vector<int> found;
   for (int f = frame; f >= 0 && f != above; f = robot.frame(f).parent) {
     if (robot.moves(f)) found.push_back(f);
@@ -43,11 +43,11 @@ std::vector<int> moving_between(const Kinematics& robot, int above, int frame) {
   return found;
 }
 
-Vec3 foot(const Line& line, const Vec3& point) {
+Vec3 project_onto_line(const Line& line, const Vec3& point) {
   return line.point + (point - line.point).dot(line.direction) * line.direction;
 }
 
-Vec3 nearest_point(const std::vector<Line>& lines) {
+Vec3 point_nearest_to_lines(const std::vector<Line>& lines) {
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Vec3 sum = Vec3::Zero();
   for (const Line& line : lines) {
@@ -59,6 +59,8 @@ Vec3 nearest_point(const std::vector<Line>& lines) {
   return normal.ldlt().solve(sum);
 }
 
-double distance(const Line& line, const Vec3& point) { return (foot(line, point) - point).norm(); }
+double distance(const Line& line, const Vec3& point) {
+  return (project_onto_line(line, point) - point).norm();
+}
 
 }  // namespace morphe::setup

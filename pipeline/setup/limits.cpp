@@ -10,16 +10,16 @@ namespace morphe::setup {
 namespace {
 
 constexpr double kAccelerationPerVelocity = 3, kJerkPerAcceleration = 50;  // [1/s]
-constexpr double kTurnsAt = 1, kSlidesAt = 0.1;                            // [rad/s], [m/s]
+constexpr double kDefaultVelocity_rad_s = 1, kDefaultVelocity_m_s = 0.1;   // [rad/s], [m/s]
 
-bool called(const std::string& text, std::string_view word) {
+bool contains_word(const std::string& text, std::string_view word) {
   std::string lower = text;
   std::ranges::transform(lower, lower.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return lower.find(word) != std::string::npos;
 }
 
-/// The first seven joints one after the other from the base are those of an arm.
+/// Returns the first seven consecutive joints from the base, which are those of an arm.
 std::vector<int> seven_joints(const Kinematics& robot) {
   std::vector<int> joints;
   for (std::size_t f = 0; f < robot.table().frames.size() && joints.size() < 7; ++f) {
@@ -28,10 +28,10 @@ std::vector<int> seven_joints(const Kinematics& robot) {
   return joints;
 }
 
-const PublishedArm* published(const Kinematics& robot) {
+const PublishedArm* find_published_arm(const Kinematics& robot) {
   for (const PublishedArm& arm : kPublishedArms) {
-    const bool named =
-        called(robot.model->name, arm.name) || called(robot.table().joint_names.front(), arm.name);
+    const bool named = contains_word(robot.model->name, arm.name) ||
+                       contains_word(robot.table().joint_names.front(), arm.name);
     if (named && seven_joints(robot).size() == 7) return &arm;
   }
   return nullptr;
@@ -40,14 +40,14 @@ const PublishedArm* published(const Kinematics& robot) {
 }  // namespace
 
 std::vector<JointLimits> joint_limits(const Kinematics& robot) {
-  const RobotTable& table = robot.table();
+  const RobotModel& table = robot.table();
   std::vector<bool> slides(table.joints(), false), seen(table.joints(), false);
-  for (const RobotTable::Frame& frame : table.frames) {
+  for (const RobotModel::Frame& frame : table.frames) {
     if (frame.joint < 0 || seen[static_cast<std::size_t>(frame.joint)]) continue;
     seen[static_cast<std::size_t>(frame.joint)] = true;
     slides[static_cast<std::size_t>(frame.joint)] = frame.slides;
   }
-  const PublishedArm* arm = published(robot);
+  const PublishedArm* arm = find_published_arm(robot);
   const std::vector<int> seven = seven_joints(robot);
   std::vector<JointLimits> limits;
   for (std::size_t j = 0; j < table.joints(); ++j) {
@@ -58,7 +58,7 @@ std::vector<JointLimits> joint_limits(const Kinematics& robot) {
       own.lower = table.lower[static_cast<Eigen::Index>(j)];
       own.upper = table.upper[static_cast<Eigen::Index>(j)];
     }
-    if (!joint.velocity) own.velocity = slides[j] ? kSlidesAt : kTurnsAt;
+    if (!joint.velocity) own.velocity = slides[j] ? kDefaultVelocity_m_s : kDefaultVelocity_rad_s;
     own.acceleration = kAccelerationPerVelocity * joint.velocity.value_or(own.velocity.value_or(1));
     own.jerk = kJerkPerAcceleration * own.acceleration;
     const auto at = std::ranges::find(seven, static_cast<int>(j));
@@ -66,7 +66,7 @@ std::vector<JointLimits> joint_limits(const Kinematics& robot) {
       const auto k = static_cast<std::size_t>(at - seven.begin());
       own.acceleration = arm->acceleration[k];
       own.jerk = arm->jerk[k] > 0 ? arm->jerk[k] : kJerkPerAcceleration * own.acceleration;
-      own.sure = Sure::read;
+      own.sure = Provenance::read;
       own.source = arm->source;
       const PublishedArm::Braking& braking = arm->braking[k];
       if (braking.slope > 0) {

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "core/robot/files/description.hpp"
-#include "core/robot/forward.hpp"
-#include "pipeline/setup/allowed_links.hpp"
-#include "pipeline/setup/keep_changes.hpp"
+#include "core/robot/forward_kinematics.hpp"
+#include "pipeline/setup/find_allowed_links.hpp"
+#include "pipeline/setup/merge_sections.hpp"
 #include "pipeline/setup/setup.hpp"
 #include "pipeline/setup/yaml_text.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string beside(const fs::path& file, const fs::path& out) {
+std::string relative_to_output(const fs::path& file, const fs::path& out) {
   return fs::absolute(file).lexically_proximate(fs::absolute(out).parent_path()).string();
 }
 
@@ -34,16 +34,17 @@ bool share_names(const robot::RobotDescription& one, const robot::RobotDescripti
                              [&](const std::string& name) { return names.contains(name); });
 }
 
-/// The hand's palm on the flange's axis, z along it, and what reaches farthest back on the flange.
-Pose usual_mount(const robot::RobotDescription& hand) {
-  const RobotTable& table = hand.table;
+/// Returns the mount with the palm on the axis of the flange, z along the axis, and the rearmost
+/// point of the hand on the flange.
+Pose default_mount(const robot::RobotDescription& hand) {
+  const RobotModel& table = hand.table;
   const JointVector rest =
       JointVector::Zero(table.lower.size()).cwiseMax(table.lower).cwiseMin(table.upper);
   std::vector<Pose> poses;
-  robot::forward(table, rest, poses);
+  robot::forward_kinematics(table, rest, poses);
   const Pose palm_from_base = poses[static_cast<std::size_t>(table.palm_frame)].inverse();
   double back = 0;
-  for (const RobotTable::Capsule& capsule : table.capsules) {
+  for (const RobotModel::Capsule& capsule : table.capsules) {
     const Pose pose = capsule.frame < 0
                           ? palm_from_base
                           : Pose(palm_from_base * poses[static_cast<std::size_t>(capsule.frame)]);
@@ -54,7 +55,7 @@ Pose usual_mount(const robot::RobotDescription& hand) {
   return Eigen::Translation3d(0, 0, -back) * palm_from_base;
 }
 
-Pose given_mount(const MountRequest& request) {
+Pose requested_mount(const MountRequest& request) {
   Pose pose = Pose::Identity();
   pose.translate(request.mount->position);
   pose.rotate(Eigen::AngleAxisd(request.mount->rpy.z(), Vec3::UnitZ()) *
@@ -68,21 +69,22 @@ Pose given_mount(const MountRequest& request) {
 SetupResult mount_hand(const MountRequest& request, const std::optional<std::string>& before) {
   const robot::RobotDescription arm = robot::load_robot(request.arm);
   const robot::RobotDescription hand = robot::load_robot(request.hand);
-  const Pose mount = request.mount ? given_mount(request) : usual_mount(hand);
+  const Pose mount = request.mount ? requested_mount(request) : default_mount(hand);
   const std::string name =
       request.name.empty() ? arm.table.name + "_" + hand.table.name : request.name;
   const std::string prefix = share_names(arm, hand) ? "hand_" : "";
   const std::string flange = arm.table.frames[static_cast<std::size_t>(arm.table.palm_frame)].name;
   const std::string parts = fmt::format(
       "parts:\n  - {{file: {}}}\n  - {{file: {}, {}parent: {}, mount: {}}}  # {}\n",
-      yaml_name(beside(request.arm, request.out)), yaml_name(beside(request.hand, request.out)),
+      yaml_name(relative_to_output(request.arm, request.out)),
+      yaml_name(relative_to_output(request.hand, request.out)),
       prefix.empty() ? "" : fmt::format("prefix: {}, ", prefix), yaml_name(flange),
       yaml_mount(mount), request.mount ? "as given" : "assumed: z on the flange's axis, no roll");
   const std::string named = fmt::format("name: {}\n", yaml_name(name));
 
   const robot::RobotDescription bare = robot::parse_robot(named + parts, request.out);
   std::string collision;
-  for (const AllowedPair& pair : allowed_links(bare.table)) {
+  for (const AllowedPair& pair : find_allowed_links(bare.table)) {
     const auto called = [&](int frame) {
       return frame < 0 ? std::string("base")
                        : bare.table.frames[static_cast<std::size_t>(frame)].name;
@@ -90,12 +92,12 @@ SetupResult mount_hand(const MountRequest& request, const std::optional<std::str
     if (collision.empty()) collision = "collision:\n  allowed_links:\n";
     collision +=
         fmt::format("    - [{}, {}]  # overlap in {:.0f} % of postures, at rest by {:.1f} mm\n",
-                    yaml_name(called(pair.one)), yaml_name(called(pair.other)), 100 * pair.share,
-                    1e3 * pair.deepest_m);
+                    yaml_name(called(pair.first)), yaml_name(called(pair.second)), 100 * pair.share,
+                    1e3 * pair.rest_penetration_m);
   }
   std::vector<Section> sections = {{"name", named}, {"parts", parts}};
-  // Alone, the arm's wrist is its end; under a hand it is a joint as any other.
-  const auto wrist = std::ranges::find(arm.table.frames, "wrist_centre", &RobotTable::Frame::name);
+  // Without a hand, the wrist of the arm is its end; with a hand, it is a joint like the others.
+  const auto wrist = std::ranges::find(arm.table.frames, "wrist_centre", &RobotModel::Frame::name);
   if (wrist != arm.table.frames.end()) {
     sections.push_back({"centres", "centres:\n  - {chain: arm, frame: wrist_centre}\n"});
   }
@@ -105,7 +107,7 @@ SetupResult mount_hand(const MountRequest& request, const std::optional<std::str
   result.text =
       "# Made by `morphe robot setup`: what stands below a line that begins with `#:` is "
       "made anew\n# each time, unless somebody changed it: then it stays as it is.\n" +
-      (before ? joined_over(sections, *before, kept) : joined(sections));
+      (before ? merge_sections(sections, *before, kept) : join_sections(sections));
   if (!kept.empty())
     result.notes.push_back(fmt::format("kept as changed: {}", fmt::join(kept, ", ")));
   if (!request.mount)

@@ -5,18 +5,24 @@
 
 namespace morphe::setup {
 
-/// An arm of seven joints whose limits its maker, or who drives it, published. A jerk of 0 and a
-/// slope of 0 are not published.
+/// The limits of an arm of seven joints as published by its manufacturer or by a driver. A jerk of
+/// 0 and a slope of 0 denote values that are not published.
 struct PublishedArm {
-  std::string_view name;  ///< part of the robot's or of its joints' names
+  /// Part of the name of the robot or of its joints.
+  std::string_view name;
+  /// The publisher of the limits.
   std::string_view source;
+  /// The limits of each joint [rad/s²], [rad/s³].
   std::array<double, 7> acceleration, jerk;
+  /// The braking curve of a joint.
   struct Braking {
     double slope, drop, lower_end, upper_end;
   };
+  /// The braking curve of each joint.
   std::array<Braking, 7> braking;
 };
 
+/// The arms with published limits.
 inline constexpr std::array<PublishedArm, 5> kPublishedArms = {{
     {"panda",
      "Franka's control parameters",

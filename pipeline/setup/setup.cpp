@@ -7,18 +7,18 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/motion/counted.hpp"
+#include "core/motion/count_with_noun.hpp"
 #include "core/motion/human_motion.hpp"
 #include "core/motion/input_error.hpp"
 #include "core/robot/files/description.hpp"
 #include "core/robot/tree.hpp"
-#include "pipeline/setup/allowed_links.hpp"
-#include "pipeline/setup/centres.hpp"
-#include "pipeline/setup/finger_space.hpp"
+#include "pipeline/setup/find_allowed_links.hpp"
 #include "pipeline/setup/flange.hpp"
-#include "pipeline/setup/keep_changes.hpp"
+#include "pipeline/setup/joint_centres.hpp"
 #include "pipeline/setup/limits.hpp"
-#include "pipeline/setup/natural.hpp"
+#include "pipeline/setup/merge_sections.hpp"
+#include "pipeline/setup/natural_posture.hpp"
+#include "pipeline/setup/placeholder_shapes.hpp"
 #include "pipeline/setup/yaml_text.hpp"
 
 namespace morphe::setup {
@@ -26,20 +26,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// All that was found in a URDF.
-struct Found {
+/// The results of the analysis of a URDF.
+struct UrdfAnalysis {
   const Kinematics& robot;
-  std::vector<int> arm;  ///< frames that move before the fingers part
+  std::vector<int> arm;  ///< moving frames before the one at which the fingers branch
   std::optional<Hand> hand;
   std::vector<Pad> pads;
   std::optional<Palm> palm;
   std::optional<Flange> flange;
   std::optional<ArmCentres> centres;
   std::vector<LinkCapsules> capsules;
-  std::vector<std::string> finger_space;  ///< links that shapes were taken from
+  /// Links whose placeholder shapes were removed.
+  std::vector<std::string> placeholder_shape_links;
 
-  /// A name for a frame of ours that no frame, joint or link of the file has.
-  std::string own(const std::string& wanted) const {
+  /// Returns a name for a generated frame that no frame, joint or link of the file has.
+  std::string unique_frame_name(const std::string& wanted) const {
     std::string name = wanted;
     const auto taken = [&] {
       return robot.model->links.contains(name) || robot.model->joint(name) != nullptr;
@@ -49,27 +50,28 @@ struct Found {
   }
   std::string link(int frame) const { return robot.link[static_cast<std::size_t>(frame)]; }
   std::string joint(int frame) const { return robot.frame(frame).name; }
-  /// A hand's own wrist is no arm.
+  /// The joints of a hand's own wrist are not an arm.
   bool has_arm() const { return arm.size() > 2; }
   std::string finger_name(const Finger& finger) const {
     return std::string(kFingerNames[static_cast<std::size_t>(finger.finger)]);
   }
 };
 
-Found find_all(const Kinematics& robot, const SetupRequest& request, LinkShapes shapes) {
-  Found found{robot, {}, find_hand(robot, request.hand), {}, {}, {}, {}, {}, {}};
+UrdfAnalysis analyse_urdf(const Kinematics& robot, const SetupRequest& request, LinkShapes shapes) {
+  UrdfAnalysis found{robot, {}, find_hand(robot, request.hand), {}, {}, {}, {}, {}, {}};
   const int last = static_cast<int>(robot.table().frames.size()) - 1;
   if (found.hand) {
-    found.arm = moving_between(robot, -1, found.hand->root);
+    found.arm = joint_frames_between(robot, -1, found.hand->root);
     found.pads = find_pads(robot, *found.hand, shapes.points);
     found.palm = find_palm(robot, *found.hand, found.pads);
     found.hand->side = found.palm->side;
     if (found.hand->gripper) {
-      found.finger_space = take_out_finger_space(robot, *found.hand, found.pads, shapes);
+      found.placeholder_shape_links =
+          remove_finger_placeholder_shapes(robot, *found.hand, found.pads, shapes);
     }
   } else {
     for (int f = last; f >= 0 && found.arm.empty(); --f) {
-      if (robot.moves(f)) found.arm = moving_between(robot, -1, f);
+      if (robot.moves(f)) found.arm = joint_frames_between(robot, -1, f);
     }
     if (!found.has_arm()) {
       throw InputError(
@@ -85,7 +87,7 @@ Found find_all(const Kinematics& robot, const SetupRequest& request, LinkShapes 
   return found;
 }
 
-std::string urdf_section(const Found& found, const SetupRequest& request,
+std::string urdf_section(const UrdfAnalysis& found, const SetupRequest& request,
                          const std::vector<JointLimits>& limits) {
   const fs::path folder = fs::absolute(request.out).parent_path();
   const fs::path file = fs::absolute(request.urdf).lexically_proximate(folder);
@@ -113,7 +115,7 @@ std::string urdf_section(const Found& found, const SetupRequest& request,
   return text;
 }
 
-std::string chains_section(const Found& found) {
+std::string chains_section(const UrdfAnalysis& found) {
   std::string text = "chains:\n";
   if (found.has_arm()) {
     text += fmt::format("  - {{name: arm, first: {}, last: {}}}\n",
@@ -124,7 +126,8 @@ std::string chains_section(const Found& found) {
   for (const Finger& finger : found.hand->fingers) {
     text += fmt::format("  - {{name: {}, first: {}, last: {}}}  # {}\n", found.finger_name(finger),
                         yaml_name(found.joint(finger.frames.front())),
-                        yaml_name(found.joint(finger.frames.back())), name_of(finger.named));
+                        yaml_name(found.joint(finger.frames.back())),
+                        name_of(finger.finger_provenance));
   }
   return text;
 }
@@ -135,13 +138,13 @@ std::string frame_line(const std::string& name, const std::string& parent, const
                      yaml_mount(mount), remark);
 }
 
-std::string frames_section(const Found& found) {
+std::string frames_section(const UrdfAnalysis& found) {
   std::string text;
   const auto centre = [&](const char* name, const JointCentre& c) {
-    const Pose mount(Eigen::Translation3d(c.in_frame));
-    text +=
-        frame_line(found.own(name), found.link(c.frame), mount,
-                   fmt::format("{}, axes pass it by {:.1f} mm", name_of(c.sure), 1e3 * c.miss_m));
+    const Pose mount(Eigen::Translation3d(c.position));
+    text += frame_line(
+        found.unique_frame_name(name), found.link(c.frame), mount,
+        fmt::format("{}, axes pass it by {:.1f} mm", name_of(c.sure), 1e3 * c.axis_distance_m));
   };
   if (found.centres) {
     centre("shoulder_centre", found.centres->shoulder);
@@ -149,26 +152,28 @@ std::string frames_section(const Found& found) {
     centre("wrist_centre", found.centres->wrist);
   }
   if (found.flange) {
-    text += frame_line(found.own("flange"), found.link(found.flange->frame),
+    text += frame_line(found.unique_frame_name("flange"), found.link(found.flange->frame),
                        found.flange->frame_from_flange,
                        fmt::format("z outwards; {}", name_of(found.flange->sure)));
   }
   if (found.palm) {
     text += frame_line(
-        found.own("palm_frame"), found.link(found.hand->root), found.palm->root_from_palm,
+        found.unique_frame_name("palm_frame"), found.link(found.hand->root),
+        found.palm->root_from_palm,
         fmt::format("z to the fingers, x out of the palm; {}", name_of(found.palm->sure)));
   }
   std::string keys;
-  if (found.centres) keys += fmt::format("shoulder: {}\n", found.own("shoulder_centre"));
-  keys += fmt::format("palm: {}\n", found.own(found.palm ? "palm_frame" : "flange"));
+  if (found.centres)
+    keys += fmt::format("shoulder: {}\n", found.unique_frame_name("shoulder_centre"));
+  keys += fmt::format("palm: {}\n", found.unique_frame_name(found.palm ? "palm_frame" : "flange"));
   return (text.empty() ? "" : "frames:\n" + text) + keys;
 }
 
-std::string tips_section(const Found& found) {
+std::string tips_section(const UrdfAnalysis& found) {
   std::string text = "tips:  # z along the last bone, x out of the pad, on the pad's surface\n";
   if (!found.hand) {
-    return text +
-           fmt::format("  - {{name: wrist, frame: {}, finger: wrist}}\n", found.own("flange"));
+    return text + fmt::format("  - {{name: wrist, frame: {}, finger: wrist}}\n",
+                              found.unique_frame_name("flange"));
   }
   for (std::size_t i = 0; i < found.pads.size(); ++i) {
     const Pad& pad = found.pads[i];
@@ -177,22 +182,23 @@ std::string tips_section(const Found& found) {
         fmt::format("  - {{name: {}_tip, frame: {}, finger: {}, pad_depth: {}, mount: {}}}  # {}",
                     finger, yaml_name(found.link(pad.frame)), finger, yaml_number(kPadDepth_m),
                     yaml_mount(pad.frame_from_pad), name_of(pad.sure));
-    if (!pad.file_link.empty()) {
-      const Vec3 off = pad.file_tip - pad.frame_from_pad.translation();
-      text += fmt::format("; the file's {} lies at {}, {:.1f} mm from it", pad.file_link,
-                          yaml_vector(pad.file_tip), 1e3 * off.norm());
+    if (!pad.urdf_tip_link.empty()) {
+      const Vec3 off = pad.urdf_tip - pad.frame_from_pad.translation();
+      text += fmt::format("; the file's {} lies at {}, {:.1f} mm from it", pad.urdf_tip_link,
+                          yaml_vector(pad.urdf_tip), 1e3 * off.norm());
     }
     text += "\n";
   }
   return text;
 }
 
-std::string centres_section(const Found& found) {
+std::string centres_section(const UrdfAnalysis& found) {
   std::string text;
   if (found.has_arm()) {
-    text += fmt::format("  - {{chain: arm, frame: {}}}\n", found.own("elbow_centre"));
+    text += fmt::format("  - {{chain: arm, frame: {}}}\n", found.unique_frame_name("elbow_centre"));
     if (found.hand)
-      text += fmt::format("  - {{chain: arm, frame: {}}}\n", found.own("wrist_centre"));
+      text +=
+          fmt::format("  - {{chain: arm, frame: {}}}\n", found.unique_frame_name("wrist_centre"));
   }
   if (found.hand) {
     for (const Finger& finger : found.hand->fingers) {
@@ -205,7 +211,7 @@ std::string centres_section(const Found& found) {
   return text.empty() ? "" : "centres:\n" + text;
 }
 
-std::string natural_section(const Found& found) {
+std::string natural_section(const UrdfAnalysis& found) {
   if (!found.hand) return "";
   const std::vector<robot::NaturalJoint> natural = natural_posture(found.robot, *found.hand);
   if (natural.empty()) return "";
@@ -219,12 +225,12 @@ std::string natural_section(const Found& found) {
   return text;
 }
 
-std::string capsules_section(const Found& found, const std::string& allowed) {
+std::string capsules_section(const UrdfAnalysis& found, const std::string& allowed) {
   if (found.capsules.empty()) return "";
   std::string text = "collision:\n  capsules:\n", touch;
   for (const LinkCapsules& link : found.capsules) {
-    const cover::CoverFigures& f = link.figures;
-    text += link.sure == Sure::assumed
+    const cover::FitQuality& f = link.figures;
+    text += link.sure == Provenance::assumed
                 ? fmt::format("    # {}: no shape in the URDF, assumed\n", found.link(link.frame))
                 : fmt::format(
                       "    # {}: {:.1f} % inside, {:.2f} mm outside at most, {:.1f} mm off "
@@ -232,12 +238,12 @@ std::string capsules_section(const Found& found, const std::string& allowed) {
                       found.link(link.frame), 100 * f.coverage, 1e3 * f.largest_gap_m,
                       1e3 * f.standoff_median_m, 1e3 * f.standoff_95_m);
     for (std::size_t k = 0; k < link.capsules.size(); ++k) {
-      const RobotTable::Capsule& c = link.capsules[k];
+      const RobotModel::Capsule& c = link.capsules[k];
       const std::string name = fmt::format("{}_{}", found.link(link.frame), k + 1);
       text += fmt::format("    - {{name: {}, frame: {}, from: {}, to: {}, radius: {}}}\n",
                           yaml_name(name), yaml_name(found.link(link.frame)), yaml_vector(c.from),
                           yaml_vector(c.to), yaml_number(c.radius));
-      if (found.hand && robot::hangs_on(found.robot.table(), link.frame, found.hand->root)) {
+      if (found.hand && robot::is_in_subtree(found.robot.table(), link.frame, found.hand->root)) {
         touch += fmt::format("{}{}", touch.empty() ? "" : ", ", yaml_name(name));
       }
     }
@@ -247,7 +253,7 @@ std::string capsules_section(const Found& found, const std::string& allowed) {
   return text;
 }
 
-/// Pairs of frames as links, of a table whose frames are called otherwise.
+/// Returns the pairs of frames as pairs of links; the frames of the table have other names.
 std::string pairs_text(const robot::RobotDescription& description,
                        const std::vector<AllowedPair>& pairs) {
   if (pairs.empty()) return "";
@@ -259,55 +265,55 @@ std::string pairs_text(const robot::RobotDescription& description,
   std::string text = "  allowed_links:\n";
   for (const AllowedPair& pair : pairs) {
     text += fmt::format("    - [{}, {}]  # overlap in {:.0f} % of postures, at rest by {:.1f} mm\n",
-                        yaml_name(names[pair.one]), yaml_name(names[pair.other]), 100 * pair.share,
-                        1e3 * pair.deepest_m);
+                        yaml_name(names[pair.first]), yaml_name(names[pair.second]),
+                        100 * pair.share, 1e3 * pair.rest_penetration_m);
   }
   return text;
 }
 
-void tell_what_to_check(const Found& found, const std::vector<JointLimits>& limits,
+void add_items_to_check(const UrdfAnalysis& found, const std::vector<JointLimits>& limits,
                         SetupResult& result) {
   auto& check = result.to_check;
   if (found.hand) {
     std::vector<std::string> fingers;
     for (const Finger& f : found.hand->fingers) {
       fingers.push_back(fmt::format("{} = {} ({})", found.finger_name(f),
-                                    found.joint(f.frames.back()), name_of(f.named)));
+                                    found.joint(f.frames.back()), name_of(f.finger_provenance)));
     }
     check.push_back(
         fmt::format("fingers: {}; a {} hand", fmt::join(fingers, ", "), name_of(found.hand->side)));
     for (std::size_t i = 0; i < found.pads.size(); ++i) {
-      if (found.pads[i].sure != Sure::assumed) continue;
+      if (found.pads[i].sure != Provenance::assumed) continue;
       check.push_back(fmt::format("tip of {}: nothing says where the finger ends",
                                   found.finger_name(found.hand->fingers[i])));
     }
   }
-  if (found.centres && found.centres->shoulder.sure == Sure::assumed)
+  if (found.centres && found.centres->shoulder.sure == Provenance::assumed)
     check.push_back("shoulder: the first axes meet nowhere");
-  if (found.centres && found.centres->wrist.sure == Sure::assumed)
+  if (found.centres && found.centres->wrist.sure == Provenance::assumed)
     check.push_back("wrist: no two of the last axes meet");
-  const auto assumed = std::ranges::count(limits, Sure::assumed, &JointLimits::sure);
+  const auto assumed = std::ranges::count(limits, Provenance::assumed, &JointLimits::sure);
   if (assumed > 0)
     check.push_back(fmt::format("acceleration and jerk of {} assumed",
-                                counted(assumed, "joint is", "joints are")));
+                                count_with_noun(assumed, "joint is", "joints are")));
   std::vector<std::string> beyond;
   for (const Pad& pad : found.pads) {
-    if (pad.beyond_shapes) beyond.push_back(found.link(pad.frame));
+    if (pad.tip_beyond_shapes) beyond.push_back(found.link(pad.frame));
   }
   if (!beyond.empty()) {
     check.push_back(
         fmt::format("shapes of {} end before the file's tips: the rest of these fingers is assumed",
                     fmt::join(beyond, ", ")));
   }
-  if (!found.finger_space.empty()) {
+  if (!found.placeholder_shape_links.empty()) {
     check.push_back(
         fmt::format("shapes of {} in which the pads lie are left out: they would stand "
                     "for the fingers, which have their own",
-                    fmt::join(found.finger_space, ", ")));
+                    fmt::join(found.placeholder_shape_links, ", ")));
   }
   std::vector<std::string> bones;
   for (const LinkCapsules& link : found.capsules) {
-    if (link.sure == Sure::assumed) bones.push_back(found.link(link.frame));
+    if (link.sure == Provenance::assumed) bones.push_back(found.link(link.frame));
   }
   if (!bones.empty()) {
     check.push_back(fmt::format("shapes of {} are assumed: bones as thick as their inertia says",
@@ -317,11 +323,12 @@ void tell_what_to_check(const Found& found, const std::vector<JointLimits>& limi
 
 }  // namespace
 
-SetupResult set_up(const SetupRequest& request, const std::optional<std::string>& before) {
+SetupResult make_description(const SetupRequest& request,
+                             const std::optional<std::string>& before) {
   const robot::UrdfModel model = robot::load_urdf_model(request.urdf);
   const Kinematics robot = kinematics_of(model);
-  const LinkShapes shapes = read_shapes(robot, request.places);
-  const Found found = find_all(robot, request, shapes);
+  const LinkShapes shapes = read_shapes(robot, request.package_paths);
+  const UrdfAnalysis found = analyse_urdf(robot, request, shapes);
   const std::vector<JointLimits> limits = joint_limits(robot);
   SetupResult result;
   result.notes = model.notes;
@@ -343,18 +350,20 @@ SetupResult set_up(const SetupRequest& request, const std::optional<std::string>
   without_pairs += capsules_section(found, "");
   const robot::RobotDescription bare = robot::parse_robot(without_pairs, request.out);
   sections.push_back(
-      {"collision", capsules_section(found, pairs_text(bare, allowed_links(bare.table)))});
+      {"collision", capsules_section(found, pairs_text(bare, find_allowed_links(bare.table)))});
   std::vector<std::string> kept;
   result.text = fmt::format(
       "# Made by `morphe robot setup` from {}. What stands below a line that begins with `#:` is\n"
       "# made anew each time, unless somebody changed it: then it stays as it is.\n{}",
       request.urdf.filename().string(),
-      before ? joined_over(sections, *before, kept) : joined(sections));
+      before ? merge_sections(sections, *before, kept) : join_sections(sections));
   if (!kept.empty())
     result.notes.push_back(fmt::format("kept as changed: {}", fmt::join(kept, ", ")));
-  result.points = shapes.points;  // the URDF comes first in the description: the same frames
-  tell_what_to_check(found, limits, result);
-  (void)robot::parse_robot(result.text, request.out);  // what is kept must still fit
+  result.points =
+      shapes.points;  // valid because the frames of the URDF come first in the description
+  add_items_to_check(found, limits, result);
+  (void)robot::parse_robot(
+      result.text, request.out);  // checks that the sections that were kept are still consistent
   return result;
 }
 

@@ -9,40 +9,54 @@
 
 namespace morphe::setup {
 
+/// The inputs from which a description is generated.
 struct SetupRequest {
   std::filesystem::path urdf;
-  std::filesystem::path out;  ///< the description: paths in it are relative to its folder
-  std::string name;           ///< "": the URDF's
-  std::string hand;           ///< link from which the fingers part, "": found
-  MeshPlaces places;
+  /// Path of the description; paths in it are relative to its folder.
+  std::filesystem::path out;
+  /// Name of the robot, "" for that of the URDF.
+  std::string name;
+  /// Link at which the fingers branch, "" to find it.
+  std::string hand;
+  /// The folders in which meshes are searched.
+  PackagePaths package_paths;
+  /// The maximum number of capsules of each link.
   CapsuleBudget budget;
 };
 
-/// A description of a robot that nobody wrote by hand, and what to look at before it is believed.
+/// A generated description of a robot, with a list of properties to be checked before it is used.
 struct SetupResult {
-  std::string text;                   ///< YAML
-  std::vector<std::string> notes;     ///< what is missing or was simplified
-  BodyPoints points;                  ///< of the URDF's shapes, by the description's frames
-  std::vector<std::string> to_check;  ///< what was derived or assumed, in the order of its weight
+  std::string text;                ///< YAML
+  std::vector<std::string> notes;  ///< sentences about missing or simplified data
+  BodyPoints points;  ///< points of the shapes in the URDF, by the frames of the description
+  std::vector<std::string> to_check;  ///< derived or assumed properties, in order of importance
 };
 
-/// Chains, fingers, pads, palm, joint centres, limits, natural posture, capsules and pairs of a
-/// URDF, each marked by how sure it is. `before`: the description that is there already; what a
-/// person changed in it stays (keep_changes.hpp). The same files give the same text.
-SetupResult set_up(const SetupRequest& request, const std::optional<std::string>& before);
+/// Generates the description of a URDF: chains, fingers, pads, palm, joint centres, limits, natural
+/// posture, capsules and allowed pairs, each marked with its certainty. `before` is an existing
+/// description; changes that a person made in it are kept (merge_sections.hpp). Equal files give
+/// equal texts.
+SetupResult make_description(const SetupRequest& request, const std::optional<std::string>& before);
 
-/// A hand's place on a flange, of its base; fixed axes: Rz(yaw) Ry(pitch) Rx(roll).
+/// The pose of a hand's base on a flange, with rotations about fixed axes: Rz(yaw) Ry(pitch)
+/// Rx(roll).
 struct HandMount {
+  /// The position [m] and the angles roll, pitch, yaw [rad].
   Vec3 position = Vec3::Zero(), rpy = Vec3::Zero();
 };
 
-/// A robot of two descriptions: the hand on the arm's flange. Where nobody says how, its fingers
-/// point along the flange's axis and its back lies on the flange.
+/// A robot composed of two descriptions, with the hand mounted on the flange of the arm. If no
+/// mount is given, the fingers point along the axis of the flange and the back of the hand touches
+/// the flange.
 struct MountRequest {
+  /// The paths of the two descriptions and of the result.
   std::filesystem::path arm, hand, out;
+  /// The name of the robot, "" to join the two names.
   std::string name;
+  /// The mount, if given.
   std::optional<HandMount> mount = {};
 };
+/// Generates the description of a hand mounted on an arm.
 SetupResult mount_hand(const MountRequest& request, const std::optional<std::string>& before);
 
 }  // namespace morphe::setup

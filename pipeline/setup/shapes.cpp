@@ -14,9 +14,11 @@ namespace {
 namespace fs = std::filesystem;
 using robot::UrdfShape;
 
-/// The folder that holds PATH of package://NAME/PATH: NAME itself somewhere above the URDF.
-fs::path package_file(const fs::path& urdf, const std::string& name, const fs::path& path,
-                      const MeshPlaces& places) {
+/// Resolves package://NAME/PATH: in the folder given for NAME, otherwise in the nearest folder
+/// above the URDF that is named NAME, contains NAME, or contains PATH itself. Returns an empty path
+/// if the file is not found.
+fs::path resolve_package_path(const fs::path& urdf, const std::string& name, const fs::path& path,
+                              const PackagePaths& places) {
   if (const auto given = places.packages.find(name); given != places.packages.end()) {
     return given->second / path;
   }
@@ -29,13 +31,14 @@ fs::path package_file(const fs::path& urdf, const std::string& name, const fs::p
   return {};
 }
 
-fs::path file_of(const fs::path& urdf, const std::string& named, const MeshPlaces& places) {
+fs::path resolve_mesh_path(const fs::path& urdf, const std::string& named,
+                           const PackagePaths& places) {
   for (const std::string_view scheme : {"package://", "model://"}) {
     if (!named.starts_with(scheme)) continue;
     const std::string rest = named.substr(scheme.size());
     const std::size_t slash = rest.find('/');
     if (slash == std::string::npos) return {};
-    return package_file(urdf, rest.substr(0, slash), rest.substr(slash + 1), places);
+    return resolve_package_path(urdf, rest.substr(0, slash), rest.substr(slash + 1), places);
   }
   fs::path path = named.starts_with("file://") ? named.substr(7) : named;
   if (path.is_relative()) path = urdf.parent_path() / path;
@@ -54,8 +57,8 @@ SceneObject solid(const UrdfShape& shape) {
   return object;
 }
 
-/// Points on the surface of what is no mesh: corners of boxes, rings of cylinders, poles of
-/// spheres.
+/// Adds points on the surface of shapes other than meshes: corners of boxes, rings of cylinders,
+/// poles of spheres.
 void add_points(const SceneObject& object, std::vector<Vec3>& points) {
   const Pose pose = make_pose(object.position[0], object.orientation[0]);
   const auto& size = object.size;
@@ -78,16 +81,17 @@ void add_points(const SceneObject& object, std::vector<Vec3>& points) {
 
 struct Reader {
   const Kinematics& robot;
-  const MeshPlaces& places;
+  const PackagePaths& places;
   LinkShapes found;
-  std::set<std::string> told;
+  std::set<std::string> noted;
 
   void note(const std::string& sentence) {
-    if (told.insert(sentence).second) found.notes.push_back(sentence);
+    if (noted.insert(sentence).second) found.notes.push_back(sentence);
   }
 
-  /// A link of 5 m, or of 1 mm, was hardly drawn in metres.
-  void warn_of_size(const fs::path& file, const SceneObject& mesh) {
+  /// Adds a note for a mesh of 5 m or more, or of 1 mm or less, which was probably not modelled in
+  /// metres.
+  void note_unusual_size(const fs::path& file, const SceneObject& mesh) {
     Vec3 least = mesh.vertices.front(), most = least;
     for (const Vec3& vertex : mesh.vertices) {
       least = least.cwiseMin(vertex);
@@ -99,7 +103,7 @@ struct Reader {
   }
 
   bool read_mesh(const UrdfShape& shape, SceneObject& mesh) {
-    const fs::path file = file_of(robot.model->file, shape.mesh, places);
+    const fs::path file = resolve_mesh_path(robot.model->file, shape.mesh, places);
     if (file.empty() || !fs::exists(file)) {
       note(
           fmt::format("{}: mesh '{}' is missing: no shape of it is known (--package NAME=DIR says "
@@ -107,7 +111,7 @@ struct Reader {
                       robot.model->file.string(), shape.mesh));
       return false;
     }
-    const std::string problem = collision::load_surface(file, mesh);
+    const std::string problem = collision::load_raw_mesh(file, mesh);
     if (!problem.empty()) {
       note(problem);
       return false;
@@ -118,7 +122,7 @@ struct Reader {
     if (shape.size.prod() < 0) {
       for (Eigen::Vector3i& triangle : mesh.triangles) std::swap(triangle[0], triangle[1]);
     }
-    warn_of_size(file, mesh);
+    note_unusual_size(file, mesh);
     mesh.position = {Vec3::Zero()};
     mesh.orientation = {Quat::Identity()};
     return true;
@@ -135,17 +139,17 @@ struct Reader {
       if (!(object.size[0] > 0)) return;
       add_points(object, found.points[frame]);
     }
-    found.of_frame[frame].push_back(std::move(object));
+    found.shapes_by_frame[frame].push_back(std::move(object));
   }
 };
 
 }  // namespace
 
-LinkShapes read_shapes(const Kinematics& robot, const MeshPlaces& places) {
+LinkShapes read_shapes(const Kinematics& robot, const PackagePaths& places) {
   Reader reader{robot, places, {}, {}};
   for (const bool visual : {false, true}) {
     std::set<int> had;
-    for (const auto& [frame, objects] : reader.found.of_frame) had.insert(frame);
+    for (const auto& [frame, objects] : reader.found.shapes_by_frame) had.insert(frame);
     for (const UrdfShape& shape : robot.model->shapes) {
       const int frame = robot.model->links.at(shape.link);
       if (shape.visual == visual && !had.contains(frame)) reader.read(shape, frame);

@@ -6,12 +6,14 @@
 
 namespace morphe::setup {
 
-/// A name as YAML reads it back: quoted where it could be a number or a word of YAML.
+/// Returns a name that YAML reads as the same text: quoted if it could be read as a number or a
+/// keyword of YAML.
 std::string yaml_name(const std::string& name);
-/// Six digits behind the point at most, and no -0.
+/// Formats a number with at most six decimals and without -0.
 std::string yaml_number(double value);
-std::string yaml_vector(const Vec3& v);  ///< [x, y, z]
-/// {position: [x, y, z], quaternion: [w, x, y, z]}
+/// Returns [x, y, z].
+std::string yaml_vector(const Vec3& v);
+/// Returns {position: [x, y, z], quaternion: [w, x, y, z]}.
 std::string yaml_mount(const Pose& pose);
 
 }  // namespace morphe::setup

@@ -14,13 +14,13 @@
 namespace morphe::study {
 namespace {
 
-constexpr double kStep_s = 0.01;
+constexpr double kFileStep_s = 0.01;
 constexpr const char* kElbow = "elbow flexion-extension";
 constexpr const char* kPronation = "forearm pronation-supination";
 constexpr const char* kHorizontal = "Shoulder horiz abd-adduction";
 constexpr const char* kFlexion = "Shoulder flexion-extension";
 constexpr const char* kRotation = "Shoulder internal-external rotation";
-using Angles = std::vector<double>;  // [rad] every kStep_s
+using Angles = std::vector<double>;  // [rad], one every kFileStep_s
 
 Angles read_column(const files::CsvText& csv, const std::string& name) {
   const auto header = csv.cells(1);
@@ -36,19 +36,20 @@ Angles read_column(const files::CsvText& csv, const std::string& name) {
   return angles;
 }
 
-/// On the file's step, from the first frame on; NaN beside unseen frames.
-Angles stepped(const std::vector<double>& time, const std::vector<double>& values) {
+/// Resamples values to the time step of the file, from the first frame on; NaN next to unseen
+/// frames.
+Angles resample(const std::vector<double>& time, const std::vector<double>& values) {
   Angles result;
   std::size_t i = 0;
   for (std::size_t step = 0; values.size() > 1; ++step) {
-    constexpr double kTolerance = 1e-9;
-    const double t = time.front() + static_cast<double>(step) * kStep_s;
-    if (t > time.back() + kTolerance) break;
-    while (i + 2 < time.size() && time[i + 1] <= t + kTolerance) ++i;
+    constexpr double kTimeTolerance_s = 1e-9;
+    const double t = time.front() + static_cast<double>(step) * kFileStep_s;
+    if (t > time.back() + kTimeTolerance_s) break;
+    while (i + 2 < time.size() && time[i + 1] <= t + kTimeTolerance_s) ++i;
     const double share = std::clamp((t - time[i]) / (time[i + 1] - time[i]), 0.0, 1.0);
-    if (share < kTolerance) {
+    if (share < kTimeTolerance_s) {
       result.push_back(values[i]);
-    } else if (share > 1 - kTolerance) {
+    } else if (share > 1 - kTimeTolerance_s) {
       result.push_back(values[i + 1]);
     } else {
       result.push_back((1 - share) * values[i] + share * values[i + 1]);
@@ -67,7 +68,7 @@ std::vector<double> elbow_flexion(const HumanMotion& motion) {
   return angles;
 }
 
-/// Central differences; the ends repeat their neighbours'.
+/// Computes the speed of the index tip by central differences; the ends repeat their neighbours.
 std::vector<double> index_speed(const HumanMotion& motion) {
   constexpr std::size_t kIndex = 1;
   std::vector<double> speed;
@@ -88,7 +89,7 @@ std::vector<double> arm_angle(const HumanMotion& motion, Eigen::Index joint) {
   return angles;
 }
 
-/// `theirs` laid on `ours` from frame `begin` on.
+/// Computes the agreement of `theirs` with `ours` if it begins at frame `begin`.
 AngleAgreement agreement(const Angles& ours, const Angles& theirs, std::size_t begin) {
   AngleAgreement result;
   double a = 0, b = 0, aa = 0, bb = 0, ab = 0;
@@ -105,22 +106,23 @@ AngleAgreement agreement(const Angles& ours, const Angles& theirs, std::size_t b
   if (var_a > 0 && var_b > 0) result.correlation = covariance / std::sqrt(var_a * var_b);
   result.offset_rad = (a - b) / n;
   result.rms_rad = std::sqrt(std::max(0.0, var_a + var_b - 2 * covariance));
-  result.lag_s = static_cast<double>(begin) * kStep_s;
+  result.lag_s = static_cast<double>(begin) * kFileStep_s;
   return result;
 }
 
-/// The same angle under another sign: whichever agrees better.
-AngleAgreement either_sign(Angles ours, const Angles& theirs, std::size_t begin) {
+/// Computes the agreement for both signs of our angle and returns the better one.
+AngleAgreement compare_either_sign(Angles ours, const Angles& theirs, std::size_t begin) {
   const AngleAgreement plain = agreement(ours, theirs, begin);
   for (double& angle : ours) angle = -angle;
   const AngleAgreement turned = agreement(ours, theirs, begin);
   return turned.correlation > plain.correlation ? turned : plain;
 }
 
-/// Where the file begins: where every sample of it can be compared and `better` than anywhere else.
+/// Finds the frame at which the file begins: every sample of it can be compared, and the agreement
+/// is `better` than at any other frame.
 template <class Better>
-std::optional<std::size_t> best_place(const Angles& ours, const Angles& theirs,
-                                      const Better& better) {
+std::optional<std::size_t> best_alignment(const Angles& ours, const Angles& theirs,
+                                          const Better& better) {
   std::optional<std::size_t> place;
   AngleAgreement best;
   for (std::size_t at = 0; at + theirs.size() <= ours.size(); ++at) {
@@ -132,13 +134,14 @@ std::optional<std::size_t> best_place(const Angles& ours, const Angles& theirs,
   return place;
 }
 
-std::size_t place_of(const files::CsvText& csv, const HumanMotion& motion, const Angles& elbow) {
-  const auto by_speed =
-      best_place(stepped(motion.time, index_speed(motion)), read_column(csv, "Finger Velocity"),
-                 [](const auto& a, const auto& b) { return a.correlation > b.correlation; });
+std::size_t find_alignment(const files::CsvText& csv, const HumanMotion& motion,
+                           const Angles& elbow) {
+  const auto by_speed = best_alignment(
+      resample(motion.time, index_speed(motion)), read_column(csv, "Finger Velocity"),
+      [](const auto& a, const auto& b) { return a.correlation > b.correlation; });
   if (by_speed) return *by_speed;
-  return best_place(elbow, read_column(csv, kElbow),
-                    [](const auto& a, const auto& b) { return a.rms_rad < b.rms_rad; })
+  return best_alignment(elbow, read_column(csv, kElbow),
+                        [](const auto& a, const auto& b) { return a.rms_rad < b.rms_rad; })
       .value_or(0);
 }
 
@@ -149,11 +152,11 @@ std::vector<AngleAgreement> compare_with_angle_file(const Demonstration& demonst
                                                     const reconstruct::ReconstructOptions& options,
                                                     const std::filesystem::path& file) {
   const files::CsvText csv = files::read_csv(file);
-  const Angles elbow = stepped(motion.time, elbow_flexion(motion));
+  const Angles elbow = resample(motion.time, elbow_flexion(motion));
   if (read_column(csv, kElbow).size() > elbow.size()) {
     throw InputError(fmt::format("{}: is longer than the recording", file.string()));
   }
-  const std::size_t begin = place_of(csv, motion, elbow);
+  const std::size_t begin = find_alignment(csv, motion, elbow);
   std::vector<AngleAgreement> all;
   const auto add = [&](const std::string& angle, AngleAgreement found) {
     found.angle = angle;
@@ -169,8 +172,8 @@ std::vector<AngleAgreement> compare_with_angle_file(const Demonstration& demonst
                  {"shoulder internal rotation", 2, kRotation},
                  {"forearm pronation", 4, kPronation}};
   for (const auto& one : rebuilt) {
-    add(one.angle, either_sign(stepped(motion.time, arm_angle(motion, one.joint)),
-                               read_column(csv, one.column), begin));
+    add(one.angle, compare_either_sign(resample(motion.time, arm_angle(motion, one.joint)),
+                                       read_column(csv, one.column), begin));
   }
   const ClusterAngles clusters = cluster_angles(demonstration, options);
   const struct {
@@ -183,7 +186,7 @@ std::vector<AngleAgreement> compare_with_angle_file(const Demonstration& demonst
                  {clusters.pronation, kPronation}};
   for (const auto& one : defined) {
     add(fmt::format("{} by the file's definition", one.column),
-        agreement(stepped(motion.time, one.angle), read_column(csv, one.column), begin));
+        agreement(resample(motion.time, one.angle), read_column(csv, one.column), begin));
   }
   return all;
 }

@@ -10,18 +10,23 @@ namespace morphe::study {
 ClusterAngles cluster_angles(const Demonstration& demonstration,
                              const reconstruct::ReconstructOptions& options) {
   if (demonstration.hand == Side::left)
-    return cluster_angles(reconstruct::mirrored(demonstration), options);
+    return cluster_angles(reconstruct::mirror_image(demonstration), options);
   if (!demonstration.streams.markers) return {};
   const MarkerStream& markers = *demonstration.streams.markers;
   reconstruct::MarkerTrial trial{
       markers, reconstruct::StaticTrial(demonstration.calibration.markers),
-      reconstruct::clock_over({&markers.time}, options.rate_hz), options};
-  HumanMotion said;  // what is wrong with a cluster, reconstruct() says
-  const reconstruct::MarkerBody girdle = reconstruct::body_of(trial, "RSHO", true, said);
-  const reconstruct::MarkerBody upper_arm = reconstruct::body_of(trial, "RUAR", true, said);
-  const reconstruct::MarkerBody forearm = reconstruct::body_of(trial, "RLAR", true, said);
-  const Vec3 across = trial.still.at("RLEP", said.problems) - trial.still.at("RMEP", said.problems);
-  if (!girdle.in_static || !upper_arm.in_static || !forearm.in_static || !seen(across)) return {};
+      reconstruct::make_time_grid({&markers.time}, options.rate_hz), options};
+  HumanMotion ignored_problems;  // reconstruct() reports problems of the clusters
+  const reconstruct::MarkerBody girdle =
+      reconstruct::make_marker_body(trial, "RSHO", true, ignored_problems);
+  const reconstruct::MarkerBody upper_arm =
+      reconstruct::make_marker_body(trial, "RUAR", true, ignored_problems);
+  const reconstruct::MarkerBody forearm =
+      reconstruct::make_marker_body(trial, "RLAR", true, ignored_problems);
+  const Vec3 across = trial.static_trial.at("RLEP", ignored_problems.reconstruction_notes) -
+                      trial.static_trial.at("RMEP", ignored_problems.reconstruction_notes);
+  if (!girdle.in_static || !upper_arm.in_static || !forearm.in_static || !is_known(across))
+    return {};
   const Vec3 x = across.normalized(), y = (Vec3::UnitY() - x * x.y()).normalized();
   Eigen::Matrix3d elbow_axes;
   elbow_axes << x, y, x.cross(y);

@@ -4,7 +4,7 @@
 
 namespace morphe::study {
 
-/// Pearson's, of two rows of the same length; NaN below two values.
+/// Computes Pearson's correlation of two series of the same length, NaN for fewer than two values.
 double correlation(const std::vector<double>& a, const std::vector<double>& b);
 
 }  // namespace morphe::study

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/robot/forward.hpp"
-#include "stages/grasp/demonstrated.hpp"
+#include "core/robot/forward_kinematics.hpp"
+#include "stages/grasp/demonstrated_contacts.hpp"
 #include "stages/grasp/measure.hpp"
 #include "stages/grasp/quality.hpp"
 
@@ -15,26 +15,27 @@ double angle_between_vectors(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// The finger of a tip where its pad is nearest to the target.
-RobotFinger finger_at(const collision::CollisionWorld& world, const Plan& plan, std::size_t tip) {
+/// Measures the finger of a tip at the point of the target nearest to its pad.
+RobotFinger measure_finger(const collision::CollisionWorld& world, const Plan& plan,
+                           std::size_t tip) {
   const robot::Robot& robot = *world.robot;
   const auto sample = static_cast<std::size_t>(plan.grasp.sample);
   const double time_s = plan.trajectory.demonstration_time[sample];
   const JointVector q = plan.trajectory.position.row(plan.grasp.sample).transpose();
   RobotFinger finger;
   if (robot.pads[tip].capsule >= 0) {
-    grasp::Touch touch;
+    grasp::DesiredContact touch;
     touch.tip = tip;
     const PadContact contact = grasp::measure_contacts(world, {touch}, q, time_s).front();
-    finger.touched = contact.point;
+    finger.contact_point = contact.point;
     finger.gap = contact.gap;
     finger.pad_angle = contact.pad_angle;
   }
   std::vector<Pose> frames;
-  robot::forward(robot, q, frames);
+  robot::forward_kinematics(robot, q, frames);
   const Pose object_from_base = plan.grasp.base_from_object.inverse();
-  finger.tip = object_from_base * robot::goal_point(robot, frames, tip, 0);
-  finger.pad = object_from_base * robot::goal_point(robot, frames, tip, 1);
+  finger.tip = object_from_base * robot::tracked_point(robot, frames, tip, 0);
+  finger.pad = object_from_base * robot::tracked_point(robot, frames, tip, 1);
   const auto centre = std::ranges::find(robot.tip_of_centre, static_cast<int>(tip));
   if (centre != robot.tip_of_centre.end()) {
     const auto k = static_cast<std::size_t>(centre - robot.tip_of_centre.begin());
@@ -48,7 +49,7 @@ RobotFinger finger_at(const collision::CollisionWorld& world, const Plan& plan, 
 
 ContactError contact_error(const KnownContact& known, const RobotFinger& finger) {
   ContactError error;
-  error.distance = (finger.touched - known.point).norm();
+  error.distance = (finger.contact_point - known.point).norm();
   error.pad_angle = finger.pad_angle;
   error.gap = finger.gap;
   error.precision = ((finger.tip - known.point) - (known.tip - known.point)).norm();
@@ -67,22 +68,23 @@ Penetration deepest_penetration(const collision::CollisionWorld& world,
   collision::CollisionScratch scratch;
   for (std::size_t i = 0; i < trajectory.samples(); ++i) {
     const JointVector q = trajectory.position.row(static_cast<Eigen::Index>(i)).transpose();
-    collision::pose_bodies(world, q, trajectory.demonstration_time[i], scratch);
+    collision::update_bodies(world, q, trajectory.demonstration_time[i], scratch);
     for (std::size_t c = 0; c < robot.capsules.size(); ++c) {
       const double depth =
           -collision::capsule_solid(scratch.bodies[c], collision::solid_at(world, target),
                                     scratch.object_poses[target])
                .distance;
-      double& most = robot::is_pad(robot, static_cast<int>(c)) ? deepest.pads : deepest.others;
+      double& most =
+          robot::is_pad(robot, static_cast<int>(c)) ? deepest.pads_m : deepest.other_links_m;
       most = std::max(most, depth);
     }
   }
   return deepest;
 }
 
-std::optional<std::size_t> tip_of_finger(const RobotTable& robot, std::size_t finger) {
+std::optional<std::size_t> tip_of_finger(const RobotModel& robot, std::size_t finger) {
   for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
-    const RobotTable::Tip& one = robot.tips[tip];
+    const RobotModel::Tip& one = robot.tips[tip];
     const bool itself = std::isnan(one.along) || one.along == 0 || one.along == 1;
     if (one.finger == static_cast<int>(finger) && itself) return tip;
   }
@@ -93,35 +95,35 @@ GraspScore score_grasp(const robot::Robot& robot, const Plan& plan,
                        const std::vector<KnownContact>& known) {
   GraspScore score;
   score.executable = plan.executable();
-  score.runs = plan.has_trajectory();
-  if (!score.runs) return score;
+  score.has_trajectory = plan.has_trajectory();
+  if (!score.has_trajectory) return score;
   score.humanlikeness = plan.certificate.humanlikeness_final;
   score.duration_s = plan.trajectory.time.back();
   collision::CollisionWorld world =
       collision::make_world(robot, plan.scene, plan.movement, plan.tolerances);
-  collision::carry_target(plan.trajectory.demonstration_time, plan.trajectory.position, world);
+  collision::attach_target(plan.trajectory.demonstration_time, plan.trajectory.position, world);
   score.penetration = deepest_penetration(world, plan.trajectory);
   for (const PadContact& contact : plan.grasp.contacts) {
     const bool closed = contact.origin == ContactOrigin::closed;
-    const bool touches = contact.gap <= grasp::kTouches_m;
+    const bool touches = contact.gap <= grasp::kMaxContactGap_m;
     ++(closed ? score.closed : score.demonstrated);
-    if (touches) ++(closed ? score.closed_touch : score.touched);
+    if (touches) ++(closed ? score.closed_touching : score.touching);
   }
   if (plan.grasp.sample < 0) return score;
   for (const KnownContact& contact : known) {
     const std::optional<std::size_t> tip = tip_of_finger(robot, contact.finger);
-    if (tip) score.errors.push_back(contact_error(contact, finger_at(world, plan, *tip)));
+    if (tip) score.errors.push_back(contact_error(contact, measure_finger(world, plan, *tip)));
   }
   return score;
 }
 
-std::size_t contacts_asked(const robot::Robot& robot, const Plan& by_tips,
-                           const grasp::GraspOptions& options) {
-  const SceneObject* target = object_named(by_tips.scene.objects, by_tips.movement.target);
+std::size_t count_demonstrated_contacts(const robot::Robot& robot, const Plan& by_tips,
+                                        const grasp::GraspOptions& options) {
+  const SceneObject* target = find_object(by_tips.scene.objects, by_tips.movement.target);
   if (!target) return 0;
   const auto mesh = collision::mesh_solid_of(*target, {});
-  return grasp::demonstrated_touches(robot, by_tips.goals, by_tips.movement, {*target, mesh.get()},
-                                     options)
+  return grasp::demonstrated_contacts(robot, by_tips.goals, by_tips.movement, {*target, mesh.get()},
+                                      options)
       .size();
 }
 

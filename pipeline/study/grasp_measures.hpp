@@ -11,56 +11,78 @@
 
 namespace morphe::study {
 
-/// A robot's finger at the object, in the object's frame.
+/// A finger of the robot at the object, in the object's frame.
 struct RobotFinger {
-  Vec3 touched = unseen_point();       ///< the surface's nearest point to its pad [m]
-  Vec3 tip = unseen_point();           ///< [m]
-  Vec3 pad = unseen_point();           ///< centre of its pad's ball [m]
-  Vec3 middle_joint = unseen_point();  ///< its centre of metric A [m]
-  double gap = kNotSeen;               ///< between pad and surface, < 0: it lies inside [m]
-  double pad_angle = kNotSeen;         ///< between the pad's middle and the inward normal [rad]
+  /// Point of the surface nearest to its pad [m].
+  Vec3 contact_point = unknown_point();
+  /// Fingertip [m].
+  Vec3 tip = unknown_point();
+  /// Centre of the ball of its pad [m].
+  Vec3 pad = unknown_point();
+  /// Centre of its middle joint, as used by metric A [m].
+  Vec3 middle_joint = unknown_point();
+  /// Signed distance between pad and surface, negative if the pad penetrates [m].
+  double gap = kUnknown;
+  /// Angle between the direction of the pad's centre and the inward normal [rad].
+  double pad_angle = kUnknown;
 };
 
-/// What one finger makes of a contact that is known.
+/// The errors of one robot finger with respect to a known contact.
 struct ContactError {
-  double distance = kNotSeen;   ///< |touched - point|, on one surface [m]
-  double pad_angle = kNotSeen;  ///< [rad]
-  double gap = kNotSeen;        ///< [m]
-  /// TopoRetarget's (arXiv:2606.16272, A.3): |(h_r - o) - (h_s - o)|, o the same point of the
-  /// object for both, h_s the person's fingertip and h_r the robot's, or the centre of its pad,
-  /// which takes the tip's place where a contact is asked for [m].
-  double precision = kNotSeen, pad_precision = kNotSeen;
-  /// Theirs, too: the angle between the two bones from the finger's middle joint to its tip [rad].
-  double alignment = kNotSeen;
+  /// |touched - point|, both on the surface [m].
+  double distance = kUnknown;
+  /// Angle of the pad [rad].
+  double pad_angle = kUnknown;
+  /// Signed distance of the pad [m].
+  double gap = kUnknown;
+  /// The precision of TopoRetarget (arXiv:2606.16272, A.3): |(h_r - o) - (h_s - o)| [m], with the
+  /// same point o of the object for both, the person's fingertip h_s, and h_r the robot's fingertip
+  /// or the centre of its pad, which replaces the tip if a contact is the goal.
+  double precision = kUnknown, pad_precision = kUnknown;
+  /// The alignment of TopoRetarget: the angle between the two bones from the finger's middle joint
+  /// to its tip [rad].
+  double alignment = kUnknown;
 };
+/// Computes the errors of a finger with respect to a known contact.
 ContactError contact_error(const KnownContact& known, const RobotFinger& finger);
 
-/// How deep links lie in the target at any of the samples, 0 if none does [m].
+/// The largest penetration of links into the target over all samples, 0 if there is none [m].
 struct Penetration {
-  double pads = 0, others = 0;
+  /// The penetration by the finger pads and by all other links [m].
+  double pads_m = 0, other_links_m = 0;
 };
+/// Computes the largest penetration over a trajectory.
 Penetration deepest_penetration(const collision::CollisionWorld& world,
                                 const Trajectory& trajectory);
 
-/// The tip that follows a person's finger itself, none where it follows a point between fingers.
-std::optional<std::size_t> tip_of_finger(const RobotTable& robot, std::size_t finger);
+/// Returns the robot tip that follows a person's finger itself, empty if it follows a point between
+/// fingers.
+std::optional<std::size_t> tip_of_finger(const RobotModel& robot, std::size_t finger);
 
-/// One plan of a movement, as far as the study looks at it.
+/// The measures of one plan of a movement that the study uses.
 struct GraspScore {
-  bool runs = false, executable = false;      ///< it has a trajectory, that reaches its goals
-  double humanlikeness = kNotSeen;            ///< metric A, of the trajectory [m²]
-  double duration_s = kNotSeen;               ///< of the trajectory
-  std::vector<ContactError> errors;           ///< a known contact each
-  Penetration penetration;                    ///< likewise
-  std::size_t demonstrated = 0, touched = 0;  ///< contacts in the plan's table; that touch
-  std::size_t closed = 0, closed_touch = 0;   ///< likewise of fingers that were closed
+  /// True if the plan has a trajectory, and if it is executable.
+  bool has_trajectory = false, executable = false;
+  /// Metric A of the trajectory [m²].
+  double humanlikeness = kUnknown;
+  /// Duration of the trajectory [s].
+  double duration_s = kUnknown;
+  /// One element for each known contact.
+  std::vector<ContactError> errors;
+  /// Penetration over the trajectory.
+  Penetration penetration;
+  /// Number of contacts in the plan's table, and of those that touch.
+  std::size_t demonstrated = 0, touching = 0;
+  /// The same numbers for fingers that were closed.
+  std::size_t closed = 0, closed_touching = 0;
 };
+/// Computes the measures of a plan.
 GraspScore score_grasp(const robot::Robot& robot, const Plan& plan,
                        const std::vector<KnownContact>& known);
 
-/// How many contacts the demonstration of a movement asks for, by the plan without contacts, whose
-/// goals are the person's own tips.
-std::size_t contacts_asked(const robot::Robot& robot, const Plan& by_tips,
-                           const grasp::GraspOptions& options);
+/// Counts the contacts that the demonstration of a movement requires, by means of the plan without
+/// contacts, whose goals are the person's own fingertips.
+std::size_t count_demonstrated_contacts(const robot::Robot& robot, const Plan& by_tips,
+                                        const grasp::GraspOptions& options);
 
 }  // namespace morphe::study

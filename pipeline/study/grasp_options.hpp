@@ -8,17 +8,25 @@
 
 namespace morphe::study {
 
-/// Recordings, and the hands that grasp what is grasped in them.
+/// A set of recordings and the hands that grasp the objects in them.
 struct GraspSet {
+  /// The name of the set.
   std::string name;
-  std::vector<std::string> pipelines;  ///< a config a hand
-  std::string manifest;                ///< real recordings, and then
-  std::string synthetic;               ///< those of a config of pipeline/synthesize
-  bool known_objects = false;          ///< with an object put into the hand of each synthetic one
-                                       ///< (pipeline/study/held_objects.hpp)
-  int count = 50, quick_count = 1;     ///< synthetic ones, of the manifest's only with --quick
+  /// One config for each hand.
+  std::vector<std::string> pipelines;
+  /// Manifest of real recordings, which come first.
+  std::string manifest;
+  /// Config of pipeline/synthesize for synthetic recordings.
+  std::string synthetic;
+  /// True if an object is put into the hand of each synthetic recording
+  /// (pipeline/study/held_objects.hpp).
+  bool known_objects = false;
+  /// Number of synthetic recordings; recordings of the manifest are limited only with --quick.
+  int count = 50, quick_count = 1;
+  /// The seed of the synthetic recordings.
   std::uint64_t seed = 1;
 };
+/// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, GraspSet& o) {
   f.required("name", o.name);
@@ -30,17 +38,25 @@ void fields(Fields& f, GraspSet& o) {
   f("quick_count", o.quick_count);
   f("seed", o.seed);
 }
-std::string why_invalid(const GraspSet& set);
+/// Returns a message about the first invalid value, "" if all values are valid.
+std::string validation_error(const GraspSet& set);
 
-/// configs/studies/grasp.yaml: each recording planned twice, with contacts as goals and with plain
-/// fingertip goals; what touches is held against where the person touched.
+/// The options of configs/studies/grasp.yaml. Each recording is planned twice, with contacts as
+/// goals and with plain fingertip goals; the contacts of the robot are compared with those of the
+/// person.
 struct GraspStudyOptions {
+  /// The name of the study.
   std::string study;
+  /// The sets of recordings.
   std::vector<GraspSet> sets;
-  StudyVariant contacts;    ///< must have a section `grasp`
-  StudyVariant fingertips;  ///< the baseline, without one
-  int quick_hands = 1;      ///< hands of a set that the quick variant looks at, the first ones
+  /// Variant with contacts, which must have a section `grasp`.
+  StudyVariant contacts;
+  /// Baseline without a section `grasp`.
+  StudyVariant fingertips;
+  /// Number of hands of a set in the quick variant, taken from the first.
+  int quick_hands = 1;
 };
+/// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, GraspStudyOptions& o) {
   f.required("study", o.study);
@@ -49,6 +65,7 @@ void fields(Fields& f, GraspStudyOptions& o) {
   f.required("fingertips", o.fingertips);
   f("quick_hands", o.quick_hands);
 }
-std::string why_invalid(const GraspStudyOptions& options);
+/// Returns a message about the first invalid value, "" if all values are valid.
+std::string validation_error(const GraspStudyOptions& options);
 
 }  // namespace morphe::study

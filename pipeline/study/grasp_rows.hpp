@@ -8,15 +8,19 @@
 
 namespace morphe::study {
 
-/// A movement planned with contacts as goals and with plain fingertip goals.
-struct GraspPair {
+/// The scores of a movement planned with contacts as goals and with plain fingertip goals.
+struct GraspComparison {
+  /// The scores of the two plans.
   GraspScore contacts, fingertips;
-  std::size_t asked = 0;  ///< contacts that its demonstration asks for, if it runs with contacts
+  /// Number of contacts that the demonstration requires, if the plan with contacts has a
+  /// trajectory.
+  std::size_t demonstrated_contacts = 0;
 };
 
-/// The rows of one hand of a set (docs/steps/study.md says what each is). Contacts and penetration
-/// are those of all plans that run, ratios those of movements that are executable both ways.
+/// Adds the rows of one hand of a set (docs/steps/study.md describes them). Contacts and
+/// penetration are taken over all plans with a trajectory, ratios over movements that are
+/// executable in both variants.
 void add_grasp_rows(const GraspStudyOptions& options, const Case& of,
-                    const std::vector<GraspPair>& pairs, StudyResult& result);
+                    const std::vector<GraspComparison>& pairs, StudyResult& result);
 
 }  // namespace morphe::study

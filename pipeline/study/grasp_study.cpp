@@ -20,16 +20,16 @@ namespace {
 
 constexpr Shape kShapes[] = {Shape::sphere, Shape::cylinder, Shape::box};
 
-/// A recording of a set.
+/// A recording of a set with its known contacts.
 struct RecordedGrasp {
   Demonstration demonstration;
-  std::vector<KnownContact> contacts;  ///< of its made object, if it has one
+  std::vector<KnownContact> contacts;  ///< contacts of its synthetic object, if it has one
 };
 
-/// A recording planned both ways.
-struct PlannedTwice {
+/// A recording planned in both variants.
+struct PlannedRecording {
   std::string name;
-  std::vector<GraspPair> pairs;
+  std::vector<GraspComparison> pairs;
   std::vector<Plan> contacts, fingertips;
 };
 
@@ -40,12 +40,15 @@ synthesize::SynthesizeOptions synthetic_options(const std::filesystem::path& fil
   return options;
 }
 
-/// Synthetic recordings, in order of their number; with known objects those in whose hand one fits.
+/// Adds synthetic recordings in order of their number; with known objects, only those in whose hand
+/// an object fits.
 void add_synthetic_grasps(const GraspSet& set, const std::filesystem::path& folder,
                           std::size_t count, double pad_depth_m, std::vector<RecordedGrasp>& all) {
-  constexpr std::size_t kTries = 10;  ///< recordings looked at for each that is wanted
+  /// Recordings tried for each that is required.
+  constexpr std::size_t kMaxRecordingsPerGrasp = 10;
   const synthesize::SynthesizeOptions options = synthetic_options(folder / set.synthetic);
-  for (std::size_t index = 0, found = 0; found < count && index < kTries * count; ++index) {
+  for (std::size_t index = 0, found = 0; found < count && index < kMaxRecordingsPerGrasp * count;
+       ++index) {
     synthesize::SyntheticRecording made = synthesize::synthesize(options, set.seed, index);
     if (!set.known_objects) {
       all.push_back({std::move(made.recorded), {}});
@@ -54,15 +57,15 @@ void add_synthetic_grasps(const GraspSet& set, const std::filesystem::path& fold
     }
     math::RandomStream random(math::seed_from(set.seed, "held object", index), set.name);
     std::optional<KnownGrasp> known =
-        known_grasp(made, kShapes[found % std::size(kShapes)], pad_depth_m, random);
+        add_held_object(made, kShapes[found % std::size(kShapes)], pad_depth_m, random);
     if (!known) continue;
     all.push_back({std::move(known->recorded), std::move(known->contacts)});
     ++found;
   }
 }
 
-std::vector<RecordedGrasp> recordings_to_grasp(const GraspSet& set, const StudyRun& run,
-                                               double pad_depth_m) {
+std::vector<RecordedGrasp> load_recordings(const GraspSet& set, const StudyRun& run,
+                                           double pad_depth_m) {
   const std::filesystem::path folder = run.config.parent_path();
   std::vector<RecordedGrasp> all;
   if (!set.manifest.empty()) {
@@ -81,36 +84,39 @@ std::vector<RecordedGrasp> recordings_to_grasp(const GraspSet& set, const StudyR
   return all;
 }
 
-/// The contacts of a movement: made, or those of its recorded object; none of an inferred one.
-std::vector<KnownContact> known_in(const RecordedGrasp& recording, const planning::Rebuilt& rebuilt,
-                                   const Movement& movement, const grasp::GraspOptions& options) {
-  const SceneObject* target = object_named(rebuilt.beside.objects, movement.target);
+/// Returns the known contacts of a movement: those of its synthetic object or of its recorded
+/// object; empty for an inferred object.
+std::vector<KnownContact> known_contacts_of(const RecordedGrasp& recording,
+                                            const planning::Reconstruction& rebuilt,
+                                            const Movement& movement,
+                                            const grasp::GraspOptions& options) {
+  const SceneObject* target = find_object(rebuilt.on_robot_side.objects, movement.target);
   if (!target) return {};
   if (!recording.contacts.empty()) {
-    return target->name == kHeldName ? recording.contacts : std::vector<KnownContact>{};
+    return target->name == kHeldObjectName ? recording.contacts : std::vector<KnownContact>{};
   }
-  const double at_s = instant_of_grasp(movement.phases);
+  const double at_s = grasp_instant_s(movement.phases);
   const HumanMotion& motion = rebuilt.motion;
   const auto frame =
       static_cast<std::size_t>(std::ranges::lower_bound(motion.time, at_s) - motion.time.begin());
   if (!(at_s >= movement.begin_s) || frame >= motion.time.size()) return {};
-  SeenHand hand;
-  for (std::size_t finger = 0; finger < kFingers; ++finger) {
+  ObservedHand hand;
+  for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
     hand.tip[finger] = motion.tip(frame, finger);
     hand.middle_joint[finger] = motion.finger_joint(frame, finger);
   }
   return recorded_contacts(*target, motion.time[frame], hand, options);
 }
 
-/// A hand of a set, in both variants.
-struct GraspHand {
+/// The configs of a hand of a set in both variants.
+struct HandVariants {
   planning::LoadedConfig contacts, fingertips;
   const grasp::GraspOptions& options() const { return *contacts.options.grasp; }
 };
 
-GraspHand load_hand(const GraspStudyOptions& options, const std::filesystem::path& pipeline) {
-  GraspHand hand{planning::load_config(pipeline, options.contacts.set),
-                 planning::load_config(pipeline, options.fingertips.set)};
+HandVariants load_hand(const GraspStudyOptions& options, const std::filesystem::path& pipeline) {
+  HandVariants hand{planning::load_config(pipeline, options.contacts.set),
+                    planning::load_config(pipeline, options.fingertips.set)};
   if (!hand.contacts.options.grasp || hand.fingertips.options.grasp) {
     throw InputError(fmt::format("{}: `{}` must set a key of grasp, and `{}` none",
                                  pipeline.string(), options.contacts.name,
@@ -119,31 +125,33 @@ GraspHand load_hand(const GraspStudyOptions& options, const std::filesystem::pat
   return hand;
 }
 
-PlannedTwice plan_both_ways(const GraspHand& hand, const RecordedGrasp& recording) {
+PlannedRecording plan_both_variants(const HandVariants& hand, const RecordedGrasp& recording) {
   const robot::Robot& robot = hand.contacts.robot;
-  const planning::Planner with{hand.contacts.options, robot},
+  const planning::PlanningInputs with{hand.contacts.options, robot},
       without{hand.fingertips.options, robot};
-  PlannedTwice planned{recording.demonstration.name, {}, {}, {}};
+  PlannedRecording planned{recording.demonstration.name, {}, {}, {}};
   planned.contacts = planning::plan_demonstration(with, recording.demonstration).plans;
   planned.fingertips = planning::plan_demonstration(without, recording.demonstration).plans;
   planning::StageSeconds seconds;
-  const planning::Rebuilt rebuilt = planning::rebuild(without, recording.demonstration, seconds);
+  const planning::Reconstruction rebuilt =
+      planning::reconstruct_demonstration(without, recording.demonstration, seconds);
   if (planned.contacts.size() != planned.fingertips.size()) {
     throw InputError(planned.name + ": the variants find other movements");
   }
   for (std::size_t k = 0; k < planned.contacts.size(); ++k) {
     const Plan &contacts = planned.contacts[k], &fingertips = planned.fingertips[k];
     const std::vector<KnownContact> known =
-        known_in(recording, rebuilt, contacts.movement, hand.options());
-    GraspPair& pair = planned.pairs.emplace_back();
+        known_contacts_of(recording, rebuilt, contacts.movement, hand.options());
+    GraspComparison& pair = planned.pairs.emplace_back();
     pair.contacts = score_grasp(robot, contacts, known);
     pair.fingertips = score_grasp(robot, fingertips, known);
-    if (contacts.has_trajectory()) pair.asked = contacts_asked(robot, fingertips, hand.options());
+    if (contacts.has_trajectory())
+      pair.demonstrated_contacts = count_demonstrated_contacts(robot, fingertips, hand.options());
   }
   return planned;
 }
 
-/// The plans of one variant, beside the results; none are written if there is no folder.
+/// Opens the file of the plans of one variant beside the results, null if there is no folder.
 std::unique_ptr<store::PlanWriter> writer_of(const StudyRun& run, const GraspSet& set,
                                              const StudyVariant& variant,
                                              const planning::LoadedConfig& config) {
@@ -156,26 +164,27 @@ std::unique_ptr<store::PlanWriter> writer_of(const StudyRun& run, const GraspSet
       plans / (name + ".h5"), planning::header_of(config, files::sha256(of)), config.robot);
 }
 
-std::vector<GraspPair> plan_set(const GraspStudyOptions& options, const GraspSet& set,
-                                const GraspHand& hand, const std::vector<RecordedGrasp>& recordings,
-                                const StudyRun& run) {
+std::vector<GraspComparison> plan_set(const GraspStudyOptions& options, const GraspSet& set,
+                                      const HandVariants& hand,
+                                      const std::vector<RecordedGrasp>& recordings,
+                                      const StudyRun& run) {
   const auto contacts = writer_of(run, set, options.contacts, hand.contacts);
   const auto fingertips = writer_of(run, set, options.fingertips, hand.fingertips);
-  std::vector<GraspPair> pairs;
-  parallel::for_each<PlannedTwice>(
+  std::vector<GraspComparison> pairs;
+  parallel::ordered_for_each<PlannedRecording>(
       static_cast<int>(recordings.size()), run.jobs,
-      [&](std::uint64_t index) { return plan_both_ways(hand, recordings[index]); },
-      [&](const PlannedTwice& planned) {
+      [&](std::uint64_t index) { return plan_both_variants(hand, recordings[index]); },
+      [&](const PlannedRecording& planned) {
         for (std::size_t k = 0; k < planned.pairs.size(); ++k) {
-          const GraspPair& pair = planned.pairs[k];
+          const GraspComparison& pair = planned.pairs[k];
           if (contacts) contacts->add(planned.contacts[k]);
           if (fingertips) fingertips->add(planned.fingertips[k]);
           pairs.push_back(pair);
-          run.progress(fmt::format("{}, {}, {}/{}: {} {}, {} of {} touch; {} {}", set.name,
-                                   hand.contacts.robot.name, planned.name, k, options.contacts.name,
-                                   name_of(planned.contacts[k].status()), pair.contacts.touched,
-                                   pair.asked, options.fingertips.name,
-                                   name_of(planned.fingertips[k].status())));
+          run.progress(fmt::format(
+              "{}, {}, {}/{}: {} {}, {} of {} touch; {} {}", set.name, hand.contacts.robot.name,
+              planned.name, k, options.contacts.name, name_of(planned.contacts[k].status()),
+              pair.contacts.touching, pair.demonstrated_contacts, options.fingertips.name,
+              name_of(planned.fingertips[k].status())));
         }
       });
   if (contacts) contacts->finish();
@@ -185,7 +194,7 @@ std::vector<GraspPair> plan_set(const GraspStudyOptions& options, const GraspSet
 
 }  // namespace
 
-std::string why_invalid(const GraspSet& set) {
+std::string validation_error(const GraspSet& set) {
   if (set.pipelines.empty()) return "pipelines is empty";
   if (set.manifest.empty() && set.synthetic.empty()) return "needs `manifest` or `synthetic`";
   if (set.known_objects && set.synthetic.empty()) return "known_objects needs `synthetic`";
@@ -193,7 +202,7 @@ std::string why_invalid(const GraspSet& set) {
   return "";
 }
 
-std::string why_invalid(const GraspStudyOptions& options) {
+std::string validation_error(const GraspStudyOptions& options) {
   if (options.sets.empty()) return "sets is empty";
   if (options.contacts.name == options.fingertips.name) {
     return "contacts and fingertips are named alike";
@@ -218,11 +227,10 @@ StudyResult grasp_study(const config::ConfigNode& config, const StudyRun& run) {
     }
     std::vector<RecordedGrasp> recordings;
     for (const std::string& pipeline : set.pipelines) {
-      const GraspHand hand = load_hand(options, folder / pipeline);
-      if (recordings.empty())
-        recordings = recordings_to_grasp(set, run, hand.options().pad_depth_m);
-      const std::vector<GraspPair> pairs = plan_set(options, set, hand, recordings, run);
-      StudyResult of_hand;  // a study of hours says what it has
+      const HandVariants hand = load_hand(options, folder / pipeline);
+      if (recordings.empty()) recordings = load_recordings(set, run, hand.options().pad_depth_m);
+      const std::vector<GraspComparison> pairs = plan_set(options, set, hand, recordings, run);
+      StudyResult of_hand;  // reports intermediate results, because the study takes hours
       add_grasp_rows(options, {{"set", set.name}, {"hand", hand.contacts.robot.name}}, pairs,
                      of_hand);
       run.progress(results_table(of_hand));

@@ -6,7 +6,7 @@
 #include "core/collision/world.hpp"
 #include "core/math/statistics.hpp"
 #include "core/motion/human_motion.hpp"
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 #include "pipeline/study/correlation.hpp"
 
 namespace morphe::study {
@@ -18,7 +18,7 @@ Tips tips_along(const robot::Robot& robot, const JointRows& q) {
   Tips tips(static_cast<std::size_t>(q.rows()));
   std::vector<Pose> poses;
   for (std::size_t f = 0; f < tips.size(); ++f) {
-    robot::forward(robot, q.row(static_cast<Eigen::Index>(f)).transpose(), poses);
+    robot::forward_kinematics(robot, q.row(static_cast<Eigen::Index>(f)).transpose(), poses);
     for (std::size_t i = 0; i < robot.tips.size(); ++i) {
       tips[f].push_back(robot::tip_pose(robot, poses, i).translation());
     }
@@ -26,7 +26,8 @@ Tips tips_along(const robot::Robot& robot, const JointRows& q) {
   return tips;
 }
 
-/// Rms of second differences over the square of the step, where all three points are seen.
+/// Computes the rms of second differences divided by the square of the step, over frames at which
+/// all three points are seen.
 double rms_acceleration(const Tips& tips, const std::vector<double>& time) {
   double sum = 0;
   std::size_t count = 0;
@@ -43,7 +44,7 @@ double rms_acceleration(const Tips& tips, const std::vector<double>& time) {
   return std::sqrt(sum / static_cast<double>(count));
 }
 
-/// Of the hand with itself: no other pairs than a plan's are looked at.
+/// Adds the overlaps of the hand with itself; only pairs that a plan checks are considered.
 void score_overlaps(const robot::Robot& robot, const JointRows& q, HandScores& scores) {
   const Scene nothing;
   const collision::CollisionWorld world = collision::make_world(robot, nothing, {}, {});
@@ -52,33 +53,34 @@ void score_overlaps(const robot::Robot& robot, const JointRows& q, HandScores& s
   for (Eigen::Index f = 0; f < q.rows(); ++f) {
     const double clearance = collision::clearance(world, q.row(f).transpose(), 0, scratch);
     overlapping += clearance < 0 ? 1 : 0;
-    scores.deepest_m = std::max(scores.deepest_m, -clearance);
+    scores.max_overlap_m = std::max(scores.max_overlap_m, -clearance);
   }
-  scores.overlapping = static_cast<double>(overlapping) / static_cast<double>(q.rows());
+  scores.overlap_share = static_cast<double>(overlapping) / static_cast<double>(q.rows());
 }
 
-std::size_t tip_of(const robot::Robot& robot, std::size_t finger) {
+std::size_t first_tip_of_finger(const robot::Robot& robot, std::size_t finger) {
   const auto found = std::ranges::find(robot.tips, static_cast<int>(finger),
-                                       [](const RobotTable::Tip& tip) { return tip.finger; });
+                                       [](const RobotModel::Tip& tip) { return tip.finger; });
   return static_cast<std::size_t>(found - robot.tips.begin());
 }
 
 }  // namespace
 
-HandScores score_hand(const robot::Robot& robot, const HandCourse& course, double near_m) {
+HandScores score_hand(const robot::Robot& robot, const HandPath& course, double near_m) {
   HandScores scores;
   const Tips tips = tips_along(robot, course.q);
   std::vector<double> errors;
   for (std::size_t f = 0; f < tips.size(); ++f) {
     for (std::size_t i = 0; i < tips[f].size(); ++i) {
-      if (seen(course.goals[f][i])) errors.push_back((tips[f][i] - course.goals[f][i]).norm());
+      if (is_known(course.goals[f][i])) errors.push_back((tips[f][i] - course.goals[f][i]).norm());
     }
   }
   if (!errors.empty()) {
     scores.tip_mean_m = math::mean(errors);
     scores.tip_95_m = math::quantile(errors, 0.95);
   }
-  const std::size_t thumb = tip_of(robot, kThumb), index = tip_of(robot, kIndex);
+  const std::size_t thumb = first_tip_of_finger(robot, kThumb),
+                    index = first_tip_of_finger(robot, kIndex);
   if (std::max(thumb, index) < robot.tips.size()) {
     std::vector<double> robots, humans, pinches;
     for (std::size_t f = 0; f < tips.size(); ++f) {
@@ -95,8 +97,8 @@ HandScores score_hand(const robot::Robot& robot, const HandCourse& course, doubl
   for (Eigen::Index f = 1; f < course.q.rows(); ++f) {
     const auto i = static_cast<std::size_t>(f);
     const double step = (course.q.row(f) - course.q.row(f - 1)).cwiseAbs().maxCoeff();
-    scores.largest_step_rad =
-        std::max(scores.largest_step_rad, 0.01 * step / (course.time[i] - course.time[i - 1]));
+    scores.max_step_rad =
+        std::max(scores.max_step_rad, 0.01 * step / (course.time[i] - course.time[i - 1]));
   }
   scores.acceleration =
       rms_acceleration(tips, course.time) / rms_acceleration(course.goals, course.time);

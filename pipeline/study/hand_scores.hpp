@@ -6,26 +6,41 @@
 
 namespace morphe::study {
 
-/// A hand's course beside the human's: what a user of hands alone looks at.
+/// The measures of a hand path in comparison with the human's, as a user of hands alone would judge
+/// it.
 struct HandScores {
-  double tip_mean_m = kNotSeen, tip_95_m = kNotSeen;  ///< from where the method wants its tips
-  double pinch_median_m = kNotSeen;                   ///< |thumb-index - the human's| in pinches
-  std::size_t pinches = 0;                            ///< frames
-  double correlation = kNotSeen;   ///< thumb-index distance with the human's, all frames
-  double largest_step_rad = 0;     ///< of any joint, per 10 ms
-  double acceleration = kNotSeen;  ///< rms of tips', robot's over that of their goals
-  double overlapping = 0;          ///< share of frames in which capsules of two links overlap
-  double deepest_m = 0;            ///< by how much, at most
+  /// Distance of the tips from their goals, mean and 95th percentile [m].
+  double tip_mean_m = kUnknown, tip_95_m = kUnknown;
+  /// |thumb-index distance - the human's| in pinches, median [m].
+  double pinch_median_m = kUnknown;
+  /// Number of frames in pinches.
+  std::size_t pinches = 0;
+  /// Correlation of the thumb-index distance with the human's, over all frames.
+  double correlation = kUnknown;
+  /// Largest step of any joint [rad per 10 ms].
+  double max_step_rad = 0;
+  /// Rms acceleration of the tips divided by that of their goals.
+  double acceleration = kUnknown;
+  /// Share of frames in which the capsules of two links overlap.
+  double overlap_share = 0;
+  /// Largest overlap [m].
+  double max_overlap_m = 0;
 };
 
-/// What a method makes of a recording: tips and goals [F][tips] in one frame.
-struct HandCourse {
+/// The result of a method on a recording: tips and goals [F][tips] in one frame.
+struct HandPath {
+  /// The time of each frame [s].
   std::vector<double> time;
+  /// The joint positions [F, n].
   JointRows q;
-  std::vector<std::vector<Vec3>> goals;  ///< where the method wants its tips, NaN = nowhere
-  std::vector<std::vector<Vec3>> human;  ///< the human's own tips
+  /// Goals of the method for its tips, NaN if a tip has no goal.
+  std::vector<std::vector<Vec3>> goals;
+  /// The human's own fingertips.
+  std::vector<std::vector<Vec3>> human;
 };
 
-HandScores score_hand(const robot::Robot& robot, const HandCourse& course, double near_m);
+/// Computes the measures of a path. Frames in which the human's thumb-index distance is below
+/// `near_m` are pinches.
+HandScores score_hand(const robot::Robot& robot, const HandPath& course, double near_m);
 
 }  // namespace morphe::study

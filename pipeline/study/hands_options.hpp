@@ -8,13 +8,18 @@
 
 namespace morphe::study {
 
-/// A hand of the study, and what its vendor's or peers' setup says of it.
+/// A hand of the study with the parameters of its vendor's or of the published setup.
 struct StudiedHand {
-  std::string file;             ///< a robot description without an arm
-  std::string origin;           ///< frame from which the peers' vectors point; "": the palm
-  std::optional<double> scale;  ///< theirs of the human hand; none: what ours finds
-  bool pads_meet = true;        ///< whether thumb and index can be brought pad to pad
+  /// Robot description without an arm.
+  std::string file;
+  /// Frame at which the vectors of the published methods begin, "" for the palm.
+  std::string origin;
+  /// Their scale of the human hand; if absent, the scale found by our method is used.
+  std::optional<double> scale;
+  /// True if thumb and index can touch pad to pad.
+  bool pads_meet = true;
 };
+/// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, StudiedHand& o) {
   f.required("file", o.file);
@@ -22,28 +27,38 @@ void fields(Fields& f, StudiedHand& o) {
   f("scale", o.scale);
   f("pads_meet", o.pads_meet);
 }
-std::string why_invalid(const StudiedHand& hand);
+/// Returns a message about the first invalid value, "" if all values are valid.
+std::string validation_error(const StudiedHand& hand);
 
-/// configs/studies/hands.yaml.
+/// The options of configs/studies/hands.yaml.
 struct HandsStudyOptions {
+  /// The name of the study.
   std::string study;
-  std::string pipeline;             ///< its robot is replaced by each of the hands
-  std::string manifest;             ///< recordings of hands alone
-  std::vector<StudiedHand> robots;  ///< one after the other
-  double near_m = 0.04;             ///< human's thumb-index distance below which it is a pinch
-  int quick_robots = 1;             ///< hands that the quick variant looks at, the first ones
-  int quick_frames = 300;           ///< and frames of it, with the peers' objectives
+  /// Pipeline whose robot is replaced by each of the hands.
+  std::string pipeline;
+  /// Manifest of recordings of hands alone.
+  std::string manifest;
+  /// The hands, studied one after the other.
+  std::vector<StudiedHand> robots;
+  /// Thumb-index distance of the human below which a frame is a pinch [m].
+  double pinch_distance_m = 0.04;
+  /// Number of hands in the quick variant, taken from the first.
+  int quick_robots = 1;
+  /// Number of frames per hand in the quick variant with the published objectives.
+  int quick_frames = 300;
 };
+/// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, HandsStudyOptions& o) {
   f.required("study", o.study);
   f.required("pipeline", o.pipeline);
   f.required("manifest", o.manifest);
   f.required("robots", o.robots);
-  f("near", o.near_m);
+  f("near", o.pinch_distance_m);
   f("quick_robots", o.quick_robots);
   f("quick_frames", o.quick_frames);
 }
-std::string why_invalid(const HandsStudyOptions& options);
+/// Returns a message about the first invalid value, "" if all values are valid.
+std::string validation_error(const HandsStudyOptions& options);
 
 }  // namespace morphe::study

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <ctime>
 
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 #include "pipeline/planning/plan_movement.hpp"
-#include "pipeline/study/hand_peers.hpp"
+#include "pipeline/study/hand_baselines.hpp"
 #include "pipeline/study/hand_scores.hpp"
 #include "pipeline/study/hands_options.hpp"
-#include "pipeline/study/stopwatch.hpp"
+#include "pipeline/study/measure_seconds.hpp"
 #include "pipeline/study/study.hpp"
 #include "stages/import/import.hpp"
 
@@ -17,13 +17,14 @@ namespace {
 
 using Tips = std::vector<std::vector<Vec3>>;
 
-constexpr double kMostTipError_m = 0.008, kMostPinchError_m = 0.004, kMostAcceleration = 1.5;
-constexpr std::size_t kFewJoints = 15;  ///< fewer cannot follow a tip in space
+constexpr double kMaxTipError_m = 0.008, kMaxPinchError_m = 0.004, kMaxAccelerationRatio = 1.5;
+/// Hands with fewer joints cannot follow a tip in space.
+constexpr std::size_t kMinJudgedJoints = 15;
 
-/// All parts of a recording as one course. Their human's tips: goals without the hand's scale, and
-/// about its own origin only as far as distances go.
-HandCourse course_of(const std::vector<Plan>& plans, const robot::Robot& robot) {
-  HandCourse course;
+/// Joins all parts of a recording into one path. The human tips are the goals divided by the hand
+/// scale; because they refer to its own origin, only their distances are meaningful.
+HandPath path_of_plans(const std::vector<Plan>& plans, const robot::Robot& robot) {
+  HandPath course;
   std::vector<JointVector> rows;
   for (const Plan& plan : plans) {
     for (std::size_t f = 0; f < static_cast<std::size_t>(plan.mapped.position.rows()); ++f) {
@@ -44,12 +45,13 @@ HandCourse course_of(const std::vector<Plan>& plans, const robot::Robot& robot) 
   return course;
 }
 
-/// The human's tips about its wrist, in the robot's order, from the goals of a plan: what its
-/// placement did is taken back.
-Tips about_wrist(const std::vector<Plan>& plans, const HandCourse& course,
-                 const robot::Robot& robot) {
+/// Computes the human tips relative to the wrist, in the robot's order, from the goals of a plan by
+/// inverting its placement.
+Tips tips_in_wrist_frame(const std::vector<Plan>& plans, const HandPath& course,
+                         const robot::Robot& robot) {
   std::vector<Pose> poses;
-  robot::forward(robot, JointVector::Zero(static_cast<Eigen::Index>(robot.joints())), poses);
+  robot::forward_kinematics(robot, JointVector::Zero(static_cast<Eigen::Index>(robot.joints())),
+                            poses);
   const Pose palm_from_base = poses[static_cast<std::size_t>(robot.palm_frame)].inverse();
   const Goals& goals = plans.front().goals;
   Tips tips = course.goals;
@@ -66,68 +68,69 @@ void add_rows(const HandScores& scores, const Case& of, bool ours, const Studied
               std::size_t joints, std::size_t frames, StudyResult& result) {
   const auto row = [&](const char* metric, const char* unit, double value,
                        std::size_t n) -> StudyRow& {
-    result.rows.push_back(row_of(of, metric, unit, value, n));
+    result.rows.push_back(make_row(of, metric, unit, value, n));
     return result.rows.back();
   };
   StudyRow& mean = row("tips from their goals, mean", "mm", 1e3 * scores.tip_mean_m, frames);
-  if (ours && joints >= kFewJoints) mean.at_most = 1e3 * kMostTipError_m;
+  if (ours && joints >= kMinJudgedJoints) mean.at_most = 1e3 * kMaxTipError_m;
   row("tips from their goals, 95 %", "mm", 1e3 * scores.tip_95_m, frames);
   StudyRow& pinch = row("thumb-index error in pinches, median", "mm", 1e3 * scores.pinch_median_m,
                         scores.pinches);
-  if (ours && hand.pads_meet) pinch.at_most = 1e3 * kMostPinchError_m;
+  if (ours && hand.pads_meet) pinch.at_most = 1e3 * kMaxPinchError_m;
   row("thumb-index, correlation with the human's", "1", scores.correlation, frames);
-  row("largest step in 10 ms", "rad", scores.largest_step_rad, frames);
+  row("largest step in 10 ms", "rad", scores.max_step_rad, frames);
   StudyRow& acceleration =
       row("tips' acceleration over their goals'", "1", scores.acceleration, frames);
-  if (ours) acceleration.at_most = kMostAcceleration;
-  row("frames in which the hand overlaps itself", "1", scores.overlapping, frames);
-  row("its deepest overlap", "mm", 1e3 * scores.deepest_m, frames);
+  if (ours) acceleration.at_most = kMaxAccelerationRatio;
+  row("frames in which the hand overlaps itself", "1", scores.overlap_share, frames);
+  row("its deepest overlap", "mm", 1e3 * scores.max_overlap_m, frames);
 }
 
-double processor_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+double processor_time_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 void timed_row(const Case& of, const char* metric, std::size_t frames, double seconds,
                StudyResult& result) {
   result.rows.push_back(
-      row_of(of, metric, "1/s", static_cast<double>(frames) / std::max(seconds, 1e-9), frames));
-  result.rows.back().timed = true;
+      make_row(of, metric, "1/s", static_cast<double>(frames) / std::max(seconds, 1e-9), frames));
+  result.rows.back().is_timing = true;
 }
 
-int frame_named(const robot::Robot& robot, const std::string& name) {
+int frame_index(const robot::Robot& robot, const std::string& name) {
   if (name.empty()) return robot.palm_frame;
-  const auto found = std::ranges::find(robot.frames, name, &RobotTable::Frame::name);
+  const auto found = std::ranges::find(robot.frames, name, &RobotModel::Frame::name);
   if (found == robot.frames.end()) {
     throw InputError(fmt::format("robots: {} has no frame '{}'", robot.name, name));
   }
   return static_cast<int>(found - robot.frames.begin());
 }
 
-void study_peers(const StudiedHand& hand, const robot::Robot& robot, const HandCourse& ours,
-                 Tips human, double found_scale, const HandsStudyOptions& options, bool quick,
-                 const Case& of, StudyResult& result) {
+void add_baseline_rows(const StudiedHand& hand, const robot::Robot& robot, const HandPath& ours,
+                       Tips human, double found_scale, const HandsStudyOptions& options, bool quick,
+                       const Case& of, StudyResult& result) {
   if (quick) {
     const auto most = static_cast<std::size_t>(options.quick_frames);
     human.resize(std::min(human.size(), most));
   }
-  const PeerHand peer{robot, frame_named(robot, hand.origin), hand.scale.value_or(found_scale)};
+  const BaselineHand peer{robot, frame_index(robot, hand.origin), hand.scale.value_or(found_scale)};
   std::vector<Pose> poses;
-  robot::forward(robot, JointVector::Zero(static_cast<Eigen::Index>(robot.joints())), poses);
+  robot::forward_kinematics(robot, JointVector::Zero(static_cast<Eigen::Index>(robot.joints())),
+                            poses);
   Pose base_from_origin = poses[static_cast<std::size_t>(peer.origin)];
   base_from_origin.linear() = poses[static_cast<std::size_t>(robot.palm_frame)].linear();
-  for (const PeerMethod method : {PeerMethod::vector, PeerMethod::dexpilot}) {
-    HandCourse course;
+  for (const BaselineMethod method : {BaselineMethod::vector, BaselineMethod::dexpilot}) {
+    HandPath course;
     course.time.assign(ours.time.begin(),
                        ours.time.begin() + static_cast<std::ptrdiff_t>(human.size()));
     course.human = course.goals = human;
     for (std::vector<Vec3>& frame : course.goals) {
       for (Vec3& tip : frame) tip = base_from_origin * Vec3(peer.scale * tip);
     }
-    const double before_s = processor_s();
-    course.q = peer_course(method, peer, human);
-    const double took_s = processor_s() - before_s;
+    const double before_s = processor_time_s();
+    course.q = baseline_path(method, peer, human);
+    const double took_s = processor_time_s() - before_s;
     Case own = of;
     own.emplace_back("method", std::string(name_of(method)));
-    add_rows(score_hand(robot, course, options.near_m), own, false, hand, robot.joints(),
+    add_rows(score_hand(robot, course, options.pinch_distance_m), own, false, hand, robot.joints(),
              human.size(), result);
     timed_row(own, "frames a second, mapping", human.size(), took_s, result);
   }
@@ -140,18 +143,18 @@ void study_hand(const StudiedHand& hand, const Demonstration& demonstration,
       planning::load_config(folder / options.pipeline,
                             {"robot.file=" + (folder / hand.file).lexically_normal().string()});
   const robot::Robot& robot = config.robot;
-  const planning::Planner planner{config.options, robot};
-  const double before_s = processor_s();
+  const planning::PlanningInputs planner{config.options, robot};
+  const double before_s = processor_time_s();
   const run::DemonstrationOutcome outcome = planning::plan_demonstration(planner, demonstration);
-  const double took_s = processor_s() - before_s;
-  const HandCourse course = course_of(outcome.plans, robot);
+  const double took_s = processor_time_s() - before_s;
+  const HandPath course = path_of_plans(outcome.plans, robot);
   if (course.time.empty()) {
     throw InputError(fmt::format("{}: {}", hand.file, outcome.plans.front().detail));
   }
   const Case of = {{"recording", demonstration.name}, {"hand", robot.name}};
   Case own = of;
   own.emplace_back("method", "Morphe");
-  add_rows(score_hand(robot, course, options.near_m), own, true, hand, robot.joints(),
+  add_rows(score_hand(robot, course, options.pinch_distance_m), own, true, hand, robot.joints(),
            course.time.size(), result);
   double with_trajectory_s = 0, whole_s = 0, tempo_s = 0;
   for (const Plan& plan : outcome.plans) {
@@ -162,30 +165,30 @@ void study_hand(const StudiedHand& hand, const Demonstration& demonstration,
     tempo_s += plan.trajectory.time.back();
   }
   const auto row = [&](const char* metric, const char* unit, double value) {
-    result.rows.push_back(row_of(own, metric, unit, value, outcome.plans.size()));
+    result.rows.push_back(make_row(own, metric, unit, value, outcome.plans.size()));
   };
   row("human's hand made larger", "1", outcome.plans.front().goals.hand_scale);
   row("share of the recording with a trajectory", "1", with_trajectory_s / whole_s);
-  row("tempo of what has one", "1", with_trajectory_s > 0 ? tempo_s / with_trajectory_s : kNotSeen);
+  row("tempo of what has one", "1", with_trajectory_s > 0 ? tempo_s / with_trajectory_s : kUnknown);
   const auto mapping = outcome.stage_seconds.find("map");
   if (mapping != outcome.stage_seconds.end()) {
     timed_row(own, "frames a second, mapping", course.time.size(), mapping->second, result);
   }
   timed_row(own, "frames a second, all steps", course.time.size(), took_s, result);
-  study_peers(hand, robot, course, about_wrist(outcome.plans, course, robot),
-              outcome.plans.front().goals.hand_scale, options, run.quick, of, result);
+  add_baseline_rows(hand, robot, course, tips_in_wrist_frame(outcome.plans, course, robot),
+                    outcome.plans.front().goals.hand_scale, options, run.quick, of, result);
   run.progress(fmt::format("{}, {}", demonstration.name, robot.name));
 }
 
 }  // namespace
 
-std::string why_invalid(const StudiedHand& hand) {
+std::string validation_error(const StudiedHand& hand) {
   return hand.scale && !(*hand.scale > 0) ? "scale must be positive" : "";
 }
 
-std::string why_invalid(const HandsStudyOptions& options) {
+std::string validation_error(const HandsStudyOptions& options) {
   if (options.robots.empty()) return "robots must name a hand";
-  if (!(options.near_m > 0)) return "near must be positive";
+  if (!(options.pinch_distance_m > 0)) return "near must be positive";
   if (options.quick_robots < 1) return "quick_robots must be at least 1";
   if (options.quick_frames < 5) return "quick_frames must be at least 5";
   return "";

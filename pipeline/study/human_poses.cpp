@@ -11,7 +11,7 @@
 namespace morphe::study {
 namespace {
 
-/// Every how many frames of a clock a step of `step_s` is.
+/// Returns the number of frames of a clock that correspond to a step of `step_s`.
 std::size_t stride(const std::vector<double>& time, double step_s) {
   if (time.size() < 2) return 1;
   const double frame_s = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
@@ -34,20 +34,21 @@ std::vector<HumanPoses> arm_poses(const std::filesystem::path& manifest,
   std::vector<HumanPoses> all;
   for_each_motion(manifest, [&](const Demonstration& demonstration, const HumanMotion& motion) {
     for (const Movement& movement :
-         segment::segment(motion, {}, reconstruct::objects_beside(demonstration, Side::right))) {
+         segment::segment(motion, {}, reconstruct::objects_on_side(demonstration, Side::right))) {
       HumanPoses poses;
       const std::size_t every = stride(motion.time, step_s);
       for (std::size_t i = 0; i < motion.time.size(); i += every) {
         if (motion.time[i] < movement.begin_s || motion.time[i] > movement.end_s) continue;
         const Vec3 upper_arm = motion.elbow[i] - motion.shoulder[i];
         const Vec3 forearm = motion.wrist[i] - motion.elbow[i];
-        if (!seen(upper_arm) || !seen(forearm) || !seen(motion.wrist_orientation[i])) continue;
+        if (!is_known(upper_arm) || !is_known(forearm) || !is_known(motion.wrist_orientation[i]))
+          continue;
         HumanPose pose;
         pose.time = motion.time[i];
         pose.elbow = lengths.upper_arm * upper_arm.normalized();
         pose.wrist = pose.elbow + lengths.forearm * forearm.normalized();
         pose.hand = motion.wrist_orientation[i];
-        for (std::size_t f = 0; f < kFingers; ++f) {
+        for (std::size_t f = 0; f < kFingerCount; ++f) {
           pose.tip[f] = pose.wrist + motion.tip(i, f) - motion.wrist[i];
         }
         poses.push_back(pose);
@@ -61,7 +62,7 @@ std::vector<HumanPoses> arm_poses(const std::filesystem::path& manifest,
 std::vector<HumanPoses> hand_poses(const std::filesystem::path& manifest,
                                    const human::HandSize& size, double step_s) {
   std::vector<HumanPoses> all;
-  const RobotTable hand = human::human_hand(size);
+  const RobotModel hand = human::human_hand(size);
   std::vector<Pose> frames;
   for_each_motion(manifest, [&](const Demonstration&, const HumanMotion& motion) {
     HumanPoses poses;

@@ -10,25 +10,31 @@
 
 namespace morphe::study {
 
-/// A human arm and hand whose shoulder is the origin (X right, Y forward, Z up) [m].
+/// A pose of a human arm and hand with the shoulder at the origin (X right, Y forward, Z up) [m].
 struct HumanPose {
+  /// The time in the recording [s].
   double time = 0;
-  Vec3 elbow = unseen_point(), wrist = unseen_point();
-  Quat hand = unseen_rotation();
-  std::array<Vec3, kFingers> tip;  ///< unseen where it was not recorded
+  /// The elbow and the wrist [m].
+  Vec3 elbow = unknown_point(), wrist = unknown_point();
+  /// The orientation of the hand.
+  Quat hand = unknown_rotation();
+  /// Fingertips, unknown if not recorded.
+  std::array<Vec3, kFingerCount> tip;
 
-  HumanPose() { tip.fill(unseen_point()); }
+  HumanPose() { tip.fill(unknown_point()); }
 };
+/// The poses of one series, in order of time.
 using HumanPoses = std::vector<HumanPose>;
 
-/// The movements of recordings, as an arm of other lengths makes them: upper arm and forearm keep
-/// their directions, the hand its pose at the wrist. Frames about `step_s` apart in which shoulder,
-/// elbow, wrist and hand were seen; one series a movement.
+/// Returns the movements of recordings as performed by an arm of other lengths: upper arm and
+/// forearm keep their directions, the hand keeps its pose relative to the wrist. Frames are about
+/// `step_s` apart and include only those in which shoulder, elbow, wrist and hand were seen. There
+/// is one series per movement.
 std::vector<HumanPoses> arm_poses(const std::filesystem::path& manifest,
                                   const human::ArmLengths& lengths, double step_s);
 
-/// Hands alone, whole recordings: the recorded angles of the fingers, made by a hand of another
-/// size (core/human/hand), in its own frame. The wrist is the origin; there is no elbow.
+/// Returns whole recordings of hands alone: the recorded finger angles, applied to a hand of
+/// another size (core/human/hand), in its own frame. The origin is the wrist; there is no elbow.
 std::vector<HumanPoses> hand_poses(const std::filesystem::path& manifest,
                                    const human::HandSize& size, double step_s);
 

@@ -5,25 +5,25 @@
 
 namespace morphe::study {
 
-double instant_of_grasp(const std::vector<Phase>& phases) {
+double grasp_instant_s(const std::vector<Phase>& phases) {
   const auto grasp = std::ranges::find(phases, PhaseKind::grasp, &Phase::kind);
-  return grasp == phases.end() ? kNotSeen : 0.5 * (grasp->begin_s + grasp->end_s);
+  return grasp == phases.end() ? kUnknown : 0.5 * (grasp->begin_s + grasp->end_s);
 }
 
 std::vector<KnownContact> recorded_contacts(const SceneObject& object, double time_s,
-                                            const SeenHand& hand,
+                                            const ObservedHand& hand,
                                             const grasp::GraspOptions& options) {
   std::vector<KnownContact> contacts;
   if (object.shape != Shape::sphere || std::isnan(time_s)) return contacts;
   const Pose object_from_world = recorded_pose(object, time_s).inverse();
-  for (std::size_t finger = 0; finger < kFingers; ++finger) {
-    if (!seen(hand.tip[finger])) continue;
+  for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
+    if (!is_known(hand.tip[finger])) continue;
     KnownContact contact;
     contact.finger = finger;
     contact.tip = object_from_world * hand.tip[finger];
     contact.middle_joint = object_from_world * hand.middle_joint[finger];
     const double skin_m = contact.tip.norm() - object.size[0] - options.pad_depth_m;
-    if (!(contact.tip.norm() > 0) || std::abs(skin_m) > options.near_m) continue;
+    if (!(contact.tip.norm() > 0) || std::abs(skin_m) > options.touch_distance_m) continue;
     contact.normal = -contact.tip.normalized();
     contact.point = -object.size[0] * contact.normal;
     contacts.push_back(contact);

@@ -6,8 +6,8 @@
 #include "core/collision/world.hpp"
 #include "core/humanlike/metrics.hpp"
 #include "core/math/seed.hpp"
-#include "core/robot/forward.hpp"
-#include "pipeline/study/stopwatch.hpp"
+#include "core/robot/forward_kinematics.hpp"
+#include "pipeline/study/measure_seconds.hpp"
 #include "pipeline/study/study.hpp"
 #include "stages/map/finger_curve.hpp"
 #include "stages/map/frame_search.hpp"
@@ -24,33 +24,33 @@ humanlike::FrameObjective objective_of(const StudyWeights& weights) {
 }
 
 template <class T>
-void move_to_back(std::vector<T>& to, std::vector<T>&& from) {
+void append_moved(std::vector<T>& to, std::vector<T>&& from) {
   to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
 
-/// Errors and A at q.
+/// Appends the errors and metric A at q.
 void measure(const robot::Robot& robot, const humanlike::FrameGoal& goal, const JointVector& q,
              MappedPoses& mapped) {
   std::vector<Pose> frames;
-  robot::forward(robot, q, frames);
+  robot::forward_kinematics(robot, q, frames);
   double position = 0, orientation = 0;
   int positions = 0, orientations = 0;
   for (std::size_t i = 0; i < robot.tips.size(); ++i) {
     const Pose tip = robot::tip_pose(robot, frames, i);
-    if (seen(goal.tip_position[i])) {
+    if (is_known(goal.tip_position[i])) {
       position += (tip.translation() - goal.tip_position[i]).norm();
       ++positions;
     }
-    if (seen(goal.tip_orientation[i])) {
+    if (is_known(goal.tip_orientation[i])) {
       orientation += angle_between(Quat(tip.linear()), goal.tip_orientation[i]);
       ++orientations;
     }
   }
-  mapped.position_m.push_back(positions == 0 ? kNotSeen : position / positions);
-  mapped.orientation_rad.push_back(orientations == 0 ? kNotSeen : orientation / orientations);
+  mapped.position_m.push_back(positions == 0 ? kUnknown : position / positions);
+  mapped.orientation_rad.push_back(orientations == 0 ? kUnknown : orientation / orientations);
   const std::vector<Vec3> inner = robot::arm_centre_positions(robot, frames);
-  mapped.humanlike_m2.push_back(inner.empty() || !seen(goal.elbow)
-                                    ? kNotSeen
+  mapped.humanlike_m2.push_back(inner.empty() || !is_known(goal.elbow)
+                                    ? kUnknown
                                     : humanlike::joint_distance_sum(goal.elbow, inner) /
                                           static_cast<double>(inner.size()));
 }
@@ -58,11 +58,11 @@ void measure(const robot::Robot& robot, const humanlike::FrameGoal& goal, const 
 }  // namespace
 
 void MappedPoses::append(MappedPoses&& other) {
-  move_to_back(q, std::move(other.q));
-  move_to_back(position_m, std::move(other.position_m));
-  move_to_back(orientation_rad, std::move(other.orientation_rad));
-  move_to_back(humanlike_m2, std::move(other.humanlike_m2));
-  move_to_back(value, std::move(other.value));
+  append_moved(q, std::move(other.q));
+  append_moved(position_m, std::move(other.position_m));
+  append_moved(orientation_rad, std::move(other.orientation_rad));
+  append_moved(humanlike_m2, std::move(other.humanlike_m2));
+  append_moved(objective, std::move(other.objective));
   seconds += other.seconds;
   solves += other.solves;
 }
@@ -72,20 +72,21 @@ std::vector<humanlike::FrameGoal> goals_of(const robot::Robot& robot, const Huma
   std::vector<humanlike::FrameGoal> goals;
   const Quat turn(base_from_shoulder.linear());
   std::vector<Pose> frames;
-  robot::forward(robot, (robot.lower + robot.upper) / 2, frames);
+  robot::forward_kinematics(robot, (robot.lower + robot.upper) / 2, frames);
   const Vec3 shift = frames[static_cast<std::size_t>(robot.shoulder_frame)].translation() -
                      base_from_shoulder.translation();
   for (const HumanPose& pose : poses) {
     humanlike::FrameGoal goal;
     goal.elbow = base_from_shoulder * pose.elbow + shift;
-    for (const RobotTable::Tip& tip : robot.tips) {
+    for (const RobotModel::Tip& tip : robot.tips) {
       Vec3 place = pose.wrist;
       if (tip.finger >= 0) place = pose.tip[static_cast<std::size_t>(tip.finger)];
       if (std::isfinite(tip.along)) {
-        place = map::point_along({pose.tip[1], pose.tip[2], pose.tip[3], pose.tip[4]}, tip.along);
+        place = map::finger_curve_point({pose.tip[1], pose.tip[2], pose.tip[3], pose.tip[4]},
+                                        tip.along);
       }
       goal.tip_position.push_back(base_from_shoulder * place);
-      goal.tip_orientation.push_back(tip.finger < 0 ? Quat(turn * pose.hand) : unseen_rotation());
+      goal.tip_orientation.push_back(tip.finger < 0 ? Quat(turn * pose.hand) : unknown_rotation());
     }
     goals.push_back(std::move(goal));
   }
@@ -95,7 +96,7 @@ std::vector<humanlike::FrameGoal> goals_of(const robot::Robot& robot, const Huma
 MappedPoses map_poses(const robot::Robot& robot, const std::vector<humanlike::FrameGoal>& goals,
                       const StudyWeights& weights, const solve::MinimiseOptions& options,
                       int starts, std::uint64_t seed) {
-  constexpr int kKeys = 3, kKept = 4;
+  constexpr int kKeyFrameCount = 3, kKeptMinimaCount = 4;
   const collision::CollisionWorld nothing = collision::make_world(robot, {}, {}, {});
   map::MappingProblem problem;
   problem.robot = &robot;
@@ -107,15 +108,15 @@ MappedPoses map_poses(const robot::Robot& robot, const std::vector<humanlike::Fr
 
   MappedPoses best;
   best.q.resize(goals.size());
-  best.value.assign(goals.size(), std::numeric_limits<double>::infinity());
+  best.objective.assign(goals.size(), std::numeric_limits<double>::infinity());
   map::MappingScratch scratch;
   const auto take = [&](std::size_t frame, const solve::Minimum& found) {
-    if (!(found.value < best.value[frame])) return;
-    best.value[frame] = found.value;
+    if (!(found.value < best.objective[frame])) return;
+    best.objective[frame] = found.value;
     best.q[frame] = found.x;
   };
   const auto follow = [&](std::size_t frame, std::size_t end, int step, JointVector q) {
-    best.seconds += seconds([&] {
+    best.seconds += measure_seconds([&] {
       while (frame != end) {
         frame = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(frame) + step);
         const solve::Minimum found = map::solve_frame(problem, frame, q, options, scratch);
@@ -125,10 +126,10 @@ MappedPoses map_poses(const robot::Robot& robot, const std::vector<humanlike::Fr
       }
     });
   };
-  for (int k = 0; k < kKeys; ++k) {
-    const std::size_t key = (goals.size() - 1) * static_cast<std::size_t>(k) / (kKeys - 1);
+  for (int k = 0; k < kKeyFrameCount; ++k) {
+    const std::size_t key = (goals.size() - 1) * static_cast<std::size_t>(k) / (kKeyFrameCount - 1);
     for (const solve::Minimum& start : map::search_frame(
-             problem, key, starts, kKept, map::thorough(options),
+             problem, key, starts, kKeptMinimaCount, map::thorough_stages(options),
              math::seed_from(seed, "key frame", static_cast<std::size_t>(k)), scratch)) {
       take(key, start);
       follow(key, goals.size() - 1, 1, start.x);

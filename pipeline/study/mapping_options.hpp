@@ -8,14 +8,20 @@
 
 namespace morphe::study {
 
-/// Recordings that one pipeline config plans.
+/// A set of recordings that are planned with one pipeline config.
 struct MappingSet {
+  /// The name of the set and its pipeline config.
   std::string name, pipeline;
-  std::string manifest;   ///< real recordings, or
-  std::string synthetic;  ///< a config of pipeline/synthesize
+  /// Manifest of real recordings, or "" for synthetic ones.
+  std::string manifest;
+  /// Config of pipeline/synthesize.
+  std::string synthetic;
+  /// The number of recordings, in total and in the quick variant.
   int count = 50, quick_count = 1;
+  /// The seed of the synthetic recordings.
   std::uint64_t seed = 1;
 };
+/// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, MappingSet& o) {
   f.required("name", o.name);
@@ -26,21 +32,29 @@ void fields(Fields& f, MappingSet& o) {
   f("quick_count", o.quick_count);
   f("seed", o.seed);
 }
-std::string why_invalid(const MappingSet& set);
+/// Returns a message about the first invalid value, "" if all values are valid.
+std::string validation_error(const MappingSet& set);
 
-/// configs/studies/mapping.yaml: the whole pipeline over recordings, by several variants of its
-/// config. The first variant is ours; the others are compared with it.
+/// The options of configs/studies/mapping.yaml: the whole pipeline is run over recordings by
+/// several variants of its config. The first variant is ours; the others are compared with it.
 struct MappingStudyOptions {
+  /// The name of the study.
   std::string study;
+  /// The sets of recordings.
   std::vector<MappingSet> sets;
+  /// The variants of the config, ours first.
   std::vector<StudyVariant> variants;
-  std::string best;     ///< variant that searches longest: the best continuous sequence known
-  std::string without;  ///< variant without humanlikeness
-  /// A frame lies above the best sequence if its F is larger by more than this, F with the weights
-  /// of the set's pipeline and this one for tip positions.
+  /// Variant with the longest search, which gives the best known continuous sequence.
+  std::string best;
+  /// Variant without humanlikeness.
+  std::string without;
+  /// The excess of F above which a frame counts as worse than the best sequence. F is computed with
+  /// the weights of the set's pipeline and with `tip_position` as the weight of the tip positions.
   double excess = 1e-3;
-  double tip_position = 1000;  ///< w_x [1/m²]
+  /// Weight w_x of the tip positions [1/m²].
+  double tip_position = 1000;
 };
+/// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, MappingStudyOptions& o) {
   f.required("study", o.study);
@@ -51,6 +65,7 @@ void fields(Fields& f, MappingStudyOptions& o) {
   f("excess", o.excess);
   f("tip_position", o.tip_position);
 }
-std::string why_invalid(const MappingStudyOptions& options);
+/// Returns a message about the first invalid value, "" if all values are valid.
+std::string validation_error(const MappingStudyOptions& options);
 
 }  // namespace morphe::study

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/collision/certified.hpp"
+#include "core/collision/continuous_check.hpp"
 #include "core/math/statistics.hpp"
 #include "core/store/demonstration_file.hpp"
 #include "pipeline/planning/plan_movement.hpp"
@@ -16,12 +16,12 @@
 namespace morphe::study {
 namespace {
 
-/// What a variant made of a set.
-struct Variant {
+/// The results of a variant on a set.
+struct VariantResult {
   std::string name;
   std::vector<Plan> plans;
   double map_s = 0;
-  double tip_position = 0;  ///< w_x of its objective
+  double tip_position = 0;  ///< weight w_x of its objective
 };
 
 std::vector<Demonstration> recordings_of(const MappingSet& set, const StudyRun& run) {
@@ -45,12 +45,12 @@ std::vector<Demonstration> recordings_of(const MappingSet& set, const StudyRun& 
   return all;
 }
 
-Variant plan_all(const MappingSet& set, const StudyVariant& variant,
-                 const std::vector<Demonstration>& recordings, const StudyRun& run) {
+VariantResult plan_all(const MappingSet& set, const StudyVariant& variant,
+                       const std::vector<Demonstration>& recordings, const StudyRun& run) {
   const planning::LoadedConfig config =
       planning::load_config(run.config.parent_path() / set.pipeline, variant.set);
-  const planning::Planner planner{config.options, config.robot};
-  Variant result;
+  const planning::PlanningInputs planner{config.options, config.robot};
+  VariantResult result;
   result.name = variant.name;
   result.tip_position = config.options.map.objective.get<humanlike::TipPosition>().weight;
   run::Batch batch;
@@ -72,21 +72,22 @@ double sum(const std::vector<double>& values) {
   return total;
 }
 
-/// All finite values of a plan's column.
-void take(const JointRows& rows, std::vector<double>& values) {
+/// Appends all finite values of a plan's column.
+void append_finite(const JointRows& rows, std::vector<double>& values) {
   for (Eigen::Index i = 0; i < rows.size(); ++i) {
     if (std::isfinite(rows.data()[i])) values.push_back(rows.data()[i]);
   }
 }
 
-struct Figures {
+struct MappingFigures {
   std::size_t movements = 0, executable = 0, jumps = 0, frames = 0, excess = 0, reachable = 0,
               goals = 0;
   std::vector<double> tips, a, b, c, upper_arm;
 };
 
-/// F of a frame with another weight of tip positions than the one that it was mapped with.
-double judged(const Mapped& mapped, std::size_t frame, double change_of_weight) {
+/// Computes F of a frame with another weight of the tip positions than in its mapping.
+double objective_with_weight(const MappingResult& mapped, std::size_t frame,
+                             double change_of_weight) {
   double squares = 0;
   for (const double error : mapped.position_error.row(static_cast<Eigen::Index>(frame))) {
     if (std::isfinite(error)) squares += error * error;
@@ -94,23 +95,23 @@ double judged(const Mapped& mapped, std::size_t frame, double change_of_weight) 
   return mapped.objective[frame] + change_of_weight * squares;
 }
 
-Figures figures_of(const MappingStudyOptions& options, const Variant& variant,
-                   const std::vector<const Plan*>& best) {
+MappingFigures figures_of(const MappingStudyOptions& options, const VariantResult& variant,
+                          const std::vector<const Plan*>& best) {
   const double change = options.tip_position - variant.tip_position;
-  Figures figures;
+  MappingFigures figures;
   for (std::size_t k = 0; k < variant.plans.size(); ++k) {
     const Plan& plan = variant.plans[k];
     ++figures.movements;
     figures.executable += plan.executable() ? 1 : 0;
     for (const Finding& finding : plan.findings)
       figures.jumps += finding.cause == Cause::jump ? 1 : 0;
-    const Mapped& mapped = plan.mapped;
+    const MappingResult& mapped = plan.mapped;
     for (std::size_t f = 0; f < mapped.objective.size(); ++f) {
       ++figures.frames;
-      const double known = judged(best[k]->mapped, f, change);
-      figures.excess += judged(mapped, f, change) > known + options.excess ? 1 : 0;
+      const double known = objective_with_weight(best[k]->mapped, f, change);
+      figures.excess += objective_with_weight(mapped, f, change) > known + options.excess ? 1 : 0;
       for (std::size_t tip = 0; tip < plan.goals.tip_position.cols; ++tip) {
-        if (!seen(plan.goals.tip_position(f, tip))) continue;
+        if (!is_known(plan.goals.tip_position(f, tip))) continue;
         ++figures.goals;
         if (!best[k]->goals.reachable(f, tip)) continue;
         ++figures.reachable;
@@ -119,9 +120,9 @@ Figures figures_of(const MappingStudyOptions& options, const Variant& variant,
       }
     }
     if (mapped.objective.empty()) continue;
-    take(mapped.humanlikeness.col(0), figures.a);
-    take(mapped.humanlikeness.col(1), figures.b);
-    take(mapped.humanlikeness.col(2), figures.c);
+    append_finite(mapped.humanlikeness.col(0), figures.a);
+    append_finite(mapped.humanlikeness.col(1), figures.b);
+    append_finite(mapped.humanlikeness.col(2), figures.c);
     if (std::isfinite(plan.certificate.upper_arm_error_mean)) {
       figures.upper_arm.push_back(plan.certificate.upper_arm_error_mean);
     }
@@ -129,27 +130,29 @@ Figures figures_of(const MappingStudyOptions& options, const Variant& variant,
   return figures;
 }
 
-void judge(const MappingStudyOptions& options, const MappingSet& set,
-           const std::vector<Variant>& variants, bool all_recordings, StudyResult& result) {
-  // The best sequence known of each movement: the least sum among those that search as we do.
+void add_rows(const MappingStudyOptions& options, const MappingSet& set,
+              const std::vector<VariantResult>& variants, bool all_recordings,
+              StudyResult& result) {
+  // The best known sequence of each movement is that of the variant `best` if the sum of its
+  // objective is smaller, otherwise ours.
   std::vector<const Plan*> best;
   for (std::size_t k = 0; k < variants.front().plans.size(); ++k) {
     const Plan* least = &variants.front().plans[k];
-    for (const Variant& variant : variants) {
+    for (const VariantResult& variant : variants) {
       const Plan& plan = variant.plans[k];
       if (variant.name != options.best || plan.mapped.objective.empty()) continue;
       if (sum(plan.mapped.objective) < sum(least->mapped.objective)) least = &plan;
     }
     best.push_back(least);
   }
-  double without_a = kNotSeen, without_tips = kNotSeen;
+  double without_a = kUnknown, without_tips = kUnknown;
   std::size_t ours = 0;
-  for (const Variant& variant : variants) {
-    const Figures figures = figures_of(options, variant, best);
+  for (const VariantResult& variant : variants) {
+    const MappingFigures figures = figures_of(options, variant, best);
     const Case of = {{"set", set.name}, {"variant", variant.name}};
     const auto row = [&](const char* metric, const char* unit, double value,
                          std::size_t n) -> StudyRow& {
-      result.rows.push_back(row_of(of, metric, unit, value, n));
+      result.rows.push_back(make_row(of, metric, unit, value, n));
       result.rows.back().reachable =
           static_cast<double>(figures.reachable) / static_cast<double>(figures.goals);
       return result.rows.back();
@@ -159,7 +162,7 @@ void judge(const MappingStudyOptions& options, const MappingSet& set,
     };
     const bool first = &variant == &variants.front();
     row("executable", "1", share(figures.executable, figures.movements), figures.movements);
-    if (!options.best.empty() && variant.name != options.without) {  // another objective
+    if (!options.best.empty() && variant.name != options.without) {  // the objective differs
       StudyRow& excess = row("frames above the best sequence", "1",
                              share(figures.excess, figures.frames), figures.frames);
       if (first) excess.at_most = 0.02;
@@ -178,7 +181,7 @@ void judge(const MappingStudyOptions& options, const MappingSet& set,
         figures.upper_arm.size());
     StudyRow& time = row("mapping a frame", "s",
                          variant.map_s / static_cast<double>(figures.frames), figures.frames);
-    time.timed = true;
+    time.is_timing = true;
     if (variant.name == options.without) {
       without_a = math::mean(figures.a);
       without_tips = math::quantile(figures.tips, 0.5);
@@ -187,25 +190,25 @@ void judge(const MappingStudyOptions& options, const MappingSet& set,
   if (options.without.empty()) return;
   const Case of = {{"set", set.name},
                    {"variant", variants.front().name + " over " + options.without}};
-  const Figures figures = figures_of(options, variants.front(), best);
+  const MappingFigures figures = figures_of(options, variants.front(), best);
   result.rows.push_back(
-      row_of(of, "A, ratio", "1", math::mean(figures.a) / without_a, figures.a.size()));
-  // Promised of real recordings, all of them together.
+      make_row(of, "A, ratio", "1", math::mean(figures.a) / without_a, figures.a.size()));
+  // This value is guaranteed for real recordings, all of them together.
   if (all_recordings && set.synthetic.empty()) result.rows.back().at_most = 0.7;
-  result.rows.push_back(row_of(of, "fingertips, median, difference", "m",
-                               result.rows[ours].ours - without_tips, figures.tips.size()));
+  result.rows.push_back(make_row(of, "fingertips, median, difference", "m",
+                                 result.rows[ours].ours - without_tips, figures.tips.size()));
   result.rows.back().at_most = 0.05e-3;
 }
 
 }  // namespace
 
-std::string why_invalid(const MappingSet& o) {
+std::string validation_error(const MappingSet& o) {
   if (o.manifest.empty() == o.synthetic.empty()) return "needs `manifest` or `synthetic`";
   if (o.count < 1 || o.quick_count < 1) return "count and quick_count must be positive";
   return "";
 }
 
-std::string why_invalid(const MappingStudyOptions& o) {
+std::string validation_error(const MappingStudyOptions& o) {
   if (o.sets.empty()) return "sets is empty";
   if (o.variants.empty()) return "variants is empty";
   for (const std::string& name : {o.best, o.without}) {
@@ -224,14 +227,14 @@ StudyResult mapping_study(const config::ConfigNode& config, const StudyRun& run)
   StudyResult result;
   for (const MappingSet& set : options.sets) {
     const std::vector<Demonstration> recordings = recordings_of(set, run);
-    std::vector<Variant> variants;
+    std::vector<VariantResult> variants;
     for (const StudyVariant& variant : options.variants) {
       variants.push_back(plan_all(set, variant, recordings, run));
       run.progress(fmt::format("{}, {}: {} movements", set.name, variant.name,
                                variants.back().plans.size()));
     }
-    StudyResult of_set;  // a study of hours says what it has
-    judge(options, set, variants, !run.quick, of_set);
+    StudyResult of_set;  // reports intermediate results, because the study takes hours
+    add_rows(options, set, variants, !run.quick, of_set);
     run.progress(results_table(of_set));
     result.rows.insert(result.rows.end(), of_set.rows.begin(), of_set.rows.end());
   }

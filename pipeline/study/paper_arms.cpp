@@ -9,49 +9,50 @@
 namespace morphe::study {
 namespace {
 
-struct Mapping {
+struct MappedRobot {
   robot::Robot robot;
   MappedPoses ours;
-  std::vector<char> met;
+  std::vector<char> reachable;
 };
 
-Mapping map_and_judge(const PaperContext& context, RobotTable robot,
-                      const std::vector<HumanPoses>& series) {
+MappedRobot map_and_judge(const PaperContext& context, RobotModel robot,
+                          const std::vector<HumanPoses>& series) {
   StudyWeights plain = context.weights;
   plain.humanlike = 0;
-  Mapping result{robot::Robot(std::move(robot)), {}, {}};
-  result.met = reachable(map_all(context, result.robot, series, plain));
+  MappedRobot result{robot::Robot(std::move(robot)), {}, {}};
+  result.reachable = reachable_frames(map_all(context, result.robot, series, plain));
   result.ours = map_all(context, result.robot, series, context.weights);
   return result;
 }
 
-/// Errors, A and time of a case; returns the rows of position and orientation.
-void add_rows(const Case& of, const Mapping& mapping, double position_limit_m,
+/// Adds errors, metric A and time of a case; returns the rows of position and orientation.
+void add_rows(const Case& of, const MappedRobot& mapping, double position_limit_m,
               double orientation_limit_rad, StudyResult& result) {
   const MappedPoses& ours = mapping.ours;
   const auto row = [&](const char* metric, const char* unit, double value) -> StudyRow& {
-    result.rows.push_back(row_of(of, metric, unit, value, ours.q.size()));
-    result.rows.back().reachable = share_of(mapping.met);
+    result.rows.push_back(make_row(of, metric, unit, value, ours.q.size()));
+    result.rows.back().reachable = marked_share(mapping.reachable);
     return result.rows.back();
   };
   row("position error, all frames", "m", math::mean(ours.position_m));
-  row("position error, reachable frames", "m", mean_of(ours.position_m, mapping.met)).at_most =
-      position_limit_m;
+  row("position error, reachable frames", "m", mean_of_marked(ours.position_m, mapping.reachable))
+      .at_most = position_limit_m;
   const double turn = math::mean(ours.orientation_rad);
   if (turn == turn) {
     row("orientation error, all frames", "rad", turn);
-    row("orientation error, reachable frames", "rad", mean_of(ours.orientation_rad, mapping.met))
+    row("orientation error, reachable frames", "rad",
+        mean_of_marked(ours.orientation_rad, mapping.reachable))
         .at_most = orientation_limit_rad;
   }
   if (math::mean(ours.humanlike_m2) == math::mean(ours.humanlike_m2)) {
     row("A, mean over centres", "m^2", math::mean(ours.humanlike_m2));
   }
   StudyRow& time = row("a frame, warm", "s", ours.seconds / static_cast<double>(ours.solves));
-  time.timed = true;
+  time.is_timing = true;
 }
 
-/// The last pose of the first movement.
-void add_plot(const std::string& file, const std::string& title, const Mapping& mapping,
+/// Adds a plot of the last pose of the first movement.
+void add_plot(const std::string& file, const std::string& title, const MappedRobot& mapping,
               const std::vector<HumanPoses>& series, StudyResult& result) {
   const std::size_t last = series.front().size() - 1;
   result.plots.emplace_back(
@@ -61,51 +62,51 @@ void add_plot(const std::string& file, const std::string& title, const Mapping& 
 
 }  // namespace
 
-void tracking(const PaperContext& context, StudyResult& result) {
+void run_tracking(const PaperContext& context, StudyResult& result) {
   struct Entry {
     const char *figure, *name;
     int joints;
     bool hand;
-    double position_m, orientation_deg;  // what is asked for; published: 0.2 mm, 0.10 degrees
+    double position_m, orientation_deg;  // requirement; published are 0.2 mm and 0.10 degrees
   };
-  for (const Entry& entry : {Entry{"5", "arm 18", 18, false, kNotSeen, kNotSeen},
-                             Entry{"5", "arm 44 with hand", 44, true, 1e-3, kNotSeen},
+  for (const Entry& entry : {Entry{"5", "arm 18", 18, false, kUnknown, kUnknown},
+                             Entry{"5", "arm 44 with hand", 44, true, 1e-3, kUnknown},
                              Entry{"6", "arm 20", 20, false, 0.2e-3, 0.10},
-                             Entry{"6", "arm 23 with hand", 23, true, 1e-3, kNotSeen}}) {
-    const robot::ArmShape arm{.joints = entry.joints, .length = context.arm_length()};
+                             Entry{"6", "arm 23 with hand", 23, true, 1e-3, kUnknown}}) {
+    const robot::ArmSpec arm{.joints = entry.joints, .length = context.arm_length()};
     const human::HandSize hand = context.robot_hand();
     const auto& series = entry.hand ? context.tips : context.arms;
-    const Mapping mapping = map_and_judge(
+    const MappedRobot mapping = map_and_judge(
         context,
         entry.hand ? robot::generate_arm_hand(arm, {.length = hand.length, .breadth = hand.breadth})
                    : robot::generate_arm(arm),
         series);
     const Case of = {{"figure", entry.figure}, {"robot", entry.name}};
-    add_rows(of, mapping, entry.position_m, entry.orientation_deg * kDegree, result);
+    add_rows(of, mapping, entry.position_m, entry.orientation_deg * kRadPerDegree, result);
     add_plot(fmt::format("figure_{}_{}{}", entry.figure, entry.joints, entry.hand ? "_hand" : ""),
              fmt::format("Fig. {}: {}", entry.figure, entry.name), mapping, series, result);
   }
 }
 
-void fingers(const PaperContext& context, StudyResult& result) {
+void run_fingers(const PaperContext& context, StudyResult& result) {
   for (int m = 3; m <= 6; ++m) {
     const human::HandSize size = context.robot_hand();
-    const Mapping mapping = map_and_judge(
+    const MappedRobot mapping = map_and_judge(
         context,
         robot::generate_hand({.fingers = m, .length = size.length, .breadth = size.breadth}),
         context.hands);
-    add_rows({{"figure", "4"}, {"fingers", std::to_string(m)}}, mapping, 1e-3, kNotSeen, result);
+    add_rows({{"figure", "4"}, {"fingers", std::to_string(m)}}, mapping, 1e-3, kUnknown, result);
   }
 }
 
-void scales(const PaperContext& context, StudyResult& result) {
+void run_scales(const PaperContext& context, StudyResult& result) {
   std::vector<std::pair<std::string, std::vector<Vec3>>> chains;
   for (const double scale : {0.8, 0.9, 1.0, 1.1, 1.2}) {
-    const Mapping mapping = map_and_judge(
+    const MappedRobot mapping = map_and_judge(
         context, robot::generate_arm({.joints = 21, .length = scale * context.arm_length()}),
         context.arms);
     const std::string name = fmt::format("{:.0f} %", 100 * scale);
-    add_rows({{"figure", "7"}, {"length", name}}, mapping, kNotSeen, kNotSeen, result);
+    add_rows({{"figure", "7"}, {"length", name}}, mapping, kUnknown, kUnknown, result);
     chains.emplace_back(
         name, arm_chain_of(mapping.robot, mapping.ours.q[context.arms.front().size() - 1]));
   }
@@ -113,7 +114,7 @@ void scales(const PaperContext& context, StudyResult& result) {
                                                   context.arms.front().back(), chains));
 }
 
-void terms(const PaperContext& context, StudyResult& result) {
+void run_terms(const PaperContext& context, StudyResult& result) {
   struct Entry {
     const char* name;
     double position, orientation, humanlike;
@@ -129,11 +130,11 @@ void terms(const PaperContext& context, StudyResult& result) {
     const MappedPoses ours = map_all(context, robot, context.arms, weights);
     const Case of = {{"figure", "8"}, {"terms", entry.name}};
     const std::size_t n = ours.q.size();
-    result.rows.push_back(row_of(of, "position error", "m", math::mean(ours.position_m), n));
+    result.rows.push_back(make_row(of, "position error", "m", math::mean(ours.position_m), n));
     result.rows.push_back(
-        row_of(of, "orientation error", "rad", math::mean(ours.orientation_rad), n));
+        make_row(of, "orientation error", "rad", math::mean(ours.orientation_rad), n));
     result.rows.push_back(
-        row_of(of, "A, mean over centres", "m^2", math::mean(ours.humanlike_m2), n));
+        make_row(of, "A, mean over centres", "m^2", math::mean(ours.humanlike_m2), n));
     chains.emplace_back(entry.name, arm_chain_of(robot, ours.q[context.arms.front().size() - 1]));
   }
   result.plots.emplace_back(

@@ -6,7 +6,7 @@
 #include "core/humanlike/arm_chain.hpp"
 #include "core/math/seed.hpp"
 #include "core/math/statistics.hpp"
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 
 namespace morphe::study {
 
@@ -22,16 +22,18 @@ MappedPoses map_all(const PaperContext& context, const robot::Robot& robot,
   return all;
 }
 
-std::vector<char> reachable(const MappedPoses& plain) {
-  constexpr double kPosition = 1e-4, kTurn = 0.1 * std::numbers::pi / 180;
+std::vector<char> reachable_frames(const MappedPoses& plain) {
+  constexpr double kReachableTolerance_m = 1e-4,
+                   kReachableTolerance_rad = 0.1 * std::numbers::pi / 180;
   std::vector<char> met;
   for (std::size_t f = 0; f < plain.q.size(); ++f) {
-    met.push_back(!(plain.position_m[f] > kPosition) && !(plain.orientation_rad[f] > kTurn));
+    met.push_back(!(plain.position_m[f] > kReachableTolerance_m) &&
+                  !(plain.orientation_rad[f] > kReachableTolerance_rad));
   }
   return met;
 }
 
-double mean_of(const std::vector<double>& values, const std::vector<char>& which) {
+double mean_of_marked(const std::vector<double>& values, const std::vector<char>& which) {
   std::vector<double> kept;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (which[i]) kept.push_back(values[i]);
@@ -39,14 +41,14 @@ double mean_of(const std::vector<double>& values, const std::vector<char>& which
   return math::mean(kept);
 }
 
-double share_of(const std::vector<char>& which) {
+double marked_share(const std::vector<char>& which) {
   const auto met = std::ranges::count(which, 1);
-  return which.empty() ? kNotSeen : static_cast<double>(met) / static_cast<double>(which.size());
+  return which.empty() ? kUnknown : static_cast<double>(met) / static_cast<double>(which.size());
 }
 
 std::vector<Vec3> arm_chain_of(const robot::Robot& robot, const JointVector& q) {
   std::vector<Pose> frames;
-  robot::forward(robot, q, frames);
+  robot::forward_kinematics(robot, q, frames);
   return humanlike::arm_chain(robot, frames).joints;
 }
 

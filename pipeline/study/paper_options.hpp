@@ -8,23 +8,35 @@
 
 namespace morphe::study {
 
-/// configs/studies/paper*.yaml: results of the paper again, per frame, without scene.
+/// The options of configs/studies/paper*.yaml, which reproduce results of the paper per frame,
+/// without a scene.
 struct PaperStudyOptions {
+  /// The name of the study.
   std::string study;
-  std::string arm_motions;   ///< manifest: shoulder, elbow and wrist, for arms
-  std::string tip_motions;   ///< manifest: five fingertips at a wrist, for arms with hands
-  std::string hand_motions;  ///< manifest: the fingers' angles, for hands alone
-  std::string robots;        ///< folder of the descriptions of PA10, DLR/HIT II and WAM
-  /// The human: mean of the 50th percentile man and woman [m].
+  /// Manifest with shoulder, elbow and wrist, for arms.
+  std::string arm_motions;
+  /// Manifest with five fingertips at a wrist, for arms with hands.
+  std::string tip_motions;
+  /// Manifest with finger angles, for hands alone.
+  std::string hand_motions;
+  /// Folder of the descriptions of PA10, DLR/HIT II and WAM.
+  std::string robots;
+  /// The dimensions of the human: mean of the 50th percentile man and woman [m].
   double upper_arm = 0.323, forearm = 0.254, hand_length = 0.187, hand_breadth = 0.083;
-  double hand_scale = 1.1;  ///< robot hands over the human's
-  /// Weights of every case that does not say otherwise [1/m²], [1/rad of half the angle], [1/m²].
+  /// Size of robot hands relative to the human's.
+  double hand_scale = 1.1;
+  /// The weights of every case that does not set its own [1/m²], [1/rad of half the angle], [1/m²].
   double tip_position = 1e6, tip_orientation = 10, humanlike = 1;
+  /// The options of the solver.
   solve::MinimiseOptions solver;
-  int starts = 32;  ///< at each of three key frames a movement
+  /// Number of starts at each of three key frames per movement.
+  int starts = 32;
+  /// The time step of the frames [s].
   double step_s = 0.05, quick_step_s = 0.2;
-  std::vector<std::string> cases;  ///< which of the study's results; empty = all
+  /// Results of the study to compute, empty for all.
+  std::vector<std::string> cases;
 };
+/// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, PaperStudyOptions& o) {
   f.required("study", o.study);
@@ -46,6 +58,7 @@ void fields(Fields& f, PaperStudyOptions& o) {
   f("quick_step_s", o.quick_step_s);
   f("cases", o.cases);
 }
-std::string why_invalid(const PaperStudyOptions& options);
+/// Returns a message about the first invalid value, "" if all values are valid.
+std::string validation_error(const PaperStudyOptions& options);
 
 }  // namespace morphe::study

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "core/humanlike/match_link_directions.hpp"
 #include "core/humanlike/metrics.hpp"
-#include "core/humanlike/posed_like.hpp"
 #include "core/math/statistics.hpp"
 #include "core/robot/files/description.hpp"
 #include "pipeline/study/paper_cases.hpp"
@@ -10,30 +10,30 @@
 namespace morphe::study {
 namespace {
 
-/// The base's axis to the human's right and 15 degrees down: an arm whose second joint stops short
-/// of straight down can hang as a human's does. The robot's shoulder stands `offset` from the
-/// human's [m].
+/// Places the base with its axis to the human's right and 15 degrees down, so that an arm whose
+/// second joint cannot reach straight down can hang like a human's. The robot's shoulder is
+/// displaced by `offset` from the human's [m].
 Pose base_from_shoulder(const robot::Robot& robot, const Vec3& offset) {
   Pose shoulder_from_base = Pose::Identity();
-  shoulder_from_base.rotate(Eigen::AngleAxisd(105 * kDegree, Vec3::UnitY()));
-  shoulder_from_base.rotate(Eigen::AngleAxisd(90 * kDegree, Vec3::UnitZ()));
+  shoulder_from_base.rotate(Eigen::AngleAxisd(105 * kRadPerDegree, Vec3::UnitY()));
+  shoulder_from_base.rotate(Eigen::AngleAxisd(90 * kRadPerDegree, Vec3::UnitZ()));
   const JointVector zero = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
   shoulder_from_base.translation() =
       offset - shoulder_from_base.linear() * arm_chain_of(robot, zero).front();
   return shoulder_from_base.inverse();
 }
 
-/// Joint-to-joint: upper arm, forearm and hand point as the human's do. The same goals for an arm
-/// of the robot's lengths, which it can meet.
-std::vector<HumanPoses> as_long_as(const robot::Robot& robot,
-                                   const std::vector<HumanPoses>& series) {
+/// Returns goals for a joint-to-joint mapping, in which upper arm, forearm and hand point in the
+/// directions of the human's: the same poses for an arm of the robot's lengths, which it can meet.
+std::vector<HumanPoses> scaled_to_robot(const robot::Robot& robot,
+                                        const std::vector<HumanPoses>& series) {
   const JointVector zero = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
   const std::vector<Vec3> chain = arm_chain_of(robot, zero);
   std::vector<HumanPoses> result = series;
   for (HumanPoses& poses : result) {
     for (HumanPose& pose : poses) {
       const humanlike::Chain posed =
-          humanlike::posed_like({Vec3::Zero(), pose.elbow, pose.wrist}, chain);
+          humanlike::match_link_directions({Vec3::Zero(), pose.elbow, pose.wrist}, chain);
       pose.elbow = posed[1] - posed[0];
       pose.wrist = posed.back() - posed[0];
     }
@@ -74,7 +74,8 @@ std::vector<humanlike::FrameGoal> all_goals(const robot::Robot& robot,
   return goals;
 }
 
-std::vector<double> kept(const std::vector<double>& values, const std::vector<char>& which) {
+std::vector<double> marked_values(const std::vector<double>& values,
+                                  const std::vector<char>& which) {
   std::vector<double> result;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (which[i]) result.push_back(values[i]);
@@ -84,7 +85,7 @@ std::vector<double> kept(const std::vector<double>& values, const std::vector<ch
 
 }  // namespace
 
-void mappings(const PaperContext& context, StudyResult& result) {
+void run_mappings(const PaperContext& context, StudyResult& result) {
   const robot::Robot robot(robot::load_robot(context.robots / "wam.yaml").table);
   const Pose base = base_from_shoulder(robot, Vec3::Zero());
   const std::vector<humanlike::FrameGoal> goals = all_goals(robot, context.arms, base);
@@ -98,13 +99,13 @@ void mappings(const PaperContext& context, StudyResult& result) {
   };
   std::vector<Entry> entries;
   entries.push_back(
-      {"humanlike", map_all(context, robot, context.arms, context.weights, base), kNotSeen});
+      {"humanlike", map_all(context, robot, context.arms, context.weights, base), kUnknown});
   entries.push_back({"joint to joint",
-                     map_all(context, robot, as_long_as(robot, context.arms), joints, base),
+                     map_all(context, robot, scaled_to_robot(robot, context.arms), joints, base),
                      66.65e-3});
   entries.push_back(
-      {"inverse kinematics", map_all(context, robot, context.arms, plain, base), kNotSeen});
-  const std::vector<char> met = reachable(entries.back().mapped);
+      {"inverse kinematics", map_all(context, robot, context.arms, plain, base), kUnknown});
+  const std::vector<char> met = reachable_frames(entries.back().mapped);
   const std::size_t last = context.arms.front().size() - 1;
   HumanPose in_base = context.arms.front().back();
   std::vector<std::pair<std::string, std::vector<Vec3>>> chains;
@@ -113,8 +114,8 @@ void mappings(const PaperContext& context, StudyResult& result) {
     const Metrics metrics = metrics_of(robot, context.arms, base, mapped.q);
     const Case of = {{"figure", "3"}, {"robot", "WAM"}, {"mapping", entry.name}};
     const auto row = [&](const char* metric, const char* unit, double value) -> StudyRow& {
-      result.rows.push_back(row_of(of, metric, unit, value, mapped.q.size()));
-      result.rows.back().reachable = share_of(met);
+      result.rows.push_back(make_row(of, metric, unit, value, mapped.q.size()));
+      result.rows.back().reachable = marked_share(met);
       return result.rows.back();
     };
     row("position error", "m", math::mean(mapped.position_m)).published = entry.published_m;
@@ -131,42 +132,43 @@ void mappings(const PaperContext& context, StudyResult& result) {
                             pose_plot("Fig. 3: Barrett WAM by three mappings", in_base, chains));
 }
 
-void reference(const PaperContext& context, StudyResult& result) {
+void run_reference(const PaperContext& context, StudyResult& result) {
   struct Entry {
     const char *name, *file;
     double mean_m, largest_m, share_of_largest, turn_rad, largest_rad;
   };
   for (const Entry& entry :
-       {Entry{"PA10", "pa10.yaml", 0.05e-3, 1e-3, 1, 0.05 * kDegree, 1 * kDegree},
-        Entry{"PA10 + DLR/HIT II", "pa10_dlr_hit2.yaml", 0.2e-3, 1e-3, 0.99, kNotSeen, kNotSeen}}) {
+       {Entry{"PA10", "pa10.yaml", 0.05e-3, 1e-3, 1, 0.05 * kRadPerDegree, 1 * kRadPerDegree},
+        Entry{"PA10 + DLR/HIT II", "pa10_dlr_hit2.yaml", 0.2e-3, 1e-3, 0.99, kUnknown, kUnknown}}) {
     const robot::Robot robot(robot::load_robot(context.robots / entry.file).table);
     const Pose base = base_from_shoulder(robot, Vec3(0.10, -0.30, 0.30));
     StudyWeights plain = context.weights;
     plain.humanlike = 0;
     const MappedPoses without = map_all(context, robot, context.arms, plain, base);
     const MappedPoses ours = map_all(context, robot, context.arms, context.weights, base);
-    const std::vector<char> met = reachable(without);
+    const std::vector<char> met = reachable_frames(without);
     const Case of = {{"section", "4.1, 4.2"}, {"robot", entry.name}};
     const auto row = [&](const char* metric, const char* unit, double value) -> StudyRow& {
-      result.rows.push_back(row_of(of, metric, unit, value, ours.q.size()));
-      result.rows.back().reachable = share_of(met);
+      result.rows.push_back(make_row(of, metric, unit, value, ours.q.size()));
+      result.rows.back().reachable = marked_share(met);
       return result.rows.back();
     };
     const auto quantile_of = [&](const std::vector<double>& values, double share) {
-      return math::quantile(kept(values, met), share);
+      return math::quantile(marked_values(values, met), share);
     };
     const char* part = entry.share_of_largest < 1 ? "99th percentile" : "largest";
-    StudyRow& p = row("position error, reachable frames", "m", mean_of(ours.position_m, met));
+    StudyRow& p =
+        row("position error, reachable frames", "m", mean_of_marked(ours.position_m, met));
     p.at_most = entry.mean_m;
     p.published = 1e-3;
     row((std::string("position error, reachable frames, ") + part).c_str(), "m",
         quantile_of(ours.position_m, entry.share_of_largest))
         .at_most = entry.largest_m;
     if (entry.turn_rad == entry.turn_rad) {
-      StudyRow& o =
-          row("orientation error, reachable frames", "rad", mean_of(ours.orientation_rad, met));
+      StudyRow& o = row("orientation error, reachable frames", "rad",
+                        mean_of_marked(ours.orientation_rad, met));
       o.at_most = entry.turn_rad;
-      o.published = 1 * kDegree;
+      o.published = 1 * kRadPerDegree;
       row("orientation error, reachable frames, largest", "rad",
           quantile_of(ours.orientation_rad, 1))
           .at_most = entry.largest_rad;
@@ -175,7 +177,7 @@ void reference(const PaperContext& context, StudyResult& result) {
     row("A over that of plain inverse kinematics", "1",
         math::mean(ours.humanlike_m2) / math::mean(without.humanlike_m2));
     StudyRow& time = row("a frame, warm", "s", ours.seconds / static_cast<double>(ours.solves));
-    time.timed = true;
+    time.is_timing = true;
     time.published = 0.2e-3;
   }
 }

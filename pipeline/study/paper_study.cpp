@@ -12,17 +12,17 @@ struct PaperCase {
   const char* name;
   void (*run)(const PaperContext&, StudyResult&);
 };
-constexpr std::array<PaperCase, 7> kCases{{{"table_1", table_1},
-                                           {"tracking", tracking},
-                                           {"fingers", fingers},
-                                           {"scales", scales},
-                                           {"terms", terms},
-                                           {"mappings", mappings},
-                                           {"reference", reference}}};
+constexpr std::array<PaperCase, 7> kCases{{{"table_1", run_table_1},
+                                           {"tracking", run_tracking},
+                                           {"fingers", run_fingers},
+                                           {"scales", run_scales},
+                                           {"terms", run_terms},
+                                           {"mappings", run_mappings},
+                                           {"reference", run_reference}}};
 
 }  // namespace
 
-std::string why_invalid(const PaperStudyOptions& o) {
+std::string validation_error(const PaperStudyOptions& o) {
   if (!(o.upper_arm > 0) || !(o.forearm > 0) || !(o.hand_length > 0) || !(o.hand_breadth > 0)) {
     return "lengths must be positive";
   }

@@ -12,9 +12,9 @@
 namespace morphe::study {
 namespace {
 
-constexpr double kMillimetre = 1e-3;
+constexpr double kMetresPerMillimetre = 1e-3;
 
-/// Table 1 of the paper: position [mm] and orientation [degrees].
+/// The values of the paper's table 1: position [mm] and orientation [degrees].
 struct Published {
   int joints;
   double scale, position_mm, orientation_deg;
@@ -29,14 +29,14 @@ constexpr std::array<Published, 20> kPublished{{
     {27, 1.15, 0.063, 0.2025},  {27, 1.30, 0.052, 0.1793},
 }};
 
-struct Pair {
+struct ErrorPair {
   double position_m, orientation_rad;
 };
 
-/// Mean errors of solves without humanlikeness, from nearly all weight on the position to nearly
-/// all on the orientation.
-std::vector<Pair> front(const PaperContext& context, const robot::Robot& robot) {
-  std::vector<Pair> pairs;
+/// Computes mean errors of solves without humanlikeness, with weights from nearly all on the
+/// position to nearly all on the orientation.
+std::vector<ErrorPair> pareto_front(const PaperContext& context, const robot::Robot& robot) {
+  std::vector<ErrorPair> pairs;
   for (double orientation = 1e-2; orientation < 2e3; orientation *= 10) {
     const MappedPoses plain =
         map_all(context, robot, context.arms, {context.weights.tip_position, orientation, 0});
@@ -45,11 +45,11 @@ std::vector<Pair> front(const PaperContext& context, const robot::Robot& robot) 
   return pairs;
 }
 
-/// The pair that comes nearest to a wanted one, as the larger of the two ratios to it. Above 1:
-/// geometry forbids what is wanted on these motions.
-double nearest(const std::vector<Pair>& front, const Pair& wanted) {
+/// Finds the pair of errors nearest to a required one, measured as the larger of the two ratios. If
+/// the result is above 1, the requirement is geometrically impossible on these motions.
+double least_ratio(const std::vector<ErrorPair>& front, const ErrorPair& wanted) {
   double least = std::numeric_limits<double>::infinity();
-  for (const Pair& pair : front) {
+  for (const ErrorPair& pair : front) {
     least = std::min(least, std::max(pair.position_m / wanted.position_m,
                                      pair.orientation_rad / wanted.orientation_rad));
   }
@@ -58,56 +58,57 @@ double nearest(const std::vector<Pair>& front, const Pair& wanted) {
 
 }  // namespace
 
-void table_1(const PaperContext& context, StudyResult& result) {
+void run_table_1(const PaperContext& context, StudyResult& result) {
   for (const Published& cell : kPublished) {
     const robot::Robot robot(
         robot::generate_arm({.joints = cell.joints, .length = cell.scale * context.arm_length()}));
     const MappedPoses ours = map_all(context, robot, context.arms, context.weights);
-    StudyWeights plain = context.weights, exact = context.weights;
+    StudyWeights plain = context.weights, heavily_weighted = context.weights;
     plain.humanlike = 0;
-    exact.tip_position *= 100;
-    exact.tip_orientation *= 100;
-    const std::vector<char> met = reachable(map_all(context, robot, context.arms, plain));
-    const MappedPoses best = map_all(context, robot, context.arms, exact);
+    heavily_weighted.tip_position *= 100;
+    heavily_weighted.tip_orientation *= 100;
+    const std::vector<char> met = reachable_frames(map_all(context, robot, context.arms, plain));
+    const MappedPoses best = map_all(context, robot, context.arms, heavily_weighted);
     const Case of = {{"table", "1"},
                      {"joints", std::to_string(cell.joints)},
                      {"length", fmt::format("{:.2f}", cell.scale)}};
     const std::size_t n = ours.q.size();
     const auto row = [&](const char* metric, const char* unit, double value) -> StudyRow& {
-      result.rows.push_back(row_of(of, metric, unit, value, n));
-      result.rows.back().reachable = share_of(met);
+      result.rows.push_back(make_row(of, metric, unit, value, n));
+      result.rows.back().reachable = marked_share(met);
       return result.rows.back();
     };
     const double position = math::mean(ours.position_m), turn = math::mean(ours.orientation_rad);
-    // The paper's degrees may be half the angle of rotation: then they stand for twice as much.
-    const Pair whole{cell.position_mm * kMillimetre, cell.orientation_deg * kDegree};
-    const Pair half{whole.position_m, 2 * whole.orientation_rad};
+    // The paper's degrees may be half the angle of rotation; the full angle is then twice as large.
+    const ErrorPair whole{cell.position_mm * kMetresPerMillimetre,
+                          cell.orientation_deg * kRadPerDegree};
+    const ErrorPair half{whole.position_m, 2 * whole.orientation_rad};
     row("position error", "m", position).published = whole.position_m;
     row("orientation error", "rad", turn).published = whole.orientation_rad;
-    const auto ask = [&, first = result.rows.size() - 2](const Pair& wanted) {
+    const auto ask = [&, first = result.rows.size() - 2](const ErrorPair& wanted) {
       result.rows[first].at_most = wanted.position_m;
       result.rows[first + 1].at_most = wanted.orientation_rad;
     };
     if (position <= whole.position_m && turn <= whole.orientation_rad) {
       ask(whole);
     } else {
-      const std::vector<Pair> pairs = front(context, robot);
-      for (const Pair& wanted : {half, whole}) {
-        if (nearest(pairs, wanted) <= 1) ask(wanted);
+      const std::vector<ErrorPair> pairs = pareto_front(context, robot);
+      for (const ErrorPair& wanted : {half, whole}) {
+        if (least_ratio(pairs, wanted) <= 1) ask(wanted);
       }
-      row("without humanlikeness, nearest pair over published", "1", nearest(pairs, whole));
-      row("the same, published degrees as half the angle", "1", nearest(pairs, half));
+      row("without humanlikeness, nearest pair over published", "1", least_ratio(pairs, whole));
+      row("the same, published degrees as half the angle", "1", least_ratio(pairs, half));
     }
     row("A, mean over centres", "m^2", math::mean(ours.humanlike_m2));
-    if (share_of(met) > 0) {
+    if (marked_share(met) > 0) {
       row("A over its optimum at exact tips, reachable frames", "1",
-          mean_of(ours.humanlike_m2, met) / mean_of(best.humanlike_m2, met))
+          mean_of_marked(ours.humanlike_m2, met) / mean_of_marked(best.humanlike_m2, met))
           .at_most = 1.05;
-      row("position error, reachable frames", "m", mean_of(ours.position_m, met));
-      row("orientation error, reachable frames", "rad", mean_of(ours.orientation_rad, met));
+      row("position error, reachable frames", "m", mean_of_marked(ours.position_m, met));
+      row("orientation error, reachable frames", "rad", mean_of_marked(ours.orientation_rad, met));
     }
     StudyRow& time = row("a frame, warm", "s", ours.seconds / static_cast<double>(ours.solves));
-    time.timed = true;
+    time.is_timing = true;
   }
 }
 

@@ -9,9 +9,10 @@ namespace morphe::study {
 namespace {
 
 constexpr std::size_t kIndex = 1;
-constexpr double kRest = 0.005;  ///< slower than this the tip truly rests [m/s]
+/// True speed of the tip below which it is at rest [m/s].
+constexpr double kMaxRestSpeed_m_s = 0.005;
 
-/// The truth at any instant, linear between its samples.
+/// The ground truth at any instant, linear between its samples.
 class Truth {
  public:
   explicit Truth(const Demonstration& truth)
@@ -21,8 +22,8 @@ class Truth {
     assert(hand_.time.size() == bodies_.time.size() && angles_.time.size() == bodies_.time.size());
   }
 
-  /// False outside the recording.
-  bool go_to(double time_s) {
+  /// Moves to a time. Returns false outside the recording.
+  bool seek(double time_s) {
     const std::vector<double>& time = bodies_.time;
     if (time.size() < 2 || time_s < time.front() || time_s > time.back()) return false;
     const auto above = std::upper_bound(time.begin() + 1, time.end() - 1, time_s);
@@ -41,7 +42,7 @@ class Truth {
   }
 
  private:
-  Vec3 between(const Table<Vec3>& table, std::size_t k) const {
+  Vec3 between(const Array2D<Vec3>& table, std::size_t k) const {
     return (1 - share_) * table(row_, k) + share_ * table(row_ + 1, k);
   }
   const BodyStream& bodies_;
@@ -51,7 +52,8 @@ class Truth {
   double share_ = 0;
 };
 
-/// Speed between neighbouring points, the first one repeated so that there is one a frame.
+/// Computes the speed between neighbouring points. The first value is repeated so that there is one
+/// for each frame.
 std::vector<double> speeds(const std::vector<Vec3>& points, double step_s) {
   std::vector<double> result(points.size(), 0);
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -76,26 +78,27 @@ void compare_frame(const HumanMotion& motion, std::size_t i, const Truth& truth,
   score.elbow.add((motion.elbow[i] - truth.body(1)).norm());
   score.wrist.add((motion.wrist[i] - truth.body(2)).norm());
   const Quat orientation = motion.wrist_orientation[i];
-  if (seen(orientation))
+  if (is_known(orientation))
     score.orientation.add(angle_between(orientation, truth.wrist_orientation()));
-  bool all = seen(motion.wrist[i]);
-  for (std::size_t finger = 0; finger < kFingers; ++finger) {
+  bool all = is_known(motion.wrist[i]);
+  for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
     const Vec3 tip = motion.tip(i, finger);
-    all = all && seen(tip);
+    all = all && is_known(tip);
     score.tips.add((tip - truth.tip(finger)).norm());
     const Vec3 in_hand = orientation.conjugate() * (tip - motion.wrist[i]);
-    const Vec3 truly = truth.wrist_orientation().conjugate() * (truth.tip(finger) - truth.body(2));
-    score.tips_in_hand.add((in_hand - truly).norm());
+    const Vec3 true_speed =
+        truth.wrist_orientation().conjugate() * (truth.tip(finger) - truth.body(2));
+    score.tips_in_hand.add((in_hand - true_speed).norm());
   }
   compare_angles(motion.arm_angles, i, truth, 0, score.arm_angles);
-  compare_angles(motion.hand_angles, i, truth, kArmAngles, score.hand_angles);
+  compare_angles(motion.hand_angles, i, truth, kArmAngleCount, score.hand_angles);
   score.seen += all ? 1 : 0;
   ++score.frames;
 }
 
 double peak_within(const std::vector<double>& time, const std::vector<double>& values,
                    const Label& label) {
-  double peak = kNotSeen;
+  double peak = kUnknown;
   for (std::size_t i = 0; i < time.size(); ++i) {
     if (time[i] >= label.begin_s && time[i] <= label.end_s) peak = std::fmax(peak, values[i]);
   }
@@ -110,7 +113,7 @@ void ReconstructionScore::add(const ReconstructionScore& other) {
         &ReconstructionScore::tips, &ReconstructionScore::tips_in_hand,
         &ReconstructionScore::orientation, &ReconstructionScore::arm_angles,
         &ReconstructionScore::hand_angles, &ReconstructionScore::speed_at_rest,
-        &ReconstructionScore::true_at_rest}) {
+        &ReconstructionScore::true_speed_at_rest}) {
     (this->*member).add(other.*member);
   }
   delay_s.insert(delay_s.end(), other.delay_s.begin(), other.delay_s.end());
@@ -119,12 +122,12 @@ void ReconstructionScore::add(const ReconstructionScore& other) {
   frames += other.frames;
 }
 
-double delay_behind(const std::vector<double>& signal, const std::vector<double>& reference,
-                    double step_s) {
+double estimate_delay_s(const std::vector<double>& signal, const std::vector<double>& reference,
+                        double step_s) {
   assert(signal.size() == reference.size());
   const auto n = static_cast<std::ptrdiff_t>(signal.size());
   const auto most = std::min<std::ptrdiff_t>(n / 4, std::lround(0.2 / step_s));
-  if (most < 2) return kNotSeen;
+  if (most < 2) return kUnknown;
   const auto mean = [n](const std::vector<double>& values) {
     double sum = 0;
     for (const double value : values) sum += value;
@@ -137,16 +140,16 @@ double delay_behind(const std::vector<double>& signal, const std::vector<double>
   std::vector<double> correlation;
   for (std::ptrdiff_t lag = -most; lag <= most; ++lag) {
     double product = 0;
-    // The same frames of the reference for every lag, so that no lag has more to gain.
+    // The same frames of the reference are used for every lag, so that no lag is favoured.
     for (std::ptrdiff_t i = most; i < n - most; ++i) {
       product += (at(reference, i) - reference_mean) * (at(signal, i + lag) - signal_mean);
     }
     correlation.push_back(product);
   }
   const auto top = std::max_element(correlation.begin(), correlation.end());
-  if (top == correlation.begin() || top + 1 == correlation.end()) return kNotSeen;
+  if (top == correlation.begin() || top + 1 == correlation.end()) return kUnknown;
   const double before = *(top - 1), after = *(top + 1), bend = before - 2 * *top + after;
-  if (!(bend < 0)) return kNotSeen;
+  if (!(bend < 0)) return kUnknown;
   const double lag =
       static_cast<double>(top - correlation.begin() - most) + (before - after) / (2 * bend);
   return lag * step_s;
@@ -158,7 +161,7 @@ ReconstructionScore score_reconstruction(const HumanMotion& motion, const Demons
   std::vector<Vec3> rebuilt, real;
   std::vector<double> time;
   for (std::size_t i = 0; i < motion.time.size(); ++i) {
-    if (!at.go_to(motion.time[i])) continue;
+    if (!at.seek(motion.time[i])) continue;
     compare_frame(motion, i, at, score);
     time.push_back(motion.time[i]);
     rebuilt.push_back(motion.tip(i, kIndex));
@@ -167,22 +170,22 @@ ReconstructionScore score_reconstruction(const HumanMotion& motion, const Demons
   if (time.size() < 10) return score;
   const double step_s = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
   std::vector<double> found = speeds(rebuilt, step_s);
-  const std::vector<double> truly = speeds(real, step_s);
+  const std::vector<double> true_speed = speeds(real, step_s);
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (!std::isfinite(found[i])) {
-      found[i] = truly[i];  // what was not seen has no delay
+      found[i] = true_speed[i];  // unseen frames are given no delay
       continue;
     }
-    if (truly[i] > kRest) continue;
+    if (true_speed[i] > kMaxRestSpeed_m_s) continue;
     score.speed_at_rest.add(found[i]);
-    score.true_at_rest.add(truly[i]);
+    score.true_speed_at_rest.add(true_speed[i]);
   }
-  if (const double delay = delay_behind(found, truly, step_s); std::isfinite(delay)) {
+  if (const double delay = estimate_delay_s(found, true_speed, step_s); std::isfinite(delay)) {
     score.delay_s.push_back(delay);
   }
   for (const Label& label : truth.labels) {
     if (label.phase != PhaseKind::reach) continue;
-    const double ratio = peak_within(time, found, label) / peak_within(time, truly, label);
+    const double ratio = peak_within(time, found, label) / peak_within(time, true_speed, label);
     if (std::isfinite(ratio)) score.peak_ratio.push_back(ratio);
   }
   return score;

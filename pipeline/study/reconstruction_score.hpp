@@ -9,44 +9,60 @@
 
 namespace morphe::study {
 
-/// Root mean square of what was added.
+/// An accumulator for the root mean square of errors.
 struct MeanSquare {
+  /// The sum of the squared errors.
   double sum = 0;
+  /// The number of errors.
   std::size_t n = 0;
+  /// Adds an error unless it is not finite.
   void add(double error) {
     if (!std::isfinite(error)) return;
     sum += error * error;
     ++n;
   }
+  /// Adds all errors of `other`.
   void add(const MeanSquare& other) {
     sum += other.sum;
     n += other.n;
   }
-  double rms() const { return n == 0 ? kNotSeen : std::sqrt(sum / static_cast<double>(n)); }
+  /// Returns the root mean square, NaN if there are no errors.
+  double rms() const { return n == 0 ? kUnknown : std::sqrt(sum / static_cast<double>(n)); }
 };
 
-/// A rebuilt recording against the truth it was synthesized from.
+/// The errors of a reconstructed recording with respect to the ground truth from which it was
+/// synthesized.
 struct ReconstructionScore {
-  MeanSquare shoulder, elbow, wrist, tips;  ///< distance from the truth [m]
-  MeanSquare tips_in_hand;             ///< the same in the hand's own frame: the glove's part [m]
-  MeanSquare orientation;              ///< of the hand, full angle [rad]
-  MeanSquare arm_angles, hand_angles;  ///< [rad]
-  MeanSquare speed_at_rest, true_at_rest;  ///< of the index tip where it truly rests [m/s]
-  std::vector<double> delay_s;             ///< of the index tip behind the truth, one a recording
-  std::vector<double> peak_ratio;          ///< rebuilt over true peak speed, one a labelled reach
-  std::size_t seen = 0, frames = 0;        ///< frames with wrist and tips
+  /// Distance from the ground truth [m].
+  MeanSquare shoulder, elbow, wrist, tips;
+  /// The same in the frame of the hand, that is, the error of the glove [m].
+  MeanSquare tips_in_hand;
+  /// Full angle of the orientation error of the hand [rad].
+  MeanSquare orientation;
+  /// Errors of the joint angles [rad].
+  MeanSquare arm_angles, hand_angles;
+  /// Speed of the index tip, reconstructed and true, while the true tip rests [m/s].
+  MeanSquare speed_at_rest, true_speed_at_rest;
+  /// Delay of the index tip behind the ground truth, one for each recording [s].
+  std::vector<double> delay_s;
+  /// Reconstructed divided by true peak speed, one for each labelled reach.
+  std::vector<double> peak_ratio;
+  /// Number of frames with wrist and tips, and of all frames.
+  std::size_t seen = 0, frames = 0;
 
+  /// Adds the errors of another recording.
   void add(const ReconstructionScore& other);
 };
 
-/// `truth` as pipeline/synthesize/synthesize.hpp describes it: joint centres in `sensors`,
-/// fingertips in `hand`, angles in `arm_angles`, all on one clock.
+/// Computes the errors of a reconstruction. `truth` has the form that
+/// pipeline/synthesize/synthesize.hpp describes: joint centres in `sensors`, fingertips in `hand`,
+/// angles in `arm_angles`, all on one clock.
 ReconstructionScore score_reconstruction(const HumanMotion& motion, const Demonstration& truth);
 
-/// Delay of `signal` behind `reference` [s], both sampled every `step_s`: the peak of the
-/// cross-correlation of what is left after their means, within ±0.2 s, to a parabola through its
-/// top three points. NaN where either does not vary.
-double delay_behind(const std::vector<double>& signal, const std::vector<double>& reference,
-                    double step_s);
+/// Estimates the delay of `signal` behind `reference` [s], both sampled every `step_s`: the peak of
+/// the cross-correlation of the signals without their means, within ±0.2 s, refined by a parabola
+/// through its top three points. Returns NaN if one of the signals is constant.
+double estimate_delay_s(const std::vector<double>& signal, const std::vector<double>& reference,
+                        double step_s);
 
 }  // namespace morphe::study

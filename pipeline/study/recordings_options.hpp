@@ -9,21 +9,28 @@
 
 namespace morphe::study {
 
+/// A recording and the file with its joint angles.
 struct AngleFile {
+  /// The name of the recording and the path of the file.
   std::string recording, file;
 };
+/// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, AngleFile& o) {
   f.required("recording", o.recording);
   f.required("file", o.file);
 }
 
-/// Recordings that somebody marked.
+/// A set of real recordings with annotated movements.
 struct RealSet {
+  /// The name of the set and its manifest.
   std::string name, manifest;
-  bool same_boundaries = false;   ///< the labels are what segmentation calls a boundary
-  std::vector<AngleFile> angles;  ///< joint angles of others (see angle_files.hpp)
+  /// True if the labels use the same definition of boundaries as segmentation.
+  bool same_boundaries = false;
+  /// Joint angles from other software (see angle_files.hpp).
+  std::vector<AngleFile> angles;
 };
+/// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, RealSet& o) {
   f.required("name", o.name);
@@ -32,17 +39,26 @@ void fields(Fields& f, RealSet& o) {
   f("angles", o.angles);
 }
 
-/// Recordings made by pipeline/synthesize.
+/// A set of recordings made by pipeline/synthesize.
 struct SyntheticSet {
+  /// The name of the set and its config.
   std::string name, config;
+  /// The number of recordings, in total and in the quick variant.
   int count = 500, quick_count = 20;
+  /// The seed of the recordings.
   std::uint64_t seed = 1;
-  std::vector<std::string> set;              ///< "a.b=value" on the config
-  double least_recall = 0;                   ///< what is asked for, 0 = nothing
-  double median_s = 0, percentile_95_s = 0;  ///< of boundary errors
-  bool accuracy = false;                     ///< positions are judged too
-  double joints_m = 0, fingertips_m = 0;     ///< rms asked of elbow and wrist, and of fingertips
+  /// Settings "a.b=value" applied to the config.
+  std::vector<std::string> set;
+  /// Required recall, 0 for no requirement.
+  double least_recall = 0;
+  /// Required median and 95th percentile of the boundary errors [s].
+  double median_s = 0, percentile_95_s = 0;
+  /// True if positions are evaluated as well.
+  bool accuracy = false;
+  /// Required rms of elbow and wrist, and of fingertips [m].
+  double joints_m = 0, fingertips_m = 0;
 };
+/// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, SyntheticSet& o) {
   f.required("name", o.name);
@@ -58,17 +74,25 @@ void fields(Fields& f, SyntheticSet& o) {
   f("joints_m", o.joints_m);
   f("fingertips_m", o.fingertips_m);
 }
-std::string why_invalid(const SyntheticSet& set);
+/// Returns a message about the first invalid value, "" if all values are valid.
+std::string validation_error(const SyntheticSet& set);
 
-/// configs/studies/recordings.yaml.
+/// The options of configs/studies/recordings.yaml.
 struct RecordingsStudyOptions {
+  /// The name of the study.
   std::string study;
+  /// The sets of real recordings.
   std::vector<RealSet> real;
+  /// The sets of synthetic recordings.
   std::vector<SyntheticSet> synthetic;
+  /// The options of the reconstruction.
   reconstruct::ReconstructOptions reconstruct;
+  /// The options of the human model.
   reconstruct::HumanOptions human;
+  /// The options of the segmentation.
   segment::SegmentOptions segment;
 };
+/// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, RecordingsStudyOptions& o) {
   f.required("study", o.study);

@@ -2,7 +2,7 @@
 
 namespace morphe::study {
 
-std::string why_invalid(const SyntheticSet& o) {
+std::string validation_error(const SyntheticSet& o) {
   if (o.count < 1 || o.quick_count < 1) return "count and quick_count must be positive";
   return "";
 }

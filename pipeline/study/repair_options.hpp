@@ -8,24 +8,37 @@
 
 namespace morphe::study {
 
-/// configs/studies/repair.yaml: movements that are executable as they are, planned again with an
-/// obstacle put into the robot's way (pipeline/study/obstacles.hpp), by several ways of repairing.
-/// The first is ours; a case counts as solvable if it, or the long search with any of its seeds,
-/// makes an executable plan. The long search is only run where ours fails, and never
-/// with --quick.
+/// The options of configs/studies/repair.yaml: movements that are executable without an obstacle
+/// are planned again with an obstacle in the robot's way (pipeline/study/obstacles.hpp), by several
+/// repair methods. The first method is ours. A case counts as solvable if our method, or the long
+/// search with any of its seeds, makes an executable plan. The long search is run only if our
+/// method fails, and never with --quick.
 struct RepairStudyOptions {
+  /// The name of the study and its pipeline config.
   std::string study, pipeline;
-  std::string synthetic;  ///< a config of pipeline/synthesize
+  /// Config of pipeline/synthesize.
+  std::string synthetic;
+  /// The seed of the recordings and obstacles.
   std::uint64_t seed = 1;
-  int cases = 200, quick_cases = 2;  ///< movements with an obstacle, each of another recording
-  int recordings = 600;              ///< at most looked at for them
-  int first_recording = 0;           ///< looked at, of the synthetic ones
+  /// Number of movements with an obstacle, each from another recording.
+  int cases = 200, quick_cases = 2;
+  /// Maximum number of recordings that are tried.
+  int recordings = 600;
+  /// Index of the first synthetic recording that is tried.
+  int first_recording = 0;
+  /// The repair methods, ours first.
   std::vector<StudyVariant> variants;
-  StudyVariant plain;  ///< repairs what was executable before the obstacle came, without a mapping
+  /// Planner alone, which repairs the path that was executable without the obstacle, without a
+  /// mapping.
+  StudyVariant plain;
+  /// The long search.
   StudyVariant long_search;
+  /// The seeds of the long search.
   std::vector<std::uint64_t> long_seeds = {1, 2, 3};
-  double step_m = 1e-4;  ///< no body moves farther between two states of the independent check
+  /// Largest displacement of any body between two states of the independent check [m].
+  double step_m = 1e-4;
 };
+/// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, RepairStudyOptions& o) {
   f.required("study", o.study);
@@ -42,6 +55,7 @@ void fields(Fields& f, RepairStudyOptions& o) {
   f("long_seeds", o.long_seeds);
   f("step_m", o.step_m);
 }
-std::string why_invalid(const RepairStudyOptions& options);
+/// Returns a message about the first invalid value, "" if all values are valid.
+std::string validation_error(const RepairStudyOptions& options);
 
 }  // namespace morphe::study

@@ -18,32 +18,32 @@ void add_rows(const RepairStudyOptions& options, const std::string& kind,
     if (kind == "all" || one.kind == kind) of_kind.push_back(&one);
   }
   if (of_kind.empty()) return;
-  double ours_a = kNotSeen;
+  double ours_a = kUnknown;
   std::vector<StudyVariant> variants = options.variants;
   variants.push_back(options.plain);
   for (std::size_t v = 0; v < variants.size(); ++v) {
     std::size_t solved = 0, solvable = 0, collisions = 0, changed = 0;
     std::vector<double> a_ratio, tips, both_a, both_tips;
     for (const ObstacleCase* one : of_kind) {
-      const Repaired& repaired = one->variants[v];
+      const RepairOutcome& repaired = one->variants[v];
       solved += repaired.executable ? 1 : 0;
       solvable +=
           one->variants.front().executable || one->found_by_long_search || repaired.executable ? 1
                                                                                                : 0;
-      collisions += repaired.collisions;
-      changed += repaired.outside_changed ? 1 : 0;
+      collisions += repaired.colliding_states;
+      changed += repaired.mapped_samples_changed ? 1 : 0;
       if (!repaired.executable) continue;
-      a_ratio.push_back(repaired.a_ratio);
-      tips.push_back(repaired.tips_m);
-      if (!std::ranges::all_of(one->variants, &Repaired::executable)) continue;
-      both_a.push_back(repaired.a_ratio);
-      both_tips.push_back(repaired.tips_m);
+      a_ratio.push_back(repaired.humanlikeness_ratio);
+      tips.push_back(repaired.mean_tip_error_m);
+      if (!std::ranges::all_of(one->variants, &RepairOutcome::executable)) continue;
+      both_a.push_back(repaired.humanlikeness_ratio);
+      both_tips.push_back(repaired.mean_tip_error_m);
     }
     const bool first = v == 0, whole = kind == "all";
     const Case of = {{"obstacle", kind}, {"variant", variants[v].name}};
     const auto row = [&](const char* metric, const char* unit, double value,
                          std::size_t n) -> StudyRow& {
-      result.rows.push_back(row_of(of, metric, unit, value, n));
+      result.rows.push_back(make_row(of, metric, unit, value, n));
       return result.rows.back();
     };
     row("executable", "1", static_cast<double>(solved) / static_cast<double>(of_kind.size()),
@@ -65,7 +65,7 @@ void add_rows(const RepairStudyOptions& options, const std::string& kind,
     if (first) {
       ours_a = common.ours;
     } else if (whole) {
-      common.at_least = ours_a;  // ours is not worse
+      common.at_least = ours_a;  // requires that ours is not worse
     }
     row("fingertips, where all succeed, mean", "m", math::mean(both_tips), both_tips.size());
   }
@@ -73,7 +73,7 @@ void add_rows(const RepairStudyOptions& options, const std::string& kind,
 
 }  // namespace
 
-std::string why_invalid(const RepairStudyOptions& o) {
+std::string validation_error(const RepairStudyOptions& o) {
   if (o.variants.empty()) return "variants is empty";
   if (o.cases < 1 || o.quick_cases < 1) return "cases and quick_cases must be positive";
   if (o.recordings < 1) return "recordings must be positive";
@@ -106,7 +106,7 @@ StudyResult repair_study(const config::ConfigNode& config, const StudyRun& run) 
   const auto wanted = static_cast<std::size_t>(run.quick ? options.quick_cases : options.cases);
   std::vector<ObstacleCase> cases;
   std::size_t looked_at = 0;
-  parallel::OrderedMap<std::uint64_t, ObstacleCase> map;
+  parallel::OrderedParallelMap<std::uint64_t, ObstacleCase> map;
   const int end = options.first_recording + options.recordings;
   map.next = [&, next = options.first_recording]() mutable {
     return cases.size() >= wanted || next == end
@@ -117,16 +117,17 @@ StudyResult repair_study(const config::ConfigNode& config, const StudyRun& run) 
     return std::make_unique<ObstacleCase>(run_case(study, variants, plain, long_searches, index));
   };
   map.write = [&](const ObstacleCase& one) {
-    if (cases.size() >= wanted) return;  // begun before the last one was known to be enough
+    if (cases.size() >= wanted) return;  // started before it was clear that enough cases are found
     ++looked_at;
-    if (!one.exists) return;
+    if (!one.is_valid) return;
     cases.push_back(one);
     std::string line = fmt::format("{} of {} cases, recording {}, {}:", cases.size(), wanted,
                                    one.recording, one.kind);
-    for (const Repaired& repaired : one.variants) {
-      line += repaired.executable ? fmt::format(" A {:.2f}, tips {:.1f} mm;", repaired.a_ratio,
-                                                1e3 * repaired.tips_m)
-                                  : fmt::format(" {};", repaired.failure);
+    for (const RepairOutcome& repaired : one.variants) {
+      line += repaired.executable
+                  ? fmt::format(" A {:.2f}, tips {:.1f} mm;", repaired.humanlikeness_ratio,
+                                1e3 * repaired.mean_tip_error_m)
+                  : fmt::format(" {};", repaired.failure);
     }
     if (one.found_by_long_search) line += " found by the long search";
     run.progress(line);
@@ -134,8 +135,8 @@ StudyResult repair_study(const config::ConfigNode& config, const StudyRun& run) 
   morphe::parallel::run(map, run.jobs);
 
   StudyResult result;
-  result.rows.push_back(row_of({{"obstacle", "all"}}, "recordings looked at", "1",
-                               static_cast<double>(looked_at), cases.size()));
+  result.rows.push_back(make_row({{"obstacle", "all"}}, "recordings looked at", "1",
+                                 static_cast<double>(looked_at), cases.size()));
   add_rows(options, "all", cases, result);
   for (const char* kind : kObstacleKinds) add_rows(options, kind, cases, result);
   return result;

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "core/files/part_file.hpp"
+#include "core/files/atomic_file.hpp"
 #include "core/store/hdf5_file.hpp"
 
 namespace morphe::study {
@@ -14,15 +14,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string wanted(const StudyRow& row) {
+std::string requirement_text(const StudyRow& row) {
   if (row.at_least == row.at_least) return fmt::format(">= {:.4g}", row.at_least);
   if (row.at_most == row.at_most) return fmt::format("<= {:.4g}", row.at_most);
   return "";
 }
 
-std::string case_of(const StudyRow& row) {
+std::string case_text(const StudyRow& row) {
   std::string text;
-  for (const auto& [name, value] : row.of) text += (text.empty() ? "" : "; ") + value;
+  for (const auto& [name, value] : row.case_values) text += (text.empty() ? "" : "; ") + value;
   return text;
 }
 
@@ -35,14 +35,14 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
-/// The rows that are the same on every machine.
-StudyResult without_times(StudyResult result) {
-  std::erase_if(result.rows, [](const StudyRow& row) { return row.timed; });
+/// Removes the rows that depend on the machine.
+StudyResult remove_timed_rows(StudyResult result) {
+  std::erase_if(result.rows, [](const StudyRow& row) { return row.is_timing; });
   return result;
 }
 
 void write_hdf5(const StudyResult& result, const std::filesystem::path& path) {
-  files::PartFile part(path);
+  files::AtomicFile part(path);
   store::Hdf5File file = store::Hdf5File::create(part.part());
   const store::Hdf5Group root = file.root();
   store::write_format(root, "morphe-study", 1);
@@ -50,13 +50,13 @@ void write_hdf5(const StudyResult& result, const std::filesystem::path& path) {
   std::vector<std::string> cases, metrics, units;
   store::Hdf5Array<double> ours, published, reachable, count;
   for (const StudyRow& row : result.rows) {
-    cases.push_back(case_of(row));
+    cases.push_back(case_text(row));
     metrics.push_back(row.metric);
     units.push_back(row.unit);
     ours.values.push_back(row.ours);
     published.values.push_back(row.published);
     reachable.values.push_back(row.reachable);
-    count.values.push_back(static_cast<double>(row.n));
+    count.values.push_back(static_cast<double>(row.count));
   }
   root.write_strings("case", cases);
   root.write_strings("metric", metrics);
@@ -73,21 +73,21 @@ void write_hdf5(const StudyResult& result, const std::filesystem::path& path) {
 }  // namespace
 
 std::string results_json(const StudyResult& all) {
-  const StudyResult result = without_times(all);
+  const StudyResult result = remove_timed_rows(all);
   Json rows = Json::array();
   for (const StudyRow& row : result.rows) {
     Json of = Json::object();
-    for (const auto& [name, value] : row.of) of[name] = value;
+    for (const auto& [name, value] : row.case_values) of[name] = value;
     Json json = {{"case", of},
                  {"metric", row.metric},
                  {"unit", row.unit},
                  {"ours", number(row.ours)},
                  {"published", number(row.published)},
                  {"reachable", number(row.reachable)},
-                 {"n", row.n}};
-    if (row.asked()) {
-      json["wanted"] = wanted(row);
-      json["holds"] = row.holds();
+                 {"n", row.count}};
+    if (row.has_requirement()) {
+      json["wanted"] = requirement_text(row);
+      json["holds"] = row.meets_requirement();
     }
     rows.push_back(std::move(json));
   }
@@ -95,13 +95,14 @@ std::string results_json(const StudyResult& all) {
 }
 
 std::string results_csv(const StudyResult& all) {
-  const StudyResult result = without_times(all);
+  const StudyResult result = remove_timed_rows(all);
   std::string text = "case,metric,unit,ours,published,reachable,n,wanted,holds\n";
   const auto cell = [](double v) { return std::isfinite(v) ? fmt::format("{}", v) : ""; };
   for (const StudyRow& row : result.rows) {
-    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", quoted(case_of(row)), quoted(row.metric),
-                        row.unit, cell(row.ours), cell(row.published), cell(row.reachable), row.n,
-                        wanted(row), row.asked() ? (row.holds() ? "yes" : "no") : "");
+    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", quoted(case_text(row)), quoted(row.metric),
+                        row.unit, cell(row.ours), cell(row.published), cell(row.reachable),
+                        row.count, requirement_text(row),
+                        row.has_requirement() ? (row.meets_requirement() ? "yes" : "no") : "");
   }
   return text;
 }
@@ -109,7 +110,7 @@ std::string results_csv(const StudyResult& all) {
 std::string results_table(const StudyResult& result) {
   std::size_t case_width = 4, metric_width = 6;
   for (const StudyRow& row : result.rows) {
-    case_width = std::max(case_width, case_of(row).size());
+    case_width = std::max(case_width, case_text(row).size());
     metric_width = std::max(metric_width, row.metric.size());
   }
   const bool published = std::ranges::any_of(
@@ -126,21 +127,22 @@ std::string results_table(const StudyResult& result) {
                   metric_width, "ours", "unit", published ? "  published" : "",
                   reachable ? "  reachable" : "", "wanted", "n");
   for (const StudyRow& row : result.rows) {
-    text += fmt::format("{:<{}}  {:<{}}  {:>10.4g} {:<5}{}{} {:>12}  {:>7}{}\n", case_of(row),
+    text += fmt::format("{:<{}}  {:<{}}  {:>10.4g} {:<5}{}{} {:>12}  {:>7}{}\n", case_text(row),
                         case_width, row.metric, metric_width, row.ours, row.unit,
                         optional(published, row.published), optional(reachable, row.reachable),
-                        wanted(row), row.n, row.asked() && !row.holds() ? "  missed" : "");
+                        requirement_text(row), row.count,
+                        row.has_requirement() && !row.meets_requirement() ? "  missed" : "");
   }
   return text;
 }
 
 void write_results(const StudyResult& all, const std::filesystem::path& folder) {
-  const StudyResult result = without_times(all);
-  files::write_whole(folder / "results.json", results_json(result));
-  files::write_whole(folder / "results.csv", results_csv(result));
+  const StudyResult result = remove_timed_rows(all);
+  files::write_atomically(folder / "results.json", results_json(result));
+  files::write_atomically(folder / "results.csv", results_csv(result));
   write_hdf5(result, folder / "results.h5");
   for (const auto& [name, plot] : result.plots)
-    files::write_whole(folder / (name + ".svg"), svg_of(plot));
+    files::write_atomically(folder / (name + ".svg"), svg_of(plot));
 }
 
 }  // namespace morphe::study

@@ -7,15 +7,17 @@
 
 namespace morphe::study {
 
-/// {study, rows: [{case: {…}, metric, unit, ours, published, reachable, n, wanted, holds}]}; NaN is
-/// null, `wanted` (such as ">= 0.99") and `holds` stand where something is asked for.
+/// Returns {study, rows: [{case: {…}, metric, unit, ours, published, reachable, n, wanted,
+/// holds}]}. NaN is written as null; `wanted` (such as ">= 0.99") and `holds` are present for rows
+/// with a requirement.
 std::string results_json(const StudyResult& result);
-/// The same as a table with a header line: the case's values joined by "; ".
+/// Returns the same data as a table with a header line; the values of a case are joined by "; ".
 std::string results_csv(const StudyResult& result);
-/// For a person, timed rows included.
+/// Returns a table for display, including timed rows.
 std::string results_table(const StudyResult& result);
 
-/// results.json, .csv, .h5 (format "morphe-study": a dataset a column) and one .svg a plot.
+/// Writes results.json, .csv, .h5 (format "morphe-study", one dataset per column) and one .svg per
+/// plot.
 void write_results(const StudyResult& result, const std::filesystem::path& folder);
 
 }  // namespace morphe::study

@@ -7,17 +7,26 @@
 
 namespace morphe::study {
 
-/// configs/studies/retime.yaml.
+/// The options of configs/studies/retime.yaml.
 struct RetimeStudyOptions {
+  /// The name of the study.
   std::string study;
+  /// The seed of the random paths.
   std::uint64_t seed = 1;
-  int paths = 2000, quick_paths = 12;                 ///< random ones
-  int small_paths = 250000, quick_small_paths = 100;  ///< random ones of few joints and waypoints
-  int optimum_paths = 50, quick_optimum_paths = 3;    ///< held against a much finer grid
-  std::string pipeline, manifest;                     ///< of the trials, none without them
-  int trials = 1000, quick_trials = 1;                ///< recordings at most
-  double stronger = 1000;  ///< factor of the limits of a robot that can follow any human
+  /// Number of random paths.
+  int paths = 2000, quick_paths = 12;
+  /// Number of random paths of few joints and waypoints.
+  int small_paths = 250000, quick_small_paths = 100;
+  /// Number of paths compared with a much finer grid.
+  int optimum_paths = 50, quick_optimum_paths = 3;
+  /// Pipeline and recordings of the trials, "" for no trials.
+  std::string pipeline, manifest;
+  /// Maximum number of recordings.
+  int trials = 1000, quick_trials = 1;
+  /// Factor applied to the limits of a robot that can follow any human.
+  double stronger = 1000;
 };
+/// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, RetimeStudyOptions& o) {
   f.required("study", o.study);
@@ -34,6 +43,7 @@ void fields(Fields& f, RetimeStudyOptions& o) {
   f("quick_trials", o.quick_trials);
   f("stronger", o.stronger);
 }
-std::string why_invalid(const RetimeStudyOptions& options);
+/// Returns a message about the first invalid value, "" if all values are valid.
+std::string validation_error(const RetimeStudyOptions& options);
 
 }  // namespace morphe::study

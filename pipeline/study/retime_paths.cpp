@@ -12,35 +12,35 @@
 namespace morphe::study {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kFullTurn_rad = 2 * std::numbers::pi;
 
-double log_between(math::RandomStream& random, double low, double high) {
+double log_uniform(math::RandomStream& random, double low, double high) {
   return low * std::pow(high / low, random.uniform());
 }
 
-RobotTable random_robot(math::RandomStream& random, Eigen::Index joints) {
-  RobotTable robot;
+RobotModel random_robot(math::RandomStream& random, Eigen::Index joints) {
+  RobotModel robot;
   robot.name = "random";
   robot.velocity.resize(joints);
   robot.acceleration.resize(joints);
   robot.jerk.resize(joints);
   for (Eigen::Index k = 0; k < joints; ++k) {
     robot.joint_names.push_back("joint");
-    robot.velocity[k] = log_between(random, 0.5, 6);
-    robot.acceleration[k] = robot.velocity[k] * log_between(random, 2, 20);
-    robot.jerk[k] = robot.acceleration[k] * log_between(random, 5, 100);
+    robot.velocity[k] = log_uniform(random, 0.5, 6);
+    robot.acceleration[k] = robot.velocity[k] * log_uniform(random, 2, 20);
+    robot.jerk[k] = robot.acceleration[k] * log_uniform(random, 5, 100);
   }
   return robot;
 }
 
-/// Three sines a joint, over times that are not short against the path.
+/// Adds three sines per joint, with periods that are not short relative to the path.
 void add_sines(math::RandomStream& random, JointPath& path) {
   const double duration_s = path.demonstration_time.back();
   for (Eigen::Index k = 0; k < path.position.cols(); ++k) {
     for (int wave = 1; wave <= 3; ++wave) {
       const double amplitude = random.uniform(0, 0.8) / (wave * wave);
-      const double begin = random.uniform(0, kTurn);
-      const double rate = kTurn * wave * random.uniform(0.3, 1) / std::max(0.6, duration_s);
+      const double begin = random.uniform(0, kFullTurn_rad);
+      const double rate = kFullTurn_rad * wave * random.uniform(0.3, 1) / std::max(0.6, duration_s);
       for (Eigen::Index i = 0; i < path.position.rows(); ++i) {
         const double t = path.demonstration_time[static_cast<std::size_t>(i)];
         path.position(i, k) += amplitude * std::sin(begin + rate * t);
@@ -50,16 +50,16 @@ void add_sines(math::RandomStream& random, JointPath& path) {
 }
 
 void add_noise(math::RandomStream& random, JointPath& path) {
-  const double amplitude = log_between(random, 1e-5, 1e-2);
+  const double amplitude = log_uniform(random, 1e-5, 1e-2);
   for (Eigen::Index i = 0; i < path.position.size(); ++i) {
     path.position.data()[i] += random.uniform(-amplitude, amplitude);
   }
 }
 
-/// A triangle wave on some joints.
+/// Adds a triangle wave to some joints.
 void add_reversals(math::RandomStream& random, JointPath& path) {
   for (Eigen::Index k = 0; k < path.position.cols(); ++k) {
-    if (random.chance(0.5)) continue;
+    if (random.bernoulli(0.5)) continue;
     const double amplitude = random.uniform(0.01, 0.3), period = random.uniform(0.2, 1);
     for (Eigen::Index i = 0; i < path.position.rows(); ++i) {
       const double t = path.demonstration_time[static_cast<std::size_t>(i)] / period;
@@ -68,8 +68,8 @@ void add_reversals(math::RandomStream& random, JointPath& path) {
   }
 }
 
-/// A run of waypoints at the place of its first one; at its time too, if asked.
-void hold(math::RandomStream& random, JointPath& path, bool same_time) {
+/// Repeats the first of a series of waypoints, on request with the same time.
+void repeat_waypoint(math::RandomStream& random, JointPath& path, bool same_time) {
   const auto rows = static_cast<double>(path.position.rows());
   const auto from = static_cast<Eigen::Index>(random.uniform(0, 0.9) * rows);
   const auto to = std::min(path.position.rows(),
@@ -86,7 +86,7 @@ RandomPath begin_path(math::RandomStream& random, int joints, int waypoints, dou
   RandomPath out;
   out.robot = random_robot(random, joints);
   out.path.position = JointRows::Zero(waypoints, joints);
-  out.path.origin.assign(static_cast<std::size_t>(waypoints), Origin::mapped);
+  out.path.origin.assign(static_cast<std::size_t>(waypoints), SampleOrigin::mapped);
   for (int i = 0; i < waypoints; ++i) {
     out.path.demonstration_time.push_back(duration_s * i / std::max(1, waypoints - 1));
   }
@@ -98,42 +98,42 @@ void set_range(RandomPath& out, double margin) {
   out.robot.upper = out.path.position.colwise().maxCoeff().transpose().array() + margin;
 }
 
-struct Sizes {
-  int joints, waypoints;  ///< at most
-  double longest_step_s;  ///< of a few waypoints
-  double farthest;        ///< of those that lie anywhere [rad]
+struct PathSizes {
+  int joints, waypoints;  ///< maximum numbers
+  double longest_step_s;  ///< of paths with few waypoints
+  double max_position;    ///< range of random positions [rad]
 };
 
-RandomPath draw_path(math::RandomStream random, const Sizes& most) {
+RandomPath sample_path(math::RandomStream random, const PathSizes& most) {
   const int joints = 1 + static_cast<int>(random.uniform(0, most.joints));
-  const int waypoints = static_cast<int>(std::lround(log_between(random, 2, most.waypoints)));
+  const int waypoints = static_cast<int>(std::lround(log_uniform(random, 2, most.waypoints)));
   const double step_s =
       waypoints < 30 ? random.uniform(0.01, most.longest_step_s) : random.uniform(0.004, 0.02);
   RandomPath out = begin_path(random, joints, waypoints, step_s * waypoints);
   JointPath& path = out.path;
-  if (waypoints < 30 && random.chance(0.5)) {
+  if (waypoints < 30 && random.bernoulli(0.5)) {
     for (Eigen::Index i = 0; i < path.position.size(); ++i) {
-      path.position.data()[i] = random.uniform(-most.farthest, most.farthest);
+      path.position.data()[i] = random.uniform(-most.max_position, most.max_position);
     }
   } else {
     add_sines(random, path);
   }
-  if (random.chance(0.3)) add_reversals(random, path);
-  if (random.chance(0.4)) add_noise(random, path);
-  while (random.chance(0.3)) hold(random, path, false);
-  while (random.chance(0.3)) hold(random, path, true);
-  if (random.chance(0.3)) {
+  if (random.bernoulli(0.3)) add_reversals(random, path);
+  if (random.bernoulli(0.4)) add_noise(random, path);
+  while (random.bernoulli(0.3)) repeat_waypoint(random, path, false);
+  while (random.bernoulli(0.3)) repeat_waypoint(random, path, true);
+  if (random.bernoulli(0.3)) {
     const auto still = static_cast<Eigen::Index>(random.uniform(0, joints));
     path.position.col(still).setConstant(path.position(0, still));
   }
-  if (random.chance(0.2)) {
+  if (random.bernoulli(0.2)) {
     const auto from = static_cast<std::size_t>(random.uniform(0, 0.7) * waypoints);
     const auto to = from + static_cast<std::size_t>(0.3 * waypoints);
     std::fill(path.origin.begin() + static_cast<std::ptrdiff_t>(from),
-              path.origin.begin() + static_cast<std::ptrdiff_t>(to), Origin::planned);
+              path.origin.begin() + static_cast<std::ptrdiff_t>(to), SampleOrigin::planned);
   }
-  if (random.chance(0.15)) out.robot.jerk.setConstant(std::numeric_limits<double>::infinity());
-  set_range(out, random.chance(0.3) ? 0 : 0.5);
+  if (random.bernoulli(0.15)) out.robot.jerk.setConstant(std::numeric_limits<double>::infinity());
+  set_range(out, random.bernoulli(0.3) ? 0 : 0.5);
   return out;
 }
 
@@ -149,19 +149,19 @@ RandomPath smooth_path(std::uint64_t seed, std::uint64_t index, int joints, int 
 }
 
 RandomPath random_path(std::uint64_t seed, std::uint64_t index) {
-  return draw_path({seed, fmt::format("path {}", index)}, {44, 2000, 0.3, 1});
+  return sample_path({seed, fmt::format("path {}", index)}, {44, 2000, 0.3, 1});
 }
 
-RandomPath small_path(std::uint64_t seed, std::uint64_t index) {
+RandomPath short_path(std::uint64_t seed, std::uint64_t index) {
   math::RandomStream random(seed, fmt::format("sample rate {}", index));
-  RandomPath out = draw_path({seed, fmt::format("small path {}", index)}, {4, 12, 0.06, 0.2});
-  out.sample_rate_hz = log_between(random, 50, 500);
+  RandomPath out = sample_path({seed, fmt::format("small path {}", index)}, {4, 12, 0.06, 0.2});
+  out.sample_rate_hz = log_uniform(random, 50, 500);
   return out;
 }
 
-SeenLimits seen_limits(const RobotTable& robot, const Trajectory& t) {
-  SeenLimits seen;
-  seen.beyond = -std::numeric_limits<double>::infinity();
+LimitUsage measure_limit_usage(const RobotModel& robot, const Trajectory& t) {
+  LimitUsage seen;
+  seen.position_excess = -std::numeric_limits<double>::infinity();
   seen.time_increases = t.samples() > 1;
   const Eigen::Index last = t.position.rows() - 1;
   seen.at_rest = last > 0 && t.velocity.row(0).isZero(0) && t.velocity.row(last).isZero(0) &&
@@ -170,7 +170,8 @@ SeenLimits seen_limits(const RobotTable& robot, const Trajectory& t) {
     const double h = t.time[static_cast<std::size_t>(i + 1)] - t.time[static_cast<std::size_t>(i)];
     seen.time_increases = seen.time_increases && h > 0;
     for (Eigen::Index k = 0; k < t.position.cols(); ++k) {
-      // Offsets from the cubic Taylor step: p = p0 + v0 s + a0 s^2 / 2 + b s^3 + c s^4 + d s^5.
+      // The offsets are relative to the second-order Taylor step: p = p0 + v0 s + a0 s^2 / 2 + b
+      // s^3 + c s^4 + d s^5.
       const double p0 = t.position(i, k), v0 = t.velocity(i, k), a0 = t.acceleration(i, k);
       const double dp = t.position(i + 1, k) - p0 - h * (v0 + 0.5 * h * a0);
       const double dv = (t.velocity(i + 1, k) - v0 - h * a0) * h;
@@ -187,7 +188,8 @@ SeenLimits seen_limits(const RobotTable& robot, const Trajectory& t) {
         seen.velocity = std::max(seen.velocity, std::abs(v) / robot.velocity[k]);
         seen.acceleration = std::max(seen.acceleration, std::abs(a) / robot.acceleration[k]);
         seen.jerk = std::max(seen.jerk, std::abs(j) / robot.jerk[k]);
-        seen.beyond = std::max({seen.beyond, robot.lower[k] - p, p - robot.upper[k]});
+        seen.position_excess =
+            std::max({seen.position_excess, robot.lower[k] - p, p - robot.upper[k]});
       }
     }
   }

@@ -9,13 +9,14 @@
 namespace morphe::study {
 namespace {
 
-/// Accelerations of the clock that all joints allow; empty if least > most.
+/// The path accelerations that all joints allow; empty if least > most.
 struct AllowedRange {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
 };
 
-AllowedRange allowed(const retime::PacedPath& course, const JointRows& q, double x) {
+AllowedRange allowed_accelerations(const retime::ConstrainedPath& course, const JointRows& q,
+                                   double x) {
   AllowedRange range;
   for (Eigen::Index k = 0; k < q.cols(); ++k) {
     const double first = q(1, k), rest = q(2, k) * x, limit = course.acceleration[k];
@@ -32,16 +33,16 @@ AllowedRange allowed(const retime::PacedPath& course, const JointRows& q, double
 
 }  // namespace
 
-retime::PacedPath plain_course(const RobotTable& robot, const JointPath& path,
-                               const Movement& movement) {
+retime::ConstrainedPath paced_path_without_jerk(const RobotModel& robot, const JointPath& path,
+                                                const Movement& movement) {
   constexpr double kKnotStep_s = 0.01;
-  retime::PacedPath course;
+  retime::ConstrainedPath course;
   course.robot = &robot;
   course.movement = &movement;
-  course.clocked = retime::clock_path(robot, path, kKnotStep_s, false);
-  const std::vector<double> allowance(course.clocked.clock.size(), 1);
-  course.spline = retime::fit_path(robot, course.clocked.clock, course.clocked.position, allowance,
-                                   {}, kKnotStep_s)
+  course.parameterized = retime::parameterize_path(robot, path, kKnotStep_s, false);
+  const std::vector<double> allowance(course.parameterized.parameter.size(), 1);
+  course.spline = retime::fit_path(robot, course.parameterized.parameter,
+                                   course.parameterized.position, allowance, {}, kKnotStep_s)
                       .spline;
   course.velocity = robot.velocity;
   course.acceleration = robot.acceleration;
@@ -49,20 +50,20 @@ retime::PacedPath plain_course(const RobotTable& robot, const JointPath& path,
   return course;
 }
 
-double reference_time(const retime::PacedPath& course, int steps) {
-  const double h = course.spline.length / steps;
+double reference_least_time_s(const retime::ConstrainedPath& course, int steps) {
+  const double h = course.spline.duration_s / steps;
   std::vector<JointRows> q(static_cast<std::size_t>(steps) + 1);
   for (std::size_t i = 0; i < q.size(); ++i) {
     math::evaluate(course.spline, h * static_cast<double>(i), q[i]);
   }
   std::vector<double> most(q.size(), 0);
   for (std::size_t i = q.size() - 1; i-- > 0;) {
-    double ceiling = retime::kMostPace * retime::kMostPace;
+    double ceiling = retime::kMaxPathVelocity * retime::kMaxPathVelocity;
     for (Eigen::Index k = 0; k < course.velocity.size(); ++k) {
       ceiling = std::min(ceiling, std::pow(course.velocity[k] / std::abs(q[i](1, k)), 2));
     }
     const auto reaches = [&](double x) {
-      const AllowedRange range = allowed(course, q[i], x);
+      const AllowedRange range = allowed_accelerations(course, q[i], x);
       return std::max(range.least, -x / (2 * h)) <=
              std::min(range.most, (most[i + 1] - x) / (2 * h));
     };
@@ -75,7 +76,8 @@ double reference_time(const retime::PacedPath& course, int steps) {
   }
   double x = 0, time_s = 0;
   for (std::size_t i = 0; i + 1 < q.size(); ++i) {
-    const double next = std::clamp(x + 2 * h * allowed(course, q[i], x).most, 0.0, most[i + 1]);
+    const double next =
+        std::clamp(x + 2 * h * allowed_accelerations(course, q[i], x).most, 0.0, most[i + 1]);
     time_s += 2 * h / (std::sqrt(x) + std::sqrt(next));
     x = next;
   }

@@ -1,18 +1,19 @@
 #pragma once
 
-#include "stages/retime/paced_path.hpp"
+#include "stages/retime/constrained_path.hpp"
 
 namespace morphe::study {
 
-/// A course through a path as retime() makes it for the mode fastest, with the robot's whole limits
-/// but no jerk's.
-retime::PacedPath plain_course(const RobotTable& robot, const JointPath& path,
-                               const Movement& movement);
+/// Builds the constrained path that retime() uses for the mode fastest, with the robot's full
+/// limits but without jerk limits.
+retime::ConstrainedPath paced_path_without_jerk(const RobotModel& robot, const JointPath& path,
+                                                const Movement& movement);
 
-/// The least time of a course within velocity and acceleration limits, by another method on `steps`
-/// steps: backwards, the largest x that the rest can be reached from, by bisection (either some
-/// acceleration is left at x or none is); forwards, the largest acceleration. Constraints at the
-/// near end of each step alone. [s]
-double reference_time(const retime::PacedPath& course, int steps);
+/// Computes the minimum time [s] of a constrained path within velocity and acceleration limits by
+/// another method on `steps` steps. The backward pass finds by bisection the largest squared path
+/// velocity x from which the remaining path can be completed (at x, the set of allowed
+/// accelerations is either empty or not); the forward pass applies the largest acceleration.
+/// Constraints are evaluated only at the beginning of each step.
+double reference_least_time_s(const retime::ConstrainedPath& course, int steps);
 
 }  // namespace morphe::study

@@ -3,19 +3,19 @@
 #include <algorithm>
 
 #include "core/math/statistics.hpp"
-#include "core/motion/counted.hpp"
+#include "core/motion/count_with_noun.hpp"
 #include "core/motion/stream_report.hpp"
 #include "pipeline/study/angle_files.hpp"
+#include "pipeline/study/measure_seconds.hpp"
 #include "pipeline/study/score_recordings.hpp"
 #include "pipeline/study/segmentation_score.hpp"
-#include "pipeline/study/stopwatch.hpp"
 #include "stages/import/import.hpp"
 #include "stages/reconstruct/mirror.hpp"
 
 namespace morphe::study {
 namespace {
 
-/// Speed of the index tip with the phases found: what the eye judges.
+/// Plots the speed of the index tip with the phases found, for visual inspection.
 Plot speed_plot(const std::string& name, const HumanMotion& motion,
                 const std::vector<Movement>& movements) {
   Plot plot;
@@ -40,7 +40,7 @@ Plot speed_plot(const std::string& name, const HumanMotion& motion,
   return plot;
 }
 
-bool overlaps_a_reach(const Label& label, const std::vector<Movement>& movements) {
+bool overlaps_reach(const Label& label, const std::vector<Movement>& movements) {
   return std::ranges::any_of(movements, [&](const Movement& movement) {
     return std::ranges::any_of(movement.phases, [&](const Phase& phase) {
       return phase.kind == PhaseKind::reach && phase.begin_s < label.end_s &&
@@ -55,33 +55,34 @@ void score_real(const ScoreOptions& options, const RealSet& set, const StudyRun&
                 StudyResult& result) {
   imports::ImportRequest request;
   request.paths = {options.folder / set.manifest};
-  // Angle files of others are about the axes of their laboratory.
-  if (!set.angles.empty()) request.conventions.forward = imports::ForwardBy::recorded;
+  // Angle files of other software refer to the axes of their laboratory.
+  if (!set.angles.empty()) request.conventions.forward = imports::ForwardSource::recorded;
   SegmentationScore all;
   std::size_t labelled = 0, overlapped = 0, recordings = 0;
   double recorded_s = 0, rebuild_s = 0;
-  const double total_s = seconds([&] {
+  const double total_s = measure_seconds([&] {
     imports::import_recordings(request, [&](Demonstration&& demonstration) {
       ++recordings;
-      recorded_s += longest_s(report_streams(demonstration.streams));
+      recorded_s += longest_duration_s(report_streams(demonstration.streams));
       HumanMotion motion;
       std::vector<Movement> movements;
-      rebuild_s += seconds([&] {
+      rebuild_s += measure_seconds([&] {
         motion = reconstruct::reconstruct(demonstration, options.reconstruct, options.human);
         movements = segment::segment(motion, options.segment,
-                                     reconstruct::objects_beside(demonstration, Side::right));
+                                     reconstruct::objects_on_side(demonstration, Side::right));
       });
       const Case of = {{"set", set.name}, {"recording", demonstration.name}};
       for (const StreamReport& stream : report_streams(demonstration.streams)) {
         const auto row = [&](const char* what, const char* unit, double value) {
           result.rows.push_back(
-              row_of(of, fmt::format("{}, {}", stream.name, what), unit, value, stream.columns));
+              make_row(of, fmt::format("{}, {}", stream.name, what), unit, value, stream.columns));
         };
         row("duration", "s", stream.duration_s);
         row("rate", "Hz", stream.rate_hz);
         row("share seen", "1", stream.seen);
       }
-      StudyRow found = row_of(of, "movements found", "1", static_cast<double>(movements.size()), 1);
+      StudyRow found =
+          make_row(of, "movements found", "1", static_cast<double>(movements.size()), 1);
       const SegmentationScore score = score_segmentation(demonstration.labels, movements);
       if (score.labelled > 0) {
         found.at_least = found.at_most = static_cast<double>(score.labelled);
@@ -90,7 +91,7 @@ void score_real(const ScoreOptions& options, const RealSet& set, const StudyRun&
       for (const Label& label : demonstration.labels) {
         if (label.phase != PhaseKind::reach) continue;
         ++labelled;
-        overlapped += overlaps_a_reach(label, movements) ? 1 : 0;
+        overlapped += overlaps_reach(label, movements) ? 1 : 0;
       }
       all.add(score);
       for (const AngleFile& file : set.angles) {
@@ -98,9 +99,9 @@ void score_real(const ScoreOptions& options, const RealSet& set, const StudyRun&
         for (const AngleAgreement& angle : compare_with_angle_file(
                  demonstration, motion, options.reconstruct, options.folder / file.file)) {
           StudyRow correlation =
-              row_of(of, angle.angle + ", correlation", "1", angle.correlation, angle.n);
+              make_row(of, angle.angle + ", correlation", "1", angle.correlation, angle.n);
           StudyRow rms =
-              row_of(of, angle.angle + ", rms without offset", "rad", angle.rms_rad, angle.n);
+              make_row(of, angle.angle + ", rms without offset", "rad", angle.rms_rad, angle.n);
           if (angle.angle == "elbow flexion") {
             correlation.at_least = 0.99;
             rms.at_most = 0.0698;  // 4 degrees
@@ -115,8 +116,8 @@ void score_real(const ScoreOptions& options, const RealSet& set, const StudyRun&
   });
   const Case of = {{"set", set.name}};
   if (labelled > 0) {
-    StudyRow row = row_of(of, "labelled reaches met by one found", "1",
-                          static_cast<double>(overlapped), labelled);
+    StudyRow row = make_row(of, "labelled reaches met by one found", "1",
+                            static_cast<double>(overlapped), labelled);
     row.at_least = static_cast<double>(labelled);
     result.rows.push_back(row);
   }
@@ -125,22 +126,22 @@ void score_real(const ScoreOptions& options, const RealSet& set, const StudyRun&
     for (const char* which : {"reach begin", "reach end"}) {
       const std::vector<double>& part = all.error_s[which];
       errors.insert(errors.end(), part.begin(), part.end());
-      result.rows.push_back(row_of(of, fmt::format("{}, largest error", which), "s",
-                                   math::quantile(part, 1), part.size()));
+      result.rows.push_back(make_row(of, fmt::format("{}, largest error", which), "s",
+                                     math::quantile(part, 1), part.size()));
       result.rows.back().at_most = 0.1;
     }
-    result.rows.push_back(row_of(of, "reach boundaries, median error", "s",
-                                 math::quantile(errors, 0.5), errors.size()));
+    result.rows.push_back(make_row(of, "reach boundaries, median error", "s",
+                                   math::quantile(errors, 0.5), errors.size()));
     result.rows.back().at_most = 0.04;
   }
   StudyRow import =
-      row_of(of, "import, times real time", "1", recorded_s / (total_s - rebuild_s), recordings);
+      make_row(of, "import, times real time", "1", recorded_s / (total_s - rebuild_s), recordings);
   StudyRow rebuild =
-      row_of(of, "rebuild and segment, times real time", "1", recorded_s / rebuild_s, recordings);
-  import.timed = rebuild.timed = true;
+      make_row(of, "rebuild and segment, times real time", "1", recorded_s / rebuild_s, recordings);
+  import.is_timing = rebuild.is_timing = true;
   result.rows.push_back(import);
   result.rows.push_back(rebuild);
-  run.progress(fmt::format("{}: {}", set.name, counted(recordings, "recording")));
+  run.progress(fmt::format("{}: {}", set.name, count_with_noun(recordings, "recording")));
 }
 
 }  // namespace morphe::study

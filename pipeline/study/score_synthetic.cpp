@@ -3,46 +3,48 @@
 #include <memory>
 
 #include "core/math/statistics.hpp"
-#include "core/motion/counted.hpp"
+#include "core/motion/count_with_noun.hpp"
 #include "core/motion/stream_report.hpp"
-#include "core/parallel/ordered_map.hpp"
+#include "core/parallel/ordered_parallel_map.hpp"
+#include "pipeline/study/measure_seconds.hpp"
 #include "pipeline/study/reconstruction_score.hpp"
 #include "pipeline/study/score_recordings.hpp"
 #include "pipeline/study/segmentation_score.hpp"
-#include "pipeline/study/stopwatch.hpp"
 #include "pipeline/synthesize/synthesize.hpp"
 #include "stages/reconstruct/mirror.hpp"
 
 namespace morphe::study {
 namespace {
 
-/// What one synthetic recording showed.
-struct Judgement {
+/// The scores of one synthetic recording.
+struct RecordingScore {
   SegmentationScore segmentation;
   ReconstructionScore reconstruction;
   double recorded_s = 0, synthesize_s = 0, rebuild_s = 0;
 };
 
-Judgement outcome_of(const ScoreOptions& options, const synthesize::SynthesizeOptions& synthetic,
-                     const SyntheticSet& set, std::size_t index) {
-  Judgement outcome;
+RecordingScore score_recording(const ScoreOptions& options,
+                               const synthesize::SynthesizeOptions& synthetic,
+                               const SyntheticSet& set, std::size_t index) {
+  RecordingScore outcome;
   synthesize::SyntheticRecording recording;
   outcome.synthesize_s =
-      seconds([&] { recording = synthesize::synthesize(synthetic, set.seed, index); });
+      measure_seconds([&] { recording = synthesize::synthesize(synthetic, set.seed, index); });
   HumanMotion motion;
   std::vector<Movement> movements;
-  outcome.rebuild_s = seconds([&] {
+  outcome.rebuild_s = measure_seconds([&] {
     motion = reconstruct::reconstruct(recording.recorded, options.reconstruct, options.human);
   });
   movements = segment::segment(motion, options.segment,
-                               reconstruct::objects_beside(recording.recorded, Side::right));
-  outcome.recorded_s = longest_s(report_streams(recording.recorded.streams));
+                               reconstruct::objects_on_side(recording.recorded, Side::right));
+  outcome.recorded_s = longest_duration_s(report_streams(recording.recorded.streams));
   outcome.segmentation = score_segmentation(recording.recorded.labels, movements);
   if (set.accuracy) outcome.reconstruction = score_reconstruction(motion, recording.truth);
   return outcome;
 }
 
-Judgement sum_of(const ScoreOptions& options, const SyntheticSet& set, const StudyRun& run) {
+RecordingScore score_set(const ScoreOptions& options, const SyntheticSet& set,
+                         const StudyRun& run) {
   config::ConfigNode node = config::ConfigNode::load(options.folder / set.config);
   for (const std::string& setting : set.set) {
     const std::size_t equals = setting.find('=');
@@ -53,15 +55,15 @@ Judgement sum_of(const ScoreOptions& options, const SyntheticSet& set, const Stu
   config::read_document(node, synthetic);
 
   const auto count = static_cast<std::size_t>(run.quick ? set.quick_count : set.count);
-  Judgement sum;
-  parallel::OrderedMap<std::size_t, Judgement> map;
+  RecordingScore sum;
+  parallel::OrderedParallelMap<std::size_t, RecordingScore> map;
   map.next = [&, next = std::size_t{0}]() mutable {
     return next == count ? nullptr : std::make_unique<std::size_t>(next++);
   };
   map.work = [&](const std::size_t& index) {
-    return std::make_unique<Judgement>(outcome_of(options, synthetic, set, index));
+    return std::make_unique<RecordingScore>(score_recording(options, synthetic, set, index));
   };
-  map.write = [&](const Judgement& one) {
+  map.write = [&](const RecordingScore& one) {
     sum.segmentation.add(one.segmentation);
     sum.reconstruction.add(one.reconstruction);
     sum.recorded_s += one.recorded_s;
@@ -76,7 +78,7 @@ void add_accuracy(const Case& of, const SyntheticSet& set, const ReconstructionS
                   StudyResult& result) {
   const auto add = [&](const char* metric, const MeanSquare& square, const char* unit,
                        double at_most = 0) {
-    result.rows.push_back(row_of(of, metric, unit, square.rms(), square.n));
+    result.rows.push_back(make_row(of, metric, unit, square.rms(), square.n));
     if (at_most > 0) result.rows.back().at_most = at_most;
   };
   add("shoulder, rms", score.shoulder, "m");
@@ -88,19 +90,19 @@ void add_accuracy(const Case& of, const SyntheticSet& set, const ReconstructionS
   add("arm angles, rms", score.arm_angles, "rad");
   add("hand angles, rms", score.hand_angles, "rad");
   add("index tip at rest, rms speed", score.speed_at_rest, "m/s");
-  add("the same, truly", score.true_at_rest, "m/s");
-  result.rows.push_back(row_of(of, "frames rebuilt whole", "1",
-                               static_cast<double>(score.seen) / static_cast<double>(score.frames),
-                               score.frames));
+  add("the same, truly", score.true_speed_at_rest, "m/s");
+  result.rows.push_back(
+      make_row(of, "frames rebuilt whole", "1",
+               static_cast<double>(score.seen) / static_cast<double>(score.frames), score.frames));
   const std::size_t delays = score.delay_s.size(), peaks = score.peak_ratio.size();
   result.rows.push_back(
-      row_of(of, "delay, median", "s", math::quantile(score.delay_s, 0.5), delays));
+      make_row(of, "delay, median", "s", math::quantile(score.delay_s, 0.5), delays));
   result.rows.push_back(
-      row_of(of, "delay, 5th percentile", "s", math::quantile(score.delay_s, 0.05), delays));
+      make_row(of, "delay, 5th percentile", "s", math::quantile(score.delay_s, 0.05), delays));
   result.rows.push_back(
-      row_of(of, "delay, 95th percentile", "s", math::quantile(score.delay_s, 0.95), delays));
-  result.rows.push_back(row_of(of, "peak speed of reaches over the true one, median", "1",
-                               math::quantile(score.peak_ratio, 0.5), peaks));
+      make_row(of, "delay, 95th percentile", "s", math::quantile(score.delay_s, 0.95), delays));
+  result.rows.push_back(make_row(of, "peak speed of reaches over the true one, median", "1",
+                                 math::quantile(score.peak_ratio, 0.5), peaks));
 }
 
 void add_boundaries(const Case& of, const SyntheticSet& set, const SegmentationScore& score,
@@ -108,16 +110,16 @@ void add_boundaries(const Case& of, const SyntheticSet& set, const SegmentationS
   std::vector<double> errors;
   for (const auto& [name, part] : score.error_s) {
     result.rows.push_back(
-        row_of(of, name + ", median error", "s", math::quantile(part, 0.5), part.size()));
+        make_row(of, name + ", median error", "s", math::quantile(part, 0.5), part.size()));
     result.rows.push_back(
-        row_of(of, name + ", 95th percentile", "s", math::quantile(part, 0.95), part.size()));
+        make_row(of, name + ", 95th percentile", "s", math::quantile(part, 0.95), part.size()));
     if (name == "reach begin" || name == "reach end")
       errors.insert(errors.end(), part.begin(), part.end());
   }
-  StudyRow median =
-      row_of(of, "reach boundaries, median error", "s", math::quantile(errors, 0.5), errors.size());
-  StudyRow high = row_of(of, "reach boundaries, 95th percentile", "s", math::quantile(errors, 0.95),
-                         errors.size());
+  StudyRow median = make_row(of, "reach boundaries, median error", "s", math::quantile(errors, 0.5),
+                             errors.size());
+  StudyRow high = make_row(of, "reach boundaries, 95th percentile", "s",
+                           math::quantile(errors, 0.95), errors.size());
   if (set.median_s > 0) median.at_most = set.median_s;
   if (set.percentile_95_s > 0) high.at_most = set.percentile_95_s;
   result.rows.push_back(median);
@@ -128,20 +130,21 @@ void add_boundaries(const Case& of, const SyntheticSet& set, const SegmentationS
 
 void score_synthetic(const ScoreOptions& options, const SyntheticSet& set, const StudyRun& run,
                      StudyResult& result, Plot& errors) {
-  const Judgement sum = sum_of(options, set, run);
+  const RecordingScore sum = score_set(options, set, run);
   const SegmentationScore& score = sum.segmentation;
   const Case of = {{"set", set.name}};
-  StudyRow precision = row_of(of, "movements, precision", "1", score.precision(), score.found);
-  StudyRow recall = row_of(of, "movements, recall", "1", score.recall(), score.labelled);
+  StudyRow precision = make_row(of, "movements, precision", "1", score.precision(), score.found);
+  StudyRow recall = make_row(of, "movements, recall", "1", score.recall(), score.labelled);
   if (set.least_recall > 0) precision.at_least = recall.at_least = set.least_recall;
   result.rows.push_back(precision);
   result.rows.push_back(recall);
   add_boundaries(of, set, score, result);
   if (set.accuracy) add_accuracy(of, set, sum.reconstruction, result);
   StudyRow made =
-      row_of(of, "synthesize, times real time", "1", sum.recorded_s / sum.synthesize_s, 1);
-  StudyRow rebuilt = row_of(of, "rebuild, times real time", "1", sum.recorded_s / sum.rebuild_s, 1);
-  made.timed = rebuilt.timed = true;
+      make_row(of, "synthesize, times real time", "1", sum.recorded_s / sum.synthesize_s, 1);
+  StudyRow rebuilt =
+      make_row(of, "rebuild, times real time", "1", sum.recorded_s / sum.rebuild_s, 1);
+  made.is_timing = rebuilt.is_timing = true;
   result.rows.push_back(made);
   result.rows.push_back(rebuilt);
 
@@ -158,7 +161,7 @@ void score_synthetic(const ScoreOptions& options, const SyntheticSet& set, const
   }
   errors.lines.push_back(std::move(line));
   run.progress(fmt::format("{}: {} labelled, {} found", set.name,
-                           counted(score.labelled, "movement"), score.found));
+                           count_with_noun(score.labelled, "movement"), score.found));
 }
 
 }  // namespace morphe::study

@@ -13,7 +13,7 @@ struct Interval {
 };
 using Phases = std::map<PhaseKind, std::vector<Interval>>;
 
-/// Phases by kind, one element a movement.
+/// Returns the labelled phases by kind, one element per movement.
 std::vector<Phases> labelled_movements(const std::vector<Label>& labels) {
   std::vector<Phases> movements;
   for (const Label& label : labels) {

@@ -10,20 +10,26 @@
 
 namespace morphe::study {
 
-/// Found movements against labelled ones. A labelled movement begins with each label `reach` and
-/// goes on to the next one; it is found if a movement's reach overlaps the labelled reach by more
-/// than half of their union. Each is matched at most once.
+/// The comparison of found movements with labelled ones. A labelled movement begins with each label
+/// `reach` and extends to the next one; it is found if the reach of a movement overlaps the
+/// labelled reach by more than half of their union. Each is matched at most once.
 struct SegmentationScore {
+  /// The number of labelled movements, found movements and matches.
   std::size_t labelled = 0, found = 0, matched = 0;
-  /// |found - labelled| of matched movements [s]: "reach begin", "reach end", and for every other
-  /// phase that both have (the k-th of its name with the k-th) "<phase> begin" and "<phase> end".
+  /// The values |found - labelled| of matched movements [s]: "reach begin", "reach end", and for
+  /// every other phase that both have (the k-th of a name with the k-th) "<phase> begin" and
+  /// "<phase> end".
   std::map<std::string, std::vector<double>> error_s;
 
-  double precision() const;  ///< matched / found, 1 if nothing was found
-  double recall() const;     ///< matched / labelled, 1 if nothing is labelled
+  /// Matched / found, 1 if no movement was found.
+  double precision() const;
+  /// Matched / labelled, 1 if there are no labels.
+  double recall() const;
+  /// Adds the counts and errors of another recording.
   void add(const SegmentationScore& other);
 };
 
+/// Compares the movements of a recording with its labels.
 SegmentationScore score_segmentation(const std::vector<Label>& labels,
                                      const std::vector<Movement>& movements);
 

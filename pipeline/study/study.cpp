@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "core/config/did_you_mean.hpp"
+#include "core/config/spelling_hint.hpp"
 #include "pipeline/study/grasp_options.hpp"
 #include "pipeline/study/hands_options.hpp"
 #include "pipeline/study/mapping_options.hpp"
@@ -20,7 +20,7 @@ namespace {
 struct Entry {
   const char* name;
   StudyResult (*run)(const config::ConfigNode&, const StudyRun&);
-  config::Schema (*schema)(const config::Meanings&, bool);
+  config::Schema (*schema)(const config::KeyDescriptions&, bool);
 };
 
 constexpr std::array<Entry, 7> kStudies{
@@ -45,13 +45,13 @@ StudyResult run_study(const StudyRun& run) {
   }
   std::vector<std::string> known;
   for (const Entry& entry : kStudies) known.emplace_back(entry.name);
-  const std::string meant = config::did_you_mean(name.text(), known);
+  const std::string meant = config::spelling_hint(name.text(), known);
   name.fail(
       fmt::format("there is no study '{}'{}", name.text(),
                   meant.empty() ? fmt::format("; there are {}", fmt::join(known, ", ")) : meant));
 }
 
-config::Schema study_schema(const config::Meanings& meanings) {
+config::Schema study_schema(const config::KeyDescriptions& meanings) {
   std::vector<std::string> names;
   config::Schema schema{{"type", "object"}, {"required", {"study"}}};
   for (const Entry& entry : kStudies) {
@@ -59,18 +59,18 @@ config::Schema study_schema(const config::Meanings& meanings) {
     const config::Schema is_it{{"properties", {{"study", {{"const", entry.name}}}}}};
     schema["allOf"].push_back({{"if", is_it}, {"then", entry.schema(meanings, false)}});
   }
-  schema["properties"]["study"] = config::choice_schema(names);
+  schema["properties"]["study"] = config::enum_schema(names);
   return schema;
 }
 
-StudyRow row_of(const Case& of, const std::string& metric, const std::string& unit, double ours,
-                std::size_t n) {
+StudyRow make_row(const Case& of, const std::string& metric, const std::string& unit, double ours,
+                  std::size_t n) {
   StudyRow row;
-  row.of = of;
+  row.case_values = of;
   row.metric = metric;
   row.unit = unit;
   row.ours = ours;
-  row.n = n;
+  row.count = n;
   return row;
 }
 

@@ -14,61 +14,86 @@
 
 namespace morphe::study {
 
-/// One figure of a study: what was measured, on what, and what is asked of it.
+/// One figure of a study: the measured quantity, its case, and the requirement.
 struct StudyRow {
-  std::vector<std::pair<std::string, std::string>> of;  ///< the case: name and value, in order
-  std::string metric, unit;                             ///< unit "1": a number without one
-  double ours = kNotSeen;
-  double published = kNotSeen;  ///< by others on the same case, NaN = nothing is
-  double reachable = kNotSeen;  ///< share of the goals that the figure is about, NaN = all
-  std::size_t n = 0;            ///< how many values it is made of
-  double at_least = kNotSeen, at_most = kNotSeen;  ///< what is asked for, NaN = nothing
-  bool timed = false;  ///< depends on the machine: printed, never written
+  /// The case as pairs of name and value, in order.
+  std::vector<std::pair<std::string, std::string>> case_values;
+  /// Unit "1" denotes a dimensionless number.
+  std::string metric, unit;
+  /// The measured value.
+  double ours = kUnknown;
+  /// Value published by others for the same case, NaN if there is none.
+  double published = kUnknown;
+  /// Share of the goals to which the figure refers, NaN for all.
+  double reachable = kUnknown;
+  /// Number of values from which the figure is computed.
+  std::size_t count = 0;
+  /// Required limits, NaN for no requirement.
+  double at_least = kUnknown, at_most = kUnknown;
+  /// True if the value depends on the machine; such rows are printed but never written.
+  bool is_timing = false;
 
-  bool holds() const { return !(ours < at_least) && !(ours > at_most) && !(ours != ours); }
-  bool asked() const { return at_least == at_least || at_most == at_most; }
+  /// Returns true if the value is within the required limits and not NaN.
+  bool meets_requirement() const {
+    return !(ours < at_least) && !(ours > at_most) && !(ours != ours);
+  }
+  /// Returns true if there is a requirement.
+  bool has_requirement() const { return at_least == at_least || at_most == at_most; }
 };
 
+/// A case as pairs of name and value.
 using Case = std::vector<std::pair<std::string, std::string>>;
-StudyRow row_of(const Case& of, const std::string& metric, const std::string& unit, double ours,
-                std::size_t n);
+/// Makes a row without a requirement.
+StudyRow make_row(const Case& of, const std::string& metric, const std::string& unit, double ours,
+                  std::size_t n);
 
+/// The results of a study.
 struct StudyResult {
+  /// The name of the study.
   std::string study;
+  /// The rows, in the order of the tables.
   std::vector<StudyRow> rows;
-  std::vector<std::pair<std::string, Plot>> plots;  ///< file name without .svg
+  /// Plots with their file names without .svg.
+  std::vector<std::pair<std::string, Plot>> plots;
 };
 
+/// The inputs of a run of a study.
 struct StudyRun {
+  /// The path of the config.
   std::filesystem::path config;
-  std::filesystem::path
-      folder;          ///< of the results, for what a study writes as it goes on; "": none
-  bool quick = false;  ///< the small version that the tests run
+  /// Folder of the results, for files that a study writes while it runs; "" to write no files.
+  std::filesystem::path folder;
+  /// True for the small version that the tests run.
+  bool quick = false;
+  /// The number of threads.
   int jobs = 1;
-  std::function<void(const std::string&)> progress;  ///< a line about what is done
+  /// Called with a line about the progress.
+  std::function<void(const std::string&)> progress;
 };
 
-/// Runs the study that the config's key `study` names. InputError for a bad config. The rows that
-/// are not timed depend on config and inputs alone, not on the number of jobs.
+/// Runs the study that the config's key `study` names. Throws InputError for an invalid config.
+/// Rows that are not timed depend only on config and inputs, not on the number of jobs.
 StudyResult run_study(const StudyRun& run);
 
-/// What the config of a study may hold, by what its key `study` says.
-config::Schema study_schema(const config::Meanings& meanings);
+/// Returns the schema of a study's config, which depends on the value of its key `study`.
+config::Schema study_schema(const config::KeyDescriptions& meanings);
 
-/// Movements and boundaries, and what is rebuilt, against annotations and synthetic truth.
+/// Evaluates movements, boundaries and reconstruction against annotations and synthetic ground
+/// truth.
 StudyResult recordings_study(const config::ConfigNode& config, const StudyRun& run);
-/// The paper's table and figures again.
+/// Reproduces the table and the figures of the paper.
 StudyResult paper_study(const config::ConfigNode& config, const StudyRun& run);
-/// Whole movements through the pipeline, by variants of its config.
+/// Runs whole movements through the pipeline by variants of its config.
 StudyResult mapping_study(const config::ConfigNode& config, const StudyRun& run);
-/// Obstacles put into the way of movements: what repair makes of them.
+/// Evaluates repair with obstacles in the way of movements.
 StudyResult repair_study(const config::ConfigNode& config, const StudyRun& run);
-/// The time law on random paths, beside the least time there is, and at the human's tempo.
+/// Evaluates time parametrisation on random paths, in comparison with the minimum time and at the
+/// human's tempo.
 StudyResult retime_study(const config::ConfigNode& config, const StudyRun& run);
-/// Hands alone: tips, pinches and smoothness beside what peers publish.
+/// Evaluates hands alone: tips, pinches and smoothness in comparison with published methods.
 StudyResult hands_study(const config::ConfigNode& config, const StudyRun& run);
-/// Grasps with contacts as goals, held against where the person touched and against plain fingertip
-/// goals. The plans go to plans/SET-HAND-VARIANT.h5 in the run's folder.
+/// Evaluates grasps with contacts as goals, in comparison with the contacts of the person and with
+/// plain fingertip goals. The plans are written to plans/SET-HAND-VARIANT.h5 in the run's folder.
 StudyResult grasp_study(const config::ConfigNode& config, const StudyRun& run);
 
 }  // namespace morphe::study

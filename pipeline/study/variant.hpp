@@ -7,11 +7,14 @@
 
 namespace morphe::study {
 
-/// A pipeline config with settings "a.b=value".
+/// A variant of a pipeline config, given by settings "a.b=value".
 struct StudyVariant {
+  /// The name of the variant.
   std::string name;
+  /// The settings.
   std::vector<std::string> set;
 };
+/// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, StudyVariant& o) {
   f.required("name", o.name);

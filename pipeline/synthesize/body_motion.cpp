@@ -7,9 +7,10 @@
 namespace morphe::synthesize {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kTwoPi = 2 * std::numbers::pi;
 
-/// The hand's orientation on a forearm at zero pronation: x against the elbow's hinge.
+/// Returns the orientation of the hand on a forearm at zero pronation: x opposite to the hinge of
+/// the elbow.
 Quat neutral_hand(const Vec3& upper_arm, const Vec3& forearm) {
   Eigen::Matrix3d axes;
   axes.col(2) = forearm.normalized();
@@ -18,58 +19,59 @@ Quat neutral_hand(const Vec3& upper_arm, const Vec3& forearm) {
   return Quat(axes);
 }
 
-Unrest draw_waves(int count, double from_hz, double to_hz, const Vec3& amplitude,
-                  math::RandomStream& random) {
-  Unrest unrest;
+InvoluntaryMotion draw_waves(int count, double from_hz, double to_hz, const Vec3& amplitude,
+                             math::RandomStream& random) {
+  InvoluntaryMotion unrest;
   for (int k = 0; k < count; ++k) {
-    Unrest::Wave& wave = unrest.waves.emplace_back();
+    InvoluntaryMotion::Wave& wave = unrest.waves.emplace_back();
     wave.amplitude = amplitude;
-    wave.hz = random.uniform(from_hz, to_hz);
-    for (double& phase : wave.phase) phase = random.uniform(0, kTurn);
+    wave.frequency_hz = random.uniform(from_hz, to_hz);
+    for (double& phase : wave.phase) phase = random.uniform(0, kTwoPi);
   }
   return unrest;
 }
 
 }  // namespace
 
-Vec3 Unrest::at(double time_s) const {
+Vec3 InvoluntaryMotion::at(double time_s) const {
   Vec3 sum = Vec3::Zero();
   for (const Wave& wave : waves) {
-    const Vec3 angle = Vec3::Constant(kTurn * wave.hz * time_s) + wave.phase;
+    const Vec3 angle = Vec3::Constant(kTwoPi * wave.frequency_hz * time_s) + wave.phase;
     sum += wave.amplitude.cwiseProduct(angle.array().sin().matrix());
   }
   return sum;
 }
 
-bool Unrest::still() const {
+bool InvoluntaryMotion::is_zero() const {
   return std::ranges::all_of(waves, [](const Wave& wave) { return wave.amplitude.isZero(0); });
 }
 
-Unrest draw_drift(const SyntheticBody& options, math::RandomStream& random) {
-  constexpr int kWaves = 3;
-  const double amplitude = options.drift * std::sqrt(2.0 / kWaves);
-  return draw_waves(kWaves, 0.05, 0.3, Vec3::Constant(amplitude), random);
+InvoluntaryMotion draw_drift(const SyntheticBody& options, math::RandomStream& random) {
+  constexpr int kWaveCount = 3;
+  const double amplitude = options.drift * std::sqrt(2.0 / kWaveCount);
+  return draw_waves(kWaveCount, 0.05, 0.3, Vec3::Constant(amplitude), random);
 }
 
-Unrest draw_tremor(const SyntheticBody& options, math::RandomStream& random) {
-  constexpr int kWaves = 3;
-  constexpr double kHalfBand = 0.4;  // [Hz]
+InvoluntaryMotion draw_tremor(const SyntheticBody& options, math::RandomStream& random) {
+  constexpr int kWaveCount = 3;
+  constexpr double kHalfBand_hz = 0.4;
   const double hz = random.uniform(options.tremor_hz);
-  const Vec3 along = random.normals().normalized();
-  return draw_waves(kWaves, hz - kHalfBand, hz + kHalfBand, options.tremor / kWaves * along,
-                    random);
+  const Vec3 along = random.normal_vector3().normalized();
+  return draw_waves(kWaveCount, hz - kHalfBand_hz, hz + kHalfBand_hz,
+                    options.tremor / kWaveCount * along, random);
 }
 
 ArmState arm_state(const BodyMotion& motion, double time_s) {
   ArmState state = motion.arm.at(time_s);
-  state.segment<3>(kWristAt) += motion.drift.at(time_s);
+  state.segment<3>(kWristPosition) += motion.drift.at(time_s);
   return state;
 }
 
-ArmAt arm_at(const Subject& subject, const ArmState& state) {
-  const Vec3 shoulder = state.segment<3>(kShoulderAt), wrist = state.segment<3>(kWristAt);
-  const Vec3 elbow = human::natural_elbow(shoulder, wrist, subject.body.arm, state[kSwivel]);
-  ArmAt arm;
+ArmSample arm_sample(const Subject& subject, const ArmState& state) {
+  const Vec3 shoulder = state.segment<3>(kShoulderPosition),
+             wrist = state.segment<3>(kWristPosition);
+  const Vec3 elbow = human::elbow_from_swivel(shoulder, wrist, subject.body.arm, state[kSwivel]);
+  ArmSample arm;
   arm.angles =
       human::fit_arm_angles({shoulder, elbow, wrist, neutral_hand(elbow - shoulder, wrist - elbow)})
           .angles;

@@ -3,19 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 
 namespace morphe::synthesize {
 namespace {
 
-/// Knuckles of the flat hand in the hand frame: index, middle, little.
-std::array<Vec3, 3> knuckles(const RobotTable& hand) {
+/// Returns the knuckles of the flat hand in the hand frame: index, middle, little.
+std::array<Vec3, 3> knuckles(const RobotModel& hand) {
   std::vector<Pose> hand_from_frame;
-  robot::forward(hand, flat_hand(), hand_from_frame);
+  robot::forward_kinematics(hand, flat_hand(), hand_from_frame);
   std::array<Vec3, 3> points;
   constexpr const char* kNames[] = {"index_mcp", "middle_mcp", "little_mcp"};
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const auto frame = std::ranges::find(hand.frames, kNames[k], &RobotTable::Frame::name);
+    const auto frame = std::ranges::find(hand.frames, kNames[k], &RobotModel::Frame::name);
     points[k] =
         hand_from_frame[static_cast<std::size_t>(frame - hand.frames.begin())].translation();
   }
@@ -31,12 +31,12 @@ MarkerStream digitise(const SyntheticSensors& options, const Subject& subject,
     points.push_back(pose.wrist + pose.world_from_hand * knuckle);
   }
   const auto count = static_cast<std::size_t>(options.digitised);
-  markers.position = Table<Vec3>(count, points.size(), Vec3::Zero());
+  markers.position = Array2D<Vec3>(count, points.size(), Vec3::Zero());
   for (std::size_t i = 0; i < count; ++i) {
     markers.time.push_back(options.calibration_s * static_cast<double>(i) /
                            static_cast<double>(count));
     for (std::size_t k = 0; k < points.size(); ++k) {
-      markers.position(i, k) = points[k] + options.digitising_noise * random.normals();
+      markers.position(i, k) = points[k] + options.digitising_noise * random.normal_vector3();
     }
   }
   return markers;
@@ -49,11 +49,11 @@ Streams simulate_calibration(const SynthesizeOptions& options, const Subject& su
                              const GloveBias& bias, math::RandomStream& random) {
   ArmState straight = resting;
   straight[kFlexion] = straight[kDeviation] = 0;
-  const ArmAt arm = arm_at(subject, straight);
+  const ArmSample arm = arm_sample(subject, straight);
   const SyntheticSensors& o = options.sensors;
   const auto count = static_cast<std::size_t>(std::floor(o.calibration_s * o.rate_hz)) + 1;
   Streams calibration;
-  calibration.sensors = simulate_sensors(o, mounts, std::vector<ArmAt>(count, arm), random);
+  calibration.sensors = simulate_sensors(o, mounts, std::vector<ArmSample>(count, arm), random);
   calibration.markers = digitise(o, subject, arm.pose, random);
   calibration.hand = simulate_glove(
       options.glove, bias, [](double) { return human::GloveAngles{}; }, o.calibration_s, 0, random);

@@ -10,30 +10,30 @@ MotionSamples sample_motion(const Subject& subject, const Script& script, double
   const auto count = static_cast<std::size_t>(std::floor(script.length_s * rate_hz)) + 1;
   samples.arm.reserve(count);
   samples.hand.reserve(count);
-  samples.steady_index.reserve(count);
+  samples.index_without_tremor.reserve(count);
   samples.aperture.reserve(count);
-  samples.tip = Table<Vec3>(count, kFingers, Vec3::Zero());
-  const bool trembles = !script.motion.tremor.still();
+  samples.tip = Array2D<Vec3>(count, kFingerCount, Vec3::Zero());
+  const bool trembles = !script.motion.tremor.is_zero();
   std::vector<Pose> frames;
   for (std::size_t i = 0; i < count; ++i) {
     const double t = samples.time(i);
     const ArmState state = arm_state(script.motion, t);
     ArmState shaken = state;
-    if (trembles) shaken.segment<3>(kWristAt) += script.motion.tremor.at(t);
-    samples.arm.push_back(arm_at(subject, shaken));
+    if (trembles) shaken.segment<3>(kWristPosition) += script.motion.tremor.at(t);
+    samples.arm.push_back(arm_sample(subject, shaken));
     samples.hand.push_back(script.motion.hand.at(t));
     const human::HandPoints points =
         human::hand_points(subject.hand, hand_angles(samples.hand.back()), frames);
     const human::ArmPose& pose = samples.arm.back().pose;
-    for (std::size_t finger = 0; finger < kFingers; ++finger) {
+    for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
       samples.tip(i, finger) = pose.wrist + pose.world_from_hand * points.tip[finger];
     }
     samples.aperture.push_back((points.tip[0] - points.tip[1]).norm());
     if (trembles) {
-      const human::ArmPose steady = arm_at(subject, state).pose;
-      samples.steady_index.push_back(steady.wrist + steady.world_from_hand * points.tip[1]);
+      const human::ArmPose steady = arm_sample(subject, state).pose;
+      samples.index_without_tremor.push_back(steady.wrist + steady.world_from_hand * points.tip[1]);
     } else {
-      samples.steady_index.push_back(samples.tip(i, 1));
+      samples.index_without_tremor.push_back(samples.tip(i, 1));
     }
   }
   return samples;

@@ -6,18 +6,27 @@
 
 namespace morphe::synthesize {
 
-/// The truth at the sensors' instants i / rate_hz, over the whole script.
+/// The ground truth at the instants i / rate_hz of the sensors, over the whole script.
 struct MotionSamples {
+  /// The sample rate [Hz].
   double rate_hz = 240;
-  std::vector<ArmAt> arm;          ///< [N]
-  std::vector<HandState> hand;     ///< [N]
-  Table<Vec3> tip;                 ///< [N, 5] in the world [m]
-  std::vector<Vec3> steady_index;  ///< [N] the index tip as it were without tremor
-  std::vector<double> aperture;    ///< [N] distance of thumb and index tip [m]
+  /// The arm at each sample [N].
+  std::vector<ArmSample> arm;
+  /// The hand at each sample [N].
+  std::vector<HandState> hand;
+  /// The fingertips [N, 5] in the world frame [m].
+  Array2D<Vec3> tip;
+  /// The positions of the index tip without tremor [N] [m].
+  std::vector<Vec3> index_without_tremor;
+  /// The distances of thumb and index tip [N] [m].
+  std::vector<double> aperture;
 
+  /// Returns the time of sample i [s].
   double time(std::size_t i) const { return static_cast<double>(i) / rate_hz; }
+  /// Returns the number of samples N.
   std::size_t size() const { return arm.size(); }
 };
+/// Samples the motion of a script.
 MotionSamples sample_motion(const Subject& subject, const Script& script, double rate_hz);
 
 }  // namespace morphe::synthesize

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "pipeline/synthesize/places.hpp"
+#include "pipeline/synthesize/waypoint_sampler.hpp"
 
 namespace morphe::synthesize {
 namespace {
@@ -15,7 +15,7 @@ MovementKind draw_kind(const KindWeights& w, math::RandomStream& random) {
   double sum = 0;
   for (const double weight : weights) sum += weight;
   double left = sum * random.uniform();
-  int last = 0;  // rounding must not end on a kind without weight
+  int last = 0;  // rounding must not select a kind of weight 0
   for (int k = 0; k < 7; ++k) {
     if (weights[k] == 0) continue;
     last = k;
@@ -25,33 +25,34 @@ MovementKind draw_kind(const KindWeights& w, math::RandomStream& random) {
   return static_cast<MovementKind>(last);
 }
 
-/// The speed profile that goes with a kind.
-Profile draw_profile(MovementKind kind, double begin_s, double duration_s,
-                     math::RandomStream& random) {
+/// Draws the speed profile of a kind.
+SpeedProfile draw_profile(MovementKind kind, double begin_s, double duration_s,
+                          math::RandomStream& random) {
   const double sigma = random.uniform(0.2, 0.35), peak = random.uniform(0.3, 0.45);
   if (kind == MovementKind::lognormal) {
-    return {ProfileShape::lognormal, begin_s, duration_s, sigma};
+    return {SpeedProfileShape::lognormal, begin_s, duration_s, sigma};
   }
-  if (kind == MovementKind::asymmetric) return {ProfileShape::beta, begin_s, duration_s, peak};
-  return {ProfileShape::minimum_jerk, begin_s, duration_s, 0};
+  if (kind == MovementKind::asymmetric) return {SpeedProfileShape::beta, begin_s, duration_s, peak};
+  return {SpeedProfileShape::minimum_jerk, begin_s, duration_s, 0};
 }
 
-/// A direction across a way, somewhere between its side and up.
-Vec3 across(const Vec3& way, math::RandomStream& random) {
+/// Draws a direction perpendicular to a path, between its side and up.
+Vec3 random_perpendicular(const Vec3& way, math::RandomStream& random) {
   const Vec3 along = way.normalized();
   const Vec3 aside = along.cross(Vec3::UnitZ()).normalized();
   const double turn = random.uniform(0, std::numbers::pi);
   return std::cos(turn) * aside + std::sin(turn) * aside.cross(along);
 }
 
-/// No angle of the arm comes near a limit, where it would have to stop at once.
+/// Returns true if no angle of the arm is near a limit, at which it would have to stop abruptly.
 bool within_human_limits(const Script& script, const Subject& subject) {
-  constexpr double kStep_s = 0.02, kMargin = 0.05;  // [rad]
+  constexpr double kStep_s = 0.02, kLimitMargin_rad = 0.05;
   const human::ArmLimits& limits = human::human_arm_limits();
   for (double t = 0; t < script.length_s; t += kStep_s) {
-    const human::ArmAngles angles = arm_at(subject, arm_state(script.motion, t)).angles;
-    for (std::size_t k = 0; k < kArmAngles; ++k) {
-      if (angles[k] < limits.lower[k] + kMargin || angles[k] > limits.upper[k] - kMargin) {
+    const human::ArmAngles angles = arm_sample(subject, arm_state(script.motion, t)).angles;
+    for (std::size_t k = 0; k < kArmAngleCount; ++k) {
+      if (angles[k] < limits.lower[k] + kLimitMargin_rad ||
+          angles[k] > limits.upper[k] - kLimitMargin_rad) {
         return false;
       }
     }
@@ -59,28 +60,30 @@ bool within_human_limits(const Script& script, const Subject& subject) {
   return true;
 }
 
-/// Draws a recording movement by movement; `now_s_` is where it has got to.
-class Writer {
+/// A generator that draws a recording movement by movement; `now_s_` is the current end of the
+/// script.
+class ScriptGenerator {
  public:
-  Writer(const SynthesizeOptions& options, const Subject& subject, math::RandomStream& random)
+  ScriptGenerator(const SynthesizeOptions& options, const Subject& subject,
+                  math::RandomStream& random)
       : o_(options),
         m_(options.movements),
         subject_(subject),
         random_(random),
         places_(options.movements, subject, random) {
-    script_.motion.arm.start = home_ = places_.home();
+    script_.motion.arm.start = home_ = places_.draw_home();
     script_.motion.hand.start = hand_ = subject.postures.resting;
     script_.motion.drift = draw_drift(options.body, random);
     script_.motion.tremor = draw_tremor(options.body, random);
     arm_ = home_;
-    target_ = places_.target(home_);
+    target_ = places_.draw_target(home_);
     const double widest = aperture(subject.hand, subject.postures.open);
     const double fits = 0.5 * (widest - options.hand.opening_excess[0]) - options.hand.pad;
     script_.object_radius = std::min(random.uniform(options.object.radius), fits);
   }
 
   Script write() {
-    const int count = random_.whole(m_.per_recording);
+    const int count = random_.uniform_integer(m_.per_recording);
     now_s_ = random_.uniform(m_.rest_s);
     for (int k = 0; k < count; ++k) {
       write_movement();
@@ -89,24 +92,25 @@ class Writer {
     script_.begin_s = 0;
     script_.end_s = script_.length_s = now_s_;
     const auto within = [&](const ScriptedMovement& movement) {
-      return random_.uniform(movement.bouts.front().begin_s, movement.bouts.back().end_s);
+      return random_.uniform(movement.phases.front().begin_s, movement.phases.back().end_s);
     };
-    if (random_.chance(m_.starts_inside_share)) script_.begin_s = within(script_.movements.front());
-    if (random_.chance(m_.ends_inside_share)) {
-      script_.end_s = std::max(within(script_.movements.back()), script_.begin_s + kLeastLength_s);
+    if (random_.bernoulli(m_.starts_inside_share))
+      script_.begin_s = within(script_.movements.front());
+    if (random_.bernoulli(m_.ends_inside_share)) {
+      script_.end_s = std::max(within(script_.movements.back()), script_.begin_s + kMinRecording_s);
     }
     return std::move(script_);
   }
 
  private:
-  static constexpr double kLeastLength_s = 0.5;
+  static constexpr double kMinRecording_s = 0.5;
 
   void write_movement() {
     ScriptedMovement& movement = script_.movements.emplace_back();
     movement.kind = draw_kind(m_.kinds, random_);
     movement.grasps = movement.kind != MovementKind::no_grasp;
     if (movement.grasps) {
-      write_reach(movement, places_.again(target_, 0.004, 0.04));
+      write_reach(movement, places_.perturb(target_, 0.004, 0.04));
       write_carrying(movement);
       write_return(movement, now_s_ + random_.uniform(0.08, 0.2));
     } else {
@@ -124,26 +128,27 @@ class Writer {
       const double first_s = random_.uniform(0.62, 0.72) * duration_s;
       const double second_s = begin_s + random_.uniform(0.5, 0.6) * duration_s;
       ArmState first = random_.uniform(0.75, 0.9) * way;
-      first.segment<3>(kWristAt) +=
-          random_.uniform(0.005, 0.02) * across(way.segment<3>(kWristAt), random_);
-      move_arm({ProfileShape::minimum_jerk, begin_s, first_s, 0}, first, 0);
-      move_arm({ProfileShape::minimum_jerk, second_s, begin_s + duration_s - second_s, 0},
+      first.segment<3>(kWristPosition) +=
+          random_.uniform(0.005, 0.02) *
+          random_perpendicular(way.segment<3>(kWristPosition), random_);
+      move_arm({SpeedProfileShape::minimum_jerk, begin_s, first_s, 0}, first, 0);
+      move_arm({SpeedProfileShape::minimum_jerk, second_s, begin_s + duration_s - second_s, 0},
                way - first, 0);
     } else if (movement.kind == MovementKind::pause_before_grasp) {
       const double pause_s = random_.uniform(m_.pause_s), last_s = random_.uniform(0.3, 0.45);
       const ArmState first = random_.uniform(0.85, 0.95) * way;
-      move_arm({ProfileShape::minimum_jerk, begin_s, duration_s, 0}, first, detour());
+      move_arm({SpeedProfileShape::minimum_jerk, begin_s, duration_s, 0}, first, detour());
       opening_s = duration_s;
       closing_s = begin_s + duration_s + pause_s;
       duration_s += pause_s + last_s;
-      move_arm({ProfileShape::minimum_jerk, closing_s, last_s, 0}, way - first, 0);
+      move_arm({SpeedProfileShape::minimum_jerk, closing_s, last_s, 0}, way - first, 0);
     } else {
       const double aside =
           movement.kind == MovementKind::curved ? random_.uniform(0.05, 0.12) : detour();
       move_arm(draw_profile(movement.kind, begin_s, duration_s, random_), way, aside);
     }
     now_s_ = begin_s + duration_s;
-    movement.bouts.push_back({PhaseKind::reach, begin_s, now_s_});
+    movement.phases.push_back({PhaseKind::reach, begin_s, now_s_});
     if (movement.grasps) {
       const double widest_s = begin_s + peak_share * opening_s;
       shape_hand(begin_s, widest_s, std::max(closing_s, widest_s));
@@ -152,7 +157,7 @@ class Writer {
     }
   }
 
-  /// Opens, and closes on the object when the hand has arrived.
+  /// Opens the hand, and closes it on the object when the arm has arrived.
   void shape_hand(double begin_s, double widest_s, double closing_s) {
     const double grasp_m = 2 * (script_.object_radius + o_.hand.pad);
     const double wide_m = std::max(grasp_m + random_.uniform(o_.hand.opening_excess),
@@ -166,10 +171,10 @@ class Writer {
     const ArmState put_down = arm_;
     now_s_ += random_.uniform(m_.grasp_s);
     movement.attach_s = now_s_;
-    write_bout(movement, PhaseKind::transport, now_s_, random_.uniform(m_.transport_s),
-               places_.lifted(arm_));
+    add_phase(movement, PhaseKind::transport, now_s_, random_.uniform(m_.transport_s),
+              places_.draw_lift(arm_));
     now_s_ += random_.uniform(m_.hold_s);
-    write_bout(movement, PhaseKind::transport, now_s_, random_.uniform(m_.transport_s), put_down);
+    add_phase(movement, PhaseKind::transport, now_s_, random_.uniform(m_.transport_s), put_down);
     now_s_ += random_.uniform(m_.grasp_s);
     movement.release_s = now_s_;
     const double opened_m = aperture(subject_.hand, hand_) + random_.uniform(0.015, 0.03);
@@ -177,37 +182,40 @@ class Writer {
   }
 
   void write_touch(ScriptedMovement& movement) {
-    write_reach(movement, places_.target(home_));
+    write_reach(movement, places_.draw_target(home_));
     now_s_ += random_.uniform(m_.hold_s);
   }
 
-  /// The arm sets out at `begin_s`; the hand may have begun to let go at now_s_.
+  /// Adds the return. The arm starts at `begin_s`; the hand may have started the release at now_s_.
   void write_return(ScriptedMovement& movement, double begin_s) {
     const double release_s = now_s_, duration_s = random_.uniform(m_.return_s);
-    write_bout(movement, PhaseKind::go_back, begin_s, duration_s,
-               places_.again(home_, 0.006, 0.04));
-    movement.bouts.back().begin_s = release_s;
+    add_phase(movement, PhaseKind::return_phase, begin_s, duration_s,
+              places_.perturb(home_, 0.006, 0.04));
+    movement.phases.back().begin_s = release_s;
     move_hand(begin_s + 0.3 * duration_s, now_s_, subject_.postures.resting);
   }
 
-  void write_bout(ScriptedMovement& movement, PhaseKind phase, double begin_s, double duration_s,
-                  const ArmState& to) {
+  void add_phase(ScriptedMovement& movement, PhaseKind phase, double begin_s, double duration_s,
+                 const ArmState& to) {
     move_arm(draw_profile(movement.kind, begin_s, duration_s, random_), to - arm_, detour());
     now_s_ = begin_s + duration_s;
-    movement.bouts.push_back({phase, begin_s, now_s_});
+    movement.phases.push_back({phase, begin_s, now_s_});
   }
 
   double detour() { return random_.uniform(0, 0.02); }
 
-  void move_arm(const Profile& profile, const ArmState& delta, double detour_m) {
+  void move_arm(const SpeedProfile& profile, const ArmState& delta, double detour_m) {
     ArmState aside = ArmState::Zero();
-    aside.segment<3>(kWristAt) = detour_m * across(delta.segment<3>(kWristAt), random_);
+    aside.segment<3>(kWristPosition) =
+        detour_m * random_perpendicular(delta.segment<3>(kWristPosition), random_);
     script_.motion.arm.steps.push_back({profile, delta, aside});
     arm_ += delta;
   }
   void move_hand(double begin_s, double end_s, const HandState& to) {
     script_.motion.hand.steps.push_back(
-        {{ProfileShape::minimum_jerk, begin_s, end_s - begin_s, 0}, to - hand_, HandState::Zero()});
+        {{SpeedProfileShape::minimum_jerk, begin_s, end_s - begin_s, 0},
+         to - hand_,
+         HandState::Zero()});
     hand_ = to;
   }
   HandState posture(double aperture_m) const {
@@ -218,7 +226,7 @@ class Writer {
   const SyntheticMovements& m_;
   const Subject& subject_;
   math::RandomStream& random_;
-  Places places_;
+  WaypointSampler places_;
   Script script_;
   ArmState home_, target_, arm_;
   HandState hand_;
@@ -229,10 +237,10 @@ class Writer {
 
 Script draw_script(const SynthesizeOptions& options, const Subject& subject,
                    math::RandomStream& random) {
-  constexpr int kTries = 100;
-  Script script = Writer(options, subject, random).write();
-  for (int k = 1; k < kTries && !within_human_limits(script, subject); ++k) {
-    script = Writer(options, subject, random).write();
+  constexpr int kMaxTries = 100;
+  Script script = ScriptGenerator(options, subject, random).write();
+  for (int k = 1; k < kMaxTries && !within_human_limits(script, subject); ++k) {
+    script = ScriptGenerator(options, subject, random).write();
   }
   return script;
 }

@@ -6,6 +6,7 @@
 
 namespace morphe::synthesize {
 
+/// The kinds of movements (see KindWeights).
 enum class MovementKind {
   minimum_jerk,
   lognormal,
@@ -15,32 +16,46 @@ enum class MovementKind {
   pause_before_grasp,
   no_grasp
 };
+/// The names of the kinds, in the order of MovementKind.
 inline constexpr const char* kMovementKindNames[] = {
     "minimum_jerk", "lognormal",          "asymmetric", "curved",
     "two_peaks",    "pause_before_grasp", "no_grasp"};
 
-/// From still to still; when it was meant to be, the labels say when it was.
-struct Bout {
-  PhaseKind phase = PhaseKind::reach;  ///< or transport or go_back
+/// A scripted phase that begins and ends at rest. Its times are the scripted ones; the labels
+/// contain the actual ones.
+struct ScriptedPhase {
+  /// Reach, transport or return_phase.
+  PhaseKind phase = PhaseKind::reach;
+  /// The scripted times [s].
   double begin_s = 0, end_s = 0;
 };
+/// A scripted movement.
 struct ScriptedMovement {
+  /// The kind of the movement.
   MovementKind kind = MovementKind::minimum_jerk;
+  /// True if the movement grasps an object.
   bool grasps = true;
-  std::vector<Bout> bouts;
-  double attach_s = 0, release_s = 0;  ///< while the hand carries the object
+  /// The phases, in order of time.
+  std::vector<ScriptedPhase> phases;
+  /// Interval during which the hand carries the object [s].
+  double attach_s = 0, release_s = 0;
 };
 
-/// What one recording shows.
+/// The content of one recording.
 struct Script {
+  /// The motion of the body.
   BodyMotion motion;
+  /// The movements, in order of time.
   std::vector<ScriptedMovement> movements;
-  double length_s = 0;            ///< from rest to rest
-  double begin_s = 0, end_s = 0;  ///< what was recorded of it
-  double object_radius = 0;       ///< what the hand closes on [m]
+  /// Duration from rest to rest [s].
+  double length_s = 0;
+  /// Recorded interval of the script [s].
+  double begin_s = 0, end_s = 0;
+  /// Radius of the grasped object [m].
+  double object_radius = 0;
 };
-/// Drawn again, at most 100 times, while an angle of the arm comes within 0.05 rad of its human
-/// limit.
+/// Draws a script. It is drawn again, at most 100 times, while an angle of the arm is within 0.05
+/// rad of its human limit.
 Script draw_script(const SynthesizeOptions& options, const Subject& subject,
                    math::RandomStream& random);
 

@@ -5,13 +5,14 @@
 namespace morphe::synthesize {
 
 std::vector<bool> draw_dropouts(std::size_t count, double rate_hz, double share,
-                                const FromTo& burst_s, math::RandomStream& random) {
+                                const UniformRange& burst_s, math::RandomStream& random) {
   std::vector<bool> lost(count, false);
   if (share <= 0) return lost;
   const double mean_burst_s = 0.5 * (burst_s[0] + burst_s[1]);
   const double mean_between_s = mean_burst_s * (1 - share) / share;
   const auto between_s = [&] { return -mean_between_s * std::log(1 - random.uniform()); };
-  // From a burst before the recording on, so that its first samples are like the others.
+  // Starts with a burst before the recording, so that its first samples are distributed like the
+  // others.
   const double length_s = static_cast<double>(count) / rate_hz;
   double now_s = -burst_s[1] - between_s();
   while (now_s < length_s) {

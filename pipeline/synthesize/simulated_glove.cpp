@@ -34,11 +34,11 @@ HandStream simulate_glove(const SyntheticGlove& options, const GloveBias& bias,
   return stream;
 }
 
-void drop(const SyntheticGlove& options, math::RandomStream& random, HandStream& glove) {
+void apply_dropouts(const SyntheticGlove& options, math::RandomStream& random, HandStream& glove) {
   const std::vector<bool> lost = draw_dropouts(glove.time.size(), options.rate_hz,
                                                options.dropout_share, options.dropout_s, random);
   for (std::size_t i = 0; i < lost.size(); ++i) {
-    if (lost[i]) glove.angles.row(static_cast<Eigen::Index>(i)).setConstant(kNotSeen);
+    if (lost[i]) glove.angles.row(static_cast<Eigen::Index>(i)).setConstant(kUnknown);
   }
 }
 

@@ -9,16 +9,17 @@
 
 namespace morphe::synthesize {
 
-/// What each sensor of one glove reads too much [rad].
+/// The constant error of each sensor of one glove [rad].
 using GloveBias = Eigen::Matrix<double, static_cast<int>(human::kGloveSensorCount), 1>;
+/// Draws the errors of a glove.
 GloveBias draw_bias(const SyntheticGlove& options, math::RandomStream& random);
 
-/// What the glove says of a hand over [0, length_s], reading(t) being what an ideal one would; its
-/// clock reads `clock_offset_s` more than t.
+/// Simulates the measurements of a glove over [0, length_s], with reading(t) as the measurement of
+/// an ideal glove. The clock of the glove is ahead of t by `clock_offset_s`.
 HandStream simulate_glove(const SyntheticGlove& options, const GloveBias& bias,
                           const std::function<human::GloveAngles(double time_s)>& reading,
                           double length_s, double clock_offset_s, math::RandomStream& random);
-/// Replaces what was lost by NaN.
-void drop(const SyntheticGlove& options, math::RandomStream& random, HandStream& glove);
+/// Replaces lost samples by NaN.
+void apply_dropouts(const SyntheticGlove& options, math::RandomStream& random, HandStream& glove);
 
 }  // namespace morphe::synthesize

@@ -3,9 +3,9 @@
 namespace morphe::synthesize {
 namespace {
 
-NoiseLaw noise_law(const SyntheticSensors& o) { return {o.slow_share, o.slow_s, o.rate_hz}; }
+NoiseModel noise_law(const SyntheticSensors& o) { return {o.slow_share, o.slow_s, o.rate_hz}; }
 
-/// Position and orientation noise of one tracked body.
+/// The position and orientation noise of one tracked body.
 class PoseNoise {
  public:
   PoseNoise(const SyntheticSensors& o, math::RandomStream& random)
@@ -22,7 +22,7 @@ class PoseNoise {
   SensorNoise<3> position_, rotation_;
 };
 
-/// Axes that turn with the upper arm: z along it, x along the hinge of the elbow, which is bent.
+/// Returns axes fixed to the upper arm: z along it, x along the hinge of the elbow, which is bent.
 Quat upper_arm_axes(const human::ArmPose& arm) {
   Eigen::Matrix3d axes;
   axes.col(2) = (arm.shoulder - arm.elbow).normalized();
@@ -36,18 +36,18 @@ Quat upper_arm_axes(const human::ArmPose& arm) {
 SensorMounts draw_mounts(const SyntheticSensors& options, math::RandomStream& random) {
   SensorMounts mounts;
   for (Pose& mount : mounts.segment_from_sensor) {
-    const Vec3 away = random.normals().normalized() * random.uniform(options.mount);
+    const Vec3 away = random.normal_vector3().normalized() * random.uniform(options.mount);
     mount = make_pose(away, random.rotation());
   }
   return mounts;
 }
 
 BodyStream simulate_sensors(const SyntheticSensors& options, const SensorMounts& mounts,
-                            const std::vector<ArmAt>& arm, math::RandomStream& random) {
+                            const std::vector<ArmSample>& arm, math::RandomStream& random) {
   BodyStream stream;
   stream.names = {"shoulder", "elbow", "wrist"};
-  stream.position = Table<Vec3>(arm.size(), 3, Vec3::Zero());
-  stream.orientation = Table<Quat>(arm.size(), 3, Quat::Identity());
+  stream.position = Array2D<Vec3>(arm.size(), 3, Vec3::Zero());
+  stream.orientation = Array2D<Quat>(arm.size(), 3, Quat::Identity());
   std::array<Quat, 3> segment_from_sensor;
   for (std::size_t k = 0; k < 3; ++k) {
     segment_from_sensor[k] = Quat(mounts.segment_from_sensor[k].linear());
@@ -77,8 +77,8 @@ void drop(const SyntheticSensors& options, math::RandomStream& random, BodyStrea
                                                  options.dropout_share, options.dropout_s, random);
     for (std::size_t i = 0; i < lost.size(); ++i) {
       if (!lost[i]) continue;
-      sensors.position(i, k) = unseen_point();
-      sensors.orientation(i, k) = unseen_rotation();
+      sensors.position(i, k) = unknown_point();
+      sensors.orientation(i, k) = unknown_rotation();
     }
   }
 }

@@ -9,20 +9,22 @@
 
 namespace morphe::synthesize {
 
-/// Where a sensor sits on its segment: world_from_sensor = world_from_segment *
+/// The mounts of the sensors on their segments: world_from_sensor = world_from_segment *
 /// segment_from_sensor.
 struct SensorMounts {
   std::array<Pose, 3> segment_from_sensor;  ///< shoulder (trunk), elbow (upper arm), wrist (hand)
 };
+/// Draws the mounts of all sensors.
 SensorMounts draw_mounts(const SyntheticSensors& options, math::RandomStream& random);
 
-/// What the tracker says of an arm that moves so, with noise, on its own clock from `first` on.
+/// Simulates the measurements of the tracker for a moving arm, with noise, on its own clock from
+/// the first sample on.
 BodyStream simulate_sensors(const SyntheticSensors& options, const SensorMounts& mounts,
-                            const std::vector<ArmAt>& arm, math::RandomStream& random);
-/// Replaces what was lost by NaN.
+                            const std::vector<ArmSample>& arm, math::RandomStream& random);
+/// Replaces lost samples by NaN.
 void drop(const SyntheticSensors& options, math::RandomStream& random, BodyStream& sensors);
 
-/// The object, tracked by a sensor of its own.
+/// Adds noise to an object as if it were tracked by a sensor of its own.
 void add_noise(const SyntheticSensors& options, math::RandomStream& random, SceneObject& object);
 
 }  // namespace morphe::synthesize

@@ -7,11 +7,11 @@
 namespace morphe::synthesize {
 namespace {
 
-constexpr double kMostDeviations = 4;
+constexpr double kMaxDeviations = 4;
 
-/// z with Φ(z) = percentile / 100.
-double deviate_of(double percentile) {
-  double low = -kMostDeviations, high = kMostDeviations;
+/// Returns z with Φ(z) = percentile / 100.
+double normal_quantile(double percentile) {
+  double low = -kMaxDeviations, high = kMaxDeviations;
   for (int halving = 0; halving < 40; ++halving) {
     const double z = 0.5 * (low + high);
     (50 * std::erfc(-z / std::numbers::sqrt2) < percentile ? low : high) = z;
@@ -22,11 +22,12 @@ double deviate_of(double percentile) {
 }  // namespace
 
 Subject draw_subject(const SyntheticSubject& options, math::RandomStream& random) {
-  const human::Sex sex = random.chance(options.male_share) ? human::Sex::male : human::Sex::female;
-  const double least = deviate_of(options.percentiles[0]);
-  const double greatest = deviate_of(options.percentiles[1]);
+  const human::Sex sex =
+      random.bernoulli(options.male_share) ? human::Sex::male : human::Sex::female;
+  const double least = normal_quantile(options.percentiles[0]);
+  const double greatest = normal_quantile(options.percentiles[1]);
   std::array<double, 5> deviates{};
-  for (double& z : deviates) z = deviate_of(random.uniform(options.percentiles));
+  for (double& z : deviates) z = normal_quantile(random.uniform(options.percentiles));
   for (std::size_t k = 1; k < deviates.size(); ++k) {
     deviates[k] = std::clamp(0.8 * deviates[0] + 0.6 * deviates[k], least, greatest);
   }
@@ -34,9 +35,10 @@ Subject draw_subject(const SyntheticSubject& options, math::RandomStream& random
   subject.body = human::anthropometry(sex, deviates);
   subject.hand = human::human_hand(subject.body.hand);
   subject.postures = draw_hand_postures(subject.hand, random);
-  constexpr double kHalfBreadth = 0.1;  // shoulder joint from the middle, share of stature
-  subject.shoulder = {kHalfBreadth * subject.body.stature_m, random.uniform(-0.18, -0.08),
-                      random.uniform(options.shoulder_height)};
+  constexpr double kShoulderHalfBreadthShare =
+      0.1;  // distance of the shoulder joint from the middle, as a share of stature
+  subject.shoulder = {kShoulderHalfBreadthShare * subject.body.stature_m,
+                      random.uniform(-0.18, -0.08), random.uniform(options.shoulder_height)};
   return subject;
 }
 

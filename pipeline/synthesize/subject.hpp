@@ -6,14 +6,19 @@
 
 namespace morphe::synthesize {
 
-/// One person at a table (top z = 0, origin on its near edge before the middle of the body).
+/// A person at a table (top z = 0, origin at its near edge in front of the middle of the body).
 struct Subject {
+  /// The measures of the body.
   human::Anthropometry body;
-  RobotTable hand;  ///< human_hand()
+  /// human_hand() of the person.
+  RobotModel hand;
+  /// The postures of the hand.
   HandPostures postures;
+  /// The position of the shoulder [m].
   Vec3 shoulder = Vec3::Zero();
 };
-/// Measures go with stature as far as one person's do: z = 0.8 z_stature + 0.6 of its own.
+/// Draws a subject. Measures are correlated with stature: z = 0.8 z_stature + 0.6 of an independent
+/// value.
 Subject draw_subject(const SyntheticSubject& options, math::RandomStream& random);
 
 }  // namespace morphe::synthesize

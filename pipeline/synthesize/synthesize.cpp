@@ -7,32 +7,32 @@
 #include "core/human/calibration.hpp"
 #include "pipeline/synthesize/calibration_pose.hpp"
 #include "pipeline/synthesize/carried_object.hpp"
-#include "pipeline/synthesize/true_labels.hpp"
+#include "pipeline/synthesize/ground_truth_labels.hpp"
 
 namespace morphe::synthesize {
 namespace {
 
-/// Samples [first, last] of the script were recorded.
-struct Recorded {
+/// The samples [first, last] of the script that are recorded.
+struct SampleRange {
   std::size_t first = 0, last = 0;
   std::size_t count() const { return last - first + 1; }
 };
 
-Streams true_streams(const MotionSamples& samples, const Recorded& part) {
-  constexpr auto kArm = static_cast<Eigen::Index>(kArmAngles);
+Streams ground_truth_streams(const MotionSamples& samples, const SampleRange& part) {
+  constexpr auto kArm = static_cast<Eigen::Index>(kArmAngleCount);
   Streams streams;
   BodyStream& joints = streams.sensors.emplace();
   joints.names = {"shoulder", "elbow", "wrist"};
-  joints.position = Table<Vec3>(part.count(), 3, Vec3::Zero());
-  joints.orientation = Table<Quat>(part.count(), 3, Quat::Identity());
+  joints.position = Array2D<Vec3>(part.count(), 3, Vec3::Zero());
+  joints.orientation = Array2D<Quat>(part.count(), 3, Quat::Identity());
   AngleStream& angles = streams.arm_angles.emplace();
   angles.joints.assign(std::begin(kArmAngleNames), std::end(kArmAngleNames));
   angles.joints.insert(angles.joints.end(), std::begin(kHandAngleNames), std::end(kHandAngleNames));
   angles.joints.emplace_back("palm_arch");
-  angles.angles.resize(static_cast<Eigen::Index>(part.count()), kArm + kHandState);
+  angles.angles.resize(static_cast<Eigen::Index>(part.count()), kArm + kHandStateSize);
   HandStream& hand = streams.hand.emplace();
   hand.kind = HandKind::fingertips;
-  hand.position = Table<Vec3>(part.count(), kFingers, Vec3::Zero());
+  hand.position = Array2D<Vec3>(part.count(), kFingerCount, Vec3::Zero());
   for (std::size_t i = 0; i < part.count(); ++i) {
     const std::size_t k = part.first + i;
     const human::ArmPose& pose = samples.arm[k].pose;
@@ -45,8 +45,8 @@ Streams true_streams(const MotionSamples& samples, const Recorded& part) {
     for (Eigen::Index j = 0; j < kArm; ++j) {
       row[j] = samples.arm[k].angles[static_cast<std::size_t>(j)];
     }
-    row.tail<kHandState>() = samples.hand[k].transpose();
-    for (std::size_t finger = 0; finger < kFingers; ++finger) {
+    row.tail<kHandStateSize>() = samples.hand[k].transpose();
+    for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
       hand.position(i, finger) = samples.tip(k, finger);
     }
   }
@@ -54,19 +54,19 @@ Streams true_streams(const MotionSamples& samples, const Recorded& part) {
   return streams;
 }
 
-/// What an ideal glove reads; tremor moves the wrist's place, not its angles.
+/// Returns the readings of an ideal glove; tremor moves the position of the wrist, not its angles.
 human::GloveAngles ideal_glove(const BodyMotion& motion, double time_s) {
   const ArmState arm = motion.arm.at(time_s);
   return human::encode_glove({hand_angles(motion.hand.at(time_s)), arm[kFlexion], arm[kDeviation]});
 }
 
 Streams recorded_streams(const SynthesizeOptions& options, const Script& script,
-                         const MotionSamples& samples, const Recorded& part,
+                         const MotionSamples& samples, const SampleRange& part,
                          const SensorMounts& mounts, const GloveBias& bias, double clock_offset_s,
                          math::RandomStream& random) {
   Streams streams;
   const auto first = samples.arm.begin() + static_cast<std::ptrdiff_t>(part.first);
-  const std::vector<ArmAt> arm(first, first + static_cast<std::ptrdiff_t>(part.count()));
+  const std::vector<ArmSample> arm(first, first + static_cast<std::ptrdiff_t>(part.count()));
   streams.sensors = simulate_sensors(options.sensors, mounts, arm, random);
   const double begin_s = samples.time(part.first);
   streams.hand = simulate_glove(
@@ -100,7 +100,7 @@ SyntheticRecording synthesize(const SynthesizeOptions& options, std::uint64_t se
   const Subject subject = draw_subject(options.subject, of_subject);
   Script script = draw_script(options, subject, of_script);
   const MotionSamples samples = sample_motion(subject, script, options.sensors.rate_hz);
-  const Recorded part = {
+  const SampleRange part = {
       static_cast<std::size_t>(std::ceil(script.begin_s * samples.rate_hz)),
       std::min(static_cast<std::size_t>(script.end_s * samples.rate_hz), samples.size() - 1)};
   script.begin_s = samples.time(part.first);
@@ -114,7 +114,7 @@ SyntheticRecording synthesize(const SynthesizeOptions& options, std::uint64_t se
   truth.source = fmt::format("synthetic, seed {}", seed);
   truth.hand_length = subject.body.hand.length;
   truth.hand_breadth = subject.body.hand.breadth;
-  truth.labels = true_labels(script, samples);
+  truth.labels = ground_truth_labels(script, samples);
   truth.reports.push_back(kinds_report(script));
   const double clock_offset_s = of_sensors.uniform(options.glove.clock_offset_s);
   truth.reports.push_back(fmt::format("the glove's clock is {:.4f} s ahead", clock_offset_s));
@@ -122,20 +122,20 @@ SyntheticRecording synthesize(const SynthesizeOptions& options, std::uint64_t se
 
   truth.upper_arm = subject.body.arm.upper_arm;
   truth.forearm = subject.body.arm.forearm;
-  truth.streams = true_streams(samples, part);
+  truth.streams = ground_truth_streams(samples, part);
 
   const SensorMounts mounts = draw_mounts(options.sensors, of_sensors);
   const GloveBias bias = draw_bias(options.glove, of_sensors);
   made.recorded.streams =
       recorded_streams(options, script, samples, part, mounts, bias, clock_offset_s, of_sensors);
   drop(options.sensors, of_dropouts, *made.recorded.streams.sensors);
-  drop(options.glove, of_dropouts, *made.recorded.streams.hand);
+  apply_dropouts(options.glove, of_dropouts, *made.recorded.streams.hand);
   made.recorded.calibration =
       simulate_calibration(options, subject, script.motion.arm.start, mounts, bias, of_calibration);
   made.recorded.sensor_offsets =
       human::sensor_offsets(made.recorded.calibration, made.recorded.reports);
 
-  if (of_object.chance(options.object.recorded_share)) {
+  if (of_object.bernoulli(options.object.recorded_share)) {
     const double height_m = of_object.uniform(options.object.height);
     truth.objects.push_back(carried_object(script, samples, height_m, part.first, part.last));
     made.recorded.objects = truth.objects;

@@ -8,21 +8,22 @@
 
 namespace morphe::synthesize {
 
-/// A recording that never was, and what it should have shown. Both have the same name, labels and
-/// (if there is one) object, and say in `reports` what was drawn: the kind of every movement, the
-/// glove's clock offset.
+/// A synthetic recording and its ground truth. Both have the same name, labels and object (if there
+/// is one), and list in `reports` the values that were drawn: the kind of every movement and the
+/// clock offset of the glove.
 struct SyntheticRecording {
-  /// Sensors shoulder, elbow (on the upper arm), wrist (on the hand) and the glove, with noise; the
-  /// calibration pose and the sensor offsets that follow from it; the true labels.
+  /// The recording: sensors shoulder, elbow (on the upper arm), wrist (on the hand) and the glove,
+  /// with noise; the calibration pose and the sensor offsets derived from it; the true labels.
   Demonstration recorded;
-  /// The same movement without sensors, at the sensors' instants: stream `sensors` holds the joint
-  /// centres shoulder, elbow, wrist (the wrist's orientation is the hand frame's, the other two are
-  /// the identity), `hand` the fingertips, `arm_angles` kArmAngleNames, kHandAngleNames and
-  /// palm_arch; also the arm's lengths and the object without noise.
+  /// The same movement without sensors, at the instants of the sensors: stream `sensors` contains
+  /// the joint centres shoulder, elbow, wrist (the orientation of the wrist is that of the hand
+  /// frame, the other two are the identity), `hand` the fingertips, `arm_angles` kArmAngleNames,
+  /// kHandAngleNames and palm_arch; also the lengths of the arm and the object without noise.
   Demonstration truth;
 };
 
-/// Recording `index` of the endless series that options and seed define; depends on nothing else.
+/// Generates recording `index` of the unlimited series defined by options and seed; the result
+/// depends on the arguments only.
 SyntheticRecording synthesize(const SynthesizeOptions& options, std::uint64_t seed,
                               std::size_t index);
 

@@ -11,10 +11,10 @@ namespace {
 
 struct NamedRange {
   const char* name;
-  const FromTo& range;
+  const UniformRange& range;
   double least, greatest;
 };
-std::string first_fault(std::initializer_list<NamedRange> ranges) {
+std::string range_error_in(std::initializer_list<NamedRange> ranges) {
   for (const auto& [name, range, least, greatest] : ranges) {
     if (range.size() != 2 || !(range[0] <= range[1])) {
       return fmt::format("{}: must be [from, to], the first not above the second", name);
@@ -30,7 +30,7 @@ struct NamedNumber {
   const char* name;
   double value, least, greatest;
 };
-std::string first_fault(std::initializer_list<NamedNumber> numbers) {
+std::string range_error_in(std::initializer_list<NamedNumber> numbers) {
   for (const auto& [name, value, least, greatest] : numbers) {
     if (!(value >= least && value <= greatest)) {
       return fmt::format("{}: must lie within {} and {}, not {}", name, least, greatest, value);
@@ -39,7 +39,7 @@ std::string first_fault(std::initializer_list<NamedNumber> numbers) {
   return "";
 }
 
-std::string first_of(std::initializer_list<std::string> faults) {
+std::string first_error(std::initializer_list<std::string> faults) {
   for (const std::string& fault : faults) {
     if (!fault.empty()) return fault;
   }
@@ -50,30 +50,32 @@ constexpr double kPi = std::numbers::pi;
 
 }  // namespace
 
-std::string why_invalid(const SyntheticSubject& o) {
-  return first_of({first_fault({NamedNumber{"male_share", o.male_share, 0, 1}}),
-                   first_fault({NamedRange{"percentiles", o.percentiles, 0, 100},
-                                NamedRange{"shoulder_height", o.shoulder_height, 0.15, 0.5}})});
+std::string validation_error(const SyntheticSubject& o) {
+  return first_error(
+      {range_error_in({NamedNumber{"male_share", o.male_share, 0, 1}}),
+       range_error_in({NamedRange{"percentiles", o.percentiles, 0, 100},
+                       NamedRange{"shoulder_height", o.shoulder_height, 0.15, 0.5}})});
 }
 
-std::string why_invalid(const KindWeights& o) {
-  constexpr double kMost = 1e6;
-  const std::string fault = first_fault(
-      {NamedNumber{"minimum_jerk", o.minimum_jerk, 0, kMost},
-       NamedNumber{"lognormal", o.lognormal, 0, kMost},
-       NamedNumber{"asymmetric", o.asymmetric, 0, kMost}, NamedNumber{"curved", o.curved, 0, kMost},
-       NamedNumber{"two_peaks", o.two_peaks, 0, kMost},
-       NamedNumber{"pause_before_grasp", o.pause_before_grasp, 0, kMost},
-       NamedNumber{"no_grasp", o.no_grasp, 0, kMost}});
+std::string validation_error(const KindWeights& o) {
+  constexpr double kMaxKindWeight = 1e6;
+  const std::string fault =
+      range_error_in({NamedNumber{"minimum_jerk", o.minimum_jerk, 0, kMaxKindWeight},
+                      NamedNumber{"lognormal", o.lognormal, 0, kMaxKindWeight},
+                      NamedNumber{"asymmetric", o.asymmetric, 0, kMaxKindWeight},
+                      NamedNumber{"curved", o.curved, 0, kMaxKindWeight},
+                      NamedNumber{"two_peaks", o.two_peaks, 0, kMaxKindWeight},
+                      NamedNumber{"pause_before_grasp", o.pause_before_grasp, 0, kMaxKindWeight},
+                      NamedNumber{"no_grasp", o.no_grasp, 0, kMaxKindWeight}});
   if (!fault.empty()) return fault;
   const double sum = o.minimum_jerk + o.lognormal + o.asymmetric + o.curved + o.two_peaks +
                      o.pause_before_grasp + o.no_grasp;
   return sum > 0 ? "" : "one kind must have a weight above 0";
 }
 
-std::string why_invalid(const SyntheticMovements& o) {
-  const std::string fault = first_of(
-      {first_fault(
+std::string validation_error(const SyntheticMovements& o) {
+  const std::string fault = first_error(
+      {range_error_in(
            {NamedRange{"per_recording", o.per_recording, 1, 1000},
             NamedRange{"rest_s", o.rest_s, 0.3, 60}, NamedRange{"reach_s", o.reach_s, 0.2, 10},
             NamedRange{"grasp_s", o.grasp_s, 0.1, 10},
@@ -84,9 +86,9 @@ std::string why_invalid(const SyntheticMovements& o) {
             NamedRange{"direction", o.direction, -kPi / 2, kPi / 2},
             NamedRange{"height", o.height, 0.05, 0.6},
             NamedRange{"elbow_swivel", o.elbow_swivel, -0.2, 1}}),
-       first_fault({NamedNumber{"reach_share", o.reach_share, 0.7, 0.98},
-                    NamedNumber{"starts_inside_share", o.starts_inside_share, 0, 1},
-                    NamedNumber{"ends_inside_share", o.ends_inside_share, 0, 1}})});
+       range_error_in({NamedNumber{"reach_share", o.reach_share, 0.7, 0.98},
+                       NamedNumber{"starts_inside_share", o.starts_inside_share, 0, 1},
+                       NamedNumber{"ends_inside_share", o.ends_inside_share, 0, 1}})});
   if (!fault.empty()) return fault;
   for (const double count : o.per_recording) {
     if (count != std::floor(count)) return "per_recording: must be whole numbers";
@@ -94,50 +96,50 @@ std::string why_invalid(const SyntheticMovements& o) {
   return "";
 }
 
-std::string why_invalid(const SyntheticHand& o) {
-  return first_of({first_fault({NamedRange{"peak_share", o.peak_share, 0.3, 0.9},
-                                NamedRange{"opening_excess", o.opening_excess, 0.005, 0.08}}),
-                   first_fault({NamedNumber{"least_widening", o.least_widening, 0.005, 0.06},
-                                NamedNumber{"pad", o.pad, 0, 0.015}})});
+std::string validation_error(const SyntheticHand& o) {
+  return first_error({range_error_in({NamedRange{"peak_share", o.peak_share, 0.3, 0.9},
+                                      NamedRange{"opening_excess", o.opening_excess, 0.005, 0.08}}),
+                      range_error_in({NamedNumber{"least_widening", o.least_widening, 0.005, 0.06},
+                                      NamedNumber{"pad", o.pad, 0, 0.015}})});
 }
 
-std::string why_invalid(const SyntheticObject& o) {
-  return first_of({first_fault({NamedRange{"radius", o.radius, 0.01, 0.045},
-                                NamedRange{"height", o.height, 0.02, 0.4}}),
-                   first_fault({NamedNumber{"recorded_share", o.recorded_share, 0, 1}})});
+std::string validation_error(const SyntheticObject& o) {
+  return first_error({range_error_in({NamedRange{"radius", o.radius, 0.01, 0.045},
+                                      NamedRange{"height", o.height, 0.02, 0.4}}),
+                      range_error_in({NamedNumber{"recorded_share", o.recorded_share, 0, 1}})});
 }
 
-std::string why_invalid(const SyntheticBody& o) {
-  return first_of({first_fault({NamedRange{"tremor_hz", o.tremor_hz, 3, 30}}),
-                   first_fault({NamedNumber{"tremor", o.tremor, 0, 0.01},
-                                NamedNumber{"drift", o.drift, 0, 0.002}})});
+std::string validation_error(const SyntheticBody& o) {
+  return first_error({range_error_in({NamedRange{"tremor_hz", o.tremor_hz, 3, 30}}),
+                      range_error_in({NamedNumber{"tremor", o.tremor, 0, 0.01},
+                                      NamedNumber{"drift", o.drift, 0, 0.002}})});
 }
 
-std::string why_invalid(const SyntheticSensors& o) {
-  return first_of(
-      {first_fault(
+std::string validation_error(const SyntheticSensors& o) {
+  return first_error(
+      {range_error_in(
            {NamedRange{"mount", o.mount, 0, 0.2}, NamedRange{"dropout_s", o.dropout_s, 0.001, 10}}),
-       first_fault({NamedNumber{"rate_hz", o.rate_hz, 20, 2000},
-                    NamedNumber{"position_noise", o.position_noise, 0, 0.1},
-                    NamedNumber{"orientation_noise", o.orientation_noise, 0, 0.5},
-                    NamedNumber{"slow_share", o.slow_share, 0, 1},
-                    NamedNumber{"slow_s", o.slow_s, 0.01, 1000},
-                    NamedNumber{"dropout_share", o.dropout_share, 0, 0.9},
-                    NamedNumber{"calibration_s", o.calibration_s, 0.1, 60},
-                    NamedNumber{"digitising_noise", o.digitising_noise, 0, 0.01},
-                    NamedNumber{"digitised", static_cast<double>(o.digitised), 1, 1000}})});
+       range_error_in({NamedNumber{"rate_hz", o.rate_hz, 20, 2000},
+                       NamedNumber{"position_noise", o.position_noise, 0, 0.1},
+                       NamedNumber{"orientation_noise", o.orientation_noise, 0, 0.5},
+                       NamedNumber{"slow_share", o.slow_share, 0, 1},
+                       NamedNumber{"slow_s", o.slow_s, 0.01, 1000},
+                       NamedNumber{"dropout_share", o.dropout_share, 0, 0.9},
+                       NamedNumber{"calibration_s", o.calibration_s, 0.1, 60},
+                       NamedNumber{"digitising_noise", o.digitising_noise, 0, 0.01},
+                       NamedNumber{"digitised", static_cast<double>(o.digitised), 1, 1000}})});
 }
 
-std::string why_invalid(const SyntheticGlove& o) {
-  return first_of(
-      {first_fault({NamedRange{"dropout_s", o.dropout_s, 0.001, 10},
-                    NamedRange{"clock_offset_s", o.clock_offset_s, -1, 1}}),
-       first_fault({NamedNumber{"rate_hz", o.rate_hz, 5, 2000},
-                    NamedNumber{"noise", o.noise, 0, 0.5},
-                    NamedNumber{"slow_share", o.slow_share, 0, 1},
-                    NamedNumber{"slow_s", o.slow_s, 0.01, 1000}, NamedNumber{"bias", o.bias, 0, 1},
-                    NamedNumber{"quantisation", o.quantisation, 0, 0.5},
-                    NamedNumber{"dropout_share", o.dropout_share, 0, 0.9}})});
+std::string validation_error(const SyntheticGlove& o) {
+  return first_error(
+      {range_error_in({NamedRange{"dropout_s", o.dropout_s, 0.001, 10},
+                       NamedRange{"clock_offset_s", o.clock_offset_s, -1, 1}}),
+       range_error_in(
+           {NamedNumber{"rate_hz", o.rate_hz, 5, 2000}, NamedNumber{"noise", o.noise, 0, 0.5},
+            NamedNumber{"slow_share", o.slow_share, 0, 1},
+            NamedNumber{"slow_s", o.slow_s, 0.01, 1000}, NamedNumber{"bias", o.bias, 0, 1},
+            NamedNumber{"quantisation", o.quantisation, 0, 0.5},
+            NamedNumber{"dropout_share", o.dropout_share, 0, 0.9}})});
 }
 
 }  // namespace morphe::synthesize

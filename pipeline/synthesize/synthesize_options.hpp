@@ -5,33 +5,39 @@
 
 namespace morphe::synthesize {
 
-/// A quantity drawn evenly: [from, to].
-using FromTo = std::vector<double>;
+/// The interval [from, to] of a uniformly distributed quantity.
+using UniformRange = std::vector<double>;
 
-/// Who: ANSUR II, seated at a table whose top is z = 0.
+/// The subjects: ANSUR II, seated at a table whose top is z = 0.
 struct SyntheticSubject {
+  /// The share of male subjects.
   double male_share = 0.5;
-  FromTo percentiles = {5, 95};           ///< of each measure; 0 and 100 stand for ±4 deviations
-  FromTo shoulder_height = {0.25, 0.45};  ///< above the table [m]
+  /// The range of percentiles of each measure; 0 and 100 denote ±4 standard deviations.
+  UniformRange percentiles = {5, 95};
+  /// The height of the shoulder above the table [m].
+  UniformRange shoulder_height = {0.25, 0.45};
 };
+/// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, SyntheticSubject& o) {
   f("male_share", o.male_share);
   f("percentiles", o.percentiles);
   f("shoulder_height", o.shoulder_height);
 }
-std::string why_invalid(const SyntheticSubject& options);
+/// Returns a message about the first invalid value, "" if all values are valid.
+std::string validation_error(const SyntheticSubject& options);
 
-/// How often a movement is of each kind, in proportion.
+/// The relative frequencies of the kinds of movements.
 struct KindWeights {
   double minimum_jerk = 1;        ///< straight, 10 τ³ - 15 τ⁴ + 6 τ⁵
-  double lognormal = 1;           ///< straight, the speed a lognormal in time (sigma-lognormal)
-  double asymmetric = 1;          ///< straight, a beta speed with its peak at 30-45 % of the time
-  double curved = 1;              ///< minimum jerk in time, 5-12 cm aside of the straight way
-  double two_peaks = 1;           ///< the first sub-movement misses, a second corrects it
-  double pause_before_grasp = 1;  ///< stops open-handed before the last 5-15 % of the way
-  double no_grasp = 1;            ///< touches: the hand does not close, nothing is carried
+  double lognormal = 1;           ///< straight, with a lognormal speed (sigma-lognormal)
+  double asymmetric = 1;          ///< straight, with a beta speed that peaks at 30-45 % of the time
+  double curved = 1;              ///< minimum jerk in time, 5-12 cm beside the straight path
+  double two_peaks = 1;           ///< a first sub-movement misses, a second corrects it
+  double pause_before_grasp = 1;  ///< stops with an open hand before the last 5-15 % of the path
+  double no_grasp = 1;            ///< touches only: the hand does not close and carries no object
 };
+/// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, KindWeights& o) {
   f("minimum_jerk", o.minimum_jerk);
@@ -42,28 +48,45 @@ void fields(Fields& f, KindWeights& o) {
   f("pause_before_grasp", o.pause_before_grasp);
   f("no_grasp", o.no_grasp);
 }
-std::string why_invalid(const KindWeights& options);
+/// Returns a message about the first invalid value, "" if all values are valid.
+std::string validation_error(const KindWeights& options);
 
-/// What the subject does: reach, grasp, transport, hold, put back, release, return, rest.
+/// The movements of a subject: reach, grasp, transport, hold, put back, release, return, rest.
 struct SyntheticMovements {
-  FromTo per_recording = {2, 4};    ///< whole numbers
-  FromTo rest_s = {0.6, 2};         ///< before, between and after
-  FromTo reach_s = {0.6, 1.2};      ///< whole; of a lognormal: while above 5 % of its peak
-  FromTo grasp_s = {0.15, 0.4};     ///< still at the object: before the lift, and before release
-  FromTo transport_s = {0.6, 1.1};  ///< there, and back
-  FromTo hold_s = {0.3, 0.9};       ///< between the two, or touching
-  FromTo return_s = {0.6, 1.2};
-  FromTo pause_s = {0.15, 0.4};    ///< of pause_before_grasp
-  FromTo distance = {0.15, 0.4};   ///< of the target from the resting wrist, level [m]; less
-                                   ///< where the arm does not reach that far
-  FromTo direction = {-0.8, 0.6};  ///< 0 forward, positive to the right [rad]
-  FromTo height = {0.08, 0.22};    ///< of the wrist at the target, above the table [m]
-  FromTo elbow_swivel = {0, 0.5};  ///< outward, as natural_elbow() [rad]
-  double reach_share = 0.95;       ///< farthest wrist over upper arm + forearm
-  double starts_inside_share = 0;  ///< recordings that begin within their first movement
-  double ends_inside_share = 0;    ///< recordings that end within their last
+  /// The number of movements, an integer.
+  UniformRange per_recording = {2, 4};
+  /// The duration of rest before, between and after movements [s].
+  UniformRange rest_s = {0.6, 2};
+  /// The duration of the whole reach [s]; for a lognormal: time above 5 % of its peak.
+  UniformRange reach_s = {0.6, 1.2};
+  /// The duration of rest at the object, before the lift and before the release [s].
+  UniformRange grasp_s = {0.15, 0.4};
+  /// The duration of the transport to the lifted position, and back [s].
+  UniformRange transport_s = {0.6, 1.1};
+  /// The duration of the hold between the two transports, or while touching [s].
+  UniformRange hold_s = {0.3, 0.9};
+  /// The duration of the return [s].
+  UniformRange return_s = {0.6, 1.2};
+  /// Duration of the pause of pause_before_grasp [s].
+  UniformRange pause_s = {0.15, 0.4};
+  /// Horizontal distance of the target from the resting wrist [m], reduced to the reach of the arm.
+  UniformRange distance = {0.15, 0.4};
+  /// Direction of the target, 0 forward, positive to the right [rad].
+  UniformRange direction = {-0.8, 0.6};
+  /// Height of the wrist at the target above the table [m].
+  UniformRange height = {0.08, 0.22};
+  /// Outward swivel angle, as in elbow_from_swivel() [rad].
+  UniformRange elbow_swivel = {0, 0.5};
+  /// Largest distance of the wrist divided by upper arm + forearm.
+  double reach_share = 0.95;
+  /// Share of recordings that begin within their first movement.
+  double starts_inside_share = 0;
+  /// Share of recordings that end within their last movement.
+  double ends_inside_share = 0;
+  /// The relative frequencies of the kinds.
   KindWeights kinds;
 };
+/// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, SyntheticMovements& o) {
   f("per_recording", o.per_recording);
@@ -83,14 +106,21 @@ void fields(Fields& f, SyntheticMovements& o) {
   f("ends_inside_share", o.ends_inside_share);
   f("kinds", o.kinds);
 }
-std::string why_invalid(const SyntheticMovements& options);
+/// Returns a message about the first invalid value, "" if all values are valid.
+std::string validation_error(const SyntheticMovements& options);
 
+/// The motion of the hand.
 struct SyntheticHand {
-  FromTo peak_share = {0.6, 0.74};        ///< of the reach's time: the hand is widest open
-  FromTo opening_excess = {0.02, 0.045};  ///< of thumb and index tip beyond the grasp's [m]
-  double least_widening = 0.02;           ///< and at least this much beyond the resting hand's [m]
-  double pad = 0.008;                     ///< from a finger's axis to its skin [m]
+  /// Instant of the largest aperture as a share of the reach's duration.
+  UniformRange peak_share = {0.6, 0.74};
+  /// Aperture of thumb and index tip in excess of that at the grasp [m].
+  UniformRange opening_excess = {0.02, 0.045};
+  /// Minimum excess of the aperture over that of the resting hand [m].
+  double least_widening = 0.02;
+  /// Distance from the axis of a finger to its skin [m].
+  double pad = 0.008;
 };
+/// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, SyntheticHand& o) {
   f("peak_share", o.peak_share);
@@ -98,50 +128,70 @@ void fields(Fields& f, SyntheticHand& o) {
   f("least_widening", o.least_widening);
   f("pad", o.pad);
 }
-std::string why_invalid(const SyntheticHand& options);
+/// Returns a message about the first invalid value, "" if all values are valid.
+std::string validation_error(const SyntheticHand& options);
 
 /// An upright cylinder between thumb and index finger.
 struct SyntheticObject {
-  FromTo radius = {0.018, 0.036};  ///< [m]
-  FromTo height = {0.08, 0.14};    ///< [m]
-  double recorded_share = 0;       ///< recordings that hold it, tracked as the sensors are
+  UniformRange radius = {0.018, 0.036};  ///< [m]
+  UniformRange height = {0.08, 0.14};    ///< [m]
+  double recorded_share = 0;  ///< share of recordings that contain it, tracked like the sensors
 };
+/// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, SyntheticObject& o) {
   f("radius", o.radius);
   f("height", o.height);
   f("recorded_share", o.recorded_share);
 }
-std::string why_invalid(const SyntheticObject& options);
+/// Returns a message about the first invalid value, "" if all values are valid.
+std::string validation_error(const SyntheticObject& options);
 
-/// What the body does unasked.
+/// The involuntary motion of the body.
 struct SyntheticBody {
-  double tremor = 0;  ///< amplitude at the wrist [m]
-  FromTo tremor_hz = {8, 12};
-  double drift = 0.001;  ///< of the wrist, slower than 0.3 Hz, rms of each axis [m]
+  /// Amplitude of the tremor at the wrist [m].
+  double tremor = 0;
+  /// The frequency of the tremor [Hz].
+  UniformRange tremor_hz = {8, 12};
+  /// Drift of the wrist, slower than 0.3 Hz, rms of each axis [m].
+  double drift = 0.001;
 };
+/// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, SyntheticBody& o) {
   f("tremor", o.tremor);
   f("tremor_hz", o.tremor_hz);
   f("drift", o.drift);
 }
-std::string why_invalid(const SyntheticBody& options);
+/// Returns a message about the first invalid value, "" if all values are valid.
+std::string validation_error(const SyntheticBody& options);
 
-/// Polhemus Liberty: shoulder, elbow (on the upper arm), wrist (on the hand).
+/// The sensors of a Polhemus Liberty: shoulder, elbow (on the upper arm), wrist (on the hand).
 struct SyntheticSensors {
+  /// The sample rate [Hz].
   double rate_hz = 240;
-  FromTo mount = {0.02, 0.06};          ///< from the joint's centre [m]
-  double position_noise = 0.00076;      ///< rms of each axis [m]
-  double orientation_noise = 0.002618;  ///< rms about each axis: 0.15 degrees [rad]
-  double slow_share = 0.5;              ///< of the noise's variance that is slow, the rest white
-  double slow_s = 1;                    ///< its time constant (Ornstein-Uhlenbeck) [s]
-  double dropout_share = 0;             ///< of each sensor's time
-  FromTo dropout_s = {0.02, 0.15};      ///< length of one
-  double calibration_s = 2;             ///< of the calibration pose
-  double digitising_noise = 0.0005;     ///< of one digitised point, rms of each axis [m]
-  int digitised = 5;                    ///< times that each point is
+  /// Distance of a sensor from the centre of the joint [m].
+  UniformRange mount = {0.02, 0.06};
+  /// Rms of the position noise of each axis [m].
+  double position_noise = 0.00076;
+  /// Rms of the orientation noise about each axis: 0.15 degrees [rad].
+  double orientation_noise = 0.002618;
+  /// Share of the slow component in the variance of the noise, the rest is white.
+  double slow_share = 0.5;
+  /// Time constant of the slow component (Ornstein-Uhlenbeck) [s].
+  double slow_s = 1;
+  /// Share of the time lost by each sensor.
+  double dropout_share = 0;
+  /// Duration of one dropout [s].
+  UniformRange dropout_s = {0.02, 0.15};
+  /// Duration of the calibration pose [s].
+  double calibration_s = 2;
+  /// Noise of one digitised point, rms of each axis [m].
+  double digitising_noise = 0.0005;
+  /// Number of times that each point is digitised.
+  int digitised = 5;
 };
+/// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, SyntheticSensors& o) {
   f("rate_hz", o.rate_hz);
@@ -156,20 +206,31 @@ void fields(Fields& f, SyntheticSensors& o) {
   f("digitising_noise", o.digitising_noise);
   f("digitised", o.digitised);
 }
-std::string why_invalid(const SyntheticSensors& options);
+/// Returns a message about the first invalid value, "" if all values are valid.
+std::string validation_error(const SyntheticSensors& options);
 
-/// CyberGlove II.
+/// The sensors of a CyberGlove II.
 struct SyntheticGlove {
+  /// The sample rate [Hz].
   double rate_hz = 90;
-  double noise = 0.017453;          ///< rms of each sensor: 1 degree [rad]
-  double slow_share = 0.5;          ///< as the sensors'
-  double slow_s = 1;                ///< [s]
-  double bias = 0.05;               ///< constant, standard deviation over the sensors [rad]
-  double quantisation = 0;          ///< step of its readings [rad]; 0: none
-  double dropout_share = 0;         ///< of the time, all sensors at once
-  FromTo dropout_s = {0.02, 0.15};  ///< length of one
-  FromTo clock_offset_s = {0, 0};   ///< its clock reads this much more than the sensors'
+  /// Rms of the noise of each sensor: 1 degree [rad].
+  double noise = 0.017453;
+  /// Share of the slow component in the variance of the noise, as for the tracker's sensors.
+  double slow_share = 0.5;
+  /// Time constant of the slow component [s].
+  double slow_s = 1;
+  /// Constant error, standard deviation over the sensors [rad].
+  double bias = 0.05;
+  /// Step of the readings [rad], 0 for no quantisation.
+  double quantisation = 0;
+  /// Share of the time lost, all sensors at once.
+  double dropout_share = 0;
+  /// Duration of one dropout [s].
+  UniformRange dropout_s = {0.02, 0.15};
+  /// Offset of its clock from that of the sensors [s].
+  UniformRange clock_offset_s = {0, 0};
 };
+/// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, SyntheticGlove& o) {
   f("rate_hz", o.rate_hz);
@@ -182,10 +243,12 @@ void fields(Fields& f, SyntheticGlove& o) {
   f("dropout_s", o.dropout_s);
   f("clock_offset_s", o.clock_offset_s);
 }
-std::string why_invalid(const SyntheticGlove& options);
+/// Returns a message about the first invalid value, "" if all values are valid.
+std::string validation_error(const SyntheticGlove& options);
 
-/// A config of `morphe synthesize`.
+/// The options of a config of `morphe synthesize`.
 struct SynthesizeOptions {
+  /// The sections of the config.
   SyntheticSubject subject;
   SyntheticMovements movements;
   SyntheticHand hand;
@@ -194,6 +257,7 @@ struct SynthesizeOptions {
   SyntheticSensors sensors;
   SyntheticGlove glove;
 };
+/// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, SynthesizeOptions& o) {
   f("subject", o.subject);

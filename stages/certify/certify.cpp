@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/collision/certified.hpp"
+#include "core/collision/continuous_check.hpp"
 #include "core/math/quintic.hpp"
 #include "stages/certify/goal_errors.hpp"
 #include "stages/certify/smoothness.hpp"
@@ -25,12 +25,12 @@ double mean_of_seen(const Eigen::Ref<const Eigen::VectorXd>& values) {
     sum += value;
     ++count;
   }
-  return count > 0 ? sum / count : kNotSeen;
+  return count > 0 ? sum / count : kUnknown;
 }
 
-/// A sentence for the first limit that does not hold, "" if all do.
-std::string beyond_limits(const RobotTable& robot, const Trajectory& trajectory,
-                          const math::LimitReport& report) {
+/// Returns a sentence on the first limit that is violated; "" if all are respected.
+std::string limit_violation(const RobotModel& robot, const Trajectory& trajectory,
+                            const math::LimitReport& report) {
   const auto sentence = [&](const char* what, int sample, int joint, const std::string& value) {
     return fmt::format("{} of joint {} is {} after sample {} ({:.3f} s)", what,
                        robot.joint_names[static_cast<std::size_t>(joint)], value, sample,
@@ -53,8 +53,8 @@ std::string beyond_limits(const RobotTable& robot, const Trajectory& trajectory,
   return "";
 }
 
-/// A distance of no pair at all is none.
-double if_any(double clearance) { return std::isinf(clearance) ? kNotSeen : clearance; }
+/// Returns NaN for the infinite distance that results if there are no pairs.
+double nan_if_infinite(double clearance) { return std::isinf(clearance) ? kUnknown : clearance; }
 
 void fill_clearance(const collision::CollisionWorld& world, Trajectory& trajectory,
                     collision::CollisionScratch& scratch) {
@@ -62,26 +62,29 @@ void fill_clearance(const collision::CollisionWorld& world, Trajectory& trajecto
   for (std::size_t i = 0; i < trajectory.samples(); ++i) {
     const JointVector q = trajectory.position.row(static_cast<Eigen::Index>(i)).transpose();
     trajectory.clearance[i] =
-        if_any(collision::clearance(world, q, trajectory.demonstration_time[i], scratch));
+        nan_if_infinite(collision::clearance(world, q, trajectory.demonstration_time[i], scratch));
   }
 }
 
-/// A sentence for a contact that is not allowed, or not excluded; "" if there is none.
-std::string contacts(const collision::CollisionWorld& world, const collision::JointMotion& motion,
-                     const Trajectory& trajectory, collision::CollisionScratch& scratch) {
+/// Returns a sentence on a contact that is not allowed, or that cannot be excluded; "" if there are
+/// no such contacts.
+std::string collision_violation(const collision::CollisionWorld& world,
+                                const collision::JointMotion& motion, const Trajectory& trajectory,
+                                collision::CollisionScratch& scratch) {
   const collision::MotionCheck found = collision::check_motion(world, motion, scratch);
   if (found.verdict == collision::MotionVerdict::free) return "";
   return fmt::format(
       "{} and {} are {:.2f} mm apart at {:.3f} s (sample {}), {} than the {:.2f} mm "
       "required",
-      collision::first_name(world, found.pair), collision::second_name(world, found.pair),
-      1e3 * found.pair.separation.distance, found.at, sample_before(trajectory, found.at),
+      collision::first_body_name(world, found.pair), collision::second_body_name(world, found.pair),
+      1e3 * found.pair.separation.distance, found.parameter,
+      sample_before(trajectory, found.parameter),
       found.verdict == collision::MotionVerdict::colliding ? "less" : "not provably more",
-      1e3 * found.pair.required);
+      1e3 * found.pair.required_distance_m);
 }
 
-std::string off_goals(const RobotTable& robot, const Trajectory& trajectory,
-                      const GoalErrors& errors) {
+std::string tracking_violation(const RobotModel& robot, const Trajectory& trajectory,
+                               const GoalErrors& errors) {
   if (errors.worst_sample < 0 || errors.worst_excess <= 0) return "";
   const auto sample = static_cast<std::size_t>(errors.worst_sample);
   return fmt::format("tip {} is {:.2f} mm from its goal at sample {} ({:.3f} s), {:.2f} mm allowed",
@@ -90,7 +93,7 @@ std::string off_goals(const RobotTable& robot, const Trajectory& trajectory,
                      1e3 * errors.worst_tolerance);
 }
 
-std::string off_goals(const RobotTable& robot, const TipBetween& between) {
+std::string tracking_violation(const RobotModel& robot, const InterSampleTipError& between) {
   if (!(between.excess > 0)) return "";
   return fmt::format(
       "tip {} is {:.2f} mm from its goal after sample {} ({:.3f} s), {:.2f} mm allowed",
@@ -104,7 +107,7 @@ Outcome<Certificate> certify_motion(const collision::CollisionWorld& world, Traj
                                     bool path_was_free) {
   Outcome<Certificate> result;
   const auto fail = [&](Reason reason, const std::string& sentence) {
-    if (!result.refusal && !sentence.empty()) result.refusal = {reason, sentence};
+    if (!result.failure && !sentence.empty()) result.failure = {reason, sentence};
   };
   if (trajectory.samples() < 2) {
     fail(Reason::limit, "the trajectory has fewer than two samples");
@@ -116,24 +119,24 @@ Outcome<Certificate> certify_motion(const collision::CollisionWorld& world, Traj
   c.velocity_ratio = limits.velocity.ratio;
   c.acceleration_ratio = limits.acceleration.ratio;
   c.jerk_ratio = limits.jerk.ratio;
-  fail(Reason::limit, beyond_limits(*world.robot, trajectory, limits));
+  fail(Reason::limit, limit_violation(*world.robot, trajectory, limits));
 
   collision::CollisionScratch scratch;
   fill_clearance(world, trajectory, scratch);
   const collision::JointMotion motion = trajectory_motion(trajectory);
-  c.clearance =
-      if_any(collision::motion_clearance(world, motion, scratch, kClearanceResolution_m).at_least);
+  c.clearance = nan_if_infinite(
+      collision::motion_clearance(world, motion, scratch, kClearanceResolution_m).lower_bound_m);
   c.unchecked_links = world.robot->unchecked_links;
   fail(path_was_free ? Reason::smoothing : Reason::collision,
-       contacts(world, motion, trajectory, scratch));
+       collision_violation(world, motion, trajectory, scratch));
   return result;
 }
 
 Outcome<Certificate> certify(const collision::CollisionWorld& around, const Goals& goals,
-                             const Movement& movement, Trajectory& trajectory, const Mapped& mapped,
-                             bool path_was_free) {
+                             const Movement& movement, Trajectory& trajectory,
+                             const MappingResult& mapped, bool path_was_free) {
   collision::CollisionWorld world = around;
-  collision::carry_target(trajectory.demonstration_time, trajectory.position, world);
+  collision::attach_target(trajectory.demonstration_time, trajectory.position, world);
   Outcome<Certificate> result = certify_motion(world, trajectory, path_was_free);
   if (trajectory.samples() < 2) return result;
   Certificate& c = result.value;
@@ -145,11 +148,11 @@ Outcome<Certificate> certify(const collision::CollisionWorld& around, const Goal
   c.orientation_error_max = errors.orientation_max;
   c.upper_arm_error_max = errors.upper_arm_max;
   c.upper_arm_error_mean = errors.upper_arm_mean;
-  std::string off = off_goals(*world.robot, trajectory, errors);
+  std::string off = tracking_violation(*world.robot, trajectory, errors);
   if (off.empty())
-    off = off_goals(*world.robot,
-                    farthest_between(*world.robot, goals, movement, world.tolerances, trajectory));
-  if (!result.refusal && !off.empty()) result.refusal = {Reason::tracking, off};
+    off = tracking_violation(*world.robot, worst_inter_sample_error(*world.robot, goals, movement,
+                                                                    world.tolerances, trajectory));
+  if (!result.failure && !off.empty()) result.failure = {Reason::tracking, off};
 
   const double human_s =
       trajectory.demonstration_time.back() - trajectory.demonstration_time.front();
@@ -165,7 +168,7 @@ Outcome<Certificate> certify(const collision::CollisionWorld& around, const Goal
   c.log_dimensionless_jerk_robot = log_dimensionless_jerk(robot);
   c.log_dimensionless_jerk_human = log_dimensionless_jerk(human);
   c.repaired = std::any_of(trajectory.origin.begin(), trajectory.origin.end(),
-                           [](Origin origin) { return origin != Origin::mapped; });
+                           [](SampleOrigin origin) { return origin != SampleOrigin::mapped; });
   return result;
 }
 

@@ -5,8 +5,8 @@
 
 #include "core/humanlike/metrics.hpp"
 #include "core/math/quintic.hpp"
-#include "core/motion/goals_at.hpp"
-#include "core/robot/forward.hpp"
+#include "core/motion/goal_interpolation.hpp"
+#include "core/robot/forward_kinematics.hpp"
 
 namespace morphe::certify {
 namespace {
@@ -18,18 +18,19 @@ struct Mean {
     sum += value;
     ++count;
   }
-  double value() const { return count > 0 ? sum / count : kNotSeen; }
+  double value() const { return count > 0 ? sum / count : kUnknown; }
 };
 
 double angle_of(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
-/// Of a tip, or of its pad's centre, from its goal at a demonstration time; NaN: no goal there.
+/// Returns the distance of a tip, or of its pad's centre, from its goal at a demonstration time;
+/// NaN if it has no goal at that time.
 double goal_error(const robot::Robot& robot, const std::vector<Pose>& base_from_frame,
                   const Goals& goals, std::size_t tip, double time_s) {
   const Vec3 goal = tip_goal_at(goals, tip, time_s);
-  if (!seen(goal)) return kNotSeen;
+  if (!is_known(goal)) return kUnknown;
   const double share = pad_share_at(goals, tip, time_s);
-  return (robot::goal_point(robot, base_from_frame, tip, share) - goal).norm();
+  return (robot::tracked_point(robot, base_from_frame, tip, share) - goal).norm();
 }
 
 double tolerance_of(const Tolerances& tolerances, bool grasp) {
@@ -47,14 +48,15 @@ GoalErrors goal_errors(const robot::Robot& robot, const Goals& goals, const Move
   const auto shoulder = static_cast<std::size_t>(robot.shoulder_frame);
   for (std::size_t sample = 0; sample < trajectory.samples(); ++sample) {
     const double time_s = trajectory.demonstration_time[sample];
-    const bool grasp = grasping_at(movement, time_s);
+    const bool grasp = is_grasping_at(movement, time_s);
     const double tolerance = tolerance_of(tolerances, grasp);
-    robot::forward(robot, trajectory.position.row(static_cast<Eigen::Index>(sample)).transpose(),
-                   base_from_frame);
+    robot::forward_kinematics(
+        robot, trajectory.position.row(static_cast<Eigen::Index>(sample)).transpose(),
+        base_from_frame);
     for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
       const Pose base_from_tip = robot::tip_pose(robot, base_from_frame, tip);
       const Quat turned = tip_orientation_goal_at(goals, tip, time_s);
-      if (seen(turned)) {
+      if (is_known(turned)) {
         const double angle = angle_between(Quat(base_from_tip.linear()), turned);
         out.orientation_max = std::fmax(out.orientation_max, angle);
       }
@@ -70,13 +72,13 @@ GoalErrors goal_errors(const robot::Robot& robot, const Goals& goals, const Move
       out.worst_sample = static_cast<int>(sample);
       out.worst_tip = static_cast<int>(tip);
     }
-    const GoalTime at = goal_time(goals, time_s);
+    const FrameInterpolation at = frame_interpolation(goals, time_s);
     const std::vector<Vec3> centres = robot::arm_centre_positions(robot, base_from_frame);
-    const Vec3 elbow = point_at(goals.elbow_position, at);
-    if (centres.empty() || !seen(elbow)) continue;
+    const Vec3 elbow = interpolate_point(goals.elbow_position, at);
+    if (centres.empty() || !is_known(elbow)) continue;
     humanlikeness.add(humanlike::joint_distance_sum(elbow, centres));
-    const Vec3 human = elbow - point_at(goals.shoulder_position, at);
-    if (!seen(human)) continue;
+    const Vec3 human = elbow - interpolate_point(goals.shoulder_position, at);
+    if (!is_known(human)) continue;
     const double angle = angle_of(human, centres.front() - base_from_frame[shoulder].translation());
     upper_arm.add(angle);
     out.upper_arm_max = std::fmax(out.upper_arm_max, angle);
@@ -87,10 +89,11 @@ GoalErrors goal_errors(const robot::Robot& robot, const Goals& goals, const Move
   return out;
 }
 
-TipBetween farthest_between(const robot::Robot& robot, const Goals& goals, const Movement& movement,
-                            const Tolerances& tolerances, const Trajectory& trajectory) {
-  constexpr double kStep_s = 0.002, kHair = 1e-6;
-  TipBetween out;
+InterSampleTipError worst_inter_sample_error(const robot::Robot& robot, const Goals& goals,
+                                             const Movement& movement, const Tolerances& tolerances,
+                                             const Trajectory& trajectory) {
+  constexpr double kMaxCheckPeriod_s = 0.002, kRoundingTolerance = 1e-6;
+  InterSampleTipError out;
   if (goals.frames() == 0) return out;
   const auto joints = static_cast<std::size_t>(trajectory.position.cols());
   std::vector<math::QuinticPiece> pieces(joints);
@@ -98,7 +101,7 @@ TipBetween farthest_between(const robot::Robot& robot, const Goals& goals, const
   std::vector<Pose> base_from_frame;
   for (std::size_t sample = 0; sample + 1 < trajectory.samples(); ++sample) {
     const double step_s = trajectory.time[sample + 1] - trajectory.time[sample];
-    const double parts = std::ceil(step_s / kStep_s - kHair);
+    const double parts = std::ceil(step_s / kMaxCheckPeriod_s - kRoundingTolerance);
     if (parts < 2) continue;
     for (std::size_t joint = 0; joint < joints; ++joint)
       pieces[joint] = math::quintic_piece(trajectory, sample, static_cast<Eigen::Index>(joint));
@@ -106,10 +109,10 @@ TipBetween farthest_between(const robot::Robot& robot, const Goals& goals, const
       const double share = part / parts;
       for (std::size_t joint = 0; joint < joints; ++joint)
         q[static_cast<Eigen::Index>(joint)] = math::value_at(pieces[joint], share * step_s);
-      robot::forward(robot, q, base_from_frame);
+      robot::forward_kinematics(robot, q, base_from_frame);
       const double time_s = std::lerp(trajectory.demonstration_time[sample],
                                       trajectory.demonstration_time[sample + 1], share);
-      const double tolerance = tolerance_of(tolerances, grasping_at(movement, time_s));
+      const double tolerance = tolerance_of(tolerances, is_grasping_at(movement, time_s));
       for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
         const double error = goal_error(robot, base_from_frame, goals, tip, time_s);
         if (std::isnan(error) || error - tolerance <= out.excess) continue;

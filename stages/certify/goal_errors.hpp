@@ -5,30 +5,35 @@
 
 namespace morphe::certify {
 
-/// Where a trajectory's tips and upper arm are, against the goals at each sample's demonstration
-/// time. NaN = nothing to compare.
+/// Errors of a trajectory's tips and upper arm against the goals at each sample's demonstration
+/// time. NaN if there is no goal to compare with.
 struct GoalErrors {
-  double position_max = kNotSeen, position_mean = kNotSeen;    ///< all tips with goals [m]
-  double position_grasp = kNotSeen;                            ///< largest in grasp and hold [m]
-  double orientation_max = kNotSeen;                           ///< full angle [rad]
-  double upper_arm_max = kNotSeen, upper_arm_mean = kNotSeen;  ///< between directions [rad]
-  double humanlikeness = kNotSeen;  ///< mean of metric A's sum over the arm's centres [m^2]
-  /// The tip farthest beyond what is tolerated; excess <= 0: none is.
-  double worst_excess = kNotSeen, worst_error = kNotSeen, worst_tolerance = kNotSeen;
+  double position_max = kUnknown, position_mean = kUnknown;  ///< over all tips with goals [m]
+  double position_grasp = kUnknown;                          ///< largest in grasp and hold [m]
+  double orientation_max = kUnknown;                         ///< angle of rotation [rad]
+  /// angle between the directions [rad]
+  double upper_arm_max = kUnknown, upper_arm_mean = kUnknown;
+  double humanlikeness = kUnknown;  ///< mean of metric A's sum over the arm's centres [m^2]
+  /// the tip that exceeds its tolerance by most; excess <= 0 if all are within tolerance
+  double worst_excess = kUnknown, worst_error = kUnknown, worst_tolerance = kUnknown;
   int worst_sample = -1, worst_tip = -1;
 };
+/// Computes the errors of a trajectory at its samples.
 GoalErrors goal_errors(const robot::Robot& robot, const Goals& goals, const Movement& movement,
                        const Tolerances& tolerances, const Trajectory& trajectory);
 
-/// The tip farthest beyond what is tolerated between samples that are more than 2 ms apart, on the
-/// quintic that a controller runs, looked at every 2 ms at least; sample: the one before it.
-/// Samples that are not farther apart speak for what is between them.
-struct TipBetween {
-  double excess = kNotSeen, error = kNotSeen, tolerance = kNotSeen;  ///< [m]; NaN: none was seen
-  double time_s = 0;                                                 ///< of the trajectory
+/// The tip that exceeds its tolerance by most between samples that are more than 2 ms apart, on the
+/// quintic that a controller executes, evaluated at least every 2 ms; sample is the one before it.
+/// For samples that are closer, the samples themselves represent the motion between them.
+struct InterSampleTipError {
+  /// [m]; NaN if no interval was evaluated
+  double excess = kUnknown, error = kUnknown, tolerance = kUnknown;
+  double time_s = 0;  ///< time on the trajectory's clock
   int sample = -1, tip = -1;
 };
-TipBetween farthest_between(const robot::Robot& robot, const Goals& goals, const Movement& movement,
-                            const Tolerances& tolerances, const Trajectory& trajectory);
+/// Computes the worst error between samples.
+InterSampleTipError worst_inter_sample_error(const robot::Robot& robot, const Goals& goals,
+                                             const Movement& movement, const Tolerances& tolerances,
+                                             const Trajectory& trajectory);
 
 }  // namespace morphe::certify

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 
 namespace morphe::certify {
 namespace {
 
-int tip_of_finger(const RobotTable& robot, int finger) {
+int tip_of_finger(const RobotModel& robot, int finger) {
   for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
     if (robot.tips[tip].finger == finger) return static_cast<int>(tip);
   }
@@ -18,14 +18,14 @@ JointVector posture_at(const Trajectory& trajectory, std::size_t sample) {
   return trajectory.position.row(static_cast<Eigen::Index>(sample)).transpose();
 }
 
-JointVector widest_open(const RobotTable& robot, const Trajectory& trajectory,
-                        std::size_t grasp_sample) {
+JointVector widest_posture(const RobotModel& robot, const Trajectory& trajectory,
+                           std::size_t grasp_sample) {
   const int thumb = tip_of_finger(robot, 0), index = tip_of_finger(robot, 1);
   std::size_t widest = 0;
   double most_m = -1;
   std::vector<Pose> base_from_frame;
   for (std::size_t i = 0; thumb >= 0 && index >= 0 && i <= grasp_sample; ++i) {
-    robot::forward(robot, posture_at(trajectory, i), base_from_frame);
+    robot::forward_kinematics(robot, posture_at(trajectory, i), base_from_frame);
     const auto place = [&](int tip) -> Vec3 {
       return robot::tip_pose(robot, base_from_frame, static_cast<std::size_t>(tip)).translation();
     };
@@ -37,28 +37,28 @@ JointVector widest_open(const RobotTable& robot, const Trajectory& trajectory,
   return posture_at(trajectory, widest);
 }
 
-/// Of the palm, from the last sample that is kApproachLength away from the grasp's; in the base
-/// frame.
-Vec3 approach_direction(const RobotTable& robot, const Trajectory& trajectory, std::size_t sample) {
+/// Returns the direction of the palm's motion from the last sample that is kApproachLength_m away
+/// from the grasp's, in the base frame.
+Vec3 approach_direction(const RobotModel& robot, const Trajectory& trajectory, std::size_t sample) {
   std::vector<Pose> base_from_frame;
   const auto palm_at = [&](std::size_t i) -> Vec3 {
-    robot::forward(robot, posture_at(trajectory, i), base_from_frame);
+    robot::forward_kinematics(robot, posture_at(trajectory, i), base_from_frame);
     return base_from_frame[static_cast<std::size_t>(robot.palm_frame)].translation();
   };
   const Vec3 there = palm_at(sample);
   for (std::size_t i = sample; i-- > 0;) {
     const Vec3 way = there - palm_at(i);
-    if (way.norm() >= kApproachLength) return way.normalized();
+    if (way.norm() >= kApproachLength_m) return way.normalized();
   }
-  return unseen_point();
+  return unknown_point();
 }
 
 }  // namespace
 
-Grasp find_grasp(const RobotTable& robot, const Scene& scene, const Movement& movement,
+Grasp find_grasp(const RobotModel& robot, const Scene& scene, const Movement& movement,
                  const Trajectory& trajectory) {
   Grasp grasp;
-  const SceneObject* target = object_named(scene.objects, movement.target);
+  const SceneObject* target = find_object(scene.objects, movement.target);
   const auto phase = std::find_if(movement.phases.begin(), movement.phases.end(),
                                   [](const Phase& p) { return p.kind == PhaseKind::grasp; });
   if (!target || phase == movement.phases.end() || trajectory.samples() == 0) return grasp;
@@ -68,11 +68,11 @@ Grasp find_grasp(const RobotTable& robot, const Scene& scene, const Movement& mo
       std::min(static_cast<std::size_t>(found - times.begin()), times.size() - 1);
   grasp.sample = static_cast<int>(sample);
   grasp.hand_posture = posture_at(trajectory, sample);
-  grasp.pregrasp_posture = widest_open(robot, trajectory, sample);
+  grasp.pregrasp_posture = widest_posture(robot, trajectory, sample);
   grasp.base_from_object = recorded_pose(*target, times[sample]);
   const Pose object_from_base = grasp.base_from_object.inverse();
   std::vector<Pose> base_from_frame;
-  robot::forward(robot, grasp.hand_posture, base_from_frame);
+  robot::forward_kinematics(robot, grasp.hand_posture, base_from_frame);
   grasp.object_from_palm =
       object_from_base * base_from_frame[static_cast<std::size_t>(robot.palm_frame)];
   grasp.approach_direction =

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 #include "stages/certify/trajectory_motion.hpp"
 
 namespace morphe::certify {
@@ -15,7 +15,7 @@ std::vector<std::size_t> tips_always_seen(const Goals& goals) {
   for (std::size_t tip = 0; tip < goals.tip_position.cols; ++tip) {
     bool always = goals.frames() > 0;
     for (std::size_t f = 0; f < goals.frames(); ++f) {
-      always = always && seen(goals.tip_position(f, tip));
+      always = always && is_known(goals.tip_position(f, tip));
     }
     if (always) tips.push_back(tip);
   }
@@ -27,7 +27,7 @@ double step_of(const Goals& goals) {
   return (goals.time.back() - goals.time.front()) / static_cast<double>(goals.frames() - 1);
 }
 
-/// positions[k]: all points at instant k.
+/// Computes the mean speed; positions[k] are all points at instant k.
 SpeedProfile central_differences(const std::vector<std::vector<Vec3>>& positions, double step_s) {
   SpeedProfile profile{{}, step_s};
   for (std::size_t k = 1; k + 1 < positions.size(); ++k) {
@@ -45,7 +45,7 @@ bool moves(const SpeedProfile& profile) {
          *std::max_element(profile.speed.begin(), profile.speed.end()) > 0;
 }
 
-/// |sum_i v_i e^(-j angle i)|
+/// Returns |sum_i v_i e^(-j angle i)|.
 double spectrum_at(const std::vector<double>& speed, double angle) {
   // Horner's scheme for the polynomial in e^(-j angle).
   const double c = std::cos(angle), s = std::sin(angle);
@@ -60,7 +60,7 @@ double spectrum_at(const std::vector<double>& speed, double angle) {
 
 }  // namespace
 
-SpeedProfile robot_speed(const RobotTable& robot, const Goals& goals,
+SpeedProfile robot_speed(const RobotModel& robot, const Goals& goals,
                          const Trajectory& trajectory) {
   const std::vector<std::size_t> tips = tips_always_seen(goals);
   const double step_s = step_of(goals);
@@ -73,7 +73,7 @@ SpeedProfile robot_speed(const RobotTable& robot, const Goals& goals,
   JointVector q;
   for (std::size_t k = 0; k <= steps; ++k) {
     motion.position(std::min(motion.begin + static_cast<double>(k) * step_s, motion.end), q);
-    robot::forward(robot, q, base_from_frame);
+    robot::forward_kinematics(robot, q, base_from_frame);
     for (const std::size_t tip : tips) {
       positions[k].push_back(robot::tip_pose(robot, base_from_frame, tip).translation());
     }
@@ -93,15 +93,15 @@ SpeedProfile human_speed(const Goals& goals) {
 
 double spectral_arc_length(const SpeedProfile& profile) {
   constexpr double kCutoff_hz = 10, kThreshold = 0.05;
-  constexpr std::size_t kPadding = 16;
-  if (!moves(profile)) return kNotSeen;
+  constexpr std::size_t kZeroPaddingFactor = 16;
+  if (!moves(profile)) return kUnknown;
   std::size_t padded = 1;
   while (padded < profile.speed.size()) padded *= 2;
-  padded *= kPadding;
+  padded *= kZeroPaddingFactor;
   const double bin_hz = 1 / (static_cast<double>(padded) * profile.step_s);
   const auto bins = static_cast<std::size_t>(
       std::min(kCutoff_hz / bin_hz * (1 + 1e-12), static_cast<double>(padded - 1)));
-  // A speed is positive: its spectrum is greatest at frequency 0.
+  // A speed is nonnegative, so that its spectrum is greatest at frequency 0.
   const double greatest = spectrum_at(profile.speed, 0);
   std::vector<double> magnitude;
   for (std::size_t k = 0; k <= bins; ++k) {
@@ -111,7 +111,7 @@ double spectral_arc_length(const SpeedProfile& profile) {
   }
   std::size_t last = bins;
   while (magnitude[last] < kThreshold) --last;
-  if (last < 1) return kNotSeen;
+  if (last < 1) return kUnknown;
   double length = 0;
   for (std::size_t k = 0; k < last; ++k) {
     length += std::hypot(1 / static_cast<double>(last), magnitude[k + 1] - magnitude[k]);
@@ -120,7 +120,7 @@ double spectral_arc_length(const SpeedProfile& profile) {
 }
 
 double log_dimensionless_jerk(const SpeedProfile& profile) {
-  if (!moves(profile)) return kNotSeen;
+  if (!moves(profile)) return kUnknown;
   const std::vector<double>& v = profile.speed;
   const double h = profile.step_s;
   double squared_jerk = 0;

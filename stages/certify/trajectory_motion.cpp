@@ -9,8 +9,9 @@
 namespace morphe::certify {
 namespace {
 
-/// way(i, j): how far joint j can have gone up to sample i at each piece's largest speed [rad].
-JointRows longest_way(const Trajectory& trajectory) {
+/// Returns way(i, j), the greatest distance that joint j can have travelled up to sample i at each
+/// piece's largest speed [rad].
+JointRows max_travel(const Trajectory& trajectory) {
   JointRows way = JointRows::Zero(trajectory.position.rows(), trajectory.position.cols());
   for (std::size_t i = 0; i + 1 < trajectory.samples(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
@@ -24,7 +25,7 @@ JointRows longest_way(const Trajectory& trajectory) {
   return way;
 }
 
-/// Row between sample and sample + 1 at a time.
+/// Returns the fraction of the interval from `sample` to `sample` + 1 at a time.
 double share_of(const Trajectory& trajectory, std::size_t sample, double time_s) {
   const double share =
       (time_s - trajectory.time[sample]) / (trajectory.time[sample + 1] - trajectory.time[sample]);
@@ -57,7 +58,7 @@ collision::JointMotion trajectory_motion(const Trajectory& trajectory) {
       q[joint] = math::value_at(math::quintic_piece(trajectory, i, joint), s - trajectory.time[i]);
     }
   };
-  const auto way = std::make_shared<const JointRows>(longest_way(trajectory));
+  const auto way = std::make_shared<const JointRows>(max_travel(trajectory));
   motion.travel = [&trajectory, way](double s0, double s1, JointVector& travel) {
     const auto way_at = [&](double s) -> Eigen::RowVectorXd {
       const std::size_t i = sample_before(trajectory, s);

@@ -5,7 +5,7 @@
 
 namespace morphe::check {
 
-/// The causes self, object and table of check_path().
+/// Adds the findings with the causes self, object and table for check_path().
 void check_collisions(const collision::CollisionWorld& world, const JointPath& path, Engine engine,
                       FindingRows& rows);
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/motion/goals_at.hpp"
-#include "core/robot/forward.hpp"
+#include "core/motion/goal_interpolation.hpp"
+#include "core/robot/forward_kinematics.hpp"
 #include "core/robot/tree.hpp"
 #include "stages/check/check_collisions.hpp"
 #include "stages/check/finding_rows.hpp"
@@ -14,12 +14,13 @@
 namespace morphe::check {
 namespace {
 
-constexpr double kLimitTolerance = 1e-9;  ///< rounding of what was clamped to a limit [rad]
-constexpr double kClock_s = 0.01;         ///< jump_step is a step in this time
-constexpr double kLengthOfAngle_m = 0.1;  ///< a radian at a finger's length
-constexpr double kIsolated = 3;           ///< a jump is so many times its neighbours' mean
+/// rounding of positions that were clamped to a limit [rad]
+constexpr double kLimitTolerance_rad = 1e-9;
+constexpr double kJumpPeriod_s = 0.01;     ///< time to which jump_step refers
+constexpr double kSlidePerRadian_m = 0.1;  ///< lever of a radian, the length of a finger
+constexpr double kMinJumpRatio = 3;        ///< ratio of a jump to the mean of its neighbours
 
-void check_limits(const RobotTable& robot, const JointPath& path, FindingRows& rows) {
+void check_limits(const RobotModel& robot, const JointPath& path, FindingRows& rows) {
   for (std::size_t k = 0; k < path.demonstration_time.size(); ++k) {
     for (std::size_t j = 0; j < robot.joints(); ++j) {
       const auto joint = static_cast<Eigen::Index>(j);
@@ -27,7 +28,8 @@ void check_limits(const RobotTable& robot, const JointPath& path, FindingRows& r
       const double beyond = std::isnan(q)
                                 ? std::numeric_limits<double>::infinity()
                                 : std::max(robot.lower[joint] - q, q - robot.upper[joint]);
-      if (beyond > kLimitTolerance) rows.add(Cause::limit, robot.joint_names[j], "", k, k, beyond);
+      if (beyond > kLimitTolerance_rad)
+        rows.add(Cause::limit, robot.joint_names[j], "", k, k, beyond);
     }
   }
 }
@@ -39,31 +41,31 @@ void check_tracking(const robot::Robot& robot, const Goals& goals, const Movemen
   std::vector<Pose> base_from_frame;
   for (std::size_t k = 0; k < path.demonstration_time.size(); ++k) {
     const double time_s = path.demonstration_time[k];
-    const double allowed_m = grasps_around(movement, path.demonstration_time, k)
+    const double allowed_m = counts_as_grasp(movement, path.demonstration_time, k)
                                  ? tolerances.tracking_grasp
                                  : tolerances.tracking;
     const JointVector q = path.position.row(static_cast<Eigen::Index>(k));
-    robot::forward(robot, q, base_from_frame);
+    robot::forward_kinematics(robot, q, base_from_frame);
     for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
       const Vec3 goal = tip_goal_at(goals, tip, time_s);
-      if (!seen(goal)) continue;
+      if (!is_known(goal)) continue;
       const Vec3 reached =
-          robot::goal_point(robot, base_from_frame, tip, pad_share_at(goals, tip, time_s));
+          robot::tracked_point(robot, base_from_frame, tip, pad_share_at(goals, tip, time_s));
       const double beyond_m = (reached - goal).norm() - allowed_m;
       if (beyond_m > 0) rows.add(Cause::tracking, robot.tips[tip].name, "", k, k, beyond_m);
     }
   }
 }
 
-/// Steps in one joint, each as what it would be in 10 ms. Without time between two samples the step
-/// counts as it is.
+/// Returns the steps of one joint, scaled to 10 ms. Without time between two samples the step is
+/// not scaled.
 std::vector<double> steps_of(const JointPath& path, Eigen::Index joint) {
   std::vector<double> steps;
   for (std::size_t k = 0; k + 1 < path.demonstration_time.size(); ++k) {
     const auto row = static_cast<Eigen::Index>(k);
     const double taken_s = path.demonstration_time[k + 1] - path.demonstration_time[k];
     const double step = std::abs(path.position(row + 1, joint) - path.position(row, joint));
-    steps.push_back(taken_s > 0 ? step * kClock_s / taken_s : step);
+    steps.push_back(taken_s > 0 ? step * kJumpPeriod_s / taken_s : step);
   }
   return steps;
 }
@@ -75,18 +77,18 @@ double mean_of_neighbours(const std::vector<double>& steps, std::size_t k) {
   return 0.5 * (steps[k - 1] + steps[k + 1]);
 }
 
-void check_jumps(const RobotTable& robot, const JointPath& path, double jump_step,
+void check_jumps(const RobotModel& robot, const JointPath& path, double jump_step,
                  FindingRows& rows) {
   const auto planned = [&path](std::size_t k) {
-    return k < path.origin.size() && path.origin[k] == Origin::planned;
+    return k < path.origin.size() && path.origin[k] == SampleOrigin::planned;
   };
   for (std::size_t j = 0; j < robot.joints(); ++j) {
     const std::vector<double> steps = steps_of(path, static_cast<Eigen::Index>(j));
     const double most =
-        jump_step * (robot::slides(robot, static_cast<int>(j)) ? kLengthOfAngle_m : 1);
+        jump_step * (robot::is_prismatic(robot, static_cast<int>(j)) ? kSlidePerRadian_m : 1);
     for (std::size_t k = 0; k < steps.size(); ++k) {
       if (steps[k] <= most || planned(k) || planned(k + 1)) continue;
-      if (steps[k] <= kIsolated * mean_of_neighbours(steps, k)) continue;
+      if (steps[k] <= kMinJumpRatio * mean_of_neighbours(steps, k)) continue;
       rows.add(Cause::jump, robot.joint_names[j], "", k, k + 1, steps[k] - most);
     }
   }
@@ -94,12 +96,12 @@ void check_jumps(const RobotTable& robot, const JointPath& path, double jump_ste
 
 }  // namespace
 
-bool grasps_around(const Movement& movement, const std::vector<double>& time, std::size_t k) {
-  return grasping_at(movement, time[k]) || (k > 0 && grasping_at(movement, time[k - 1])) ||
-         (k + 1 < time.size() && grasping_at(movement, time[k + 1]));
+bool counts_as_grasp(const Movement& movement, const std::vector<double>& time, std::size_t k) {
+  return is_grasping_at(movement, time[k]) || (k > 0 && is_grasping_at(movement, time[k - 1])) ||
+         (k + 1 < time.size() && is_grasping_at(movement, time[k + 1]));
 }
 
-std::string why_invalid(const CheckOptions& options) {
+std::string validation_error(const CheckOptions& options) {
   const Tolerances& t = options.tolerances;
   if (!(t.margin >= 0)) return "margin must not be negative";
   if (!(t.contact_depth >= 0)) return "contact_depth must not be negative";
@@ -117,7 +119,7 @@ std::vector<Finding> check_path(const collision::CollisionWorld& world, const Go
   assert(path.position.rows() == static_cast<Eigen::Index>(path.demonstration_time.size()));
   FindingRows rows;
   collision::CollisionWorld carrying = world;
-  collision::carry_target(path.demonstration_time, path.position, carrying);
+  collision::attach_target(path.demonstration_time, path.position, carrying);
   check_collisions(carrying, path, options.engine, rows);
   check_limits(*world.robot, path, rows);
   check_tracking(*world.robot, goals, movement, path, options.tolerances, rows);

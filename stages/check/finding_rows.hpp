@@ -9,14 +9,14 @@
 
 namespace morphe::check {
 
-/// Collects what is wrong at single samples, or between two, and joins what touches.
+/// Collects violations at single samples, or between two samples, and merges adjacent ones.
 class FindingRows {
  public:
-  /// Wrong from sample `first` to sample `last`.
+  /// Adds a violation from sample `first` to sample `last`.
   void add(Cause cause, const std::string& one, const std::string& other, std::size_t first,
            std::size_t last, double depth);
-  /// Ordered by begin, then cause and names. Rows of one cause and pair whose samples are
-  /// neighbours are one finding, with the greatest depth.
+  /// Returns the findings, ordered by begin, then cause and names. Rows of one cause and pair whose
+  /// samples are neighbours become one finding, with the greatest depth.
   std::vector<Finding> join(const std::vector<double>& demonstration_time) const;
 
  private:

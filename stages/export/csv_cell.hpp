@@ -4,7 +4,7 @@
 
 namespace morphe::exports {
 
-/// Quoted where it must be (RFC 4180).
+/// Returns the text, quoted if necessary (RFC 4180).
 inline std::string csv_cell(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";

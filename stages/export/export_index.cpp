@@ -13,7 +13,7 @@ Json limits_of(const JointVector& limits, const JointGroup& group) {
   return list;
 }
 
-Json group_json(const JointGroup& group, const RobotTable& robot) {
+Json group_json(const JointGroup& group, const RobotModel& robot) {
   return {{"joints", group.names},
           {"units", group.units},
           {"lower", limits_of(robot.lower, group)},
@@ -28,7 +28,7 @@ Json motion_json(const IndexedMotion& motion, const ExportIndex& index) {
   for (std::size_t g = 0; g < motion.files.size(); ++g) {
     files[index.groups[g].name] = motion.files[g];
   }
-  Json json = {{"motion", motion.what},
+  Json json = {{"motion", motion.name},
                {"duration_s", motion.duration_s},
                {"points", motion.points},
                {"files", files}};
@@ -43,7 +43,7 @@ Json motion_json(const IndexedMotion& motion, const ExportIndex& index) {
 }  // namespace
 
 std::string index_json(const ExportIndex& index, const PlanFileHeader& header,
-                       const RobotTable& robot) {
+                       const RobotModel& robot) {
   Json json = {{"format", index.format},
                {"software", header.software},
                {"config_sha256", header.config_sha256},
@@ -70,7 +70,7 @@ std::string index_json(const ExportIndex& index, const PlanFileHeader& header,
     json["plans"].push_back(entry);
   }
   json["left_out"] = Json::array();
-  for (const LeftOut& left : index.left_out) {
+  for (const SkippedPlan& left : index.left_out) {
     json["left_out"].push_back({{"plan", left.plan}, {"why", left.why}});
   }
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

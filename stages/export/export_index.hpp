@@ -5,44 +5,48 @@
 
 #include "core/math/quintic.hpp"
 #include "core/motion/plan.hpp"
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 #include "stages/export/joint_group.hpp"
 #include "stages/export/plan_motions.hpp"
 
 namespace morphe::exports {
 
+/// The files of one exported motion.
 struct IndexedMotion {
-  std::string what;
+  std::string name;  ///< trajectory, approach or retreat
   double duration_s = 0;
-  std::size_t points = 0;
-  std::vector<std::string> files;  ///< one a group
-  math::LimitReport limits;        ///< of the quintics between the points; only if resampled
+  std::size_t points = 0;          ///< number of points
+  std::vector<std::string> files;  ///< one per group
+  /// use of the limits by the quintics between the points; only if resampled
+  math::LimitReport limits;
 };
 
+/// The exported files of one plan.
 struct IndexedPlan {
   std::string plan;                    ///< <demonstration>/<000>
-  Status status = Status::executable;  ///< or approximate
+  Status status = Status::executable;  ///< executable or approximate
   std::string subject, task;
   std::vector<IndexedMotion> motions;
-  std::vector<std::string> grasp_files;  ///< beside them, of a plan that names contacts
+  std::vector<std::string> grasp_files;  ///< files of the grasp, for a plan with contacts
 };
 
-struct LeftOut {
+/// A plan that was not exported, and the reason.
+struct SkippedPlan {
   std::string plan, why;
 };
 
-/// What a script needs to run the files of one export one after the other.
+/// The information with which a script can execute the files of one export in order.
 struct ExportIndex {
   std::string format;
   MotionOptions motion;
-  double rate_hz = 0;  ///< of the points, whether resampled or not
+  double rate_hz = 0;  ///< rate of the points, resampled or not
   std::vector<JointGroup> groups;
   std::vector<IndexedPlan> plans;
-  std::vector<LeftOut> left_out;
+  std::vector<SkippedPlan> left_out;
 };
 
-/// JSON (docs/formats.md).
+/// Returns the index as JSON (docs/formats.md).
 std::string index_json(const ExportIndex& index, const PlanFileHeader& header,
-                       const RobotTable& robot);
+                       const RobotModel& robot);
 
 }  // namespace morphe::exports

@@ -16,7 +16,7 @@
 namespace morphe::exports {
 namespace {
 
-/// A format that writes a text of one motion and the joints of one group.
+/// A format that writes one text per motion and joint group.
 struct TextFormat {
   const char* name;
   const char* ending;
@@ -34,37 +34,40 @@ struct Export {
   const ExportOptions& options;
   StagedFiles files;
   ExportIndex index;
-  bool ways = false;  ///< some plan has an approach or a retreat
+  bool has_approach_or_retreat = false;  ///< true if a plan has an approach or a retreat
 };
 
-/// As it was planned, of samples that stand at one rate.
-double own_rate_hz(const Trajectory& t) {
+/// Returns the rate of the planned samples, which are equidistant.
+double sample_rate_hz(const Trajectory& t) {
   return std::round(1e6 * static_cast<double>(t.samples() - 1) / (t.time.back() - t.time[0])) / 1e6;
 }
 
-/// Seconds are a whole number of 32 bits there.
-bool tellable_in_ros(const PlanMotions& found) {
-  constexpr double kMost_s = 2147483647;
+/// Returns true if all times fit the 32-bit seconds of ROS messages.
+bool fits_ros_duration(const PlanMotions& found) {
+  constexpr double kMaxRosTime_s = 2147483647;
   return std::ranges::all_of(found.motions, [&](const PlanMotion& motion) {
     return std::ranges::all_of(motion.trajectory.time,
-                               [&](double t) { return std::abs(t) <= kMost_s; });
+                               [&](double t) { return std::abs(t) <= kMaxRosTime_s; });
   });
 }
 
-/// The plan's motions, entered in the index without files; none if it is left out.
-std::vector<PlanMotion> entered(Export& run, std::size_t i, const Plan& plan) {
+/// Enters the plan's motions into the index, without files, and returns them; empty if the plan is
+/// skipped.
+std::vector<PlanMotion> add_to_index(Export& run, std::size_t i, const Plan& plan) {
   const MotionOptions& options = run.options.motion;
   PlanMotions found = motions_of(run.reader.robot(), plan, options);
-  if (found.why.empty() && run.options.format.starts_with("ros") && !tellable_in_ros(found))
-    found.why = "takes longer than a ROS message can tell (2^31 s)";
-  if (!found.why.empty()) {
-    run.index.left_out.push_back({run.reader.plan_paths()[i], found.why});
+  if (found.rejection_reason.empty() && run.options.format.starts_with("ros") &&
+      !fits_ros_duration(found))
+    found.rejection_reason = "takes longer than a ROS message can tell (2^31 s)";
+  if (!found.rejection_reason.empty()) {
+    run.index.left_out.push_back({run.reader.plan_paths()[i], found.rejection_reason});
     return {};
   }
   if (run.index.plans.empty()) {
-    run.index.rate_hz = options.rate_hz > 0 ? options.rate_hz : own_rate_hz(plan.trajectory);
+    run.index.rate_hz = options.rate_hz > 0 ? options.rate_hz : sample_rate_hz(plan.trajectory);
   }
-  run.ways = run.ways || plan.approach.samples() > 0 || plan.retreat.samples() > 0;
+  run.has_approach_or_retreat =
+      run.has_approach_or_retreat || plan.approach.samples() > 0 || plan.retreat.samples() > 0;
   IndexedPlan& indexed = run.index.plans.emplace_back();
   indexed.plan = run.reader.plan_paths()[i];
   indexed.status = plan.status();
@@ -73,7 +76,7 @@ std::vector<PlanMotion> entered(Export& run, std::size_t i, const Plan& plan) {
   for (const PlanMotion& motion : found.motions) {
     const Trajectory& t = motion.trajectory;
     IndexedMotion& entry = indexed.motions.emplace_back();
-    entry.what = motion.what;
+    entry.name = motion.what;
     entry.duration_s = t.time.back() - t.time[0];
     entry.points = t.samples();
     if (options.rate_hz > 0) entry.limits = math::limit_report(run.reader.robot(), t);
@@ -81,9 +84,9 @@ std::vector<PlanMotion> entered(Export& run, std::size_t i, const Plan& plan) {
   return std::move(found.motions);
 }
 
-/// Of the grasp in the plan's motion with goals, as it is exported.
+/// Returns the time of the grasp in the exported motion that has the goals.
 double grasp_time_s(const Plan& plan, const MotionOptions& options) {
-  const bool joined = options.approach == Ways::joined && plan.approach.samples() > 0;
+  const bool joined = options.approach == ApproachMode::joined && plan.approach.samples() > 0;
   const double before_s =
       options.delay_s + (joined ? plan.approach.time.back() - plan.approach.time[0] : 0);
   const Trajectory& t = plan.trajectory;
@@ -92,8 +95,8 @@ double grasp_time_s(const Plan& plan, const MotionOptions& options) {
 
 void export_grasp(Export& run, const Plan& plan, bool tables) {
   const std::size_t sample = static_cast<std::size_t>(plan.grasp.sample);
-  if (!names_contacts(plan) || sample >= plan.trajectory.samples()) return;
-  const RobotTable& robot = run.reader.robot();
+  if (!has_contacts(plan) || sample >= plan.trajectory.samples()) return;
+  const RobotModel& robot = run.reader.robot();
   IndexedPlan& indexed = run.index.plans.back();
   const std::string name = fmt::format("{}_{:03}", plan.demonstration, plan.movement.index);
   const auto add = [&](const char* ending, const std::string& text) {
@@ -102,7 +105,7 @@ void export_grasp(Export& run, const Plan& plan, bool tables) {
   };
   if (tables) {
     add("_contacts.csv", contacts_csv(plan));
-    add("_squeeze.csv", squeeze_csv(robot, plan));
+    add("_squeeze.csv", grasp_force_csv(robot, plan));
   } else {
     add("_grasp.json",
         grasp_json(robot, plan, indexed.plan, grasp_time_s(plan, run.options.motion)));
@@ -112,14 +115,14 @@ void export_grasp(Export& run, const Plan& plan, bool tables) {
 void export_texts(Export& run, const TextFormat& format) {
   for (std::size_t i = 0; i < run.reader.size(); ++i) {
     const Plan plan = run.reader.read(i);
-    const std::vector<PlanMotion> motions = entered(run, i, plan);
+    const std::vector<PlanMotion> motions = add_to_index(run, i, plan);
     for (std::size_t m = 0; m < motions.size(); ++m) {
       const std::string what = motions[m].what == "trajectory" ? "" : "_" + motions[m].what;
       for (const JointGroup& group : run.index.groups) {
         const std::string name =
             fmt::format("{}_{:03}{}{}{}", plan.demonstration, plan.movement.index, what,
                         group.name == "all" ? "" : "_" + group.name, format.ending);
-        run.files.add(name, format.text_of(group, of_group(motions[m].trajectory, group)));
+        run.files.add(name, format.text_of(group, select_joints(motions[m].trajectory, group)));
         run.index.plans.back().motions[m].files.push_back(name);
       }
     }
@@ -128,19 +131,20 @@ void export_texts(Export& run, const TextFormat& format) {
 }
 
 void export_robomimic(Export& run) {
-  // Twice through the file: whether all have a target must be known before the first is written.
+  // Reads the file twice: whether all plans have a target must be known before the first one is
+  // written.
   const std::string name = "robomimic.hdf5";
   std::vector<std::size_t> chosen;
   bool target = true;
   for (std::size_t i = 0; i < run.reader.size(); ++i) {
     const Plan plan = run.reader.read(i);
-    if (entered(run, i, plan).empty()) continue;
+    if (add_to_index(run, i, plan).empty()) continue;
     run.index.plans.back().motions.front().files.push_back(name);
     target = target && plan.grasp.sample >= 0;
     chosen.push_back(i);
   }
   if (chosen.empty()) return;
-  const RobotTable& robot = run.reader.robot();
+  const RobotModel& robot = run.reader.robot();
   RobomimicWriter writer(run.files.add(name), robomimic_header(robot, run.index.rate_hz));
   for (const std::size_t i : chosen) {
     Plan plan = run.reader.read(i);
@@ -157,23 +161,26 @@ void check_robomimic(const ExportOptions& options) {
   };
   if (options.groups != std::vector<std::string>{"all"}) refuse("--group", "holds all joints");
   if (options.motion.delay_s > 0) refuse("--delay", "a wait is no demonstration");
-  if (options.motion.approach == Ways::joined)
+  if (options.motion.approach == ApproachMode::joined)
     refuse("--approach", "approach and retreat are no demonstration");
 }
 
 void check_joined(const Export& run) {
-  if (run.options.motion.approach != Ways::joined || run.ways || run.index.plans.empty()) return;
+  if (run.options.motion.approach != ApproachMode::joined || run.has_approach_or_retreat ||
+      run.index.plans.empty())
+    return;
   throw InputError(
       "--approach joined: no plan has an approach: plan with the section `approach` "
       "(docs/steps/approach.md), or leave --approach out");
 }
 
-/// What quintics between resampled points use of the limits, if that is more than all.
-std::string remark_on_limits(const Export& run) {
-  constexpr double kRounding = 1e-6;
+/// Returns a note on the use of the limits by the quintics between resampled points if it exceeds
+/// 1.
+std::string limit_overshoot_note(const Export& run) {
+  constexpr double kRelativeRounding = 1e-6;
   const IndexedPlan* at = nullptr;
   const char* which = "";
-  math::LimitUse most{1 + kRounding, -1, -1};
+  math::LimitUse most{1 + kRelativeRounding, -1, -1};
   for (const IndexedPlan& plan : run.index.plans) {
     for (const IndexedMotion& motion : plan.motions) {
       for (const auto& [name, use] : {std::pair{"velocity", &motion.limits.velocity},
@@ -210,7 +217,7 @@ ExportReport export_plans(const std::filesystem::path& plans, const std::filesys
   const bool robomimic = options.format == kRobomimic;
   if (robomimic) {
     check_robomimic(options);
-    options.motion.approach = Ways::none;
+    options.motion.approach = ApproachMode::none;
   }
   const store::PlanReader reader(plans);
   Export run{reader, options, StagedFiles(folder), {options.format, options.motion, 0, {}, {}, {}}};
@@ -229,7 +236,7 @@ ExportReport export_plans(const std::filesystem::path& plans, const std::filesys
   run.files.add(fmt::format("index_{}.json", options.format),
                 index_json(run.index, reader.header(), reader.robot()));
   run.files.commit(options.replace);
-  return {run.files.names(), run.index.left_out, remark_on_limits(run)};
+  return {run.files.names(), run.index.left_out, limit_overshoot_note(run)};
 }
 
 }  // namespace morphe::exports

@@ -9,35 +9,40 @@
 
 namespace morphe::exports {
 
-/// csv, ros, ros-json, robomimic.
+/// Returns the names of the formats: csv, ros, ros-json, robomimic.
 std::vector<std::string> export_format_names();
 
+/// The options of an export.
 struct ExportOptions {
   std::string format;
-  std::vector<std::string> groups = {"all"};  ///< as joint_group() takes them: a file each
+  /// groups as accepted by joint_group(), one file each
+  std::vector<std::string> groups = {"all"};
   MotionOptions motion;
-  bool replace = false;  ///< files that are there with other content
+  bool replace = false;  ///< true if existing files with other content may be replaced
 };
 
+/// The result of an export.
 struct ExportReport {
-  std::vector<std::string> files;  ///< written, names inside the folder; the index is the last
-  std::vector<LeftOut> left_out;   ///< every other plan
-  std::string remark;              ///< what to know of the files, or ""
+  /// written files, as names inside the folder; the index is the last
+  std::vector<std::string> files;
+  std::vector<SkippedPlan> left_out;  ///< all other plans
+  std::string remark;                 ///< a remark on the files, or ""
 };
 
-/// Writes what a plans.h5 holds of plans with a trajectory for others to read:
-/// - csv: <demonstration>_<000>.csv and, with an approach and a retreat apart, …_approach.csv and
-///   …_retreat.csv; of a group other than all: …_arm.csv, …_approach_arm.csv
-/// - ros, ros-json: the same with .yaml or .json, a JointTrajectory each
-/// - of a plan that names contacts, beside its trajectory: csv …_contacts.csv and …_squeeze.csv,
+/// Exports the plans of a plans.h5 that have a trajectory:
+/// - csv: <demonstration>_<000>.csv and, with a separate approach and retreat, …_approach.csv and
+///   …_retreat.csv; for a group other than all: …_arm.csv, …_approach_arm.csv
+/// - ros, ros-json: the same with .yaml or .json, each file a JointTrajectory
+/// - for a plan with contacts, in addition to its trajectory: csv …_contacts.csv and …_squeeze.csv,
 ///   ros and ros-json …_grasp.json, robomimic /grasps/demo_N
-/// - robomimic: robomimic.hdf5, all plans in one, without approach and retreat, which are no
-///   demonstration; no file if no plan has a trajectory
+/// - robomimic: robomimic.hdf5 with all plans, without approach and retreat, which are not part of
+///   the demonstration; no file if no plan has a trajectory
 /// and index_<format>.json, which lists them.
 ///
-/// The folder must exist. The files appear together, each whole; nothing else in the folder is
-/// touched. InputError if the plans cannot be read, the folder not be written, a file with other
-/// content is in the way and may not be replaced, or the options do not fit format or plans.
+/// The folder must exist. The files appear together, each complete; other files in the folder are
+/// not touched. Throws InputError if the plans cannot be read, the folder cannot be written, a file
+/// with other content exists and may not be replaced, or the options do not fit the format or the
+/// plans.
 ExportReport export_plans(const std::filesystem::path& plans, const std::filesystem::path& folder,
                           const ExportOptions& asked);
 

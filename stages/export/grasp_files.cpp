@@ -12,7 +12,7 @@
 namespace morphe::exports {
 namespace {
 
-constexpr const char* kBeside =
+constexpr const char* kGraspNote =
     "beside the trajectory, never part of it: the certificate speaks of the motion alone, and the "
     "squeeze goes beyond it";
 
@@ -31,18 +31,18 @@ std::string at(const JointVector& values, std::size_t joint) {
 
 }  // namespace
 
-bool names_contacts(const Plan& plan) {
+bool has_contacts(const Plan& plan) {
   return plan.grasp.sample >= 0 && !plan.grasp.contacts.empty();
 }
 
-std::string grasp_json(const RobotTable& robot, const Plan& plan, const std::string& name,
+std::string grasp_json(const RobotModel& robot, const Plan& plan, const std::string& name,
                        double time_s) {
   using Json = store::JsonWriter::Json;
   const JointGroup all = joint_group(robot, "all");
   store::JsonWriter grasp;
   store::lay_out_grasp(grasp, plan.grasp);
   Json json = {{"format", "morphe-grasp"}, {"version", 1},
-               {"note", kBeside},          {"plan", name},
+               {"note", kGraspNote},       {"plan", name},
                {"robot", robot.name},      {"target", plan.movement.target},
                {"time_s", time_s},         {"joints", all.names},
                {"units", all.units}};
@@ -65,7 +65,7 @@ std::string contacts_csv(const Plan& plan) {
   return text;
 }
 
-std::string squeeze_csv(const RobotTable& robot, const Plan& plan) {
+std::string grasp_force_csv(const RobotModel& robot, const Plan& plan) {
   const JointGroup all = joint_group(robot, "all");
   const Grasp& grasp = plan.grasp;
   std::string text = "joint,unit,pregrasp,grasp,squeeze_torque,servo_target\n";

@@ -15,8 +15,7 @@ namespace {
   throw InputError(fmt::format("--group {}: {}", asked, what));
 }
 
-std::size_t joint_called(const RobotTable& robot, const std::string& asked,
-                         const std::string& name) {
+std::size_t find_joint(const RobotModel& robot, const std::string& asked, const std::string& name) {
   const auto found = std::ranges::find(robot.joint_names, name);
   if (found == robot.joint_names.end()) {
     fail(asked, fmt::format("{} has no joint '{}': its joints are {}", robot.name, name,
@@ -25,15 +24,16 @@ std::size_t joint_called(const RobotTable& robot, const std::string& asked,
   return static_cast<std::size_t>(found - robot.joint_names.begin());
 }
 
-/// Of NAME=FIRST..LAST.
-std::vector<int> from_to(const RobotTable& robot, const std::string& asked, std::size_t equals) {
+/// Returns the joints of NAME=FIRST..LAST.
+std::vector<int> joint_range(const RobotModel& robot, const std::string& asked,
+                             std::size_t equals) {
   const std::size_t dots = asked.find("..", equals);
   if (equals == 0 || dots == std::string::npos) {
     fail(asked, fmt::format("must be {}", kGroupHelp));
   }
   if (asked.find('/') < equals) fail(asked, "a name of files cannot hold '/'");
-  const std::size_t first = joint_called(robot, asked, asked.substr(equals + 1, dots - equals - 1));
-  const std::size_t last = joint_called(robot, asked, asked.substr(dots + 2));
+  const std::size_t first = find_joint(robot, asked, asked.substr(equals + 1, dots - equals - 1));
+  const std::size_t last = find_joint(robot, asked, asked.substr(dots + 2));
   if (first > last) {
     fail(asked, fmt::format("'{}' comes after '{}': change places", robot.joint_names[first],
                             robot.joint_names[last]));
@@ -43,23 +43,24 @@ std::vector<int> from_to(const RobotTable& robot, const std::string& asked, std:
   return joints;
 }
 
-/// Where the arm ends: the last frame on the way to the palm that is called a flange; beyond it a
-/// hand's own wrist may turn the palm. The palm where there is none.
-int end_of_arm(const RobotTable& robot) {
-  for (const int frame : robot::upwards(robot, robot.palm_frame)) {
+/// Returns the frame at the end of the arm: the last frame on the chain to the palm whose name ends
+/// with flange, since a hand may have a wrist of its own beyond it; the palm if there is no such
+/// frame.
+int flange_frame(const RobotModel& robot) {
+  for (const int frame : robot::ancestors(robot, robot.palm_frame)) {
     if (robot.frames[static_cast<std::size_t>(frame)].name.ends_with("flange")) return frame;
   }
   return robot.palm_frame;
 }
 
-std::vector<int> of_kind(const RobotTable& robot, const std::string& asked) {
+std::vector<int> arm_or_hand_joints(const RobotModel& robot, const std::string& asked) {
   if (asked != "all" && asked != "arm" && asked != "hand") {
     fail(asked, fmt::format("must be {}", kGroupHelp));
   }
-  const int end = end_of_arm(robot);
+  const int end = flange_frame(robot);
   std::vector<int> joints;
   for (int joint = 0; joint < static_cast<int>(robot.joints()); ++joint) {
-    const bool arm = robot::moves(robot, joint, end);
+    const bool arm = robot::joint_moves_frame(robot, joint, end);
     if (asked == "all" || arm == (asked == "arm")) joints.push_back(joint);
   }
   if (joints.empty()) {
@@ -71,19 +72,19 @@ std::vector<int> of_kind(const RobotTable& robot, const std::string& asked) {
 
 }  // namespace
 
-JointGroup joint_group(const RobotTable& robot, const std::string& asked) {
+JointGroup joint_group(const RobotModel& robot, const std::string& asked) {
   const std::size_t equals = asked.find('=');
   const bool own = equals != std::string::npos;
   JointGroup group{asked.substr(0, equals), {}, {}, {}};
-  group.joints = own ? from_to(robot, asked, equals) : of_kind(robot, asked);
+  group.joints = own ? joint_range(robot, asked, equals) : arm_or_hand_joints(robot, asked);
   for (const int joint : group.joints) {
     group.names.push_back(robot.joint_names[static_cast<std::size_t>(joint)]);
-    group.units.push_back(robot::slides(robot, joint) ? "m" : "rad");
+    group.units.push_back(robot::is_prismatic(robot, joint) ? "m" : "rad");
   }
   return group;
 }
 
-Trajectory of_group(const Trajectory& trajectory, const JointGroup& group) {
+Trajectory select_joints(const Trajectory& trajectory, const JointGroup& group) {
   Trajectory part = trajectory;
   for (JointRows Trajectory::*rows :
        {&Trajectory::position, &Trajectory::velocity, &Trajectory::acceleration}) {

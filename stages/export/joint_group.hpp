@@ -4,27 +4,28 @@
 #include <vector>
 
 #include "core/motion/plan.hpp"
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 
 namespace morphe::exports {
 
-/// Joints that one controller drives, in the robot's order.
+/// The joints that one controller drives, in the robot's order.
 struct JointGroup {
   std::string name;
-  std::vector<int> joints;         ///< of the robot's, increasing
-  std::vector<std::string> names;  ///< theirs
-  std::vector<std::string> units;  ///< rad, or m of a joint that slides
+  std::vector<int> joints;         ///< indices of the robot's joints, increasing
+  std::vector<std::string> names;  ///< names of the joints
+  std::vector<std::string> units;  ///< rad, or m for a prismatic joint
 };
 
-/// What `--group` may say, for a person.
+/// The accepted values of `--group`, for help texts.
 inline constexpr const char* kGroupHelp = "all, arm, hand, or NAME=FIRST..LAST by joints";
 
-/// all; arm: the joints that move its flange, or the palm where no frame is called flange; hand:
-/// the others; NAME=FIRST..LAST: those from one joint to another in the robot's order. InputError
-/// for anything else, and for a group without joints.
-JointGroup joint_group(const RobotTable& robot, const std::string& asked);
+/// Returns the joint group for a name. all: all joints; arm: the joints that move the flange, or
+/// the palm if no frame is called flange; hand: all other joints; NAME=FIRST..LAST: the joints from
+/// FIRST to LAST in the robot's order. Throws InputError for any other name and for a group without
+/// joints.
+JointGroup joint_group(const RobotModel& robot, const std::string& asked);
 
-/// The same motion of these joints alone.
-Trajectory of_group(const Trajectory& trajectory, const JointGroup& group);
+/// Returns the trajectory restricted to the joints of the group.
+Trajectory select_joints(const Trajectory& trajectory, const JointGroup& group);
 
 }  // namespace morphe::exports

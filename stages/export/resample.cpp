@@ -11,33 +11,34 @@
 namespace morphe::exports {
 namespace {
 
-/// Of a step between samples: nearer to the end than this, a point is the end.
-constexpr double kSamePoint = 1e-6;
-/// How far one motion may begin from where another ends: what planning leaves [rad or m, per s, per
-/// s^2].
-constexpr std::array<double, 3> kMeets = {1e-6, 1e-5, 1e-3};
+/// Share of a step between samples: a point closer to the end than this is taken as the end.
+constexpr double kEndToleranceShare = 1e-6;
+/// Tolerance of the junction between two motions, for deviations left by planning [rad or m, per s,
+/// per s^2].
+constexpr std::array<double, 3> kContinuityTolerance = {1e-6, 1e-5, 1e-3};
 
-constexpr std::array<JointRows Trajectory::*, 3> kRows = {
+constexpr std::array<JointRows Trajectory::*, 3> kDerivativeRows = {
     &Trajectory::position, &Trajectory::velocity, &Trajectory::acceleration};
 
 std::vector<double> times(double end_s, double rate_hz) {
   std::vector<double> time;
   for (std::size_t k = 0;; ++k) {
     const double t = static_cast<double>(k) / rate_hz;
-    if (k > 0 && (end_s - t) * rate_hz < kSamePoint) break;
+    if (k > 0 && (end_s - t) * rate_hz < kEndToleranceShare) break;
     time.push_back(t);
   }
   time.push_back(end_s);
   return time;
 }
 
-Trajectory with_rows(std::size_t samples, Eigen::Index joints) {
+Trajectory make_trajectory(std::size_t samples, Eigen::Index joints) {
   Trajectory t;
-  for (const auto rows : kRows) (t.*rows).resize(static_cast<Eigen::Index>(samples), joints);
+  for (const auto rows : kDerivativeRows)
+    (t.*rows).resize(static_cast<Eigen::Index>(samples), joints);
   return t;
 }
 
-/// Everything but the joints' rows, of one sample.
+/// Appends the values of one sample except the joint rows.
 void add_labels(const Trajectory& from, std::size_t sample, Trajectory& to) {
   to.demonstration_time.push_back(from.demonstration_time[sample]);
   to.phase.push_back(from.phase[sample]);
@@ -55,9 +56,10 @@ math::JointState difference(const math::JointState& a, const math::JointState& b
 
 Eigen::Index last_of(const Trajectory& t) { return t.position.rows() - 1; }
 
-/// The motion moved by one quintic over the whole of it, which leaves one end where it is and takes
-/// the other exactly to a sample of another motion. A sum of quintics is one: nothing else changes.
-Trajectory moved_end(Trajectory t, bool begin, const Trajectory& to) {
+/// Shifts a motion by one quintic over its whole duration that keeps one end and moves the other
+/// exactly to a sample of another motion. The sum of two quintics is a quintic, so that the form of
+/// the motion is preserved.
+Trajectory shift_endpoint(Trajectory t, bool begin, const Trajectory& to) {
   const double duration = t.time.back() - t.time[0];
   for (Eigen::Index joint = 0; joint < t.position.cols(); ++joint) {
     const math::JointState gap =
@@ -66,8 +68,8 @@ Trajectory moved_end(Trajectory t, bool begin, const Trajectory& to) {
     const math::QuinticPiece shift =
         begin ? math::quintic_piece(gap, {}, duration) : math::quintic_piece({}, gap, duration);
     for (std::size_t i = 0; i < t.samples(); ++i) {
-      for (std::size_t order = 0; order < kRows.size(); ++order) {
-        (t.*kRows[order])(static_cast<Eigen::Index>(i), joint) +=
+      for (std::size_t order = 0; order < kDerivativeRows.size(); ++order) {
+        (t.*kDerivativeRows[order])(static_cast<Eigen::Index>(i), joint) +=
             math::value_at(shift, t.time[i] - t.time[0], static_cast<int>(order));
       }
     }
@@ -77,19 +79,19 @@ Trajectory moved_end(Trajectory t, bool begin, const Trajectory& to) {
 
 }  // namespace
 
-Trajectory ending_at(const Trajectory& way, const Trajectory& next) {
-  return moved_end(way, false, next);
+Trajectory adjust_end(const Trajectory& way, const Trajectory& next) {
+  return shift_endpoint(way, false, next);
 }
 
-Trajectory beginning_at(const Trajectory& way, const Trajectory& before) {
-  return moved_end(way, true, before);
+Trajectory adjust_begin(const Trajectory& way, const Trajectory& before) {
+  return shift_endpoint(way, true, before);
 }
 
-Trajectory resampled(const Trajectory& from, double rate_hz) {
+Trajectory resample(const Trajectory& from, double rate_hz) {
   const std::vector<double> time = times(from.time.back() - from.time[0], rate_hz);
-  const std::size_t last = from.samples() - 2;  // piece
+  const std::size_t last = from.samples() - 2;  // index of the last piece
   const Eigen::Index joints = from.position.cols();
-  Trajectory to = with_rows(time.size(), joints);
+  Trajectory to = make_trajectory(time.size(), joints);
   to.time = time;
   std::size_t piece = 0;
   for (std::size_t k = 0; k < time.size(); ++k) {
@@ -100,9 +102,9 @@ Trajectory resampled(const Trajectory& from, double rate_hz) {
     const double into = t - from.time[piece];
     for (Eigen::Index joint = 0; joint < joints; ++joint) {
       const math::QuinticPiece quintic = math::quintic_piece(from, piece, joint);
-      for (std::size_t order = 0; order < kRows.size(); ++order) {
-        (to.*kRows[order])(row, joint) =
-            at_end ? (from.*kRows[order])(from.position.rows() - 1, joint)
+      for (std::size_t order = 0; order < kDerivativeRows.size(); ++order) {
+        (to.*kDerivativeRows[order])(row, joint) =
+            at_end ? (from.*kDerivativeRows[order])(from.position.rows() - 1, joint)
                    : math::value_at(quintic, into, static_cast<int>(order));
       }
     }
@@ -115,12 +117,12 @@ Trajectory resampled(const Trajectory& from, double rate_hz) {
   return to;
 }
 
-Trajectory delayed(const Trajectory& from, double delay_s) {
+Trajectory add_initial_wait(const Trajectory& from, double delay_s) {
   if (!(delay_s > 0)) return from;
-  Trajectory to = with_rows(from.samples() + 1, from.position.cols());
+  Trajectory to = make_trajectory(from.samples() + 1, from.position.cols());
   to.time.push_back(0);
   add_labels(from, 0, to);
-  for (const auto rows : kRows) {
+  for (const auto rows : kDerivativeRows) {
     (to.*rows).row(0).setZero();
     (to.*rows).bottomRows((from.*rows).rows()) = from.*rows;
   }
@@ -132,32 +134,32 @@ Trajectory delayed(const Trajectory& from, double delay_s) {
   return to;
 }
 
-std::string why_not_delayed(const RobotTable& robot, const Trajectory& trajectory) {
-  Trajectory rest = with_rows(1, trajectory.position.cols());
-  for (const auto rows : kRows) (rest.*rows).setZero();
+std::string initial_motion_error(const RobotModel& robot, const Trajectory& trajectory) {
+  Trajectory rest = make_trajectory(1, trajectory.position.cols());
+  for (const auto rows : kDerivativeRows) (rest.*rows).setZero();
   rest.position.row(0) = trajectory.position.row(0);
-  return why_not_joined(robot, rest, trajectory);
+  return continuity_error(robot, rest, trajectory);
 }
 
-std::string why_not_joined(const RobotTable& robot, const Trajectory& first,
-                           const Trajectory& second) {
+std::string continuity_error(const RobotModel& robot, const Trajectory& first,
+                             const Trajectory& second) {
   constexpr std::array<const char*, 3> kWhat = {"position", "velocity", "acceleration"};
-  for (std::size_t order = 0; order < kRows.size(); ++order) {
-    const JointRows& before = first.*kRows[order];
-    const JointRows& after = second.*kRows[order];
+  for (std::size_t order = 0; order < kDerivativeRows.size(); ++order) {
+    const JointRows& before = first.*kDerivativeRows[order];
+    const JointRows& after = second.*kDerivativeRows[order];
     Eigen::Index joint = 0;
     const double step = (after.row(0) - before.row(before.rows() - 1)).cwiseAbs().maxCoeff(&joint);
-    if (step <= kMeets[order]) continue;
+    if (step <= kContinuityTolerance[order]) continue;
     return fmt::format("the {} of {} steps by {:.2g}", kWhat[order],
                        robot.joint_names[static_cast<std::size_t>(joint)], step);
   }
   return "";
 }
 
-Trajectory joined(const Trajectory& first, const Trajectory& second) {
+Trajectory concatenate(const Trajectory& first, const Trajectory& second) {
   const std::size_t before = first.samples() - 1;
-  Trajectory both = with_rows(before + second.samples(), first.position.cols());
-  for (const auto rows : kRows) {
+  Trajectory both = make_trajectory(before + second.samples(), first.position.cols());
+  for (const auto rows : kDerivativeRows) {
     const JointRows& after = second.*rows;
     (both.*rows).topRows(static_cast<Eigen::Index>(before)) =
         (first.*rows).topRows(static_cast<Eigen::Index>(before));

@@ -3,32 +3,36 @@
 #include <string>
 
 #include "core/motion/plan.hpp"
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 
 namespace morphe::exports {
 
-/// The trajectory at the times k / rate_hz and at its last sample, which ends an interval that may
-/// be shorter. Position, velocity and acceleration are those of the quintic that the certificate
-/// speaks of; the phase is that of the sample before, demonstration time is linear between samples.
-Trajectory resampled(const Trajectory& trajectory, double rate_hz);
+/// Returns the trajectory at the times k / rate_hz and at its last sample, which ends an interval
+/// that may be shorter. Position, velocity and acceleration are those of the quintic that the
+/// certificate covers; the phase is that of the previous sample, and demonstration time is linear
+/// between samples.
+Trajectory resample(const Trajectory& trajectory, double rate_hz);
 
-/// The first posture held for `delay_s`, and then the trajectory, which must begin at rest.
-Trajectory delayed(const Trajectory& trajectory, double delay_s);
+/// Returns the trajectory preceded by its first posture for `delay_s`. It must begin at rest.
+Trajectory add_initial_wait(const Trajectory& trajectory, double delay_s);
 
-/// Why a trajectory cannot wait in its first posture, since it moves there; "" if it can.
-std::string why_not_delayed(const RobotTable& robot, const Trajectory& trajectory);
+/// Returns the reason for which a trajectory cannot wait in its first posture because it moves
+/// there; "" if it can.
+std::string initial_motion_error(const RobotModel& robot, const Trajectory& trajectory);
 
-/// Why one trajectory does not go on where another ends, in position, velocity and acceleration;
-/// "" if it does, up to rounding.
-std::string why_not_joined(const RobotTable& robot, const Trajectory& first,
-                           const Trajectory& second);
+/// Returns the reason for which one trajectory does not continue where another ends, in position,
+/// velocity and acceleration; "" if it does, up to rounding.
+std::string continuity_error(const RobotModel& robot, const Trajectory& first,
+                             const Trajectory& second);
 
-/// A way to where another motion begins, or from where one ends, exactly: moved by the little that
-/// planning left between them, spread over the whole way.
-Trajectory ending_at(const Trajectory& way, const Trajectory& next);
-Trajectory beginning_at(const Trajectory& way, const Trajectory& before);
+/// Returns the motion with its end moved exactly to the begin of `next`, distributing the small
+/// deviation left by planning over the whole motion.
+Trajectory adjust_end(const Trajectory& way, const Trajectory& next);
+/// Returns the motion with its begin moved exactly to the end of `before`, in the same way.
+Trajectory adjust_begin(const Trajectory& way, const Trajectory& before);
 
-/// One after the other, in continuous time; the sample that they share is the second's.
-Trajectory joined(const Trajectory& first, const Trajectory& second);
+/// Concatenates two trajectories in continuous time; the sample that they share is that of the
+/// second.
+Trajectory concatenate(const Trajectory& first, const Trajectory& second);
 
 }  // namespace morphe::exports

@@ -7,19 +7,19 @@
 #include <nlohmann/json.hpp>
 
 #include "core/motion/input_error.hpp"
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 #include "core/store/layout.hpp"
 
 namespace morphe::exports {
 namespace {
 
-constexpr int kGymType = 2;  ///< of robomimic's environments: the one without a robot simulator
+constexpr int kGymType = 2;  ///< type of robomimic's environments without a robot simulator
 
 Eigen::RowVector4d wxyz(const Quat& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
 }  // namespace
 
-RobomimicHeader robomimic_header(const RobotTable& robot, double rate_hz) {
+RobomimicHeader robomimic_header(const RobotModel& robot, double rate_hz) {
   for (std::size_t j = 0; j < robot.joints(); ++j) {
     const auto joint = static_cast<Eigen::Index>(j);
     if (!std::isfinite(robot.upper[joint] - robot.lower[joint])) {
@@ -28,7 +28,7 @@ RobomimicHeader robomimic_header(const RobotTable& robot, double rate_hz) {
     }
   }
   nlohmann::ordered_json tips = nlohmann::ordered_json::array();
-  for (const RobotTable::Tip& tip : robot.tips) tips.push_back(tip.name);
+  for (const RobotModel::Tip& tip : robot.tips) tips.push_back(tip.name);
   const nlohmann::ordered_json env_args = {
       {"env_name", robot.name},
       {"type", kGymType},
@@ -37,15 +37,15 @@ RobomimicHeader robomimic_header(const RobotTable& robot, double rate_hz) {
   return {env_args.dump(), robot.joint_names, robot.lower, robot.upper};
 }
 
-RobomimicDemo robomimic_demo(const RobotTable& robot, const Plan& plan, bool target) {
+RobomimicDemo robomimic_demo(const RobotModel& robot, const Plan& plan, bool target) {
   const Trajectory& t = plan.trajectory;
   const auto samples = static_cast<Eigen::Index>(t.samples());
   const auto tips = static_cast<Eigen::Index>(robot.tips.size());
   JointRows tip_positions(samples, 3 * tips), palm_position(samples, 3), palm_turn(samples, 4);
-  JointRows phase = JointRows::Zero(samples, count_of<PhaseKind>());
+  JointRows phase = JointRows::Zero(samples, enum_count<PhaseKind>());
   std::vector<Pose> base_from_frame;
   for (Eigen::Index i = 0; i < samples; ++i) {
-    robot::forward(robot, t.position.row(i).transpose(), base_from_frame);
+    robot::forward_kinematics(robot, t.position.row(i).transpose(), base_from_frame);
     for (Eigen::Index k = 0; k < tips; ++k) {
       tip_positions.block<1, 3>(i, 3 * k) =
           robot::tip_pose(robot, base_from_frame, static_cast<std::size_t>(k))
@@ -55,7 +55,7 @@ RobomimicDemo robomimic_demo(const RobotTable& robot, const Plan& plan, bool tar
     const Pose& palm = base_from_frame[static_cast<std::size_t>(robot.palm_frame)];
     palm_position.row(i) = palm.translation().transpose();
     palm_turn.row(i) = wxyz(Quat(palm.linear()));
-    // A quaternion and its opposite are one rotation: no jumps between them.
+    // A quaternion and its negative are the same rotation; keep the sign continuous.
     if (i > 0 && palm_turn.row(i).dot(palm_turn.row(i - 1)) < 0) palm_turn.row(i) *= -1;
     phase(i, static_cast<Eigen::Index>(t.phase[static_cast<std::size_t>(i)])) = 1;
   }
@@ -71,7 +71,7 @@ RobomimicDemo robomimic_demo(const RobotTable& robot, const Plan& plan, bool tar
                       {"palm_orientation", palm_turn},
                       {"demonstration_phase", phase}},
                      plan.grasp.sample >= 0 ? plan.grasp : Grasp(),
-                     store::joint_unit(robot.some_slide())};
+                     store::joint_unit(robot.has_prismatic_joint())};
   if (target) {
     const Pose& object = plan.grasp.base_from_object;
     demo.observations.emplace_back("target_position",

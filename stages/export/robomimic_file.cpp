@@ -16,7 +16,7 @@ namespace {
 JointRows scaled(const JointRows& actions, const JointVector& offset, const JointVector& scale) {
   JointRows out = actions.rowwise() - offset.transpose();
   for (Eigen::Index j = 0; j < out.cols(); ++j) {
-    // A joint without a range does not move; rounding may lead a hair beyond a limit.
+    // A joint with an empty range does not move; rounding may lead slightly beyond a limit.
     if (scale[j] > 0)
       out.col(j) = (out.col(j) / scale[j]).cwiseMax(-1.0).cwiseMin(1.0);
     else
@@ -33,7 +33,7 @@ std::vector<double> numbers(const JointVector& values) { return {values.begin(),
 
 }  // namespace
 
-// Members close in reverse order: groups, then the file.
+// Members are closed in reverse order: groups, then the file.
 struct RobomimicWriter::State {
   JointVector offset, scale;
   store::Hdf5File file;
@@ -43,12 +43,12 @@ struct RobomimicWriter::State {
   Eigen::Index total = 0;
 };
 
-RobomimicWriter::RobomimicWriter(const files::PartFile& part, const RobomimicHeader& header)
+RobomimicWriter::RobomimicWriter(const files::AtomicFile& part, const RobomimicHeader& header)
     : state_(new State{
-          0.5 * (header.low + header.high), 0.5 * (header.high - header.low), {}, {}, {}}) {
+          0.5 * (header.lower + header.upper), 0.5 * (header.upper - header.lower), {}, {}, {}}) {
   State& s = *state_;
   s.file = store::Hdf5File::create(part.part());
-  s.file.call_it(part.target());
+  s.file.set_display_name(part.target());
   s.data = s.file.root().create("data");
   s.data.set("env_args", header.env_args);
   s.data.set("action_names", header.action_names);

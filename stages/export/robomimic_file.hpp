@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/files/part_file.hpp"
+#include "core/files/atomic_file.hpp"
 #include "core/motion/geometry.hpp"
 #include "core/motion/plan.hpp"
 
@@ -15,29 +15,32 @@ namespace morphe::exports {
 struct RobomimicDemo {
   std::string plan, subject, task;
   std::string status;                                           ///< executable or approximate
-  JointRows actions;                                            ///< [N, n], not scaled
+  JointRows actions;                                            ///< [N, n], unscaled
   std::vector<std::pair<std::string, JointRows>> observations;  ///< each [N + 1, …]
-  Grasp grasp;                                                  ///< written if it names contacts
-  std::string joint_unit;                                       ///< of its postures
+  Grasp grasp;                                                  ///< written if it has contacts
+  std::string joint_unit;                                       ///< unit of the grasp's postures
 };
 
-/// What all demonstrations of a file share. actions_abs = offset + scale * actions puts
-/// [low, high] onto [-1, 1].
+/// The data common to all demonstrations of a file. actions_abs = offset + scale * actions maps
+/// [-1, 1] to [lower, upper].
 struct RobomimicHeader {
-  std::string env_args;  ///< JSON: env_name, type, env_kwargs
-  std::vector<std::string> action_names;
-  JointVector low, high;  ///< [n] finite, low <= high
+  std::string env_args;                   ///< JSON: env_name, type, env_kwargs
+  std::vector<std::string> action_names;  ///< [n] names of the joints
+  JointVector lower, upper;               ///< [n] finite, lower <= upper
 };
 
-/// A dataset as robomimic reads it: /data/demo_0 … with @num_samples, actions, actions_abs, obs/,
-/// next_obs/, rewards and dones (1 at the last transition); /mask/train and /mask/valid; and
-/// /grasps/demo_N, as grasp/ of a plans.h5, which robomimic does not look at. It is
-/// written as the part of a file that must outlive the writer, and is whole after finish().
+/// Writes a dataset as robomimic reads it: /data/demo_0 … with @num_samples, actions, actions_abs,
+/// obs/, next_obs/, rewards and dones (1 at the last transition); /mask/train and /mask/valid; and
+/// /grasps/demo_N, in the layout of grasp/ in plans.h5, which robomimic ignores. The dataset is
+/// written to the part of an AtomicFile that must outlive the writer, and is complete after
+/// finish().
 class RobomimicWriter {
  public:
-  RobomimicWriter(const files::PartFile& part, const RobomimicHeader& header);
+  RobomimicWriter(const files::AtomicFile& part, const RobomimicHeader& header);
   ~RobomimicWriter();
+  /// Appends a demonstration.
   void add(const RobomimicDemo& demo);
+  /// Completes the file.
   void finish();
 
  private:
@@ -45,7 +48,8 @@ class RobomimicWriter {
   std::unique_ptr<State> state_;
 };
 
-/// Every tenth demonstration, at least one of two, evenly spread.
+/// Returns the indices of the validation demonstrations: every tenth one, evenly distributed, and
+/// at least one of two.
 std::vector<std::size_t> validation_demos(std::size_t count);
 
 }  // namespace morphe::exports

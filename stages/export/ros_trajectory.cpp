@@ -10,7 +10,7 @@
 namespace morphe::exports {
 namespace {
 
-/// A string in double quotes, as YAML and JSON have it.
+/// Returns a string in double quotes, in the syntax common to YAML and JSON.
 std::string quoted(const std::string& name) {
   std::string text = "\"";
   for (const char c : name) {
@@ -32,7 +32,7 @@ void add_number(double value, std::string& text) {
   text += digits;
 }
 
-/// The keys of a mapping in flow style: quoted in JSON.
+/// The keys of a mapping in flow style, quoted in JSON.
 struct Keys {
   const char* quote;
   std::string operator()(const char* key) const { return fmt::format("{0}{1}{0}: ", quote, key); }
@@ -47,7 +47,7 @@ void add_row(const std::string& key, const JointRows& rows, Eigen::Index row, st
   text += "], ";
 }
 
-/// A line in flow style a point: `begin` before it, `end` behind all but the last.
+/// Adds one line in flow style per point, with `begin` before it and `end` after all but the last.
 void add_points(const Trajectory& t, const Keys& key, const char* begin, const char* end,
                 std::string& text) {
   constexpr std::int64_t kSecond = 1'000'000'000;

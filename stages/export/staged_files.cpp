@@ -19,8 +19,8 @@ bool same_bytes(const std::filesystem::path& a, const std::filesystem::path& b) 
 
 }  // namespace
 
-files::PartFile& StagedFiles::add(const std::string& name) {
-  if (!taken_.insert(name).second) {
+files::AtomicFile& StagedFiles::add(const std::string& name) {
+  if (!used_names_.insert(name).second) {
     throw InputError(
         fmt::format("{}: two plans would be written to it", (folder_ / name).string()));
   }
@@ -31,7 +31,7 @@ files::PartFile& StagedFiles::add(const std::string& name) {
 void StagedFiles::add(const std::string& name, const std::string& text) { add(name).write(text); }
 
 void StagedFiles::commit(bool replace) {
-  for (const files::PartFile& file : files_) {
+  for (const files::AtomicFile& file : files_) {
     if (replace || !std::filesystem::exists(file.target())) continue;
     if (same_bytes(file.part(), file.target())) continue;
     throw InputError(
@@ -40,7 +40,7 @@ void StagedFiles::commit(bool replace) {
   }
   std::vector<std::filesystem::path> made;
   try {
-    for (files::PartFile& file : files_) {
+    for (files::AtomicFile& file : files_) {
       if (!std::filesystem::exists(file.target())) made.push_back(file.target());
       file.commit();
     }

@@ -3,29 +3,31 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 #include "core/robot/tree.hpp"
 
 namespace morphe::grasp {
 namespace {
 
-constexpr double kStep = 0.01;       ///< of the closing joints [rad]
-constexpr double kMostOpened = 0.5;  ///< where a finger begins inside the target [rad]
-constexpr double kSpread = 7 * kDegree;
-constexpr double kTouching = 1e-5;  ///< [m]
-constexpr double kTurns = 0.2;  ///< share of the strongest joint's lever that makes a joint close
+constexpr double kClosingStep_rad = 0.01;  ///< step of the closing joints [rad]
+/// Largest opening of a finger that begins inside the target [rad].
+constexpr double kMaxOpening_rad = 0.5;
+constexpr double kAbductionStep_rad = 7 * kRadPerDegree;
+constexpr double kContactTolerance_m = 1e-5;  ///< gap at which the pad touches [m]
+/// Least lever of a closing joint, as a share of the strongest joint's lever.
+constexpr double kMinLeverRatio = 0.2;
 
-/// The capsules that move with a finger and not with the palm.
+/// Returns the capsules that move with the finger of `tip` but not with the palm.
 std::vector<int> capsules_of(const robot::Robot& robot, std::size_t tip) {
   std::vector<int> own;
-  const int palm = robot::body_of(robot, robot.palm_frame);
+  const int palm = robot::moving_frame_of(robot, robot.palm_frame);
   std::vector<int> links;
-  for (const int frame : robot::upwards(robot, robot.tips[tip].frame)) {
-    if (robot::body_of(robot, frame) == palm) break;
-    links.push_back(robot::body_of(robot, frame));
+  for (const int frame : robot::ancestors(robot, robot.tips[tip].frame)) {
+    if (robot::moving_frame_of(robot, frame) == palm) break;
+    links.push_back(robot::moving_frame_of(robot, frame));
   }
   for (std::size_t c = 0; c < robot.capsules.size(); ++c) {
-    const int body = robot::body_of(robot, robot.capsules[c].frame);
+    const int body = robot::moving_frame_of(robot, robot.capsules[c].frame);
     if (std::ranges::find(links, body) != links.end()) own.push_back(static_cast<int>(c));
   }
   return own;
@@ -35,28 +37,30 @@ bool contains(const std::vector<int>& list, int value) {
   return std::ranges::find(list, value) != list.end();
 }
 
-/// One finger at one posture.
+/// Distance queries for one finger at one posture.
 struct Probe {
   const collision::CollisionWorld& world;
   std::vector<int> own;
-  std::vector<int> yielding;  ///< of fingers that are not closed: the mapping moves them aside
+  /// Capsules of fingers not yet closed: the mapping moves them aside.
+  std::vector<int> ignored_capsules;
   Pose base_from_target;
   collision::CollisionScratch scratch;
 
   void pose(const JointVector& q, double time_s) {
-    collision::pose_bodies(world, q, time_s, scratch);
+    collision::update_bodies(world, q, time_s, scratch);
   }
-  collision::Separation from_target(int capsule) const {
+  collision::Separation separation_from_target(int capsule) const {
     return collision::capsule_solid(
         scratch.bodies[static_cast<std::size_t>(capsule)],
         collision::solid_at(world, static_cast<std::size_t>(world.target)), base_from_target);
   }
-  /// What the finger is nearer to than the margin, other than the target; "" if nothing.
-  std::string blocked_by() const {
+  /// Returns the name of a body other than the target that is nearer to the finger than the margin;
+  /// "" if there is no such body.
+  std::string find_obstacle() const {
     const double margin = world.tolerances.margin;
     for (const auto& [first, second] : world.pairs) {
       if (contains(own, first) == contains(own, second)) continue;
-      if (contains(yielding, first) || contains(yielding, second)) continue;
+      if (contains(ignored_capsules, first) || contains(ignored_capsules, second)) continue;
       const auto body = [&](int c) { return scratch.bodies[static_cast<std::size_t>(c)]; };
       if (collision::capsule_capsule(body(first), body(second)).distance >= margin) continue;
       const int other = contains(own, first) ? second : first;
@@ -82,11 +86,11 @@ std::vector<std::pair<int, double>> closing_joints(const robot::Robot& robot, co
   const robot::Pad& pad = robot.pads[tip];
   const int frame = robot.tips[tip].frame;
   std::vector<Pose> base_from_frame;
-  robot::forward(robot, q, base_from_frame);
+  robot::forward_kinematics(robot, q, base_from_frame);
   const Pose& pose = base_from_frame[static_cast<std::size_t>(frame)];
   Eigen::Matrix3Xd jacobian(3, q.size());
   robot::point_jacobian(robot, base_from_frame, frame, pose * pad.centre, jacobian);
-  const Eigen::RowVectorXd forwards = (pose.linear() * pad.middle).transpose() * jacobian;
+  const Eigen::RowVectorXd forwards = (pose.linear() * pad.direction).transpose() * jacobian;
   std::vector<std::pair<int, double>> joints;
   double strongest = 0;
   const auto of_finger = [&](int j) { return !contains(robot.arm_joints, j); };
@@ -94,7 +98,7 @@ std::vector<std::pair<int, double>> closing_joints(const robot::Robot& robot, co
     if (of_finger(j)) strongest = std::max(strongest, std::abs(forwards[j]));
   }
   for (int j = 0; j < static_cast<int>(q.size()); ++j) {
-    if (!of_finger(j) || std::abs(forwards[j]) <= kTurns * strongest) continue;
+    if (!of_finger(j) || std::abs(forwards[j]) <= kMinLeverRatio * strongest) continue;
     joints.emplace_back(j, forwards[j] > 0 ? 1.0 : -1.0);
   }
   return joints;
@@ -102,33 +106,35 @@ std::vector<std::pair<int, double>> closing_joints(const robot::Robot& robot, co
 
 namespace {
 
-/// The finger's other joints turned by `angle`.
-JointVector spread(const robot::Robot& robot, const JointVector& q, std::size_t tip, double angle) {
+/// Returns q with the finger's joints that do not close it turned by `angle`.
+JointVector abduct_finger(const robot::Robot& robot, const JointVector& q, std::size_t tip,
+                          double angle) {
   const std::vector<std::pair<int, double>> closing = closing_joints(robot, q, tip);
   JointVector aside = q;
   for (int j = 0; j < static_cast<int>(q.size()); ++j) {
     const bool closes =
         std::ranges::any_of(closing, [&](const auto& joint) { return joint.first == j; });
     if (closes || contains(robot.arm_joints, j)) continue;
-    if (!robot::moves(robot, j, robot.tips[tip].frame)) continue;
+    if (!robot::joint_moves_frame(robot, j, robot.tips[tip].frame)) continue;
     aside[j] = std::clamp(q[j] + angle, robot.lower[j], robot.upper[j]);
   }
   return aside;
 }
 
-/// Closes one finger, spread by `angle`; the posture that touches stays in q, which is otherwise
-/// left as it was.
-std::optional<Closing> close_finger(Probe& probe, double time_s, std::size_t tip, double angle,
-                                    JointVector& q, std::string& why) {
+/// Closes one finger, abducted by `angle`. If it touches, q is set to the touching posture;
+/// otherwise q is unchanged and `why` gives the reason.
+std::optional<FingerClosure> close_finger(Probe& probe, double time_s, std::size_t tip,
+                                          double angle, JointVector& q, std::string& why) {
   const collision::CollisionWorld& world = probe.world;
   const robot::Robot& robot = *world.robot;
   const int pad_capsule = robot.pads[tip].capsule;
-  JointVector at = spread(robot, q, tip, angle);
+  JointVector at = abduct_finger(robot, q, tip, angle);
   std::vector<std::pair<int, double>> joints = closing_joints(robot, at, tip);
-  const auto stop_before = [&](int capsule) {  // joints that move what touches
+  const auto stop_before = [&](int capsule) {  // removes the joints that move the touching link
     const int frame = robot.capsules[static_cast<std::size_t>(capsule)].frame;
-    return std::erase_if(
-        joints, [&](const auto& joint) { return robot::moves(robot, joint.first, frame); });
+    return std::erase_if(joints, [&](const auto& joint) {
+      return robot::joint_moves_frame(robot, joint.first, frame);
+    });
   };
   const auto turned = [&](const JointVector& from, double step) {
     JointVector to = from;
@@ -138,9 +144,10 @@ std::optional<Closing> close_finger(Probe& probe, double time_s, std::size_t tip
     return to;
   };
   probe.pose(at, time_s);
-  for (double opened = 0; probe.from_target(pad_capsule).distance < 0; opened += kStep) {
-    const JointVector open = turned(at, -kStep);
-    if (opened > kMostOpened || open == at) {
+  for (double opened = 0; probe.separation_from_target(pad_capsule).distance < 0;
+       opened += kClosingStep_rad) {
+    const JointVector open = turned(at, -kClosingStep_rad);
+    if (opened > kMaxOpening_rad || open == at) {
       why = "it is in the target already";
       return std::nullopt;
     }
@@ -148,37 +155,37 @@ std::optional<Closing> close_finger(Probe& probe, double time_s, std::size_t tip
     probe.pose(at, time_s);
   }
   while (!joints.empty()) {
-    const JointVector next = turned(at, kStep);
+    const JointVector next = turned(at, kClosingStep_rad);
     if (next == at) {
       why = "it does not reach the target within its limits";
       return std::nullopt;
     }
     probe.pose(next, time_s);
-    if (const std::string what = probe.blocked_by(); !what.empty()) {
+    if (const std::string what = probe.find_obstacle(); !what.empty()) {
       why = "it meets " + what;
       return std::nullopt;
     }
-    double gap = probe.from_target(pad_capsule).distance;
+    double gap = probe.separation_from_target(pad_capsule).distance;
     if (gap <= 0) {
-      double low = 0, high = 1;  // shares of the step
+      double low = 0, high = 1;  // bounds of the bisection, as shares of the step
       JointVector between = next;
-      while (gap < 0 || gap > kTouching) {
+      while (gap < 0 || gap > kContactTolerance_m) {
         const double share = 0.5 * (low + high);
         between = at + share * (next - at);
         probe.pose(between, time_s);
-        gap = probe.from_target(pad_capsule).distance;
+        gap = probe.separation_from_target(pad_capsule).distance;
         (gap > 0 ? low : high) = share;
         if (high - low < 1e-9) break;
       }
-      const collision::Separation apart = probe.from_target(pad_capsule);
+      const collision::Separation apart = probe.separation_from_target(pad_capsule);
       const Pose target_from_base = probe.base_from_target.inverse();
-      Closing closing;
-      closing.touch.tip = tip;
-      closing.touch.origin = ContactOrigin::closed;
-      closing.touch.point = target_from_base * apart.on_second;
-      closing.touch.normal = -(target_from_base.linear() * apart.normal);
+      FingerClosure closing;
+      closing.contact.tip = tip;
+      closing.contact.origin = ContactOrigin::closed;
+      closing.contact.point = target_from_base * apart.on_second;
+      closing.contact.normal = -(target_from_base.linear() * apart.normal);
       const auto frame = static_cast<std::size_t>(robot.tips[tip].frame);
-      closing.touch.centre =
+      closing.contact.centre =
           target_from_base * (probe.scratch.base_from_frame[frame] * robot.pads[tip].centre);
       closing.turn = between - q;
       q = between;
@@ -186,7 +193,7 @@ std::optional<Closing> close_finger(Probe& probe, double time_s, std::size_t tip
     }
     bool stopped = false;
     for (const int c : probe.own) {
-      if (c == pad_capsule || probe.from_target(c).distance > 0) continue;
+      if (c == pad_capsule || probe.separation_from_target(c).distance > 0) continue;
       stopped |= stop_before(c) > 0;
     }
     if (!stopped) at = next;
@@ -197,9 +204,9 @@ std::optional<Closing> close_finger(Probe& probe, double time_s, std::size_t tip
 
 }  // namespace
 
-ClosedFingers close_fingers(const collision::CollisionWorld& world, double time_s,
-                            const std::vector<std::size_t>& tips, JointVector q) {
-  ClosedFingers closed;
+FingerClosures close_fingers(const collision::CollisionWorld& world, double time_s,
+                             const std::vector<std::size_t>& tips, JointVector q) {
+  FingerClosures closed;
   if (world.target < 0) return closed;
   const robot::Robot& robot = *world.robot;
   const SceneObject& target = world.scene->objects[static_cast<std::size_t>(world.target)];
@@ -208,14 +215,15 @@ ClosedFingers close_fingers(const collision::CollisionWorld& world, double time_
     Probe probe{world, capsules_of(robot, tip), {}, recorded_pose(target, time_s), {}};
     for (const std::size_t other : tips) {
       const bool is_closed = std::ranges::any_of(
-          closed.closings, [&](const Closing& known) { return known.touch.tip == other; });
+          closed.closings, [&](const FingerClosure& known) { return known.contact.tip == other; });
       if (other == tip || is_closed) continue;
       const std::vector<int> capsules = capsules_of(robot, other);
-      probe.yielding.insert(probe.yielding.end(), capsules.begin(), capsules.end());
+      probe.ignored_capsules.insert(probe.ignored_capsules.end(), capsules.begin(), capsules.end());
     }
-    std::optional<Closing> closing;
-    std::string why;  // of the least spread
-    for (const double angle : {0.0, kSpread, -kSpread, 2 * kSpread, -2 * kSpread}) {
+    std::optional<FingerClosure> closing;
+    std::string why;  // reason at the smallest abduction
+    for (const double angle : {0.0, kAbductionStep_rad, -kAbductionStep_rad, 2 * kAbductionStep_rad,
+                               -2 * kAbductionStep_rad}) {
       std::string because;
       closing = close_finger(probe, time_s, tip, angle, q, because);
       if (closing) break;
@@ -224,51 +232,52 @@ ClosedFingers close_fingers(const collision::CollisionWorld& world, double time_
     if (closing) {
       closed.closings.push_back(std::move(*closing));
     } else {
-      closed.open.push_back(robot.tips[tip].name + " stays open: " + why);
+      closed.open_reasons.push_back(robot.tips[tip].name + " stays open: " + why);
     }
   }
   return closed;
 }
 
 std::vector<std::size_t> tips_without_goals(const robot::Robot& robot, const Goals& goals,
-                                            const HoldTime& when) {
+                                            const HoldInterval& when) {
   std::vector<std::size_t> tips;
   for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
     if (robot.tips[tip].finger < 0 || robot.pads[tip].capsule < 0) continue;
     bool any = false;
     for (std::size_t f = 0; f < goals.frames(); ++f) {
       const bool held = goals.time[f] >= when.begin_s && goals.time[f] <= when.end_s;
-      any = any || (held && seen(goals.tip_position(f, tip)));
+      any = any || (held && is_known(goals.tip_position(f, tip)));
     }
     if (!any) tips.push_back(tip);
   }
   return tips;
 }
 
-void aim_closings(const robot::Robot& robot, const std::vector<Closing>& closings,
-                  const Movement& movement, const SceneObject& target, const JointRows& path,
-                  Goals& goals) {
+void set_closure_goals(const robot::Robot& robot, const std::vector<FingerClosure>& closings,
+                       const Movement& movement, const SceneObject& target, const JointRows& path,
+                       Goals& goals) {
   if (closings.empty()) return;
-  const HoldTime when = hold_time(movement);
+  const HoldInterval when = hold_interval(movement);
   if (goals.pad_share.rows == 0) goals.pad_share = {goals.frames(), robot.tips.size(), 0.0};
   std::vector<Pose> base_from_frame;
   for (std::size_t f = 0; f < goals.frames(); ++f) {
-    const double share = closed_share(when, goals.time[f]);
+    const double share = closing_progress(when, goals.time[f]);
     if (share == 0) continue;
     JointVector q = path.row(static_cast<Eigen::Index>(f)).transpose();
-    for (const Closing& closing : closings) q += share * closing.turn;
-    robot::forward(robot, q.cwiseMax(robot.lower).cwiseMin(robot.upper), base_from_frame);
+    for (const FingerClosure& closing : closings) q += share * closing.turn;
+    robot::forward_kinematics(robot, q.cwiseMax(robot.lower).cwiseMin(robot.upper),
+                              base_from_frame);
     const bool in_palm = goals.time[f] > target.attach_s && !target.attached_frame.empty();
-    for (const Closing& closing : closings) {
-      const std::size_t tip = closing.touch.tip;
+    for (const FingerClosure& closing : closings) {
+      const std::size_t tip = closing.contact.tip;
       goals.tip_position(f, tip) =
-          share < 1 || in_palm ? robot::goal_point(robot, base_from_frame, tip, 1)
-                               : recorded_pose(target, goals.time[f]) * closing.touch.centre;
+          share < 1 || in_palm ? robot::tracked_point(robot, base_from_frame, tip, 1)
+                               : recorded_pose(target, goals.time[f]) * closing.contact.centre;
       goals.pad_share(f, tip) = 1;
     }
   }
   goals.closed.assign(robot.tips.size(), 0);
-  for (const Closing& closing : closings) goals.closed[closing.touch.tip] = 1;
+  for (const FingerClosure& closing : closings) goals.closed[closing.contact.tip] = 1;
 }
 
 }  // namespace morphe::grasp

@@ -1,14 +1,14 @@
 #pragma once
 
 #include "core/collision/world.hpp"
-#include "stages/grasp/touch.hpp"
+#include "stages/grasp/desired_contact.hpp"
 
 namespace morphe::grasp {
 
-/// The contacts of a posture: what the capsule of each pad that is to touch is from the target, and
-/// where. In the target's frame, where it lies at `time_s`.
+/// Measures the contacts of a posture: the distance from the capsule of each desired contact's pad
+/// to the target and the contact point, in the frame of the target at its pose at `time_s`.
 std::vector<PadContact> measure_contacts(const collision::CollisionWorld& world,
-                                         const std::vector<Touch>& touches, const JointVector& q,
-                                         double time_s);
+                                         const std::vector<DesiredContact>& touches,
+                                         const JointVector& q, double time_s);
 
 }  // namespace morphe::grasp

@@ -5,16 +5,18 @@
 
 namespace morphe::grasp {
 
-/// A contact counts where the pad is this near to the surface [m].
-inline constexpr double kTouches_m = 0.002;
+/// Maximum gap between a pad and the surface that counts as a contact [m].
+inline constexpr double kMaxContactGap_m = 0.002;
 
-/// What the contacts of a grasp are worth (docs/grasp_quality.md), and a squeeze by them: fills
-/// `quality`, the contacts' forces, `squeeze_torque` and `squeeze_posture`. Contacts that do not
-/// touch are left out; without two that do, the quality is not known (NaN). There is no squeeze
-/// where no forces inside the cones balance.
-/// Torques of the joints are those of forces at the contacts' points (Jᵀ f, without the moments of
-/// torsion, which are hundredths of them); `down`: of gravity, in the base frame, unit.
-void judge_grasp(const collision::CollisionWorld& world, double time_s, const Vec3& down,
-                 const GraspOptions& options, Grasp& grasp);
+/// Evaluates the quality of a grasp (docs/grasp_quality.md) and computes squeeze forces for it.
+/// Fills `quality`, the forces of the contacts, `squeeze_torque` and `squeeze_posture`. Contacts
+/// that do not touch are left out; with fewer than two touching contacts the quality is unknown
+/// (NaN). There is no squeeze if no forces inside the friction cones balance.
+///
+/// The joint torques are those of forces at the contact points (Jᵀ f, without the torsional
+/// moments, which are about a hundredth of them). `down` is the unit direction of gravity in the
+/// base frame.
+void evaluate_grasp(const collision::CollisionWorld& world, double time_s, const Vec3& down,
+                    const GraspOptions& options, Grasp& grasp);
 
 }  // namespace morphe::grasp

@@ -5,24 +5,24 @@
 
 namespace morphe::imports {
 
-Imported import_recordings(const ImportRequest& request,
-                           const std::function<void(Demonstration&&)>& sink) {
+ImportResult import_recordings(const ImportRequest& request,
+                               const std::function<void(Demonstration&&)>& sink) {
   FoundRecordings found = find_recordings(request);
-  Imported imported;
-  imported.left_out = std::move(found.left_out);
+  ImportResult imported;
+  imported.skipped = std::move(found.left_out);
   for (ManifestEntry& entry : found.entries) {
     Demonstration demonstration;
     try {
       demonstration = read_recording(entry);
     } catch (const InputError& error) {
-      if (!found.of_folder) throw;
-      imported.left_out.push_back(unreadable(entry.file, error));
+      if (!found.from_folder) throw;
+      imported.skipped.push_back(skipped_file_from_error(entry.file, error));
       continue;
     }
     sink(std::move(demonstration));
     imported.entries.push_back(std::move(entry));
   }
-  expect_some(request, imported);
+  require_recordings(request, imported);
   return imported;
 }
 

@@ -21,7 +21,8 @@ std::vector<std::size_t> coarse_frames(const std::vector<double>& time, double s
   return frames;
 }
 
-MappingProblem on_frames(const MappingProblem& problem, const std::vector<std::size_t>& frames) {
+MappingProblem problem_at_frames(const MappingProblem& problem,
+                                 const std::vector<std::size_t>& frames) {
   MappingProblem part{problem.robot, problem.objective, problem.clearance, problem.world, {}, {}};
   part.time.reserve(frames.size());
   part.goals.reserve(frames.size());
@@ -61,7 +62,7 @@ JointRows rows_at(const JointRows& q, const std::vector<std::size_t>& frames) {
   return rows;
 }
 
-solve::MovementOptions for_all_frames(solve::MovementOptions coarse) {
+solve::MovementOptions fine_grid_options(solve::MovementOptions coarse) {
   coarse.iterations = std::max(2, coarse.iterations / 2);
   coarse.relative_value *= 10;
   return coarse;

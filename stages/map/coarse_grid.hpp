@@ -7,22 +7,25 @@
 
 namespace morphe::map {
 
-/// Frames of an evenly spaced grid that holds the first and the last frame, about step_s apart and
-/// at least five, if there are so many.
+/// Returns the frames of an evenly spaced grid that contains the first and the last frame. The
+/// frames are about step_s apart and at least five, if there are that many.
 std::vector<std::size_t> coarse_frames(const std::vector<double>& time, double step_s);
 
-/// The problem at some of its frames.
-MappingProblem on_frames(const MappingProblem& problem, const std::vector<std::size_t>& frames);
+/// Returns the problem restricted to some of its frames.
+MappingProblem problem_at_frames(const MappingProblem& problem,
+                                 const std::vector<std::size_t>& frames);
 
-/// A row for every frame from the first to the last of `frames`, cubic between theirs (Hermite,
-/// with central differences for slopes): continuous velocity, the rows of `frames` as given.
+/// Interpolates a row for every frame from the first to the last of `frames` by cubic Hermite
+/// polynomials with central differences as slopes: the velocity is continuous and the rows of
+/// `frames` are as given.
 JointRows interpolate(const JointRows& coarse, const std::vector<std::size_t>& frames);
 
-/// The rows of a movement at some of its frames.
+/// Returns the rows of a movement at some of its frames.
 JointRows rows_at(const JointRows& q, const std::vector<std::size_t>& frames);
 
-/// What all frames take after the coarse grid: what is slow to settle, as fingers that slide along
-/// each other, is settled there; left is what lies between its frames.
-solve::MovementOptions for_all_frames(solve::MovementOptions coarse);
+/// Returns the options for all frames after the coarse grid. Parts of the solution that converge
+/// slowly, such as fingers that slide along each other, have converged on the coarse grid; only the
+/// motion between its frames remains.
+solve::MovementOptions fine_grid_options(solve::MovementOptions coarse);
 
 }  // namespace morphe::map

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/humanlike/loads.hpp"
-#include "core/humanlike/posed_like.hpp"
-#include "core/robot/forward.hpp"
+#include "core/humanlike/match_link_directions.hpp"
+#include "core/robot/forward_kinematics.hpp"
 #include "core/robot/tree.hpp"
 #include "core/solve/minimise.hpp"
 #include "stages/map/finger_curve.hpp"
@@ -14,18 +14,18 @@ namespace morphe::map {
 namespace {
 
 using Eigen::Index;
-constexpr std::size_t kBones = 3;    ///< of a human finger beyond the palm
-constexpr double kSamePlace = 1e-6;  ///< of two hinges [m]
-constexpr double kStature = 1.7;     ///< [m]
+constexpr std::size_t kBones = 3;             ///< number of bones of a human finger beyond the palm
+constexpr double kCoincidentHinges_m = 1e-6;  ///< distance below which two hinges coincide [m]
+constexpr double kStature_m = 1.7;            ///< [m]
 
-/// The robot with no joints but those beyond its palm, in the order of `joints`.
-RobotTable beyond_palm(const RobotTable& robot, std::vector<int>& joints) {
-  RobotTable hand = robot;
+/// Returns the robot with only the joints beyond its palm, listed in `joints`.
+RobotModel extract_hand(const RobotModel& robot, std::vector<int>& joints) {
+  RobotModel hand = robot;
   for (std::size_t i = 0; i < hand.frames.size(); ++i) {
     int& joint = hand.frames[i].joint;
     const auto frame = static_cast<int>(i);
     if (joint < 0 || frame == robot.palm_frame ||
-        !robot::hangs_on(robot, frame, robot.palm_frame)) {
+        !robot::is_in_subtree(robot, frame, robot.palm_frame)) {
       joint = -1;
       continue;
     }
@@ -45,7 +45,7 @@ RobotTable beyond_palm(const RobotTable& robot, std::vector<int>& joints) {
   return hand;
 }
 
-JointVector zero_of(const RobotTable& robot) {
+JointVector zero_posture(const RobotModel& robot) {
   return JointVector::Zero(static_cast<Index>(robot.joints()));
 }
 
@@ -53,15 +53,15 @@ Vec3 origin(const std::vector<Pose>& poses, int frame) {
   return poses[static_cast<std::size_t>(frame)].translation();
 }
 
-/// Hinges of a finger, the last three that stand apart, knuckle first.
-std::vector<int> hinges_of(const RobotTable& robot, const std::vector<Pose>& poses,
+/// Returns the last three distinct hinges of a finger, the knuckle first.
+std::vector<int> hinges_of(const RobotModel& robot, const std::vector<Pose>& poses,
                            std::size_t tip) {
   std::vector<int> hinges;
   Vec3 beyond = robot::tip_pose(robot, poses, tip).translation();
-  for (const int frame : robot::upwards(robot, robot.tips[tip].frame)) {
+  for (const int frame : robot::ancestors(robot, robot.tips[tip].frame)) {
     if (frame == robot.palm_frame) break;
     if (robot::joint_of(robot, frame) < 0) continue;
-    if ((origin(poses, frame) - beyond).norm() < kSamePlace) continue;
+    if ((origin(poses, frame) - beyond).norm() < kCoincidentHinges_m) continue;
     if (hinges.size() == kBones) break;
     beyond = origin(poses, frame);
     hinges.insert(hinges.begin(), frame);
@@ -69,8 +69,8 @@ std::vector<int> hinges_of(const RobotTable& robot, const std::vector<Pose>& pos
   return hinges;
 }
 
-/// The finger's joints as they are, its tip last.
-humanlike::Chain chain_at(const RobotTable& robot, const std::vector<Pose>& poses,
+/// Returns the positions of the finger's joints, its tip last.
+humanlike::Chain chain_at(const RobotModel& robot, const std::vector<Pose>& poses,
                           const std::vector<int>& hinges, std::size_t tip) {
   humanlike::Chain chain;
   for (const int frame : hinges) chain.push_back(origin(poses, frame));
@@ -80,28 +80,28 @@ humanlike::Chain chain_at(const RobotTable& robot, const std::vector<Pose>& pose
 
 }  // namespace
 
-FingerAngles::FingerAngles(const RobotTable& robot)
-    : hand(beyond_palm(robot, joints)),
+FingerAngles::FingerAngles(const RobotModel& robot)
+    : hand(extract_hand(robot, joints)),
       robot_joints(static_cast<Index>(robot.joints())),
-      human(human::human_hand(human::hand_size_of_stature(kStature))) {
+      human(human::human_hand(human::hand_size_of_stature(kStature_m))) {
   std::vector<Pose> poses;
-  robot::forward(hand, zero_of(hand), poses);
+  robot::forward_kinematics(hand, zero_posture(hand), poses);
   base_from_palm = poses[static_cast<std::size_t>(hand.palm_frame)];
   for (std::size_t tip = 0; tip < hand.tips.size(); ++tip) {
     if (hand.tips[tip].finger < 0) continue;
     Finger finger;
     finger.human = static_cast<std::size_t>(hand.tips[tip].finger);
-    finger.along = hand.tips[tip].along;
+    finger.curve_share = hand.tips[tip].along;
     finger.frames = hinges_of(hand, poses, tip);
     finger.tip = tip;
     finger.at_zero = chain_at(hand, poses, finger.frames, tip);
-    for (const int frame : robot::upwards(hand, hand.tips[tip].frame)) {
+    for (const int frame : robot::ancestors(hand, hand.tips[tip].frame)) {
       const int joint = robot::joint_of(hand, frame);
       if (joint >= 0) finger.joints.push_back(joint);
     }
     if (!finger.frames.empty()) fingers.push_back(std::move(finger));
   }
-  start = zero_of(hand).cwiseMax(hand.lower).cwiseMin(hand.upper);
+  warm_start = zero_posture(hand).cwiseMax(hand.lower).cwiseMin(hand.upper);
 }
 
 humanlike::Chain FingerAngles::human_chain(const Finger& finger,
@@ -109,20 +109,21 @@ humanlike::Chain FingerAngles::human_chain(const Finger& finger,
   const auto of = [&](std::size_t k) {
     return chain_at(human, poses, hinges_of(human, poses, k), k);
   };
-  if (!std::isfinite(finger.along)) return of(finger.human);
+  if (!std::isfinite(finger.curve_share)) return of(finger.human);
   const std::array<humanlike::Chain, 4> four = {of(1), of(2), of(3), of(4)};
   humanlike::Chain between;
   for (std::size_t i = 0; i <= kBones; ++i) {
-    between.push_back(point_along({four[0][i], four[1][i], four[2][i], four[3][i]}, finger.along));
+    between.push_back(
+        finger_curve_point({four[0][i], four[1][i], four[2][i], four[3][i]}, finger.curve_share));
   }
   return between;
 }
 
 JointVector FingerAngles::operator()(const JointVector& human_angles) {
   std::vector<Pose> poses;
-  JointVector q = zero_of(human);
+  JointVector q = zero_posture(human);
   q.head(human_angles.size()) = human_angles;
-  robot::forward(human, q, poses);
+  robot::forward_kinematics(human, q, poses);
   std::vector<humanlike::Chain> goals;
   for (const Finger& finger : fingers) {
     humanlike::Chain chain = human_chain(finger, poses);
@@ -130,7 +131,7 @@ JointVector FingerAngles::operator()(const JointVector& human_angles) {
       if (hand.side == Side::left) joint.y() = -joint.y();
       joint = base_from_palm * joint;
     }
-    goals.push_back(humanlike::posed_like(chain, finger.at_zero));
+    goals.push_back(humanlike::match_link_directions(chain, finger.at_zero));
   }
 
   solve::BoundedProblem problem;
@@ -139,27 +140,27 @@ JointVector FingerAngles::operator()(const JointVector& human_angles) {
   humanlike::Loads loads;
   humanlike::LoadSweep sweep;
   problem.model = [&](const JointVector& at, solve::Quadratic& model) {
-    constexpr double kWeight = 1e4;  // per m²: a centimetre counts one
-    robot::forward(hand, at, poses);
+    constexpr double kPositionWeight = 1e4;  // per m²: a centimetre counts as one
+    robot::forward_kinematics(hand, at, poses);
     loads.reset(hand.frames.size(), humanlike::Curvature::gauss_newton);
     for (std::size_t k = 0; k < fingers.size(); ++k) {
       const Finger& finger = fingers[k];
       const humanlike::Chain reached = chain_at(hand, poses, finger.frames, finger.tip);
       for (std::size_t i = 1; i < reached.size(); ++i) {
-        if (!seen(goals[k][i])) continue;
+        if (!is_known(goals[k][i])) continue;
         const int frame = i < finger.frames.size() ? finger.frames[i] : hand.tips[finger.tip].frame;
-        loads.add_point(frame, reached[i], goals[k][i], kWeight, true);
+        loads.add_point(frame, reached[i], goals[k][i], kPositionWeight, true);
       }
     }
     humanlike::add_derivatives(hand, poses, loads, sweep, model);
   };
-  start = solve::minimise(problem, start, solve::MinimiseOptions{}).x;
+  warm_start = solve::minimise(problem, warm_start, solve::MinimiseOptions{}).x;
 
-  JointVector angles = JointVector::Constant(robot_joints, kNotSeen);
+  JointVector angles = JointVector::Constant(robot_joints, kUnknown);
   for (std::size_t k = 0; k < fingers.size(); ++k) {
-    if (!seen(goals[k].back())) continue;
+    if (!is_known(goals[k].back())) continue;
     for (const int joint : fingers[k].joints) {
-      angles[joints[static_cast<std::size_t>(joint)]] = start[joint];
+      angles[joints[static_cast<std::size_t>(joint)]] = warm_start[joint];
     }
   }
   return angles;

@@ -6,9 +6,10 @@
 
 namespace morphe::map {
 
-/// Goals of a hand that has not five fingers (the paper's rule): a natural cubic spline in the
-/// chord length through the human's index, middle, ring and little fingertips (or joints), and of
-/// it the point at `share` (0 … 1) of its arc length, to 1e-9 m. Unseen if one of the four is.
-Vec3 point_along(const std::array<Vec3, 4>& fingers, double share);
+/// Returns a point on the curve through the human's index, middle, ring and little fingertips (or
+/// joints), the goal of a finger of a hand without five fingers (the paper's rule). The curve is a
+/// natural cubic spline in the chord length; the point is at `share` (0 … 1) of its arc length, to
+/// 1e-9 m. Returns an unseen point if one of the four is unseen.
+Vec3 finger_curve_point(const std::array<Vec3, 4>& fingers, double share);
 
 }  // namespace morphe::map

@@ -3,32 +3,34 @@
 #include <algorithm>
 #include <random>
 
-#include "stages/map/twins.hpp"
+#include "stages/map/posture_symmetries.hpp"
 
 namespace morphe::map {
 namespace {
 
-solve::BoundedProblem bounded(const MappingProblem& problem, std::size_t frame,
-                              MappingScratch& scratch) {
+solve::BoundedProblem make_bounded_problem(const MappingProblem& problem, std::size_t frame,
+                                           MappingScratch& scratch) {
   solve::BoundedProblem result;
   result.lower = problem.robot->lower;
   result.upper = problem.robot->upper;
   result.objective = [&problem, frame, &scratch](const JointVector& q, JointVector* gradient) {
     scratch.model.reset(q.size());
-    add_frame(problem, frame, q, scratch, scratch.model, humanlike::Curvature::none);
+    add_frame_objective(problem, frame, q, scratch, scratch.model, humanlike::Curvature::none);
     if (gradient) *gradient = scratch.model.gradient;
     return scratch.model.value;
   };
   scratch.new_descent();
   result.model = [&problem, frame, &scratch](const JointVector& q, solve::Quadratic& model) {
-    add_frame(problem, frame, q, scratch, model, humanlike::Curvature::exact);
+    add_frame_objective(problem, frame, q, scratch, model, humanlike::Curvature::exact);
   };
   return result;
 }
 
-void add_if_new(const Twins& twins, std::vector<solve::Minimum>& minima, solve::Minimum found) {
-  const auto known = std::ranges::find_if(
-      minima, [&](const solve::Minimum& m) { return alike(twins, found.x, m.x, kSame); });
+void add_if_new(const PostureSymmetries& twins, std::vector<solve::Minimum>& minima,
+                solve::Minimum found) {
+  const auto known = std::ranges::find_if(minima, [&](const solve::Minimum& m) {
+    return same_up_to_symmetry(twins, found.x, m.x, kBasinTolerance_rad);
+  });
   if (known == minima.end()) {
     minima.push_back(std::move(found));
   } else if (found.value < known->value) {
@@ -48,7 +50,7 @@ void resize_at_most(std::vector<solve::Minimum>& minima, int count) {
 
 }  // namespace
 
-JointVector random_start(const RobotTable& robot, std::mt19937_64& random) {
+JointVector random_start(const RobotModel& robot, std::mt19937_64& random) {
   JointVector q(robot.lower.size());
   for (Eigen::Index j = 0; j < q.size(); ++j) {
     const double share = static_cast<double>(random() >> 11) * 0x1p-53;
@@ -60,31 +62,31 @@ JointVector random_start(const RobotTable& robot, std::mt19937_64& random) {
 solve::Minimum solve_frame(const MappingProblem& problem, std::size_t frame,
                            const JointVector& start, const solve::MinimiseOptions& options,
                            MappingScratch& scratch) {
-  return solve::minimise(bounded(problem, frame, scratch), start, options);
+  return solve::minimise(make_bounded_problem(problem, frame, scratch), start, options);
 }
 
-solve::MinimiseOptions limited(solve::MinimiseOptions options, int evaluations) {
+solve::MinimiseOptions limit_evaluations(solve::MinimiseOptions options, int evaluations) {
   if (options.algorithm == "structured") {
     options.evaluations = std::min(options.evaluations, evaluations);
   }
   return options;
 }
 
-Descents thorough(const solve::MinimiseOptions& options) {
-  solve::MinimiseOptions first = options;  // enough to tell which starts are worth more
+SearchStages thorough_stages(const solve::MinimiseOptions& options) {
+  solve::MinimiseOptions first = options;  // accurate enough to rank the starts
   first.relative_value = std::max(options.relative_value, 1e-4);
   return {first, options};
 }
 
-Descents quick(const solve::MinimiseOptions& options) {
-  const Descents descents = thorough(options);
-  return {limited(descents.first, 40), limited(descents.then, 10)};
+SearchStages quick_stages(const solve::MinimiseOptions& options) {
+  const SearchStages descents = thorough_stages(options);
+  return {limit_evaluations(descents.first, 40), limit_evaluations(descents.then, 10)};
 }
 
 std::vector<solve::Minimum> search_frame(const MappingProblem& problem, std::size_t frame,
-                                         int starts, int keep, const Descents& descents,
+                                         int starts, int keep, const SearchStages& descents,
                                          std::uint64_t seed, MappingScratch& scratch) {
-  const Twins twins = find_twins(problem);
+  const PostureSymmetries twins = find_posture_symmetries(problem);
   std::mt19937_64 random(seed);
   std::vector<solve::Minimum> found;
   for (int i = 0; i < starts; ++i) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "core/humanlike/arm_chain.hpp"
-#include "core/humanlike/posed_like.hpp"
-#include "core/robot/forward.hpp"
+#include "core/humanlike/match_link_directions.hpp"
+#include "core/robot/forward_kinematics.hpp"
 #include "core/robot/tree.hpp"
 #include "stages/map/finger_angles.hpp"
 
@@ -13,13 +13,13 @@ namespace {
 
 using Eigen::Index;
 
-/// Joints of fingers that never get an angle: at zero, or the limit next to it.
-void rest_unrecorded(const robot::Robot& robot, std::vector<humanlike::FrameGoal>& frames,
-                     Goals& goals) {
+/// Sets the joints of fingers that never have an angle to zero, or the limit next to it.
+void zero_unrecorded_fingers(const robot::Robot& robot, std::vector<humanlike::FrameGoal>& frames,
+                             Goals& goals) {
   bool any = false;
-  for (const RobotTable::Tip& tip : robot.tips) {
+  for (const RobotModel::Tip& tip : robot.tips) {
     if (tip.finger < 0) continue;
-    for (const int frame : robot::upwards(robot, tip.frame)) {
+    for (const int frame : robot::ancestors(robot, tip.frame)) {
       if (frame == robot.palm_frame) break;
       const int joint = robot::joint_of(robot, frame);
       const bool recorded =
@@ -43,26 +43,26 @@ std::vector<humanlike::FrameGoal> joint_to_joint_goals(const robot::Robot& robot
                                                        const std::vector<double>& angle_time,
                                                        Goals& goals) {
   std::vector<Pose> poses;
-  robot::forward(robot, JointVector::Zero(static_cast<Index>(robot.joints())), poses);
+  robot::forward_kinematics(robot, JointVector::Zero(static_cast<Index>(robot.joints())), poses);
   const humanlike::Chain arm = humanlike::arm_chain(robot, poses).joints;
   FingerAngles finger_angles(robot);
   std::vector<humanlike::FrameGoal> frames;
   for (std::size_t f = 0; f < goals.frames(); ++f) {
     humanlike::FrameGoal goal;
-    goal.tip_position.assign(robot.tips.size(), unseen_point());
-    goal.tip_orientation.assign(robot.tips.size(), unseen_rotation());
+    goal.tip_position.assign(robot.tips.size(), unknown_point());
+    goal.tip_orientation.assign(robot.tips.size(), unknown_rotation());
     goal.hand = goals.wrist_orientation[f];
     if (arm.size() > 1) {
-      goal.chain = humanlike::posed_like(
+      goal.chain = humanlike::match_link_directions(
           {goals.shoulder_position[f], goals.elbow_position[f], goals.wrist_position[f]}, arm);
     }
-    goal.angles = JointVector::Constant(static_cast<Index>(robot.joints()), kNotSeen);
+    goal.angles = JointVector::Constant(static_cast<Index>(robot.joints()), kUnknown);
     const auto row =
         std::lower_bound(angle_time.begin(), angle_time.end(), goals.time[f]) - angle_time.begin();
     if (row < angles.rows()) goal.angles = finger_angles(angles.row(row).transpose());
     frames.push_back(std::move(goal));
   }
-  rest_unrecorded(robot, frames, goals);
+  zero_unrecorded_fingers(robot, frames, goals);
   return frames;
 }
 

@@ -5,25 +5,25 @@
 #include "core/humanlike/arm_chain.hpp"
 #include "core/humanlike/metrics.hpp"
 #include "core/math/seed.hpp"
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 #include "stages/map/finger_curve.hpp"
 #include "stages/map/movement_search.hpp"
-#include "stages/map/nearest.hpp"
-#include "stages/map/reachable.hpp"
+#include "stages/map/nearest_errors.hpp"
+#include "stages/map/reachability.hpp"
 
 namespace morphe::map {
 namespace {
 
 using Eigen::Index;
-constexpr double kMetBelow = 1e-3;  ///< tip error of a frame that counts as met [m]
+constexpr double kMetTolerance_m = 1e-3;  ///< tip error below which a frame's goal is met [m]
 
 void measure_humanlikeness(const MappingProblem& problem, const Goals& goals, std::size_t frame,
-                           const std::vector<Pose>& base_from_frame, Mapped& mapped) {
+                           const std::vector<Pose>& base_from_frame, MappingResult& mapped) {
   const auto row = static_cast<Index>(frame);
-  mapped.humanlikeness.row(row).setConstant(kNotSeen);
+  mapped.humanlikeness.row(row).setConstant(kUnknown);
   const humanlike::Chain human{goals.shoulder_position[frame], goals.elbow_position[frame],
                                goals.wrist_position[frame]};
-  if (!seen(human[0]) || !seen(human[1]) || !seen(human[2])) return;
+  if (!is_known(human[0]) || !is_known(human[1]) || !is_known(human[2])) return;
   const humanlike::Chain robot = humanlike::arm_chain(*problem.robot, base_from_frame).joints;
   const std::vector<Vec3> inner = robot::arm_centre_positions(*problem.robot, base_from_frame);
   mapped.humanlikeness(row, 0) = humanlike::joint_distance_sum(human[1], inner);
@@ -32,28 +32,28 @@ void measure_humanlikeness(const MappingProblem& problem, const Goals& goals, st
 }
 
 void measure_frame(const MappingProblem& problem, const Goals& goals, std::size_t frame,
-                   MappingScratch& scratch, Mapped& mapped) {
+                   MappingScratch& scratch, MappingResult& mapped) {
   const auto row = static_cast<Index>(frame);
   const JointVector q = mapped.position.row(row).transpose();
   const humanlike::FrameGoal goal = humanlike::frame_goal(goals, frame);
   scratch.model.reset(q.size());
-  add_frame(problem, frame, q, scratch, scratch.model);
+  add_frame_objective(problem, frame, q, scratch, scratch.model);
   mapped.objective.push_back(scratch.model.value);
   bool any = false, met = true, reachable = true;
   for (std::size_t i = 0; i < goal.tip_position.size(); ++i) {
     const Pose tip = robot::tip_pose(*problem.robot, scratch.base_from_frame, i);
     const auto col = static_cast<Index>(i);
-    if (seen(goal.tip_orientation[i])) {
+    if (is_known(goal.tip_orientation[i])) {
       mapped.orientation_error(row, col) =
           angle_between(Quat(tip.linear()), goal.tip_orientation[i]);
     }
-    if (!seen(goal.tip_position[i])) continue;
+    if (!is_known(goal.tip_position[i])) continue;
     any = true;
     const Vec3 at =
-        robot::goal_point(*problem.robot, scratch.base_from_frame, i, goal.pad_share_of(i));
+        robot::tracked_point(*problem.robot, scratch.base_from_frame, i, goal.pad_share_of(i));
     const double error = (at - goal.tip_position[i]).norm();
     mapped.position_error(row, col) = error;
-    met = met && error < kMetBelow;
+    met = met && error < kMetTolerance_m;
     reachable = reachable && goals.reachable(frame, i);
   }
   mapped.status.push_back(!any        ? FrameStatus::no_goal
@@ -63,14 +63,14 @@ void measure_frame(const MappingProblem& problem, const Goals& goals, std::size_
   measure_humanlikeness(problem, goals, frame, scratch.base_from_frame, mapped);
 }
 
-Mapped measure(const MappingProblem& problem, const Goals& goals, const JointRows& q) {
+MappingResult measure(const MappingProblem& problem, const Goals& goals, const JointRows& q) {
   const auto frames = q.rows();
   const auto tips = static_cast<Index>(goals.tip_position.cols);
-  Mapped mapped;
+  MappingResult mapped;
   mapped.position = q;
-  mapped.position_error = JointRows::Constant(frames, tips, kNotSeen);
-  mapped.orientation_error = JointRows::Constant(frames, tips, kNotSeen);
-  mapped.humanlikeness = JointRows::Constant(frames, 3, kNotSeen);
+  mapped.position_error = JointRows::Constant(frames, tips, kUnknown);
+  mapped.orientation_error = JointRows::Constant(frames, tips, kUnknown);
+  mapped.humanlikeness = JointRows::Constant(frames, 3, kUnknown);
   MappingScratch scratch;
   for (std::size_t f = 0; f < problem.frames(); ++f) {
     measure_frame(problem, goals, f, scratch, mapped);
@@ -88,23 +88,24 @@ double posture_error(const MappingProblem& problem, const Goals& goals, const Jo
     sum += error * error;
     ++count;
   }
-  return count == 0 ? kNotSeen : std::sqrt(sum / count);
+  return count == 0 ? kUnknown : std::sqrt(sum / count);
 }
 
-/// Where the middle joints of fingers between the human's would be: the rule of their tips.
+/// Returns goals for the middle joints of fingers between the human's, by the rule of their tips.
 std::vector<Vec3> curve_joints(const robot::Robot& robot, const Goals& goals, std::size_t frame) {
   const auto joint = [&](std::size_t finger) { return goals.finger_joint_position(frame, finger); };
-  std::vector<Vec3> points(robot.tips.size(), unseen_point());
+  std::vector<Vec3> points(robot.tips.size(), unknown_point());
   for (std::size_t tip = 0; tip < points.size(); ++tip) {
     const double along = robot.tips[tip].along;
     if (!std::isfinite(along)) continue;
-    points[tip] = point_along({joint(1), joint(2), joint(3), joint(4)}, along);
+    points[tip] = finger_curve_point({joint(1), joint(2), joint(3), joint(4)}, along);
   }
   return points;
 }
 
-/// What is reached is judged by the tips in every mode.
-MappingProblem tracked_by(const MappingProblem& problem, const Goals& goals) {
+/// Returns the problem with the goals of the tips, by which reachability is evaluated in every
+/// mode.
+MappingProblem with_tip_goals(const MappingProblem& problem, const Goals& goals) {
   MappingProblem tracked = problem;
   for (std::size_t f = 0; f < goals.frames(); ++f) {
     tracked.goals[f] = humanlike::frame_goal(goals, f);
@@ -112,8 +113,8 @@ MappingProblem tracked_by(const MappingProblem& problem, const Goals& goals) {
   return tracked;
 }
 
-MapResult result_of(const MappingProblem& problem, const MappingProblem& tracked, Goals& goals,
-                    const JointRows& q, const MapOptions& options, std::uint64_t seed) {
+MapResult make_result(const MappingProblem& problem, const MappingProblem& tracked, Goals& goals,
+                      const JointRows& q, const MapOptions& options, std::uint64_t seed) {
   const std::vector<bool> reachable =
       reachable_frames(tracked, q, {options.reachable_starts, options.reachable_m, options.solver},
                        math::seed_from(seed, "reachable"));
@@ -122,9 +123,10 @@ MapResult result_of(const MappingProblem& problem, const MappingProblem& tracked
   }
   MapResult result;
   result.mapped = measure(problem, goals, q);
-  result.mapped.nearest_error = nearest_errors(tracked, q, reachable, options.solver);
+  result.mapped.least_attainable_error = nearest_errors(tracked, q, reachable, options.solver);
   result.posture_error_rad = posture_error(problem, goals, q);
-  result.path = {q, std::vector<Origin>(problem.frames(), Origin::mapped), problem.time};
+  result.path = {q, std::vector<SampleOrigin>(problem.frames(), SampleOrigin::mapped),
+                 problem.time};
   return result;
 }
 
@@ -141,7 +143,7 @@ MappingProblem make_mapping_problem(const robot::Robot& robot, const Goals& goal
   problem.time = goals.time;
   for (std::size_t f = 0; f < goals.frames(); ++f) {
     problem.goals.push_back(humanlike::frame_goal(goals, f));
-    problem.goals.back().curve_joint = curve_joints(robot, goals, f);
+    problem.goals.back().interpolated_finger_joint = curve_joints(robot, goals, f);
     problem.goals.back().weights =
         weights_at(options.phases, phases, goals.time[f], options.phase_blend_s);
   }
@@ -150,24 +152,24 @@ MappingProblem make_mapping_problem(const robot::Robot& robot, const Goals& goal
 
 Outcome<MapResult> map_movement(const MappingProblem& problem, Goals& goals,
                                 const MapOptions& options, std::uint64_t seed) {
-  const MappingProblem tracked = tracked_by(problem, goals);
+  const MappingProblem tracked = with_tip_goals(problem, goals);
   const bool any_goal =
       std::any_of(tracked.goals.begin(), tracked.goals.end(),
-                  [](const humanlike::FrameGoal& goal) { return goal.tips_seen() > 0; });
+                  [](const humanlike::FrameGoal& goal) { return goal.goal_tip_count() > 0; });
   if (problem.frames() < 5 || !any_goal) {
     return {{},
             {Reason::no_goal, any_goal ? "the movement has fewer than 5 frames"
                                        : "no fingertip was seen in the whole movement"}};
   }
-  const std::vector<Course> courses = search_movement(problem, options, seed);
-  MapResult result = result_of(problem, tracked, goals, courses.front().q, options, seed);
+  const std::vector<CandidatePath> courses = search_movement(problem, options, seed);
+  MapResult result = make_result(problem, tracked, goals, courses.front().q, options, seed);
   for (std::size_t i = 1; i < courses.size(); ++i) result.candidates.push_back(courses[i].q);
   return {std::move(result), {}};
 }
 
-MapResult judge_path(const MappingProblem& problem, Goals& goals, const JointRows& q,
-                     const MapOptions& options, std::uint64_t seed) {
-  return result_of(problem, tracked_by(problem, goals), goals, q, options, seed);
+MapResult evaluate_path(const MappingProblem& problem, Goals& goals, const JointRows& q,
+                        const MapOptions& options, std::uint64_t seed) {
+  return make_result(problem, with_tip_goals(problem, goals), goals, q, options, seed);
 }
 
 }  // namespace morphe::map

@@ -9,26 +9,30 @@
 
 namespace morphe::map {
 
+/// The result of mapping a movement.
 struct MapResult {
-  Mapped mapped;
-  JointPath path;                       ///< the mapped positions, all Origin::mapped
-  std::vector<JointRows> candidates;    ///< other continuous courses, the best first, for repair
-  double posture_error_rad = kNotSeen;  ///< rms from the natural posture where it is asked for
+  MappingResult mapped;  ///< positions, errors and statuses
+  JointPath path;        ///< the mapped positions, all with SampleOrigin::mapped
+  /// Other continuous candidate paths, the best first, for repair.
+  std::vector<JointRows> candidates;
+  /// Rms deviation from the natural posture while it is active.
+  double posture_error_rad = kUnknown;
 };
 
-/// Frames to joint angles, the movement as one problem (search_movement). Fills goals.reachable.
-/// Frames without any goal take part through smoothness and posture alone. Whatever the problem's
-/// own goals are (joint-to-joint has others), errors, statuses and reach are those of `goals`.
-/// Refused: no_goal.
+/// Maps the goals of all frames to joint positions, with the movement as one problem
+/// (search_movement). Fills goals.reachable. Frames without any goal contribute through smoothness
+/// and posture alone. Errors, statuses and reachability refer to `goals`, even if the problem has
+/// other goals (as in joint-to-joint mapping). Fails with Reason::no_goal if no fingertip has a
+/// goal or the movement has fewer than 5 frames.
 Outcome<MapResult> map_movement(const MappingProblem& problem, Goals& goals,
                                 const MapOptions& options, std::uint64_t seed);
 
-/// Any path of the movement, measured and judged as if it had been mapped; fills goals.reachable.
-MapResult judge_path(const MappingProblem& problem, Goals& goals, const JointRows& q,
-                     const MapOptions& options, std::uint64_t seed);
+/// Evaluates any path of the movement as if it had been mapped. Fills goals.reachable.
+MapResult evaluate_path(const MappingProblem& problem, Goals& goals, const JointRows& q,
+                        const MapOptions& options, std::uint64_t seed);
 
-/// The problem of a movement: goals frame by frame, with the weights of their phases, and the world
-/// to stay clear of.
+/// Creates the mapping problem of a movement from the goals of its frames, the weights of their
+/// phases, and the collision world.
 MappingProblem make_mapping_problem(const robot::Robot& robot, const Goals& goals,
                                     const collision::CollisionWorld& world,
                                     const MapOptions& options,

@@ -8,7 +8,7 @@
 namespace morphe::map {
 namespace {
 
-int joint_index(const RobotTable& robot, const std::string& name) {
+int joint_index(const RobotModel& robot, const std::string& name) {
   const auto found = std::find(robot.joint_names.begin(), robot.joint_names.end(), name);
   if (found == robot.joint_names.end()) {
     throw InputError("map.natural: robot " + robot.name + " has no actuated joint '" + name + "'");
@@ -16,51 +16,54 @@ int joint_index(const RobotTable& robot, const std::string& name) {
   return static_cast<int>(found - robot.joint_names.begin());
 }
 
-std::vector<int> tips_moved_by(const RobotTable& robot, int joint) {
+std::vector<int> tips_moved_by(const RobotModel& robot, int joint) {
   std::vector<int> tips;
   for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
-    if (robot::moves(robot, joint, robot.tips[tip].frame)) tips.push_back(static_cast<int>(tip));
+    if (robot::joint_moves_frame(robot, joint, robot.tips[tip].frame))
+      tips.push_back(static_cast<int>(tip));
   }
   return tips;
 }
 
-/// What a mode leaves out, or has in its place.
+/// Removes or replaces the terms of the objective as required by a mode.
 void set_mode(MapMode mode, humanlike::FrameObjective& objective) {
-  using humanlike::Group;
+  using humanlike::TermGroup;
   if (mode == MapMode::humanlike) return;
-  objective.each([&]<class T>(T& term) {
+  objective.for_each_term([&]<class T>(T& term) {
     const bool humanlike =
-        T::kGroup == Group::humanlike_arm || T::kGroup == Group::humanlike_fingers;
-    const bool turns = T::kGroup == Group::tip_orientation;
+        T::kGroup == TermGroup::humanlike_arm || T::kGroup == TermGroup::humanlike_fingers;
+    const bool turns = T::kGroup == TermGroup::tip_orientation;
     if (humanlike || (turns && mode == MapMode::fingertip_only)) term.weight = 0;
   });
   if (mode == MapMode::joint_to_joint) {
-    constexpr double kLever = 0.1;  // a finger's length [m]: what an angle moves
+    // Length of a finger [m], which converts angles to displacements.
+    constexpr double kFingerLever_m = 0.1;
     const double weight = objective.get<humanlike::TipPosition>().weight;
     objective.get<humanlike::ChainPosition>().weight = weight;
-    objective.get<humanlike::JointAngle>().weight = kLever * kLever * weight;
-    objective.get<humanlike::HandOrientation>().weight = 1;  // met exactly if it can be: the angle
-                                                             // is not squared
+    objective.get<humanlike::JointAngle>().weight = kFingerLever_m * kFingerLever_m * weight;
+    // Reached exactly if possible: the angle is not squared.
+    objective.get<humanlike::HandOrientation>().weight = 1;
   }
 }
 
 }  // namespace
 
-std::string why_invalid(const BaseOffset& o) {
+std::string validation_error(const BaseOffset& o) {
   if (!(o.limit_m >= 0 && o.weight >= 0)) return "limit and weight must not be negative";
   return "";
 }
 
-std::string why_invalid(const MapOptions& o) {
+std::string validation_error(const MapOptions& o) {
   double least =
       std::min({o.movement_cost.velocity, o.movement_cost.acceleration, o.movement_cost.jerk});
-  o.objective.each([&](const auto& term) { least = std::min(least, term.weight); });
+  o.objective.for_each_term([&](const auto& term) { least = std::min(least, term.weight); });
   if (least < 0) return "weights must not be negative";
   const auto& thumb = o.objective.get<humanlike::ThumbDistance>();
   if (!(thumb.near_m >= 0 && thumb.near_m < thumb.far_m)) {
     return "thumb_near must not be negative, and less than thumb_far";
   }
-  if (const std::string wrong = why_invalid(o.phases); !wrong.empty()) return "phases: " + wrong;
+  if (const std::string wrong = validation_error(o.phases); !wrong.empty())
+    return "phases: " + wrong;
   if (o.phase_blend_s < 0) return "phase_blend_s must not be negative";
   if (o.orientation_smoothing <= 0) return "orientation_smoothing must be positive";
   if (o.key_frames < 1 || o.starts < 1 || o.candidates < 1) {
@@ -73,7 +76,7 @@ std::string why_invalid(const MapOptions& o) {
   return "";
 }
 
-humanlike::FrameObjective make_objective(const MapOptions& options, const RobotTable& robot) {
+humanlike::FrameObjective make_objective(const MapOptions& options, const RobotModel& robot) {
   humanlike::FrameObjective objective = options.objective;
   objective.get<humanlike::TipOrientation>().smoothing_rad = options.orientation_smoothing;
   objective.get<humanlike::HandOrientation>().smoothing_rad = options.orientation_smoothing;

@@ -14,43 +14,50 @@
 
 namespace morphe::map {
 
-/// How goals become joint angles; the last three are what the paper compares itself with.
-/// Clearance, movement cost and the natural posture of fingers without a goal count in all of them,
-/// and all are judged alike.
+/// The mapping method. The last three are the baselines with which the paper compares its method.
+/// Clearance, movement cost and the natural posture of fingers without a goal are part of all
+/// modes, and all results are evaluated alike.
 ///   humanlike           the objective with all its terms
 ///   joint_to_joint      the human's joint angles instead of its fingertips (joint_to_joint.hpp)
 ///   inverse_kinematics  without humanlikeness: w_A, w_a, w_B and w_C are zero
-///   fingertip_only      the tips' positions alone: no humanlikeness, and no orientation of tips
-///                       or hand either
+///   fingertip_only      the positions of the tips alone: no humanlikeness, and no orientation of
+///                       tips or hand either
 enum class MapMode { humanlike, joint_to_joint, inverse_kinematics, fingertip_only };
+/// Returns the names of the modes in configurations.
 constexpr std::array<std::string_view, 4> names_of(MapMode) {
   return {"humanlike", "joint_to_joint", "inverse_kinematics", "fingertip_only"};
 }
 
-/// What a joint does while no goal asks anything of it: q = value, or q = q_follow + value.
+/// The natural position of a joint, to which it is drawn while no goal determines it: q = value, or
+/// q = q_follow + value.
 struct NaturalJoint {
+  /// Name of the joint and of the joint that it follows, or "".
   std::string joint, follow;
   double value = 0;  ///< [rad]
 };
 
-/// Section 3.3 of the paper: where the robot's base (a hand's: its wrist) stands is chosen with the
-/// mapping, one place for a movement.
+/// The offset of the robot's base (for a hand, of its wrist), which is optimised together with the
+/// mapping, once per movement (Section 3.3 of the paper).
 struct BaseOffset {
-  double limit_m = 0;  ///< along each axis of the world, from where the placement puts it; 0: off
-  double weight = 1;   ///< on its square, beside the mean of the frames' objectives [1/m²]
+  /// Limit along each axis of the world relative to the configured placement; 0 disables the
+  /// offset.
+  double limit_m = 0;
+  double weight = 1;  ///< weight of its square, added to the mean of the frames' objectives [1/m²]
 };
 template <class Fields>
 void fields(Fields& f, BaseOffset& o) {
   f("limit", o.limit_m);
   f("weight", o.weight);
 }
-std::string why_invalid(const BaseOffset& options);
+/// Returns a sentence about the first invalid option, or "" if all are valid.
+std::string validation_error(const BaseOffset& options);
 
-/// Humanlikeness, clearance and smoothness all pull tips off their goals, by as much as they
-/// outweigh w_x: 1000 leaves up to 1.4 mm on the shipped recordings, 20000 at most 0.25 mm. The
-/// clearance term's weight is a tenth of it: tips give way to collisions as before. The hand's
-/// orientation is a weak goal.
-inline humanlike::FrameObjective usual_objective() {
+/// Returns the default weights of the objective. Humanlikeness, clearance and smoothness all pull
+/// tips off their goals, by an amount that depends on their weights relative to w_x: 1000 leaves up
+/// to 1.4 mm on the shipped recordings, 20000 at most 0.25 mm. The clearance term's weight is a
+/// tenth of it, so that tips give way to collisions as before. The hand's orientation is a weak
+/// goal.
+inline humanlike::FrameObjective default_objective() {
   humanlike::FrameObjective o;
   o.get<humanlike::TipPosition>().weight = 20000;
   o.get<humanlike::TipOrientation>().weight = 0.01;
@@ -62,26 +69,30 @@ inline humanlike::FrameObjective usual_objective() {
   return o;
 }
 
-/// Config section `map`: weights of Eq. (16), our terms beside it, and the search.
+/// Options of the mapping (config section `map`): weights of Eq. (16), the additional terms, and
+/// the search.
 struct MapOptions {
-  MapMode mode = MapMode::humanlike;
-  humanlike::FrameObjective objective = usual_objective();  ///< its weights
-  std::vector<PhaseWeights> phases;     ///< what phases multiply these weights by
-  double phase_blend_s = 0.2;           ///< from one phase's weights to the next's
+  MapMode mode = MapMode::humanlike;                          ///< the mapping method
+  humanlike::FrameObjective objective = default_objective();  ///< the objective with its weights
+  std::vector<PhaseWeights> phases;  ///< factors of these weights in single phases
+  double phase_blend_s = 0.2;  ///< time over which the weights are blended from phase to phase
   double orientation_smoothing = 1e-3;  ///< rounds the kink of the unsquared angle [rad]
   std::vector<NaturalJoint> natural;    ///< the natural posture
-  BaseOffset free_offset;
-  ClearanceTerm clearance;
-  bool clear_of_target = true;  ///< unseen fingers and palm respect the target's contact depth
+  BaseOffset free_offset;               ///< offset of the base, optimised with the mapping
+  ClearanceTerm clearance;              ///< penalty on small clearances
+  /// True if unseen fingers and the palm respect the target's contact depth.
+  bool clear_of_target = true;
 
-  MovementCost movement_cost;   ///< of the whole movement, beside the frames' objectives
-  int key_frames = 5;           ///< where the global search starts
-  int starts = 24;              ///< random starts at each of them
-  int candidates = 4;           ///< distinct minima kept at each and followed through the movement
-  double coarse_step_s = 0.05;  ///< grid on which candidates are followed and compared
-  int reachable_starts = 256;   ///< before a goal is declared out of reach
-  double reachable_m = 1e-4;    ///< error below which a goal counts as met by that search
-  solve::MinimiseOptions solver;  ///< of single frames
+  MovementCost movement_cost;  ///< cost of the whole movement, added to the frames' objectives
+  int key_frames = 5;          ///< number of frames at which the global search starts
+  int starts = 24;             ///< random starts at each of them
+  int candidates = 4;          ///< distinct minima kept at each and tracked through the movement
+  /// Time step of the grid on which candidate paths are tracked and compared.
+  double coarse_step_s = 0.05;
+  int reachable_starts = 256;     ///< random starts before a goal is declared unreachable
+  double reachable_m = 1e-4;      ///< error below which that search regards a goal as reached
+  solve::MinimiseOptions solver;  ///< options for single frames
+  /// Options for whole movements.
   solve::MovementOptions movement;
 };
 template <class Fields>
@@ -111,10 +122,11 @@ void fields(Fields& f, MapOptions& o) {
   f("solver", o.solver);
   f("movement", o.movement);
 }
-std::string why_invalid(const MapOptions& options);
+/// Returns a sentence about the first invalid option, or "" if all are valid.
+std::string validation_error(const MapOptions& options);
 
-/// The frame objective that the options and the robot make; InputError if `natural` names an
-/// unknown joint.
-humanlike::FrameObjective make_objective(const MapOptions& options, const RobotTable& robot);
+/// Creates the frame objective from the options for a robot. Throws InputError if `natural` names
+/// an unknown joint.
+humanlike::FrameObjective make_objective(const MapOptions& options, const RobotModel& robot);
 
 }  // namespace morphe::map

@@ -4,13 +4,14 @@
 
 namespace morphe::map {
 
-void add_frame(const MappingProblem& problem, std::size_t frame, const JointVector& q,
-               MappingScratch& scratch, solve::Quadratic& model, humanlike::Curvature curvature) {
+void add_frame_objective(const MappingProblem& problem, std::size_t frame, const JointVector& q,
+                         MappingScratch& scratch, solve::Quadratic& model,
+                         humanlike::Curvature curvature) {
   humanlike::add_objective(problem.objective, *problem.robot, q, problem.goals[frame], scratch,
                            model, curvature);
   assert(problem.world->robot == problem.robot);
   std::vector<Pose>& poses = scratch.clearance.collision.base_from_frame;
-  poses.swap(scratch.base_from_frame);  // lent, and given back
+  poses.swap(scratch.base_from_frame);  // lent to the clearance term and returned
   add_clearance(problem.clearance, *problem.world, problem.time[frame], scratch.clearance, model);
   poses.swap(scratch.base_from_frame);
 }

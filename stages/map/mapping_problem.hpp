@@ -9,27 +9,29 @@
 
 namespace morphe::map {
 
-/// One movement to be mapped: the objective of its frames in one place. Robot and world must
-/// outlive it.
+/// The mapping of one movement: the objectives of all its frames. Robot and world must outlive it.
 struct MappingProblem {
   const robot::Robot* robot = nullptr;
-  humanlike::FrameObjective objective;
-  ClearanceTerm clearance;
-  const collision::CollisionWorld* world = nullptr;  ///< what the mapping stays clear of
-  std::vector<double> time;                          ///< [F] demonstration time [s]
-  std::vector<humanlike::FrameGoal> goals;           ///< [F]
+  humanlike::FrameObjective objective;  ///< objective of a single frame
+  ClearanceTerm clearance;              ///< added to the objective
+  /// Collision world from which the mapping keeps clear.
+  const collision::CollisionWorld* world = nullptr;
+  std::vector<double> time;                 ///< [F] demonstration time [s]
+  std::vector<humanlike::FrameGoal> goals;  ///< [F]
 
+  /// Returns the number of frames.
   std::size_t frames() const { return time.size(); }
 };
 
+/// Buffers of add_frame_objective(), reused from call to call.
 struct MappingScratch : humanlike::ObjectiveScratch {
   ClearanceScratch clearance;
   solve::Quadratic model;
 };
 
 /// Adds the objective of a frame at q, clearance included, to `model`.
-void add_frame(const MappingProblem& problem, std::size_t frame, const JointVector& q,
-               MappingScratch& scratch, solve::Quadratic& model,
-               humanlike::Curvature curvature = humanlike::Curvature::gauss_newton);
+void add_frame_objective(const MappingProblem& problem, std::size_t frame, const JointVector& q,
+                         MappingScratch& scratch, solve::Quadratic& model,
+                         humanlike::Curvature curvature = humanlike::Curvature::gauss_newton);
 
 }  // namespace morphe::map

@@ -3,16 +3,16 @@
 #include <array>
 #include <vector>
 
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 
 namespace morphe::map {
 
-/// What a movement costs beside its frames, per 10 ms: weights on (velocity / limit)²,
-/// (acceleration / limit)² and (jerk / limit)² of every joint at the human's tempo. Jerk keeps
-/// sensor noise out; velocity and acceleration choose, among postures that serve the goals alike,
-/// those that the robot can follow without slowing down.
+/// The cost of a movement in addition to that of its frames, per 10 ms: weights on (velocity /
+/// limit)², (acceleration / limit)² and (jerk / limit)² of every joint at the human's tempo. The
+/// jerk term suppresses sensor noise; velocity and acceleration select, among postures that meet
+/// the goals equally well, those that the robot can follow without slowing down.
 struct MovementCost {
-  double velocity = 3e-4, acceleration = 1e-5, jerk = 3e-5;
+  double velocity = 3e-4, acceleration = 1e-5, jerk = 3e-5;  ///< weights of the three terms
 };
 template <class Fields>
 void fields(Fields& f, MovementCost& o) {
@@ -21,13 +21,14 @@ void fields(Fields& f, MovementCost& o) {
   f("jerk", o.jerk);
 }
 
-/// The cost as weights on squared first, second and third differences of a path whose frames are
-/// mean_step(time) apart. [n] each
-std::array<JointVector, 3> difference_weights(const RobotTable& robot,
+/// Returns the cost as weights [n] on squared first, second and third differences of a path whose
+/// frames are mean_step(time) apart.
+std::array<JointVector, 3> difference_weights(const RobotModel& robot,
                                               const std::vector<double>& time,
                                               const MovementCost& cost);
 
-inline constexpr double kReferenceStep = 0.01;  ///< weights count per frame of this length [s]
+inline constexpr double kReferenceStep_s = 0.01;  ///< frame length to which the weights refer [s]
+/// Returns the mean time between frames [s].
 double mean_step(const std::vector<double>& time);
 
 }  // namespace morphe::map

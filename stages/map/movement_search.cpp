@@ -7,31 +7,31 @@
 #include "core/math/seed.hpp"
 #include "stages/map/coarse_grid.hpp"
 #include "stages/map/frame_search.hpp"
+#include "stages/map/join_ik_branches.hpp"
+#include "stages/map/make_movement_problem.hpp"
+#include "stages/map/posture_symmetries.hpp"
 #include "stages/map/rounded_problem.hpp"
-#include "stages/map/splice.hpp"
-#include "stages/map/twins.hpp"
-#include "stages/map/whole_movement.hpp"
 
 namespace morphe::map {
 namespace {
 
 using Eigen::Index;
 
-constexpr int kFollow = 5;  ///< evaluations at a frame that is followed
+constexpr int kMaxTrackingEvaluations = 5;  ///< evaluations per tracked frame
 
-/// Warm-started solves from a key frame to both ends, as exact as what is spliced and smoothed has
-/// to be.
-Way follow(const MappingProblem& problem, std::size_t key, const JointVector& q,
-           solve::MinimiseOptions options, MappingScratch& scratch) {
-  options = limited(options, kFollow);
+/// Tracks a branch by warm-started solves from a key frame to both ends, as accurately as joining
+/// and smoothing require.
+IkBranch track_branch(const MappingProblem& problem, std::size_t key, const JointVector& q,
+                      solve::MinimiseOptions options, MappingScratch& scratch) {
+  options = limit_evaluations(options, kMaxTrackingEvaluations);
   options.relative_value = std::max(options.relative_value, 1e-5);
-  const double share = mean_step(problem.time) / kReferenceStep;
-  Way way{key, JointRows(static_cast<Index>(problem.frames()), q.size()),
-          std::vector<double>(problem.frames())};
+  const double share = mean_step(problem.time) / kReferenceStep_s;
+  IkBranch way{key, JointRows(static_cast<Index>(problem.frames()), q.size()),
+               std::vector<double>(problem.frames())};
   const auto solve = [&](std::size_t frame, const JointVector& start) {
     const solve::Minimum found = solve_frame(problem, frame, start, options, scratch);
     way.q.row(static_cast<Index>(frame)) = found.x.transpose();
-    way.value[frame] = share * found.value;
+    way.frame_cost[frame] = share * found.value;
   };
   solve(key, q);
   const auto near = [&](std::size_t frame) -> JointVector {
@@ -42,66 +42,74 @@ Way follow(const MappingProblem& problem, std::size_t key, const JointVector& q,
   return way;
 }
 
-/// The same postures all along, or twins of them.
-bool same_course(const Twins& twins, const JointRows& a, const JointRows& b) {
+/// Returns true if two paths have the same or equivalent postures in all frames.
+bool same_path(const PostureSymmetries& twins, const JointRows& a, const JointRows& b) {
   for (Index f = 0; f < a.rows(); ++f) {
-    if (!alike(twins, a.row(f).transpose(), b.row(f).transpose(), kSame)) return false;
+    if (!same_up_to_symmetry(twins, a.row(f).transpose(), b.row(f).transpose(),
+                             kBasinTolerance_rad))
+      return false;
   }
   return true;
 }
 
-/// Iterations after which the jumps are gone and a sequence shows what it is worth, and how many of
-/// the best are smoothed to the end: the others wait for repair, which changes them anyway.
-constexpr int kLook = 7;
-constexpr std::size_t kSmoothed = 2;
-constexpr double kComparing = 10;  ///< times the share of their value that the last steps gain
+/// Iterations after which the jumps are gone and the value of a sequence becomes apparent, and the
+/// number of best sequences that are smoothed until convergence. The others are kept for repair,
+/// which changes them anyway.
+constexpr int kScreeningIterations = 7;
+constexpr std::size_t kFullySmoothedCount = 2;
+/// Factor on the relative value at which the comparison converges.
+constexpr double kComparisonToleranceFactor = 10;
 
-solve::MovementOptions limited(solve::MovementOptions options, int iterations) {
+solve::MovementOptions limit_iterations(solve::MovementOptions options, int iterations) {
   options.iterations = std::min(options.iterations, iterations);
   return options;
 }
 
-/// All frames of the problem smoothed at once.
-Course minimise_course(const MappingProblem& problem, const JointRows& start,
-                       const MovementCost& cost, const solve::MovementOptions& options) {
+/// Smooths all frames of the problem at once.
+CandidatePath minimise_path(const MappingProblem& problem, const JointRows& start,
+                            const MovementCost& cost, const solve::MovementOptions& options) {
   std::vector<MappingScratch> scratch;
   const solve::MovementMinimum found =
-      solve::minimise_movement(whole_movement(problem, cost, scratch), start, options);
+      solve::minimise_movement(make_movement_problem(problem, cost, scratch), start, options);
   return {found.q, found.value};
 }
 
-/// A course on the coarse grid, settled there and then refined to every frame.
-Course settle(const MappingProblem& problem, const MappingProblem& coarse,
-              const std::vector<std::size_t>& frames, const JointRows& start,
-              const MapOptions& options) {
-  const Course settled = minimise_course(coarse, start, options.movement_cost, options.movement);
-  return minimise_course(problem, interpolate(settled.q, frames), options.movement_cost,
-                         for_all_frames(options.movement));
+/// Smooths a path on the coarse grid until it converges, then refines it over all frames.
+CandidatePath solve_coarse_to_fine(const MappingProblem& problem, const MappingProblem& coarse,
+                                   const std::vector<std::size_t>& frames, const JointRows& start,
+                                   const MapOptions& options) {
+  const CandidatePath settled =
+      minimise_path(coarse, start, options.movement_cost, options.movement);
+  return minimise_path(problem, interpolate(settled.q, frames), options.movement_cost,
+                       fine_grid_options(options.movement));
 }
 
-/// Twins that are worth following.
-std::vector<JointVector> first_twins(const Twins& twins, const JointVector& q) {
-  constexpr std::size_t kMost = 3;
-  std::vector<JointVector> found = twins_of(twins, q);
-  if (found.size() > kMost) found.resize(kMost);
+/// Returns the equivalent postures that are worth tracking.
+std::vector<JointVector> first_equivalent_postures(const PostureSymmetries& twins,
+                                                   const JointVector& q) {
+  constexpr std::size_t kMaxEquivalentPostures = 3;
+  std::vector<JointVector> found = equivalent_postures(twins, q);
+  if (found.size() > kMaxEquivalentPostures) found.resize(kMaxEquivalentPostures);
   return found;
 }
 
-/// Whether a joint that differs among twins is stopped somewhere by its limit.
-bool meets_limit(const Twins& twins, const JointRows& way) {
-  return std::ranges::any_of(joints_of(twins), [&](Index j) {
+/// Returns true if a joint that differs among equivalent postures reaches its limit.
+bool reaches_limit(const PostureSymmetries& twins, const JointRows& way) {
+  return std::ranges::any_of(symmetry_joints(twins), [&](Index j) {
     return way.col(j).minCoeff() <= twins.lower[j] || way.col(j).maxCoeff() >= twins.upper[j];
   });
 }
 
-void by_value(std::vector<Course>& courses) {
-  std::stable_sort(courses.begin(), courses.end(),
-                   [](const Course& a, const Course& b) { return a.value < b.value; });
+void sort_by_value(std::vector<CandidatePath>& courses) {
+  std::stable_sort(
+      courses.begin(), courses.end(),
+      [](const CandidatePath& a, const CandidatePath& b) { return a.value < b.value; });
 }
 
-void add_if_new(const Twins& twins, std::vector<Course>& courses, Course course) {
-  for (Course& known : courses) {
-    if (!same_course(twins, known.q, course.q)) continue;
+void add_if_new(const PostureSymmetries& twins, std::vector<CandidatePath>& courses,
+                CandidatePath course) {
+  for (CandidatePath& known : courses) {
+    if (!same_path(twins, known.q, course.q)) continue;
     if (course.value < known.value) known = std::move(course);
     return;
   }
@@ -110,28 +118,28 @@ void add_if_new(const Twins& twins, std::vector<Course>& courses, Course course)
 
 }  // namespace
 
-Course smooth_movement(const MappingProblem& problem, const JointRows& start,
-                       const MapOptions& options) {
+CandidatePath smooth_movement(const MappingProblem& problem, const JointRows& start,
+                              const MapOptions& options) {
   const std::vector<std::size_t> frames = coarse_frames(problem.time, options.coarse_step_s);
-  const RoundedProblem coarse(on_frames(problem, frames));
-  return settle(problem, coarse.problem, frames, rows_at(start, frames), options);
+  const RoundedProblem coarse(problem_at_frames(problem, frames));
+  return solve_coarse_to_fine(problem, coarse.problem, frames, rows_at(start, frames), options);
 }
 
-std::vector<Course> search_movement(const MappingProblem& problem, const MapOptions& options,
-                                    std::uint64_t seed) {
+std::vector<CandidatePath> search_movement(const MappingProblem& problem, const MapOptions& options,
+                                           std::uint64_t seed) {
   const std::vector<std::size_t> frames = coarse_frames(problem.time, options.coarse_step_s);
-  const RoundedProblem rounded(on_frames(problem, frames));
+  const RoundedProblem rounded(problem_at_frames(problem, frames));
   const MappingProblem& coarse = rounded.problem;
   MappingScratch scratch;
 
-  const Twins twins = find_twins(coarse);
-  std::vector<Way> ways;
-  std::vector<bool> stopped;  // by a limit that a twin may not meet
+  const PostureSymmetries twins = find_posture_symmetries(coarse);
+  std::vector<IkBranch> ways;
+  std::vector<bool> stopped;  // by a limit that an equivalent posture may not reach
   const auto on_known_way = [&](std::size_t key, const JointVector& q) {
     for (std::size_t w = 0; w < ways.size(); ++w) {
       const JointVector passed = ways[w].q.row(static_cast<Index>(key)).transpose();
-      const bool same =
-          stopped[w] ? (passed - q).cwiseAbs().maxCoeff() < kSame : alike(twins, passed, q, kSame);
+      const bool same = stopped[w] ? (passed - q).cwiseAbs().maxCoeff() < kBasinTolerance_rad
+                                   : same_up_to_symmetry(twins, passed, q, kBasinTolerance_rad);
       if (same) return true;
     }
     return false;
@@ -141,51 +149,51 @@ std::vector<Course> search_movement(const MappingProblem& problem, const MapOpti
     const double position = options.key_frames == 1 ? last : last * k / (options.key_frames - 1);
     const auto key = static_cast<std::size_t>(std::lround(position));
     for (const solve::Minimum& start :
-         search_frame(coarse, key, options.starts, options.candidates, quick(options.solver),
+         search_frame(coarse, key, options.starts, options.candidates, quick_stages(options.solver),
                       math::seed_from(seed, "key frame", static_cast<std::size_t>(k)), scratch)) {
-      for (const JointVector& twin : first_twins(twins, start.x)) {
+      for (const JointVector& twin : first_equivalent_postures(twins, start.x)) {
         if (on_known_way(key, twin)) continue;
-        ways.push_back(follow(coarse, key, twin, options.solver, scratch));
-        stopped.push_back(meets_limit(twins, ways.back().q));
+        ways.push_back(track_branch(coarse, key, twin, options.solver, scratch));
+        stopped.push_back(reaches_limit(twins, ways.back().q));
         if (!stopped.back()) break;
       }
     }
   }
-  std::vector<JointRows> sequences =
-      splice(ways, difference_weights(*problem.robot, coarse.time, options.movement_cost));
+  std::vector<JointRows> sequences = join_ik_branches(
+      ways, difference_weights(*problem.robot, coarse.time, options.movement_cost));
   if (sequences.size() > static_cast<std::size_t>(options.candidates)) {
     sequences.resize(static_cast<std::size_t>(options.candidates));
   }
-  std::vector<Course> courses;
+  std::vector<CandidatePath> paths;
   for (const JointRows& sequence : sequences) {
-    add_if_new(
-        twins, courses,
-        minimise_course(coarse, sequence, options.movement_cost, limited(options.movement, kLook)));
+    add_if_new(twins, paths,
+               minimise_path(coarse, sequence, options.movement_cost,
+                             limit_iterations(options.movement, kScreeningIterations)));
   }
-  by_value(courses);
+  sort_by_value(paths);
   solve::MovementOptions comparing = options.movement;
-  comparing.relative_value *= kComparing;
-  for (std::size_t k = 0; k < std::min(kSmoothed, courses.size()); ++k) {
-    courses[k] = minimise_course(coarse, courses[k].q, options.movement_cost, comparing);
+  comparing.relative_value *= kComparisonToleranceFactor;
+  for (std::size_t k = 0; k < std::min(kFullySmoothedCount, paths.size()); ++k) {
+    paths[k] = minimise_path(coarse, paths[k].q, options.movement_cost, comparing);
   }
-  by_value(courses);
-  courses.front() = settle(problem, coarse, frames, courses.front().q, options);
-  for (std::size_t k = 1; k < courses.size(); ++k) {
-    courses[k].q = interpolate(courses[k].q, frames);
+  sort_by_value(paths);
+  paths.front() = solve_coarse_to_fine(problem, coarse, frames, paths.front().q, options);
+  for (std::size_t k = 1; k < paths.size(); ++k) {
+    paths[k].q = interpolate(paths[k].q, frames);
   }
-  return courses;
+  return paths;
 }
 
-Course course_through(const MappingProblem& problem, std::size_t frame, const JointVector& posture,
-                      const MapOptions& options) {
+CandidatePath path_through(const MappingProblem& problem, std::size_t frame,
+                           const JointVector& posture, const MapOptions& options) {
   std::vector<std::size_t> frames = coarse_frames(problem.time, options.coarse_step_s);
   const auto place = std::ranges::lower_bound(frames, frame);
   const auto key = static_cast<std::size_t>(place - frames.begin());
   if (*place != frame) frames.insert(place, frame);
-  const RoundedProblem coarse(on_frames(problem, frames));
+  const RoundedProblem coarse(problem_at_frames(problem, frames));
   MappingScratch scratch;
-  const Way followed = follow(coarse.problem, key, posture, options.solver, scratch);
-  return settle(problem, coarse.problem, frames, followed.q, options);
+  const IkBranch followed = track_branch(coarse.problem, key, posture, options.solver, scratch);
+  return solve_coarse_to_fine(problem, coarse.problem, frames, followed.q, options);
 }
 
 }  // namespace morphe::map

@@ -9,23 +9,24 @@
 namespace morphe::map {
 namespace {
 
-humanlike::FrameWeights of_phase(const std::vector<PhaseWeights>& weights, PhaseKind phase) {
+humanlike::FrameWeights weights_of_phase(const std::vector<PhaseWeights>& weights,
+                                         PhaseKind phase) {
   for (const PhaseWeights& w : weights) {
-    if (w.phase == phase) return w.shares;
+    if (w.phase == phase) return w.factors;
   }
   return {};
 }
 
 }  // namespace
 
-std::string why_invalid(const std::vector<PhaseWeights>& weights) {
+std::string validation_error(const std::vector<PhaseWeights>& weights) {
   for (std::size_t i = 0; i < weights.size(); ++i) {
     const PhaseWeights& w = weights[i];
     for (std::size_t k = 0; k < i; ++k) {
       if (weights[k].phase == w.phase)
         return fmt::format("phase {} is named twice", name_of(w.phase));
     }
-    const humanlike::FrameWeights& s = w.shares;
+    const humanlike::FrameWeights& s = w.factors;
     if (std::min({s.tip_position, s.tip_orientation, s.humanlike_arm, s.humanlike_fingers}) < 0) {
       return "weights must not be negative";
     }
@@ -37,9 +38,9 @@ humanlike::FrameWeights weights_at(const std::vector<PhaseWeights>& weights,
                                    const std::vector<Phase>& phases, double time_s,
                                    double blend_s) {
   if (weights.empty()) return {};
-  const auto at = [&](double t) { return of_phase(weights, phase_at(phases, t)); };
+  const auto at = [&](double t) { return weights_of_phase(weights, phase_at(phases, t)); };
   if (blend_s <= 0) return at(time_s);
-  // The window from -1 to 1, cut where a phase begins or ends.
+  // The window from -1 to 1 is cut at the boundaries of phases.
   std::vector<double> cuts{-1, 1};
   for (const Phase& phase : phases) {
     for (const double boundary : {phase.begin_s, phase.end_s}) {

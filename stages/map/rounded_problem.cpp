@@ -6,19 +6,19 @@
 namespace morphe::map {
 namespace {
 
-constexpr double kMetres = 0x1p-13, kRadians = 0x1p-10;
+constexpr double kGridStep_m = 0x1p-13, kGridStep_rad = 0x1p-10;
 
 void to_grid(double step, double& value) { value = step * std::round(value / step); }
 
 void to_grid(Vec3& point) {
-  for (double& part : point) to_grid(kMetres, part);
+  for (double& part : point) to_grid(kGridStep_m, part);
 }
 
 void to_grid(Quat& rotation) {
   Eigen::Index largest = 0;
   rotation.coeffs().cwiseAbs().maxCoeff(&largest);
   if (rotation.coeffs()[largest] < 0) rotation.coeffs() *= -1;
-  for (double& part : rotation.coeffs()) to_grid(kRadians, part);
+  for (double& part : rotation.coeffs()) to_grid(kGridStep_rad, part);
   rotation.normalize();
 }
 
@@ -30,18 +30,18 @@ void all_to_grid(Values& values) {
 void goal_to_grid(humanlike::FrameGoal& goal) {
   all_to_grid(goal.tip_position);
   all_to_grid(goal.tip_orientation);
-  for (double& share : goal.pad_share) to_grid(kRadians, share);
+  for (double& share : goal.pad_share) to_grid(kGridStep_rad, share);
   all_to_grid(goal.pad_normal);
   to_grid(goal.hand);
   for (Vec3* point : {&goal.shoulder, &goal.elbow, &goal.wrist}) to_grid(*point);
   all_to_grid(goal.finger_joint);
-  all_to_grid(goal.curve_joint);
+  all_to_grid(goal.interpolated_finger_joint);
   all_to_grid(goal.chain);
-  for (double& angle : goal.angles) to_grid(kRadians, angle);
+  for (double& angle : goal.angles) to_grid(kGridStep_rad, angle);
 }
 
 void object_to_grid(SceneObject& object) {
-  for (double& length : object.size) to_grid(kMetres, length);
+  for (double& length : object.size) to_grid(kGridStep_m, length);
   all_to_grid(object.position);
   all_to_grid(object.orientation);
 }

@@ -6,10 +6,10 @@
 namespace morphe::reconstruct {
 namespace {
 
-constexpr double kLongest_s = 0.5;
+constexpr double kMaxOffset_s = 0.5;
 
-/// Sums over the pairs of samples that a shift brings together, all signals about their own means.
-struct Overlap {
+/// Sums over the pairs of samples that coincide after a shift, all signals about their own means.
+struct CorrelationSums {
   double product = 0, reference = 0, other = 0;  ///< sums of products and of squares
   double count = 0;
 
@@ -18,8 +18,8 @@ struct Overlap {
   }
 };
 
-Overlap overlap(const std::vector<SeenTwice>& signals, std::ptrdiff_t shift) {
-  Overlap all;
+CorrelationSums correlation_sums(const std::vector<PairedSignal>& signals, std::ptrdiff_t shift) {
+  CorrelationSums all;
   for (const auto& [reference, other] : signals) {
     const auto n = static_cast<std::ptrdiff_t>(reference.size());
     double a = 0, b = 0, aa = 0, bb = 0, ab = 0, count = 0;
@@ -53,37 +53,39 @@ std::vector<double> rates(const std::vector<double>& values, double rate_hz) {
 
 }  // namespace
 
-ClockOffset clock_offset(const std::vector<SeenTwice>& seen, double rate_hz, double cutoff_hz) {
-  std::vector<SeenTwice> signals;
+ClockOffset clock_offset(const std::vector<PairedSignal>& seen, double rate_hz, double cutoff_hz) {
+  std::vector<PairedSignal> signals;
   for (const auto& [reference, other] : seen) {
     signals.push_back({rates(reference, rate_hz), rates(other, rate_hz)});
   }
-  const auto longest = static_cast<std::ptrdiff_t>(std::ceil(kLongest_s * rate_hz));
+  const auto longest = static_cast<std::ptrdiff_t>(std::ceil(kMaxOffset_s * rate_hz));
   std::vector<double> correlation;
   for (std::ptrdiff_t shift = -longest; shift <= longest; ++shift) {
-    correlation.push_back(overlap(signals, shift).correlation());
+    correlation.push_back(correlation_sums(signals, shift).correlation());
   }
   const auto best = std::max_element(correlation.begin(), correlation.end());
   const std::ptrdiff_t shift = best - correlation.begin() - longest;
-  const Overlap there = overlap(signals, shift);
+  const CorrelationSums there = correlation_sums(signals, shift);
   ClockOffset offset;
   offset.correlation = *best;
-  offset.moved = std::sqrt(std::min(there.reference, there.other) / std::max(1.0, there.count));
-  const double bend = best == correlation.begin() || best + 1 == correlation.end()
-                          ? 0
-                          : 2 * best[0] - best[-1] - best[1];
-  if (!(bend > 0)) {
-    offset.sure_s = kLongest_s;
+  offset.rate_rms = std::sqrt(std::min(there.reference, there.other) / std::max(1.0, there.count));
+  const double second_difference = best == correlation.begin() || best + 1 == correlation.end()
+                                       ? 0
+                                       : 2 * best[0] - best[-1] - best[1];
+  if (!(second_difference > 0)) {
+    offset.offset_sd_s = kMaxOffset_s;
     return offset;
   }
-  const double between = (best[1] - best[-1]) / (2 * bend);
-  offset.late_s = (static_cast<double>(shift) + between) / rate_hz;
-  const double curvature = bend * rate_hz * rate_hz;
+  const double between = (best[1] - best[-1]) / (2 * second_difference);
+  offset.offset_s = (static_cast<double>(shift) + between) / rate_hz;
+  const double curvature = second_difference * rate_hz * rate_hz;
   const double independent = 2 * cutoff_hz * there.count / rate_hz;
-  offset.sure_s = std::sqrt(std::max(0.0, 1 - *best * *best) / (curvature * independent));
+  offset.offset_sd_s = std::sqrt(std::max(0.0, 1 - *best * *best) / (curvature * independent));
   return offset;
 }
 
-bool clear(const ClockOffset& offset) { return offset.correlation > 0.6 && offset.sure_s < 0.02; }
+bool is_reliable(const ClockOffset& offset) {
+  return offset.correlation > 0.6 && offset.offset_sd_s < 0.02;
+}
 
 }  // namespace morphe::reconstruct

@@ -7,26 +7,28 @@
 
 namespace morphe::reconstruct {
 
-/// Shape of a rigid cluster from its own tracks, [marker][frame]: every frame is fitted to the
-/// shape and the shape becomes the median of what is brought back, a few times over, beginning
-/// with the frame that shows most markers. All unseen if no frame shows three of them.
+/// Estimates the shape of a rigid cluster from its own tracks, [marker][frame]. Every frame is
+/// fitted to the shape, and the shape is updated to the median of the fitted frames; this is
+/// repeated several times, starting from the frame that shows most markers. All markers are unseen
+/// if no frame shows three of them.
 std::vector<Vec3> median_shape(const std::vector<std::vector<Vec3>>& tracks);
 
-/// Motion of a body of this shape, a pose a frame: NaN where fewer than three markers are seen.
-std::vector<Pose> poses_of(const std::vector<Vec3>& shape,
-                           const std::vector<std::vector<Vec3>>& tracks);
+/// Returns the motion of a body of this shape, one pose per frame; NaN if fewer than three markers
+/// are seen.
+std::vector<Pose> fit_poses(const std::vector<Vec3>& shape,
+                            const std::vector<std::vector<Vec3>>& tracks);
 
-/// Median, component by component, of where a track lies in a moving body; unseen if it never was
-/// together with the body.
+/// Returns the component-wise median of a track's position in a moving body; unseen if it was never
+/// seen together with the body.
 Vec3 median_in_body(const std::vector<Pose>& world_from_body, const std::vector<Vec3>& track);
 
-/// Fills the gaps of one track of a rigid cluster: where three others are seen, it is put where
-/// their rigid motion carries it, plus its own deviation from rigidity before and after the gap
-/// (interpolated): no step at the gap's ends. Other gaps are left.
-void complete_marker(const std::vector<Vec3>& shape, std::vector<std::vector<Vec3>>& tracks,
-                     std::size_t marker);
+/// Fills the gaps of one track of a rigid cluster. If three other markers are seen, it is
+/// positioned by their rigid motion plus its own deviation from rigidity before and after the gap
+/// (interpolated), so that there is no step at the gap's ends. Other gaps are left.
+void fill_marker_gaps(const std::vector<Vec3>& shape, std::vector<std::vector<Vec3>>& tracks,
+                      std::size_t marker);
 
-/// complete_marker() of all; only what was recorded carries a marker.
-void complete_cluster(const std::vector<Vec3>& shape, std::vector<std::vector<Vec3>>& tracks);
+/// Applies fill_marker_gaps() to all tracks, based on recorded positions only.
+void fill_cluster_gaps(const std::vector<Vec3>& shape, std::vector<std::vector<Vec3>>& tracks);
 
 }  // namespace morphe::reconstruct

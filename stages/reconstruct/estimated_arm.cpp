@@ -10,15 +10,16 @@
 namespace morphe::reconstruct {
 namespace {
 
-constexpr double kHandToStature = 0.108;                    // Drillis and Contini 1966
-constexpr double kBelowHead = 0.115, kAsideOfHead = 0.109;  // shares of the stature
+constexpr double kHandLengthShare = 0.108;  // Drillis and Contini 1966
+constexpr double kShoulderBelowHeadShare = 0.115,
+                 kShoulderAsideHeadShare = 0.109;  // shares of the stature
 
 Vec3 median_of(const std::vector<Vec3>& points) {
-  Vec3 median = unseen_point();
+  Vec3 median = unknown_point();
   for (Eigen::Index c = 0; c < 3; ++c) {
     std::vector<double> values;
     for (const Vec3& point : points) {
-      if (seen(point)) values.push_back(point[c]);
+      if (is_known(point)) values.push_back(point[c]);
     }
     if (values.empty()) return median;
     median[c] = math::median(values);
@@ -26,32 +27,33 @@ Vec3 median_of(const std::vector<Vec3>& points) {
   return median;
 }
 
-/// Below and beside the head, or off from the first wrist; unseen without either.
-Vec3 wanted_shoulder(const human::ArmLengths& lengths, const HumanOptions& human,
-                     const std::vector<Vec3>& head, const std::vector<Vec3>& wrist) {
+/// Returns the initial shoulder, below and beside the head or offset from the first wrist; unseen
+/// without either.
+Vec3 initial_shoulder(const human::ArmLengths& lengths, const HumanOptions& human,
+                      const std::vector<Vec3>& head, const std::vector<Vec3>& wrist) {
   const Vec3 above = median_of(head);
-  if (seen(above)) {
+  if (is_known(above)) {
     const double stature_m = lengths.upper_arm / human::arm_lengths_of_stature(1).upper_arm;
-    return above + stature_m * Vec3(kAsideOfHead, 0, -kBelowHead);
+    return above + stature_m * Vec3(kShoulderAsideHeadShare, 0, -kShoulderBelowHeadShare);
   }
-  const auto first = std::ranges::find_if(wrist, [](const Vec3& point) { return seen(point); });
-  return first == wrist.end() ? unseen_point() : Vec3(*first + human.shoulder_from_first_wrist);
+  const auto first = std::ranges::find_if(wrist, [](const Vec3& point) { return is_known(point); });
+  return first == wrist.end() ? unknown_point() : Vec3(*first + human.shoulder_from_first_wrist);
 }
 
 void estimate_shoulder(const human::ArmLengths& lengths, const HumanOptions& human,
                        const std::vector<Vec3>& head, HumanMotion& motion) {
-  const Vec3 wanted = wanted_shoulder(lengths, human, head, motion.wrist);
-  if (!seen(wanted)) return;
+  const Vec3 wanted = initial_shoulder(lengths, human, head, motion.wrist);
+  if (!is_known(wanted)) return;
   const double reach = human.reach_share * (lengths.upper_arm + lengths.forearm);
   const std::optional<Vec3> shoulder = human::shoulder_within_reach(wanted, motion.wrist, reach);
   if (!shoulder) {
-    motion.problems.push_back(fmt::format(
+    motion.reconstruction_notes.push_back(fmt::format(
         "no fixed shoulder has every wrist position within {:.3f} m: none is estimated", reach));
     return;
   }
   std::ranges::fill(motion.shoulder, *shoulder);
   motion.estimated.push_back("shoulder");
-  motion.problems.push_back(
+  motion.reconstruction_notes.push_back(
       "the shoulder was not recorded: estimated, as a rule within 65 mm; humanlikeness of the arm "
       "compares with an estimate");
 }
@@ -60,7 +62,7 @@ void estimate_elbow(const human::ArmLengths& lengths, const HumanOptions& human,
                     HumanMotion& motion) {
   for (std::size_t i = 0; i < motion.elbow.size(); ++i) {
     motion.elbow[i] =
-        human::natural_elbow(motion.shoulder[i], motion.wrist[i], lengths, human.elbow_outward);
+        human::elbow_from_swivel(motion.shoulder[i], motion.wrist[i], lengths, human.elbow_outward);
   }
   motion.estimated.push_back("elbow");
 }
@@ -70,8 +72,8 @@ void estimate_elbow(const human::ArmLengths& lengths, const HumanOptions& human,
 human::ArmLengths arm_lengths_of(const Demonstration& demonstration, const HumanOptions& human,
                                  const std::optional<double>& hand_length) {
   const double stature_m = human.stature_m ? *human.stature_m
-                           : hand_length   ? *hand_length / kHandToStature
-                                           : kUsualStature_m;
+                           : hand_length   ? *hand_length / kHandLengthShare
+                                           : kDefaultStature_m;
   human::ArmLengths lengths = human::arm_lengths_of_stature(stature_m);
   if (human.upper_arm) lengths.upper_arm = *human.upper_arm;
   if (human.forearm) lengths.forearm = *human.forearm;

@@ -8,14 +8,14 @@
 namespace morphe::reconstruct {
 
 bool never_seen(const std::vector<Vec3>& points) {
-  return std::ranges::none_of(points, [](const Vec3& p) { return seen(p); });
+  return std::ranges::none_of(points, [](const Vec3& p) { return is_known(p); });
 }
 
 void interpolate_unseen(std::vector<Vec3>& points) {
   const std::size_t n = points.size();
-  std::size_t last = n;  // the seen point before, n = none
+  std::size_t last = n;  // the previous seen point; n if there is no such point
   for (std::size_t i = 0; i < n; ++i) {
-    if (!seen(points[i])) continue;
+    if (!is_known(points[i])) continue;
     const std::size_t first = last == n ? 0 : last + 1;
     const Vec3 before = last == n ? points[i] : points[last];
     for (std::size_t k = first; k < i; ++k) {
@@ -37,26 +37,26 @@ void note_gaps(const std::string& name, const std::vector<double>& time,
   /// Calls use(begin, end) for every run of unseen points.
   const auto each_gap = [n](const std::vector<Vec3>& points, const auto& use) {
     for (std::size_t i = 0; i < n; ++i) {
-      if (seen(points[i])) continue;
+      if (is_known(points[i])) continue;
       std::size_t end = i;
-      while (end < n && !seen(points[end])) ++end;
+      while (end < n && !is_known(points[end])) ++end;
       use(i, end);
       i = end;
     }
   };
-  /// From the last seen sample to the next one.
+  /// Returns the time from the last seen sample to the next one.
   const auto length = [&](std::size_t begin, std::size_t end) {
     return time[std::min(end, n - 1)] - time[begin == 0 ? 0 : begin - 1];
   };
   each_gap(recorded, [&](std::size_t begin, std::size_t end) {
     hidden += end - begin;
     longest = std::max(longest, length(begin, end));
-    for (std::size_t i = begin; i < end; ++i) carried += seen(filled[i]) ? 1 : 0;
+    for (std::size_t i = begin; i < end; ++i) carried += is_known(filled[i]) ? 1 : 0;
   });
   each_gap(filled, [&](std::size_t begin, std::size_t end) {
-    constexpr double kTolerance = 1e-9;  // [s]
+    constexpr double kTimeTolerance_s = 1e-9;  // [s]
     const bool inside = begin > 0 && end < n;
-    if (inside && length(begin, end) <= max_gap_s + kTolerance) bridged += end - begin;
+    if (inside && length(begin, end) <= max_gap_s + kTimeTolerance_s) bridged += end - begin;
   });
   if (hidden == 0) return;
   std::string sentence =
@@ -71,7 +71,7 @@ void note_gaps(const std::string& name, const std::vector<double>& time,
 
 void note_unseen(const std::string& name, const std::vector<Vec3>& points,
                  std::vector<std::string>& problems) {
-  const auto count = std::ranges::count_if(points, [](const Vec3& p) { return !seen(p); });
+  const auto count = std::ranges::count_if(points, [](const Vec3& p) { return !is_known(p); });
   if (count == 0) return;
   problems.push_back(fmt::format("{}: not seen in {} of {} frames", name, count, points.size()));
 }
@@ -86,8 +86,8 @@ Residual residual_of(const std::string& name, const std::vector<double>& distanc
     residual.max_m = std::max(residual.max_m, distance);
     ++count;
   }
-  residual.rms_m = count == 0 ? kNotSeen : std::sqrt(sum / static_cast<double>(count));
-  if (count == 0) residual.max_m = kNotSeen;
+  residual.rms_m = count == 0 ? kUnknown : std::sqrt(sum / static_cast<double>(count));
+  if (count == 0) residual.max_m = kUnknown;
   return residual;
 }
 

@@ -9,24 +9,25 @@
 
 namespace morphe::reconstruct {
 
+/// Returns true if all points are unseen.
 bool never_seen(const std::vector<Vec3>& points);
 
-/// Unseen points become the straight line between the seen ones on either side, before the first
-/// and after the last of them a copy; all stay unseen if none is seen.
+/// Interpolates unseen points linearly between the seen ones on either side; before the first and
+/// after the last seen point they are copies of it. All stay unseen if no point is seen.
 void interpolate_unseen(std::vector<Vec3>& points);
 
-/// Says how much of a marker was hidden and what became of it: `filled` is `recorded` after others
-/// of its body carried it; what is then still hidden is bridged by the spline in gaps up to
-/// max_gap_s. Nothing if it was seen throughout.
+/// Adds a note on the gaps of a marker and their treatment: `filled` is `recorded` after filling
+/// from the other markers of its body; remaining gaps of up to max_gap_s are bridged by the spline.
+/// Adds no note if it was always seen.
 void note_gaps(const std::string& name, const std::vector<double>& time,
                const std::vector<Vec3>& recorded, const std::vector<Vec3>& filled, double max_gap_s,
                std::vector<std::string>& problems);
 
-/// Says in how many frames of the clock a point is not seen, if any.
+/// Adds a note on the number of frames of the clock in which a point is not seen, if any.
 void note_unseen(const std::string& name, const std::vector<Vec3>& points,
                  std::vector<std::string>& problems);
 
-/// Of the finite ones among the distances; NaN if there is none.
+/// Returns the residual of the finite distances; NaN if there is no finite distance.
 Residual residual_of(const std::string& name, const std::vector<double>& distances);
 
 }  // namespace morphe::reconstruct

@@ -8,39 +8,42 @@
 namespace morphe::reconstruct {
 namespace {
 
-constexpr double kWithin_s = 0.1;
-/// chi² over its degrees of freedom, exceeded by chance in 2 %: a band of 6 Hz has 2.4 of them in
-/// 0.2 s, 22 columns together 53.
-constexpr double kChanceOfOne = 4, kChanceOfAll = 1.5;
+constexpr double kPowerHalfWindow_s = 0.1;
+/// Values of chi² over its degrees of freedom that are exceeded by chance in 2 %: a band of 6 Hz
+/// has 2.4 of them in 0.2 s, 22 columns together 53.
+constexpr double kSingleColumnChi2Ratio = 4, kAllColumnsChi2Ratio = 1.5;
 
 double noise_variance(const std::vector<double>& column) {
-  std::vector<double> bends;
+  std::vector<double> second_differences;
   for (std::size_t i = 2; i < column.size(); ++i) {
-    const double bend = column[i] - 2 * column[i - 1] + column[i - 2];
-    if (std::isfinite(bend)) bends.push_back(std::abs(bend));
+    const double second_difference = column[i] - 2 * column[i - 1] + column[i - 2];
+    if (std::isfinite(second_difference)) second_differences.push_back(std::abs(second_difference));
   }
-  if (bends.empty()) return 0;
-  const auto middle = bends.begin() + static_cast<std::ptrdiff_t>(bends.size() / 2);
-  std::nth_element(bends.begin(), middle, bends.end());
+  if (second_differences.empty()) return 0;
+  const auto middle =
+      second_differences.begin() + static_cast<std::ptrdiff_t>(second_differences.size() / 2);
+  std::nth_element(second_differences.begin(), middle, second_differences.end());
   const double deviation = *middle / 0.6745;
   return deviation * deviation / 6;
 }
 
-/// What remains of white noise of variance 1 in the band that only the faster filter passes.
-double band_gain(const std::vector<double>& time, const Clock& clock, double fast_hz,
+/// Returns the variance that white noise of variance 1 has in the band passed only by the faster
+/// filter.
+double band_gain(const std::vector<double>& time, const TimeGrid& clock, double fast_hz,
                  double slow_hz) {
   const auto half = static_cast<std::size_t>(4 * clock.rate_hz / slow_hz);
   std::vector<double> impulse(2 * half + 1, 0.0);
   impulse[half] = 1;
-  const std::vector<double> fast = math::low_pass(impulse, clock.rate_hz, fast_hz);
-  const std::vector<double> slow = math::low_pass(impulse, clock.rate_hz, slow_hz);
+  const std::vector<double> fast = math::low_pass_filter(impulse, clock.rate_hz, fast_hz);
+  const std::vector<double> slow = math::low_pass_filter(impulse, clock.rate_hz, slow_hz);
   double gain = 0;
   for (std::size_t i = 0; i < fast.size(); ++i) gain += (fast[i] - slow[i]) * (fast[i] - slow[i]);
   const double glove_hz = static_cast<double>(time.size() - 1) / (time.back() - time.front());
   return gain * clock.rate_hz / glove_hz;
 }
 
-/// Mean of what is finite within `half` frames, for every frame, from sums over all before.
+/// Computes the mean of the finite values within `half` frames, for every frame, from cumulative
+/// sums.
 class LocalMean {
  public:
   explicit LocalMean(std::size_t frames) : sum_(frames + 1, 0.0), count_(frames + 1, 0.0) {}
@@ -55,7 +58,7 @@ class LocalMean {
       count_[i] += count_[i - 1];
     }
   }
-  double around(std::size_t frame, std::size_t half) const {
+  double mean_around(std::size_t frame, std::size_t half) const {
     const std::size_t from = frame - std::min(frame, half);
     const std::size_t to = std::min(sum_.size() - 1, frame + half + 1);
     return (sum_[to] - sum_[from]) / std::max(1.0, count_[to] - count_[from]);
@@ -67,15 +70,15 @@ class LocalMean {
 
 }  // namespace
 
-std::vector<std::vector<double>> filtered_glove(const std::vector<double>& time,
-                                                const std::vector<std::vector<double>>& columns,
-                                                const Clock& clock,
-                                                const ReconstructOptions& options) {
+std::vector<std::vector<double>> filter_glove(const std::vector<double>& time,
+                                              const std::vector<std::vector<double>>& columns,
+                                              const TimeGrid& clock,
+                                              const ReconstructOptions& options) {
   ReconstructOptions at_rest = options;
   at_rest.cutoff_hz = options.glove_rest_cutoff_hz;
   std::vector<std::vector<double>> fast, slow;
   for (const std::vector<double>& column : columns) {
-    fast.push_back(on_clock(time, column, clock, options));
+    fast.push_back(resample(time, column, clock, options));
   }
   if (time.size() < 2 || at_rest.cutoff_hz >= options.cutoff_hz) return fast;
   const double gain = band_gain(time, clock, options.cutoff_hz, at_rest.cutoff_hz);
@@ -84,7 +87,7 @@ std::vector<std::vector<double>> filtered_glove(const std::vector<double>& time,
   std::vector<double> noise;
   for (std::size_t k = 0; k < columns.size(); ++k) {
     noise.push_back(gain * noise_variance(columns[k]));
-    slow.push_back(on_clock(time, columns[k], clock, at_rest));
+    slow.push_back(resample(time, columns[k], clock, at_rest));
     for (std::size_t i = 0; i < clock.count && noise[k] > 0; ++i) {
       const double power = (fast[k][i] - slow[k][i]) * (fast[k][i] - slow[k][i]) / noise[k];
       own[k].add(i, power);
@@ -93,11 +96,11 @@ std::vector<std::vector<double>> filtered_glove(const std::vector<double>& time,
     own[k].finish();
   }
   all.finish();
-  const auto half = static_cast<std::size_t>(kWithin_s * clock.rate_hz);
+  const auto half = static_cast<std::size_t>(kPowerHalfWindow_s * clock.rate_hz);
   for (std::size_t k = 0; k < columns.size(); ++k) {
     for (std::size_t i = 0; i < clock.count && noise[k] > 0; ++i) {
-      const double power =
-          std::max(own[k].around(i, half) / kChanceOfOne, all.around(i, half) / kChanceOfAll);
+      const double power = std::max(own[k].mean_around(i, half) / kSingleColumnChi2Ratio,
+                                    all.mean_around(i, half) / kAllColumnsChi2Ratio);
       const double moves = power > 1 ? 1 - 1 / power : 0;
       fast[k][i] = slow[k][i] + moves * (fast[k][i] - slow[k][i]);
     }

@@ -2,22 +2,23 @@
 
 #include <vector>
 
-#include "stages/reconstruct/clock.hpp"
+#include "stages/reconstruct/time_grid.hpp"
 
 namespace morphe::reconstruct {
 
-/// Columns of a glove on a clock: y = s + w (f - s), with f low-passed at cutoff_hz and s at
-/// glove_rest_cutoff_hz. What f has and s has not is motion or noise: with E its mean square within
-/// 0.1 s, over what the glove's noise makes of it,
+/// Filters the columns of a glove on a clock: y = s + w (f - s), with f low-passed at cutoff_hz and
+/// s at glove_rest_cutoff_hz. The difference f - s is motion or noise: with E its mean square
+/// within 0.1 s relative to that expected from the glove's noise,
 ///   w = 1 - 1 / E, at least 0     (a local Wiener filter)
-/// so that a resting hand is calm and a moving one keeps all that cutoff_hz lets through. E is the
-/// greater one of the column's own and that of all columns together, since fingers move at one
-/// time, each over what chance makes of it once in fifty times. Noise is white: its deviation is
-/// the median of |x_{i-1} - 2 x_i + x_{i+1}| / (0.6745 sqrt(6)), so that motion does not count. A
-/// glove without noise, or one whose steps are coarser than it, is only low-passed.
-std::vector<std::vector<double>> filtered_glove(const std::vector<double>& time,
-                                                const std::vector<std::vector<double>>& columns,
-                                                const Clock& clock,
-                                                const ReconstructOptions& options);
+/// so that a resting hand is smooth and a moving one keeps all frequencies up to cutoff_hz. E is
+/// the maximum of the column's own value and that of all columns together, since fingers move at
+/// the same time, each relative to the value that noise exceeds by chance in 2 % of the cases. The
+/// noise is assumed white: its standard deviation is the median of |x_{i-1} - 2 x_i + x_{i+1}| /
+/// (0.6745 sqrt(6)), so that motion has little influence. A glove without noise, or with a
+/// resolution coarser than it, is only low-passed.
+std::vector<std::vector<double>> filter_glove(const std::vector<double>& time,
+                                              const std::vector<std::vector<double>>& columns,
+                                              const TimeGrid& clock,
+                                              const ReconstructOptions& options);
 
 }  // namespace morphe::reconstruct

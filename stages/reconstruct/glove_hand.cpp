@@ -4,17 +4,18 @@
 #include <cmath>
 
 #include "core/human/glove.hpp"
-#include "core/robot/hand_bones.hpp"
+#include "core/robot/hand_dimensions.hpp"
 #include "stages/reconstruct/glove_filter.hpp"
 
 namespace morphe::reconstruct {
 namespace {
 
 constexpr std::size_t kPalmArch = 19;
-/// Last joints of the fingers, each behind its middle joint.
-constexpr std::size_t kLastJoints[] = {6, 9, 13, 17};
-/// Their flexion goes with the middle joint's: the tendons couple the two, by about 2/3.
-constexpr double kLastToMiddle = 2.0 / 3;
+/// The sensors of the fingers' last joints, each preceded by its middle joint.
+constexpr std::size_t kDipSensors[] = {6, 9, 13, 17};
+/// The flexion of last joints is coupled to the middle joint's by the tendons, with a ratio of
+/// about 2/3.
+constexpr double kDipToPipRatio = 2.0 / 3;
 
 double mean_seen(const HandStream& glove, Eigen::Index sensor) {
   double sum = 0, count = 0;
@@ -31,16 +32,16 @@ bool all_unseen(const std::vector<double>& column) {
   return std::none_of(column.begin(), column.end(), [](double a) { return std::isfinite(a); });
 }
 
-/// Columns that no sensor measured, from what goes with them.
-GloveColumns completed(const GloveColumns& glove, std::vector<std::string>& estimated) {
+/// Fills the columns of missing sensors from the sensors coupled to them.
+GloveColumns fill_missing_sensors(const GloveColumns& glove, std::vector<std::string>& estimated) {
   GloveColumns whole = glove;
   const auto note = [&](std::size_t sensor) {
     estimated.push_back(std::string("glove sensor ") + human::kGloveSensors[sensor]);
   };
-  for (const std::size_t last : kLastJoints) {
+  for (const std::size_t last : kDipSensors) {
     if (!all_unseen(whole[last]) || all_unseen(whole[last - 1])) continue;
     for (std::size_t i = 0; i < whole[last].size(); ++i) {
-      whole[last][i] = kLastToMiddle * whole[last - 1][i];
+      whole[last][i] = kDipToPipRatio * whole[last - 1][i];
     }
     note(last);
   }
@@ -53,8 +54,8 @@ GloveColumns completed(const GloveColumns& glove, std::vector<std::string>& esti
 
 }  // namespace
 
-GloveColumns glove_on_clock(const HandStream& glove, const std::optional<HandStream>& flat_hand,
-                            double late_s, const Clock& clock, const ReconstructOptions& options,
+GloveColumns resample_glove(const HandStream& glove, const std::optional<HandStream>& flat_hand,
+                            double late_s, const TimeGrid& clock, const ReconstructOptions& options,
                             std::vector<std::string>& problems) {
   const bool calibrated = flat_hand && flat_hand->kind == HandKind::glove;
   if (!calibrated) problems.push_back("no flat hand was recorded: the glove's own zero is used");
@@ -70,32 +71,32 @@ GloveColumns glove_on_clock(const HandStream& glove, const std::optional<HandStr
       column.push_back(glove.angles(i, sensor) - zero);
     }
   }
-  return filtered_glove(time, columns, clock, options);
+  return filter_glove(time, columns, clock, options);
 }
 
 void pose_fingers(const GloveColumns& glove, const human::HandSize& size, HumanMotion& motion) {
-  const GloveColumns columns = completed(glove, motion.estimated);
-  const RobotTable hand = human::human_hand(size);
-  RobotTable flat_palm = hand;  // whose arch, after kHandAngleNames, bends no finger
-  for (RobotTable::Frame& frame : flat_palm.frames) {
-    if (frame.joint == static_cast<int>(kHandAngles)) frame.joint = -1;
+  const GloveColumns columns = fill_missing_sensors(glove, motion.estimated);
+  const RobotModel hand = human::human_hand(size);
+  RobotModel flat_palm = hand;  // the arch, after kHandAngleNames, bends no finger
+  for (RobotModel::Frame& frame : flat_palm.frames) {
+    if (frame.joint == static_cast<int>(kHandAngleCount)) frame.joint = -1;
   }
-  motion.bones = robot::hand_bones(flat_palm);
+  motion.bones = robot::hand_dimensions(flat_palm);
   std::vector<Pose> frames;
   const auto rows = static_cast<Eigen::Index>(motion.time.size());
-  motion.hand_angles.resize(rows, static_cast<Eigen::Index>(kHandAngles));
+  motion.hand_angles.resize(rows, static_cast<Eigen::Index>(kHandAngleCount));
   for (std::size_t i = 0; i < motion.time.size(); ++i) {
     human::GloveAngles angles;
     for (std::size_t k = 0; k < human::kGloveSensorCount; ++k) angles[k] = columns[k][i];
     const human::HandAngles decoded = human::decode_glove(angles).hand;
-    for (std::size_t k = 0; k < kHandAngles; ++k) {
+    for (std::size_t k = 0; k < kHandAngleCount; ++k) {
       motion.hand_angles(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) =
           decoded.joint[k];
     }
     const human::HandPoints points = human::hand_points(hand, decoded, frames);
     const Quat& world_from_hand = motion.wrist_orientation[i];
-    for (std::size_t finger = 0; finger < kFingers; ++finger) {
-      if (!seen(points.tip[finger])) continue;
+    for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
+      if (!is_known(points.tip[finger])) continue;
       motion.tip(i, finger) = motion.wrist[i] + world_from_hand * points.tip[finger];
       motion.finger_joint(i, finger) =
           motion.wrist[i] + world_from_hand * points.middle_joint[finger];
@@ -106,9 +107,9 @@ void pose_fingers(const GloveColumns& glove, const human::HandSize& size, HumanM
 
 human::HandSize hand_size_of(const Demonstration& demonstration, const HumanOptions& human,
                              std::vector<std::string>& estimated) {
-  human::HandSize size = human::hand_size_of_stature(human.stature_m.value_or(kUsualStature_m));
+  human::HandSize size = human::hand_size_of_stature(human.stature_m.value_or(kDefaultStature_m));
   if (demonstration.hand_length) {
-    // The breadth that goes with this length, unless it was measured too.
+    // The breadth is scaled to this length, unless it was measured too.
     size.breadth *= *demonstration.hand_length / size.length;
     size.length = *demonstration.hand_length;
   } else {

@@ -22,19 +22,19 @@ HumanMotion reconstruct_hand(const Demonstration& demonstration, const Reconstru
   return motion;
 }
 
-HumanMotion in_hand_frame(HumanMotion motion) {
+HumanMotion transform_to_hand_frame(HumanMotion motion) {
   for (std::size_t i = 0; i < motion.time.size(); ++i) {
     const Quat hand_from_world = motion.wrist_orientation[i].conjugate();
-    for (std::size_t finger = 0; finger < kFingers; ++finger) {
-      for (Table<Vec3>* points : {&motion.tip, &motion.finger_joint}) {
+    for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
+      for (Array2D<Vec3>* points : {&motion.tip, &motion.finger_joint}) {
         Vec3& point = (*points)(i, finger);
         point = hand_from_world * (point - motion.wrist[i]);
       }
       Quat& turn = motion.tip_orientation(i, finger);
       turn = hand_from_world * turn;
     }
-    motion.shoulder[i] = motion.elbow[i] = unseen_point();
-    if (!seen(motion.wrist[i]) || !seen(hand_from_world)) continue;
+    motion.shoulder[i] = motion.elbow[i] = unknown_point();
+    if (!is_known(motion.wrist[i]) || !is_known(hand_from_world)) continue;
     motion.wrist[i].setZero();
     motion.wrist_orientation[i].setIdentity();
   }

@@ -4,14 +4,15 @@
 
 namespace morphe::reconstruct {
 
-/// As reconstruct(); but a recording of the hand alone (keypoints or a glove, no wrist tracked) has
-/// a wrist that stays at the world's origin, its axes the world's: `estimated` names it.
+/// Reconstructs a motion as reconstruct() does, except that a recording of the hand alone
+/// (keypoints or a glove, no tracked wrist) gets a wrist fixed at the world's origin, with the
+/// world's axes, and named in `estimated`.
 HumanMotion reconstruct_hand(const Demonstration& demonstration, const ReconstructOptions& options,
                              const HumanOptions& human);
 
-/// The motion as seen from the hand: wrist at the origin, its orientation the identity, fingers
-/// relative to it; shoulder and elbow are no longer seen. For robots without an arm. Frames in
-/// which the wrist's pose was not seen have no fingers either.
-HumanMotion in_hand_frame(HumanMotion motion);
+/// Transforms a motion to the frame of the hand: the wrist is at the origin with the identity as
+/// its orientation, the fingers are relative to it, and shoulder and elbow are unseen. It is meant
+/// for robots without an arm. Frames in which the wrist's pose was not seen have no fingers either.
+HumanMotion transform_to_hand_frame(HumanMotion motion);
 
 }  // namespace morphe::reconstruct

@@ -6,17 +6,17 @@
 #include <cmath>
 
 #include "core/math/rotation.hpp"
-#include "stages/reconstruct/hand_fit.hpp"
+#include "stages/reconstruct/finger_ik_solver.hpp"
 #include "stages/reconstruct/streams.hpp"
 
 namespace morphe::reconstruct {
 namespace {
 
-constexpr double kFastest = 30;  // of a finger's joint [rad/s]
+constexpr double kMaxJointSpeed_rad_s = 30;  // of a finger's joint [rad/s]
 
-bool seen_point(const Vec3& point) { return seen(point); }
+bool seen_point(const Vec3& point) { return is_known(point); }
 
-struct Distances {
+struct ResidualAccumulator {
   double squares = 0, max = 0;
   std::size_t count = 0;
   void add(double distance) {
@@ -35,28 +35,28 @@ struct Distances {
 
 std::optional<FittedHand> fit_hand(const std::vector<HandKeypoints>& frames,
                                    const std::optional<double>& hand_length, double rate_hz) {
-  std::optional<HandShape> shape = median_hand(frames);
+  std::optional<HandShape> shape = estimate_hand_shape(frames);
   if (!shape) return std::nullopt;
   const double scale = hand_length ? *hand_length / shape->length() : 1;
   for (Vec3& base : shape->base) base *= scale;
-  for (auto& bones : shape->bones) {
+  for (auto& bones : shape->bone_lengths) {
     for (double& bone : bones) bone *= scale;
   }
-  const RobotTable hand = hand_of_shape(*shape);
-  HandFit fit(hand, kFastest / rate_hz);
+  const RobotModel hand = make_hand_model(*shape);
+  FingerIkSolver fit(hand, kMaxJointSpeed_rad_s / rate_hz);
   FittedHand fitted;
-  for (std::size_t finger = 0; finger < kFingers; ++finger) {
-    const auto& bones = shape->bones[finger];
+  for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
+    const auto& bones = shape->bone_lengths[finger];
     fitted.bones.knuckle[finger] = shape->base[finger];
     fitted.bones.length[finger] = bones[0] + bones[1] + bones[2];
   }
   fitted.thumb_base_estimated = shape->thumb_base_estimated;
   fitted.angles.resize(static_cast<Eigen::Index>(frames.size()),
-                       static_cast<Eigen::Index>(kHandAngles));
-  fitted.joints = Table<Vec3>(frames.size(), kHandKeypoints, unseen_point());
-  fitted.tip_orientation = Table<Quat>(frames.size(), kFingers, unseen_rotation());
-  Distances moved;
-  std::array<Distances, kFingers> missed;
+                       static_cast<Eigen::Index>(kHandAngleCount));
+  fitted.joints = Array2D<Vec3>(frames.size(), kHandKeypoints, unknown_point());
+  fitted.tip_orientation = Array2D<Quat>(frames.size(), kFingerCount, unknown_rotation());
+  ResidualAccumulator moved;
+  std::array<ResidualAccumulator, kFingerCount> missed;
   std::vector<Pose> poses;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const Eigen::Matrix3d axes = fit_palm(*shape, frames[i]);
@@ -64,52 +64,53 @@ std::optional<FittedHand> fit_hand(const std::vector<HandKeypoints>& frames,
     for (std::size_t k = 0; k < kHandKeypoints; ++k) {
       in_hand[k] = scale * axes.transpose() * (frames[i][k] - frames[i][0]);
     }
-    const HandKeypoints joints = keep_bones(*shape, in_hand);
+    const HandKeypoints joints = enforce_finger_lengths(*shape, in_hand);
     const human::HandAngles angles = fit(joints);
     fitted.angles.row(static_cast<Eigen::Index>(i)) = Eigen::Map<const Eigen::RowVectorXd>(
-        angles.joint.data(), static_cast<Eigen::Index>(kHandAngles));
+        angles.joint.data(), static_cast<Eigen::Index>(kHandAngleCount));
     const human::HandPoints points = human::hand_points(hand, angles, poses);
-    for (std::size_t k = 0; seen(in_hand[0]) && k < kHandKeypoints; ++k) {
+    for (std::size_t k = 0; is_known(in_hand[0]) && k < kHandKeypoints; ++k) {
       fitted.joints(i, k) = joints[k];
       moved.add((joints[k] - in_hand[k]).norm());
     }
-    for (std::size_t finger = 0; finger < kFingers; ++finger) {
-      const Vec3& tip = joints[keypoint_of(finger, 3)];
-      if (!seen(points.tip[finger])) continue;
+    for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
+      const Vec3& tip = joints[keypoint_index(finger, 3)];
+      if (!is_known(points.tip[finger])) continue;
       missed[finger].add((points.tip[finger] - tip).norm());
-      missed[finger].add((points.middle_joint[finger] - joints[keypoint_of(finger, 1)]).norm());
+      missed[finger].add((points.middle_joint[finger] - joints[keypoint_index(finger, 1)]).norm());
       const Quat& modelled = points.tip_orientation[finger];
       fitted.tip_orientation(i, finger) =
-          (math::shortest_rotation(modelled * Vec3::UnitZ(), tip - joints[keypoint_of(finger, 2)]) *
+          (math::shortest_rotation(modelled * Vec3::UnitZ(),
+                                   tip - joints[keypoint_index(finger, 2)]) *
            modelled)
               .normalized();
     }
   }
   moved.report("keypoints, bones constant", fitted.residuals);
-  for (std::size_t finger = 0; finger < kFingers; ++finger) {
+  for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
     missed[finger].report(fmt::format("hand angles, {}", kFingerNames[finger]), fitted.residuals);
   }
   return fitted;
 }
 
-void take_angles(const FittedHand& fitted, HumanMotion& motion) {
+void add_hand_angles(const FittedHand& fitted, HumanMotion& motion) {
   motion.hand_angles = fitted.angles;
   motion.residuals.insert(motion.residuals.end(), fitted.residuals.begin(), fitted.residuals.end());
   if (!fitted.thumb_base_estimated) return;
   motion.estimated.emplace_back("thumb base");
-  motion.problems.emplace_back(
+  motion.reconstruction_notes.emplace_back(
       "the thumb's base (CMC) was not recorded: put where the proportions of a hand have it, as a "
       "rule within 2 cm; the thumb's angles and the roll of its tip depend on it");
 }
 
 void add_hand_from_keypoints(const HandStream& keypoints, const std::optional<double>& hand_length,
-                             const Clock& clock, const ReconstructOptions& options,
+                             const TimeGrid& clock, const ReconstructOptions& options,
                              HumanMotion& motion) {
   std::vector<HandKeypoints> frames(clock.count);
   std::vector<Vec3> track(keypoints.time.size());
   for (std::size_t k = 0; k < kHandKeypoints; ++k) {
     for (std::size_t i = 0; i < track.size(); ++i) track[i] = keypoints.position(i, k);
-    const std::vector<Vec3> on = on_clock(keypoints.time, track, clock, options);
+    const std::vector<Vec3> on = resample(keypoints.time, track, clock, options);
     for (std::size_t i = 0; i < clock.count; ++i) frames[i][k] = on[i];
   }
   const std::optional<FittedHand> fitted = fit_hand(frames, hand_length, clock.rate_hz);
@@ -117,22 +118,22 @@ void add_hand_from_keypoints(const HandStream& keypoints, const std::optional<do
     const bool nothing = std::ranges::none_of(frames, [](const HandKeypoints& points) {
       return std::ranges::any_of(points, seen_point);
     });
-    motion.problems.push_back(
+    motion.reconstruction_notes.push_back(
         nothing ? fmt::format("the hand was never seen twice within reconstruct.max_gap_s ({} s): "
                               "nothing of it can be rebuilt",
                               options.max_gap_s)
                 : "the hand's points were never all seen together: its bones are unknown");
     return;
   }
-  take_angles(*fitted, motion);
+  add_hand_angles(*fitted, motion);
   motion.bones = fitted->bones;
   for (std::size_t i = 0; i < clock.count; ++i) {
     const Quat& world_from_hand = motion.wrist_orientation[i];
-    for (std::size_t finger = 0; finger < kFingers; ++finger) {
+    for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
       motion.tip(i, finger) =
-          motion.wrist[i] + world_from_hand * fitted->joints(i, keypoint_of(finger, 3));
+          motion.wrist[i] + world_from_hand * fitted->joints(i, keypoint_index(finger, 3));
       motion.finger_joint(i, finger) =
-          motion.wrist[i] + world_from_hand * fitted->joints(i, keypoint_of(finger, 1));
+          motion.wrist[i] + world_from_hand * fitted->joints(i, keypoint_index(finger, 1));
       motion.tip_orientation(i, finger) = world_from_hand * fitted->tip_orientation(i, finger);
     }
   }
@@ -141,10 +142,10 @@ void add_hand_from_keypoints(const HandStream& keypoints, const std::optional<do
 HumanMotion motion_from_hand(const Demonstration& demonstration,
                              const ReconstructOptions& options) {
   const HandStream& hand = *demonstration.streams.hand;
-  const Clock clock = clock_over({&hand.time}, options.rate_hz);
+  const TimeGrid clock = make_time_grid({&hand.time}, options.rate_hz);
   HumanMotion motion = unseen_motion(clock);
   add_hand_from_keypoints(hand, demonstration.hand_length, clock, options, motion);
-  motion.problems.push_back("the wrist was not tracked: a hand alone holds no reach");
+  motion.reconstruction_notes.push_back("the wrist was not tracked: a hand alone holds no reach");
   return motion;
 }
 

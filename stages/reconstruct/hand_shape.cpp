@@ -11,7 +11,8 @@
 namespace morphe::reconstruct {
 namespace {
 
-/// Median of a number that each frame gives, NaN where it does not; NaN if none does.
+/// Returns the median of a number over the frames, NaN in frames without it; NaN if no frame has
+/// it.
 template <class Number>
 double median_over(const std::vector<HandKeypoints>& frames, const Number& number) {
   std::vector<double> values;
@@ -19,10 +20,10 @@ double median_over(const std::vector<HandKeypoints>& frames, const Number& numbe
     const double value = number(i);
     if (std::isfinite(value)) values.push_back(value);
   }
-  return values.empty() ? kNotSeen : math::median(values);
+  return values.empty() ? kUnknown : math::median(values);
 }
 
-/// Where a point is in the hand frame, in the median.
+/// Returns the median position of a point in the hand frame.
 Vec3 median_place(const std::vector<HandKeypoints>& frames,
                   const std::vector<Eigen::Matrix3d>& axes, std::size_t point) {
   Vec3 place;
@@ -33,16 +34,16 @@ Vec3 median_place(const std::vector<HandKeypoints>& frames,
   return place;
 }
 
-/// The thumb's base by the proportions of Buchholz et al. (1992), from what was seen of the hand:
-/// on the way from its MCP's median place to where the proportions have the base, as far off as the
-/// thumb's other two bones make the metacarpal.
-void put_thumb_base(const Vec3& mcp, HandShape& shape) {
+/// Estimates the thumb's base by the proportions of Buchholz et al. (1992) from the rest of the
+/// hand: on the line from the median position of its MCP to the base given by the proportions, at
+/// the length of the metacarpal that corresponds to the thumb's other two bones.
+void estimate_thumb_base(const Vec3& mcp, HandShape& shape) {
   const robot::ThumbProportions& thumb = robot::kThumbProportions;
   const double breadth = (shape.base[kIndex].y() - shape.base[kLittle].y()) /
                          (robot::kFingerProportions[kIndex - 1].across -
                           robot::kFingerProportions[kLittle - 1].across);
   const Vec3 usual(0, thumb.across * breadth, thumb.along * shape.length());
-  auto& bones = shape.bones[kThumb];
+  auto& bones = shape.bone_lengths[kThumb];
   bones[0] = thumb.metacarpal / (thumb.proximal + thumb.distal) * (bones[1] + bones[2]);
   shape.base[kThumb] = mcp + bones[0] * (usual - mcp).normalized();
   shape.thumb_base_estimated = true;
@@ -54,7 +55,7 @@ Eigen::Matrix3d hand_axes(const Vec3& to_fingers, const Vec3& to_thumb) {
   const Vec3 z = to_fingers.normalized();
   const Vec3 square = to_thumb - to_thumb.dot(z) * z;
   if (!(square.norm() > 1e-3 * to_thumb.norm()) || !(to_fingers.norm() > 0)) {
-    return Eigen::Matrix3d::Constant(kNotSeen);
+    return Eigen::Matrix3d::Constant(kUnknown);
   }
   const Vec3 y = square.normalized();
   Eigen::Matrix3d axes;
@@ -63,74 +64,78 @@ Eigen::Matrix3d hand_axes(const Vec3& to_fingers, const Vec3& to_thumb) {
 }
 
 Eigen::Matrix3d hand_axes(const HandKeypoints& points) {
-  return hand_axes(points[keypoint_of(kMiddle, 0)] - points[0],
-                   points[keypoint_of(kIndex, 0)] - points[keypoint_of(kLittle, 0)]);
+  return hand_axes(points[keypoint_index(kMiddle, 0)] - points[0],
+                   points[keypoint_index(kIndex, 0)] - points[keypoint_index(kLittle, 0)]);
 }
 
 double HandShape::length() const {
   double length = base[kMiddle].norm();
-  for (const double bone : bones[kMiddle]) length += bone;
+  for (const double bone : bone_lengths[kMiddle]) length += bone;
   return length;
 }
 
-std::optional<HandShape> median_hand(const std::vector<HandKeypoints>& frames) {
+std::optional<HandShape> estimate_hand_shape(const std::vector<HandKeypoints>& frames) {
   std::vector<Eigen::Matrix3d> axes;
   for (const HandKeypoints& points : frames) axes.push_back(hand_axes(points));
   HandShape shape;
-  for (std::size_t finger = 0; finger < kFingers; ++finger) {
-    shape.base[finger] = median_place(frames, axes, keypoint_of(finger, 0));
+  for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
+    shape.base[finger] = median_place(frames, axes, keypoint_index(finger, 0));
     for (std::size_t bone = 0; bone < 3; ++bone) {
-      shape.bones[finger][bone] = median_over(frames, [&](std::size_t i) {
-        return (frames[i][keypoint_of(finger, bone + 1)] - frames[i][keypoint_of(finger, bone)])
+      shape.bone_lengths[finger][bone] = median_over(frames, [&](std::size_t i) {
+        return (frames[i][keypoint_index(finger, bone + 1)] -
+                frames[i][keypoint_index(finger, bone)])
             .norm();
       });
     }
   }
-  if (!seen(shape.base[kThumb])) {
-    put_thumb_base(median_place(frames, axes, keypoint_of(kThumb, 1)), shape);
+  if (!is_known(shape.base[kThumb])) {
+    estimate_thumb_base(median_place(frames, axes, keypoint_index(kThumb, 1)), shape);
   }
-  for (std::size_t finger = 0; finger < kFingers; ++finger) {
-    if (!seen(shape.base[finger])) return std::nullopt;
-    for (const double bone : shape.bones[finger]) {
+  for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
+    if (!is_known(shape.base[finger])) return std::nullopt;
+    for (const double bone : shape.bone_lengths[finger]) {
       if (!(bone > 0)) return std::nullopt;
     }
   }
   return shape;
 }
 
-HandKeypoints keep_bones(const HandShape& shape, const HandKeypoints& in_hand) {
+HandKeypoints enforce_finger_lengths(const HandShape& shape, const HandKeypoints& in_hand) {
   HandKeypoints kept;
   kept[0].setZero();
-  for (std::size_t finger = 0; finger < kFingers; ++finger) {
+  for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
     Vec3 here = shape.base[finger];
-    kept[keypoint_of(finger, 0)] = here;
+    kept[keypoint_index(finger, 0)] = here;
     std::size_t first = 0;
     if (finger == kThumb && shape.thumb_base_estimated) {
-      kept[keypoint_of(finger, 1)] = here = in_hand[keypoint_of(finger, 1)];
+      kept[keypoint_index(finger, 1)] = here = in_hand[keypoint_index(finger, 1)];
       first = 1;
     }
     for (std::size_t bone = first; bone < 3; ++bone) {
-      const std::size_t next = keypoint_of(finger, bone + 1);
-      here += shape.bones[finger][bone] * (in_hand[next] - in_hand[next - 1]).normalized();
+      const std::size_t next = keypoint_index(finger, bone + 1);
+      here += shape.bone_lengths[finger][bone] * (in_hand[next] - in_hand[next - 1]).normalized();
       kept[next] = here;
     }
   }
   return kept;
 }
 
-RobotTable hand_of_shape(const HandShape& shape) {
-  RobotTable hand = human::human_hand({1, 1});
-  for (std::size_t finger = 0; finger < kFingers; ++finger) {
-    // Up the chain from the tip: what has a length is a bone, the last one the way from the wrist.
-    RobotTable::Tip& tip = hand.tips[finger];
-    tip.transform.translation() = shape.bones[finger][2] * tip.transform.translation().normalized();
+RobotModel make_hand_model(const HandShape& shape) {
+  RobotModel hand = human::human_hand({1, 1});
+  for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
+    // The lengths are set from the tip upwards: each distance between joints is a bone, the last
+    // one that from the wrist.
+    RobotModel::Tip& tip = hand.tips[finger];
+    tip.transform.translation() =
+        shape.bone_lengths[finger][2] * tip.transform.translation().normalized();
     std::size_t bone = 2;
     for (int frame = tip.frame; frame >= 0;) {
-      RobotTable::Frame& here = hand.frames[static_cast<std::size_t>(frame)];
+      RobotModel::Frame& here = hand.frames[static_cast<std::size_t>(frame)];
       Eigen::Vector3d step = here.transform.translation();
       if (step.norm() > 0) {
         here.transform.translation() =
-            bone > 0 ? Vec3(shape.bones[finger][bone - 1] * step.normalized()) : shape.base[finger];
+            bone > 0 ? Vec3(shape.bone_lengths[finger][bone - 1] * step.normalized())
+                     : shape.base[finger];
         if (bone == 0) break;
         --bone;
       }
@@ -142,10 +147,10 @@ RobotTable hand_of_shape(const HandShape& shape) {
 
 Eigen::Matrix3d fit_palm(const HandShape& shape, const HandKeypoints& points) {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  for (std::size_t finger = kIndex; finger < kFingers; ++finger) {
-    covariance += (points[keypoint_of(finger, 0)] - points[0]) * shape.base[finger].transpose();
+  for (std::size_t finger = kIndex; finger < kFingerCount; ++finger) {
+    covariance += (points[keypoint_index(finger, 0)] - points[0]) * shape.base[finger].transpose();
   }
-  if (!covariance.allFinite()) return Eigen::Matrix3d::Constant(kNotSeen);
+  if (!covariance.allFinite()) return Eigen::Matrix3d::Constant(kUnknown);
   return math::nearest_rotation(covariance);
 }
 

@@ -6,8 +6,8 @@
 
 namespace morphe::reconstruct {
 
-Refusal refuse_inhuman(const HumanMotion& motion, const HumanOptions& human) {
-  const auto found = std::ranges::find(motion.residuals, kBeyondLimits, &Residual::name);
+PlanningFailure check_human_limits(const HumanMotion& motion, const HumanOptions& human) {
+  const auto found = std::ranges::find(motion.residuals, kLimitViolationResidual, &Residual::name);
   if (found == motion.residuals.end() || !(found->rms_m > human.beyond_limits_m)) return {};
   return {Reason::not_human,
           fmt::format("elbow and wrist lie {:.0f} mm RMS beyond human joint limits, more than "

@@ -6,12 +6,13 @@
 
 namespace morphe::reconstruct {
 
-/// Name of the residual of `HumanMotion` that says by how much elbow and wrist lie beyond what
-/// human joints can do.
-inline constexpr const char* kBeyondLimits = "arm angles";
+/// Name of the residual of `HumanMotion` for the distance of elbow and wrist from the range of
+/// human joints.
+inline constexpr const char* kLimitViolationResidual = "arm angles";
 
-/// not_human where that is more than `HumanOptions::beyond_limits_m` (RMS over the recording): no
-/// person's arm was there, so somebody is turned, mirrored or called otherwise.
-Refusal refuse_inhuman(const HumanMotion& motion, const HumanOptions& human);
+/// Fails with not_human if that residual exceeds `HumanOptions::beyond_limits_m` (RMS over the
+/// recording): no human arm can have these poses, so the person is rotated or mirrored, or joints
+/// have wrong names.
+PlanningFailure check_human_limits(const HumanMotion& motion, const HumanOptions& human);
 
 }  // namespace morphe::reconstruct

@@ -5,37 +5,37 @@
 
 #include <algorithm>
 
+#include "stages/reconstruct/centre_of_rotation.hpp"
 #include "stages/reconstruct/gaps.hpp"
-#include "stages/reconstruct/pivot.hpp"
 
 namespace morphe::reconstruct {
 namespace {
 
-// How far a joint's centre may be from where it is looked for.
-constexpr double kFromLandmark = 0.03, kFromCluster = 0.15;  // [m]
+// Standard deviations of a joint's centre from its initial estimate.
+constexpr double kLandmarkPriorSd_m = 0.03, kClusterPriorSd_m = 0.15;  // [m]
 
-std::vector<Vec3> carry(const std::vector<Pose>& world_from_body, const Vec3& point) {
+std::vector<Vec3> transform_point(const std::vector<Pose>& world_from_body, const Vec3& point) {
   std::vector<Vec3> carried;
   for (const Pose& pose : world_from_body) carried.push_back(pose * point);
   return carried;
 }
 
-/// Mean of the seen points; unseen if none is.
-Vec3 middle_of(const std::vector<Vec3>& points) {
+/// Returns the mean of the seen points; unseen if there is no such point.
+Vec3 mean_point(const std::vector<Vec3>& points) {
   Vec3 sum = Vec3::Zero();
   int count = 0;
   for (const Vec3& point : points) {
-    if (!seen(point)) continue;
+    if (!is_known(point)) continue;
     sum += point;
     ++count;
   }
-  return count > 0 ? Vec3(sum / count) : unseen_point();
+  return count > 0 ? Vec3(sum / count) : unknown_point();
 }
 
-/// Mean of what two bodies say of one point. Where one of them is hidden the other stands for both,
-/// with the difference interpolated, for switching would be a step.
-std::vector<Vec3> blended(const std::string& name, const std::vector<Vec3>& a,
-                          const std::vector<Vec3>& b, std::vector<Residual>& residuals) {
+/// Returns the mean of two bodies' positions of one point. While one of them is hidden, the other
+/// is used with the interpolated difference, since switching would cause a step.
+std::vector<Vec3> blend_tracks(const std::string& name, const std::vector<Vec3>& a,
+                               const std::vector<Vec3>& b, std::vector<Residual>& residuals) {
   if (never_seen(a)) return b;
   if (never_seen(b)) return a;
   std::vector<Vec3> apart, mean;
@@ -47,26 +47,27 @@ std::vector<Vec3> blended(const std::string& name, const std::vector<Vec3>& a,
   residuals.push_back(residual_of(name, distance));
   interpolate_unseen(apart);
   for (std::size_t i = 0; i < a.size(); ++i) {
-    const Vec3 half = seen(apart[i]) ? Vec3(apart[i] / 2) : Vec3::Zero();
-    mean.push_back(seen(a[i]) ? Vec3(a[i] - half) : Vec3(b[i] + half));
+    const Vec3 half = is_known(apart[i]) ? Vec3(apart[i] / 2) : Vec3::Zero();
+    mean.push_back(is_known(a[i]) ? Vec3(a[i] - half) : Vec3(b[i] + half));
   }
   return mean;
 }
 
-/// One body's view of a joint: where its landmarks are in it, or its own middle.
-struct View {
+/// The position of a joint in one body's frame: the mean of its landmarks, or the centre of the
+/// body.
+struct BodyPoint {
   Vec3 place;
-  std::size_t known = 0;  ///< landmarks
+  std::size_t known = 0;  ///< number of landmarks
 };
 
-View view_of(MarkerTrial& trial, const std::vector<Landmark>& landmarks, const MarkerBody& body,
-             HumanMotion& motion) {
+BodyPoint find_body_point(MarkerTrial& trial, const std::vector<Landmark>& landmarks,
+                          const MarkerBody& body, HumanMotion& motion) {
   std::vector<Vec3> places;
   for (const Landmark& landmark : landmarks) {
     const Vec3 place = landmark_in_body(trial, landmark, body, motion);
-    if (seen(place)) places.push_back(place);
+    if (is_known(place)) places.push_back(place);
   }
-  return {places.empty() ? middle_of(body.shape) : middle_of(places), places.size()};
+  return {places.empty() ? mean_point(body.shape) : mean_point(places), places.size()};
 }
 
 }  // namespace
@@ -77,7 +78,7 @@ std::vector<Vec3> joint_centre(MarkerTrial& trial, const MarkerJoint& joint,
   const std::size_t frames = trial.clock.count;
   std::vector<Landmark> landmarks;
   for (const std::string& name : joint.landmarks) {
-    landmarks.push_back(landmark_of(trial, name, first, motion));
+    landmarks.push_back(make_landmark(trial, name, first, motion));
   }
   if (std::ranges::all_of(landmarks, [](const Landmark& l) { return !l.track.empty(); })) {
     std::vector<Vec3> middle(frames, Vec3::Zero());
@@ -88,49 +89,53 @@ std::vector<Vec3> joint_centre(MarkerTrial& trial, const MarkerJoint& joint,
     }
     return middle;
   }
-  if (!first.exists() && !second.exists()) return std::vector<Vec3>(frames, unseen_point());
+  if (!first.exists() && !second.exists()) return std::vector<Vec3>(frames, unknown_point());
 
-  View a = view_of(trial, landmarks, first, motion), b = view_of(trial, landmarks, second, motion);
+  BodyPoint a = find_body_point(trial, landmarks, first, motion),
+            b = find_body_point(trial, landmarks, second, motion);
   const bool known = std::max(a.known, b.known) == landmarks.size();
   const std::string pair = fmt::format("{} against {}", first.name, second.name);
   const bool both = first.exists() && second.exists();
   if (!both && known) {
-    return first.exists() ? carry(first.world_from_body, a.place)
-                          : carry(second.world_from_body, b.place);
+    return first.exists() ? transform_point(first.world_from_body, a.place)
+                          : transform_point(second.world_from_body, b.place);
   }
   const bool in_world = first.exists() && !second.exists() && joint.name == "shoulder";
   if (!both && !in_world) {
-    motion.problems.push_back(fmt::format(
+    motion.reconstruction_notes.push_back(fmt::format(
         "{}: {} were not seen, and {} has no neighbour to turn "
         "about: not rebuilt",
         joint.name, fmt::join(joint.landmarks, ", "), first.exists() ? first.name : second.name));
-    return std::vector<Vec3>(frames, unseen_point());
+    return std::vector<Vec3>(frames, unknown_point());
   }
   std::vector<Pose> other = second.world_from_body;
   if (in_world) {
     other.assign(frames, Pose::Identity());
-    b.place = middle_of(carry(first.world_from_body, a.place));
+    b.place = mean_point(transform_point(first.world_from_body, a.place));
   }
-  if (joint.pivots || !known) {
+  if (joint.refine_by_motion || !known) {
     const bool near = std::max(a.known, b.known) > 0;
-    const Pivot pivot = find_pivot(first.world_from_body, other,
-                                   {a.place, b.place, near ? kFromLandmark : kFromCluster});
-    if (!seen(pivot.in_a) || !seen(pivot.in_b)) return std::vector<Vec3>(frames, unseen_point());
+    const CentreOfRotation pivot = estimate_centre_of_rotation(
+        first.world_from_body, other,
+        {a.place, b.place, near ? kLandmarkPriorSd_m : kClusterPriorSd_m});
+    if (!is_known(pivot.in_a) || !is_known(pivot.in_b))
+      return std::vector<Vec3>(frames, unknown_point());
     a.place = pivot.in_a;
     b.place = pivot.in_b;
     if (!known) {
       motion.estimated.push_back(joint.name);
-      motion.problems.push_back(fmt::format(
+      motion.reconstruction_notes.push_back(fmt::format(
           "{}: taken where {} and {} turn about each other (to {:.1f} mm rms; {:.0f} mm in doubt "
           "along the direction that is known least), for not all of {} were seen; a static trial "
           "shows them",
           joint.name, first.name, in_world ? "the world" : second.name, 1000 * pivot.residual_m,
-          1000 * pivot.doubt_m, fmt::join(joint.landmarks, ", ")));
+          1000 * pivot.uncertainty_m, fmt::join(joint.landmarks, ", ")));
     }
   }
-  return blended(
+  return blend_tracks(
       fmt::format("{}, {}", joint.name, in_world ? first.name + " against the world" : pair),
-      carry(first.world_from_body, a.place), carry(other, b.place), motion.residuals);
+      transform_point(first.world_from_body, a.place), transform_point(other, b.place),
+      motion.residuals);
 }
 
 }  // namespace morphe::reconstruct

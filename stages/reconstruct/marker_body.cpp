@@ -10,20 +10,20 @@
 namespace morphe::reconstruct {
 namespace {
 
-constexpr std::size_t kLeast = 3;  ///< markers of a cluster
+constexpr std::size_t kMinClusterMarkers = 3;  ///< least number of markers of a cluster
 
-/// The markers of the recording that are called as the cluster and a number.
+/// Returns the markers of the recording whose names are the cluster's and a number.
 std::vector<std::string> members_of(const MarkerStream& markers, const std::string& cluster) {
   std::vector<std::string> members;
   for (const std::string& name : markers.names) {
     const bool numbered = name.size() > cluster.size() && name.starts_with(cluster) &&
                           name.find_first_not_of("0123456789", cluster.size()) == name.npos;
-    if (numbered && !never_seen(track_of(markers, name))) members.push_back(name);
+    if (numbered && !never_seen(marker_track(markers, name))) members.push_back(name);
   }
   return members;
 }
 
-/// Rigid fit of a body to what it was made of.
+/// Measures the rigid fit of a body to its tracks.
 void measure_fit(const MarkerBody& body, const std::vector<std::vector<Vec3>>& tracks,
                  HumanMotion& motion) {
   std::vector<double> misfit;
@@ -32,13 +32,14 @@ void measure_fit(const MarkerBody& body, const std::vector<std::vector<Vec3>>& t
     for (const auto& track : tracks) now.push_back(track[i]);
     misfit.push_back(math::rigid_residual(body.world_from_body[i], body.shape, now));
   }
-  // The trials' own static poses fit to 0.2-1.1 mm; another subject's forearm plate is off by 9.
-  constexpr double kMisfit = 0.004;
+  // The trials' own static poses fit to 0.2-1.1 mm; a forearm plate of another subject is off by 9
+  // mm.
+  constexpr double kMaxRigidFitRms_m = 0.004;
   const Residual fit = residual_of(fmt::format("{} rigid fit", body.name), misfit);
   motion.residuals.push_back(fit);
-  if (fit.rms_m > kMisfit) {
+  if (fit.rms_m > kMaxRigidFitRms_m) {
     const char* why = body.in_static ? "does not fit the static trial" : "is not rigid";
-    motion.problems.push_back(
+    motion.reconstruction_notes.push_back(
         fmt::format("cluster {} {} (rms {:.1f} mm): moved{}", body.name, why, 1000 * fit.rms_m,
                     body.in_static ? ", or not this subject's" : " on the skin"));
   }
@@ -46,8 +47,8 @@ void measure_fit(const MarkerBody& body, const std::vector<std::vector<Vec3>>& t
 
 }  // namespace
 
-std::vector<Vec3> track_of(const MarkerStream& markers, const std::string& name) {
-  std::vector<Vec3> track(markers.time.size(), unseen_point());
+std::vector<Vec3> marker_track(const MarkerStream& markers, const std::string& name) {
+  std::vector<Vec3> track(markers.time.size(), unknown_point());
   const auto found = std::ranges::find(markers.names, name);
   if (found == markers.names.end()) return track;
   const auto k = static_cast<std::size_t>(found - markers.names.begin());
@@ -55,8 +56,8 @@ std::vector<Vec3> track_of(const MarkerStream& markers, const std::string& name)
   return track;
 }
 
-MarkerBody body_of(MarkerTrial& trial, const std::string& cluster, bool needed,
-                   HumanMotion& motion) {
+MarkerBody make_marker_body(MarkerTrial& trial, const std::string& cluster, bool needed,
+                            HumanMotion& motion) {
   MarkerBody body;
   body.name = cluster;
   const MarkerStream& markers = trial.markers;
@@ -64,78 +65,78 @@ MarkerBody body_of(MarkerTrial& trial, const std::string& cluster, bool needed,
   std::vector<std::string> in_static;
   std::vector<Vec3> still;
   for (const std::string& name : members) {
-    const Vec3 place = trial.still.at(name, motion.problems);
-    if (!seen(place)) continue;
+    const Vec3 place = trial.static_trial.at(name, motion.reconstruction_notes);
+    if (!is_known(place)) continue;
     in_static.push_back(name);
     still.push_back(place);
   }
-  body.in_static = in_static.size() >= kLeast;
+  body.in_static = in_static.size() >= kMinClusterMarkers;
   if (body.in_static) {
     for (const std::string& name : members) {
       if (!std::ranges::count(in_static, name)) {
-        motion.problems.push_back(fmt::format("static trial: {} is missing", name));
+        motion.reconstruction_notes.push_back(fmt::format("static trial: {} is missing", name));
       }
     }
     members = in_static;
-  } else if (trial.still.given() && members.size() >= kLeast) {
-    motion.problems.push_back(fmt::format(
+  } else if (trial.static_trial.available() && members.size() >= kMinClusterMarkers) {
+    motion.reconstruction_notes.push_back(fmt::format(
         "static trial: fewer than three markers of {}: it does not say where joints are", cluster));
   }
-  if (members.size() < kLeast) {
+  if (members.size() < kMinClusterMarkers) {
     if (needed) {
-      motion.problems.push_back(fmt::format(
+      motion.reconstruction_notes.push_back(fmt::format(
           "cluster {}: {} of its markers were seen, three are needed", cluster, members.size()));
     }
     return body;
   }
-  for (const std::string& name : members) body.tracks.push_back(track_of(markers, name));
+  for (const std::string& name : members) body.tracks.push_back(marker_track(markers, name));
   body.shape = body.in_static ? still : median_shape(body.tracks);
-  if (!std::ranges::all_of(body.shape, [](const Vec3& p) { return seen(p); })) {
-    motion.problems.push_back(
+  if (!std::ranges::all_of(body.shape, [](const Vec3& p) { return is_known(p); })) {
+    motion.reconstruction_notes.push_back(
         fmt::format("cluster {}: three of its markers are never seen together", cluster));
     body.shape.clear();
     return body;
   }
-  complete_cluster(body.shape, body.tracks);
+  fill_cluster_gaps(body.shape, body.tracks);
   std::vector<std::vector<Vec3>> smooth;
   for (std::size_t k = 0; k < members.size(); ++k) {
-    note_gaps(members[k], markers.time, track_of(markers, members[k]), body.tracks[k],
-              trial.options.max_gap_s, motion.problems);
-    smooth.push_back(on_clock(markers.time, body.tracks[k], trial.clock, trial.options));
+    note_gaps(members[k], markers.time, marker_track(markers, members[k]), body.tracks[k],
+              trial.options.max_gap_s, motion.reconstruction_notes);
+    smooth.push_back(resample(markers.time, body.tracks[k], trial.clock, trial.options));
   }
-  body.world_from_body = poses_of(body.shape, smooth);
+  body.world_from_body = fit_poses(body.shape, smooth);
   measure_fit(body, smooth, motion);
   return body;
 }
 
-Landmark landmark_of(MarkerTrial& trial, const std::string& name, const MarkerBody& body,
-                     HumanMotion& motion) {
-  Landmark landmark{name, track_of(trial.markers, name), {}};
-  const auto shown = std::ranges::count_if(landmark.recorded, [](auto& p) { return seen(p); });
+Landmark make_landmark(MarkerTrial& trial, const std::string& name, const MarkerBody& body,
+                       HumanMotion& motion) {
+  Landmark landmark{name, marker_track(trial.markers, name), {}};
+  const auto shown = std::ranges::count_if(landmark.recorded, [](auto& p) { return is_known(p); });
   if (2 * static_cast<std::size_t>(shown) < landmark.recorded.size()) return landmark;
   std::vector<Vec3> filled = landmark.recorded;
   if (body.exists()) {
     std::vector<Vec3> shape = body.shape;
     std::vector<std::vector<Vec3>> tracks = body.tracks;
-    shape.push_back(median_in_body(poses_of(body.shape, body.tracks), landmark.recorded));
+    shape.push_back(median_in_body(fit_poses(body.shape, body.tracks), landmark.recorded));
     tracks.push_back(landmark.recorded);
-    complete_marker(shape, tracks, shape.size() - 1);
+    fill_marker_gaps(shape, tracks, shape.size() - 1);
     filled = tracks.back();
   }
   const MarkerStream& markers = trial.markers;
   note_gaps(name, markers.time, landmark.recorded, filled, trial.options.max_gap_s,
-            motion.problems);
-  landmark.track = on_clock(markers.time, filled, trial.clock, trial.options);
+            motion.reconstruction_notes);
+  landmark.track = resample(markers.time, filled, trial.clock, trial.options);
   return landmark;
 }
 
 Vec3 landmark_in_body(MarkerTrial& trial, const Landmark& landmark, const MarkerBody& body,
                       HumanMotion& motion) {
-  if (!body.exists()) return unseen_point();
-  const Vec3 still = trial.still.at(landmark.name, motion.problems);
-  if (body.in_static && seen(still)) return still;
-  if (never_seen(landmark.recorded)) return unseen_point();
-  return median_in_body(poses_of(body.shape, body.tracks), landmark.recorded);
+  if (!body.exists()) return unknown_point();
+  const Vec3 still = trial.static_trial.at(landmark.name, motion.reconstruction_notes);
+  if (body.in_static && is_known(still)) return still;
+  if (never_seen(landmark.recorded)) return unknown_point();
+  return median_in_body(fit_poses(body.shape, body.tracks), landmark.recorded);
 }
 
 }  // namespace morphe::reconstruct

@@ -3,53 +3,55 @@
 #include <string>
 #include <vector>
 
-#include "stages/reconstruct/clock.hpp"
 #include "stages/reconstruct/static_trial.hpp"
+#include "stages/reconstruct/time_grid.hpp"
 
 namespace morphe::reconstruct {
 
-/// A marker recording and what it is rebuilt with.
+/// A marker recording with the data needed for its reconstruction.
 struct MarkerTrial {
-  const MarkerStream& markers;
-  StaticTrial still;
-  Clock clock;
-  const ReconstructOptions& options;
+  const MarkerStream& markers;        ///< the recording
+  StaticTrial static_trial;           ///< may be unavailable
+  TimeGrid clock;                     ///< clock of the reconstructed motion
+  const ReconstructOptions& options;  ///< options of the reconstruction
 };
 
-/// What was recorded of one marker, [frame]; unseen throughout if there is no such marker.
-std::vector<Vec3> track_of(const MarkerStream& markers, const std::string& name);
+/// Returns the recorded positions of one marker, [frame]; always unseen if there is no such marker.
+std::vector<Vec3> marker_track(const MarkerStream& markers, const std::string& name);
 
-/// A segment of the body as its marker cluster shows it. Its own frame is the static trial's world,
-/// or, without one, where its median shape stands.
+/// A segment of the body, tracked by its marker cluster. Its frame is the static trial's world or,
+/// without a static trial, that of its median shape.
 struct MarkerBody {
-  std::string name;  ///< of the cluster: RUAR for RUAR1, RUAR2, …
+  std::string name;  ///< prefix of the cluster: RUAR for RUAR1, RUAR2, …
+  /// True if the static trial shows the cluster.
   bool in_static = false;
-  std::vector<Vec3> shape;                ///< of its markers; empty = there is no such body
-  std::vector<std::vector<Vec3>> tracks;  ///< as recorded, gaps filled by the others
-  std::vector<Pose> world_from_body;      ///< on the clock, low-passed; NaN = not seen
+  std::vector<Vec3> shape;  ///< positions of its markers; empty if the body does not exist
+  std::vector<std::vector<Vec3>> tracks;  ///< as recorded, with gaps filled from the other markers
+  std::vector<Pose> world_from_body;      ///< on the clock, low-passed; NaN if not seen
 
+  /// Returns true if the recording has the body.
   bool exists() const { return !shape.empty(); }
 };
 
-/// The body of a cluster of three or more markers. Gaps, a shape that does not fit and (if it is
-/// `needed`) a cluster that is not there are said in `motion.problems`, how rigid it is in
+/// Creates the body of a cluster of three or more markers. Gaps, a poor fit and (if it is `needed`)
+/// a missing cluster are reported in `motion.reconstruction_notes`, the rigidity of the cluster in
 /// `motion.residuals`.
-MarkerBody body_of(MarkerTrial& trial, const std::string& cluster, bool needed,
-                   HumanMotion& motion);
+MarkerBody make_marker_body(MarkerTrial& trial, const std::string& cluster, bool needed,
+                            HumanMotion& motion);
 
-/// A landmark on the bone.
+/// A landmark on a bone.
 struct Landmark {
   std::string name;
   std::vector<Vec3> recorded;  ///< [frame]
-  std::vector<Vec3> track;     ///< on the clock; empty unless half of the recording shows it
+  std::vector<Vec3> track;     ///< on the clock; empty unless seen in half of the recording
 };
 
-/// A landmark as the recording shows it, its gaps filled by the body that it lies on.
-Landmark landmark_of(MarkerTrial& trial, const std::string& name, const MarkerBody& body,
-                     HumanMotion& motion);
+/// Creates a landmark from the recording, with its gaps filled by the body that it belongs to.
+Landmark make_landmark(MarkerTrial& trial, const std::string& name, const MarkerBody& body,
+                       HumanMotion& motion);
 
-/// Where a landmark lies in a body's frame: by the static trial if there is one that shows it, else
-/// the median of the recording; unseen if neither tells.
+/// Returns the position of a landmark in a body's frame: from the static trial if it shows the
+/// landmark, otherwise the median of the recording; unseen if neither is available.
 Vec3 landmark_in_body(MarkerTrial& trial, const Landmark& landmark, const MarkerBody& body,
                       HumanMotion& motion);
 

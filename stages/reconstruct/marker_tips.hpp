@@ -4,9 +4,9 @@
 
 namespace morphe::reconstruct {
 
-/// Tips of thumb and index from the markers RTHUM and RFTP on their nails, moved onto the fingers'
-/// axes, each towards the other, at most to the middle between them. Needs the hand's orientation
-/// where one of the two is hidden. One that is never seen leaves the other where its marker is.
+/// Sets the tips of thumb and index from the markers RTHUM and RFTP on their nails, moved onto the
+/// fingers' axes, each towards the other by at most half of their distance. While one of the two is
+/// hidden, the hand's orientation is needed. If one is never seen, the other stays at its marker.
 void set_marker_tips(const MarkerTrial& trial, HumanMotion& motion);
 
 }  // namespace morphe::reconstruct

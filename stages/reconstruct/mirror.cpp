@@ -17,8 +17,8 @@ void mirror_all(Values& values) {
   for (auto& value : values) mirror(value);
 }
 
-/// Arm markers, whose names begin with the side.
-bool is_sided(const std::string& name) {
+/// Returns true for arm markers, whose names begin with the side.
+bool has_side_prefix(const std::string& name) {
   static constexpr const char* kParts[] = {"SHO", "UAR", "LAR", "HAN", "FTP", "THUM",
                                            "FB",  "GTH", "LEP", "MEP", "SPR", "SPU"};
   if (name.empty() || (name[0] != 'L' && name[0] != 'R')) return false;
@@ -28,7 +28,7 @@ bool is_sided(const std::string& name) {
   return false;
 }
 
-/// Joints of a skeleton, whose names begin with the side.
+/// Swaps the side at the beginning of the name of a skeleton's joint.
 void swap_side(std::string& name) {
   if (name.starts_with("left_")) {
     name.replace(0, 4, "right");
@@ -41,7 +41,7 @@ void mirror(Streams& streams) {
   if (streams.markers) {
     mirror_all(streams.markers->position.values);
     for (std::string& name : streams.markers->names) {
-      if (is_sided(name)) name[0] = name[0] == 'L' ? 'R' : 'L';
+      if (has_side_prefix(name)) name[0] = name[0] == 'L' ? 'R' : 'L';
     }
   }
   for (auto* bodies : {&streams.sensors, &streams.skeleton}) {
@@ -56,10 +56,10 @@ void mirror(Streams& streams) {
   if (streams.hand) mirror_all(streams.hand->position.values);
 }
 
-void keep_seen(SceneObject& object) {
+void remove_unseen_samples(SceneObject& object) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < object.time.size(); ++i) {
-    if (!seen(object.position[i]) || !seen(object.orientation[i])) continue;
+    if (!is_known(object.position[i]) || !is_known(object.orientation[i])) continue;
     object.time[kept] = object.time[i];
     object.position[kept] = object.position[i];
     object.orientation[kept] = object.orientation[i];
@@ -81,7 +81,7 @@ void mirror(std::vector<SceneObject>& objects) {
 
 }  // namespace
 
-Demonstration mirrored(const Demonstration& demonstration) {
+Demonstration mirror_image(const Demonstration& demonstration) {
   Demonstration result = demonstration;
   result.hand = Side::right;
   mirror(result.streams);
@@ -94,7 +94,7 @@ Demonstration mirrored(const Demonstration& demonstration) {
   return result;
 }
 
-HumanMotion mirrored(HumanMotion motion) {
+HumanMotion mirror_image(HumanMotion motion) {
   // M R M has the axes -x, y, z of the mirrored hand; half a turn about z makes them x, -y, z.
   const Quat half_turn(0, 0, 0, 1);
   for (std::vector<Vec3>* points : {&motion.shoulder, &motion.elbow, &motion.wrist})
@@ -109,9 +109,9 @@ HumanMotion mirrored(HumanMotion motion) {
   return motion;
 }
 
-std::vector<SceneObject> objects_beside(const Demonstration& demonstration, Side hand) {
+std::vector<SceneObject> objects_on_side(const Demonstration& demonstration, Side hand) {
   std::vector<SceneObject> objects = demonstration.objects;
-  for (SceneObject& object : objects) keep_seen(object);
+  for (SceneObject& object : objects) remove_unseen_samples(object);
   std::erase_if(objects, [](const SceneObject& object) { return object.time.empty(); });
   if (demonstration.hand != hand) mirror(objects);
   return objects;

@@ -8,11 +8,11 @@
 #include <string_view>
 #include <utility>
 
-#include "stages/reconstruct/arm_chain.hpp"
+#include "stages/reconstruct/arm_kinematics.hpp"
 #include "stages/reconstruct/estimated_arm.hpp"
 #include "stages/reconstruct/gaps.hpp"
 #include "stages/reconstruct/hand_from_keypoints.hpp"
-#include "stages/reconstruct/rebuilt_skeleton.hpp"
+#include "stages/reconstruct/reconstructed_skeleton.hpp"
 #include "stages/reconstruct/skeleton_hand.hpp"
 #include "stages/reconstruct/skeleton_joints.hpp"
 #include "stages/reconstruct/streams.hpp"
@@ -20,19 +20,21 @@
 namespace morphe::reconstruct {
 namespace {
 
-/// Wrist to middle fingertip, bone by bone; nothing unless all of it was seen.
+/// Returns the length from wrist to middle fingertip, bone by bone; no value unless all joints were
+/// seen.
 std::optional<double> hand_length_of(const SkeletonJoint& wrist, const Digits& digits) {
   double length = 0;
   const SkeletonJoint* before = &wrist;
   for (const SkeletonJoint& joint : digits[kMiddle]) {
-    if (!joint.there()) return std::nullopt;
+    if (!joint.exists()) return std::nullopt;
     length += mean_length(*before, joint);
     before = &joint;
   }
   return std::isfinite(length) ? std::optional(length) : std::nullopt;
 }
 
-/// Whether there are joints that are not called as Morphe's: one of them may be what is missing.
+/// Returns true if there are joints with names unknown to Morphe: one of them may be the missing
+/// one.
 bool has_other_names(const BodyStream& body) {
   constexpr std::string_view kOurs[] = {"head", "trunk", "pelvis"};
   return std::ranges::any_of(body.names, [&](const std::string& name) {
@@ -58,9 +60,9 @@ void add_fitted_hand(const std::vector<HandKeypoints>& fingers, double rate_hz,
                      HumanMotion& motion) {
   const auto fitted = fit_hand(fingers, std::nullopt, rate_hz);
   if (!fitted) return;
-  take_angles(*fitted, motion);
+  add_hand_angles(*fitted, motion);
   for (std::size_t i = 0; i < motion.time.size(); ++i) {
-    for (std::size_t finger = 0; finger < kFingers; ++finger) {
+    for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
       motion.tip_orientation(i, finger) =
           motion.wrist_orientation[i] * fitted->tip_orientation(i, finger);
     }
@@ -72,54 +74,54 @@ void add_fitted_hand(const std::vector<HandKeypoints>& fingers, double rate_hz,
 HumanMotion motion_from_skeleton(const Demonstration& demonstration,
                                  const ReconstructOptions& options, const HumanOptions& human) {
   const BodyStream& body = *demonstration.streams.skeleton;
-  if (body.rebuilt) return motion_from_rebuilt(body, options);
-  const Clock clock = clock_over({&body.time}, options.rate_hz);
+  if (body.rebuilt) return motion_from_reconstructed(body, options);
+  const TimeGrid clock = make_time_grid({&body.time}, options.rate_hz);
   HumanMotion motion = unseen_motion(clock);
   const SkeletonJoint shoulder = find_joint(body, "right_shoulder"),
                       elbow = find_joint(body, "right_elbow"),
                       wrist = find_joint(body, "right_wrist"), head = find_joint(body, "head");
   const auto place = [&](const char* name, const SkeletonJoint& joint, std::vector<Vec3>& centres) {
-    if (!joint.there()) return;
-    centres = on_clock(body.time, joint.position, clock, options);
-    note_unseen(name, centres, motion.problems);
+    if (!joint.exists()) return;
+    centres = resample(body.time, joint.position, clock, options);
+    note_unseen(name, centres, motion.reconstruction_notes);
   };
   place("shoulder", shoulder, motion.shoulder);
   place("elbow", elbow, motion.elbow);
   place("wrist", wrist, motion.wrist);
-  const bool estimable = (shoulder.there() || !elbow.there()) && wrist.there();
+  const bool estimable = (shoulder.exists() || !elbow.exists()) && wrist.exists();
   if (!estimable || has_other_names(body)) {
     note_missing(
-        {{"shoulder", shoulder.there()}, {"elbow", elbow.there()}, {"wrist", wrist.there()}},
-        motion.problems);
+        {{"shoulder", shoulder.exists()}, {"elbow", elbow.exists()}, {"wrist", wrist.exists()}},
+        motion.reconstruction_notes);
   }
-  if (shoulder.there() && elbow.there() && wrist.there()) {
-    keep_bone_lengths(motion,
-                      human::ArmLengths{mean_length(shoulder, elbow), mean_length(elbow, wrist)});
+  if (shoulder.exists() && elbow.exists() && wrist.exists()) {
+    enforce_bone_lengths(
+        motion, human::ArmLengths{mean_length(shoulder, elbow), mean_length(elbow, wrist)});
   }
-  if (!wrist.there()) return motion;
+  if (!wrist.exists()) return motion;
 
   Digits digits = find_digits(body);
   motion.wrist_orientation = hand_orientation(body.time, find_joint(body, "right_hand"), wrist,
                                               digits, clock, options, motion);
   add_arm_angles(motion);
-  // Beside an elbow that was seen the shoulder is no free choice.
+  // An elbow that was seen constrains the shoulder, which is then not estimated.
   if (estimable) {
     estimate_arm(
         arm_lengths_of(demonstration, human, hand_length_of(wrist, digits)), human,
-        head.there() ? on_clock(body.time, head.position, clock, options) : std::vector<Vec3>(),
+        head.exists() ? resample(body.time, head.position, clock, options) : std::vector<Vec3>(),
         motion);
   }
   estimate_tips(digits, motion);
   const std::vector<HandKeypoints> fingers =
-      fingers_on_clock(body.time, wrist, digits, clock, options, motion);
+      resample_fingers(body.time, wrist, digits, clock, options, motion);
   for (std::size_t i = 0; i < clock.count; ++i) {
-    for (std::size_t finger = 0; finger < kFingers; ++finger) {
-      motion.tip(i, finger) = fingers[i][keypoint_of(finger, 3)];
-      motion.finger_joint(i, finger) = fingers[i][keypoint_of(finger, 1)];
+    for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
+      motion.tip(i, finger) = fingers[i][keypoint_index(finger, 3)];
+      motion.finger_joint(i, finger) = fingers[i][keypoint_index(finger, 1)];
     }
   }
-  if (std::ranges::none_of(digits, [](const auto& digit) { return digit[3].there(); })) {
-    motion.problems.push_back("the skeleton has no fingertips");
+  if (std::ranges::none_of(digits, [](const auto& digit) { return digit[3].exists(); })) {
+    motion.reconstruction_notes.push_back("the skeleton has no fingertips");
   }
   add_fitted_hand(fingers, clock.rate_hz, motion);
   return motion;

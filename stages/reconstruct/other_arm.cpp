@@ -7,10 +7,10 @@
 namespace morphe::reconstruct {
 namespace {
 
-/// What may show the other side too.
-Streams of_both_sides(const Streams& streams) {
+/// Returns the streams that may show both sides.
+Streams bilateral_streams(const Streams& streams) {
   Streams both;
-  // Beside joints, markers are those of objects.
+  // If there are tracked joints, markers belong to objects.
   if (!streams.sensors && !streams.skeleton) both.markers = streams.markers;
   both.skeleton = streams.skeleton;
   return both;
@@ -23,11 +23,11 @@ HumanMotion reconstruct_other_arm(const Demonstration& demonstration,
                                   Side beside) {
   Demonstration other = demonstration;
   other.hand = demonstration.hand == Side::right ? Side::left : Side::right;
-  other.streams = of_both_sides(demonstration.streams);
-  other.calibration = of_both_sides(demonstration.calibration);
+  other.streams = bilateral_streams(demonstration.streams);
+  other.calibration = bilateral_streams(demonstration.calibration);
   other.sensor_offsets.reset();
-  HumanMotion motion = reconstruct(other, options, human);  // as a right arm
-  return beside == Side::right ? mirrored(std::move(motion)) : motion;
+  HumanMotion motion = reconstruct(other, options, human);  // reconstructed as a right arm
+  return beside == Side::right ? mirror_image(std::move(motion)) : motion;
 }
 
 }  // namespace morphe::reconstruct

@@ -5,7 +5,7 @@
 
 namespace morphe::reconstruct {
 
-std::string why_invalid(const ReconstructOptions& o) {
+std::string validation_error(const ReconstructOptions& o) {
   if (!(o.rate_hz > 0 && o.rate_hz <= 1000)) return "rate_hz must be above 0 and at most 1000";
   if (!(o.cutoff_hz > 0 && o.cutoff_hz < 0.4 * o.rate_hz)) {
     return "cutoff_hz must lie between 0 and 0.4 rate_hz";
@@ -18,7 +18,7 @@ std::string why_invalid(const ReconstructOptions& o) {
   return "";
 }
 
-std::string why_invalid(const HumanOptions& o) {
+std::string validation_error(const HumanOptions& o) {
   if (o.stature_m && !(*o.stature_m > 0.5 && *o.stature_m < 2.5)) {
     return "stature_m must lie between 0.5 and 2.5 m";
   }
@@ -30,25 +30,25 @@ std::string why_invalid(const HumanOptions& o) {
   return "";
 }
 
-HumanMotion unseen_motion(const Clock& clock) {
+HumanMotion unseen_motion(const TimeGrid& clock) {
   HumanMotion motion;
   const std::size_t n = clock.count;
   for (std::size_t i = 0; i < n; ++i) motion.time.push_back(clock.at(i));
-  motion.shoulder = motion.elbow = motion.wrist = std::vector<Vec3>(n, unseen_point());
-  motion.wrist_orientation = std::vector<Quat>(n, unseen_rotation());
-  motion.tip = motion.finger_joint = Table<Vec3>(n, kFingers, unseen_point());
-  motion.tip_orientation = Table<Quat>(n, kFingers, unseen_rotation());
+  motion.shoulder = motion.elbow = motion.wrist = std::vector<Vec3>(n, unknown_point());
+  motion.wrist_orientation = std::vector<Quat>(n, unknown_rotation());
+  motion.tip = motion.finger_joint = Array2D<Vec3>(n, kFingerCount, unknown_point());
+  motion.tip_orientation = Array2D<Quat>(n, kFingerCount, unknown_rotation());
   return motion;
 }
 
 HumanMotion reconstruct(const Demonstration& demonstration, const ReconstructOptions& options,
                         const HumanOptions& human) {
   if (demonstration.hand == Side::left) {
-    HumanMotion motion = reconstruct(mirrored(demonstration), options, human);
-    motion.problems.push_back("a left hand, mirrored at X = 0 into a right one");
+    HumanMotion motion = reconstruct(mirror_image(demonstration), options, human);
+    motion.reconstruction_notes.push_back("a left hand, mirrored at X = 0 into a right one");
     return motion;
   }
-  // Beside joints, markers are those of objects.
+  // If there are tracked joints, markers belong to objects.
   if (demonstration.streams.markers && !demonstration.streams.sensors &&
       !demonstration.streams.skeleton) {
     return motion_from_markers(demonstration, options);
@@ -60,7 +60,7 @@ HumanMotion reconstruct(const Demonstration& demonstration, const ReconstructOpt
   if (demonstration.streams.skeleton) return motion_from_skeleton(demonstration, options, human);
   if (hand && hand->kind == HandKind::keypoints) return motion_from_hand(demonstration, options);
   HumanMotion nothing = unseen_motion({});
-  nothing.problems.push_back(
+  nothing.reconstruction_notes.push_back(
       demonstration.streams.arm_angles
           ? "joint angles alone: the body that they belong to is not known, so no arm is rebuilt"
           : "neither markers nor tracked bodies: no arm can be rebuilt");

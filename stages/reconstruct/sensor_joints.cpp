@@ -5,7 +5,7 @@
 namespace morphe::reconstruct {
 namespace {
 
-/// Index of a name, or nothing.
+/// Returns the index of a name, if it exists.
 std::optional<std::size_t> find(const std::vector<std::string>& names, const std::string& name) {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) return std::nullopt;

@@ -8,17 +8,18 @@
 
 namespace morphe::reconstruct {
 
-/// One body's recorded pose, frame by frame.
+/// The recorded poses of one body, frame by frame.
 struct BodyTrack {
   std::vector<Vec3> position;
   std::vector<Quat> orientation;
 };
 
-/// The joint centre that a sensor stands for and its segment's axes, as recorded (not filtered):
+/// Returns the joint centre of a sensor and the axes of its segment, as recorded (not filtered):
 ///   joint = sensor position + sensor orientation * joint_in_sensor
 ///   axes  = sensor orientation * sensor_from_segment
-/// Without offsets for the sensor it stands at the joint itself, and has the axes of the segment;
-/// said in `problems` if other sensors have theirs. Nothing if no body has that name.
+/// Without offsets for the sensor, it is assumed to be at the joint itself, with the axes of the
+/// segment; this is reported in `problems` if other sensors have offsets. Returns no track if no
+/// body has that name.
 std::optional<BodyTrack> joint_of_sensor(const Demonstration& demonstration,
                                          const std::string& name,
                                          std::vector<std::string>& problems);

@@ -8,7 +8,7 @@
 namespace morphe::reconstruct {
 namespace {
 
-/// Joints of a digit from its base to its tip.
+/// The joints of a digit from its base to its tip.
 constexpr const char* kThumbJoints[] = {"cmc", "mcp", "ip", "tip"};
 constexpr const char* kFingerJoints[] = {"mcp", "pip", "dip", "tip"};
 
@@ -33,13 +33,13 @@ SkeletonJoint find_joint(const BodyStream& body, const std::string& name) {
   return joint;
 }
 
-bool is_turned(const SkeletonJoint& joint) {
-  return std::ranges::any_of(joint.orientation, [](const Quat& turn) { return seen(turn); });
+bool has_orientation(const SkeletonJoint& joint) {
+  return std::ranges::any_of(joint.orientation, [](const Quat& turn) { return is_known(turn); });
 }
 
 Digits find_digits(const BodyStream& body) {
   Digits digits;
-  for (std::size_t finger = 0; finger < kFingers; ++finger) {
+  for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
     for (std::size_t joint = 0; joint < 4; ++joint) {
       digits[finger][joint] = find_joint(body, joint_name(finger, joint));
     }
@@ -52,7 +52,7 @@ Vec3 mean_direction(const SkeletonJoint& axes, const SkeletonJoint& from, const 
   double count = 0;
   for (std::size_t i = 0; i < axes.position.size(); ++i) {
     const Vec3 direction = axes.orientation[i].conjugate() * (to.position[i] - from.position[i]);
-    if (!seen(direction)) continue;
+    if (!is_known(direction)) continue;
     sum += direction;
     ++count;
   }

@@ -9,27 +9,30 @@
 
 namespace morphe::reconstruct {
 
-/// A joint of a skeleton as it was recorded; no rows if it has none of that name.
+/// A recorded joint of a skeleton; it has no rows if there is no joint of that name.
 struct SkeletonJoint {
   std::vector<Vec3> position;
   std::vector<Quat> orientation;
-  bool estimated = false;  ///< nothing of it was measured: its confidence is 0 throughout
-  bool there() const { return !position.empty(); }
+  bool estimated = false;                            ///< true if its confidence is always 0
+  bool exists() const { return !position.empty(); }  ///< true if it was recorded
 };
 
+/// Returns the joint of that name.
 SkeletonJoint find_joint(const BodyStream& body, const std::string& name);
 
-/// Whether it was ever seen how the joint is turned.
-bool is_turned(const SkeletonJoint& joint);
+/// Returns true if the joint's orientation was ever seen.
+bool has_orientation(const SkeletonJoint& joint);
 
-/// Of the right hand: joints of each finger from its base to its tip.
-using Digits = std::array<std::array<SkeletonJoint, 4>, kFingers>;
+/// The joints of each finger of the right hand from its base to its tip.
+using Digits = std::array<std::array<SkeletonJoint, 4>, kFingerCount>;
 
+/// Returns the finger joints of the right hand.
 Digits find_digits(const BodyStream& body);
 
-/// Mean over the recording of where `to` lies from `from`, in the axes of a joint.
+/// Returns the mean over the recording of the vector from `from` to `to` in the axes of a joint.
 Vec3 mean_direction(const SkeletonJoint& axes, const SkeletonJoint& from, const SkeletonJoint& to);
 
+/// Returns the mean distance between two joints [m].
 double mean_length(const SkeletonJoint& from, const SkeletonJoint& to);
 
 }  // namespace morphe::reconstruct

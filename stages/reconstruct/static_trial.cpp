@@ -11,7 +11,7 @@ StaticTrial::StaticTrial(const std::optional<MarkerStream>& trial) : given_(tria
     int count = 0;
     for (std::size_t i = 0; i < trial->position.rows; ++i) {
       const Vec3& point = trial->position(i, k);
-      if (!seen(point)) continue;
+      if (!is_known(point)) continue;
       sum += point;
       box.extend(point);
       ++count;
@@ -21,11 +21,12 @@ StaticTrial::StaticTrial(const std::optional<MarkerStream>& trial) : given_(tria
 }
 
 Vec3 StaticTrial::at(const std::string& marker, std::vector<std::string>& problems) {
-  constexpr double kStill = 0.010;  // breathing and drift of the quiet trials: 1 to 5 mm
+  // Breathing and drift of the quiet trials: 1 to 5 mm.
+  constexpr double kMaxMarkerMotion_m = 0.010;
   const auto found = markers_.find(marker);
-  if (found == markers_.end()) return unseen_point();
+  if (found == markers_.end()) return unknown_point();
   double& moved_m = found->second.moved_m;
-  if (moved_m > kStill) {
+  if (moved_m > kMaxMarkerMotion_m) {
     problems.push_back(fmt::format("static trial: {} moves by {:.1f} mm", marker, 1000 * moved_m));
     moved_m = 0;
   }

@@ -9,13 +9,16 @@
 
 namespace morphe::reconstruct {
 
-/// Where each marker stood in a static trial, on average.
+/// The mean positions of the markers in a static trial.
 class StaticTrial {
  public:
+  /// Computes the mean positions of a trial, if there is one.
   explicit StaticTrial(const std::optional<MarkerStream>& trial);
 
-  bool given() const { return given_; }
-  /// Mean position [m], unseen if it never was. One that did not keep still is said once.
+  /// Returns true if there is a static trial.
+  bool available() const { return given_; }
+  /// Returns the mean position [m], unseen if the marker was never seen. A marker that moved is
+  /// reported once.
   Vec3 at(const std::string& marker, std::vector<std::string>& problems);
 
  private:

@@ -22,12 +22,12 @@ namespace {
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
-constexpr int kSmallTree = 20000;  ///< iterations
+constexpr int kMaxLinearSearchIterations = 20000;  ///< planner iterations
 
 using RealVector = ob::RealVectorStateSpace::StateType;
 
-/// Between joint positions and the planner's coordinates: the free joints in shares of their span,
-/// then the followers' progress, as long as their longest way.
+/// Maps between joint positions and the planner's coordinates: the free joints in shares of their
+/// span, then the progress of the following joints, scaled to their longest motion.
 struct Coordinates {
   const ConnectSpace& space;
   const JointVector &from, &to;
@@ -35,7 +35,7 @@ struct Coordinates {
   bool followers = false;
   double follow_length = 0;
 
-  Coordinates(const RobotTable& robot, const ConnectSpace& searched, const JointVector& start,
+  Coordinates(const RobotModel& robot, const ConnectSpace& searched, const JointVector& start,
               const JointVector& goal)
       : space(searched), from(start), to(goal), span((robot.upper - robot.lower).cwiseMax(1e-6)) {
     followers = space.joints.size() < robot.joints();
@@ -64,7 +64,7 @@ struct Coordinates {
   }
 };
 
-/// What one call to connect() works with; never shared between threads.
+/// The working data of one call to plan_rrt_connect(); never shared between threads.
 struct Query {
   const IntervalWorld& interval;
   const Coordinates& coordinates;
@@ -73,12 +73,12 @@ struct Query {
 
   bool state(const ob::State* state) {
     coordinates.read(state, first);
-    return state_free(interval, first, scratch);
+    return is_state_free(interval, first, scratch);
   }
   bool line(const ob::State* a, const ob::State* b) {
     coordinates.read(a, first);
     coordinates.read(b, second);
-    return line_free(interval, first, second, scratch);
+    return is_motion_free(interval, first, second, scratch);
   }
 };
 
@@ -103,12 +103,13 @@ class CertifiedEdges : public ob::MotionValidator {
   Query& query_;
 };
 
-/// OMPL takes 32 bits, and 0 for none.
+/// Returns a seed for OMPL, which takes 32 bits and treats 0 as no seed.
 std::uint32_t ompl_seed(std::uint64_t seed, std::string_view name) {
   return static_cast<std::uint32_t>(math::seed_from(seed, name) >> 32) | 1U;
 }
 
-// OMPL seeds what it makes in the order of making, over all threads; these are seeded by us.
+// OMPL seeds its samplers in the order of their creation over all threads; these are seeded
+// explicitly.
 class SeededSampler : public ob::RealVectorStateSampler {
  public:
   SeededSampler(const ob::StateSpace* space, std::uint32_t seed)
@@ -127,12 +128,12 @@ class SeededConnect : public og::RRTConnect {
 
 }  // namespace
 
-std::vector<JointVector> connect(const IntervalWorld& interval, const ConnectSpace& space,
-                                 const JointVector& from, const JointVector& to, int iterations,
-                                 double range, std::uint64_t seed) {
+std::vector<JointVector> plan_rrt_connect(const IntervalWorld& interval, const ConnectSpace& space,
+                                          const JointVector& from, const JointVector& to,
+                                          int iterations, double range, std::uint64_t seed) {
   assert(!space.joints.empty());
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-  const Coordinates coordinates(*interval.world.around.robot, space, from, to);
+  const Coordinates coordinates(*interval.world.environment.robot, space, from, to);
   Query query{interval, coordinates, {}, {}, {}};
 
   auto vectors = std::make_shared<ob::RealVectorStateSpace>(
@@ -163,8 +164,9 @@ std::vector<JointVector> connect(const IntervalWorld& interval, const ConnectSpa
 
   SeededConnect planner(information, ompl_seed(seed, "connect"));
   planner.setRange(range);
-  // The default draws random numbers too; looking at all nodes takes too long in large trees.
-  if (iterations <= kSmallTree) {
+  // The default nearest-neighbour structure draws random numbers, too; linear search takes too long
+  // in large trees.
+  if (iterations <= kMaxLinearSearchIterations) {
     planner.setNearestNeighbors<ompl::NearestNeighborsLinear>();
   } else {
     planner.setNearestNeighbors<ompl::NearestNeighborsSqrtApprox>();

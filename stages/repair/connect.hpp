@@ -7,21 +7,22 @@
 
 namespace morphe::repair {
 
-/// Where the planner looks: `joints` move freely between `lower` and `upper`; all others go from
-/// their start to their goal in one common proportion, which is planned as one more dimension.
+/// The search space of the planner: `joints` move freely between `lower` and `upper`; all others
+/// move from their start to their goal in one common proportion, which is planned as one additional
+/// dimension.
 struct ConnectSpace {
-  std::vector<int> joints;
-  JointVector lower, upper;  ///< of all joints [rad]
+  std::vector<int> joints;   ///< joints that move freely
+  JointVector lower, upper;  ///< limits of all joints [rad]
 };
 
-/// The joints between the base and the palm: those that carry the hand.
-std::vector<int> arm_joints(const RobotTable& robot);
+/// Returns the joints between the base and the palm, which are those that move the hand.
+std::vector<int> arm_joints(const RobotModel& robot);
 
-/// A polyline of certified edges from `from` to `to`, both included; empty if `iterations` of
-/// RRT-Connect found none. Distances are in shares of each joint's span, `range` is the longest
-/// edge. The same arguments give the same path on any thread.
-std::vector<JointVector> connect(const IntervalWorld& interval, const ConnectSpace& space,
-                                 const JointVector& from, const JointVector& to, int iterations,
-                                 double range, std::uint64_t seed);
+/// Plans with RRT-Connect. Returns a polyline of certified edges from `from` to `to`, both
+/// included; empty if `iterations` did not find one. Distances are measured in shares of each
+/// joint's span; `range` is the longest edge. The same arguments give the same path on any thread.
+std::vector<JointVector> plan_rrt_connect(const IntervalWorld& interval, const ConnectSpace& space,
+                                          const JointVector& from, const JointVector& to,
+                                          int iterations, double range, std::uint64_t seed);
 
 }  // namespace morphe::repair

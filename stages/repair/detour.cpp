@@ -12,15 +12,16 @@
 namespace morphe::repair {
 namespace {
 
-constexpr const char* kNoWay = "no way was found, or no free sample to begin or end one at";
+constexpr const char* kNoPathMessage = "no way was found, or no free sample to begin or end one at";
 
 bool collides(const std::vector<Finding>& findings) {
   return std::ranges::any_of(findings, is_collision, &Finding::cause);
 }
 
-/// Intervals around all collisions; those that overlap become one.
-std::vector<Interval> intervals_of(const collision::CollisionWorld& world, const Checked& checked,
-                                   int attempt, const RepairOptions& options) {
+/// Returns the intervals around all collisions; overlapping ones are merged.
+std::vector<Interval> intervals_of(const collision::CollisionWorld& world,
+                                   const CheckedPath& checked, int attempt,
+                                   const RepairOptions& options) {
   std::vector<std::pair<double, double>> spans;  // [s]
   for (const Finding& finding : checked.findings)
     if (is_collision(finding.cause)) spans.emplace_back(finding.begin_s, finding.end_s);
@@ -37,7 +38,7 @@ std::vector<Interval> intervals_of(const collision::CollisionWorld& world, const
     while (interval && !intervals.empty() && intervals.back().last > interval->first) {
       span = {covered.back().first, std::max(covered.back().second, span.second)};
       interval = around(span);
-      if (!interval) break;  // what was found before stays as it is
+      if (!interval) break;  // earlier intervals remain unchanged
       covered.pop_back();
       intervals.pop_back();
     }
@@ -48,9 +49,9 @@ std::vector<Interval> intervals_of(const collision::CollisionWorld& world, const
   return intervals;
 }
 
-/// Plans around all collisions; false if nothing could be planned.
-bool plan_around(const Surroundings& around, const collision::CollisionWorld& world, int attempt,
-                 Checked& checked) {
+/// Plans around all collisions. Returns false if no interval could be planned.
+bool plan_around(const DetourContext& around, const collision::CollisionWorld& world, int attempt,
+                 CheckedPath& checked) {
   bool planned = false;
   const std::uint64_t seed =
       math::seed_from(around.seed, "attempt", static_cast<std::size_t>(attempt));
@@ -62,7 +63,7 @@ bool plan_around(const Surroundings& around, const collision::CollisionWorld& wo
   return planned;
 }
 
-Refusal end_in_collision(const collision::CollisionWorld& world, const JointPath& path) {
+PlanningFailure end_in_collision(const collision::CollisionWorld& world, const JointPath& path) {
   const Eigen::Index last = path.position.rows() - 1;
   collision::CollisionScratch scratch;
   for (const Eigen::Index row : {Eigen::Index{0}, last}) {
@@ -72,60 +73,63 @@ Refusal end_in_collision(const collision::CollisionWorld& world, const JointPath
     if (pair.slack() >= 0) continue;
     return {row == 0 ? Reason::start_in_collision : Reason::goal_in_collision,
             fmt::format("{} – {} at the {} ({:.3f} s): {:.4f} m too close",
-                        collision::first_name(world, pair), collision::second_name(world, pair),
-                        row == 0 ? "start" : "goal", time_s, -pair.slack())};
+                        collision::first_body_name(world, pair),
+                        collision::second_body_name(world, pair), row == 0 ? "start" : "goal",
+                        time_s, -pair.slack())};
   }
   return {};
 }
 
 }  // namespace
 
-Made detour(const Surroundings& around, const Checked& from) {
-  Made made{from};
+StrategyResult detour(const DetourContext& around, const CheckedPath& from) {
+  StrategyResult made{from};
   if (!collides(from.findings)) {
-    made.ended = "nothing is in the way";
+    made.stop_reason = "nothing is in the way";
     return made;
   }
-  collision::CollisionWorld world =
-      around.world;  // what the hand carries moves as this path takes it
-  collision::carry_target(from.path.demonstration_time, from.path.position, world);
-  made.refusal = end_in_collision(world, from.path);
-  if (made.refusal) return made;
-  Checked& best = made.checked;
+  collision::CollisionWorld world = around.world;  // the attached object moves with this path
+  collision::attach_target(from.path.demonstration_time, from.path.position, world);
+  made.failure = end_in_collision(world, from.path);
+  if (made.failure) return made;
+  CheckedPath& best = made.candidate;
   for (int attempt = 0; attempt < around.options.attempts && !best.findings.empty(); ++attempt) {
-    // A detour that is free but worse in other ways is planned again from where it began.
-    Checked candidate = collides(best.findings) ? best : from;
+    // A detour that is free but has other findings is planned again from its starting path.
+    CheckedPath candidate = collides(best.findings) ? best : from;
     const std::string name = fmt::format("attempt {}", attempt + 1);
     if (!plan_around(around, world, attempt, candidate)) {
-      made.steps.push_back(step_of(name, candidate, {candidate, {}, false, kNoWay}, false));
+      made.attempts.push_back(
+          make_repair_step(name, candidate, {candidate, {}, false, kNoPathMessage}, false));
       continue;
     }
     candidate.findings = around.check(candidate.path);
-    // A detour costs tracking; the mapping may win it back from where the detour leads.
-    const std::vector<Origin> origin = candidate.path.origin;
-    candidate = climb(around.win_back, std::move(candidate)).checked;
+    // A detour reduces the tracking accuracy; the mapping may recover it from the detour's posture.
+    const std::vector<SampleOrigin> origin = candidate.path.origin;
+    candidate = run_strategies(around.tracking_recovery, std::move(candidate)).candidate;
     for (std::size_t k = 0; k < origin.size(); ++k)
-      if (origin[k] == Origin::planned) candidate.path.origin[k] = Origin::planned;
-    const bool nearer = less_bad(candidate.findings, best.findings);
-    made.steps.push_back(step_of(name, best, {candidate}, nearer));
+      if (origin[k] == SampleOrigin::planned) candidate.path.origin[k] = SampleOrigin::planned;
+    const bool nearer = is_better(candidate.findings, best.findings);
+    made.attempts.push_back(make_repair_step(name, best, {candidate}, nearer));
     if (nearer) best = std::move(candidate);
   }
   return made;
 }
 
-Rung detour_where_all_collide(const Surroundings& around) {
-  return {"detour", [&around](const Checked& best) {
-            if (std::ranges::all_of(best.findings, is_collision, &Finding::cause)) {
-              return detour(around, best);
-            }
-            return Made{best, {}, false, "not tried: a way around cures collisions alone"};
-          }};
+RepairStrategy detour_if_only_collisions(const DetourContext& around) {
+  return {
+      "detour", [&around](const CheckedPath& best) {
+        if (std::ranges::all_of(best.findings, is_collision, &Finding::cause)) {
+          return detour(around, best);
+        }
+        return StrategyResult{best, {}, false, "not tried: a way around cures collisions alone"};
+      }};
 }
 
-Made detour_from(const Checked& mapped, const Surroundings& around, const Checked& best) {
+StrategyResult detour_from_mapped(const CheckedPath& mapped, const DetourContext& around,
+                                  const CheckedPath& best) {
   if (collides(best.findings)) return {best, {}, false, "not tried: the path collides as it is"};
-  Made made = detour(around, mapped);
-  made.refusal = {};
+  StrategyResult made = detour(around, mapped);
+  made.failure = {};
   return made;
 }
 

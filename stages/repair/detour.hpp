@@ -3,33 +3,37 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/collision/certified.hpp"
-#include "stages/repair/ladder.hpp"
+#include "core/collision/continuous_check.hpp"
+#include "stages/repair/repair_strategy.hpp"
 
 namespace morphe::repair {
 
-/// What a way around collisions is planned in, and checked by. The world must outlive it.
-struct Surroundings {
+/// The context in which detours around collisions are planned and checked. The world must outlive
+/// it.
+struct DetourContext {
   const collision::CollisionWorld& world;
   RepairOptions options;
   std::uint64_t seed = 0;
-  Check check;
-  /// Rungs that win back what a way around, or another course, cost in tracking.
-  std::vector<Rung> win_back;
+  PathCheck check;
+  /// strategies that recover the tracking that a detour or a candidate path has lost
+  std::vector<RepairStrategy> tracking_recovery;
 };
 
-/// Around each collision, an RRT-Connect between the nearest free samples with certified edges, the
-/// arm first and the fingers in proportion, then all joints; shortened, spread over the interval's
-/// samples and drawn back to the original path as far as it stays free; then `win_back`. More
-/// widely in each attempt. Samples outside the intervals keep their bits unless they are won back;
-/// planned ones are Origin::planned. A path that collides at one of its ends is left as it is, with
-/// the reason. Depends on its arguments alone.
-Made detour(const Surroundings& around, const Checked& from);
+/// Plans around each collision with RRT-Connect between the nearest free samples, with certified
+/// edges, first the arm with the fingers in proportion, then all joints. The result is shortened,
+/// distributed over the interval's samples and pulled towards the original path as far as it stays
+/// free; then `tracking_recovery` is applied. Each attempt searches a wider space. Samples outside
+/// the intervals remain bit-identical unless the recovery changes them; planned ones have
+/// SampleOrigin::planned. A path with a collision at one of its ends is left unchanged, with the
+/// reason. Depends only on its arguments.
+StrategyResult detour(const DetourContext& around, const CheckedPath& from);
 
-/// The rung of a detour for paths that nothing but collisions is wrong with.
-Rung detour_where_all_collide(const Surroundings& around);
+/// Returns the repair strategy that plans a detour for paths whose only findings are collisions.
+RepairStrategy detour_if_only_collisions(const DetourContext& around);
 
-/// For a path that is free but not where it should be: the detour from the mapped path instead.
-Made detour_from(const Checked& mapped, const Surroundings& around, const Checked& best);
+/// Plans the detour from the mapped path instead, for a path that is free of collisions but has
+/// other findings.
+StrategyResult detour_from_mapped(const CheckedPath& mapped, const DetourContext& around,
+                                  const CheckedPath& best);
 
 }  // namespace morphe::repair

@@ -6,23 +6,25 @@
 
 #include "core/math/seed.hpp"
 #include "stages/repair/connect.hpp"
-#include "stages/repair/draw_in.hpp"
+#include "stages/repair/path_smoothing.hpp"
 
 namespace morphe::repair {
 namespace {
 
-/// Grows first and last until both are free; false if an end of the path is reached before.
+/// Extends first and last until both samples are free. Returns false if an end of the path is
+/// reached before.
 bool reach_free_ends(const collision::CollisionWorld& world, const JointPath& path, double extra_m,
                      TouchRule rule, Interval& interval) {
   const auto& times = path.demonstration_time;
   const int end = static_cast<int>(path.position.rows()) - 1;
   collision::CollisionScratch scratch;
   while (true) {
-    interval.within = interval_world(world, times[static_cast<std::size_t>(interval.first)],
-                                     times[static_cast<std::size_t>(interval.last)], extra_m, rule);
-    if (!state_free(interval.within, path.position.row(interval.first), scratch)) {
+    interval.untimed_world =
+        interval_world(world, times[static_cast<std::size_t>(interval.first)],
+                       times[static_cast<std::size_t>(interval.last)], extra_m, rule);
+    if (!is_state_free(interval.untimed_world, path.position.row(interval.first), scratch)) {
       if (--interval.first < 0) return false;
-    } else if (!state_free(interval.within, path.position.row(interval.last), scratch)) {
+    } else if (!is_state_free(interval.untimed_world, path.position.row(interval.last), scratch)) {
       if (++interval.last > end) return false;
     } else {
       return true;
@@ -30,7 +32,8 @@ bool reach_free_ends(const collision::CollisionWorld& world, const JointPath& pa
   }
 }
 
-/// Around the original samples of the interval, `share` of each joint's span more to both sides.
+/// Returns the space around the original samples of the interval, extended by `share` of each
+/// joint's span on both sides.
 ConnectSpace space_around(const robot::Robot& robot, const JointRows& original, double share) {
   ConnectSpace space;
   const JointVector more = share * (robot.upper - robot.lower);
@@ -59,7 +62,7 @@ std::optional<Interval> interval_around(const collision::CollisionWorld& world,
       Interval interval{first, last, {}, {}};
       const double extra_m = share * extra_clearance;
       if (!reach_free_ends(world, path, extra_m, rule, interval)) continue;
-      interval.timed = clear_world(world, extra_m);
+      interval.timed_world = padded_world(world, extra_m);
       const int length = interval.last - interval.first;
       if (!shortest || length < shortest->last - shortest->first) shortest = interval;
       if (length <= near) return interval;
@@ -71,7 +74,7 @@ std::optional<Interval> interval_around(const collision::CollisionWorld& world,
 bool plan_interval(const Interval& interval, const RepairOptions& options, int attempt,
                    std::uint64_t seed, JointPath& path) {
   constexpr double kBox[] = {0.1, 0.3, 1};
-  const robot::Robot& robot = *interval.timed.around.robot;
+  const robot::Robot& robot = *interval.timed_world.environment.robot;
   const int count = interval.last - interval.first + 1;
   if (count < 3) return false;
   const JointRows original = path.position.middleRows(interval.first, count);
@@ -84,29 +87,30 @@ bool plan_interval(const Interval& interval, const RepairOptions& options, int a
   std::vector<JointVector> vertices;
   space.joints = robot.arm_joints;
   if (!plain && !space.joints.empty() && space.joints.size() < all.size())
-    vertices = connect(interval.within, space, from, to, options.iterations, options.range,
-                       math::seed_from(seed, "arm"));
+    vertices = plan_rrt_connect(interval.untimed_world, space, from, to, options.iterations,
+                                options.range, math::seed_from(seed, "arm"));
   if (vertices.empty()) {
     space.joints = all;
-    vertices = connect(interval.within, space, from, to, options.iterations, options.range,
-                       math::seed_from(seed, "all joints"));
+    vertices = plan_rrt_connect(interval.untimed_world, space, from, to, options.iterations,
+                                options.range, math::seed_from(seed, "all joints"));
   }
   if (vertices.empty()) return false;
 
   std::mt19937_64 random(math::seed_from(seed, "shortcut"));
-  vertices = shortcut(interval.within, std::move(vertices), options.shortcut_attempts, random);
-  JointRows planned = spread(robot, vertices, count);
+  vertices =
+      shortcut(interval.untimed_world, std::move(vertices), options.shortcut_attempts, random);
+  JointRows planned = resample(robot, vertices, count);
   if (planned.rows() == 0) return false;
   const auto begin = path.demonstration_time.begin() + interval.first;
   if (!plain) {
-    draw_in(interval.timed, {begin, begin + count}, original, options.draw_attempts, random,
-            planned);
+    pull_towards_original(interval.timed_world, {begin, begin + count}, original,
+                          options.draw_attempts, random, planned);
   }
   for (int k = 1; k + 1 < count; ++k) {
     if (planned.row(k) == original.row(k)) continue;
     path.position.row(interval.first + k) = planned.row(k);
     path.origin[static_cast<std::size_t>(interval.first) + static_cast<std::size_t>(k)] =
-        Origin::planned;
+        SampleOrigin::planned;
   }
   return true;
 }

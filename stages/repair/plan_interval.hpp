@@ -8,22 +8,23 @@
 
 namespace morphe::repair {
 
-/// Samples `first` and `last` of a path are free in `within`; what lies between is planned anew.
+/// An interval of a path that is to be replanned. Its samples `first` and `last` are free in
+/// `untimed_world`; those between them are planned.
 struct Interval {
-  int first = 0, last = 0;
-  IntervalWorld within;
-  ClearWorld timed;  ///< with the same clearance, for states that have their time
+  int first = 0, last = 0;      ///< indices of samples of the path
+  IntervalWorld untimed_world;  ///< for states that must be free at all times
+  PaddedWorld timed_world;      ///< the same clearance, for states with a time of their own
 };
 
-/// The interval around a finding: `widen` samples wider on each side, then on to the nearest
-/// samples that are free with the extra clearance. Where these are far, less clearance or touching
-/// of the target is tried. None if a side has no free sample.
+/// Returns the interval around a finding: `widen` samples wider on each side, then extended to the
+/// nearest samples that are free with the extra clearance. If these are far, less clearance or
+/// contact with the target is tried. Returns nullopt if one side has no free sample.
 std::optional<Interval> interval_around(const collision::CollisionWorld& world,
                                         const JointPath& path, double begin_s, double end_s,
                                         int widen, double extra_clearance);
 
-/// Plans the samples inside an interval (Origin::planned); `attempt` (0, 1, …) widens the space
-/// that is searched. False, and nothing changed, if no path was found.
+/// Plans the samples inside an interval (SampleOrigin::planned); `attempt` (0, 1, …) widens the
+/// search space. Returns false and leaves the path unchanged if no path was found.
 bool plan_interval(const Interval& interval, const RepairOptions& options, int attempt,
                    std::uint64_t seed, JointPath& path);
 

@@ -2,7 +2,7 @@
 
 namespace morphe::repair {
 
-std::string why_invalid(const RepairOptions& options) {
+std::string validation_error(const RepairOptions& options) {
   if (options.attempts < 0) return "attempts must not be negative";
   if (options.iterations < 1) return "iterations must be at least 1";
   if (options.widen_samples < 1) return "widen_samples must be at least 1";

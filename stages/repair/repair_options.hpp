@@ -4,24 +4,27 @@
 #include <string>
 #include <string_view>
 
-#include "core/motion/named.hpp"
+#include "core/motion/enum_names.hpp"
 
 namespace morphe::repair {
 
-/// `rrt_connect` is a baseline: all joints at once and shortcuts alone.
+/// The repair method. `rrt_connect` is a baseline that plans all joints at once and only applies
+/// shortcuts.
 enum class Method { humanlike, rrt_connect };
 constexpr std::array<std::string_view, 2> names_of(Method) { return {"humanlike", "rrt_connect"}; }
 
+/// The options of repair.
 struct RepairOptions {
   Method method = Method::humanlike;
-  int attempts = 3;             ///< times the planner is tried, each wider than the last
-  int iterations = 3000;        ///< of the planner in one attempt at one interval
-  int widen_samples = 20;       ///< added on each side of a finding, once more each attempt
+  int attempts = 3;             ///< number of planning attempts, each wider than the last
+  int iterations = 3000;        ///< of the planner, per attempt and interval
+  int widen_samples = 20;       ///< added on each side of a finding, once more per attempt
   double range = 0.1;           ///< longest step of the planner, in shares of a joint's span
-  int shortcut_attempts = 100;  ///< straight lines tried through a planned interval
-  int draw_attempts = 200;      ///< windows of it drawn back to the original path
-  int searches = 3;  ///< of other courses for the whole movement, where the first leads nowhere
-  double extra_clearance = 0.005;  ///< planned with this much more than the margin [m]
+  int shortcut_attempts = 100;  ///< number of shortcuts tried in a planned interval
+  int draw_attempts = 200;      ///< number of windows pulled towards the original path
+  /// number of searches for candidate paths of the whole movement if the first cannot be repaired
+  int searches = 3;
+  double extra_clearance = 0.005;  ///< clearance in addition to the margin during planning [m]
 };
 template <class Fields>
 void fields(Fields& f, RepairOptions& o) {
@@ -35,6 +38,7 @@ void fields(Fields& f, RepairOptions& o) {
   f("searches", o.searches);
   f("extra_clearance", o.extra_clearance);
 }
-std::string why_invalid(const RepairOptions& options);
+/// Returns an error sentence, or "" if the options are valid.
+std::string validation_error(const RepairOptions& options);
 
 }  // namespace morphe::repair

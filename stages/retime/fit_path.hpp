@@ -3,32 +3,34 @@
 #include <vector>
 
 #include "core/math/joint_spline.hpp"
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 
 namespace morphe::retime {
 
-/// What smoothing may do. A tolerance of zero leaves as much as keeps the spline from ringing
-/// between the samples: 1e-5 m, 1e-5 rad.
+/// The tolerances of smoothing. A tolerance of zero still permits 1e-5 m and 1e-5 rad, enough to
+/// keep the spline from oscillating between the samples.
 struct FitTolerance {
-  double duration_s = 0.02;  ///< features shorter than about this are smoothed away …
-  double tip_m = 2e-4;       ///< … unless that moves a tip by more than this …
-  double joint_rad = 1e-3;   ///< … or a joint that moves no tip
+  double duration_s = 0.02;  ///< features shorter than about this are smoothed [s] …
+  double tip_m = 2e-4;       ///< … unless that moves a tip by more than this [m] …
+  double joint_rad = 1e-3;   ///< … or a joint that moves no tip by more than this [rad]
 };
 
+/// A spline fitted to a path, and its deviations.
 struct PathFit {
   math::JointSpline spline;
-  double tip_deviation = 0;    ///< largest over tips and samples, 0 without tips [m]
+  double tip_deviation = 0;    ///< largest over tips and samples, 0 if there are no tips [m]
   double joint_deviation = 0;  ///< largest over joints and samples [rad]
 };
 
-/// Minimises, over the coefficients of a quintic B-spline on knots at most `step_s` apart,
+/// Fits a quintic B-spline with knots at most `step_s` apart to the samples by minimising
 ///   sum_i w_i |q(u_i) - y_i|^2 + sum (duration / step)^6 |third difference|^2
-/// for all joints with the same weights w_i, raised wherever the tips (J(y_i) (q(u_i) - y_i)) or
-/// the joints without tips are off by more than `allowance_i` times the tolerance, until none is;
-/// after 30 rounds the step is halved, twice at most and only while that helps. The ends are met to
-/// 2e-7 rad unless a limit is in the way. The curve stays within [lower, upper] everywhere: its
-/// Bézier points do. clock [W] not decreasing, from 0; samples [W, n]; allowance [W].
-PathFit fit_path(const RobotTable& robot, const std::vector<double>& clock,
+/// over its coefficients, for all joints with the same weights w_i. The weights are raised wherever
+/// the tips (J(y_i) (q(u_i) - y_i)) or the joints without tips deviate by more than `allowance_i`
+/// times the tolerance, until no deviation exceeds it; after 30 rounds the step is halved, at most
+/// twice and only while that helps. The ends are met to 2e-7 rad unless a limit prevents it. The
+/// curve stays within [lower, upper] everywhere, because its Bézier points do. clock [W]
+/// nondecreasing from 0; samples [W, n]; allowance [W].
+PathFit fit_path(const RobotModel& robot, const std::vector<double>& clock,
                  const JointRows& samples, const std::vector<double>& allowance,
                  const FitTolerance& tolerance, double step_s);
 

@@ -9,25 +9,27 @@
 namespace morphe::retime {
 namespace {
 
-/// Of the barrier, as a share of what a point adds to the duration: bounds the duration's excess.
-constexpr double kFirstBarrier = 3e-1, kLastBarrier = 3e-5, kLowerBarrier = 0.1;
-constexpr int kBarrierSteps = 60;  ///< at most, for each barrier
+/// The barrier weight, as a share of a point's contribution to the duration; it bounds the excess
+/// of the duration over the optimum.
+constexpr double kInitialBarrierShare = 3e-1, kFinalBarrierShare = 3e-5,
+                 kBarrierReductionRatio = 0.1;
+constexpr int kBarrierSteps = 60;  ///< maximum number for each barrier weight
 
 using Local = Eigen::Vector3d;  ///< (x, x_w, x_ww) at a point
 using FromCoefficients = Eigen::Matrix<double, 3, 4>;
 using Lanes = Eigen::Array<double, 4, 1>;
 using LaneRows = Eigen::Map<const Lanes, Eigen::Aligned16>;
 
-/// A point where constraints hold: the knots, and the middles of the first and last intervals,
-/// where q_w and q_ww vanish and leave x_ww free at the very ends.
+/// A point at which constraints hold: the knots, and the middles of the first and last intervals,
+/// because q_w and q_ww vanish at the ends and leave x_ww unconstrained there.
 struct Point {
   Eigen::Index interval = 0;
-  double w = 0, weight = 0;  ///< weight: of x^(-1/2) in the duration
-  FromCoefficients local;    ///< from the interval's coefficients
+  double w = 0, weight = 0;  ///< weight of x^(-1/2) in the duration
+  FromCoefficients local;    ///< maps the interval's coefficients to `Local`
 };
 
-/// Constraints divided by their limits so that every bound is 1, a column a point and a row a joint
-/// (rows of zeros fill them up to whole lanes):
+/// Constraints divided by their limits so that every bound is 1, one column per point and one row
+/// per joint (padded with rows of zeros to whole lanes):
 ///   |a0 x + a1 x_w| <= 1,  |j0 x + j1 x_w + j2 x_ww| x^(1/2) <= 1,  x <= ceiling.
 struct Constraints {
   std::vector<Point> point;
@@ -55,11 +57,11 @@ FromCoefficients local_from_coefficients(double z, double step) {
 }
 
 std::vector<Point> points_of(double length, Eigen::Index intervals) {
-  constexpr Eigen::Index kEnds = 8;  ///< intervals with points between their knots
+  constexpr Eigen::Index kEndIntervals = 8;  ///< intervals with points between their knots
   const double step = length / static_cast<double>(intervals);
   std::vector<Point> points;
   for (Eigen::Index i = 0; i < intervals; ++i) {
-    const int parts = i < kEnds || i >= intervals - kEnds ? 4 : 2;
+    const int parts = i < kEndIntervals || i >= intervals - kEndIntervals ? 4 : 2;
     for (int part = 0; part < parts + (i + 1 == intervals); ++part) {
       const double z = static_cast<double>(part) / parts;
       points.push_back(
@@ -74,7 +76,7 @@ std::vector<Point> points_of(double length, Eigen::Index intervals) {
   return points;
 }
 
-Constraints constraints_of(const PacedPath& paced_path, const RampedClock& clock,
+Constraints constraints_of(const ConstrainedPath& paced_path, const RampedParameter& clock,
                            Eigen::Index intervals, double most) {
   Constraints c;
   c.point = points_of(clock.length, intervals);
@@ -86,11 +88,12 @@ Constraints constraints_of(const PacedPath& paced_path, const RampedClock& clock
   const Eigen::ArrayXd per_j = paced_path.jerk.array().inverse();
   JointRows q;
   for (Eigen::Index i = 0; i < points; ++i) {
-    const ClockAt at = clock_at(clock, c.point[static_cast<std::size_t>(i)].w);
+    const ParameterDerivatives at = clock_at(clock, c.point[static_cast<std::size_t>(i)].w);
     math::evaluate(paced_path.spline, at.u, q);
-    const double pace = std::min(most, most_pace(paced_path, at.u, q) / std::max(at.d1, 1e-12));
+    const double pace =
+        std::min(most, max_path_velocity(paced_path, at.u, q) / std::max(at.d1, 1e-12));
     c.ceiling[i] = pace * pace;
-    chain(at, q);
+    apply_chain_rule(at, q);
     const double s = slowdown_at(paced_path, at.u);
     const auto column = [&](Eigen::Index order, const Eigen::ArrayXd& per) {
       return q.row(order).transpose().array() * per;
@@ -104,7 +107,8 @@ Constraints constraints_of(const PacedPath& paced_path, const RampedClock& clock
   return c;
 }
 
-/// Duration minus barrier times the sum of log(slack), slacks 1 - value^2; infinite outside.
+/// Returns the duration minus barrier times the sum of log(slack), with slacks 1 - value^2;
+/// infinite outside of the feasible set.
 double merit(const Constraints& c, const Eigen::VectorXd& coefficient, double barrier) {
   double duration = 0, slacks = 0;
   for (Eigen::Index i = 0; i < c.size(); ++i) {
@@ -135,14 +139,14 @@ struct Newton {
   math::BandedMatrix hessian{0, 3};
 };
 
-/// Gradient and Hessian of -log(1 - v^2) over v = d . x, added up over lanes.
+/// Gradient and Hessian of -log(1 - v^2) over v = d . x, accumulated over lanes.
 struct Sums {
   Lanes g0 = Lanes::Zero(), g1 = g0, g2 = g0;
   Lanes h00 = g0, h01 = g0, h02 = g0, h11 = g0, h12 = g0, h22 = g0;
 };
 
-/// Gradient and a positive definite approximation of the Hessian of the merit at one point (the
-/// curvature of value times x^(1/2) is left out).
+/// Computes the gradient and a positive definite approximation of the Hessian of the merit at one
+/// point (the curvature of value times x^(1/2) is neglected).
 void local_model(const Constraints& c, Eigen::Index i, double weight, const Local& x,
                  double barrier, Local& gradient, Eigen::Matrix3d& hessian) {
   Sums s;
@@ -182,7 +186,8 @@ void local_model(const Constraints& c, Eigen::Index i, double weight, const Loca
   hessian(0, 0) += 3 * bend * bend * cost;
 }
 
-/// Newton's step of the merit; false if there is none. decrement = -gradient . step.
+/// Computes the Newton step of the merit, with decrement = -gradient . step. Returns false if there
+/// is no step.
 bool newton_step(const Constraints& c, const Eigen::VectorXd& coefficient, double barrier,
                  Newton& newton, double& decrement) {
   newton.hessian = math::BandedMatrix(coefficient.size(), 3);
@@ -209,7 +214,7 @@ bool newton_step(const Constraints& c, const Eigen::VectorXd& coefficient, doubl
   return newton.step.allFinite() && decrement > 0;
 }
 
-/// Each value replaced by the least (the mean) of those at most `reach` away.
+/// Replaces each value by the least (the mean) of those at most `reach` away.
 Eigen::VectorXd lowest_around(const Eigen::VectorXd& values, Eigen::Index reach) {
   Eigen::VectorXd out(values.size());
   for (Eigen::Index i = 0; i < values.size(); ++i) {
@@ -227,22 +232,23 @@ Eigen::VectorXd mean_around(const Eigen::VectorXd& values, Eigen::Index reach) {
   return out;
 }
 
-/// Coefficients that meet every bound: the largest steady dw/dt squared at each place, lowest and
-/// then mean over a neighbourhood, and lower until the bounds hold in spite of its slopes.
-Eigen::VectorXd feasible(const Constraints& c, Eigen::Index intervals) {
-  constexpr Eigen::Index kReach = 12;
-  constexpr double kInside = 0.9, kLower = 0.7, kLeast = 1e-3;
+/// Returns coefficients that satisfy every bound: the largest constant squared dw/dt at each point,
+/// its minimum and then its mean over a neighbourhood, reduced until the bounds hold in spite of
+/// its slope.
+Eigen::VectorXd feasible_start(const Constraints& c, Eigen::Index intervals) {
+  constexpr Eigen::Index kReachKnots = 12;
+  constexpr double kStartRatio = 0.9, kStartReductionRatio = 0.7, kMinStartRatio = 1e-3;
   Eigen::VectorXd local = Eigen::VectorXd::Constant(intervals + 3, c.ceiling.maxCoeff());
   for (Eigen::Index i = 0; i < c.size(); ++i) {
     const double a = std::max(1e-12, c.a0.col(i).abs().maxCoeff());
     const double j = std::max(1e-12, c.j0.col(i).abs().maxCoeff());
-    const double square = kInside * std::min({c.ceiling[i], 1 / a, std::pow(j, -2.0 / 3)});
+    const double square = kStartRatio * std::min({c.ceiling[i], 1 / a, std::pow(j, -2.0 / 3)});
     auto around = local.segment<4>(c.point[static_cast<std::size_t>(i)].interval);
     around = around.cwiseMin(square);
   }
-  Eigen::VectorXd start = lowest_around(local, 3 * kReach);
-  for (int pass = 0; pass < 3; ++pass) start = mean_around(start, kReach);
-  for (double lower = 1; lower > kLeast; lower *= kLower) {
+  Eigen::VectorXd start = lowest_around(local, 3 * kReachKnots);
+  for (int pass = 0; pass < 3; ++pass) start = mean_around(start, kReachKnots);
+  for (double lower = 1; lower > kMinStartRatio; lower *= kStartReductionRatio) {
     if (merit(c, lower * start, 0) < kInfinity) return lower * start;
   }
   return Eigen::VectorXd::Constant(intervals + 3, local.minCoeff());
@@ -252,7 +258,8 @@ void minimise(const Constraints& c, double scale_s, Eigen::VectorXd& coefficient
   Newton newton;
   Eigen::VectorXd trial;
   const double each = scale_s / static_cast<double>(c.size());
-  for (double share = kFirstBarrier; share > 0.99 * kLastBarrier; share *= kLowerBarrier) {
+  for (double share = kInitialBarrierShare; share > 0.99 * kFinalBarrierShare;
+       share *= kBarrierReductionRatio) {
     const double barrier = share * each;
     double now = merit(c, coefficient, barrier);
     for (int k = 0; k < kBarrierSteps; ++k) {
@@ -272,24 +279,25 @@ void minimise(const Constraints& c, double scale_s, Eigen::VectorXd& coefficient
   }
 }
 
-bool positive(const Progress& progress) {
+bool is_positive(const SquaredVelocity& progress) {
   const Eigen::Index cells = 8 * (progress.coefficient.size() - 3);
   for (Eigen::Index i = 0; i < cells; ++i) {
     const double w = static_cast<double>(i) / static_cast<double>(cells) * progress.length;
-    if (!(square_at(progress, w) > 0)) return false;
+    if (!(squared_velocity_at(progress, w) > 0)) return false;
   }
   return true;
 }
 
 }  // namespace
 
-Progress fastest_progress(const PacedPath& paced_path, const RampedClock& clock,
-                          Eigen::Index intervals, double most, double scale_s) {
+SquaredVelocity fastest_squared_velocity(const ConstrainedPath& paced_path,
+                                         const RampedParameter& clock, Eigen::Index intervals,
+                                         double most, double scale_s) {
   const Constraints constraints = constraints_of(paced_path, clock, intervals, most);
-  const Progress start{clock.length, feasible(constraints, intervals)};
-  Progress fastest = start;
+  const SquaredVelocity start{clock.length, feasible_start(constraints, intervals)};
+  SquaredVelocity fastest = start;
   minimise(constraints, scale_s, fastest.coefficient);
-  return positive(fastest) ? fastest : start;
+  return is_positive(fastest) ? fastest : start;
 }
 
 }  // namespace morphe::retime

@@ -8,10 +8,10 @@
 namespace morphe::retime {
 namespace {
 
-constexpr double kLeastSlope = 1e-12;  ///< of acceleration over its limit by x_u
+constexpr double kMinSlope = 1e-12;  ///< slope of the normalised acceleration with respect to x_u
 constexpr int kRootSteps = 60;
 
-/// A bound of a = x_u / 2 and how it changes with x.
+/// A bound of a = x_u / 2 and its derivative with respect to x.
 struct Bound {
   double value = 0, slope = 0;
 };
@@ -19,13 +19,13 @@ struct Bounds {
   Bound most{kInfinity, 0}, least{-kInfinity, 0};
 };
 
-/// The constraints |p a + r x| <= 1 of one step, a row for each joint at each of its ends.
+/// The constraints |p a + r x| <= 1 of one step, one row for each joint at each of its ends.
 class Step {
  public:
   explicit Step(Eigen::Index joints) : inverse_(2 * joints), slope_(2 * joints) {}
 
-  /// At the far end x is x + 2 step a.
-  void load(const PaceGrid& grid, Eigen::Index i) {
+  /// Loads a grid step; at its far end x is x + 2 step a.
+  void load(const PathGrid& grid, Eigen::Index i) {
     const Eigen::Index n = grid.first.rows();
     step_ = grid.step;
     for (Eigen::Index k = 0; k < n; ++k) {
@@ -34,7 +34,7 @@ class Step {
       set(n + k, grid.first(k, i + 1) + 2 * step_ * far, far);
     }
   }
-  /// What x allows a to be, if the next x is to lie in [0, next].
+  /// Returns the bounds of a at x such that the next x is in [0, next].
   Bounds at(double x, double next) const {
     const double half = 0.5 / step_;
     Bounds out{{half * (next - x), -half}, {-half * x, -half}};
@@ -48,7 +48,7 @@ class Step {
 
  private:
   void set(Eigen::Index row, double p, double r) {
-    if (std::abs(p) < kLeastSlope) p = p < 0 ? -kLeastSlope : kLeastSlope;
+    if (std::abs(p) < kMinSlope) p = p < 0 ? -kMinSlope : kMinSlope;
     inverse_[row] = 1 / std::abs(p);
     slope_[row] = r / p;
   }
@@ -56,9 +56,10 @@ class Step {
   Eigen::ArrayXd inverse_, slope_;
 };
 
-/// The largest x in [0, ceiling] for which some a is left. What is left, most - least, is concave
-/// in x and not negative at 0: Newton's method from above never passes the root.
-double largest(const Step& step, double ceiling, double next) {
+/// Returns the largest x in [0, ceiling] with a feasible a. The width of the interval, most -
+/// least, is concave in x and not negative at 0, so that Newton's method from above never passes
+/// the root.
+double largest_controllable(const Step& step, double ceiling, double next) {
   double x = ceiling;
   for (int k = 0; k < kRootSteps; ++k) {
     const Bounds at = step.at(x, next);
@@ -73,14 +74,14 @@ double largest(const Step& step, double ceiling, double next) {
 
 }  // namespace
 
-Eigen::VectorXd fastest_squares(const PaceGrid& grid) {
+Eigen::VectorXd fastest_squared_velocities(const PathGrid& grid) {
   const Eigen::Index steps = grid.ceiling.size() - 1;
   Step step(grid.first.rows());
   Eigen::VectorXd controllable = Eigen::VectorXd::Zero(steps + 1), x = controllable;
   for (Eigen::Index i = steps; i-- > 0;) {
     step.load(grid, i);
-    controllable[i] =
-        largest(step, std::min(grid.ceiling[i], kMostPace * kMostPace), controllable[i + 1]);
+    controllable[i] = largest_controllable(
+        step, std::min(grid.ceiling[i], kMaxPathVelocity * kMaxPathVelocity), controllable[i + 1]);
   }
   for (Eigen::Index i = 0; i < steps; ++i) {
     step.load(grid, i);

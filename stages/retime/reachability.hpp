@@ -4,30 +4,34 @@
 
 namespace morphe::retime {
 
-/// A path q(u) on a grid of equal steps, with what bounds the pace du/dt along it.
-struct PaceGrid {
-  double step = 1;  ///< of u, > 0
+/// A path q(u) on a grid of equal steps, with the bounds of the path velocity du/dt.
+struct PathGrid {
+  double step = 1;  ///< step of u, > 0
   Eigen::ArrayXXd first,
-      second;              ///< [n, N + 1] dq/du and d2q/du2, each over the acceleration limit
-  Eigen::ArrayXd ceiling;  ///< [N + 1] of x = (du/dt)^2, > 0, may be infinite
+      second;              ///< [n, N + 1] dq/du and d2q/du2, each divided by the acceleration limit
+  Eigen::ArrayXd ceiling;  ///< [N + 1] upper bound of x = (du/dt)^2, > 0, may be infinite
 };
 
-/// x = (du/dt)^2 at the grid points, linear between them, of the fastest motion from rest to rest:
+/// Upper bound of the path velocity du/dt.
+inline constexpr double kMaxPathVelocity = 1e4;
+/// Returns x = (du/dt)^2 at the grid points, linear between them, of the fastest motion from rest
+/// to rest:
 ///   |q'' x + q' x_u / 2| <= a  and  x <= ceiling
-/// at both ends of every step. Reachability analysis (Pham and Pham, TOPP-RA): backwards, the
-/// largest x from which the rest can be braked (0 can be kept everywhere, so that the controllable
-/// sets are [0, largest]); forwards, the largest x that stays in them. No x exceeds kMostPace^2.
-inline constexpr double kMostPace = 1e4;
-Eigen::VectorXd fastest_squares(const PaceGrid& grid);
+/// at both ends of every step. Reachability analysis (Pham and Pham, TOPP-RA): the backward pass
+/// finds the largest x from which the motion can still be brought to rest (x = 0 is always
+/// feasible, so that the controllable sets are [0, largest]); the forward pass takes the largest x
+/// that stays in them. No x exceeds kMaxPathVelocity^2.
+Eigen::VectorXd fastest_squared_velocities(const PathGrid& grid);
 
-/// A pace on a grid as motion over time.
+/// A path velocity profile on a grid, as a function of time.
 struct GridLaw {
   double step = 1;
   Eigen::VectorXd square;  ///< x at the grid points
   Eigen::VectorXd time;    ///< at the grid points, from 0 [s]
 };
+/// Integrates the time along a profile of squared path velocities.
 GridLaw grid_law(double step, Eigen::VectorXd square);
-/// u at a time; the ends beyond them.
+/// Returns u at a time, clamped to the ends.
 double clock_at(const GridLaw& law, double time_s);
 
 }  // namespace morphe::retime

@@ -12,19 +12,20 @@
 #include "core/math/braking.hpp"
 #include "core/math/quintic.hpp"
 #include "stages/retime/fit_path.hpp"
-#include "stages/retime/inside_limits.hpp"
+#include "stages/retime/limited_fit.hpp"
 #include "stages/retime/time_law.hpp"
 
 namespace morphe::retime {
 namespace {
 
-constexpr double kKnotStep_s = 0.01;  ///< of the path's spline at most
-constexpr int kCorrections = 12;      ///< of the law, where the quintics are beyond the limits
-constexpr double kInside = 5e-4;      ///< a correction aims this much below them
-constexpr Eigen::Index kReach = 4;    ///< knots around an excess that are slowed with it
-constexpr std::size_t kPhases = count_of<PhaseKind>();
+constexpr double kKnotStep_s = 0.01;  ///< maximum knot distance of the path's spline
+constexpr int kMaxCorrections = 12;   ///< corrections of the law if the quintics exceed the limits
+constexpr double kLimitMarginRatio = 5e-4;  ///< corrections aim this much below the limits
+/// knots around an excess that are slowed down with it
+constexpr Eigen::Index kSlowdownReachKnots = 4;
+constexpr std::size_t kPhases = enum_count<PhaseKind>();
 
-std::string what_is_wrong(const RobotTable& robot, const JointPath& path) {
+std::string path_error(const RobotModel& robot, const JointPath& path) {
   const auto samples = path.demonstration_time.size();
   if (samples == 0) return "the path has no samples";
   if (path.position.rows() != static_cast<Eigen::Index>(samples) || path.origin.size() != samples ||
@@ -41,9 +42,10 @@ std::string what_is_wrong(const RobotTable& robot, const JointPath& path) {
   return "";
 }
 
-/// Samples are drawn onto a limit that they exceed by no more than rounding.
-std::string what_is_beyond_limits(const RobotTable& robot, const JointPath& path) {
-  constexpr double kRounding = 1e-4;  ///< [rad]
+/// Returns a description of a sample that exceeds a joint limit by more than rounding, or "";
+/// samples within rounding are moved onto the limit.
+std::string limit_violation(const RobotModel& robot, const JointPath& path) {
+  constexpr double kLimitRounding_rad = 1e-4;  ///< [rad]
   for (Eigen::Index joint = 0; joint < path.position.cols(); ++joint) {
     const std::string& name = robot.joint_names[static_cast<std::size_t>(joint)];
     if (!(robot.velocity[joint] > 0 && robot.acceleration[joint] > 0 && robot.jerk[joint] > 0)) {
@@ -56,7 +58,7 @@ std::string what_is_beyond_limits(const RobotTable& robot, const JointPath& path
     for (Eigen::Index i = 0; i < path.position.rows(); ++i) {
       const double q = path.position(i, joint);
       const double beyond = std::max(robot.lower[joint] - q, q - robot.upper[joint]);
-      if (beyond <= kRounding) continue;
+      if (beyond <= kLimitRounding_rad) continue;
       return fmt::format("joint {} is {:.3g} rad beyond its limit at path sample {}", name, beyond,
                          i);
     }
@@ -64,19 +66,20 @@ std::string what_is_beyond_limits(const RobotTable& robot, const JointPath& path
   return "";
 }
 
-PacedPath make_paced_path(const RobotTable& robot, const JointPath& path, const Movement& movement,
-                          const RetimeOptions& options, bool keep_pauses, RetimeResult& result) {
-  PacedPath paced_path;
+ConstrainedPath make_constrained_path(const RobotModel& robot, const JointPath& path,
+                                      const Movement& movement, const RetimeOptions& options,
+                                      bool keep_pauses, RetimeResult& result) {
+  ConstrainedPath paced_path;
   paced_path.robot = &robot;
   paced_path.movement = &movement;
-  paced_path.clocked = clock_path(robot, path, kKnotStep_s, keep_pauses);
+  paced_path.parameterized = parameterize_path(robot, path, kKnotStep_s, keep_pauses);
   std::vector<double> allowance;
-  for (const Origin origin : paced_path.clocked.origin) {
-    allowance.push_back(origin == Origin::planned ? options.planned_smoothing : 1);
+  for (const SampleOrigin origin : paced_path.parameterized.origin) {
+    allowance.push_back(origin == SampleOrigin::planned ? options.planned_smoothing : 1);
   }
-  PathFit fitted =
-      fit_path(robot, paced_path.clocked.clock, paced_path.clocked.position, allowance,
-               {options.smoothing_s, options.tip_tolerance, options.joint_tolerance}, kKnotStep_s);
+  PathFit fitted = fit_path(
+      robot, paced_path.parameterized.parameter, paced_path.parameterized.position, allowance,
+      {options.smoothing_s, options.tip_tolerance, options.joint_tolerance}, kKnotStep_s);
   paced_path.spline = std::move(fitted.spline);
   result.tip_deviation = fitted.tip_deviation;
   result.joint_deviation = fitted.joint_deviation;
@@ -84,7 +87,7 @@ PacedPath make_paced_path(const RobotTable& robot, const JointPath& path, const 
   paced_path.acceleration = options.limit_share * robot.acceleration;
   paced_path.jerk = options.limit_share * robot.jerk;
   paced_path.braking_share = options.limit_share;
-  paced_path.tip_speed = options.tip_speed.value_or(kMostPace);
+  paced_path.tip_speed = options.tip_speed.value_or(kMaxPathVelocity);
   if (!options.phase_speed.empty()) paced_path.phase_scale.assign(kPhases, 1);
   for (const PhaseSpeed& phase : options.phase_speed) {
     paced_path.phase_scale[static_cast<std::size_t>(phase.phase)] = phase.scale;
@@ -93,24 +96,26 @@ PacedPath make_paced_path(const RobotTable& robot, const JointPath& path, const 
   return paced_path;
 }
 
-/// How many times slower a step has to be whose quintic leaves the joint's range so far, where the
-/// path does not: what it misses of a smooth path between two samples falls with the sixth power of
-/// the time between them. The path keeps half of kLimitInset from its limits.
-double slower_inside(double beyond_rad) {
-  return std::pow(1 + beyond_rad / (0.5 * kLimitInset), 1.0 / 6);
+/// Returns the factor by which a step must be slower whose quintic exceeds the joint's range by
+/// that much although the path does not: the deviation of the quintic from a smooth path between
+/// two samples is proportional to the sixth power of the time between them. The path keeps half of
+/// kLimitInset_rad from its limits.
+double slowdown_within_limits(double beyond_rad) {
+  return std::pow(1 + beyond_rad / (0.5 * kLimitInset_rad), 1.0 / 6);
 }
 
-/// How many times slower each step between samples would have to be to hold the path's limits; 0
-/// where it surely does.
-std::vector<double> haste(const PacedPath& paced_path, const Trajectory& trajectory) {
-  const RobotTable& robot = *paced_path.robot;
+/// Returns, for each step between samples, the factor by which it must be slower to respect the
+/// path's limits; 0 if it certainly respects them.
+std::vector<double> compute_slowdowns(const ConstrainedPath& paced_path,
+                                      const Trajectory& trajectory) {
+  const RobotModel& robot = *paced_path.robot;
   std::vector<double> out;
   math::Enclosure within;
   for (std::size_t i = 0; i + 1 < trajectory.samples(); ++i) {
     double worst = 0;
-    for (const RobotTable::BrakingCurve& curve : robot.braking_curves) {
+    for (const RobotModel::BrakingCurve& curve : robot.braking_curves) {
       const math::QuinticPiece piece = math::quintic_piece(trajectory, i, curve.joint);
-      // Below the limit, how far does not matter.
+      // The exact value is irrelevant below the limit.
       const double limit = paced_path.braking_share;
       worst = std::max(worst, math::braking_ratio(curve, piece, limit) / limit);
     }
@@ -124,9 +129,10 @@ std::vector<double> haste(const PacedPath& paced_path, const Trajectory& traject
         continue;
       }
       const math::QuinticPiece piece = math::quintic_piece(trajectory, i, joint);
-      const double beyond = math::beyond(piece, lower, upper);
-      const bool fixed = upper - lower < 4 * kLimitInset;  // kept to half of that at best
-      if (beyond > 0 && !fixed) worst = std::max(worst, slower_inside(beyond));
+      const double beyond = math::limit_excess(piece, lower, upper);
+      // the fit keeps half of this inset at best
+      const bool fixed = upper - lower < 4 * kLimitInset_rad;
+      if (beyond > 0 && !fixed) worst = std::max(worst, slowdown_within_limits(beyond));
       const math::QuinticExtremes over = math::extremes(piece);
       const auto ratio = [](const math::Range& range, double limit) {
         return std::max(-range.least, range.greatest) / limit;
@@ -140,94 +146,104 @@ std::vector<double> haste(const PacedPath& paced_path, const Trajectory& traject
   return out;
 }
 
-/// Slows the path where the samples are too hasty, and a few knots around.
-void slow_down(PacedPath& paced_path, const SampledLaw& sampled, const std::vector<double>& hasty) {
+/// Slows the path down at samples that exceed the limits, and for a few knots around them.
+void slow_down(ConstrainedPath& paced_path, const SampledLaw& sampled,
+               const std::vector<double>& hasty) {
   const auto cells = static_cast<Eigen::Index>(paced_path.slowdown.size());
   const auto cell_of = [&](double u) {
-    return static_cast<Eigen::Index>(u / paced_path.spline.length * static_cast<double>(cells));
+    return static_cast<Eigen::Index>(u / paced_path.spline.duration_s * static_cast<double>(cells));
   };
   std::vector<double> factor(paced_path.slowdown.size(), 1);
   for (std::size_t i = 0; i < hasty.size(); ++i) {
     if (hasty[i] <= 1) continue;
-    const Eigen::Index from = std::max<Eigen::Index>(0, cell_of(sampled.clock[i]) - kReach);
-    const Eigen::Index to = std::min(cells - 1, cell_of(sampled.clock[i + 1]) + kReach);
+    const Eigen::Index from =
+        std::max<Eigen::Index>(0, cell_of(sampled.clock[i]) - kSlowdownReachKnots);
+    const Eigen::Index to =
+        std::min(cells - 1, cell_of(sampled.clock[i + 1]) + kSlowdownReachKnots);
     for (Eigen::Index k = from; k <= to; ++k) {
       double& here = factor[static_cast<std::size_t>(k)];
-      here = std::max(here, hasty[i] * (1 + kInside));
+      here = std::max(here, hasty[i] * (1 + kLimitMarginRatio));
     }
   }
   for (std::size_t k = 0; k < factor.size(); ++k) paced_path.slowdown[k] *= factor[k];
 }
 
-/// A law, its samples, and how hasty each step between them is.
-struct Attempt {
-  PacedLaw paced;
+/// A law, its samples, and the slowdown that each step between them requires.
+struct RetimeAttempt {
+  QuantizedLaw paced;
   SampledLaw sampled;
-  std::vector<double> hasty;
+  std::vector<double> required_slowdowns;
   double worst = 0;
 };
 
-/// What takes longer than an hour is no motion: sampled, it would take all memory.
-void sample(const PacedPath& paced_path, double rate_hz, Attempt& attempt) {
-  constexpr double kLongest_s = 3600;
-  if (static_cast<double>(attempt.paced.periods) > kLongest_s * rate_hz + 2) {
+/// Samples the law, unless it takes longer than an hour, which would need too much memory.
+void sample(const ConstrainedPath& paced_path, double rate_hz, RetimeAttempt& attempt) {
+  constexpr double kMaxDuration_s = 3600;
+  if (static_cast<double>(attempt.paced.periods) > kMaxDuration_s * rate_hz + 2) {
     attempt.worst = std::numeric_limits<double>::infinity();
     return;
   }
   attempt.sampled = sample_law(paced_path, attempt.paced, rate_hz);
-  attempt.hasty = haste(paced_path, attempt.sampled.trajectory);
-  attempt.worst = *std::max_element(attempt.hasty.begin(), attempt.hasty.end());
+  attempt.required_slowdowns = compute_slowdowns(paced_path, attempt.sampled.trajectory);
+  attempt.worst =
+      *std::max_element(attempt.required_slowdowns.begin(), attempt.required_slowdowns.end());
 }
 
-using Pace = std::function<std::optional<PacedLaw>(PacedPath&)>;
+using LawFunction = std::function<std::optional<QuantizedLaw>(ConstrainedPath&)>;
 
-/// Paces and samples the path until the quintics hold its limits: slowed down where they do not,
-/// and as a whole if that takes too long. False if that never comes, or there is no pace.
-bool follow(PacedPath& paced_path, const Pace& pace, double rate_hz, Attempt& attempt) {
-  for (int round = 0; round <= kCorrections; ++round) {
-    std::optional<PacedLaw> paced = pace(paced_path);
+/// Computes and samples laws until the quintics respect the limits, slowing the path down where
+/// they do not, and in the last rounds as a whole. Returns false if this does not succeed, or if
+/// there is no law.
+bool retime_within_limits(ConstrainedPath& paced_path, const LawFunction& pace, double rate_hz,
+                          RetimeAttempt& attempt) {
+  for (int round = 0; round <= kMaxCorrections; ++round) {
+    std::optional<QuantizedLaw> paced = pace(paced_path);
     if (!paced) return false;
     attempt.paced = std::move(*paced);
     sample(paced_path, rate_hz, attempt);
     if (attempt.worst <= 1) return true;
     if (!std::isfinite(attempt.worst)) return false;
-    // The last rounds slow down more than where it is needed.
-    std::vector<double> hasty = attempt.hasty;
-    if (2 * round >= kCorrections) std::fill(hasty.begin(), hasty.end(), attempt.worst);
+    // The last rounds slow down the whole path.
+    std::vector<double> hasty = attempt.required_slowdowns;
+    if (2 * round >= kMaxCorrections) std::fill(hasty.begin(), hasty.end(), attempt.worst);
     slow_down(paced_path, attempt.sampled, hasty);
   }
   return false;
 }
 
-/// In as many periods as it takes.
-bool follow_freely(PacedPath& paced_path, const Pace& pace, double rate_hz, Attempt& attempt) {
-  if (follow(paced_path, pace, rate_hz, attempt)) return true;
+/// Computes a law with as many periods as necessary.
+bool retime_stretching(ConstrainedPath& paced_path, const LawFunction& pace, double rate_hz,
+                       RetimeAttempt& attempt) {
+  if (retime_within_limits(paced_path, pace, rate_hz, attempt)) return true;
   if (!std::isfinite(attempt.worst)) return false;
-  for (int stretch = 0; attempt.worst > 1 && stretch < kCorrections; ++stretch) {
+  for (int stretch = 0; attempt.worst > 1 && stretch < kMaxCorrections; ++stretch) {
     const auto moving = static_cast<double>(attempt.paced.periods - 2);
-    const double longer = std::min(kMostPeriods, std::ceil(moving * attempt.worst * (1 + kInside)));
+    const double longer =
+        std::min(kMaxPeriodCount, std::ceil(moving * attempt.worst * (1 + kLimitMarginRatio)));
     attempt.paced.periods = 2 + static_cast<Eigen::Index>(longer);
     sample(paced_path, rate_hz, attempt);
   }
   return attempt.worst <= 1;
 }
 
-/// In so many periods: in the human's proportions; in those without the pauses, which may leave no
-/// time for the way; or as the fastest way there is, stretched. That stays within the limits but
-/// for what other instants of sampling do: if it does not, as it is, and at rest thereafter.
-bool follow_for(Eigen::Index periods, const std::function<PacedPath(bool keep_pauses)>& make,
-                double rate_hz, Attempt& attempt) {
-  const auto pace = [&](PacedPath& c) { return pace_duration(c, rate_hz, periods); };
-  PacedPath paced_path = make(true);
-  const double with_pauses_s = paced_path.spline.length;
-  if (follow(paced_path, pace, rate_hz, attempt)) return true;
-  const PacedPath without = make(false);
+/// Computes a law with a given number of periods: in the human's proportions; without the pauses,
+/// which may leave too little time for the motion; or as the fastest motion, stretched. Stretching
+/// respects the limits except for the effect of different sampling instants; if they are exceeded,
+/// the fastest motion is used unchanged, with rest at the end.
+bool retime_to_duration(Eigen::Index periods,
+                        const std::function<ConstrainedPath(bool keep_pauses)>& make,
+                        double rate_hz, RetimeAttempt& attempt) {
+  const auto pace = [&](ConstrainedPath& c) { return duration_mode_law(c, rate_hz, periods); };
+  ConstrainedPath paced_path = make(true);
+  const double with_pauses_s = paced_path.spline.duration_s;
+  if (retime_within_limits(paced_path, pace, rate_hz, attempt)) return true;
+  const ConstrainedPath without = make(false);
   paced_path = without;
-  const bool pauses = paced_path.spline.length < with_pauses_s;
-  if (pauses && follow(paced_path, pace, rate_hz, attempt)) return true;
+  const bool pauses = paced_path.spline.duration_s < with_pauses_s;
+  if (pauses && retime_within_limits(paced_path, pace, rate_hz, attempt)) return true;
   paced_path = without;
-  const auto fastest = [&](PacedPath& c) { return pace_fastest(c, rate_hz); };
-  if (!follow_freely(paced_path, fastest, rate_hz, attempt)) return false;
+  const auto fastest = [&](ConstrainedPath& c) { return fastest_mode_law(c, rate_hz); };
+  if (!retime_stretching(paced_path, fastest, rate_hz, attempt)) return false;
   const Eigen::Index least = attempt.paced.periods;
   if (least > periods) return false;
   attempt.paced.periods = periods;
@@ -241,13 +257,13 @@ bool follow_for(Eigen::Index periods, const std::function<PacedPath(bool keep_pa
 
 }  // namespace
 
-std::string why_invalid(const PhaseSpeed& o) {
+std::string validation_error(const PhaseSpeed& o) {
   if (!(o.scale >= 1e-3)) return "scale must be at least 0.001";
   return "";
 }
 
-std::string why_invalid(const RetimeOptions& o) {
-  if ((o.mode == Tempo::duration) != o.duration_s.has_value()) {
+std::string validation_error(const RetimeOptions& o) {
+  if ((o.mode == RetimeMode::duration) != o.duration_s.has_value()) {
     return "duration_s belongs to the mode duration, which needs it";
   }
   if (o.duration_s && !(*o.duration_s > 0 && *o.duration_s <= 3600)) {
@@ -265,36 +281,36 @@ std::string why_invalid(const RetimeOptions& o) {
   return "";
 }
 
-Outcome<RetimeResult> retime(const RobotTable& robot, const JointPath& path,
+Outcome<RetimeResult> retime(const RobotModel& robot, const JointPath& path,
                              const Movement& movement, const RetimeOptions& options) {
-  if (std::string wrong = what_is_wrong(robot, path); !wrong.empty()) {
+  if (std::string wrong = path_error(robot, path); !wrong.empty()) {
     return {{}, {Reason::path, std::move(wrong)}};
   }
-  if (std::string beyond = what_is_beyond_limits(robot, path); !beyond.empty()) {
+  if (std::string beyond = limit_violation(robot, path); !beyond.empty()) {
     return {{}, {Reason::limit, std::move(beyond)}};
   }
   RetimeResult result;
   const double rate_hz = options.sample_rate_hz;
   const auto make = [&](bool keep_pauses) {
-    return make_paced_path(robot, path, movement, options, keep_pauses, result);
+    return make_constrained_path(robot, path, movement, options, keep_pauses, result);
   };
-  Attempt attempt;
-  if (options.mode == Tempo::duration) {
+  RetimeAttempt attempt;
+  if (options.mode == RetimeMode::duration) {
     const double periods = std::floor(*options.duration_s * rate_hz + 1e-9);
-    if (!follow_for(static_cast<Eigen::Index>(periods), make, rate_hz, attempt)) {
+    if (!retime_to_duration(static_cast<Eigen::Index>(periods), make, rate_hz, attempt)) {
       return {std::move(result),
               {Reason::duration,
                fmt::format("the path cannot be followed in {} s", *options.duration_s)}};
     }
   } else {
-    const bool human = options.mode == Tempo::human, kept = options.mode == Tempo::kept;
-    PacedPath paced_path = make(human || kept);
-    const auto pace = [&](PacedPath& c) {
-      return kept    ? pace_kept(c, rate_hz)
-             : human ? pace_human(c, rate_hz)
-                     : pace_fastest(c, rate_hz);
+    const bool human = options.mode == RetimeMode::human, kept = options.mode == RetimeMode::kept;
+    ConstrainedPath paced_path = make(human || kept);
+    const auto pace = [&](ConstrainedPath& c) {
+      return kept    ? catch_up_mode_law(c, rate_hz)
+             : human ? human_mode_law(c, rate_hz)
+                     : fastest_mode_law(c, rate_hz);
     };
-    if (!follow_freely(paced_path, pace, rate_hz, attempt)) {
+    if (!retime_stretching(paced_path, pace, rate_hz, attempt)) {
       return {std::move(result),
               {Reason::limit,
                "no slowdown brings the path within the joints' range, velocity, acceleration and "

@@ -8,10 +8,11 @@
 
 #include "core/motion/outcome.hpp"
 #include "core/motion/plan.hpp"
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 
 namespace morphe::retime {
 
+/// A scale of the speed in one phase.
 struct PhaseSpeed {
   PhaseKind phase = PhaseKind::rest;
   double scale = 1;
@@ -21,26 +22,29 @@ void fields(Fields& f, PhaseSpeed& o) {
   f.required("phase", o.phase);
   f.required("scale", o.scale);
 }
-std::string why_invalid(const PhaseSpeed& options);
+/// Returns an error sentence, or "" if the options are valid.
+std::string validation_error(const PhaseSpeed& options);
 
-/// The human's wherever the limits allow it, as fast as they allow, taking a given time, or the
-/// human's with what was lost made up for.
-enum class Tempo { human, fastest, duration, kept };
-constexpr std::array<std::string_view, 4> names_of(Tempo) {
+/// The goal of the time parametrisation: the human's timing wherever the limits allow it; the
+/// fastest motion; a given duration; or the human's timing with delays recovered afterwards.
+enum class RetimeMode { human, fastest, duration, kept };
+constexpr std::array<std::string_view, 4> names_of(RetimeMode) {
   return {"human", "fastest", "duration", "kept"};
 }
 
+/// The options of the time parametrisation.
 struct RetimeOptions {
-  Tempo mode = Tempo::human;
-  std::optional<double> duration_s;     ///< mode duration: what it shall take
-  double sample_rate_hz = 500;          ///< of the controller
-  double limit_share = 1;               ///< of velocity, acceleration and jerk that may be used
-  std::optional<double> tip_speed;      ///< of any tip at most [m/s]
-  std::vector<PhaseSpeed> phase_speed;  ///< scales tempo, joint and tip speed in a phase
-  double smoothing_s = 0.02;      ///< features of the path shorter than about this are smoothed …
-  double tip_tolerance = 2e-4;    ///< … as far as no tip moves by more [m]; 0: 1e-5 …
-  double joint_tolerance = 1e-3;  ///< … nor a joint that moves no tip [rad]; 0: 1e-5
-  double planned_smoothing = 4;   ///< planned stretches: this many times duration and tolerances
+  RetimeMode mode = RetimeMode::human;
+  std::optional<double> duration_s;  ///< total duration in mode duration [s]
+  double sample_rate_hz = 500;       ///< of the controller
+  double limit_share = 1;  ///< permitted share of the velocity, acceleration and jerk limits
+  std::optional<double> tip_speed;  ///< greatest speed of any tip [m/s]
+  /// scales nominal path velocity, joint and tip speed in a phase
+  std::vector<PhaseSpeed> phase_speed;
+  double smoothing_s = 0.02;  ///< features of the path shorter than about this are smoothed [s] …
+  double tip_tolerance = 2e-4;  ///< … unless a tip moves by more than this [m]; 0 means 1e-5 …
+  double joint_tolerance = 1e-3;  ///< … or a joint that moves no tip by more [rad]; 0 means 1e-5
+  double planned_smoothing = 4;   ///< factor of duration and tolerances for planned intervals
 };
 template <class Fields>
 void fields(Fields& f, RetimeOptions& o) {
@@ -55,25 +59,29 @@ void fields(Fields& f, RetimeOptions& o) {
   f("joint_tolerance", o.joint_tolerance);
   f("planned_smoothing", o.planned_smoothing);
 }
-std::string why_invalid(const RetimeOptions& options);
+/// Returns an error sentence, or "" if the options are valid.
+std::string validation_error(const RetimeOptions& options);
 
+/// The result of the time parametrisation.
 struct RetimeResult {
-  Trajectory trajectory;                          ///< clearance is NaN until it is certified
+  Trajectory trajectory;                          ///< its clearance is NaN until it is certified
   double tip_deviation = 0, joint_deviation = 0;  ///< largest over the path's samples [m], [rad]
 };
 
-/// A time law for a path: q(u) a C^4 spline through its samples (within the tolerances), u(t)
-/// within velocity, acceleration and jerk limits (an infinite one is none),
-///   human     at the demonstration's tempo wherever they allow it, slower elsewhere;
-///   fastest   as fast as they allow;
-///   duration  taking duration_s, in the human's proportions as far as they allow; any duration
-///             that is not less than the fastest is met;
-///   kept      as human, but where the limits made it late it hurries afterwards, by at most 1.4
-///             times, until the time base is the demonstration's again.
-/// Starts and ends with velocity and acceleration exactly zero. The limits hold for the quintics
-/// between the samples, not only at them: where they do not, the law is slowed down until they do.
-/// Refused: path (not a path of this robot), limit, duration.
-Outcome<RetimeResult> retime(const RobotTable& robot, const JointPath& path,
+/// Computes the time parametrisation of a path: q(u) is a C^4 spline through its samples (within
+/// the tolerances), u(t) respects the velocity, acceleration and jerk limits (an infinite limit
+/// does not bind). The mode determines the timing:
+///   human     the demonstration's timing wherever the limits allow it, slower elsewhere;
+///   fastest   the fastest motion within the limits;
+///   duration  takes duration_s, in the human's proportions as far as the limits allow; any
+///             duration that is not shorter than the fastest is met;
+///   kept      like human, but delays caused by the limits are recovered afterwards, at up to 1.4
+///             times the demonstration's speed, until the timing is the demonstration's again.
+/// The motion starts and ends with velocity and acceleration exactly zero. The limits hold for the
+/// quintics between the samples, not only at the samples: if they are exceeded, the motion is
+/// slowed down until they hold. Refuses with reason path (not a path of this robot), limit or
+/// duration.
+Outcome<RetimeResult> retime(const RobotModel& robot, const JointPath& path,
                              const Movement& movement, const RetimeOptions& options);
 
 }  // namespace morphe::retime

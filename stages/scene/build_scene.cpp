@@ -4,31 +4,33 @@
 #include <limits>
 #include <utility>
 
-#include "core/motion/extent.hpp"
+#include "core/motion/bounding_box.hpp"
 #include "stages/scene/configured_body.hpp"
-#include "stages/scene/inferred.hpp"
+#include "stages/scene/infer_objects.hpp"
 #include "stages/scene/other_arm.hpp"
 
 namespace morphe::scene {
 namespace {
 
-constexpr double kInReach = 0.15;  ///< between the tips and an object that they took [m]
+/// Largest distance between the tips and the object that they took [m].
+constexpr double kMaxTipObjectDistance_m = 0.15;
 
-/// Name of the recorded object whose centre is nearest to the seen tips at the end of the grasp, of
-/// those that are not farther than kInReach from them, nor of the other arm; "" if there is none.
+/// Returns the name of the recorded object whose centre is nearest to the seen tips at the end of
+/// the grasp, among those within kMaxTipObjectDistance_m of them that are not part of the other
+/// arm; "" if there is no such object.
 std::string nearest_object(const SceneOptions& options, const std::vector<SceneObject>& objects,
                            const HumanMotion& motion, const Phase& grasp) {
   const GraspTips tips = tips_at_grasp(motion, grasp);
   Vec3 hand = (tips.thumb + tips.index) / 2;
-  if (!seen(hand)) hand = seen(tips.thumb) ? tips.thumb : tips.index;
+  if (!is_known(hand)) hand = is_known(tips.thumb) ? tips.thumb : tips.index;
   std::string name;
   double least = std::numeric_limits<double>::infinity();
   for (const SceneObject& object : objects) {
-    if (object.time.empty() || of_other_arm(options, object.name)) continue;
+    if (object.time.empty() || is_other_arm_part(options, object.name)) continue;
     const Pose pose = recorded_pose(object, grasp.end_s);
     const double distance = (pose.translation() - hand).norm();
-    const double apart = std::min(distance, extent_of(object, pose).exteriorDistance(hand));
-    if (distance < least && apart < kInReach) {
+    const double apart = std::min(distance, bounding_box(object, pose).exteriorDistance(hand));
+    if (distance < least && apart < kMaxTipObjectDistance_m) {
       least = distance;
       name = object.name;
     }
@@ -43,12 +45,12 @@ Scene build_scene(const SceneOptions& options, const Demonstration& demonstratio
   Scene scene;
   for (const auto* list : {&options.objects, &options.file_objects}) {
     for (const ConfiguredObject& object : *list) {
-      if (object.relative_to != Relative::world) continue;
+      if (object.relative_to != ReferenceFrame::world) continue;
       scene.objects.push_back(configured_body(object, movement.begin_s));
     }
   }
   std::optional<SceneObject> table;
-  if (!object_named(demonstration.objects, "table")) {
+  if (!find_object(demonstration.objects, "table")) {
     table = infer_table(options.table, motion, movement);
   }
   if (table) scene.objects.push_back(*table);
@@ -60,16 +62,16 @@ Scene build_scene(const SceneOptions& options, const Demonstration& demonstratio
     movement.target.clear();
     return scene;
   }
-  if (!object_named(demonstration.objects, movement.target)) {
+  if (!find_object(demonstration.objects, movement.target)) {
     movement.target = nearest_object(options, demonstration.objects, motion, *grasp);
-    if (movement.target.empty() && object_named(demonstration.objects, options.target.name)) {
+    if (movement.target.empty() && find_object(demonstration.objects, options.target.name)) {
       movement.target = options.target.name;
     }
   }
   for (SceneObject& object : scene.objects) {
     if (object.name != movement.target) continue;
-    set_carrying(movement, *grasp, object);
-    if (options.target.body) take_shape(*options.target.body, object);
+    set_attachment_times(movement, *grasp, object);
+    if (options.target.body) set_shape(*options.target.body, object);
   }
   if (!movement.target.empty()) return scene;
   const std::optional<SceneObject> target =
@@ -81,7 +83,7 @@ Scene build_scene(const SceneOptions& options, const Demonstration& demonstratio
   return scene;
 }
 
-Scene move_scene(const Scene& scene, const Pose& base_from_world) {
+Scene transform_scene(const Scene& scene, const Pose& base_from_world) {
   Scene moved = scene;
   const Quat turn(base_from_world.linear());
   for (SceneObject& object : moved.objects) {
@@ -91,12 +93,12 @@ Scene move_scene(const Scene& scene, const Pose& base_from_world) {
   return moved;
 }
 
-std::vector<std::string> mapping_objects(const SceneOptions& options, const Scene& scene) {
+std::vector<std::string> mapping_obstacles(const SceneOptions& options, const Scene& scene) {
   std::vector<std::string> names;
-  if (object_named(scene.objects, "table")) names.push_back("table");
+  if (find_object(scene.objects, "table")) names.push_back("table");
   for (const auto* list : {&options.objects, &options.file_objects}) {
     for (const ConfiguredObject& object : *list) {
-      if (object.in_mapping && object_named(scene.objects, object.name)) {
+      if (object.in_mapping && find_object(scene.objects, object.name)) {
         names.push_back(object.name);
       }
     }

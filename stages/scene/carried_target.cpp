@@ -4,35 +4,35 @@
 #include <optional>
 
 #include "core/math/rotation.hpp"
-#include "stages/scene/inferred.hpp"
+#include "stages/scene/infer_objects.hpp"
 
 namespace morphe::scene {
 namespace {
 
 struct Grip {
-  Vec3 middle, line;  ///< half-way between the tips; unit, from thumb to index
-  Quat hand;          ///< NaN: not seen
+  Vec3 middle, line;  ///< midpoint between the tips; unit vector from thumb to index
+  Quat hand;          ///< orientation of the hand, NaN if not seen
 };
 
 std::optional<Grip> grip_at(const HumanMotion& motion, std::size_t frame) {
   if (motion.tip.rows != motion.time.size() || motion.tip.cols <= kIndex) return std::nullopt;
   const Vec3 &thumb = motion.tip(frame, kThumb), &index = motion.tip(frame, kIndex);
-  if (!seen(thumb) || !seen(index) || thumb == index) return std::nullopt;
+  if (!is_known(thumb) || !is_known(index) || thumb == index) return std::nullopt;
   const bool oriented = motion.wrist_orientation.size() == motion.time.size();
   return Grip{0.5 * (thumb + index), (index - thumb).normalized(),
-              oriented ? motion.wrist_orientation[frame] : unseen_rotation()};
+              oriented ? motion.wrist_orientation[frame] : unknown_rotation()};
 }
 
-/// R(t) R(a)ᵀ.
-Quat turn_between(const Grip& from, const Grip& to) {
+/// Returns R(t) R(a)ᵀ.
+Quat rotation_between(const Grip& from, const Grip& to) {
   const Quat hand =
-      seen(from.hand) && seen(to.hand) ? to.hand * from.hand.conjugate() : Quat::Identity();
+      is_known(from.hand) && is_known(to.hand) ? to.hand * from.hand.conjugate() : Quat::Identity();
   return (math::shortest_rotation(hand * from.line, to.line) * hand).normalized();
 }
 
 }  // namespace
 
-void carry_between_tips(const HumanMotion& motion, const Movement& movement, SceneObject& target) {
+void move_with_tips(const HumanMotion& motion, const Movement& movement, SceneObject& target) {
   if (target.time.size() != 1) return;
   const Vec3 position = target.position.front();
   const Quat orientation = target.orientation.front();
@@ -41,7 +41,8 @@ void carry_between_tips(const HumanMotion& motion, const Movement& movement, Sce
   std::optional<Grip> taken;
   for (std::size_t frame = 0; frame < motion.time.size(); ++frame) {
     const double time_s = motion.time[frame];
-    if (!(time_s >= target.attach_s - kTimeSlack) || time_s > end_s + kTimeSlack) continue;
+    if (!(time_s >= target.attach_s - kTimeTolerance_s) || time_s > end_s + kTimeTolerance_s)
+      continue;
     const std::optional<Grip> grip = grip_at(motion, frame);
     if (!grip) continue;
     if (!taken) {
@@ -50,7 +51,7 @@ void carry_between_tips(const HumanMotion& motion, const Movement& movement, Sce
       target.position.clear();
       target.orientation.clear();
     }
-    const Quat turn = turn_between(*taken, *grip);
+    const Quat turn = rotation_between(*taken, *grip);
     target.time.push_back(time_s);
     target.position.push_back(grip->middle + turn * (position - taken->middle));
     target.orientation.push_back((turn * orientation).normalized());

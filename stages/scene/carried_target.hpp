@@ -6,13 +6,14 @@
 
 namespace morphe::scene {
 
-/// Gives the target, if it has no motion of its own, the one that thumb and index carry it with
-/// from its attach_s to its release_s (or the movement's end), as it lay between them at attach_s:
+/// Moves the target with thumb and index from its attach_s to its release_s (or the movement's
+/// end), if it has no motion of its own. Its pose relative to the tips is that at a = attach_s:
 ///   world_from_object(t) = [R(t) R(a)ᵀ, m(t)] · [1, -m(a)] · world_from_object(a)
-/// m half-way between the two tips; R the hand's orientation, turned the least that the line from
-/// thumb to index needs to fit (without it: that line's least turn alone). So the tips stay where
-/// they were on the object, as far as they keep their distance. Frames in which a tip is hidden are
-/// bridged. Then it stays where it is. One recorded in motion keeps that motion.
-void carry_between_tips(const HumanMotion& motion, const Movement& movement, SceneObject& target);
+/// with m the midpoint between the two tips, and R the hand's orientation, corrected by the
+/// shortest rotation that aligns the line from thumb to index (if the orientation is unknown, the
+/// shortest rotation of that line alone). Thus the contact points of the tips stay fixed on the
+/// object, as far as the distance between the tips is constant. Frames in which a tip is hidden are
+/// interpolated. After the release the target rests. A target recorded in motion keeps that motion.
+void move_with_tips(const HumanMotion& motion, const Movement& movement, SceneObject& target);
 
 }  // namespace morphe::scene

@@ -1,5 +1,5 @@
 #include "stages/scene/configured_body.hpp"
-#include "core/motion/extent.hpp"
+#include "core/motion/bounding_box.hpp"
 #include "core/motion/world_frames.hpp"
 
 #include <fmt/format.h>
@@ -7,10 +7,10 @@
 namespace morphe::scene {
 namespace {
 
-void take_shape(const std::string& shape, const std::vector<double>& size, const SceneObject& mesh,
-                SceneObject& object) {
+void set_shape(const std::string& shape, const std::vector<double>& size, const SceneObject& mesh,
+               SceneObject& object) {
   const bool meshed = !mesh.vertices.empty();
-  object.shape = meshed ? Shape::mesh : named<Shape>(shape).value_or(mesh.shape);
+  object.shape = meshed ? Shape::mesh : enum_from_name<Shape>(shape).value_or(mesh.shape);
   object.size = meshed ? std::vector<double>() : size;
   object.vertices = mesh.vertices;
   object.triangles = mesh.triangles;
@@ -18,23 +18,23 @@ void take_shape(const std::string& shape, const std::vector<double>& size, const
 
 Vec3 anchor_of(const SceneObject& object, Anchor anchor, const Quat& turn) {
   if (anchor == Anchor::origin) return Vec3::Zero();
-  const Eigen::AlignedBox3d extent = extent_of(object, make_pose(Vec3::Zero(), turn));
+  const Eigen::AlignedBox3d extent = bounding_box(object, make_pose(Vec3::Zero(), turn));
   return {extent.center().x(), extent.center().y(), extent.min().z()};
 }
 
-/// The frame that an object is relative to; unseen if there is none.
-Pose frame_of(Relative relative, const WorldFrames& frames) {
+/// Returns the frame that an object is relative to; unseen if it does not exist.
+Pose frame_of(ReferenceFrame relative, const WorldFrames& frames) {
   switch (relative) {
-    case Relative::table:
+    case ReferenceFrame::table:
       return frames.base_from_table;
-    case Relative::target:
+    case ReferenceFrame::target:
       return frames.base_from_target;
-    case Relative::shoulder: {
+    case ReferenceFrame::shoulder: {
       Pose shoulder = frames.base_from_world;
       shoulder.translation() = frames.shoulder;
       return shoulder;
     }
-    case Relative::base:
+    case ReferenceFrame::base:
       return Pose::Identity();
     default:
       return frames.base_from_world;
@@ -43,7 +43,7 @@ Pose frame_of(Relative relative, const WorldFrames& frames) {
 
 }  // namespace
 
-Quat turn_of(const Vec3& rpy) {
+Quat rotation_from_rpy(const Vec3& rpy) {
   return Quat(Eigen::AngleAxisd(rpy.z(), Vec3::UnitZ()) *
               Eigen::AngleAxisd(rpy.y(), Vec3::UnitY()) *
               Eigen::AngleAxisd(rpy.x(), Vec3::UnitX()));
@@ -52,25 +52,25 @@ Quat turn_of(const Vec3& rpy) {
 SceneObject configured_body(const ConfiguredObject& configured, double time_s) {
   SceneObject object;
   object.name = configured.name;
-  take_shape(configured.shape, configured.size, configured.mesh, object);
-  const Quat turn = turn_of(configured.rpy);
+  set_shape(configured.shape, configured.size, configured.mesh, object);
+  const Quat turn = rotation_from_rpy(configured.rpy);
   object.time = {time_s};
   object.position = {configured.position - anchor_of(object, configured.anchor, turn)};
   object.orientation = {turn};
   return object;
 }
 
-void take_shape(const TargetBody& body, SceneObject& object) {
-  take_shape(body.shape, body.size, body.mesh, object);
+void set_shape(const TargetBody& body, SceneObject& object) {
+  set_shape(body.shape, body.size, body.mesh, object);
 }
 
 std::string add_relative_objects(const SceneOptions& options, const WorldFrames& frames,
                                  double time_s, Scene& scene) {
   for (const auto* list : {&options.objects, &options.file_objects}) {
     for (const ConfiguredObject& configured : *list) {
-      if (configured.relative_to == Relative::world) continue;
+      if (configured.relative_to == ReferenceFrame::world) continue;
       const Pose base_from_frame = frame_of(configured.relative_to, frames);
-      if (!seen(base_from_frame)) {
+      if (!is_known(base_from_frame)) {
         return fmt::format("{} stands relative to the {}, and there is none in this movement",
                            configured.name, name_of(configured.relative_to));
       }

@@ -4,13 +4,13 @@
 
 namespace morphe::scene {
 
-/// Rz(yaw) Ry(pitch) Rx(roll).
-Quat turn_of(const Vec3& rpy);
+/// Returns Rz(yaw) Ry(pitch) Rx(roll).
+Quat rotation_from_rpy(const Vec3& rpy);
 
-/// An object in the frame that its place is given in: position = that of its anchor.
+/// Creates an object in the frame that its pose refers to, with its anchor at `position`.
 SceneObject configured_body(const ConfiguredObject& configured, double time_s);
 
-/// Shape, size and mesh of a target's body.
-void take_shape(const TargetBody& body, SceneObject& object);
+/// Sets shape, size and mesh of `object` to those of a target's body.
+void set_shape(const TargetBody& body, SceneObject& object);
 
 }  // namespace morphe::scene

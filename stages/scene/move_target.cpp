@@ -10,56 +10,60 @@
 #include "core/motion/human_motion.hpp"
 #include "core/motion/movement.hpp"
 #include "stages/scene/configured_body.hpp"
-#include "stages/scene/inferred.hpp"
+#include "stages/scene/infer_objects.hpp"
 
 namespace morphe::scene {
 namespace {
 
-/// Of a body about its centre, and with it.
-struct Shift {
-  Vec3 centre = Vec3::Zero(), by = Vec3::Zero();
-  Quat turn = Quat::Identity();
+/// A rotation of a body about its centre and a translation.
+struct RigidDisplacement {
+  Vec3 centre = Vec3::Zero(), translation = Vec3::Zero();
+  Quat rotation = Quat::Identity();
 
-  Quat turn_at(double w) const { return Quat::Identity().slerp(w, turn); }
-  Vec3 moved(const Vec3& x, double w) const { return turn_at(w) * (x - centre) + centre + w * by; }
+  Quat turn_at(double w) const { return Quat::Identity().slerp(w, rotation); }
+  Vec3 moved(const Vec3& x, double w) const {
+    return turn_at(w) * (x - centre) + centre + w * translation;
+  }
 };
 
-Shift shift_of(const TargetOptions& options, const Pose& world_from_target) {
-  Shift shift;
+RigidDisplacement target_displacement(const TargetOptions& options, const Pose& world_from_target) {
+  RigidDisplacement shift;
   shift.centre = world_from_target.translation();
   if (options.placed) {
-    shift.by = options.placed->position - shift.centre;
-    shift.turn = turn_of(options.placed->rpy) * Quat(world_from_target.linear()).conjugate();
+    shift.translation = options.placed->position - shift.centre;
+    shift.rotation =
+        rotation_from_rpy(options.placed->rpy) * Quat(world_from_target.linear()).conjugate();
   } else {
-    shift.by = options.moved.position;
-    shift.turn = turn_of(options.moved.rpy);
+    shift.translation = options.moved.position;
+    shift.rotation = rotation_from_rpy(options.moved.rpy);
   }
   return shift;
 }
 
-/// Share of the wrist's way from begin to end at each frame, of the time if it was not seen.
-std::vector<double> shares(const HumanMotion& motion, double begin_s, double end_s) {
+/// Returns the share of the wrist's path length from begin to end at each frame, or of the time if
+/// the wrist was not seen.
+std::vector<double> wrist_path_shares(const HumanMotion& motion, double begin_s, double end_s) {
   std::vector<double> way(motion.time.size(), 0.0);
-  double gone_m = 0;
-  Vec3 last = unseen_point();
+  double path_length_m = 0;
+  Vec3 last = unknown_point();
   for (std::size_t i = 0; i < way.size(); ++i) {
-    if (motion.time[i] >= begin_s && motion.time[i] <= end_s && seen(motion.wrist[i])) {
-      if (seen(last)) gone_m += (motion.wrist[i] - last).norm();
+    if (motion.time[i] >= begin_s && motion.time[i] <= end_s && is_known(motion.wrist[i])) {
+      if (is_known(last)) path_length_m += (motion.wrist[i] - last).norm();
       last = motion.wrist[i];
     }
-    way[i] = gone_m;
+    way[i] = path_length_m;
   }
   for (std::size_t i = 0; i < way.size(); ++i) {
     const double time_share = (motion.time[i] - begin_s) / (end_s - begin_s);
     way[i] = motion.time[i] >= end_s     ? 1
              : motion.time[i] <= begin_s ? 0
-             : gone_m > 0                ? way[i] / gone_m
+             : path_length_m > 0         ? way[i] / path_length_m
                                          : time_share;
   }
   return way;
 }
 
-/// The elbow's triangle after its wrist has moved; false if its sides do not reach that far.
+/// Moves the elbow after the wrist has moved; returns false if the arm does not reach that far.
 bool move_elbow(const Vec3& shoulder, const Vec3& from_wrist, const Vec3& to_wrist, Vec3& elbow) {
   const Vec3 before = from_wrist - shoulder, after = to_wrist - shoulder;
   const double upper_arm = (elbow - shoulder).norm(), forearm = (from_wrist - elbow).norm();
@@ -68,7 +72,7 @@ bool move_elbow(const Vec3& shoulder, const Vec3& from_wrist, const Vec3& to_wri
   const Vec3 along = after / distance;
   Vec3 aside = math::shortest_rotation(before, after) * (elbow - shoulder);
   aside -= along * along.dot(aside);
-  // The elbow's foot on the line by the law of cosines.
+  // Foot of the elbow on the line, by the law of cosines.
   const double foot =
       (upper_arm * upper_arm - forearm * forearm + distance * distance) / (2 * distance);
   const double height_squared = upper_arm * upper_arm - foot * foot;
@@ -78,7 +82,7 @@ bool move_elbow(const Vec3& shoulder, const Vec3& from_wrist, const Vec3& to_wri
   return reaches;
 }
 
-void move_frame(const Shift& shift, double w, std::size_t i, HumanMotion& motion,
+void move_frame(const RigidDisplacement& shift, double w, std::size_t i, HumanMotion& motion,
                 int& out_of_reach) {
   const auto point = [&](Vec3& x) { x = shift.moved(x, w); };
   const auto rotation = [&](Quat& q) { q = (shift.turn_at(w) * q).normalized(); };
@@ -92,31 +96,33 @@ void move_frame(const Shift& shift, double w, std::size_t i, HumanMotion& motion
   row(motion.tip_orientation, rotation);
   row(motion.finger_joint, point);
   Vec3& elbow = motion.elbow[i];
-  if (!seen(elbow) || !seen(wrist) || !seen(motion.shoulder[i])) return;
+  if (!is_known(elbow) || !is_known(wrist) || !is_known(motion.shoulder[i])) return;
   if (!move_elbow(motion.shoulder[i], wrist, motion.wrist[i], elbow)) ++out_of_reach;
 }
 
 }  // namespace
 
-MovedTarget move_target(const SceneOptions& options, const HumanMotion& motion,
-                        const Movement& movement, const Scene& scene) {
-  MovedTarget out{motion, scene};
+RelocatedMovement move_target(const SceneOptions& options, const HumanMotion& motion,
+                              const Movement& movement, const Scene& scene) {
+  RelocatedMovement out{motion, scene};
   const bool asked = options.target.placed || options.target.moved.position != Vec3::Zero() ||
                      options.target.moved.rpy != Vec3::Zero();
   if (!asked) return out;
   const Phase* grasp = last_phase(movement, PhaseKind::grasp);
-  SceneObject* target = object_named(out.scene.objects, movement.target);
+  SceneObject* target = find_object(out.scene.objects, movement.target);
   if (!grasp || !target) {
-    out.motion.problems.push_back("nothing is grasped: there is no target to stand elsewhere");
+    out.motion.reconstruction_notes.push_back(
+        "nothing is grasped: there is no target to stand elsewhere");
     return out;
   }
-  const Shift shift = shift_of(options.target, recorded_pose(*target, grasp->begin_s));
+  const RigidDisplacement shift =
+      target_displacement(options.target, recorded_pose(*target, grasp->begin_s));
   for (Vec3& position : target->position) position = shift.moved(position, 1);
   for (Quat& orientation : target->orientation) {
-    orientation = (shift.turn * orientation).normalized();
+    orientation = (shift.rotation * orientation).normalized();
   }
 
-  const std::vector<double> share = shares(motion, movement.begin_s, grasp->begin_s);
+  const std::vector<double> share = wrist_path_shares(motion, movement.begin_s, grasp->begin_s);
   int out_of_reach = 0;
   for (std::size_t i = 0; i < share.size(); ++i) {
     const double s = share[i];
@@ -126,16 +132,16 @@ MovedTarget move_target(const SceneOptions& options, const HumanMotion& motion,
   }
   out.motion.arm_angles.resize(0, out.motion.arm_angles.cols());
   out.motion.estimated.emplace_back("transported");
-  out.motion.problems.push_back(fmt::format(
+  out.motion.reconstruction_notes.push_back(fmt::format(
       "transported: {} stands {:.0f} mm from where it stood, turned by {:.0f} degrees{}",
-      target->name, 1e3 * shift.by.norm(),
-      180 / std::numbers::pi * angle_between(shift.turn, Quat::Identity()),
+      target->name, 1e3 * shift.translation.norm(),
+      180 / std::numbers::pi * angle_between(shift.rotation, Quat::Identity()),
       out_of_reach > 0
           ? fmt::format("; the human's arm would not reach it in {} frames", out_of_reach)
           : ""));
 
   if (const auto table = infer_table(options.table, out.motion, movement)) {
-    if (SceneObject* old = object_named(out.scene.objects, table->name)) *old = *table;
+    if (SceneObject* old = find_object(out.scene.objects, table->name)) *old = *table;
   }
   return out;
 }

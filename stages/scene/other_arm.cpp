@@ -18,16 +18,18 @@ namespace {
 using Points = std::vector<Vec3>;
 
 constexpr std::array<const char*, 3> kNames = {"other upper arm", "other forearm", "other hand"};
-constexpr double kHandOfForearm = 0.108 / 0.146;  // shares of the stature, Drillis and Contini
-constexpr double kUsualHand_m = 0.108 * 1.70;     // of that stature
-constexpr double kNoDirection_m = 1e-6;           // joints that coincide
-constexpr std::string_view kWhose = "the person's other arm";
+// Ratio of shares of the stature, Drillis and Contini.
+constexpr double kHandForearmRatio = 0.108 / 0.146;
+constexpr double kDefaultHandLength_m = 0.108 * 1.70;  // for a stature of 1.70 m
+constexpr double kMinBoneLength_m = 1e-6;              // length below which joints coincide
+constexpr std::string_view kOtherArmLabel = "the person's other arm";
 
 bool any_seen(const Points& points) {
-  return std::ranges::any_of(points, [](const Vec3& point) { return seen(point); });
+  return std::ranges::any_of(points, [](const Vec3& point) { return is_known(point); });
 }
 
-/// Of the distances between two tracks; nothing if they were never seen together.
+/// Returns the median of the distances between two tracks; no value if they were never seen
+/// together.
 std::optional<double> median_distance(const Points& from, const Points& to) {
   std::vector<double> lengths;
   for (std::size_t i = 0; i < from.size(); ++i) {
@@ -40,36 +42,38 @@ std::optional<double> median_distance(const Points& from, const Points& to) {
   return *middle;
 }
 
-/// The middle of the fingertips in a frame; of the thumb's alone only if no other is seen.
+/// Returns the mean of the fingertips in a frame; the thumb only if no other tip is seen.
 Vec3 middle_of_tips(const HumanMotion& motion, std::size_t frame) {
-  if (motion.tip.rows <= frame) return unseen_point();
+  if (motion.tip.rows <= frame) return unknown_point();
   Vec3 sum = Vec3::Zero();
   double count = 0;
   for (std::size_t finger = kIndex; finger < motion.tip.cols; ++finger) {
-    if (!seen(motion.tip(frame, finger))) continue;
+    if (!is_known(motion.tip(frame, finger))) continue;
     sum += motion.tip(frame, finger);
     ++count;
   }
   if (count > 0) return sum / count;
-  return motion.tip.cols > kThumb ? motion.tip(frame, kThumb) : unseen_point();
+  return motion.tip.cols > kThumb ? motion.tip(frame, kThumb) : unknown_point();
 }
 
-/// Where the hand ends in each frame.
+/// Returns the end of the hand in each frame.
 Points hand_ends(const HumanMotion& motion, std::vector<std::string>& notes) {
   const std::size_t frames = motion.time.size();
   Points ends(frames);
   for (std::size_t i = 0; i < frames; ++i) ends[i] = middle_of_tips(motion, i);
   const std::optional<double> seen_m = median_distance(motion.wrist, ends);
   const std::optional<double> forearm_m = median_distance(motion.elbow, motion.wrist);
-  const double length_m = seen_m ? *seen_m : forearm_m ? kHandOfForearm * *forearm_m : kUsualHand_m;
+  const double length_m = seen_m      ? *seen_m
+                          : forearm_m ? kHandForearmRatio * *forearm_m
+                                      : kDefaultHandLength_m;
   std::size_t as_turned = 0, straight = 0;
   for (std::size_t i = 0; i < frames; ++i) {
-    if (seen(ends[i]) || !seen(motion.wrist[i])) continue;
+    if (is_known(ends[i]) || !is_known(motion.wrist[i])) continue;
     const Vec3 along = motion.wrist[i] - motion.elbow[i];
-    if (seen(motion.wrist_orientation[i])) {
+    if (is_known(motion.wrist_orientation[i])) {
       ends[i] = motion.wrist[i] + motion.wrist_orientation[i] * Vec3(0, 0, length_m);
       ++as_turned;
-    } else if (along.norm() > kNoDirection_m) {
+    } else if (along.norm() > kMinBoneLength_m) {
       ends[i] = motion.wrist[i] + length_m * along.normalized();
       ++straight;
     }
@@ -78,12 +82,12 @@ Points hand_ends(const HumanMotion& motion, std::vector<std::string>& notes) {
                                    std::pair{straight, "straight on from its forearm"}}) {
     if (count == 0) continue;
     notes.push_back(fmt::format("{}: no fingertip seen in {} of {} frames: there the hand lies {}",
-                                kWhose, count, frames, how));
+                                kOtherArmLabel, count, frames, how));
   }
   return ends;
 }
 
-/// Says for how many of the recording's frames a body has no pose of its own, if any.
+/// Adds a note on the number of the recording's frames in which a body has no pose of its own.
 void note_gaps(const SceneObject& body, const std::vector<double>& time,
                std::vector<std::string>& notes) {
   if (body.time.size() == time.size()) return;
@@ -97,7 +101,7 @@ void note_gaps(const SceneObject& body, const std::vector<double>& time,
       body.name, time.size() - body.time.size(), time.size(), longest_s));
 }
 
-/// No poses if its ends were never seen together.
+/// Returns the capsule between two joints, without poses if they were never seen together.
 SceneObject capsule_between(const char* name, double radius_m, const std::vector<double>& time,
                             const Points& from, const Points& to, std::vector<std::string>& notes) {
   SceneObject body;
@@ -107,10 +111,10 @@ SceneObject capsule_between(const char* name, double radius_m, const std::vector
   if (!length_m) return body;
   body.size = {radius_m, *length_m};
   double longest_m = 0;
-  Quat turn = Quat::Identity();  // the least from frame to frame
+  Quat turn = Quat::Identity();  // shortest rotation from frame to frame
   for (std::size_t i = 0; i < time.size(); ++i) {
     const Vec3 along = to[i] - from[i];
-    if (!(along.norm() > kNoDirection_m)) continue;
+    if (!(along.norm() > kMinBoneLength_m)) continue;
     turn = (math::shortest_rotation(turn * Vec3::UnitZ(), along) * turn).normalized();
     body.time.push_back(time[i]);
     body.position.emplace_back((from[i] + to[i]) / 2);
@@ -135,7 +139,7 @@ void note_estimates(const HumanMotion& motion, std::vector<std::string>& notes) 
   }
   if (joints.empty()) return;
   notes.push_back(
-      fmt::format("{}: {} not recorded: it lies where it is estimated", kWhose, joints));
+      fmt::format("{}: {} not recorded: it lies where it is estimated", kOtherArmLabel, joints));
 }
 
 }  // namespace
@@ -143,7 +147,7 @@ void note_estimates(const HumanMotion& motion, std::vector<std::string>& notes) 
 std::vector<SceneObject> other_arm_capsules(const SceneOptions& options, const HumanMotion& other,
                                             std::vector<std::string>& notes) {
   if (!any_seen(other.shoulder) && !any_seen(other.elbow) && !any_seen(other.wrist)) {
-    notes.push_back(fmt::format("{} was not recorded: it is no obstacle", kWhose));
+    notes.push_back(fmt::format("{} was not recorded: it is no obstacle", kOtherArmLabel));
     return {};
   }
   note_estimates(other, notes);
@@ -164,7 +168,7 @@ std::vector<SceneObject> other_arm_capsules(const SceneOptions& options, const H
   return capsules;
 }
 
-bool of_other_arm(const SceneOptions& options, const std::string& name) {
+bool is_other_arm_part(const SceneOptions& options, const std::string& name) {
   return options.other_arm && std::ranges::find(kNames, name) != kNames.end();
 }
 

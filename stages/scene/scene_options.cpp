@@ -5,8 +5,8 @@
 
 #include "core/collision/mesh_file.hpp"
 #include "core/config/fields.hpp"
-#include "core/motion/counted.hpp"
-#include "core/motion/extent.hpp"
+#include "core/motion/bounding_box.hpp"
+#include "core/motion/count_with_noun.hpp"
 #include "core/moveit/problem.hpp"
 #include "stages/scene/other_arm.hpp"
 #include "stages/scene/scene_options.hpp"
@@ -23,29 +23,28 @@ void fields(Fields& f, SceneFile& o) {
   f.required("objects", o.objects);
 }
 
-/// A mesh that is longer, or shorter, is hardly in the unit that was thought: its scale is asked
-/// for.
-constexpr double kLargestObject_m = 5, kLargestTarget_m = 0.5, kSmallest_m = 0.0005;
-/// No place of a scene is farther from what it is relative to, but one in mm.
-constexpr double kFarthest_m = 20;
+/// Limits on the size of a mesh beyond which its unit is probably wrong and its scale is requested.
+constexpr double kLargestObject_m = 5, kLargestTarget_m = 0.5, kSmallestMesh_m = 0.0005;
+/// Limit on positions relative to their reference frame, which only coordinates in mm exceed.
+constexpr double kMaxPosition_m = 20;
 
-std::string unlikely_size(const std::string& file, const SceneObject& mesh, double scale,
-                          bool scale_given, double largest_m) {
-  const double long_m = extent_of(mesh, Pose::Identity()).sizes().maxCoeff();
+std::string mesh_size_error(const std::string& file, const SceneObject& mesh, double scale,
+                            bool scale_given, double largest_m) {
+  const double long_m = bounding_box(mesh, Pose::Identity()).sizes().maxCoeff();
   if (!scale_given && long_m > largest_m) {
     return fmt::format(
         "{} is {:.4g} m long: give scale: 0.001 if its numbers are mm ({:.4g} m), scale: 0.0254 if "
         "they are inches ({:.4g} m), scale: 1 if they are m",
         file, long_m, 0.001 * long_m, 0.0254 * long_m);
   }
-  if (scale != 1 && long_m < kSmallest_m) {
+  if (scale != 1 && long_m < kSmallestMesh_m) {
     return fmt::format("{} is {:.2g} mm long with scale: {}: leave scale out if its numbers are m",
                        file, 1e3 * long_m, scale);
   }
   return "";
 }
 
-/// Options with shape, file, scale and mesh, read from `node`.
+/// Loads the mesh of options with shape, file, scale and mesh, read from `node`.
 template <class Options>
 void load_mesh_of(const config::ConfigNode& node, double largest_m, Options& options) {
   if (options.file.empty()) return;
@@ -53,7 +52,8 @@ void load_mesh_of(const config::ConfigNode& node, double largest_m, Options& opt
   std::string wrong = collision::load_mesh(file.folder() / options.file, options.scale,
                                            options.shape == "convex", options.mesh);
   if (wrong.empty()) {
-    wrong = unlikely_size(options.file, options.mesh, options.scale, node.has("scale"), largest_m);
+    wrong =
+        mesh_size_error(options.file, options.mesh, options.scale, node.has("scale"), largest_m);
   }
   if (!wrong.empty()) file.fail(wrong);
 }
@@ -64,7 +64,7 @@ void load_meshes(const config::ConfigNode& list, std::vector<ConfiguredObject>& 
     load_mesh_of(nodes[k], kLargestObject_m, objects[k]);
 }
 
-/// A planning scene's objects as if they had been configured one by one.
+/// Returns the objects of a planning scene as configured objects.
 std::vector<ConfiguredObject> moveit_objects(const std::filesystem::path& file) {
   std::vector<ConfiguredObject> objects;
   for (const SceneObject& object : moveit::read_moveit_scene(file).objects) {
@@ -79,7 +79,7 @@ std::vector<ConfiguredObject> moveit_objects(const std::filesystem::path& file) 
   return objects;
 }
 
-std::size_t numbers_of(Shape shape) {
+std::size_t size_parameter_count(Shape shape) {
   switch (shape) {
     case Shape::sphere:
       return 1;
@@ -90,23 +90,23 @@ std::size_t numbers_of(Shape shape) {
   }
 }
 
-/// Of shape, size, file and scale.
+/// Returns the error in shape, size, file and scale, or "".
 template <class Options>
-std::string why_no_shape(const Options& o) {
+std::string shape_error(const Options& o) {
   if (o.shape == "mesh" || o.shape == "convex") {
     if (o.file.empty()) return fmt::format("file: a {} needs one", o.shape);
     if (!o.size.empty()) return fmt::format("size: a {} has that of its file", o.shape);
     return o.scale > 0 ? "" : fmt::format("scale: must be positive, not {}", o.scale);
   }
-  const std::optional<Shape> shape = named<Shape>(o.shape);
+  const std::optional<Shape> shape = enum_from_name<Shape>(o.shape);
   if (!shape) {
     return fmt::format("shape: must be sphere, box, cylinder, capsule, convex or mesh, not '{}'",
                        o.shape);
   }
   if (!o.file.empty()) return fmt::format("file: a {} has none", o.shape);
-  if (o.size.size() != numbers_of(*shape)) {
+  if (o.size.size() != size_parameter_count(*shape)) {
     return fmt::format("size: a {} needs {}, not {}", o.shape,
-                       counted(numbers_of(*shape), "number"), o.size.size());
+                       count_with_noun(size_parameter_count(*shape), "number"), o.size.size());
   }
   for (const double length : o.size) {
     if (!(length > 0)) return fmt::format("size: must be positive, not {}", length);
@@ -116,27 +116,27 @@ std::string why_no_shape(const Options& o) {
 
 }  // namespace
 
-config::Schema scene_schema(const config::Meanings& meanings) {
+config::Schema scene_schema(const config::KeyDescriptions& meanings) {
   return config::schema_of<SceneFile>(meanings);
 }
 
-std::string why_invalid(const ConfiguredObject& o) {
+std::string validation_error(const ConfiguredObject& o) {
   if (o.name.empty()) return "name: must not be empty";
   if (o.name == "table") return "name: 'table' is the table of scene.table";
-  if (const double far_m = o.position.norm(); far_m > kFarthest_m) {
+  if (const double far_m = o.position.norm(); far_m > kMaxPosition_m) {
     return fmt::format("position: is {:.4g} m from the {}: positions are in m", far_m,
                        name_of(o.relative_to));
   }
-  return why_no_shape(o);
+  return shape_error(o);
 }
 
-std::string why_invalid(const TargetBody& o) {
+std::string validation_error(const TargetBody& o) {
   if (!o.held_at.empty() && o.held_at.size() != 2)
     return fmt::format("held_at: needs x and y, not {} numbers", o.held_at.size());
-  return why_no_shape(o);
+  return shape_error(o);
 }
 
-std::string why_invalid(const TableOptions& o) {
+std::string validation_error(const TableOptions& o) {
   if (o.size.size() != 2) return fmt::format("size: needs x and y, not {} numbers", o.size.size());
   for (const double length : o.size) {
     if (!(length > 0)) return fmt::format("size: must be positive, not {}", length);
@@ -150,7 +150,7 @@ std::string why_invalid(const TableOptions& o) {
   return "";
 }
 
-std::string why_invalid(const TargetOptions& o) {
+std::string validation_error(const TargetOptions& o) {
   if (o.name.empty() || o.name == "table") return "name: must not be empty or 'table'";
   if (!(o.height > 0)) return fmt::format("height: must be positive, not {}", o.height);
   if (!(o.min_radius > 0)) return fmt::format("min_radius: must be positive, not {}", o.min_radius);
@@ -167,22 +167,22 @@ std::string why_invalid(const TargetOptions& o) {
   return "";
 }
 
-std::string why_invalid(const SceneOptions& o) {
+std::string validation_error(const SceneOptions& o) {
   const std::vector<double>& radii = o.other_arm_radii;
   if (radii.size() != 3 || std::ranges::any_of(radii, [](double r) { return !(r > 0); })) {
     return "other_arm_radii: needs those of upper arm, forearm and hand, all positive";
   }
-  if (of_other_arm(o, o.target.name)) {
+  if (is_other_arm_part(o, o.target.name)) {
     return fmt::format("target: the name '{}' is the other arm's", o.target.name);
   }
   std::set<std::string> names;
   if (o.target.infer) names.insert(o.target.name);
   for (const auto* list : {&o.objects, &o.file_objects}) {
     for (const ConfiguredObject& object : *list) {
-      if (!names.insert(object.name).second || of_other_arm(o, object.name)) {
+      if (!names.insert(object.name).second || is_other_arm_part(o, object.name)) {
         return fmt::format("objects: the name '{}' is taken", object.name);
       }
-      if (object.relative_to == Relative::table && !o.table.infer && !o.table.height) {
+      if (object.relative_to == ReferenceFrame::table && !o.table.infer && !o.table.height) {
         return fmt::format(
             "objects: {} is relative_to: table, and table.infer: false: give "
             "table.height, or another relative_to",
@@ -212,7 +212,7 @@ void load_file(SceneOptions& options, const config::ConfigNode& node) {
     load_meshes(root["objects"], file.objects);
     options.file_objects = std::move(file.objects);
   }
-  if (const std::string wrong = why_invalid(options); !wrong.empty()) root.fail(wrong);
+  if (const std::string wrong = validation_error(options); !wrong.empty()) root.fail(wrong);
 }
 
 }  // namespace
@@ -223,10 +223,11 @@ void load_scene_files(SceneOptions& options, const config::ConfigNode& node) {
   options.meshes.clear();
   if (options.target.body) {
     load_mesh_of(node["target"]["body"], kLargestTarget_m, *options.target.body);
-    collision::make_ready(options.target.body->mesh, options.meshes);
+    collision::add_to_cache(options.target.body->mesh, options.meshes);
   }
   for (const auto* list : {&options.objects, &options.file_objects}) {
-    for (const ConfiguredObject& object : *list) collision::make_ready(object.mesh, options.meshes);
+    for (const ConfiguredObject& object : *list)
+      collision::add_to_cache(object.mesh, options.meshes);
   }
 }
 

@@ -12,38 +12,41 @@
 
 namespace morphe::scene {
 
-/// What an object's place is given relative to, where it stands as the movement begins:
+/// The frame that an object's pose is relative to, at its pose when the movement begins:
 ///   world     the recording's frame: X right, Y forward, Z up, origin as in the recording
-///   table     centre of the table's top, its axes: those of the world, if it is inferred
-///   target    centre and axes of the object that is grasped
-///   shoulder  the person's, axes of the world
+///   table     centre and axes of the table's top; the axes are the world's if it is inferred
+///   target    centre and axes of the grasped object
+///   shoulder  the person's shoulder, axes of the world
 ///   base      the robot's base
-enum class Relative { world, table, target, shoulder, base };
-constexpr std::array<std::string_view, 5> names_of(Relative) {
+enum class ReferenceFrame { world, table, target, shoulder, base };
+/// Returns the names of the frames in configurations.
+constexpr std::array<std::string_view, 5> names_of(ReferenceFrame) {
   return {"world", "table", "target", "shoulder", "base"};
 }
 
-/// Which point of an object is where its `position` says: its own origin (a shape's centre, what a
-/// file's numbers count from), or its foot, once it is turned: the middle of its extent in x and y,
-/// its lowest point in z.
-enum class Anchor { origin, foot };
+/// The point of an object that `position` refers to: its own origin (the centre of a shape, the
+/// origin of a file's coordinates), or its foot, that is in its final orientation the middle of its
+/// extent in x and y and its lowest point in z.
+enum class Anchor { origin, bottom };
+/// Returns the names of the anchors in configurations.
 constexpr std::array<std::string_view, 2> names_of(Anchor) { return {"origin", "foot"}; }
 
-/// A fixed body.
+/// A fixed object of the configuration.
 struct ConfiguredObject {
+  /// Unique name of the object.
   std::string name;
   std::string shape = "box";  ///< sphere | box | cylinder | capsule | convex | mesh
   std::vector<double> size;   ///< sphere: r; box: x y z; cylinder, capsule: r, length [m]
-  std::string file;           ///< STL or OBJ of a mesh, relative to where it is named; convex:
-                              ///< its hull
-  double scale = 1;           ///< of the file's numbers: 0.001 if they are mm
-  Relative relative_to = Relative::world;  ///< the frame of position and rpy
-  Anchor anchor = Anchor::origin;          ///< the point that position is of
-  Vec3 position = Vec3::Zero();            ///< [m]
-  Vec3 rpy = Vec3::Zero();                 ///< Rz(yaw) Ry(pitch) Rx(roll) [rad]
-  bool in_mapping = true;                  ///< the mapping's clearance term knows it
+  /// STL or OBJ file of a mesh, relative to the file that names it; for convex, the hull is used.
+  std::string file;
+  double scale = 1;  ///< unit of the file's coordinates in m: 0.001 if they are mm
+  ReferenceFrame relative_to = ReferenceFrame::world;  ///< the frame of position and rpy
+  Anchor anchor = Anchor::origin;                      ///< the point that `position` refers to
+  Vec3 position = Vec3::Zero();                        ///< position of the anchor [m]
+  Vec3 rpy = Vec3::Zero();                             ///< Rz(yaw) Ry(pitch) Rx(roll) [rad]
+  bool in_mapping = true;  ///< true if the mapping's clearance term includes it
 
-  SceneObject mesh;  ///< what `file` holds, filled in by load_scene_files()
+  SceneObject mesh;  ///< mesh read from `file`, filled in by load_scene_files()
 };
 template <class Fields>
 void fields(Fields& f, ConfiguredObject& o) {
@@ -58,26 +61,29 @@ void fields(Fields& f, ConfiguredObject& o) {
   f("rpy", o.rpy);
   f("in_mapping", o.in_mapping);
 }
-std::string why_invalid(const ConfiguredObject& object);
+/// Returns a sentence about the first invalid field, or "" if all are valid.
+std::string validation_error(const ConfiguredObject& object);
 
-/// The box "table". Nobody records the table, but hands rest on it: its height is taken from the
-/// lowest fingertips.
+/// Options of the box "table". Tables are not recorded, but hands rest on them: the height is
+/// inferred from the lowest fingertips.
 struct TableOptions {
-  bool infer = true;             ///< false without `height`: no table
-  std::optional<double> height;  ///< of its top; overrides what is inferred [m]
-  double low_percentile = 5;     ///< the tips' resting height: this percentile of all heights
-                                 ///< in the recording, so that one stray sample does not count
-  double tip_clearance = 0.012;  ///< a tip goal is the finger's axis: the top lies at least
-                                 ///< this far below the resting height and below every tip goal
-                                 ///< that is planned (the robot's finger radius 0.011, and a
-                                 ///< millimetre to spare) [m]
-  double thickness = 0.04;       ///< thin, so that nothing can be deep inside unnoticed, and
-                                 ///< thick enough that a finger cannot pass in one sample [m]
-  std::vector<double> size = {1.2, 0.8};  ///< least extent in x, y; grows all ways but the front
-  double front_margin = 0.05;  ///< the front edge lies this far before the hand (wrist or
-                               ///< tips, whichever is nearer to the chest) at the start: the
-                               ///< elbow hangs beside the table, not over it [m]
-  double side_margin = 0.15;   ///< the table goes on this far beyond the planned tips [m]
+  bool infer = true;             ///< false without `height` disables the table
+  std::optional<double> height;  ///< height of its top; overrides the inferred height [m]
+  /// The tips' resting height is this percentile of all heights in the recording, so that a single
+  /// outlier has no effect.
+  double low_percentile = 5;
+  /// Least distance of the top below the resting height and below every planned tip goal, since a
+  /// tip goal is on the finger's axis (the robot's finger radius 0.011 plus a millimetre) [m].
+  double tip_clearance = 0.012;
+  /// Thin, so that deep penetration is detected, and thick enough that a finger cannot pass through
+  /// it between two samples [m].
+  double thickness = 0.04;
+  /// Least extent in x, y; grows in all directions but the front.
+  std::vector<double> size = {1.2, 0.8};
+  /// Distance of the front edge before the hand (wrist or tips, whichever is nearer to the chest)
+  /// at the start, so that the elbow hangs beside the table, not above it [m].
+  double front_margin = 0.05;
+  double side_margin = 0.15;  ///< extent of the table beyond the planned tips [m]
 };
 template <class Fields>
 void fields(Fields& f, TableOptions& o) {
@@ -90,42 +96,48 @@ void fields(Fields& f, TableOptions& o) {
   f("front_margin", o.front_margin);
   f("side_margin", o.side_margin);
 }
-std::string why_invalid(const TableOptions& options);
+/// Returns a sentence about the first invalid option, or "" if all are valid.
+std::string validation_error(const TableOptions& options);
 
-/// Where the target stands instead of where it stood: see stages/scene/move_target.hpp.
-struct TargetPlacement {
-  Vec3 position = Vec3::Zero();  ///< of its centre where the grasp begins, in the world [m]
-  Vec3 rpy = Vec3::Zero();       ///< of its frame in the world, Rz(yaw) Ry(pitch) Rx(roll) [rad]
+/// A pose of the target that replaces the recorded one: see stages/scene/move_target.hpp.
+struct TargetPose {
+  /// Position of its centre at the start of the grasp, in the world [m].
+  Vec3 position = Vec3::Zero();
+  /// Orientation of its frame in the world, Rz(yaw) Ry(pitch) Rx(roll) [rad].
+  Vec3 rpy = Vec3::Zero();
 };
 template <class Fields>
-void fields(Fields& f, TargetPlacement& o) {
+void fields(Fields& f, TargetPose& o) {
   f.required("position", o.position);
   f("rpy", o.rpy);
 }
-/// The same relative to where it stood: shifted, and turned about its centre.
-struct TargetMove {
-  Vec3 position = Vec3::Zero();  ///< along the world's axes [m]
-  Vec3 rpy = Vec3::Zero();       ///< about the world's axes [rad]
+/// A displacement of the target from its recorded pose: a translation, and a rotation about its
+/// centre.
+struct TargetPoseOffset {
+  Vec3 position = Vec3::Zero();  ///< translation along the world's axes [m]
+  Vec3 rpy = Vec3::Zero();       ///< rotation about the world's axes [rad]
 };
 template <class Fields>
-void fields(Fields& f, TargetMove& o) {
+void fields(Fields& f, TargetPoseOffset& o) {
   f("position", o.position);
   f("rpy", o.rpy);
 }
 
-/// The shape of the target, where it is known. It stands on the table, between thumb and index tip
-/// at the grasp. A recorded target gets it too, in its recorded frame: held_at and rpy are for one
-/// that was not recorded.
+/// The shape of the target, if it is known. It is placed on the table, between thumb and index tip
+/// at the grasp. A recorded target gets this shape too, in its recorded frame; held_at and rpy
+/// apply only to a target that was not recorded.
 struct TargetBody {
-  std::string shape = "mesh";   ///< as of a ConfiguredObject
-  std::vector<double> size;     ///< likewise [m]
-  std::string file;             ///< likewise
-  double scale = 1;             ///< likewise
-  Vec3 rpy = Vec3::Zero();      ///< of its frame in the world, Rz(yaw) Ry(pitch) Rx(roll) [rad]
-  std::vector<double> held_at;  ///< x, y of the point of its own frame below the middle between the
-                                ///< tips; empty: the middle of its extent, once it is turned [m]
+  std::string shape = "mesh";  ///< shape, size [m], file and scale as of a ConfiguredObject
+  std::vector<double> size;    ///< size as of a ConfiguredObject [m]
+  std::string file;            ///< file as of a ConfiguredObject
+  double scale = 1;            ///< scale as of a ConfiguredObject
+  /// Orientation of its frame in the world, Rz(yaw) Ry(pitch) Rx(roll) [rad].
+  Vec3 rpy = Vec3::Zero();
+  /// x, y in its own frame of the point below the midpoint between the tips; if empty, the middle
+  /// of its extent in its final orientation [m].
+  std::vector<double> held_at;
 
-  SceneObject mesh;  ///< what `file` holds, filled in by load_scene_files()
+  SceneObject mesh;  ///< mesh read from `file`, filled in by load_scene_files()
 };
 template <class Fields>
 void fields(Fields& f, TargetBody& o) {
@@ -136,28 +148,35 @@ void fields(Fields& f, TargetBody& o) {
   f("rpy", o.rpy);
   f("held_at", o.held_at);
 }
-std::string why_invalid(const TargetBody& body);
+/// Returns a sentence about the first invalid field, or "" if all are valid.
+std::string validation_error(const TargetBody& body);
 
-/// What carries the target from its grasp to its release: thumb and index, or the palm.
+/// The link that carries the target from its grasp to its release: thumb and index, or the palm.
 enum class Carrier { fingers, palm };
+/// Returns the names of the carriers in configurations.
 constexpr std::array<std::string_view, 2> names_of(Carrier) { return {"fingers", "palm"}; }
 
-/// The object that is grasped, if it was not recorded: an upright cylinder on the table, its axis
-/// midway between thumb and index tip.
+/// Options of the grasped object, if it was not recorded: an upright cylinder on the table with its
+/// axis midway between thumb and index tip.
 struct TargetOptions {
+  /// True if a target that was not recorded is inferred.
   bool infer = true;
+  /// Name of the inferred target.
   std::string name = "cup";
-  double height = 0.10;      ///< grows to `rim` above the tips: they hold the side, not the rim [m]
-  double rim = 0.02;         ///< [m]
-  double pad_depth = 0.011;  ///< goals are finger axes: radius = half the tips' horizontal distance
-                             ///< less the robot's fingertip radius, so that surfaces meet [m]
-  double min_radius = 0.015;              ///< [m]
-  double max_radius = 0.060;              ///< [m]
-  std::optional<double> radius;           ///< overrides what is inferred [m]
-  std::optional<TargetBody> body;         ///< its shape, instead of the cylinder
-  Carrier carried = Carrier::fingers;     ///< from the grasp to its release
-  TargetMove moved;                       ///< recorded or inferred, it stands elsewhere
-  std::optional<TargetPlacement> placed;  ///< likewise
+  /// Height; increased to `rim` above the tips, since they hold the side, not the rim [m].
+  double height = 0.10;
+  double rim = 0.02;  ///< distance of the rim above the higher tip [m]
+  /// Goals are on the axes of the fingers: radius = half the tips' horizontal distance less the
+  /// robot's fingertip radius, so that the surfaces touch [m].
+  double pad_depth = 0.011;
+  double min_radius = 0.015;           ///< [m]
+  double max_radius = 0.060;           ///< [m]
+  std::optional<double> radius;        ///< overrides the inferred radius [m]
+  std::optional<TargetBody> body;      ///< shape that replaces the cylinder
+  Carrier carried = Carrier::fingers;  ///< link that carries it from the grasp to its release
+  TargetPoseOffset moved;              ///< displacement of the recorded or inferred target
+  /// Pose of the recorded or inferred target, instead of `moved`.
+  std::optional<TargetPose> placed;
 };
 template <class Fields>
 void fields(Fields& f, TargetOptions& o) {
@@ -174,22 +193,25 @@ void fields(Fields& f, TargetOptions& o) {
   f("moved", o.moved);
   f("placed", o.placed);
 }
-std::string why_invalid(const TargetOptions& options);
+/// Returns a sentence about the first invalid option, or "" if all are valid.
+std::string validation_error(const TargetOptions& options);
 
+/// Options of the scene (config section `scene`).
 struct SceneOptions {
-  std::string file;                       ///< YAML with more `objects`, relative to the config;
-                                          ///< or a MoveIt planning scene in the recording's world
-  std::vector<ConfiguredObject> objects;  ///< fixed bodies
-  TableOptions table;
-  TargetOptions target;
-  bool other_arm = false;  ///< the person's other arm is an obstacle, see other_arm.hpp
-  /// Of its upper arm, forearm and hand [m]: those of a strong man, about the 95th percentile of
-  /// the men of ANSUR II (Gordon et al. 2014): flexed circumferences of 0.41 and 0.35 m over 2 pi,
-  /// half of a hand's breadth of 0.095 m.
+  /// YAML file with further `objects`, relative to the config, or a MoveIt planning scene in the
+  /// recording's world.
+  std::string file;
+  std::vector<ConfiguredObject> objects;  ///< fixed objects
+  TableOptions table;                     ///< the inferred table
+  TargetOptions target;                   ///< the grasped object
+  bool other_arm = false;  ///< true if the person's other arm is an obstacle, see other_arm.hpp
+  /// Radii of its upper arm, forearm and hand [m]: those of a strong man, about the 95th percentile
+  /// of the men of ANSUR II (Gordon et al. 2014): flexed circumferences of 0.41 and 0.35 m over 2
+  /// pi, half of a hand's breadth of 0.095 m.
   std::vector<double> other_arm_radii = {0.065, 0.055, 0.048};
-  /// Filled in by load_scene_files(): the objects of `file`, and all meshes made ready.
+  /// The objects of `file` and the preprocessed meshes, filled in by load_scene_files().
   std::vector<ConfiguredObject> file_objects;
-  collision::ReadyMeshes meshes;
+  collision::MeshCache meshes;
 };
 template <class Fields>
 void fields(Fields& f, SceneOptions& o) {
@@ -200,11 +222,12 @@ void fields(Fields& f, SceneOptions& o) {
   f("other_arm", o.other_arm);
   f("other_arm_radii", o.other_arm_radii);
 }
-std::string why_invalid(const SceneOptions& options);
+/// Returns a sentence about the first invalid option, or "" if all are valid.
+std::string validation_error(const SceneOptions& options);
 
-/// For options that were read from `node`: loads the meshes and `file` (if any). InputError for a
-/// wrong value (with file, line and key), a name used twice, a file that cannot be read, a mesh
-/// that is none.
+/// Loads the meshes and `file` (if any) of options that were read from `node`. Throws InputError
+/// for a wrong value (with file, line and key), a name used twice, a file that cannot be read, or a
+/// file that is not a mesh.
 void load_scene_files(SceneOptions& options, const config::ConfigNode& node);
 
 }  // namespace morphe::scene

@@ -4,7 +4,7 @@
 
 namespace morphe::scene {
 
-/// What a file of objects (`scene.file`) may hold, if it is not a planning scene of MoveIt.
-config::Schema scene_schema(const config::Meanings& meanings);
+/// Returns the schema of a file of objects (`scene.file`) that is not a MoveIt planning scene.
+config::Schema scene_schema(const config::KeyDescriptions& meanings);
 
 }  // namespace morphe::scene

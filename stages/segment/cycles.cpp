@@ -5,36 +5,36 @@
 #include <limits>
 #include <string>
 
-#include "stages/segment/opening.hpp"
+#include "stages/segment/aperture.hpp"
 
 namespace morphe::segment {
 namespace {
 
-constexpr std::size_t kMostBouts = 12;  ///< in one movement
-constexpr double kNever = -std::numeric_limits<double>::infinity();
-constexpr double kMovement = 0.25;  ///< for any movement
-constexpr double kHeadless = -0.1;  ///< for a movement without its reach
-constexpr double kMoved = 1, kGrasped = 0.5, kNotGrasped = -0.5;
-constexpr double kAway = 1, kNearer = 0.25, kSkipped = 1;
+constexpr std::size_t kMaxUnitsPerMovement = 12;
+constexpr double kImpossibleScore = -std::numeric_limits<double>::infinity();
+constexpr double kMovementScore = 0.25;      ///< for any movement
+constexpr double kMissingReachScore = -0.1;  ///< for a movement without its reach
+constexpr double kObjectMovedScore = 1, kGraspScore = 0.5, kNoGraspScore = -0.5;
+constexpr double kOutwardScore = 1, kApproachScore = 0.25, kSkipPenalty = 1;
 
 struct Evidence {
   const HandSignals& signals;
   const SegmentOptions& options;
-  const std::vector<Bout>& bouts;
+  const std::vector<MovementUnit>& bouts;
   const std::vector<SceneObject>& objects;
-  std::vector<Opening> opening;  ///< of each bout, taken for a reach
-  std::vector<bool> carried;     ///< of each bout
-  std::vector<bool> held;        ///< after each bout, an object is
-  Vec3 shoulder;                 ///< where it is most of the time, or unseen
+  std::vector<ReachAperture> opening;  ///< aperture of each unit, taken as a reach
+  std::vector<bool> carried;           ///< true for each unit in which an object is carried
+  std::vector<bool> held;              ///< true if an object is held after the unit
+  Vec3 shoulder;                       ///< median position of the shoulder, or unseen
 };
 
-Vec3 usual_place(const std::vector<Vec3>& points) {
+Vec3 median_position(const std::vector<Vec3>& points) {
   std::vector<double> axis[3];
   for (const Vec3& point : points) {
-    if (!seen(point)) continue;
+    if (!is_known(point)) continue;
     for (int k = 0; k < 3; ++k) axis[k].push_back(point[k]);
   }
-  if (axis[0].empty()) return unseen_point();
+  if (axis[0].empty()) return unknown_point();
   Vec3 median;
   for (int k = 0; k < 3; ++k) {
     const auto middle = axis[k].begin() + static_cast<std::ptrdiff_t>(axis[k].size() / 2);
@@ -44,79 +44,83 @@ Vec3 usual_place(const std::vector<Vec3>& points) {
   return median;
 }
 
-/// 1 − (d / h)²: at home above 0.
-double homing(const SegmentOptions& options, const Bout& reach, const Bout& bout) {
-  const double way = (reach.to - reach.from).norm();
-  const double away = (bout.to - reach.from).norm() / std::min(options.home_radius, way / 2);
+/// Returns 1 − (d / h)², which is positive at home.
+double return_score(const SegmentOptions& options, const MovementUnit& reach,
+                    const MovementUnit& bout) {
+  const double way = (reach.end_position - reach.start_position).norm();
+  const double away =
+      (bout.end_position - reach.start_position).norm() / std::min(options.home_radius, way / 2);
   return std::max(-1.0, 1 - away * away);
 }
 
-bool is_reach(const SegmentOptions& options, const Bout& bout) {
-  if (bout.cut_begin && bout.peak <= bout.first + 2) return false;
-  if (bout.cut_end && bout.peak + 2 >= bout.last) return false;
-  return (bout.to - bout.from).norm() >= options.least_reach;
+bool is_reach(const SegmentOptions& options, const MovementUnit& bout) {
+  if (bout.begin_truncated && bout.peak <= bout.first + 2) return false;
+  if (bout.end_truncated && bout.peak + 2 >= bout.last) return false;
+  return (bout.end_position - bout.start_position).norm() >= options.least_reach;
 }
 
-bool nears_an_object(const Evidence& on, const Bout& reach) {
+bool approaches_object(const Evidence& on, const MovementUnit& reach) {
   return std::any_of(on.objects.begin(), on.objects.end(), [&](const SceneObject& object) {
     if (object.time.empty()) return false;
     const Vec3 at = recorded_pose(object, reach.begin_s).translation();
-    return (reach.to - at).norm() < 0.5 * (reach.from - at).norm();
+    return (reach.end_position - at).norm() < 0.5 * (reach.start_position - at).norm();
   });
 }
 
-/// What speaks for one movement made of bouts [first, end).
-double worth(const Evidence& on, std::size_t first, std::size_t end) {
+/// Returns the evidence for one movement that consists of units [first, end).
+double movement_score(const Evidence& on, std::size_t first, std::size_t end) {
   const bool last = end == on.bouts.size();
-  if (!is_reach(on.options, on.bouts[first]) || (end - first < 2 && !last)) return kNever;
-  const Bout& reach = on.bouts[first];
-  const double home = homing(on.options, reach, on.bouts[end - 1]);
-  double sum = kMovement + (last ? std::max(0.0, home) : home);
+  if (!is_reach(on.options, on.bouts[first]) || (end - first < 2 && !last)) return kImpossibleScore;
+  const MovementUnit& reach = on.bouts[first];
+  const double home = return_score(on.options, reach, on.bouts[end - 1]);
+  double sum = kMovementScore + (last ? std::max(0.0, home) : home);
   const auto carried = on.carried.begin();
   const bool moved =
       std::any_of(carried + static_cast<std::ptrdiff_t>(first) + 1,
                   carried + static_cast<std::ptrdiff_t>(end), [](bool c) { return c; });
   if (moved) {
-    sum += kMoved;
+    sum += kObjectMovedScore;
   } else if (on.held[first]) {
-    sum += kGrasped;
+    sum += kGraspScore;
   } else if (on.opening[first].known) {
-    sum += on.opening[first].grasps() ? kGrasped : kNotGrasped;
+    sum += on.opening[first].grasps() ? kGraspScore : kNoGraspScore;
   }
-  if (on.carried[first]) sum -= kMoved;
-  if (seen(on.shoulder)) {
+  if (on.carried[first]) sum -= kObjectMovedScore;
+  if (is_known(on.shoulder)) {
     const auto level_distance = [&](const Vec3& from) {
       return (from - on.shoulder).head<2>().norm();
     };
-    const double gained = level_distance(reach.to) - level_distance(reach.from);
-    sum += kAway * gained / (reach.to - reach.from).norm();
+    const double gained = level_distance(reach.end_position) - level_distance(reach.start_position);
+    sum += kOutwardScore * gained / (reach.end_position - reach.start_position).norm();
   }
-  if (nears_an_object(on, reach)) sum += kNearer;
+  if (approaches_object(on, reach)) sum += kApproachScore;
   for (std::size_t k = first + 1; k + 1 < end; ++k) {
-    sum -= std::max(0.0, homing(on.options, on.bouts[first], on.bouts[k]));
+    sum -= std::max(0.0, return_score(on.options, on.bouts[first], on.bouts[k]));
   }
   return static_cast<double>(end - first) * sum;
 }
 
-Evidence gather(const HandSignals& signals, const HumanMotion& motion,
-                const SegmentOptions& options, const std::vector<Bout>& bouts,
-                const std::vector<SceneObject>& objects, const std::vector<ObjectMotion>& motions,
-                const std::vector<Contact>& contacts) {
-  Evidence on{signals, options, bouts, objects, {}, {}, {}, usual_place(motion.shoulder)};
+Evidence gather_evidence(const HandSignals& signals, const HumanMotion& motion,
+                         const SegmentOptions& options, const std::vector<MovementUnit>& bouts,
+                         const std::vector<SceneObject>& objects,
+                         const std::vector<ObjectMotion>& motions,
+                         const std::vector<HandObjectInteraction>& contacts) {
+  Evidence evidence{signals, options, bouts, objects, {}, {}, {}, median_position(motion.shoulder)};
   for (std::size_t k = 0; k < bouts.size(); ++k) {
     const double next_s = k + 1 < bouts.size() ? bouts[k + 1].begin_s : signals.end_s();
-    on.opening.push_back(opening_in(signals, options, bouts[k].begin_s, bouts[k].end_s, next_s));
-    on.carried.push_back(carries(bouts[k], motions));
+    evidence.opening.push_back(
+        measure_aperture(signals, options, bouts[k].begin_s, bouts[k].end_s, next_s));
+    evidence.carried.push_back(is_transport(bouts[k], motions));
     const std::string held =
-        held_between(contacts, signals, bouts[k].end_s, next_s, options.least_grasp);
-    on.held.push_back(!held.empty());
+        longest_held_object(contacts, signals, bouts[k].end_s, next_s, options.least_grasp);
+    evidence.held.push_back(!held.empty());
   }
-  return on;
+  return evidence;
 }
 
 }  // namespace
 
-bool carries(const Bout& bout, const std::vector<ObjectMotion>& motions) {
+bool is_transport(const MovementUnit& bout, const std::vector<ObjectMotion>& motions) {
   return std::any_of(motions.begin(), motions.end(), [&](const ObjectMotion& motion) {
     const double common =
         std::min(bout.end_s, motion.end_s) - std::max(bout.begin_s, motion.begin_s);
@@ -125,14 +129,16 @@ bool carries(const Bout& bout, const std::vector<ObjectMotion>& motions) {
 }
 
 std::vector<Cycle> find_cycles(const HandSignals& signals, const HumanMotion& motion,
-                               const SegmentOptions& options, const std::vector<Bout>& bouts,
+                               const SegmentOptions& options,
+                               const std::vector<MovementUnit>& bouts,
                                const std::vector<SceneObject>& objects,
                                const std::vector<ObjectMotion>& motions,
-                               const std::vector<Contact>& contacts) {
-  const Evidence on = gather(signals, motion, options, bouts, objects, motions, contacts);
+                               const std::vector<HandObjectInteraction>& contacts) {
+  const Evidence evidence =
+      gather_evidence(signals, motion, options, bouts, objects, motions, contacts);
   const std::size_t n = bouts.size();
   struct Best {
-    double sum = kNever;
+    double sum = kImpossibleScore;
     std::size_t from = 0;
     bool movement = false;
   };
@@ -143,17 +149,17 @@ std::vector<Cycle> find_cycles(const HandSignals& signals, const HumanMotion& mo
     if (sum > best[to].sum) best[to] = {sum, from, movement};
   };
   for (std::size_t i = 0; i < n; ++i) {
-    offer(i, i + 1, -kSkipped * std::min(1.0, bouts[i].extent / options.home_radius), false);
-    for (std::size_t j = i + 1; j <= std::min(n, i + kMostBouts); ++j) {
-      if (i == 0) offer(i, j, bouts[0].cut_begin ? 0 : kHeadless, false);
-      offer(i, j, worth(on, i, j), true);
+    offer(i, i + 1, -kSkipPenalty * std::min(1.0, bouts[i].extent / options.home_radius), false);
+    for (std::size_t j = i + 1; j <= std::min(n, i + kMaxUnitsPerMovement); ++j) {
+      if (i == 0) offer(i, j, bouts[0].begin_truncated ? 0 : kMissingReachScore, false);
+      offer(i, j, movement_score(evidence, i, j), true);
     }
   }
   std::vector<Cycle> cycles;
   for (std::size_t j = n; j > 0; j = best[j].from) {
     const std::size_t i = best[j].from;
     if (!best[j].movement) continue;
-    const double home = homing(options, bouts[i], bouts[j - 1]);
+    const double home = return_score(options, bouts[i], bouts[j - 1]);
     cycles.push_back({i, j - i, home > 0});
   }
   std::reverse(cycles.begin(), cycles.end());

@@ -6,14 +6,14 @@
 namespace morphe::segment {
 namespace {
 
-constexpr double kWindow_s = 0.25, kShare = 0.1;
+constexpr double kWindow_s = 0.25, kQuietWindowShare = 0.1;
 
 double squared(double value) { return value * value; }
 double squared(const Vec3& value) { return value.squaredNorm(); }
 
-/// Mean square of values[first …, count] about its least-squares line, for count > 2.
+/// Returns the mean square of values[first …, count] about their least-squares line, for count > 2.
 template <class T>
-double about_line(const std::vector<T>& values, std::size_t first, std::size_t count) {
+double line_fit_variance(const std::vector<T>& values, std::size_t first, std::size_t count) {
   const double n = static_cast<double>(count), middle = 0.5 * (n - 1);
   T mean = values[first] - values[first], slope = mean;
   for (std::size_t k = 0; k < count; ++k) {
@@ -33,10 +33,11 @@ double rms_of_quiet_windows(const std::vector<T>& values, double step_s) {
   const auto count = std::max<std::size_t>(4, static_cast<std::size_t>(kWindow_s / step_s));
   std::vector<double> windows;
   for (std::size_t i = 0; i + count <= values.size(); i += count / 2) {
-    windows.push_back(about_line(values, i, count));
+    windows.push_back(line_fit_variance(values, i, count));
   }
   if (windows.empty()) return 0;
-  const auto rank = static_cast<std::ptrdiff_t>(kShare * static_cast<double>(windows.size() - 1));
+  const auto rank =
+      static_cast<std::ptrdiff_t>(kQuietWindowShare * static_cast<double>(windows.size() - 1));
   std::nth_element(windows.begin(), windows.begin() + rank, windows.end());
   return std::sqrt(windows[static_cast<std::size_t>(rank)]);
 }

@@ -6,9 +6,9 @@
 
 namespace morphe::segment {
 
-/// Noise of a signal that rests now and then: the root mean square of its deviation from a straight
-/// line, in windows of a quarter of a second; the value below which a tenth of the windows lies.
-/// Straight lines take out slow drift, and most of a movement if the recording holds no rest.
+/// Estimates the noise of a signal that is at rest now and then. It is the 10th percentile, over
+/// windows of a quarter of a second, of the root mean square deviation from a straight line. The
+/// straight lines remove slow drift, and most of a movement if the recording contains no rest.
 double noise_rms(const std::vector<Vec3>& values, double step_s);
 double noise_rms(const std::vector<double>& values, double step_s);
 

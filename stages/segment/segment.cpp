@@ -7,10 +7,10 @@
 #include <iterator>
 #include <utility>
 
-#include "stages/segment/bouts.hpp"
-#include "stages/segment/contact.hpp"
 #include "stages/segment/cycles.hpp"
 #include "stages/segment/grasp.hpp"
+#include "stages/segment/interaction.hpp"
+#include "stages/segment/movement_units.hpp"
 
 namespace morphe::segment {
 namespace {
@@ -30,7 +30,7 @@ void add_phase(const HandSignals& signals, PhaseKind kind, double begin_s, doubl
                              begin_confidence, end_confidence});
 }
 
-void choose_what_is_planned(const SegmentOptions& options, Movement& movement) {
+void set_planned_interval(const SegmentOptions& options, Movement& movement) {
   const Phase& reach = movement.phases.front();
   movement.begin_s = reach.begin_s;
   const Phase* until = last_phase(movement, options.plan_until);
@@ -46,35 +46,38 @@ void choose_what_is_planned(const SegmentOptions& options, Movement& movement) {
   }
 }
 
-/// The first of the bouts after the grasp that is on the way back: the one that comes home, or
-/// those after the last that carries a recorded object, or the last if it heads home as the
-/// recording ends.
-std::size_t first_return(const std::vector<Bout>& bouts, const std::vector<ObjectMotion>& motions,
-                         bool comes_home, bool moved, const Vec3& home) {
+/// Returns the index of the first unit after the grasp that is part of the return: the unit that
+/// comes home, or those after the last one that carries a recorded object, or the last unit if it
+/// heads home as the recording ends.
+std::size_t first_return(const std::vector<MovementUnit>& bouts,
+                         const std::vector<ObjectMotion>& motions, bool comes_home, bool moved,
+                         const Vec3& home) {
   if (bouts.empty()) return 0;
   std::size_t back = bouts.size();
   if (moved) {
-    while (back > 0 && !carries(bouts[back - 1], motions)) --back;
+    while (back > 0 && !is_transport(bouts[back - 1], motions)) --back;
     return back;
   }
-  const Bout& last = bouts.back();
-  const bool heads_home = last.cut_end && (last.to - home).norm() < 0.5 * (last.from - home).norm();
+  const MovementUnit& last = bouts.back();
+  const bool heads_home = last.end_truncated && (last.end_position - home).norm() <
+                                                    0.5 * (last.start_position - home).norm();
   return comes_home || heads_home ? back - 1 : back;
 }
 
-/// Bouts after the reach (and its grasp), with the pauses between them.
-void add_later_phases(const HandSignals& signals, const std::vector<Bout>& bouts,
+/// Adds the phases of the units after the reach (and its grasp), with the pauses between them.
+void add_later_phases(const HandSignals& signals, const std::vector<MovementUnit>& bouts,
                       std::size_t first_back, const GraspTimes& grasp, bool comes_home,
                       Movement& movement) {
   double from_s = grasp.end_s, from_confidence = grasp.end_confidence;
   for (std::size_t k = 0; k < bouts.size(); ++k) {
-    const Bout& bout = bouts[k];
+    const MovementUnit& bout = bouts[k];
     if (bout.end_s <= from_s) continue;
     add_phase(signals, PhaseKind::hold, from_s, bout.begin_s, from_confidence,
               bout.begin_confidence, movement);
-    const PhaseKind out = grasp.found ? PhaseKind::transport : PhaseKind::reach;
-    add_phase(signals, k >= first_back ? PhaseKind::go_back : out, std::max(from_s, bout.begin_s),
-              bout.end_s, bout.begin_confidence, bout.end_confidence, movement);
+    const PhaseKind out = grasp.grasped ? PhaseKind::transport : PhaseKind::reach;
+    add_phase(signals, k >= first_back ? PhaseKind::return_phase : out,
+              std::max(from_s, bout.begin_s), bout.end_s, bout.begin_confidence,
+              bout.end_confidence, movement);
     from_s = bout.end_s;
     from_confidence = bout.end_confidence;
   }
@@ -85,25 +88,27 @@ void add_later_phases(const HandSignals& signals, const std::vector<Bout>& bouts
 
 Movement make_movement(const HandSignals& signals, const SegmentOptions& options,
                        const std::vector<ObjectMotion>& motions,
-                       const std::vector<Contact>& contacts, std::vector<Bout> bouts,
-                       const std::vector<Bout>& weak, bool comes_home) {
+                       const std::vector<HandObjectInteraction>& contacts,
+                       std::vector<MovementUnit> bouts, const std::vector<MovementUnit>& weak,
+                       bool comes_home) {
   Movement movement;
   const GraspTimes grasp = find_grasp(signals, options, motions, contacts, bouts, weak, comes_home);
   movement.target = grasp.object;
-  const Bout reach = bouts.front();
+  const MovementUnit reach = bouts.front();
   add_phase(signals, PhaseKind::reach, reach.begin_s, grasp.begin_s, reach.begin_confidence,
             grasp.begin_confidence, movement);
   if (movement.phases.empty()) return movement;
-  if (grasp.found) {
+  if (grasp.grasped) {
     const double begin_s = std::clamp(grasp.opening.preshape_s, reach.begin_s, grasp.begin_s);
     add_phase(signals, PhaseKind::preshape, begin_s, grasp.begin_s, grasp.opening.confidence,
               grasp.begin_confidence, movement);
     add_phase(signals, PhaseKind::grasp, grasp.begin_s, grasp.end_s, grasp.begin_confidence,
               grasp.end_confidence, movement);
   }
-  bouts.erase(bouts.begin(), bouts.begin() + static_cast<std::ptrdiff_t>(grasp.bouts_used));
-  if (grasp.found && !bouts.empty()) bouts.front().begin_s = grasp.end_s;
-  const std::size_t back = first_return(bouts, motions, comes_home, grasp.moved, reach.from);
+  bouts.erase(bouts.begin(), bouts.begin() + static_cast<std::ptrdiff_t>(grasp.units_used));
+  if (grasp.grasped && !bouts.empty()) bouts.front().begin_s = grasp.end_s;
+  const std::size_t back =
+      first_return(bouts, motions, comes_home, grasp.object_moved, reach.start_position);
   add_later_phases(signals, bouts, back, grasp, comes_home, movement);
   return movement;
 }
@@ -112,9 +117,9 @@ std::vector<Movement> whole_recording(const HumanMotion& motion) {
   Movement movement;
   bool any = false;
   for (std::size_t i = 0; i < motion.time.size(); ++i) {
-    bool hand = seen(motion.wrist[i]);
+    bool hand = is_known(motion.wrist[i]);
     for (std::size_t finger = 0; finger < motion.tip.cols; ++finger) {
-      hand = hand || seen(motion.tip(i, finger));
+      hand = hand || is_known(motion.tip(i, finger));
     }
     if (!hand) continue;
     if (!any) movement.begin_s = motion.time[i];
@@ -126,7 +131,7 @@ std::vector<Movement> whole_recording(const HumanMotion& motion) {
 
 }  // namespace
 
-std::string why_invalid(const SegmentOptions& o) {
+std::string validation_error(const SegmentOptions& o) {
   const std::pair<const char*, double> shares[] = {
       {"onset_share", o.onset_share},     {"weak_share", o.weak_share},
       {"dip_share", o.dip_share},         {"widening_share", o.widening_share},
@@ -146,7 +151,7 @@ std::string why_invalid(const SegmentOptions& o) {
   if (o.dip_share == 0) return "dip_share: must be above 0";
   if (o.least_peak == 0) return "least_peak: must be above 0";
   if (o.plan_until != PhaseKind::grasp && o.plan_until != PhaseKind::transport &&
-      o.plan_until != PhaseKind::go_back) {
+      o.plan_until != PhaseKind::return_phase) {
     return fmt::format("plan_until: must be grasp, transport or return, not '{}'",
                        name_of(o.plan_until));
   }
@@ -157,27 +162,27 @@ std::vector<Movement> segment(const HumanMotion& motion, const SegmentOptions& o
                               const std::vector<SceneObject>& objects) {
   if (options.whole) return whole_recording(motion);
   const HandSignals signals = hand_signals(motion, options.smoothing);
-  const std::vector<Contact> contacts = find_contacts(motion, signals, objects);
+  const std::vector<HandObjectInteraction> contacts = find_interactions(motion, signals, objects);
   const std::vector<ObjectMotion> motions =
-      moved_by_hand(object_motions(objects, options.object_motion), contacts, signals);
+      motions_by_hand(object_motions(objects, options.object_motion), contacts, signals);
   std::vector<double> splits_s;
   for (const ObjectMotion& object : motions) {
     splits_s.insert(splits_s.end(), {object.begin_s, object.end_s});
   }
-  std::vector<Bout> bouts = find_bouts(signals, options, splits_s), weak;
+  std::vector<MovementUnit> bouts = find_movement_units(signals, options, splits_s), weak;
   std::copy_if(bouts.begin(), bouts.end(), std::back_inserter(weak),
-               [](const Bout& bout) { return bout.weak; });
-  std::erase_if(bouts, [](const Bout& bout) { return bout.weak; });
+               [](const MovementUnit& bout) { return bout.weak; });
+  std::erase_if(bouts, [](const MovementUnit& bout) { return bout.weak; });
   std::vector<Movement> movements;
   for (const Cycle& cycle :
        find_cycles(signals, motion, options, bouts, objects, motions, contacts)) {
     const auto begin = bouts.begin() + static_cast<std::ptrdiff_t>(cycle.first);
     Movement movement = make_movement(signals, options, motions, contacts,
                                       {begin, begin + static_cast<std::ptrdiff_t>(cycle.count)},
-                                      weak, cycle.comes_home);
+                                      weak, cycle.returns_home);
     if (movement.phases.empty()) continue;
     movement.index = static_cast<int>(movements.size());
-    choose_what_is_planned(options, movement);
+    set_planned_interval(options, movement);
     movements.push_back(std::move(movement));
   }
   return movements;

@@ -8,15 +8,17 @@
 namespace morphe::segment {
 namespace {
 
-constexpr std::size_t kThumb = 0, kIndex = 1, kLeastFrames = 10;
-constexpr std::size_t kSlopeFrames = 5;   ///< velocity beside a gap: over this many
-constexpr double kTolerableNoise = 0.02;  ///< share of the speed of travel
-constexpr double kWiden = 1.5, kWidest = 4;
+constexpr std::size_t kThumb = 0, kIndex = 1, kMinFrames = 10;
+/// Frames over which the velocity beside a gap is measured.
+constexpr std::size_t kSlopeFrames = 5;
+constexpr double kMaxNoiseShare = 0.02;  ///< share of the travel speed
+constexpr double kWideningFactor = 1.5, kMaxWideningFactor = 4;
 
 bool is_seen(double value) { return std::isfinite(value); }
-bool is_seen(const Vec3& point) { return seen(point); }
+bool is_seen(const Vec3& point) { return is_known(point); }
 
-/// Slope per frame of the run of seen values that ends (step -1) or begins (step +1) at `at`.
+/// Returns the slope per frame of the run of seen values that ends (step -1) or begins (step +1) at
+/// `at`.
 template <class T>
 T slope_beside(const std::vector<T>& values, std::size_t at, int step) {
   std::size_t far = at;
@@ -29,8 +31,8 @@ T slope_beside(const std::vector<T>& values, std::size_t at, int step) {
   return T((values[far] - values[at]) / (static_cast<double>(far) - static_cast<double>(at)));
 }
 
-/// Bridges gaps by cubics with the slopes beside them (by straight lines if not `cubic`), holds the
-/// first and last value seen; false if there is none.
+/// Bridges gaps by cubics with the slopes beside them (by straight lines if not `cubic`), and
+/// extends the first and last seen value. Returns false if no value is seen.
 template <class T>
 bool bridge_gaps(std::vector<T>& values, bool cubic) {
   std::size_t last = values.size();
@@ -57,9 +59,9 @@ bool bridge_gaps(std::vector<T>& values, bool cubic) {
   return true;
 }
 
-/// Gaussian average (weights are normalised, so that ends are not pulled down).
+/// Returns the Gaussian average with normalised weights, so that the ends are not pulled down.
 template <class T>
-std::vector<T> smoothed(const std::vector<T>& values, double sigma_frames) {
+std::vector<T> smooth_gaussian(const std::vector<T>& values, double sigma_frames) {
   if (!(sigma_frames > 0)) return values;
   const auto reach = static_cast<std::ptrdiff_t>(std::ceil(3 * sigma_frames));
   const auto count = static_cast<std::ptrdiff_t>(values.size());
@@ -93,21 +95,22 @@ std::vector<Vec3> velocities(const std::vector<Vec3>& points, double step_s) {
   return result;
 }
 
-/// Index tip; where only the wrist is seen, the wrist and the way from it to the tip (bridged).
+/// Returns the index tip; while only the wrist is seen, the wrist plus the interpolated offset from
+/// it to the tip.
 std::vector<Vec3> hand_positions(const HumanMotion& motion, bool has_tips) {
   const std::size_t n = motion.time.size();
-  std::vector<Vec3> position = motion.wrist, from_wrist(n, unseen_point());
+  std::vector<Vec3> position = motion.wrist, from_wrist(n, unknown_point());
   if (!has_tips) return position;
   for (std::size_t i = 0; i < n; ++i) from_wrist[i] = motion.tip(i, kIndex) - motion.wrist[i];
   if (!bridge_gaps(from_wrist, false)) return position;
   for (std::size_t i = 0; i < n; ++i) {
     const Vec3& tip = motion.tip(i, kIndex);
-    position[i] = seen(tip) ? tip : Vec3(position[i] + from_wrist[i]);
+    position[i] = is_known(tip) ? tip : Vec3(position[i] + from_wrist[i]);
   }
   return position;
 }
 
-/// sum v^2 / sum v: the speed at which the average metre is travelled, whatever the rests.
+/// Returns sum v^2 / sum v: the mean speed per travelled distance, independent of rests.
 double travel_speed(const std::vector<double>& speed) {
   double sum = 0, squares = 0;
   for (const double v : speed) {
@@ -127,27 +130,28 @@ std::size_t HandSignals::frame(double time_s) const {
 HandSignals hand_signals(const HumanMotion& motion, double smoothing_s) {
   const std::size_t n = motion.time.size();
   const bool has_tips = motion.tip.rows == n && motion.tip.cols > kIndex;
-  if (n < kLeastFrames || motion.wrist.size() != n) return {};
+  if (n < kMinFrames || motion.wrist.size() != n) return {};
   HandSignals signals;
   signals.begin_s = motion.time.front();
   signals.step_s = (motion.time.back() - motion.time.front()) / static_cast<double>(n - 1);
   if (!(signals.step_s > 0) || !std::isfinite(signals.step_s)) return {};
   signals.position = hand_positions(motion, has_tips);
-  for (const Vec3& point : signals.position) signals.seen.push_back(seen(point));
+  for (const Vec3& point : signals.position) signals.seen.push_back(is_known(point));
   signals.wrist = motion.wrist;
   if (!bridge_gaps(signals.position, true) || !bridge_gaps(signals.wrist, true)) return {};
   const std::vector<Vec3> velocity = velocities(signals.position, signals.step_s);
   double wider = 1;
-  for (;; wider = std::min(kWidest, wider * kWiden)) {
-    const std::vector<Vec3> smooth = smoothed(velocity, wider * smoothing_s / signals.step_s);
+  for (;; wider = std::min(kMaxWideningFactor, wider * kWideningFactor)) {
+    const std::vector<Vec3> smooth = smooth_gaussian(velocity, wider * smoothing_s / signals.step_s);
     signals.speed_noise = noise_rms(smooth, signals.step_s);
     const double noise = signals.speed_noise * signals.speed_noise;
     signals.speed.clear();
     for (const Vec3& v : smooth) {
       signals.speed.push_back(std::sqrt(std::max(0.0, v.squaredNorm() - noise)));
     }
-    const double tolerable = kTolerableNoise * travel_speed(signals.speed);
-    if (signals.speed_noise <= tolerable || wider >= kWidest || !(smoothing_s > 0)) break;
+    const double tolerable = kMaxNoiseShare * travel_speed(signals.speed);
+    if (signals.speed_noise <= tolerable || wider >= kMaxWideningFactor || !(smoothing_s > 0))
+      break;
   }
   if (has_tips) {
     std::vector<double> opening(n);
@@ -155,8 +159,8 @@ HandSignals hand_signals(const HumanMotion& motion, double smoothing_s) {
       opening[i] = (motion.tip(i, kThumb) - motion.tip(i, kIndex)).norm();
     }
     if (bridge_gaps(opening, false)) {
-      signals.opening = smoothed(opening, wider * smoothing_s / signals.step_s);
-      signals.opening_noise = noise_rms(signals.opening, signals.step_s);
+      signals.aperture = smooth_gaussian(opening, wider * smoothing_s / signals.step_s);
+      signals.aperture_noise = noise_rms(signals.aperture, signals.step_s);
     }
   }
   return signals;

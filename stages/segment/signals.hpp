@@ -6,35 +6,42 @@
 
 namespace morphe::segment {
 
-/// Two peaks this near to each other may be one movement [s].
-inline constexpr double kFollows_s = 0.1;
-/// Rms of its noise by which the opening must change to be believed.
-inline constexpr double kOpeningAboveNoise = 3;
-/// Share of a tip's way that the wrist must go for the way to be a reach.
-inline constexpr double kWithWrist = 0.25;
+/// Largest gap between two peaks that may form one movement unit [s].
+inline constexpr double kMaxMergeGap_s = 0.1;
+/// Least change of the aperture, as a multiple of the rms of its noise.
+inline constexpr double kMinApertureNoiseRatio = 3;
+/// Least displacement of the wrist in a reach, as a share of the tip's.
+inline constexpr double kMinWristShare = 0.25;
 
-/// What segmentation looks at, on the clock of the recording.
+/// The signals used for segmentation, on the clock of the recording.
 struct HandSignals {
+  /// Time of the first frame and time between frames [s].
   double begin_s = 0, step_s = 0;
-  std::vector<Vec3> position;   ///< [N] index tip [m]; where it was not seen, carried by the wrist
-  std::vector<Vec3> wrist;      ///< [N] [m], gaps bridged
-  std::vector<double> speed;    ///< [N] of `position` [m/s], its noise taken off in the mean square
-  std::vector<double> opening;  ///< [N] thumb tip to index tip [m], gaps bridged; empty if unseen
-  std::vector<bool> seen;       ///< [N] tip or wrist was seen
-  double speed_noise = 0;       ///< rms of speed where nothing happens [m/s]
-  double opening_noise = 0;     ///< likewise of the opening [m]
+  std::vector<Vec3> position;  ///< [N] index tip [m]; if unseen, carried along by the wrist
+  std::vector<Vec3> wrist;     ///< [N] wrist [m], gaps bridged
+  /// [N] speed of `position` [m/s], with the mean square of the noise subtracted.
+  std::vector<double> speed;
+  /// [N] distance from thumb tip to index tip [m], gaps bridged; empty if unseen.
+  std::vector<double> aperture;
+  std::vector<bool> seen;     ///< [N] true if tip or wrist was seen
+  double speed_noise = 0;     ///< rms of the speed at rest [m/s]
+  double aperture_noise = 0;  ///< rms of the noise of the aperture [m]
 
+  /// Returns the number of frames.
   std::size_t frames() const { return speed.size(); }
+  /// Returns the time of a (fractional) frame [s].
   double time(double frame) const { return begin_s + frame * step_s; }
-  std::size_t frame(double time_s) const;  ///< nearest
+  std::size_t frame(double time_s) const;  ///< nearest frame
+  /// Returns the time of the last frame [s].
   double end_s() const { return time(static_cast<double>(frames() - 1)); }
 };
 
-/// Velocities are averaged by a Gaussian of standard deviation `smoothing_s`, or as many times
-/// wider (up to four) as it takes for the noise to fall below 2 % of the speed at which most of the
-/// way is travelled. Frames in which neither tip nor wrist is seen are bridged by a cubic that
-/// keeps place and velocity at both ends, so that a way travelled unseen is still travelled. Empty
-/// if there are fewer than 10 frames, the clock does not advance or the wrist was never seen.
+/// Computes the signals of a motion. Velocities are averaged by a Gaussian of standard deviation
+/// `smoothing_s`, widened by up to four times until the noise falls below 2 % of the speed at which
+/// most of the distance is travelled. Frames in which neither tip nor wrist is seen are bridged by
+/// a cubic that preserves position and velocity at both ends, so that displacement during a gap is
+/// retained. Returns empty signals if there are fewer than 10 frames, the clock does not advance or
+/// the wrist was never seen.
 HandSignals hand_signals(const HumanMotion& motion, double smoothing_s);
 
 }  // namespace morphe::segment

@@ -6,11 +6,12 @@
 
 namespace morphe::simulate {
 
-std::string why_invalid(const SimulateOptions& o) {
+std::string validation_error(const SimulateOptions& o) {
   const auto positive = [](double value) { return std::isfinite(value) && value > 0; };
-  if (o.ensemble < 1 || o.ensemble > 10000) return "ensemble must be 1 to 10000";
+  if (o.rollouts < 1 || o.rollouts > 10000) return "rollouts must be 1 to 10000";
   if (!positive(o.friction)) return "friction must be above 0";
-  if (!(std::isfinite(o.torsion_m) && o.torsion_m >= 0)) return "torsion must not be negative";
+  if (!(std::isfinite(o.torsional_friction_m) && o.torsional_friction_m >= 0))
+    return "torsional-friction must not be negative";
   if (!positive(o.mass_kg)) return "mass must be above 0";
   const auto wrong = [&](const std::optional<Range>& range) {
     return range &&
@@ -18,11 +19,11 @@ std::string why_invalid(const SimulateOptions& o) {
   };
   if (wrong(o.friction_range)) return "friction-range must be two numbers above 0, the less first";
   if (wrong(o.mass_range)) return "mass-range must be two numbers above 0, the less first";
-  if (!positive(o.force_N)) return "force must be above 0";
-  if (!(o.step_s >= 1e-5 && o.step_s <= 0.01)) return "step must be 0.00001 to 0.01 s";
+  if (!positive(o.force_N)) return "thumb-force must be above 0";
+  if (!(o.step_s >= 1e-5 && o.step_s <= 0.01)) return "time-step must be 0.00001 to 0.01 s";
   if (!positive(o.density)) return "density must be above 0";
-  if (!positive(o.hand_stiffness)) return "stiffness must be above 0";
-  if (!positive(o.hand_torque)) return "torque must be above 0";
+  if (!positive(o.hand_stiffness)) return "hand-stiffness must be above 0";
+  if (!positive(o.hand_torque_limit)) return "hand-torque-limit must be above 0";
   return "";
 }
 
@@ -43,7 +44,7 @@ std::vector<std::string> assumptions(const SimulateOptions& o) {
           o.density, o.mass_kg),
       fmt::format("motors carry gravity and the robot's own motion; an arm's servos are those of a "
                   "PA10 by a joint's place, fingers have {:g} N m/rad and {:g} N m{}",
-                  o.hand_stiffness, o.hand_torque,
+                  o.hand_stiffness, o.hand_torque_limit,
                   o.servos.empty() ? "" : ", where the file of servos says nothing else"),
       fmt::format("a hand squeezes as its plan says; of a plan without a squeeze the thumb presses "
                   "with {:g} N where its tip comes to lie on the target, the other fingers with "

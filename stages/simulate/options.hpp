@@ -9,56 +9,59 @@
 #include <string_view>
 #include <vector>
 
-#include "core/motion/named.hpp"
+#include "core/motion/enum_names.hpp"
 #include "stages/simulate/servo_file.hpp"
 
 namespace morphe::simulate {
 
-/// Which rollouts are loaded in six directions, too: none, the first one (of which nothing is
-/// varied), every one.
+/// The rollouts that are also loaded in six directions: none of them, the first one (with nominal
+/// values), or every one.
 enum class Directions { none, first, every };
 constexpr std::array<std::string_view, 3> names_of(Directions) {
   return {"none", "first", "every"};
 }
 
-/// Whose squeeze the hand makes: the plan's, or one of the fingers with goals where they are
-/// nearest to the target (also of a plan that has none).
-enum class Contacts { stored, nearest };
-constexpr std::array<std::string_view, 2> names_of(Contacts) { return {"stored", "nearest"}; }
+/// The squeeze that the hand executes: the plan's, or one by the fingers with goals at the points
+/// nearest to the target (also used for plans without a squeeze).
+enum class ContactSource { planned, nearest };
+constexpr std::array<std::string_view, 2> names_of(ContactSource) { return {"planned", "nearest"}; }
 
-/// From and to, both included.
+/// A range that includes both ends.
 struct Range {
   double from = 0, to = 0;
 };
 
-/// What nobody can read off a plan, and what a lab would change.
+/// The parameters of the simulation that a plan does not contain, and those that a laboratory would
+/// change.
 struct SimulateOptions {
-  int ensemble = 16;  ///< rollouts a plan; of the first one nothing is varied
-  Directions directions = Directions::first;
-  double friction = 0.8;
-  /// Torsional friction, a length: that of a pad whose contact has a radius of 4 mm [m].
-  double torsion_m = 0.002;
-  double mass_kg = 0.3;  ///< of the target
-  /// Of all rollouts but the first: spread evenly in their logarithm over a range. None: both are
-  /// within kFactor of what they are in the first.
+  int rollouts = 16;  ///< number of rollouts per plan; the first one has nominal values
+  Directions load_directions = Directions::first;
+  double friction = 0.8;  ///< Coulomb coefficient between hand and target
+  /// torsional friction as a length, for a pad with a contact radius of 4 mm [m]
+  double torsional_friction_m = 0.002;
+  double mass_kg = 0.3;  ///< mass of the target [kg]
+  /// ranges for all rollouts but the first, sampled log-uniformly; if absent, the values are within
+  /// kVariationShare of the nominal ones
   std::optional<Range> friction_range, mass_range;
-  Contacts contacts = Contacts::stored;
-  double force_N = 8;     ///< the thumb's squeeze, the others share as much; of nearest contacts
-  double step_s = 0.002;  ///< of the simulation
-  bool euler = false;     ///< semi-implicit Euler in place of the implicit integrator
-  double density = 1000;  ///< of the robot's capsules [kg/m^3]
-  /// Of finger joints that turn. Not published for most hands: 1 N m gives 10 N at 0.1 m.
-  double hand_stiffness = 10;  ///< [N m/rad]
-  double hand_torque = 1;      ///< [N m]
-  ServoTable servos;           ///< of single joints, in place of all these
-  std::uint64_t seed = 1;
+  ContactSource contacts = ContactSource::planned;
+  /// force of the thumb, and of the other fingers together, for ContactSource::nearest [N]
+  double force_N = 8;
+  double step_s = 0.002;  ///< time step of the simulation [s]
+  bool euler = false;     ///< semi-implicit Euler instead of the implicit integrator
+  double density = 1000;  ///< density of the robot's capsules [kg/m^3]
+  /// Parameters of the revolute finger joints. They are not published for most hands: 1 N m gives
+  /// 10 N at 0.1 m.
+  double hand_stiffness = 10;    ///< [N m/rad]
+  double hand_torque_limit = 1;  ///< limit [N m]
+  ServoTable servos;       ///< parameters of individual joints, which override all of the above
+  std::uint64_t seed = 1;  ///< of the variations
 };
 template <class Fields>
 void fields(Fields& f, const SimulateOptions& o) {
-  f("ensemble", o.ensemble);
-  f("directions", name_of(o.directions));
+  f("rollouts", o.rollouts);
+  f("load_directions", name_of(o.load_directions));
   f("friction", o.friction);
-  f("torsion_m", o.torsion_m);
+  f("torsional_friction_m", o.torsional_friction_m);
   f("mass_kg", o.mass_kg);
   const auto text = [](const std::optional<Range>& range) {
     return range ? fmt::format("{} to {}", range->from, range->to) : std::string();
@@ -71,45 +74,50 @@ void fields(Fields& f, const SimulateOptions& o) {
   f("integrator", o.euler ? "euler" : "implicit");
   f("density", o.density);
   f("hand_stiffness", o.hand_stiffness);
-  f("hand_torque", o.hand_torque);
+  f("hand_torque_limit", o.hand_torque_limit);
   f("servos", text_of(o.servos));
   f("seed", o.seed);
 }
-/// "", or a sentence.
-std::string why_invalid(const SimulateOptions& options);
-/// All of them, a line each.
+/// Returns an error sentence, or "" if the options are valid.
+std::string validation_error(const SimulateOptions& options);
+/// Returns all options as text, one per line.
 std::string text_of(const SimulateOptions& options);
-/// What is taken for true of every plan, a sentence each.
+/// Returns the assumptions made for every plan, one sentence each.
 std::vector<std::string> assumptions(const SimulateOptions& options);
 
-// What the engine is told of every contact [DexGraspBench's, softness 0.1 mm at 30 N].
+// Contact parameters of the engine [DexGraspBench's, softness 0.1 mm at 30 N].
 inline constexpr const char* kContactSolref = "0.005 1";
 inline constexpr const char* kContactSolimp = "0.5 0.99 0.0001";
-// Torsion and rolling with elliptic cones: with pyramids a block is dropped that Coulomb holds.
+// Torsion and rolling with elliptic cones: with pyramidal cones, a block is dropped that Coulomb
+// friction holds.
 inline constexpr int kImpratio = 10, kNoslipIterations = 5;
-inline constexpr double kRolling_m = 0.001;
-/// Of the target on what it stands on: it neither helps nor hinders what is tested.
+inline constexpr double kRollingFriction_m = 0.001;
+/// Friction between the target and its support, which should neither help nor hinder the test.
 inline constexpr double kSupportFriction = 0.5;
-// What lifts a hand without an arm [N/m, N s/m]: it gives way by 0.1 mm under 2 kg.
-inline constexpr double kBaseStiffness = 2e5, kBaseResistance = 2e3;
-// Couplings are as stiff as the step bears.
+// The servo that lifts a hand without an arm [N/m, N s/m]; it yields by 0.1 mm under 2 kg.
+inline constexpr double kBaseStiffness = 2e5, kBaseVelocityGain = 2e3;
+// Couplings are as stiff as the time step permits.
 inline constexpr const char* kCouplingSolref = "0.004 1";
 inline constexpr const char* kCouplingSolimp = "0.95 0.99 0.001";
 
-// The protocol.
-inline constexpr double kClose_s = 0.5, kSqueeze_s = 0.5, kSettle_s = 0.3;
-inline constexpr double kLift_m = 0.1, kLift_s = 1, kHold_s = 5;
-inline constexpr double kSagTime_s = 1;              ///< then nothing may move any more
-inline constexpr double kRamp_s = 0.2, kLoad_s = 5;  ///< of the six directions
-inline constexpr double kGravity = 9.81;             ///< [m/s^2]
-inline constexpr double kPushed_m = 0.01;            ///< farther before it is held: it failed
-/// Farther from the written trajectory a failure is the servos' [degrees, or mm of what slides].
-inline constexpr double kArmAstray = 1, kHandAstray = 5;
-inline constexpr double kCreep_m = 0.001, kCreep_deg = 1;    ///< while it is held
-inline constexpr double kMotion_m = 0.02, kMotion_deg = 25;  ///< in all, in the palm's frame
+// The test protocol.
+inline constexpr double kClosingTime_s = 0.5, kForceRampTime_s = 0.5, kSettle_s = 0.3;
+inline constexpr double kLiftHeight_m = 0.1, kLiftTime_s = 1, kHold_s = 5;
+/// settling time under load; then the target must not move [s]
+inline constexpr double kDroopTime_s = 1;
+inline constexpr double kLoadRampTime_s = 0.2, kLoadTime_s = 5;  ///< for each of the six directions
+/// displacement before the grasp above which the rollout fails
+inline constexpr double kMaxPregraspDisplacement_m = 0.01;
+/// Tracking error above which a failure is attributed to the servos [degrees, or mm for prismatic
+/// joints].
+inline constexpr double kArmTrackingTolerance_deg = 1, kHandTrackingTolerance_deg = 5;
+inline constexpr double kMaxDrift_m = 0.001, kMaxDrift_deg = 1;  ///< while the target is held
+/// total, in the palm's frame
+inline constexpr double kMaxInHandDisplacement_m = 0.02, kMaxInHandDisplacement_deg = 25;
 
-// The ensemble.
-inline constexpr double kFactor = 0.2;  ///< friction, torsion and mass, 1 more or less
-inline constexpr double kShift_m = 0.002, kTurn_deg = 2;
+// The ensemble's variations.
+/// relative variation of friction, torsion and mass
+inline constexpr double kVariationShare = 0.2;
+inline constexpr double kTargetShift_m = 0.002, kTargetTurn_deg = 2;
 
 }  // namespace morphe::simulate

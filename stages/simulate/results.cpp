@@ -22,39 +22,42 @@ constexpr const char* kFormat = "morphe-simulation";
 constexpr int kVersion = 1;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-/// Newtons: those that no squeeze is enough for are infinite.
+/// Reads a force [N]; null stands for infinity, for loads that no squeeze supports.
 double newtons_of(const Json& json) { return json.is_null() ? kInfinity : json.get<double>(); }
-double value_of(const Json& json) { return json.is_null() ? kNotSeen : json.get<double>(); }
+double value_of(const Json& json) { return json.is_null() ? kUnknown : json.get<double>(); }
 
 Json json_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
-double at(const Json& json, const char* key) { return json.at(key).get<double>(); }
+double number_at(const Json& json, const char* key) { return json.at(key).get<double>(); }
 
 Vec3 vector_of(const Json& json) {
   const auto values = json.get<std::array<double, 3>>();
   return Vec3(values[0], values[1], values[2]);
 }
 
-Json json_of(const Way& way) { return {{"m", way.distance_m}, {"deg", way.angle_deg}}; }
-Way way_of(const Json& json) { return {at(json, "m"), at(json, "deg")}; }
+Json json_of(const Displacement& way) { return {{"m", way.distance_m}, {"deg", way.angle_deg}}; }
+Displacement way_of(const Json& json) { return {number_at(json, "m"), number_at(json, "deg")}; }
 
-Json json_of(const Holding& holding) {
-  return {{"failure", name_of(holding.failure)}, {"detail", holding.detail},
-          {"sag", json_of(holding.sag)},         {"creep", json_of(holding.creep)},
-          {"largest", json_of(holding.largest)}, {"slip_m", holding.slip_m},
-          {"needed_N", number(holding.needed_N)}};
+Json json_of(const HoldResult& holding) {
+  return {{"failure", name_of(holding.failure)},
+          {"detail", holding.detail},
+          {"droop", json_of(holding.droop)},
+          {"drift", json_of(holding.drift)},
+          {"in_hand_displacement", json_of(holding.in_hand_displacement)},
+          {"slip_m", holding.slip_m},
+          {"required_force_N", number(holding.required_force_N)}};
 }
 
-Holding holding_of(const Json& json) {
-  return {named<Failure>(json.at("failure").get<std::string>()).value(),
+HoldResult holding_of(const Json& json) {
+  return {enum_from_name<Failure>(json.at("failure").get<std::string>()).value(),
           json.at("detail").get<std::string>(),
-          way_of(json.at("sag")),
-          way_of(json.at("creep")),
-          way_of(json.at("largest")),
-          at(json, "slip_m"),
-          newtons_of(json.at("needed_N"))};
+          way_of(json.at("droop")),
+          way_of(json.at("drift")),
+          way_of(json.at("in_hand_displacement")),
+          number_at(json, "slip_m"),
+          newtons_of(json.at("required_force_N"))};
 }
 
-/// The matrix, row by row: a quaternion would not give its last digits back.
+/// Returns the matrix, row by row, because a quaternion would not restore the last digits.
 Json json_of(const Pose& pose) {
   Json rows = Json::array();
   for (Eigen::Index r = 0; r < 4; ++r) {
@@ -78,40 +81,40 @@ Pose pose_of(const Json& json) {
 Json json_of(const Rollout& rollout) {
   const Variation& varied = rollout.variation;
   Json directions = Json::array();
-  for (const Holding& holding : rollout.directions) directions.push_back(json_of(holding));
+  for (const HoldResult& holding : rollout.load_directions) directions.push_back(json_of(holding));
   return {{"friction", varied.friction},
-          {"torsion_m", varied.torsion_m},
+          {"torsional_friction_m", varied.torsional_friction_m},
           {"mass_kg", varied.mass_kg},
-          {"target", json_of(varied.base_from_target)},
+          {"base_from_target", json_of(varied.base_from_target)},
           {"arm_error", rollout.arm_error},
           {"hand_error", rollout.hand_error},
           {"contact_s", number(rollout.contact_s)},
-          {"pushed", json_of(rollout.pushed)},
-          {"torque_share", rollout.torque_share},
-          {"given_N", rollout.given_N},
-          {"needed_worst_N", number(rollout.needed_worst_N)},
-          {"needed_down_N", number(rollout.needed_down_N)},
-          {"pressed_N", rollout.pressed_N},
+          {"pregrasp_displacement", json_of(rollout.pregrasp_displacement)},
+          {"torque_ratio", rollout.torque_ratio},
+          {"commanded_force_N", rollout.commanded_force_N},
+          {"required_force_worst_N", number(rollout.required_force_worst_N)},
+          {"required_force_gravity_N", number(rollout.required_force_gravity_N)},
+          {"measured_force_N", rollout.measured_force_N},
           {"lift", json_of(rollout.lift)},
-          {"directions", directions}};
+          {"load_directions", directions}};
 }
 
 Rollout rollout_of(const Json& json) {
   Rollout rollout;
-  rollout.variation = {at(json, "friction"), at(json, "torsion_m"), at(json, "mass_kg"),
-                       pose_of(json.at("target"))};
-  rollout.arm_error = at(json, "arm_error");
-  rollout.hand_error = at(json, "hand_error");
+  rollout.variation = {number_at(json, "friction"), number_at(json, "torsional_friction_m"),
+                       number_at(json, "mass_kg"), pose_of(json.at("base_from_target"))};
+  rollout.arm_error = number_at(json, "arm_error");
+  rollout.hand_error = number_at(json, "hand_error");
   rollout.contact_s = value_of(json.at("contact_s"));
-  rollout.pushed = way_of(json.at("pushed"));
-  rollout.torque_share = at(json, "torque_share");
-  rollout.given_N = at(json, "given_N");
-  rollout.needed_worst_N = newtons_of(json.at("needed_worst_N"));
-  rollout.needed_down_N = newtons_of(json.at("needed_down_N"));
-  rollout.pressed_N = json.at("pressed_N").get<std::vector<double>>();
+  rollout.pregrasp_displacement = way_of(json.at("pregrasp_displacement"));
+  rollout.torque_ratio = number_at(json, "torque_ratio");
+  rollout.commanded_force_N = number_at(json, "commanded_force_N");
+  rollout.required_force_worst_N = newtons_of(json.at("required_force_worst_N"));
+  rollout.required_force_gravity_N = newtons_of(json.at("required_force_gravity_N"));
+  rollout.measured_force_N = json.at("measured_force_N").get<std::vector<double>>();
   rollout.lift = holding_of(json.at("lift"));
-  for (const Json& holding : json.at("directions"))
-    rollout.directions.push_back(holding_of(holding));
+  for (const Json& holding : json.at("load_directions"))
+    rollout.load_directions.push_back(holding_of(holding));
   return rollout;
 }
 
@@ -119,17 +122,20 @@ PlanResult result_of(const Json& json) {
   PlanResult result;
   result.plan = json.at("plan").get<std::string>();
   result.plan_sha256 = json.at("plan_sha256").get<std::string>();
-  result.unfit = named<Unfit>(json.at("unfit").get<std::string>()).value();
+  result.skip_reason =
+      enum_from_name<SkipReason>(json.at("skip_reason").get<std::string>()).value();
   result.detail = json.at("detail").get<std::string>();
   result.notes = json.at("notes").get<std::vector<std::string>>();
-  for (const Json& press : json.at("presses")) {
+  for (const Json& press : json.at("finger_forces")) {
     result.tips.push_back(press.at("tip_name").get<std::string>());
-    result.presses.push_back({press.at("tip").get<std::size_t>(), vector_of(press.at("point")),
-                              vector_of(press.at("inward")), at(press, "force_N"),
-                              vector_of(press.at("aside"))});
+    result.finger_forces.push_back({press.at("tip").get<std::size_t>(),
+                                    vector_of(press.at("point")), vector_of(press.at("normal")),
+                                    number_at(press, "force_N"),
+                                    vector_of(press.at("friction_force_N"))});
   }
-  result.planned_squeeze = json.at("squeeze") == "plan";
-  result.force_share = at(json, "force_share");
+  result.contact_source =
+      enum_from_name<ContactSource>(json.at("contact_source").get<std::string>()).value();
+  result.force_scale = number_at(json, "force_scale");
   result.planned_contact_s = value_of(json.at("planned_contact_s"));
   for (const Json& rollout : json.at("rollouts")) result.rollouts.push_back(rollout_of(rollout));
   return result;
@@ -139,8 +145,8 @@ double largest_of(const std::vector<double>& values) {
   return values.empty() ? 0 : *std::ranges::max_element(values);
 }
 
-/// Quoted where it must be (RFC 4180).
-std::string cell(const std::string& text) {
+/// Returns the text quoted if necessary (RFC 4180).
+std::string csv_cell(const std::string& text) {
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
@@ -151,15 +157,15 @@ std::string cell(const std::string& text) {
 
 std::string result_json(const PlanResult& result, const SimulateOptions& options,
                         const std::string& key) {
-  Json presses = Json::array(), rollouts = Json::array();
-  for (std::size_t k = 0; k < result.presses.size(); ++k) {
-    const Press& press = result.presses[k];
-    presses.push_back({{"tip", press.tip},
-                       {"tip_name", result.tips[k]},
-                       {"point", json_of(press.point)},
-                       {"inward", json_of(press.inward)},
-                       {"force_N", press.force_N},
-                       {"aside", json_of(press.aside)}});
+  Json finger_forces = Json::array(), rollouts = Json::array();
+  for (std::size_t k = 0; k < result.finger_forces.size(); ++k) {
+    const FingerForce& press = result.finger_forces[k];
+    finger_forces.push_back({{"tip", press.tip},
+                             {"tip_name", result.tips[k]},
+                             {"point", json_of(press.point)},
+                             {"normal", json_of(press.normal)},
+                             {"force_N", press.force_N},
+                             {"friction_force_N", json_of(press.friction_force_N)}});
   }
   for (const Rollout& rollout : result.rollouts) rollouts.push_back(json_of(rollout));
   Json settings;
@@ -168,19 +174,19 @@ std::string result_json(const PlanResult& result, const SimulateOptions& options
   const Json json = {{"format", kFormat},
                      {"version", kVersion},
                      {"software", software()},
-                     {"engine", physics::engine()},
-                     {"key", key},
+                     {"engine", physics::engine_version()},
+                     {"input_sha256", key},
                      {"options", settings},
-                     {"assumed", assumptions(options)},
+                     {"assumptions", assumptions(options)},
                      {"plan", result.plan},
                      {"plan_sha256", result.plan_sha256},
-                     {"unfit", name_of(result.unfit)},
+                     {"skip_reason", name_of(result.skip_reason)},
                      {"detail", result.detail},
                      {"notes", result.notes},
-                     {"held", result.held()},
-                     {"presses", presses},
-                     {"squeeze", result.planned_squeeze ? "plan" : "nearest"},
-                     {"force_share", result.force_share},
+                     {"held", result.held_count()},
+                     {"finger_forces", finger_forces},
+                     {"contact_source", name_of(result.contact_source)},
+                     {"force_scale", result.force_scale},
                      {"planned_contact_s", number(result.planned_contact_s)},
                      {"rollouts", rollouts}};
   return json.dump(1) + "\n";
@@ -192,14 +198,15 @@ std::optional<PlanResult> read_result(const std::filesystem::path& file, const s
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   try {
     const Json json = Json::parse(text);
-    if (json.at("key") != key) return std::nullopt;
+    if (json.at("input_sha256") != key) return std::nullopt;
     return result_of(json);
-  } catch (const std::exception&) {  // of another version, or not ours: it is made anew
+    // written by another version or by another program, to be recomputed
+  } catch (const std::exception&) {
     return std::nullopt;
   }
 }
 
-StoredResult stored_result(const std::filesystem::path& file) {
+StoredResult load_result(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   try {
@@ -213,38 +220,41 @@ StoredResult stored_result(const std::filesystem::path& file) {
   }
 }
 
-std::string csv_head() {
-  return "plan,rollout,held,failure,friction,torsion_m,mass_kg,arm_error_deg,hand_error_deg,"
-         "contact_s,planned_contact_s,pushed_m,pushed_deg,sag_m,sag_deg,slip_m,creep_m,creep_deg,"
-         "largest_m,largest_deg,torque_share,squeeze,needed_worst_N,needed_down_N,needed_lift_N,"
-         "given_N,pressed_N,foretold,directions\n";
+std::string csv_header() {
+  return "plan,rollout,held,failure,friction,torsional_friction_m,mass_kg,arm_error_deg,"
+         "hand_error_deg,contact_s,planned_contact_s,pregrasp_displacement_m,"
+         "pregrasp_displacement_deg,droop_m,droop_deg,slip_m,drift_m,drift_deg,"
+         "in_hand_displacement_m,in_hand_displacement_deg,torque_ratio,contact_source,"
+         "required_force_worst_N,required_force_gravity_N,required_force_lift_N,"
+         "commanded_force_N,measured_force_N,predicted_held,load_directions\n";
 }
 
 std::string csv_rows(const PlanResult& result) {
   std::string rows;
-  const std::string plan = cell(result.plan);
+  const std::string plan = csv_cell(result.plan);
   for (std::size_t k = 0; k < result.rollouts.size(); ++k) {
     const Rollout& one = result.rollouts[k];
-    const Holding& lift = one.lift;
+    const HoldResult& lift = one.lift;
     std::string directions;
-    for (const Holding& holding : one.directions)
+    for (const HoldResult& holding : one.load_directions)
       directions += fmt::format("{}{}", directions.empty() ? "" : " ", name_of(holding.failure));
     fmt::format_to(
         std::back_inserter(rows),
         "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},"
         "{}\n",
-        plan, k, lift.held() ? 1 : 0, name_of(lift.failure), one.variation.friction,
-        one.variation.torsion_m, one.variation.mass_kg, one.arm_error, one.hand_error,
-        one.contact_s, result.planned_contact_s, one.pushed.distance_m, one.pushed.angle_deg,
-        lift.sag.distance_m, lift.sag.angle_deg, lift.slip_m, lift.creep.distance_m,
-        lift.creep.angle_deg, lift.largest.distance_m, lift.largest.angle_deg, one.torque_share,
-        result.planned_squeeze ? "plan" : "nearest", one.needed_worst_N, one.needed_down_N,
-        lift.needed_N, one.given_N, largest_of(one.pressed_N), one.foretold(lift) ? 1 : 0,
-        directions);
+        plan, k, lift.is_held() ? 1 : 0, name_of(lift.failure), one.variation.friction,
+        one.variation.torsional_friction_m, one.variation.mass_kg, one.arm_error, one.hand_error,
+        one.contact_s, result.planned_contact_s, one.pregrasp_displacement.distance_m,
+        one.pregrasp_displacement.angle_deg, lift.droop.distance_m, lift.droop.angle_deg,
+        lift.slip_m, lift.drift.distance_m, lift.drift.angle_deg,
+        lift.in_hand_displacement.distance_m, lift.in_hand_displacement.angle_deg, one.torque_ratio,
+        name_of(result.contact_source), one.required_force_worst_N, one.required_force_gravity_N,
+        lift.required_force_N, one.commanded_force_N, largest_of(one.measured_force_N),
+        one.predicts_hold(lift) ? 1 : 0, directions);
   }
   if (result.rollouts.empty()) {
-    // As many empty cells as there are columns beside the plan, the rollout and the two verdicts.
-    rows = fmt::format("{},,0,{}{}\n", plan, name_of(result.unfit), std::string(25, ','));
+    // As many empty cells as there are columns besides plan, rollout and the two verdicts.
+    rows = fmt::format("{},,0,{}{}\n", plan, name_of(result.skip_reason), std::string(25, ','));
   }
   return rows;
 }

@@ -8,22 +8,24 @@
 
 namespace morphe::simulate {
 
-/// A plan's file (docs/formats.md): format "morphe-simulation". Reading gives every number back.
+/// Returns the content of a plan's result file (docs/formats.md), in the format
+/// "morphe-simulation". Reading it restores every number exactly.
 std::string result_json(const PlanResult& result, const SimulateOptions& options,
                         const std::string& key);
-/// None unless the file is there, whole and of that key.
+/// Reads a result file; nullopt unless the file exists, is complete and has that key.
 std::optional<PlanResult> read_result(const std::filesystem::path& file, const std::string& key);
 
-/// A plan's file, for those who show it.
+/// The content of a plan's result file, for display.
 struct StoredResult {
   PlanResult result;
   std::string engine;
 };
-/// InputError: it is no such file.
-StoredResult stored_result(const std::filesystem::path& file);
+/// Reads a result file for display. Throws InputError if it is not a valid result file.
+StoredResult load_result(const std::filesystem::path& file);
 
-/// simulation.csv: a line a rollout, below this head.
-std::string csv_head();
+/// Returns the head line of simulation.csv.
+std::string csv_header();
+/// Returns the rows of a plan in simulation.csv, one line per rollout.
 std::string csv_rows(const PlanResult& result);
 
 }  // namespace morphe::simulate

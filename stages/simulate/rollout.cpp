@@ -6,123 +6,125 @@
 
 #include "core/physics/state.hpp"
 #include "core/robot/tree.hpp"
-#include "stages/simulate/lift.hpp"
-#include "stages/simulate/newtons.hpp"
-#include "stages/simulate/watch.hpp"
+#include "stages/simulate/force_prediction.hpp"
+#include "stages/simulate/hold_monitor.hpp"
+#include "stages/simulate/plan_lift.hpp"
 
 namespace morphe::simulate {
 namespace {
 
-constexpr Eigen::Index kLook = 5;   ///< steps from one look at the target to the next
-constexpr double kAtLimit = 0.999;  ///< of a motor's torque
+/// number of steps between two evaluations of the target
+constexpr Eigen::Index kMonitorIntervalSteps = 5;
+constexpr double kTorqueLimitRatio = 0.999;  ///< share of a motor's torque limit
 
-/// Of a hand's base, as lift() has the palm.
-double base_height(const Program& program, Eigen::Index row) {
-  const double done = static_cast<double>(row + 1 - program.squeezed) /
-                      static_cast<double>(program.lifted - program.squeezed);
-  return kLift_m * minimum_jerk(std::clamp(done, 0.0, 1.0));
+/// Returns the height of a hand's base, along the same curve as the palm's in plan_lift().
+double base_height(const ServoCommands& program, Eigen::Index row) {
+  const double done = static_cast<double>(row + 1 - program.grasp_end) /
+                      static_cast<double>(program.lift_end - program.grasp_end);
+  return kLiftHeight_m * minimum_jerk(std::clamp(done, 0.0, 1.0));
 }
 
-/// A model with its state, moved by rows of a program.
+/// A model and its state, driven by the rows of a program.
 class Simulation {
  public:
   Simulation(const PreparedPlan& plan, const Variation& variation, const SimulateOptions& options,
-             Around around)
+             Environment around)
       : plan_(plan),
-        model_(model_text(plan.world, variation, options, around)),
+        model_(mjcf_text(plan.world, variation, options, around)),
         parts_(model_, *plan.robot, plan.world.lifts_base),
         state_(model_),
         motor_frames_(motor_frames(*plan.robot)) {}
 
   void start() {
-    const RobotTable& robot = *plan_.robot;
+    const RobotModel& robot = *plan_.robot;
     for (std::size_t f = 0; f < robot.frames.size(); ++f) {
-      const RobotTable::Frame& frame = robot.frames[f];
+      const RobotModel::Frame& frame = robot.frames[f];
       if (frame.joint >= 0)
         state_.set_joint(parts_.joints[f],
                          frame.ratio * plan_.program.start[frame.joint] + frame.offset);
     }
-    state_.pose();
+    state_.update_poses();
   }
 
   std::optional<std::string> step(Eigen::Index row) {
     for (std::size_t j = 0; j < parts_.motors.size(); ++j) {
-      const RobotTable::Frame& motor = motor_of(j);
+      const RobotModel::Frame& motor = motor_of(j);
       const double q = plan_.program.control(row, static_cast<Eigen::Index>(j));
       state_.set_control(parts_.motors[j], motor.ratio * q + motor.offset);
     }
-    carry_acceleration(row);
+    set_feedforward_acceleration(row);
     if (parts_.base_motor >= 0)
       state_.set_control(parts_.base_motor, base_height(plan_.program, row));
     const std::optional<std::string> wrong = state_.step();
-    if (!wrong) note_torques();
+    if (!wrong) update_torque_ratio();
     return wrong;
   }
 
   double position(std::size_t joint) const {
-    const RobotTable::Frame& motor = motor_of(joint);
+    const RobotModel::Frame& motor = motor_of(joint);
     const int number = parts_.joints[static_cast<std::size_t>(motor_frames_[joint])];
     return (state_.joint(number) - motor.offset) / motor.ratio;
   }
 
   Pose target() const { return state_.body(parts_.target_body); }
   physics::State& state() { return state_; }
-  const Parts& parts() const { return parts_; }
-  double torque_share() const { return torque_share_; }
+  const ModelIds& parts() const { return parts_; }
+  double torque_ratio() const { return torque_ratio_; }
   bool finger_at_limit() const { return finger_at_limit_; }
-  const RobotTable::Frame& motor_of(std::size_t joint) const {
+  const RobotModel::Frame& motor_of(std::size_t joint) const {
     return plan_.robot->frames[static_cast<std::size_t>(motor_frames_[joint])];
   }
 
  private:
-  void carry_acceleration(Eigen::Index row) {
-    if (row > plan_.program.followed) return;  // what is set once stays
-    const RobotTable& robot = *plan_.robot;
+  void set_feedforward_acceleration(Eigen::Index row) {
+    if (row > plan_.program.tracking_end) return;  // targets remain constant once set
+    const RobotModel& robot = *plan_.robot;
     for (std::size_t f = 0; f < robot.frames.size(); ++f) {
-      const RobotTable::Frame& frame = robot.frames[f];
+      const RobotModel::Frame& frame = robot.frames[f];
       if (frame.joint < 0) continue;
       const double joint =
-          row < plan_.program.followed ? plan_.program.acceleration(row, frame.joint) : 0;
+          row < plan_.program.tracking_end ? plan_.program.acceleration(row, frame.joint) : 0;
       state_.set_acceleration(parts_.joints[f], frame.ratio * joint);
     }
   }
 
-  void note_torques() {
+  void update_torque_ratio() {
     finger_at_limit_ = false;
     for (std::size_t j = 0; j < parts_.motors.size(); ++j) {
-      const double limit = plan_.world.servos[j].torque;
-      torque_share_ = std::max(torque_share_, std::abs(state_.given(parts_.motors[j])) / limit);
+      const double limit = plan_.world.servos[j].torque_limit;
+      torque_ratio_ =
+          std::max(torque_ratio_, std::abs(state_.applied_force(parts_.motors[j])) / limit);
       if (std::ranges::count(plan_.robot->arm_joints, static_cast<int>(j)) > 0) continue;
-      finger_at_limit_ =
-          finger_at_limit_ || std::abs(state_.asked(parts_.motors[j])) >= kAtLimit * limit;
+      finger_at_limit_ = finger_at_limit_ || std::abs(state_.commanded_force(parts_.motors[j])) >=
+                                                 kTorqueLimitRatio * limit;
     }
   }
 
   const PreparedPlan& plan_;
   physics::Model model_;
-  Parts parts_;
+  ModelIds parts_;
   physics::State state_;
   std::vector<int> motor_frames_;
-  double torque_share_ = 0;
+  double torque_ratio_ = 0;
   bool finger_at_limit_ = false;
 };
 
-Holding broken(const std::string& words) {
-  Holding holding;
-  holding.failure = Failure::engine;
+HoldResult engine_failure(const std::string& words) {
+  HoldResult holding;
+  holding.failure = Failure::engine_error;
   holding.detail = words;
   return holding;
 }
 
-/// Degrees, or mm of a joint that slides.
-void note_tracking(const PreparedPlan& plan, const Simulation& simulation, Eigen::Index row,
-                   Rollout& rollout) {
+/// Updates the largest tracking errors [degrees, or mm for a prismatic joint].
+void update_tracking_error(const PreparedPlan& plan, const Simulation& simulation, Eigen::Index row,
+                           Rollout& rollout) {
   const robot::Robot& robot = *plan.robot;
   for (std::size_t j = 0; j < robot.joints(); ++j) {
     const bool slides = simulation.motor_of(j).slides;
     const double error = std::abs(simulation.position(j) -
                                   plan.program.reference(row, static_cast<Eigen::Index>(j))) *
-                         (slides ? 1000 : 1 / kDegree);
+                         (slides ? 1000 : 1 / kRadPerDegree);
     double& largest = std::ranges::count(robot.arm_joints, static_cast<int>(j)) > 0
                           ? rollout.arm_error
                           : rollout.hand_error;
@@ -130,16 +132,17 @@ void note_tracking(const PreparedPlan& plan, const Simulation& simulation, Eigen
   }
 }
 
-/// Along the normal, by the last link of each press's finger.
-std::vector<double> pressed(const PreparedPlan& plan, const std::vector<Grip>& grips) {
-  const RobotTable& robot = *plan.robot;
+/// Returns the normal force of the last link of each pressing finger.
+std::vector<double> measured_forces(const PreparedPlan& plan,
+                                    const std::vector<TargetContact>& grips) {
+  const RobotModel& robot = *plan.robot;
   std::vector<double> forces;
-  for (const Press& press : plan.squeeze.presses) {
-    const int link = robot::body_of(robot, robot.tips[press.tip].frame);
+  for (const FingerForce& press : plan.squeeze.finger_forces) {
+    const int link = robot::moving_frame_of(robot, robot.tips[press.tip].frame);
     double force = 0;
-    for (const Grip& grip : grips) {
-      if (robot::body_of(robot, robot.capsules[static_cast<std::size_t>(grip.capsule)].frame) ==
-          link)
+    for (const TargetContact& grip : grips) {
+      if (robot::moving_frame_of(
+              robot, robot.capsules[static_cast<std::size_t>(grip.capsule)].frame) == link)
         force += grip.force_N;
     }
     forces.push_back(force);
@@ -147,104 +150,114 @@ std::vector<double> pressed(const PreparedPlan& plan, const std::vector<Grip>& g
   return forces;
 }
 
-bool astray(const Rollout& rollout) {
-  return rollout.arm_error > kArmAstray || rollout.hand_error > kHandAstray;
+bool exceeds_tracking_tolerance(const Rollout& rollout) {
+  return rollout.arm_error > kArmTrackingTolerance_deg ||
+         rollout.hand_error > kHandTrackingTolerance_deg;
 }
 
-/// Why the hand has no hold of the target, if it has none.
-Failure why_not_taken(const Rollout& rollout, bool knocked, bool opposed) {
-  const bool pushed = rollout.pushed.distance_m > kPushed_m;
-  if (!pushed && opposed) return Failure::none;
-  if (astray(rollout)) return Failure::tracking;
-  if (knocked) return Failure::knocked;
-  if (pushed) return Failure::pushed;
-  return std::isnan(rollout.contact_s) ? Failure::not_touched : Failure::no_contact;
+/// Returns the reason for which the hand has not grasped the target, if there is one.
+Failure grasp_failure(const Rollout& rollout, bool displaced_before, bool opposed) {
+  const bool displaced = rollout.pregrasp_displacement.distance_m > kMaxPregraspDisplacement_m;
+  if (!displaced && opposed) return Failure::none;
+  if (exceeds_tracking_tolerance(rollout)) return Failure::tracking_error;
+  if (displaced_before) return Failure::displaced_before_closing;
+  if (displaced) return Failure::displaced_while_closing;
+  return std::isnan(rollout.contact_s) ? Failure::no_touch : Failure::no_opposing_contacts;
 }
 
-/// The trajectory and the squeeze. False: it ends here, and why is in `lift`.
-bool take_hold(const PreparedPlan& plan, const SimulateOptions& options, Simulation& simulation,
-               Rollout& rollout) {
-  std::vector<physics::Touch> touches;
+/// Executes the trajectory and the squeeze. Returns false if the rollout ends here, with the reason
+/// in `lift`.
+bool execute_grasp(const PreparedPlan& plan, const SimulateOptions& options, Simulation& simulation,
+                   Rollout& rollout) {
+  std::vector<physics::GeomContact> touches;
   const Pose placed = simulation.target();
-  bool knocked = false;
-  for (Eigen::Index row = 0; row < plan.program.squeezed; ++row) {
+  bool displaced_before = false;
+  for (Eigen::Index row = 0; row < plan.program.grasp_end; ++row) {
     if (const auto wrong = simulation.step(row)) {
-      rollout.lift = broken(*wrong);
+      rollout.lift = engine_failure(*wrong);
       return false;
     }
     if (std::isnan(rollout.contact_s)) {
-      if (!grips_of(simulation.state(), simulation.parts(), touches).empty())
+      if (!target_contacts(simulation.state(), simulation.parts(), touches).empty())
         rollout.contact_s = static_cast<double>(row + 1) * options.step_s;
-      else if (row < plan.program.followed)
-        note_tracking(plan, simulation, row, rollout);
+      else if (row < plan.program.tracking_end)
+        update_tracking_error(plan, simulation, row, rollout);
     }
-    const Way way = way_between(placed, simulation.target());
-    rollout.pushed.distance_m = std::max(rollout.pushed.distance_m, way.distance_m);
-    rollout.pushed.angle_deg = std::max(rollout.pushed.angle_deg, way.angle_deg);
-    if (row + 1 == plan.program.followed) knocked = rollout.pushed.distance_m > kPushed_m;
+    const Displacement way = displacement_between(placed, simulation.target());
+    rollout.pregrasp_displacement.distance_m =
+        std::max(rollout.pregrasp_displacement.distance_m, way.distance_m);
+    rollout.pregrasp_displacement.angle_deg =
+        std::max(rollout.pregrasp_displacement.angle_deg, way.angle_deg);
+    if (row + 1 == plan.program.tracking_end)
+      displaced_before = rollout.pregrasp_displacement.distance_m > kMaxPregraspDisplacement_m;
   }
-  const std::vector<Grip> grips = grips_of(simulation.state(), simulation.parts(), touches);
-  rollout.pressed_N = pressed(plan, grips);
-  rollout.lift.failure = why_not_taken(rollout, knocked, opposed(grips));
-  return rollout.lift.held();
+  const std::vector<TargetContact> grips =
+      target_contacts(simulation.state(), simulation.parts(), touches);
+  rollout.measured_force_N = measured_forces(plan, grips);
+  rollout.lift.failure = grasp_failure(rollout, displaced_before, has_opposing_contacts(grips));
+  return rollout.lift.is_held();
 }
 
-Holding lift_and_hold(const PreparedPlan& plan, const SimulateOptions& options,
-                      Simulation& simulation) {
-  Watch watch(*plan.robot, simulation.parts(), simulation.state());
-  for (Eigen::Index row = plan.program.squeezed; row < plan.program.held; ++row) {
-    if (const auto wrong = simulation.step(row)) return broken(*wrong);
-    if ((row + 1) % kLook != 0 && row + 1 != plan.program.held) continue;
-    const double since_s = static_cast<double>(row + 1 - plan.program.lifted) * options.step_s;
-    watch.look(simulation.state(), since_s >= kSagTime_s, simulation.finger_at_limit());
+HoldResult lift_and_hold(const PreparedPlan& plan, const SimulateOptions& options,
+                         Simulation& simulation) {
+  HoldMonitor watch(*plan.robot, simulation.parts(), simulation.state());
+  for (Eigen::Index row = plan.program.grasp_end; row < plan.program.hold_end; ++row) {
+    if (const auto wrong = simulation.step(row)) return engine_failure(*wrong);
+    if ((row + 1) % kMonitorIntervalSteps != 0 && row + 1 != plan.program.hold_end) continue;
+    const double since_s = static_cast<double>(row + 1 - plan.program.lift_end) * options.step_s;
+    watch.update(simulation.state(), since_s >= kDroopTime_s, simulation.finger_at_limit());
     if (watch.failed()) break;
   }
-  return watch.verdict();
+  return watch.result();
 }
 
-/// The weight comes from one direction, in kRamp_s, and stays.
-Holding load(const PreparedPlan& plan, const Variation& variation, const SimulateOptions& options,
-             const physics::Snapshot& squeezed, const Vec3& direction, Simulation& simulation) {
+/// Applies the weight along one direction, ramped over kLoadRampTime_s and then constant.
+HoldResult apply_load(const PreparedPlan& plan, const Variation& variation,
+                      const SimulateOptions& options, const physics::Snapshot& squeezed,
+                      const Vec3& direction, Simulation& simulation) {
   simulation.state().restore(squeezed);
-  simulation.state().pose();
+  simulation.state().update_poses();
   simulation.state().restore(squeezed);
-  Watch watch(*plan.robot, simulation.parts(), simulation.state());
+  HoldMonitor watch(*plan.robot, simulation.parts(), simulation.state());
   const Vec3 weight =
-      variation.mass_kg * kGravity * (variation.base_from_target.linear() * direction);
-  const auto steps = static_cast<Eigen::Index>(std::llround(kLoad_s / options.step_s));
+      variation.mass_kg * kGravity_m_s2 * (variation.base_from_target.linear() * direction);
+  const auto steps = static_cast<Eigen::Index>(std::llround(kLoadTime_s / options.step_s));
   for (Eigen::Index k = 0; k < steps; ++k) {
     const double at_s = static_cast<double>(k + 1) * options.step_s;
-    simulation.state().push(simulation.parts().target_body, std::min(1.0, at_s / kRamp_s) * weight);
-    if (const auto wrong = simulation.step(plan.program.squeezed - 1)) return broken(*wrong);
-    if ((k + 1) % kLook != 0 && k + 1 != steps) continue;
-    watch.look(simulation.state(), at_s >= kRamp_s + kSagTime_s, simulation.finger_at_limit());
+    simulation.state().apply_force(simulation.parts().target_body,
+                                   std::min(1.0, at_s / kLoadRampTime_s) * weight);
+    if (const auto wrong = simulation.step(plan.program.grasp_end - 1))
+      return engine_failure(*wrong);
+    if ((k + 1) % kMonitorIntervalSteps != 0 && k + 1 != steps) continue;
+    watch.update(simulation.state(), at_s >= kLoadRampTime_s + kDroopTime_s,
+                 simulation.finger_at_limit());
     if (watch.failed()) break;
   }
-  return watch.verdict();
+  return watch.result();
 }
 
-std::vector<Holding> six_directions(const PreparedPlan& plan, const Variation& variation,
-                                    const SimulateOptions& options,
-                                    const physics::Snapshot& squeezed) {
-  std::vector<Holding> holdings;
+std::vector<HoldResult> test_six_directions(const PreparedPlan& plan, const Variation& variation,
+                                            const SimulateOptions& options,
+                                            const physics::Snapshot& squeezed) {
+  std::vector<HoldResult> holdings;
   for (int axis = 0; axis < 3; ++axis) {
     for (const double sign : {-1.0, 1.0}) {
-      Simulation simulation(plan, variation, options, Around::nothing);
+      Simulation simulation(plan, variation, options, Environment::none);
       holdings.push_back(
-          load(plan, variation, options, squeezed, sign * Vec3::Unit(axis), simulation));
+          apply_load(plan, variation, options, squeezed, sign * Vec3::Unit(axis), simulation));
     }
   }
   return holdings;
 }
 
-void foretell(const PreparedPlan& plan, Rollout& rollout) {
-  const Newtons newtons = newtons_of(plan, rollout.variation);
-  rollout.given_N = newtons.given;
-  rollout.needed_worst_N = newtons.worst;
-  rollout.needed_down_N = newtons.down;
-  rollout.lift.needed_N = newtons.lift;
-  for (std::size_t k = 0; k < rollout.directions.size(); ++k)
-    rollout.directions[k].needed_N = newtons.along[k];
+void add_predicted_forces(const PreparedPlan& plan, Rollout& rollout) {
+  const PredictedForces predicted = predict_forces(plan, rollout.variation);
+  rollout.commanded_force_N = predicted.commanded_N;
+  rollout.required_force_worst_N = predicted.worst_N;
+  rollout.required_force_gravity_N = predicted.gravity_N;
+  rollout.lift.required_force_N = predicted.lift_N;
+  for (std::size_t k = 0; k < rollout.load_directions.size(); ++k)
+    rollout.load_directions[k].required_force_N = predicted.along_axes_N[k];
 }
 
 }  // namespace
@@ -253,20 +266,20 @@ Rollout roll_out(const PreparedPlan& plan, const Variation& variation,
                  const SimulateOptions& options, bool directions) {
   Rollout rollout;
   rollout.variation = variation;
-  rollout.contact_s = kNotSeen;
+  rollout.contact_s = kUnknown;
   try {
-    Simulation simulation(plan, variation, options, Around::world);
+    Simulation simulation(plan, variation, options, Environment::scene);
     simulation.start();
-    const bool holds = take_hold(plan, options, simulation, rollout);
+    const bool holds = execute_grasp(plan, options, simulation, rollout);
     const physics::Snapshot squeezed = simulation.state().snapshot();
     if (holds) rollout.lift = lift_and_hold(plan, options, simulation);
-    rollout.torque_share = simulation.torque_share();
+    rollout.torque_ratio = simulation.torque_ratio();
     if (holds && directions)
-      rollout.directions = six_directions(plan, variation, options, squeezed);
+      rollout.load_directions = test_six_directions(plan, variation, options, squeezed);
   } catch (const physics::EngineError& error) {
-    rollout.lift = broken(error.what());
+    rollout.lift = engine_failure(error.what());
   }
-  foretell(plan, rollout);
+  add_predicted_forces(plan, rollout);
   return rollout;
 }
 

@@ -9,23 +9,23 @@
 
 namespace morphe::simulate {
 
-std::string why_invalid(const ServoGains& o) {
+std::string validation_error(const ServoGains& o) {
   const auto wrong = [](const std::optional<double>& value, bool may_be_zero) {
     return value && !(std::isfinite(*value) && (*value > 0 || (may_be_zero && *value == 0)));
   };
   if (wrong(o.stiffness, false)) return "stiffness must be above 0";
-  if (wrong(o.resistance, true)) return "resistance must not be negative";
+  if (wrong(o.velocity_gain, true)) return "velocity_gain must not be negative";
   if (wrong(o.armature, true)) return "armature must not be negative";
   if (wrong(o.damping, true)) return "damping must not be negative";
-  if (wrong(o.torque, false)) return "torque must be above 0";
+  if (wrong(o.torque_limit, false)) return "torque_limit must be above 0";
   return "";
 }
 
-ServoTable read_servos(const std::filesystem::path& file, const RobotTable& robot) {
+ServoTable read_servos(const std::filesystem::path& file, const RobotModel& robot) {
   const config::ConfigNode root = config::ConfigNode::load(file);
   root.expect_map();
   ServoTable table;
-  config::Problems problems;
+  config::ErrorList problems;
   for (const std::string& joint : root.keys()) {
     problems.attempt([&] {
       const config::ConfigNode node = root[joint];
@@ -36,8 +36,8 @@ ServoTable read_servos(const std::filesystem::path& file, const RobotTable& robo
       config::read_options(node, table[joint]);
     });
   }
-  if (problems.none()) root.add_unread(problems);
-  problems.throw_any();
+  if (problems.none()) root.report_unread_keys(problems);
+  problems.throw_if_any();
   return table;
 }
 

@@ -5,33 +5,35 @@
 #include <optional>
 #include <string>
 
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 
 namespace morphe::simulate {
 
-/// What a laboratory knows of a joint's servo (servos.hpp); what it does not say stays as it is.
+/// The known parameters of a joint's servo (servos.hpp); absent ones keep their defaults.
 struct ServoGains {
-  std::optional<double> stiffness, resistance;  ///< [N m/rad, N m s/rad], or [N/m, N s/m]
-  std::optional<double> armature, damping;      ///< [kg m^2, N m s/rad], or [kg, N s/m]
-  std::optional<double> torque;                 ///< limit [N m] or [N]
+  std::optional<double> stiffness, velocity_gain;  ///< [N m/rad, N m s/rad], or [N/m, N s/m]
+  std::optional<double> armature, damping;         ///< [kg m^2, N m s/rad], or [kg, N s/m]
+  std::optional<double> torque_limit;              ///< limit [N m] or [N]
 };
 template <class Fields>
 void fields(Fields& f, ServoGains& o) {
   f("stiffness", o.stiffness);
-  f("resistance", o.resistance);
+  f("velocity_gain", o.velocity_gain);
   f("armature", o.armature);
   f("damping", o.damping);
-  f("torque", o.torque);
+  f("torque_limit", o.torque_limit);
 }
-std::string why_invalid(const ServoGains& gains);
+/// Returns an error sentence, or "" if the gains are valid.
+std::string validation_error(const ServoGains& gains);
 
-using ServoTable = std::map<std::string, ServoGains>;  ///< by the joint's name
+using ServoTable = std::map<std::string, ServoGains>;  ///< by joint name
 
-/// A YAML file: joint: {stiffness: …, resistance: …, armature: …, damping: …, torque: …}, all of
-/// them optional. InputError: no such joint, no such key, a value that cannot be.
-ServoTable read_servos(const std::filesystem::path& file, const RobotTable& robot);
+/// Reads a YAML file: joint: {stiffness: …, velocity_gain: …, armature: …, damping: …,
+/// torque_limit: …}, all of them optional. Throws InputError for an unknown joint, an unknown key
+/// or an invalid value.
+ServoTable read_servos(const std::filesystem::path& file, const RobotModel& robot);
 
-/// "joint stiffness 12 …", a line a joint.
+/// Returns the table as text, "joint stiffness 12 …", one line per joint.
 std::string text_of(const ServoTable& table);
 
 }  // namespace morphe::simulate

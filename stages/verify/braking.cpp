@@ -6,11 +6,11 @@
 namespace morphe::verify {
 namespace {
 
-constexpr double kResolution = 1e-6;
-constexpr int kMostHalvings = 40, kMostParts = 2000;
+constexpr double kBrakingRatioResolution = 1e-6;
+constexpr int kMaxBisectionDepth = 40, kMaxBrakingBisections = 2000;
 
-/// Speed towards an end with so much way left to it.
-BrakingUse use_of(const RobotTable::BrakingCurve& curve, double speed, double way) {
+/// Computes the use of the braking curve at a speed towards an end that is `way` away.
+BrakingLimitUse braking_limit_use(const RobotModel::BrakingCurve& curve, double speed, double way) {
   const double root = std::sqrt(std::max(curve.slope * way, 0.0));
   const double left = std::max(root - curve.drop, 0.0);
   const double ratio = speed <= 0 ? 0 : left > 0 ? speed / left : HUGE_VAL;
@@ -21,19 +21,19 @@ struct Interval {
   double low, high;
 };
 
-/// Values of one direction: turned round for the lower end.
+/// The motion in one direction; the signs are reversed for the lower end.
 struct Direction {
   double sign, end;
-  Interval of(const Range& range) const {
+  Interval interval_of(const Range& range) const {
     return sign > 0 ? Interval{range.least.value, range.greatest.value}
                     : Interval{-range.greatest.value, -range.least.value};
   }
 };
 
-/// |d ratio / dt| is at most this over intervals of way, speed and acceleration: with u = root -
+/// Returns a bound of |d ratio / dt| over intervals of way, speed and acceleration: with u = root -
 /// drop, ratio = v / u and du/dt = -slope v / (2 root).
-double steepest(const RobotTable::BrakingCurve& curve, const Interval& way, const Interval& speed,
-                const Interval& acceleration) {
+double max_ratio_rate(const RobotModel::BrakingCurve& curve, const Interval& way,
+                      const Interval& speed, const Interval& acceleration) {
   const double root_low = std::sqrt(std::max(curve.slope * way.low, 0.0));
   const double root_high = std::sqrt(std::max(curve.slope * way.high, 0.0));
   const double low = root_low - curve.drop, high = root_high - curve.drop;
@@ -45,22 +45,23 @@ double steepest(const RobotTable::BrakingCurve& curve, const Interval& way, cons
   return std::max(std::abs(least), std::abs(most)) / (low * low);
 }
 
-void search(const RobotTable::BrakingCurve& curve, const Quintic& quintic, const Direction& towards,
-            double a, double b, int halvings, int& parts, BrakingUse& worst) {
+void search(const RobotModel::BrakingCurve& curve, const Quintic& quintic, const Direction& towards,
+            double a, double b, int halvings, int& parts, BrakingLimitUse& worst) {
   const double middle = 0.5 * (a + b);
-  BrakingUse here = use_of(curve, towards.sign * derivative(quintic, 1, middle),
-                           towards.sign * (towards.end - derivative(quintic, 0, middle)));
+  BrakingLimitUse here =
+      braking_limit_use(curve, towards.sign * derivative(quintic, 1, middle),
+                        towards.sign * (towards.end - derivative(quintic, 0, middle)));
   here.s = middle;
   if (here.ratio > worst.ratio) worst = here;
   const auto over = ranges(quintic, a, b);
-  const Interval q = towards.of(over[0]), speed = towards.of(over[1]);
+  const Interval q = towards.interval_of(over[0]), speed = towards.interval_of(over[1]);
   const double end = towards.sign * towards.end;
-  const Interval way{end - q.high, end - q.low};
+  const Interval distance_to_end{end - q.high, end - q.low};
   const double half_s = 0.5 * (b - a) * quintic.step_s;
-  const double bound =
-      std::min(use_of(curve, speed.high, way.low).ratio,
-               here.ratio + half_s * steepest(curve, way, speed, towards.of(over[2])));
-  if (halvings == 0 || !(bound > worst.ratio * (1 + kResolution))) return;
+  const double bound = std::min(braking_limit_use(curve, speed.high, distance_to_end.low).ratio,
+                                here.ratio + half_s * max_ratio_rate(curve, distance_to_end, speed,
+                                                                     towards.interval_of(over[2])));
+  if (halvings == 0 || !(bound > worst.ratio * (1 + kBrakingRatioResolution))) return;
   if (--parts < 0) {
     worst.ratio = bound;
     return;
@@ -71,13 +72,13 @@ void search(const RobotTable::BrakingCurve& curve, const Quintic& quintic, const
 
 }  // namespace
 
-BrakingUse worst_braking(const RobotTable::BrakingCurve& curve, const Quintic& quintic,
-                         double known) {
-  BrakingUse worst;
+BrakingLimitUse max_braking_use(const RobotModel::BrakingCurve& curve, const Quintic& quintic,
+                                double known) {
+  BrakingLimitUse worst;
   worst.ratio = known;
-  int parts = kMostParts;
-  search(curve, quintic, {1, curve.upper_end}, 0, 1, kMostHalvings, parts, worst);
-  search(curve, quintic, {-1, curve.lower_end}, 0, 1, kMostHalvings, parts, worst);
+  int parts = kMaxBrakingBisections;
+  search(curve, quintic, {1, curve.upper_end}, 0, 1, kMaxBisectionDepth, parts, worst);
+  search(curve, quintic, {-1, curve.lower_end}, 0, 1, kMaxBisectionDepth, parts, worst);
   return worst;
 }
 

@@ -1,21 +1,22 @@
 #pragma once
 
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 #include "stages/verify/quintic.hpp"
 
 namespace morphe::verify {
 
-/// Where a joint is fastest for what a braking curve leaves it there.
-struct BrakingUse {
-  double ratio = 0;  ///< speed / what is left, infinite where it moves and nothing is
-  double s = 0, speed = 0, left = 0;
+/// The point at which a joint's speed is largest relative to the speed its braking curve allows.
+struct BrakingLimitUse {
+  double ratio = 0;  ///< speed / allowed speed; infinite if the joint moves and no speed is allowed
+  double s = 0, speed = 0, allowed_speed = 0;  ///< at s in [0, 1] of the piece [rad/s]
 };
 
-/// The greatest over the piece, to 1e-6 of it: on a part of it no ratio exceeds the greatest speed
-/// there over the least that is left, nor that in its middle by more than its steepest change, and
-/// parts are halved until that settles it. Parts that cannot exceed `known` are not looked into;
-/// what 2000 halvings have not settled is as bad as it may be.
-BrakingUse worst_braking(const RobotTable::BrakingCurve& curve, const Quintic& quintic,
-                         double known);
+/// Returns the largest ratio over the piece, to 1e-6 of it. On any part of the piece the ratio
+/// exceeds neither the greatest speed divided by the least allowed speed, nor its value in the
+/// middle by more than its greatest rate of change permits; parts are bisected until these bounds
+/// decide. Parts that cannot exceed `known` are skipped; for parts that are undecided after 2000
+/// bisections the upper bound is returned.
+BrakingLimitUse max_braking_use(const RobotModel::BrakingCurve& curve, const Quintic& quintic,
+                                double known);
 
 }  // namespace morphe::verify

@@ -4,18 +4,19 @@
 #include <cmath>
 #include <limits>
 
-#include "stages/verify/against_goals.hpp"
+#include "stages/verify/goal_errors.hpp"
 #include "stages/verify/smoothness.hpp"
 
 namespace morphe::verify {
 namespace {
 
-constexpr double kClearance_m = 1e-4, kAlgebra = 1e-9;
-constexpr double kBraking = 3e-6;  ///< to which either side finds the use of braking curves
+constexpr double kClearanceTolerance_m = 1e-4, kCertificateTolerance = 1e-9;
+/// accuracy to which both programs find the use of braking curves
+constexpr double kBrakingRatioTolerance = 3e-6;
 
-/// What rounding of the stored positions alone makes of the largest jerk: its quintic's coefficient
-/// is 60 differences of them over the step's third power.
-double jerk_rounding(const RobotTable& robot, const Trajectory& t) {
+/// Returns the error of the largest jerk that rounding of the stored positions alone causes: the
+/// quintic's coefficient is 60 of their differences divided by the third power of the step.
+double jerk_rounding(const RobotModel& robot, const Trajectory& t) {
   double step_s = t.time.back();
   for (std::size_t i = 0; i + 1 < t.samples(); ++i) {
     step_s = std::min(step_s, t.time[i + 1] - t.time[i]);
@@ -24,7 +25,7 @@ double jerk_rounding(const RobotTable& robot, const Trajectory& t) {
          (std::pow(step_s, 3) * robot.jerk.minCoeff());
 }
 
-/// Of metric A over the mapped frames that have it.
+/// Returns the mean of metric A over the mapped frames that have it.
 double mapped_humanlikeness(const JointRows& humanlikeness) {
   double sum = 0, count = 0;
   for (Eigen::Index f = 0; humanlikeness.cols() > 0 && f < humanlikeness.rows(); ++f) {
@@ -32,7 +33,7 @@ double mapped_humanlikeness(const JointRows& humanlikeness) {
     sum += humanlikeness(f, 0);
     ++count;
   }
-  return count > 0 ? sum / count : kNotSeen;
+  return count > 0 ? sum / count : kUnknown;
 }
 
 bool agree(double stored, double recomputed, double tolerance) {
@@ -43,16 +44,16 @@ bool agree(double stored, double recomputed, double tolerance) {
 
 }  // namespace
 
-Certificate recomputed_certificate(const RobotTable& robot, const Plan& plan, const Curve& curve,
-                                   const LimitUse& use, double clearance) {
+Certificate recompute_certificate(const RobotModel& robot, const Plan& plan, const Curve& curve,
+                                  const LimitUse& use, double clearance) {
   Certificate own;
   own.position_margin = use.position_margin;
   own.velocity_ratio = use.velocity_ratio;
   own.acceleration_ratio = use.acceleration_ratio;
   own.jerk_ratio = use.jerk_ratio;
-  // Nothing that could touch: no clearance was measured.
-  own.clearance = std::isinf(clearance) ? kNotSeen : clearance;
-  const AgainstGoals goals = against_goals(robot, plan);
+  // An infinite clearance means that no pair could touch and no clearance was measured.
+  own.clearance = std::isinf(clearance) ? kUnknown : clearance;
+  const GoalErrors goals = goal_errors(robot, plan);
   own.position_error_max = goals.position_max;
   own.position_error_mean = goals.position_mean;
   own.position_error_grasp = goals.position_grasp;
@@ -71,12 +72,12 @@ Certificate recomputed_certificate(const RobotTable& robot, const Plan& plan, co
   own.log_dimensionless_jerk_robot = log_dimensionless_jerk(speeds.robot, speeds.step_s);
   own.log_dimensionless_jerk_human = log_dimensionless_jerk(speeds.human, speeds.step_s);
   own.repaired = std::any_of(plan.path.origin.begin(), plan.path.origin.end(),
-                             [](Origin origin) { return origin != Origin::mapped; });
+                             [](SampleOrigin origin) { return origin != SampleOrigin::mapped; });
   return own;
 }
 
-void judge_certificate(const RobotTable& robot, const Plan& plan, const Curve& curve,
-                       const LimitUse& use, double clearance, ViolationRuns& runs) {
+void verify_certificate(const RobotModel& robot, const Plan& plan, const Curve& curve,
+                        const LimitUse& use, double clearance, ViolationCollector& runs) {
   struct Attribute {
     const char* name;
     double Certificate::*value;
@@ -101,13 +102,14 @@ void judge_certificate(const RobotTable& robot, const Plan& plan, const Curve& c
       {"log_dimensionless_jerk_robot", &Certificate::log_dimensionless_jerk_robot},
       {"log_dimensionless_jerk_human", &Certificate::log_dimensionless_jerk_human},
   };
-  const Certificate own = recomputed_certificate(robot, plan, curve, use, clearance);
+  const Certificate own = recompute_certificate(robot, plan, curve, use, clearance);
   for (const Attribute& attribute : kAttributes) {
     const double stored = plan.certificate.*attribute.value, found = own.*attribute.value;
     const bool contact = attribute.value == &Certificate::clearance;
-    double tolerance = contact ? kClearance_m : kAlgebra * std::max(1.0, std::abs(found));
+    double tolerance =
+        contact ? kClearanceTolerance_m : kCertificateTolerance * std::max(1.0, std::abs(found));
     if (attribute.value == &Certificate::velocity_ratio && !robot.braking_curves.empty())
-      tolerance = kBraking * std::max(1.0, std::abs(found));
+      tolerance = kBrakingRatioTolerance * std::max(1.0, std::abs(found));
     if (attribute.value == &Certificate::jerk_ratio)
       tolerance += jerk_rounding(robot, plan.trajectory);
     if (!agree(stored, found, tolerance))

@@ -2,19 +2,21 @@
 
 #include "core/motion/plan.hpp"
 #include "stages/verify/limits.hpp"
-#include "stages/verify/violation_runs.hpp"
+#include "stages/verify/violation_collector.hpp"
 
 namespace morphe::verify {
 
-/// A plan's certificate, recomputed from its samples, goals and mapped frames.
-/// natural_posture_error is not: what the posture is stands in the mapping's config.
-Certificate recomputed_certificate(const RobotTable& robot, const Plan& plan, const Curve& curve,
-                                   const LimitUse& use, double clearance);
+/// Recomputes a plan's certificate from its samples, goals and mapped frames. The field
+/// natural_posture_error is not recomputed, because the natural posture is defined in the mapping's
+/// config.
+Certificate recompute_certificate(const RobotModel& robot, const Plan& plan, const Curve& curve,
+                                  const LimitUse& use, double clearance);
 
-/// Notes `certificate` for each attribute of the plan's certificate that does not agree with what
-/// was recomputed: to 1e-4 m the clearance (NaN where nothing could touch), all others to 1e-9 of
-/// 1 or of their value, whichever is more, jerk_ratio also to what rounding of the samples makes.
-void judge_certificate(const RobotTable& robot, const Plan& plan, const Curve& curve,
-                       const LimitUse& use, double clearance, ViolationRuns& runs);
+/// Records `certificate` violations for each attribute of the plan's certificate that disagrees
+/// with the recomputed value. The tolerance is 1e-4 m for the clearance (NaN if no pair could
+/// touch) and 1e-9 of the larger of 1 and the value for all others; jerk_ratio is also allowed the
+/// error that rounding of the samples causes.
+void verify_certificate(const RobotModel& robot, const Plan& plan, const Curve& curve,
+                        const LimitUse& use, double clearance, ViolationCollector& runs);
 
 }  // namespace morphe::verify

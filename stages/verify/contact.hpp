@@ -2,41 +2,47 @@
 
 #include <vector>
 
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 #include "stages/verify/curve.hpp"
-#include "stages/verify/violation_runs.hpp"
+#include "stages/verify/violation_collector.hpp"
 
 namespace morphe::verify {
 
-/// What one pair of bodies may do. `other` is a capsule, or an object of the scene if `object`.
+/// A pair of bodies and the contact that it is allowed. `other` is an object of the scene if
+/// `is_object` is true, otherwise a capsule.
 struct ContactPair {
   int capsule = 0, other = 0;
-  bool object = false;
-  bool may_touch = false;  ///< touching finger or palm against the target
-  bool pad = false;        ///< the capsule is that of a pad
-  double radii = 0;        ///< taken off the distance of the axes [m]
-  JointVector lever;       ///< [n] relative travel per radian [m/rad]
-  std::string subject;     ///< "capsule/capsule"
+  bool is_object = false;
+  bool may_touch = false;    ///< true for a finger or the palm against the target
+  bool is_pad = false;       ///< true if the capsule belongs to a pad
+  double radius_sum = 0;     ///< subtracted from the distance of the axes [m]
+  JointVector motion_bound;  ///< [n] relative travel per radian [m/rad]
+  std::string subject;       ///< "capsule/capsule"
 };
 
-/// When the target may be touched: from the first preshape (grasp, if there is none) to the end of
-/// the last of grasp, hold and transport [demonstration time, s]; empty if those are missing.
+/// The time during which the target may be touched: from the first preshape (or the grasp, if there
+/// is no preshape) to the end of the last grasp, hold or transport [demonstration time, s]. Empty
+/// if these phases are missing.
 struct TouchWindow {
   double begin_s = 1, end_s = 0;
+  /// Returns true if the interval [from_s, to_s] lies within the window.
   bool contains(double from_s, double to_s) const { return from_s >= begin_s && to_s <= end_s; }
 };
+/// Returns the touch window of a movement's phases.
 TouchWindow touch_window(const std::vector<Phase>& phases);
 
-/// All pairs of capsules but the allowed ones and those that nothing moves apart (one frame, or
-/// both at the base), then each capsule against each object that can_judge().
-std::vector<ContactPair> contact_pairs(const RobotTable& robot, const Plan& plan);
+/// Returns all pairs of capsules except the allowed collisions and the pairs whose relative pose is
+/// fixed (on one frame, or both at the base), followed by each capsule with each object for which
+/// has_valid_shape() holds.
+std::vector<ContactPair> contact_pairs(const RobotModel& robot, const Plan& plan);
 
-/// Notes `self` and `object` wherever a pair is closer than the plan's margin (or, where it may
-/// touch, deeper than its contact depth; a capsule that is no pad: than its link depth, if it has
-/// one), at the samples and all along between them, and `clearance` where the one that is stored
-/// for a sample is not its own, to 1e-4 m. Returns the least distance along the whole curve of
-/// pairs where they may not touch, to 0.01 mm, +infinity if there are none.
-double judge_contacts(const RobotTable& robot, const Plan& plan, const Curve& curve,
-                      ViolationRuns& runs);
+/// Records `self` and `object` violations, at the samples and along the curve between them, if a
+/// pair is closer than the plan's margin; if the pair may touch, if it penetrates deeper than the
+/// contact depth, or for a capsule that is not a pad, deeper than the link depth if there is one.
+/// Records `clearance` violations if the clearance stored for a sample differs from the recomputed
+/// one by more than 1e-4 m. Returns the least distance along the whole curve over the pairs at
+/// times at which they may not touch, to 0.01 mm; +infinity if there are no such pairs.
+double verify_contacts(const RobotModel& robot, const Plan& plan, const Curve& curve,
+                       ViolationCollector& runs);
 
 }  // namespace morphe::verify

@@ -10,7 +10,7 @@
 namespace morphe::verify {
 namespace {
 
-bool allowed(const RobotTable& robot, int first, int second) {
+bool is_allowed_pair(const RobotModel& robot, int first, int second) {
   return std::any_of(robot.allowed_pairs.begin(), robot.allowed_pairs.end(), [&](const auto& pair) {
     return (pair[0] == first && pair[1] == second) || (pair[0] == second && pair[1] == first);
   });
@@ -36,29 +36,29 @@ TouchWindow touch_window(const std::vector<Phase>& phases) {
   return {*preshape - kRounding_s, *end + kRounding_s};
 }
 
-std::vector<ContactPair> contact_pairs(const RobotTable& robot, const Plan& plan) {
+std::vector<ContactPair> contact_pairs(const RobotModel& robot, const Plan& plan) {
   std::vector<ContactPair> pairs;
   const int capsules = static_cast<int>(robot.capsules.size());
   for (int i = 0; i < capsules; ++i) {
-    const RobotTable::Capsule& a = robot.capsules[static_cast<std::size_t>(i)];
+    const RobotModel::Capsule& a = robot.capsules[static_cast<std::size_t>(i)];
     for (int j = i + 1; j < capsules; ++j) {
-      const RobotTable::Capsule& b = robot.capsules[static_cast<std::size_t>(j)];
-      if (a.frame == b.frame || allowed(robot, i, j)) continue;
-      pairs.push_back({i, j, false, false, false, a.radius + b.radius, relative_lever(robot, i, j),
-                       a.name + "/" + b.name});
+      const RobotModel::Capsule& b = robot.capsules[static_cast<std::size_t>(j)];
+      if (a.frame == b.frame || is_allowed_pair(robot, i, j)) continue;
+      pairs.push_back({i, j, false, false, false, a.radius + b.radius,
+                       relative_motion_bound(robot, i, j), a.name + "/" + b.name});
     }
   }
-  const std::vector<PadBall> pads = pad_balls(robot);
+  const std::vector<PadSphere> pads = pad_spheres(robot);
   for (int i = 0; i < capsules; ++i) {
-    const RobotTable::Capsule& a = robot.capsules[static_cast<std::size_t>(i)];
-    const bool pad =
-        std::any_of(pads.begin(), pads.end(), [&](const PadBall& one) { return one.capsule == i; });
+    const RobotModel::Capsule& a = robot.capsules[static_cast<std::size_t>(i)];
+    const bool pad = std::any_of(pads.begin(), pads.end(),
+                                 [&](const PadSphere& one) { return one.capsule == i; });
     for (std::size_t k = 0; k < plan.scene.objects.size(); ++k) {
       const SceneObject& object = plan.scene.objects[k];
-      if (!can_judge(object)) continue;
+      if (!has_valid_shape(object)) continue;
       const bool target = !plan.movement.target.empty() && object.name == plan.movement.target;
       pairs.push_back({i, static_cast<int>(k), true, target && a.may_touch_target, pad, a.radius,
-                       relative_lever(robot, i, -1), a.name + "/" + object.name});
+                       relative_motion_bound(robot, i, -1), a.name + "/" + object.name});
     }
   }
   return pairs;

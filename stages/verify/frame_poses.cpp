@@ -6,26 +6,26 @@
 namespace morphe::verify {
 namespace {
 
-bool carries(const RobotTable& robot, int ancestor, int frame) {
+bool is_ancestor(const RobotModel& robot, int ancestor, int frame) {
   for (; frame >= 0; frame = robot.frames[static_cast<std::size_t>(frame)].parent) {
     if (frame == ancestor) return true;
   }
   return false;
 }
 
-double longest_slide(const RobotTable& robot, const RobotTable::Frame& frame) {
+double longest_slide(const RobotModel& robot, const RobotModel::Frame& frame) {
   if (!frame.slides || frame.joint < 0) return 0;
   return std::max(std::abs(frame.ratio * robot.lower(frame.joint) + frame.offset),
                   std::abs(frame.ratio * robot.upper(frame.joint) + frame.offset));
 }
 
-/// Adds the joints that carry `capsule` but not a body that sits on `other_frame`.
-void add_levers(const RobotTable& robot, const RobotTable::Capsule& capsule, int other_frame,
-                JointVector& lever) {
+/// Adds the joints that move `capsule` but not a body fixed to `other_frame`.
+void add_motion_bounds(const RobotModel& robot, const RobotModel::Capsule& capsule, int other_frame,
+                       JointVector& lever) {
   double distance = std::max(capsule.from.norm(), capsule.to.norm());
   for (int index = capsule.frame; index >= 0;) {
-    if (carries(robot, index, other_frame)) return;
-    const RobotTable::Frame& frame = robot.frames[static_cast<std::size_t>(index)];
+    if (is_ancestor(robot, index, other_frame)) return;
+    const RobotModel::Frame& frame = robot.frames[static_cast<std::size_t>(index)];
     if (frame.joint >= 0)
       lever(frame.joint) += std::abs(frame.ratio) * (frame.slides ? 1 : distance);
     distance += frame.transform.translation().norm() + longest_slide(robot, frame);
@@ -35,11 +35,11 @@ void add_levers(const RobotTable& robot, const RobotTable::Capsule& capsule, int
 
 }  // namespace
 
-void frame_poses(const RobotTable& robot, const JointVector& q,
+void frame_poses(const RobotModel& robot, const JointVector& q,
                  std::vector<Pose>& base_from_frame) {
   base_from_frame.resize(robot.frames.size());
   for (std::size_t i = 0; i < robot.frames.size(); ++i) {
-    const RobotTable::Frame& frame = robot.frames[i];
+    const RobotModel::Frame& frame = robot.frames[i];
     Pose& pose = base_from_frame[i];
     pose = frame.parent < 0
                ? frame.transform
@@ -54,37 +54,37 @@ void frame_poses(const RobotTable& robot, const JointVector& q,
   }
 }
 
-JointVector relative_lever(const RobotTable& robot, int first, int second) {
+JointVector relative_motion_bound(const RobotModel& robot, int first, int second) {
   JointVector lever = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
-  const RobotTable::Capsule& a = robot.capsules[static_cast<std::size_t>(first)];
+  const RobotModel::Capsule& a = robot.capsules[static_cast<std::size_t>(first)];
   if (second < 0) {
-    add_levers(robot, a, -1, lever);
+    add_motion_bounds(robot, a, -1, lever);
     return lever;
   }
-  const RobotTable::Capsule& b = robot.capsules[static_cast<std::size_t>(second)];
-  add_levers(robot, a, b.frame, lever);
-  add_levers(robot, b, a.frame, lever);
+  const RobotModel::Capsule& b = robot.capsules[static_cast<std::size_t>(second)];
+  add_motion_bounds(robot, a, b.frame, lever);
+  add_motion_bounds(robot, b, a.frame, lever);
   return lever;
 }
 
-JointVector relative_lever(const RobotTable& robot, int first, int frame, const Vec3& centre,
-                           double radius) {
+JointVector relative_motion_bound(const RobotModel& robot, int first, int frame, const Vec3& centre,
+                                  double radius) {
   JointVector lever = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
-  const RobotTable::Capsule& a = robot.capsules[static_cast<std::size_t>(first)];
-  RobotTable::Capsule body;  // only its farthest point counts
+  const RobotModel::Capsule& a = robot.capsules[static_cast<std::size_t>(first)];
+  RobotModel::Capsule body;  // only its farthest point matters
   body.frame = frame;
   body.from = body.to = (centre.norm() + radius) * Vec3::UnitX();
-  add_levers(robot, a, frame, lever);
-  add_levers(robot, body, a.frame, lever);
+  add_motion_bounds(robot, a, frame, lever);
+  add_motion_bounds(robot, body, a.frame, lever);
   return lever;
 }
 
-JointVector point_lever(const RobotTable& robot, int frame, double reach) {
+JointVector point_motion_bound(const RobotModel& robot, int frame, double reach) {
   JointVector lever = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
-  RobotTable::Capsule body;  // only its farthest point counts
+  RobotModel::Capsule body;  // only its farthest point matters
   body.frame = frame;
   body.from = body.to = reach * Vec3::UnitX();
-  add_levers(robot, body, -1, lever);
+  add_motion_bounds(robot, body, -1, lever);
   return lever;
 }
 

@@ -2,28 +2,30 @@
 
 #include <vector>
 
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 
 namespace morphe::verify {
 
-/// base_from_frame of all frames: parent * transform * Rotation(axis, ratio * q[joint] + offset).
-void frame_poses(const RobotTable& robot, const JointVector& q, std::vector<Pose>& base_from_frame);
+/// Computes base_from_frame of all frames: parent * transform * Rotation(axis, ratio * q[joint] +
+/// offset).
+void frame_poses(const RobotModel& robot, const JointVector& q, std::vector<Pose>& base_from_frame);
 
-/// A point given in a frame (-1 = base), in the base frame.
-inline Vec3 in_base(const std::vector<Pose>& base_from_frame, int frame, const Vec3& point) {
+/// Transforms a point given in a frame (-1 = base) to the base frame.
+inline Vec3 to_base_frame(const std::vector<Pose>& base_from_frame, int frame, const Vec3& point) {
   return frame < 0 ? point : base_from_frame[static_cast<std::size_t>(frame)] * point;
 }
 
-/// lever [n]: |dx| <= sum_j lever_j |dq_j| for every point x of the axis of one capsule relative to
-/// a second one, whatever the robot's position [m/rad]. `second` = -1: relative to the base. Joints
-/// that carry both capsules do not count; each other one counts with the greatest distance from its
-/// frame's origin that the links after it allow.
-JointVector relative_lever(const RobotTable& robot, int first, int second);
-/// The same, and for every point within `radius` of `centre` (given in `frame`) as the second body.
-JointVector relative_lever(const RobotTable& robot, int first, int frame, const Vec3& centre,
-                           double radius);
+/// Returns lever [n] with |dx| <= sum_j lever_j |dq_j| for every point x on the axis of one capsule
+/// relative to a second one, for all joint positions [m/rad]. `second` = -1 means relative to the
+/// base. Joints that move both capsules have a lever of 0; each other joint has the greatest
+/// distance from its frame's origin that the subsequent links allow.
+JointVector relative_motion_bound(const RobotModel& robot, int first, int second);
+/// Returns the same bound with every point within `radius` of `centre` (given in `frame`) as the
+/// second body.
+JointVector relative_motion_bound(const RobotModel& robot, int first, int frame, const Vec3& centre,
+                                  double radius);
 
-/// lever [n] of every point within `reach` of a frame's origin, relative to the base.
-JointVector point_lever(const RobotTable& robot, int frame, double reach);
+/// Returns lever [n] of every point within `reach` of a frame's origin, relative to the base.
+JointVector point_motion_bound(const RobotModel& robot, int frame, double reach);
 
 }  // namespace morphe::verify

@@ -12,14 +12,17 @@
 namespace morphe::verify {
 namespace {
 
-constexpr double kPoint_m = 1e-5, kAxis_m = 2e-5, kDepth_m = 1e-6;
-constexpr double kNormal_rad = 1e-3, kPadAngle_rad = 1e-6, kUnit = 1e-6;
-constexpr double kStep_m = 1e-6;     ///< of differences of distances
-constexpr double kBlended_m = 0.05;  ///< from a person's fingertip to the pad that follows it
+constexpr double kSurfaceTolerance_m = 1e-5, kAxisTolerance_m = 2e-5,
+                 kPenetrationTolerance_m = 1e-6;
+constexpr double kNormalTolerance_rad = 1e-3, kPadAngleTolerance_rad = 1e-6,
+                 kUnitNormTolerance = 1e-6;
+constexpr double kGradientStep_m = 1e-6;  ///< step of the finite differences of distances
+/// greatest distance from a person's fingertip to the pad that follows it
+constexpr double kMaxBlendOffset_m = 0.05;
 
-/// The target, and distances to it, in its frame.
-struct Surface {
-  explicit Surface(const SceneObject& target) : object(target) {
+/// The target's surface, with distances in the target's frame.
+struct TargetSurface {
+  explicit TargetSurface(const SceneObject& target) : object(target) {
     if (object.shape == Shape::mesh) mesh = make_mesh(object);
   }
   double distance(const Segment& segment) const {
@@ -27,12 +30,14 @@ struct Surface {
                                        : segment_solid_distance(object, segment, kInfinity);
   }
   double distance(const Vec3& point) const { return distance(Segment{point, point}); }
-  /// The way on which the distance grows fastest; not a unit vector where there are several.
-  Vec3 outwards(const Vec3& point) const {
+  /// Returns the gradient of the distance by central differences; it is not a unit vector at points
+  /// where the direction of steepest increase is not unique.
+  Vec3 distance_gradient(const Vec3& point) const {
     Vec3 way;
     for (int axis = 0; axis < 3; ++axis) {
-      const Vec3 step = kStep_m * Vec3::Unit(axis);
-      way[axis] = (distance(Vec3(point + step)) - distance(Vec3(point - step))) / (2 * kStep_m);
+      const Vec3 step = kGradientStep_m * Vec3::Unit(axis);
+      way[axis] =
+          (distance(Vec3(point + step)) - distance(Vec3(point - step))) / (2 * kGradientStep_m);
     }
     return way;
   }
@@ -43,46 +48,46 @@ struct Surface {
 
 double angle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
-double beside(const Segment& axis, const Vec3& point) {
+double axis_distance(const Segment& axis, const Vec3& point) {
   return segment_distance(axis, {point, point});
 }
 
-bool all_seen(const PadContact& contact) {
-  return seen(contact.asked) && seen(contact.point) && seen(contact.normal) &&
+bool is_complete(const PadContact& contact) {
+  return is_known(contact.asked) && is_known(contact.point) && is_known(contact.normal) &&
          std::isfinite(contact.gap) && std::isfinite(contact.pad_angle);
 }
 
-/// How much of a tip's goal is its pad's.
-double share_of(const Goals& goals, std::size_t tip, double time_s) {
+/// Returns the share of the pad in a tip's goal at a demonstration time.
+double pad_blend_at(const Goals& goals, std::size_t tip, double time_s) {
   if (goals.pad_share.rows == 0) return 0;
-  const GoalShare at = goal_share(goals, time_s);
+  const GoalInterpolation at = interpolate_goal_frames(goals, time_s);
   return std::lerp(goals.pad_share(at.before, tip), goals.pad_share(at.after, tip), at.share);
 }
 
-/// How much nearer to and farther from the centre of its ball than its radius a pad may have met
-/// the target.
-struct Slack {
+/// The amounts by which the contact may be closer to and farther from the centre of the pad's ball
+/// than its radius.
+struct PadDistanceTolerance {
   double nearer = 0, farther = 0;
 };
 
-/// A closing finger may meet it with its capsule beside the ball, and has closed by the frame at or
-/// after the grasp.
-Slack slack_of_closing(const Goals& goals, std::size_t tip, double time_s,
-                       const RobotTable::Capsule& capsule) {
-  const GoalShare at = goal_share(goals, time_s);
+/// Returns the tolerance of a closing finger, which may touch with its capsule beside the ball and
+/// is closed by the frame at or after the grasp.
+PadDistanceTolerance closing_tolerance(const Goals& goals, std::size_t tip, double time_s,
+                                       const RobotModel::Capsule& capsule) {
+  const GoalInterpolation at = interpolate_goal_frames(goals, time_s);
   const double still_m =
       (goals.tip_position(at.after, tip) - goals.tip_position(at.before, tip)).norm();
   return {still_m, still_m + (capsule.to - capsule.from).norm()};
 }
 
-/// Tips whose goals at the grasp are those of pads are the ones that touch, each once; closed are
-/// those whose goals are.
-void judge_who_touches(const RobotTable& robot, const Plan& plan, ViolationRuns& runs) {
+/// Checks that exactly the tips whose goals at the grasp are those of pads have a contact, one
+/// each, and that contacts are marked closed if the tips' goals are.
+void verify_contact_tips(const RobotModel& robot, const Plan& plan, ViolationCollector& runs) {
   const Goals& goals = plan.goals;
   const auto sample = static_cast<std::size_t>(plan.grasp.sample);
   const double time_s = plan.trajectory.demonstration_time[sample];
   for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
-    const bool asked = share_of(goals, tip, time_s) > 0;
+    const bool asked = pad_blend_at(goals, tip, time_s) > 0;
     const bool closed = !goals.closed.empty() && goals.closed[tip] != 0;
     int told = 0;
     bool otherwise = false;
@@ -99,73 +104,76 @@ void judge_who_touches(const RobotTable& robot, const Plan& plan, ViolationRuns&
 
 }  // namespace
 
-bool judge_grasp_contacts(const RobotTable& robot, const Plan& plan, ViolationRuns& runs) {
+bool verify_grasp_contacts(const RobotModel& robot, const Plan& plan, ViolationCollector& runs) {
   const Grasp& grasp = plan.grasp;
-  const SceneObject* target = object_named(plan.scene.objects, plan.movement.target);
+  const SceneObject* target = find_object(plan.scene.objects, plan.movement.target);
   if (!target) return false;
-  judge_who_touches(robot, plan, runs);
+  verify_contact_tips(robot, plan, runs);
   if (grasp.contacts.empty()) return false;
   const auto sample = static_cast<std::size_t>(grasp.sample);
   const double time_s = plan.trajectory.demonstration_time[sample];
   const Pose object_from_base = recorded_pose(*target, time_s).inverse();
   std::vector<Pose> base_from_frame;
   frame_poses(robot, plan.trajectory.position.row(grasp.sample).transpose(), base_from_frame);
-  const std::vector<PadBall> pads = pad_balls(robot);
-  const Surface surface(*target);
+  const std::vector<PadSphere> pads = pad_spheres(robot);
+  const TargetSurface surface(*target);
   bool all_told = true;
   for (const PadContact& contact : grasp.contacts) {
     const auto note = [&](const char* what, double value, double limit) {
       runs.note_plan("contact", contact.tip + "/" + what, value, limit);
     };
-    const auto tip = std::ranges::find(robot.tips, contact.tip, &RobotTable::Tip::name);
-    const PadBall pad = tip == robot.tips.end()
-                            ? PadBall()
-                            : pads[static_cast<std::size_t>(tip - robot.tips.begin())];
+    const auto tip = std::ranges::find(robot.tips, contact.tip, &RobotModel::Tip::name);
+    const PadSphere pad = tip == robot.tips.end()
+                              ? PadSphere()
+                              : pads[static_cast<std::size_t>(tip - robot.tips.begin())];
     if (pad.capsule < 0 ||
         robot.capsules[static_cast<std::size_t>(pad.capsule)].name != contact.link) {
-      note("link", kNotSeen, kNotSeen);
+      note("link", kUnknown, kUnknown);
       all_told = false;
       continue;
     }
     if (!(contact.confidence >= 0 && contact.confidence <= 1))
       note("confidence", contact.confidence, 1);
-    if (!all_seen(contact)) {
-      runs.note_plan("finite", "grasp/contacts/" + contact.tip, kNotSeen, kNotSeen);
+    if (!is_complete(contact)) {
+      runs.note_plan("finite", "grasp/contacts/" + contact.tip, kUnknown, kUnknown);
       all_told = false;
       continue;
     }
-    const RobotTable::Capsule& capsule = robot.capsules[static_cast<std::size_t>(pad.capsule)];
+    const RobotModel::Capsule& capsule = robot.capsules[static_cast<std::size_t>(pad.capsule)];
     const auto in_object = [&](const Vec3& point) -> Vec3 {
-      return object_from_base * in_base(base_from_frame, capsule.frame, point);
+      return object_from_base * to_base_frame(base_from_frame, capsule.frame, point);
     };
     const Segment axis{in_object(capsule.from), in_object(capsule.to)};
     const auto holds = [&](const char* what, double off, double most) {
       if (!(off <= most)) note(what, off, most);
     };
-    holds("asked", std::abs(surface.distance(contact.asked)), kPoint_m);
-    holds("point", std::abs(surface.distance(contact.point)), kPoint_m);
+    holds("asked", std::abs(surface.distance(contact.asked)), kSurfaceTolerance_m);
+    holds("point", std::abs(surface.distance(contact.point)), kSurfaceTolerance_m);
     const auto number = static_cast<std::size_t>(tip - robot.tips.begin());
     if (const auto goal = goal_at(plan.goals, number, time_s)) {
-      // The pad's ball was to touch there: its centre is its radius away.
+      // The pad's ball was to touch there, so that its centre is at the distance of its radius.
       const double off = (object_from_base * *goal - contact.asked).norm() - pad.radius;
       const bool closed = contact.origin == ContactOrigin::closed;
-      const Slack slack = closed ? slack_of_closing(plan.goals, number, time_s, capsule) : Slack();
-      holds("asked", std::max(-off - slack.nearer, off - slack.farther),
-            kPoint_m + kBlended_m * (1 - share_of(plan.goals, number, time_s)));
+      const PadDistanceTolerance slack =
+          closed ? closing_tolerance(plan.goals, number, time_s, capsule) : PadDistanceTolerance();
+      holds(
+          "asked", std::max(-off - slack.nearer, off - slack.farther),
+          kSurfaceTolerance_m + kMaxBlendOffset_m * (1 - pad_blend_at(plan.goals, number, time_s)));
     }
     const double gap = surface.distance(axis) - capsule.radius;
-    if (!(std::abs(contact.gap - gap) <= kPoint_m)) note("gap", contact.gap, gap);
+    if (!(std::abs(contact.gap - gap) <= kSurfaceTolerance_m)) note("gap", contact.gap, gap);
     const double depth = plan.tolerances.contact_depth;
-    if (!(gap >= -depth - kDepth_m)) note("penetration", -gap, depth);
+    if (!(gap >= -depth - kPenetrationTolerance_m)) note("penetration", -gap, depth);
     const Vec3 on_axis = contact.point - (capsule.radius + gap) * contact.normal;
-    holds("pad", beside(axis, on_axis), kAxis_m);
-    const bool unit = std::abs(contact.normal.norm() - 1) <= kUnit;
-    holds("normal", unit ? angle(-contact.normal, surface.outwards(on_axis)) : kInfinity,
-          kNormal_rad);
+    holds("pad", axis_distance(axis, on_axis), kAxisTolerance_m);
+    const bool unit = std::abs(contact.normal.norm() - 1) <= kUnitNormTolerance;
+    holds("normal", unit ? angle(-contact.normal, surface.distance_gradient(on_axis)) : kInfinity,
+          kNormalTolerance_rad);
     const Vec3 middle = object_from_base.linear() *
-                        base_from_frame[static_cast<std::size_t>(tip->frame)].linear() * pad.middle;
+                        base_from_frame[static_cast<std::size_t>(tip->frame)].linear() *
+                        pad.pad_normal;
     const double turned = angle(middle, contact.normal);
-    if (!(std::abs(contact.pad_angle - turned) <= kPadAngle_rad))
+    if (!(std::abs(contact.pad_angle - turned) <= kPadAngleTolerance_rad))
       note("pad_angle", contact.pad_angle, turned);
     all_told = all_told && unit;
   }

@@ -9,7 +9,7 @@ namespace morphe::verify {
 std::vector<HullFacet> hull_facets(Eigen::MatrixXd points) {
   std::FILE* silence = std::fopen("/dev/null", "w");
   qhT hull;
-  qhT* qh = &hull;  // qhull's macros want this name
+  qhT* qh = &hull;  // qhull's macros require this name
   qh_zero(qh, silence);
   char command[] = "qhull";
   std::vector<HullFacet> facets;

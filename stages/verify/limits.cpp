@@ -18,11 +18,12 @@ CurvePoint place_of(const Curve& curve, std::size_t piece, double s) {
           curve.time_at(piece, s)};
 }
 
-/// A coupled frame's value is ratio * q + offset: so are its extremes.
-void judge_coupled(const RobotTable& robot, const Curve& curve, std::size_t piece,
-                   ViolationRuns& runs) {
-  for (const RobotTable::CoupledLimit& own : robot.coupled_limits) {
-    const RobotTable::Frame& frame = robot.frames[static_cast<std::size_t>(own.frame)];
+/// Checks the coupled frames' own limits: a coupled frame's value is ratio * q + offset, and so are
+/// its extrema.
+void verify_coupled_limits(const RobotModel& robot, const Curve& curve, std::size_t piece,
+                           ViolationCollector& runs) {
+  for (const RobotModel::CoupledLimit& own : robot.coupled_limits) {
+    const RobotModel::Frame& frame = robot.frames[static_cast<std::size_t>(own.frame)];
     const auto& ranges = curve.ranges[piece * curve.joints + static_cast<std::size_t>(frame.joint)];
     for (const Extreme& end : {ranges[0].least, ranges[0].greatest}) {
       const double value = frame.ratio * end.value + frame.offset;
@@ -44,23 +45,23 @@ void judge_coupled(const RobotTable& robot, const Curve& curve, std::size_t piec
   }
 }
 
-void judge_braking(const RobotTable& robot, const Curve& curve, std::size_t piece, LimitUse& use,
-                   ViolationRuns& runs) {
-  for (const RobotTable::BrakingCurve& braking : robot.braking_curves) {
+void verify_braking_curves(const RobotModel& robot, const Curve& curve, std::size_t piece,
+                           LimitUse& use, ViolationCollector& runs) {
+  for (const RobotModel::BrakingCurve& braking : robot.braking_curves) {
     const auto joint = static_cast<std::size_t>(braking.joint);
     const Quintic& quintic = curve.quintics[piece * curve.joints + joint];
     const double known = std::min(use.velocity_ratio, 1 + kRelativeTolerance);
-    const BrakingUse worst = worst_braking(braking, quintic, known);
+    const BrakingLimitUse worst = max_braking_use(braking, quintic, known);
     use.velocity_ratio = std::max(use.velocity_ratio, worst.ratio);
     if (!(worst.ratio <= 1 + kRelativeTolerance))
       runs.note("velocity", robot.joint_names[joint], place_of(curve, piece, worst.s), worst.speed,
-                worst.left, worst.ratio);
+                worst.allowed_speed, worst.ratio);
   }
 }
 
 }  // namespace
 
-LimitUse judge_limits(const RobotTable& robot, const Curve& curve, ViolationRuns& runs) {
+LimitUse verify_limits(const RobotModel& robot, const Curve& curve, ViolationCollector& runs) {
   LimitUse use;
   use.position_margin = std::numeric_limits<double>::infinity();
   const JointVector* magnitudes[] = {nullptr, &robot.velocity, &robot.acceleration, &robot.jerk};
@@ -94,13 +95,13 @@ LimitUse judge_limits(const RobotTable& robot, const Curve& curve, ViolationRuns
                     limit, ratio);
       }
     }
-    judge_coupled(robot, curve, piece, runs);
-    judge_braking(robot, curve, piece, use, runs);
+    verify_coupled_limits(robot, curve, piece, runs);
+    verify_braking_curves(robot, curve, piece, use, runs);
   }
   return use;
 }
 
-void judge_rest(const RobotTable& robot, const Trajectory& trajectory, ViolationRuns& runs) {
+void verify_rest(const RobotModel& robot, const Trajectory& trajectory, ViolationCollector& runs) {
   const auto last = static_cast<Eigen::Index>(trajectory.samples()) - 1;
   for (const Eigen::Index sample : {Eigen::Index{0}, last}) {
     for (Eigen::Index j = 0; j < trajectory.position.cols(); ++j) {
@@ -108,7 +109,7 @@ void judge_rest(const RobotTable& robot, const Trajectory& trajectory, Violation
                                    std::abs(trajectory.acceleration(sample, j)));
       if (most <= kRestTolerance) continue;
       const auto row = static_cast<std::size_t>(sample);
-      // Both ends are told even of a trajectory so short that they are neighbours.
+      // Both ends are reported, even for a trajectory so short that they are neighbours.
       runs.note("rest", robot.joint_names[static_cast<std::size_t>(j)],
                 {sample == 0 ? 0 : static_cast<int>(2 * row + 2), static_cast<int>(row),
                  trajectory.time[row]},

@@ -12,16 +12,16 @@ namespace {
 
 using Corners = std::array<int, 3>;
 
-bool before(const Vec3& a, const Vec3& b) {
+bool less_lexicographic(const Vec3& a, const Vec3& b) {
   return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
 }
 
-/// For each vertex the first one in the same place.
-std::vector<int> places(const std::vector<Vec3>& vertices) {
+/// Returns, for each vertex, the index of the first vertex at the same position.
+std::vector<int> merged_vertex_indices(const std::vector<Vec3>& vertices) {
   const auto at = [&](int k) -> const Vec3& { return vertices[static_cast<std::size_t>(k)]; };
   std::vector<int> order(vertices.size()), place(vertices.size());
   std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, [&](int i, int j) { return before(at(i), at(j)); });
+  std::ranges::stable_sort(order, [&](int i, int j) { return less_lexicographic(at(i), at(j)); });
   for (std::size_t k = 0; k < order.size(); ++k) {
     const bool same = k > 0 && at(order[k]) == at(order[k - 1]);
     place[static_cast<std::size_t>(order[k])] =
@@ -30,7 +30,7 @@ std::vector<int> places(const std::vector<Vec3>& vertices) {
   return place;
 }
 
-/// An edge of one triangle, lower corner first.
+/// An edge of a triangle, lower vertex index first.
 struct Edge {
   int low, high, triangle;
 };
@@ -47,17 +47,17 @@ std::vector<Edge> sorted_edges(const std::vector<Corners>& triangles) {
   return edges;
 }
 
-/// The least triangle of what hangs together with t; shortens the way there.
-int leader(std::vector<int>& above, int t) {
+/// Returns the least triangle of the component that contains t, with path compression.
+int find_root(std::vector<int>& above, int t) {
   int top = t;
   while (above[static_cast<std::size_t>(top)] != top) top = above[static_cast<std::size_t>(top)];
   while (t != top) t = std::exchange(above[static_cast<std::size_t>(t)], top);
   return top;
 }
 
-Vec3 centre_of(const Mesh::Triangle& t) { return (t.a + t.b + t.c) / 3; }
+Vec3 triangle_centroid(const Mesh::Triangle& t) { return (t.a + t.b + t.c) / 3; }
 
-Mesh::Cluster around(const Mesh& mesh, std::size_t begin, std::size_t end) {
+Mesh::Cluster bounding_cluster(const Mesh& mesh, std::size_t begin, std::size_t end) {
   Mesh::Cluster cluster{begin, end, Vec3::Zero(), mesh.triangles[begin].a, mesh.triangles[begin].a};
   for (std::size_t k = begin; k < end; ++k) {
     const Mesh::Triangle& t = mesh.triangles[k];
@@ -73,21 +73,22 @@ Mesh::Cluster around(const Mesh& mesh, std::size_t begin, std::size_t end) {
   return cluster;
 }
 
-/// The cells of a grid, about sqrt(n) of them in use if triangles lie evenly on a surface.
+/// Groups the triangles by the cells of a grid, of which about sqrt(n) are occupied if the
+/// triangles are distributed evenly over a surface.
 void cluster(Mesh& mesh) {
   const std::size_t count = mesh.triangles.size();
-  mesh.ball = around(mesh, 0, count);
+  mesh.ball = bounding_cluster(mesh, 0, count);
   const double along = std::ceil(std::pow(static_cast<double>(count), 0.25) / 2);
   const double side = std::max((mesh.ball.high - mesh.ball.low).maxCoeff() / along, 1e-9);
   const auto cell = [side, low = mesh.ball.low](const Mesh::Triangle& t) {
-    const Vec3 at = ((centre_of(t) - low) / side).array().floor();
+    const Vec3 at = ((triangle_centroid(t) - low) / side).array().floor();
     return std::tuple(at.x(), at.y(), at.z());
   };
   std::ranges::stable_sort(mesh.triangles, {}, cell);
   for (std::size_t begin = 0; begin < count;) {
     std::size_t end = begin + 1;
     while (end < count && cell(mesh.triangles[end]) == cell(mesh.triangles[begin])) ++end;
-    mesh.clusters.push_back(around(mesh, begin, end));
+    mesh.clusters.push_back(bounding_cluster(mesh, begin, end));
     begin = end;
   }
 }
@@ -96,7 +97,7 @@ void cluster(Mesh& mesh) {
 
 Mesh make_mesh(const SceneObject& object) {
   Mesh mesh;
-  const std::vector<int> place = places(object.vertices);
+  const std::vector<int> place = merged_vertex_indices(object.vertices);
   std::vector<Corners> triangles;
   for (const Eigen::Vector3i& t : object.triangles) {
     const Corners at = {place[static_cast<std::size_t>(t[0])],
@@ -113,15 +114,16 @@ Mesh make_mesh(const SceneObject& object) {
   std::iota(above.begin(), above.end(), 0);
   for (std::size_t k = 0; k < edges.size(); ++k) {
     if (!shared(k)) continue;
-    const int one = leader(above, edges[k - 1].triangle), other = leader(above, edges[k].triangle);
+    const int one = find_root(above, edges[k - 1].triangle),
+              other = find_root(above, edges[k].triangle);
     above[static_cast<std::size_t>(std::max(one, other))] = std::min(one, other);
   }
   std::vector<int> part(triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const auto first = static_cast<std::size_t>(leader(above, static_cast<int>(t)));
+    const auto first = static_cast<std::size_t>(find_root(above, static_cast<int>(t)));
     if (first == t) {
-      part[t] = static_cast<int>(mesh.closed.size());
-      mesh.closed.push_back(1);
+      part[t] = static_cast<int>(mesh.watertight.size());
+      mesh.watertight.push_back(1);
     } else {
       part[t] = part[first];
     }
@@ -130,7 +132,7 @@ Mesh make_mesh(const SceneObject& object) {
     std::size_t end = begin + 1;
     while (end < edges.size() && shared(end)) ++end;
     const int owner = part[static_cast<std::size_t>(edges[begin].triangle)];
-    if ((end - begin) % 2 == 1) mesh.closed[static_cast<std::size_t>(owner)] = 0;
+    if ((end - begin) % 2 == 1) mesh.watertight[static_cast<std::size_t>(owner)] = 0;
     begin = end;
   }
   for (std::size_t t = 0; t < triangles.size(); ++t) {

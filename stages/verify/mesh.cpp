@@ -9,10 +9,12 @@ namespace morphe::verify {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kTouching_m = 1e-9;
-constexpr int kMaxSegmentParts = 20000;  ///< of a segment, to find how deep it lies
+constexpr double kMinClearDistance_m = 1e-9;
+/// maximum number of bisections of a segment to find its depth
+constexpr int kMaxSegmentBisections = 20000;
 
-/// Distance of a point to a triangle's inner part, infinity if its foot lies beside it.
+/// Returns the distance of a point to a triangle's interior; infinity if the foot of the
+/// perpendicular is outside of the triangle.
 double face_distance(const Mesh::Triangle& t, const Vec3& point) {
   const Vec3 u = t.b - t.a, v = t.c - t.a, w = point - t.a;
   const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v);
@@ -23,8 +25,9 @@ double face_distance(const Mesh::Triangle& t, const Vec3& point) {
   return s >= 0 && r >= 0 && s + r <= 1 ? (w - s * u - r * v).norm() : kInfinity;
 }
 
-/// Nearest are an end or the place where the segment passes the triangle's plane and their foot on
-/// the triangle, or the segment and an edge. What is no foot is no nearer than the least.
+/// Returns the distance between a triangle and a segment. The nearest points are an end of the
+/// segment, or its intersection with the triangle's plane, with their feet on the triangle; or they
+/// are on the segment and an edge. A candidate without a foot is no closer than the minimum.
 double triangle_distance(const Mesh::Triangle& t, const Segment& s) {
   double least =
       std::min({face_distance(t, s.from), face_distance(t, s.to), segment_distance(s, {t.a, t.b}),
@@ -37,7 +40,8 @@ double triangle_distance(const Mesh::Triangle& t, const Segment& s) {
   return least;
 }
 
-/// Unsigned. What is at least `enough` need not be exact.
+/// Returns the unsigned distance of a segment to the surface. Values of at least `enough` need not
+/// be exact.
 double surface_distance(const Mesh& mesh, const Segment& segment, double enough) {
   const double whole =
       segment_distance(segment, {mesh.ball.centre, mesh.ball.centre}) - mesh.ball.radius;
@@ -61,8 +65,8 @@ double surface_distance(const Mesh& mesh, const Segment& segment, double enough)
   return best;
 }
 
-/// On which side of the line a–b the point lies, all seen along x. A point on the line is taken to
-/// lie a little above it, the same for both triangles that share the edge.
+/// Returns the side of the line a–b on which the point lies, seen along x. A point on the line is
+/// taken to be slightly above it, consistently for both triangles that share the edge.
 bool left_of(const Vec3& a, const Vec3& b, const Vec3& point) {
   const bool forward = std::pair(a.y(), a.z()) < std::pair(b.y(), b.z());
   const Vec3 &from = forward ? a : b, &to = forward ? b : a;
@@ -71,20 +75,20 @@ bool left_of(const Vec3& a, const Vec3& b, const Vec3& point) {
   return (area >= 0) == forward;
 }
 
-/// Whether the ray from the point along +x goes through the triangle.
-bool ahead(const Mesh::Triangle& t, const Vec3& point) {
+/// Returns true if the ray from the point along +x passes through the triangle.
+bool ray_hits_triangle(const Mesh::Triangle& t, const Vec3& point) {
   const bool left = left_of(t.a, t.b, point);
   if (left != left_of(t.b, t.c, point) || left != left_of(t.c, t.a, point)) return false;
   const Vec3 normal = (t.b - t.a).cross(t.c - t.a);
   return normal.x() != 0 && normal.dot(t.a - point) / normal.x() > 0;
 }
 
-/// How deep the segment's deepest point lies; no point is nearer to it than the way along it tells.
-/// Where it was halved too often, as deep as it may lie.
-void deepen(const Mesh& mesh, const Segment& segment, int& parts, double& deepest) {
+/// Updates the depth of the segment's deepest point. The depth changes by at most the distance
+/// along the segment. If the limit of bisections is reached, the upper bound of the depth is used.
+void update_max_depth(const Mesh& mesh, const Segment& segment, int& parts, double& deepest) {
   const Vec3 middle = 0.5 * (segment.from + segment.to);
   const double apart = surface_distance(mesh, {middle, middle}, kInfinity);
-  const double depth = inside(mesh, middle) ? apart : -apart;
+  const double depth = is_inside(mesh, middle) ? apart : -apart;
   deepest = std::max(deepest, depth);
   const double most = depth + 0.5 * (segment.to - segment.from).norm();
   if (most <= 1.05 * deepest + 1e-5) return;
@@ -92,39 +96,39 @@ void deepen(const Mesh& mesh, const Segment& segment, int& parts, double& deepes
     deepest = std::max(deepest, most);
     return;
   }
-  deepen(mesh, {segment.from, middle}, parts, deepest);
-  deepen(mesh, {middle, segment.to}, parts, deepest);
+  update_max_depth(mesh, {segment.from, middle}, parts, deepest);
+  update_max_depth(mesh, {middle, segment.to}, parts, deepest);
 }
 
 }  // namespace
 
-bool inside(const Mesh& mesh, const Vec3& point) {
+bool is_inside(const Mesh& mesh, const Vec3& point) {
   const Mesh::Cluster& ball = mesh.ball;
   if ((point - ball.centre).squaredNorm() > ball.radius * ball.radius) return false;
-  std::vector<char> odd(mesh.closed.size(), 0);
+  std::vector<char> odd(mesh.watertight.size(), 0);
   for (const Mesh::Cluster& cluster : mesh.clusters) {
     const bool beside = point.y() < cluster.low.y() || point.y() > cluster.high.y() ||
                         point.z() < cluster.low.z() || point.z() > cluster.high.z() ||
                         point.x() > cluster.high.x();
     if (beside) continue;
     for (std::size_t t = cluster.begin; t < cluster.end; ++t) {
-      char& side = odd[static_cast<std::size_t>(mesh.triangles[t].part)];
-      if (ahead(mesh.triangles[t], point)) side = !side;
+      char& side = odd[static_cast<std::size_t>(mesh.triangles[t].component)];
+      if (ray_hits_triangle(mesh.triangles[t], point)) side = !side;
     }
   }
-  for (std::size_t part = 0; part < mesh.closed.size(); ++part) {
-    if (mesh.closed[part] && odd[part]) return true;
+  for (std::size_t part = 0; part < mesh.watertight.size(); ++part) {
+    if (mesh.watertight[part] && odd[part]) return true;
   }
   return false;
 }
 
 double segment_mesh_distance(const Mesh& mesh, const Segment& segment, double enough) {
   const double apart = surface_distance(mesh, segment, enough);
-  // Clear of all surfaces it is inside as a whole, or not at all.
-  if (apart > kTouching_m && !inside(mesh, segment.from)) return apart;
+  // A segment that is clear of all surfaces is entirely inside or entirely outside.
+  if (apart > kMinClearDistance_m && !is_inside(mesh, segment.from)) return apart;
   double deepest = 0;
-  int parts = kMaxSegmentParts;
-  deepen(mesh, segment, parts, deepest);
+  int parts = kMaxSegmentBisections;
+  update_max_depth(mesh, segment, parts, deepest);
   return -deepest;
 }
 

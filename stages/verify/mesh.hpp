@@ -6,36 +6,39 @@
 
 namespace morphe::verify {
 
-/// A triangle mesh in its object's frame, as docs/formats.md says what of it is solid: triangles
-/// hang together in parts by the edges they share; a part is closed if each of its edges has an
-/// even number of triangles, and then all that a ray leaves through it an odd number of times is
-/// solid. Any other part is a sheet without thickness.
+/// A triangle mesh in its object's frame, with the solid part defined as in docs/formats.md.
+/// Triangles that share edges are connected into components; a component is closed if each of its
+/// edges belongs to an even number of triangles, and its solid consists of the points whose rays
+/// leave through it an odd number of times. Any other component is a sheet without thickness.
 struct Mesh {
+  /// A triangle and the component to which it belongs.
   struct Triangle {
     Vec3 a, b, c;
-    int part = 0;
+    int component = 0;
   };
-  /// Neighbouring triangles with a ball and a box around them.
+  /// A group of neighbouring triangles with a bounding ball and a bounding box.
   struct Cluster {
     std::size_t begin = 0, end = 0;
     Vec3 centre, low, high;
     double radius = 0;
   };
-  std::vector<Triangle> triangles;  ///< by cluster
+  std::vector<Triangle> triangles;  ///< sorted by cluster
   std::vector<Cluster> clusters;
-  Cluster ball;              ///< around all of it
-  std::vector<char> closed;  ///< by part
+  Cluster ball;                  ///< bounds the whole mesh
+  std::vector<char> watertight;  ///< per component
 };
 
-/// Triangles with two corners in one place, which are only edges of others, are left out. The
-/// indices must be valid.
+/// Builds the mesh of an object. Triangles with two corners at the same position, which are only
+/// edges of others, are omitted. The indices must be valid.
 Mesh make_mesh(const SceneObject& object);
 
-bool inside(const Mesh& mesh, const Vec3& point);
+/// Returns true if a point is inside the solid of the mesh.
+bool is_inside(const Mesh& mesh, const Vec3& point);
 
-/// Least signed distance of the segment [m]: to the nearest triangle while no point of it is in the
-/// solid, else how deep the deepest one found lies below the nearest surface, at most 5 % + 10 um
-/// too little. At least `enough` is returned without a search when nothing smaller can come out.
+/// Returns the least signed distance of the segment [m]: the distance to the nearest triangle if no
+/// point of the segment is inside the solid, otherwise minus the largest depth found below the
+/// nearest surface, underestimated by at most 5 % + 10 um. If the result cannot be smaller than
+/// `enough`, at least `enough` is returned without a search.
 double segment_mesh_distance(const Mesh& mesh, const Segment& segment, double enough);
 
 }  // namespace morphe::verify

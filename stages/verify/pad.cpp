@@ -6,8 +6,8 @@
 namespace morphe::verify {
 namespace {
 
-/// The nearest frame at or above one that has a joint.
-int carrier(const RobotTable& robot, int frame) {
+/// Returns the nearest ancestor of a frame, or the frame itself, that has a joint.
+int nearest_moving_frame(const RobotModel& robot, int frame) {
   while (frame >= 0 && robot.frames[static_cast<std::size_t>(frame)].joint < 0) {
     frame = robot.frames[static_cast<std::size_t>(frame)].parent;
   }
@@ -16,19 +16,20 @@ int carrier(const RobotTable& robot, int frame) {
 
 }  // namespace
 
-std::vector<PadBall> pad_balls(const RobotTable& robot) {
+std::vector<PadSphere> pad_spheres(const RobotModel& robot) {
   std::vector<Pose> poses;
   frame_poses(robot, JointVector::Zero(static_cast<Eigen::Index>(robot.joints())), poses);
-  std::vector<PadBall> balls;
-  for (const RobotTable::Tip& tip : robot.tips) {
-    PadBall ball;
+  std::vector<PadSphere> balls;
+  for (const RobotModel::Tip& tip : robot.tips) {
+    PadSphere ball;
     double least = kInfinity;
     for (int c = 0; tip.frame >= 0 && c < static_cast<int>(robot.capsules.size()); ++c) {
-      const RobotTable::Capsule& capsule = robot.capsules[static_cast<std::size_t>(c)];
-      if (carrier(robot, capsule.frame) != carrier(robot, tip.frame)) continue;
+      const RobotModel::Capsule& capsule = robot.capsules[static_cast<std::size_t>(c)];
+      if (nearest_moving_frame(robot, capsule.frame) != nearest_moving_frame(robot, tip.frame))
+        continue;
       const Pose& at_tip = poses[static_cast<std::size_t>(tip.frame)];
       for (const Vec3* end : {&capsule.from, &capsule.to}) {
-        const Vec3 centre = at_tip.inverse() * in_base(poses, capsule.frame, *end);
+        const Vec3 centre = at_tip.inverse() * to_base_frame(poses, capsule.frame, *end);
         const double away = (centre - tip.transform.translation()).norm();
         if (!(away < least)) continue;
         least = away;
@@ -40,11 +41,11 @@ std::vector<PadBall> pad_balls(const RobotTable& robot) {
   return balls;
 }
 
-Vec3 asked_point(const RobotTable& robot, const std::vector<PadBall>& pads, const Goals& goals,
-                 std::size_t tip, double time_s) {
+Vec3 tracked_point(const RobotModel& robot, const std::vector<PadSphere>& pads, const Goals& goals,
+                   std::size_t tip, double time_s) {
   const Vec3 own = robot.tips[tip].transform.translation();
   if (goals.pad_share.rows == 0) return own;
-  const GoalShare at = goal_share(goals, time_s);
+  const GoalInterpolation at = interpolate_goal_frames(goals, time_s);
   const double before = goals.pad_share(at.before, tip), after = goals.pad_share(at.after, tip);
   const double share = before + at.share * (after - before);
   return share == 0 ? own : Vec3(own + share * (pads[tip].centre - own));

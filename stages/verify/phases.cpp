@@ -7,9 +7,9 @@
 namespace morphe::verify {
 namespace {
 
-constexpr double kBorder_s = 1e-9;
+constexpr double kPhaseBorderTolerance_s = 1e-9;
 
-/// Whether one may stand after another in the list; preshapes are left out of it.
+/// Returns true if a phase may come after another in the list; preshapes are not considered.
 bool may_follow(PhaseKind before, PhaseKind after) {
   const auto stage = [](PhaseKind kind) {
     switch (kind) {
@@ -36,21 +36,24 @@ bool is_phase(const Phase& phase) {
          phase.begin_s <= phase.end_s && phase.confidence >= 0 && phase.confidence <= 1;
 }
 
-/// Whether a sample may have that phase: no phase around its time is shorter by more than borders.
+/// Returns true if a sample may have that phase, that is, if no phase around its time is shorter,
+/// within the tolerance of the borders.
 bool may_be_in(const std::vector<Phase>& phases, PhaseKind kind, double time_s) {
   double least = kInfinity;
   for (const Phase& phase : phases) {
-    if (time_s >= phase.begin_s + kBorder_s && time_s <= phase.end_s - kBorder_s)
+    if (time_s >= phase.begin_s + kPhaseBorderTolerance_s &&
+        time_s <= phase.end_s - kPhaseBorderTolerance_s)
       least = std::min(least, phase.end_s - phase.begin_s);
   }
   if (kind == PhaseKind::rest && least == kInfinity) return true;
   return std::ranges::any_of(phases, [&](const Phase& phase) {
     return phase.kind == kind && phase.end_s - phase.begin_s <= least &&
-           time_s >= phase.begin_s - kBorder_s && time_s <= phase.end_s + kBorder_s;
+           time_s >= phase.begin_s - kPhaseBorderTolerance_s &&
+           time_s <= phase.end_s + kPhaseBorderTolerance_s;
   });
 }
 
-void judge_order(const std::vector<Phase>& phases, ViolationRuns& runs) {
+void verify_phase_order(const std::vector<Phase>& phases, ViolationCollector& runs) {
   const Phase *before = nullptr, *preshape = nullptr;
   int grasps = 0;
   for (const Phase& phase : phases) {
@@ -60,33 +63,34 @@ void judge_order(const std::vector<Phase>& phases, ViolationRuns& runs) {
     if (!is_phase(phase)) note(phase.begin_s, phase.end_s);
     if (phase.kind == PhaseKind::preshape) {
       const bool inside = before && before->kind == PhaseKind::reach && !preshape &&
-                          phase.begin_s >= before->begin_s - kBorder_s &&
-                          phase.end_s <= before->end_s + kBorder_s;
-      if (!inside) note(phase.begin_s, before ? before->begin_s : kNotSeen);
+                          phase.begin_s >= before->begin_s - kPhaseBorderTolerance_s &&
+                          phase.end_s <= before->end_s + kPhaseBorderTolerance_s;
+      if (!inside) note(phase.begin_s, before ? before->begin_s : kUnknown);
       preshape = &phase;
       continue;
     }
     grasps += phase.kind == PhaseKind::grasp ? 1 : 0;
-    if (before && phase.begin_s < before->end_s - kBorder_s) note(phase.begin_s, before->end_s);
+    if (before && phase.begin_s < before->end_s - kPhaseBorderTolerance_s)
+      note(phase.begin_s, before->end_s);
     const bool on_reaching =
         grasps == 0 && before && before->kind == PhaseKind::hold && phase.kind == PhaseKind::reach;
     const bool in_order = !before || on_reaching || may_follow(before->kind, phase.kind);
-    if (!in_order || grasps > 1) note(phase.begin_s, kNotSeen);
+    if (!in_order || grasps > 1) note(phase.begin_s, kUnknown);
     before = &phase;
   }
 }
 
 }  // namespace
 
-void judge_phases(const Plan& plan, ViolationRuns& runs) {
+void verify_phases(const Plan& plan, ViolationCollector& runs) {
   const std::vector<Phase>& phases = plan.movement.phases;
-  judge_order(phases, runs);
+  verify_phase_order(phases, runs);
   if (!phases.empty()) {
     double last_s = -kInfinity;
     for (const Phase& phase : phases) last_s = std::max(last_s, phase.end_s);
-    if (!(plan.movement.begin_s >= phases.front().begin_s - kBorder_s))
+    if (!(plan.movement.begin_s >= phases.front().begin_s - kPhaseBorderTolerance_s))
       runs.note_plan("phase", "movement", plan.movement.begin_s, phases.front().begin_s);
-    if (!(plan.movement.end_s <= last_s + kBorder_s))
+    if (!(plan.movement.end_s <= last_s + kPhaseBorderTolerance_s))
       runs.note_plan("phase", "movement", plan.movement.end_s, last_s);
   }
   const Trajectory& trajectory = plan.trajectory;

@@ -6,7 +6,7 @@
 namespace morphe::verify {
 namespace {
 
-/// d^order/ds^order of the polynomial.
+/// The derivative of some order of the polynomial: d^order/ds^order.
 struct Polynomial {
   std::array<double, 6> c{};
   std::size_t degree = 5;
@@ -18,32 +18,32 @@ struct Polynomial {
   }
 };
 
-Polynomial differentiated(const Polynomial& p) {
+Polynomial differentiate(const Polynomial& p) {
   Polynomial d;
   d.degree = p.degree - 1;
   for (std::size_t k = 0; k <= d.degree; ++k) d.c[k] = static_cast<double>(k + 1) * p.c[k + 1];
   return d;
 }
 
-/// Points of an interval, ascending, both ends always among them.
+/// Points of an interval in ascending order, including both ends.
 struct Knots {
   std::array<double, 6> at{};
   std::size_t count = 2;
 };
 
-/// Zero of p between a and b, where p is monotone and changes sign.
+/// Returns the zero of p between a and b, between which p is monotone and changes sign.
 double crossing(const Polynomial& p, double a, double b) {
-  // To a billionth of the interval: what turns there is off by the square of that.
-  constexpr int kOften = 30;
+  // A billionth of the interval suffices: the error of the extremum is quadratic in it.
+  constexpr int kBisectionCount = 30;
   const bool rising = p(b) > 0;
-  for (int i = 0; i < kOften; ++i) {
+  for (int i = 0; i < kBisectionCount; ++i) {
     const double middle = 0.5 * (a + b);
     ((p(middle) > 0) == rising ? b : a) = middle;
   }
   return 0.5 * (a + b);
 }
 
-/// Ends and sign changes of p, which is monotone between the given knots.
+/// Returns the ends and the sign changes of p, which is monotone between the given knots.
 Knots sign_changes(const Polynomial& p, const Knots& monotone) {
   Knots found;
   found.at[0] = monotone.at[0];
@@ -66,7 +66,7 @@ Quintic quintic_between(double step_s, const JointState& from, const JointState&
   c[0] = from.position;
   c[1] = h * from.velocity;
   c[2] = 0.5 * h * h * from.acceleration;
-  // What the parabola from the start still lacks at the end.
+  // The residuals at the end after the parabola from the start.
   const double position = (to.position - from.position) - c[1] - c[2];
   const double velocity = h * to.velocity - c[1] - 2 * c[2];
   const double half_acceleration = 0.5 * h * h * to.acceleration - c[2];
@@ -78,7 +78,7 @@ Quintic quintic_between(double step_s, const JointState& from, const JointState&
 
 double derivative(const Quintic& quintic, int order, double s) {
   Polynomial p{quintic.c, 5};
-  for (int k = 0; k < order; ++k) p = differentiated(p);
+  for (int k = 0; k < order; ++k) p = differentiate(p);
   return p(s) / std::pow(quintic.step_s, order);
 }
 
@@ -87,10 +87,10 @@ std::array<Range, 4> ranges(const Quintic& quintic) { return ranges(quintic, 0, 
 std::array<Range, 4> ranges(const Quintic& quintic, double from, double to) {
   std::array<Polynomial, 5> p;
   p[0] = {quintic.c, 5};
-  for (std::size_t k = 1; k < p.size(); ++k) p[k] = differentiated(p[k - 1]);
+  for (std::size_t k = 1; k < p.size(); ++k) p[k] = differentiate(p[k - 1]);
 
   std::array<Range, 4> found;
-  Knots turning{{from, to}};  // of the snap, p[4]: none, it is linear
+  Knots turning{{from, to}};  // the snap, p[4], has no extrema inside because it is linear
   for (std::size_t order = 4; order-- > 0;) {
     turning = sign_changes(p[order + 1], turning);
     const double scale = 1 / std::pow(quintic.step_s, static_cast<double>(order));

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/motion/counted.hpp"
+#include "core/motion/count_with_noun.hpp"
 #include "stages/verify/verify.hpp"
 
 namespace morphe::verify {
@@ -23,7 +23,7 @@ std::string quoted(const std::string& text) {
   return out + '"';
 }
 
-/// Lengths in mm, all else as it is stored.
+/// Formats lengths in mm and all other values in their stored unit.
 std::string with_unit(double value, const std::string& unit) {
   if (unit == "m") return fmt::format("{:.6g} mm", 1000 * value);
   return fmt::format("{:.6g}{}{}", value, unit.empty() ? "" : " ", unit);
@@ -67,7 +67,7 @@ std::string verify_text(const VerifyReport& report) {
   const std::string approximate =
       report.approximate > 0 ? fmt::format("{} approximate, ", report.approximate) : "";
   return out + fmt::format("{} executable, {}{} infeasible, {}\n", report.executable, approximate,
-                           report.infeasible, counted(report.violations.size(), "violation"));
+                           report.infeasible, count_with_noun(report.violations.size(), "violation"));
 }
 
 }  // namespace morphe::verify

@@ -8,7 +8,7 @@
 namespace morphe::verify {
 namespace {
 
-/// Squared distance of a point to a segment: a clamped parabola.
+/// Returns the squared distance of a point to a segment, the minimum of a clamped parabola.
 double point_segment_squared(const Vec3& point, const Vec3& from, const Vec3& along,
                              double length_squared) {
   const Vec3 offset = point - from;
@@ -17,7 +17,8 @@ double point_segment_squared(const Vec3& point, const Vec3& from, const Vec3& al
   return (offset - share * along).squaredNorm();
 }
 
-/// Signed distance to a body of revolution's half-plane rectangle [0, radius] x [-half, half].
+/// Returns the signed distance in the half-plane of a body of revolution to the rectangle [0,
+/// radius] x [-half, half].
 double rectangle(double across, double along) {
   const double outside = std::hypot(std::max(across, 0.0), std::max(along, 0.0));
   return outside + std::min(std::max(across, along), 0.0);
@@ -69,7 +70,7 @@ double segment_solid_distance(const SceneObject& solid, const Segment& segment, 
   const Vec3 along = segment.to - segment.from;
   const double length = along.norm();
   const auto at = [&](double s) { return signed_distance(solid, segment.from + s * along); };
-  // Signed distance changes by at most what the point moves.
+  // The signed distance changes by at most the distance between the points.
   const double bound = at(0.5) - 0.5 * length;
   if (bound >= enough) return bound;
 
@@ -77,8 +78,8 @@ double segment_solid_distance(const SceneObject& solid, const Segment& segment, 
   double low = 0, high = 1;
   double inner_low = 1 - kGolden, inner_high = kGolden;
   double value_low = at(inner_low), value_high = at(inner_high);
-  constexpr int kMostSteps = 100;  // further apart than numbers are
-  for (int step = 0; step < kMostSteps && (high - low) * length > 1e-9; ++step) {
+  constexpr int kMaxGoldenSectionSteps = 100;  // enough to exhaust double precision
+  for (int step = 0; step < kMaxGoldenSectionSteps && (high - low) * length > 1e-9; ++step) {
     if (value_low < value_high) {
       high = inner_high;
       inner_high = inner_low;
@@ -96,7 +97,7 @@ double segment_solid_distance(const SceneObject& solid, const Segment& segment, 
   return std::min({value_low, value_high, at(0), at(1)});
 }
 
-bool can_judge(const SceneObject& solid) {
+bool has_valid_shape(const SceneObject& solid) {
   constexpr std::size_t kSizes[] = {1, 3, 2, 2};
   if (solid.shape == Shape::mesh) {
     const int vertices = static_cast<int>(solid.vertices.size());

@@ -4,29 +4,31 @@
 
 namespace morphe::verify {
 
+/// A line segment, for example the axis of a capsule.
 struct Segment {
   Vec3 from, to;
 };
 
-/// Least distance of two segments: min over u, v in [0, 1] of |a(u) - b(v)| [m]. A convex quadratic
-/// in two variables: its stationary point if that lies in the square, else the best of the four
-/// sides.
+/// Computes the least distance of two segments: min over u, v in [0, 1] of |a(u) - b(v)| [m]. It is
+/// a convex quadratic in two variables, whose minimum is the stationary point if that is inside the
+/// square, otherwise the best of the four sides.
 double segment_distance(const Segment& a, const Segment& b);
 
-/// Signed distance of a point to a solid's surface, < 0 inside, both in the solid's frame [m].
-/// Sphere, box, cylinder, capsule.
+/// Computes the signed distance of a point to a solid's surface, < 0 inside, both in the solid's
+/// frame [m]. Supports sphere, box, cylinder and capsule.
 double signed_distance(const SceneObject& solid, const Vec3& point);
 
-/// Least signed distance of the segment to the solid, in the solid's frame [m]: the signed distance
-/// to a convex body is convex along a line, so a golden-section search finds it (to 1e-9 m). At
-/// least `enough` is returned without a search when nothing smaller can come out.
+/// Computes the least signed distance of the segment to the solid, in the solid's frame [m]. The
+/// signed distance to a convex body is convex along a line, so that a golden-section search finds
+/// the minimum (to 1e-9 m). If the result cannot be smaller than `enough`, at least `enough` is
+/// returned without a search.
 double segment_solid_distance(const SceneObject& solid, const Segment& segment, double enough);
 
-/// True if the shape has the sizes that it needs, all positive; a mesh: a triangle, and corners
-/// that exist and are numbers.
-bool can_judge(const SceneObject& solid);
+/// Returns true if the shape has all required sizes and they are positive; for a mesh, if it has a
+/// triangle, and all corners exist and are finite.
+bool has_valid_shape(const SceneObject& solid);
 
-/// Greatest distance of a point of the solid from its centre [m].
+/// Returns the greatest distance of a point of the solid from its centre [m].
 double bounding_radius(const SceneObject& solid);
 
 }  // namespace morphe::verify

@@ -19,7 +19,7 @@ bool has_goal_throughout(const Goals& goals, std::size_t tip) {
   return true;
 }
 
-/// speed[k - 1] += |points[k + 1] - points[k - 1]| / 2h / tips
+/// Adds the speed of one tip: speed[k - 1] += |points[k + 1] - points[k - 1]| / 2h / tips.
 void add_speed(const std::vector<Vec3>& points, double step_s, std::size_t tips,
                std::vector<double>& speed) {
   if (points.size() < 3) return;
@@ -29,7 +29,7 @@ void add_speed(const std::vector<Vec3>& points, double step_s, std::size_t tips,
   }
 }
 
-/// Gives the joint positions of the curve at the instants k h, one after the other.
+/// Passes the joint positions of the curve at the instants k h to `take`, in order.
 template <class Take>
 void positions_at(const Curve& curve, double step_s, const Take& take) {
   const std::vector<double>& time = curve.trajectory->time;
@@ -47,24 +47,26 @@ void positions_at(const Curve& curve, double step_s, const Take& take) {
 
 using Complex = std::complex<double>;
 
-/// e^(-2 pi i share)
-Complex turned(double share) { return std::polar(1.0, -2 * std::numbers::pi * share); }
+/// Returns e^(-2 pi i share).
+Complex twiddle_factor(double share) { return std::polar(1.0, -2 * std::numbers::pi * share); }
 
-constexpr std::size_t kPadding = 16;
+constexpr std::size_t kZeroPaddingRatio = 16;
 
-/// Magnitudes of the spectrum of speed, padded with zeros to kPadding times the least power of two
-/// that it fits in: one transform for every kPadding-th of them, of the speed turned.
+/// Returns the magnitudes of the spectrum of the speed, padded with zeros to kZeroPaddingRatio
+/// times the least power of two that contains it. Every kZeroPaddingRatio-th magnitude comes from
+/// one transform, of the speed multiplied by a twiddle factor.
 std::vector<double> spectrum(const std::vector<double>& speed) {
-  const std::size_t size = std::bit_ceil(speed.size()), padded = kPadding * size;
+  const std::size_t size = std::bit_ceil(speed.size()), padded = kZeroPaddingRatio * size;
   std::vector<double> magnitude(padded);
   Eigen::FFT<double> transform;
   std::vector<Complex> turned_speed(size), x;
-  for (std::size_t first = 0; first < kPadding; ++first) {
+  for (std::size_t first = 0; first < kZeroPaddingRatio; ++first) {
     for (std::size_t i = 0; i < speed.size(); ++i)
       turned_speed[i] =
-          speed[i] * turned(static_cast<double>(first * i) / static_cast<double>(padded));
+          speed[i] * twiddle_factor(static_cast<double>(first * i) / static_cast<double>(padded));
     transform.fwd(x, turned_speed);
-    for (std::size_t k = 0; k < size; ++k) magnitude[kPadding * k + first] = std::abs(x[k]);
+    for (std::size_t k = 0; k < size; ++k)
+      magnitude[kZeroPaddingRatio * k + first] = std::abs(x[k]);
   }
   return magnitude;
 }
@@ -76,7 +78,7 @@ bool is_motion(const std::vector<double>& speed, double step_s) {
 
 }  // namespace
 
-Speeds mean_speeds(const RobotTable& robot, const Goals& goals, const Curve& curve) {
+Speeds mean_speeds(const RobotModel& robot, const Goals& goals, const Curve& curve) {
   Speeds speeds;
   if (goals.frames() < 2) return speeds;
   speeds.step_s =
@@ -91,8 +93,8 @@ Speeds mean_speeds(const RobotTable& robot, const Goals& goals, const Curve& cur
   positions_at(curve, speeds.step_s, [&](const JointVector& q) {
     frame_poses(robot, q, poses);
     for (std::size_t k = 0; k < tips.size(); ++k) {
-      const RobotTable::Tip& which = robot.tips[tips[k]];
-      robots[k].push_back(in_base(poses, which.frame, which.transform.translation()));
+      const RobotModel::Tip& which = robot.tips[tips[k]];
+      robots[k].push_back(to_base_frame(poses, which.frame, which.transform.translation()));
     }
   });
   for (std::size_t k = 0; k < tips.size(); ++k) {
@@ -106,7 +108,7 @@ Speeds mean_speeds(const RobotTable& robot, const Goals& goals, const Curve& cur
 }
 
 double sparc(const std::vector<double>& speed, double step_s) {
-  if (!is_motion(speed, step_s)) return kNotSeen;
+  if (!is_motion(speed, step_s)) return kUnknown;
   std::vector<double> magnitude = spectrum(speed);
   const double per_hz = static_cast<double>(magnitude.size()) * step_s;
   const double up_to_10_hz = std::floor(10 * (1 + 1e-12) * per_hz);
@@ -116,7 +118,7 @@ double sparc(const std::vector<double>& speed, double step_s) {
   const auto above = std::find_if(magnitude.rbegin(), magnitude.rend(),
                                   [&](double m) { return m >= 0.05 * greatest; });
   magnitude.erase(above.base(), magnitude.end());
-  if (magnitude.size() < 2) return kNotSeen;
+  if (magnitude.size() < 2) return kUnknown;
   const double bin = 1 / static_cast<double>(magnitude.size() - 1);
   double length = 0;
   for (std::size_t k = 1; k < magnitude.size(); ++k) {
@@ -127,13 +129,13 @@ double sparc(const std::vector<double>& speed, double step_s) {
 }
 
 double log_dimensionless_jerk(const std::vector<double>& speed, double step_s) {
-  if (!is_motion(speed, step_s)) return kNotSeen;
+  if (!is_motion(speed, step_s)) return kUnknown;
   double sum = 0;
   for (std::size_t i = 2; i < speed.size(); ++i) {
     const double bend = (speed[i] - speed[i - 1]) - (speed[i - 1] - speed[i - 2]);
     sum += bend * bend;
   }
-  // In units of the step: duration^3 / step^3 is all that is left of time.
+  // With time in units of the step, the factor is duration^3 / step^3.
   const double steps = static_cast<double>(speed.size() - 1);
   const double peak = *std::max_element(speed.begin(), speed.end());
   return -(3 * std::log(steps) + std::log(sum) - 2 * std::log(peak));

@@ -2,12 +2,12 @@
 
 #include <cmath>
 
-#include "stages/verify/against_goals.hpp"
+#include "stages/verify/goal_errors.hpp"
 
 namespace morphe::verify {
 namespace {
 
-double share_out_of_reach(const Goals& goals) {
+double unreachable_share(const Goals& goals) {
   double asked = 0, out = 0;
   for (std::size_t f = 0; f < goals.tip_position.rows; ++f) {
     for (std::size_t tip = 0; tip < goals.tip_position.cols; ++tip) {
@@ -22,11 +22,11 @@ double share_out_of_reach(const Goals& goals) {
 
 }  // namespace
 
-void judge_status(const RobotTable& robot, const Plan& plan, ViolationRuns& runs) {
+void verify_status(const RobotModel& robot, const Plan& plan, ViolationCollector& runs) {
   const double most = plan.tolerances.out_of_reach_share, farthest = plan.tolerances.farthest_tip;
   if (std::isnan(most) && std::isnan(farthest)) return;
-  const double share = share_out_of_reach(plan.goals);
-  const double tip = against_goals(robot, plan).position_max;
+  const double share = unreachable_share(plan.goals);
+  const double tip = goal_errors(robot, plan).position_max;
   const bool out_of_reach = share > most || share == 1, far = tip > farthest;
   if (plan.approximate) {
     if (!out_of_reach && !far) runs.note_plan("status", "approximate", share, most);

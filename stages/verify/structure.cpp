@@ -4,20 +4,21 @@
 #include <cmath>
 #include <functional>
 
+#include "stages/verify/approach_retreat.hpp"
 #include "stages/verify/magnitudes.hpp"
 #include "stages/verify/separation.hpp"
-#include "stages/verify/transfer.hpp"
 
 namespace morphe::verify {
 namespace {
 
-constexpr double kCoverage_s = 1e-6;
+constexpr double kCoverageTolerance_s = 1e-6;
 
 bool all_finite(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
 }
 
-bool judge_motion(const RobotTable& robot, const Trajectory& trajectory, ViolationRuns& runs) {
+bool verify_motion_arrays(const RobotModel& robot, const Trajectory& trajectory,
+                          ViolationCollector& runs) {
   const auto samples = static_cast<Eigen::Index>(trajectory.samples());
   const auto joints = static_cast<Eigen::Index>(robot.joints());
   const auto fits = [&](const JointRows& rows) {
@@ -32,7 +33,7 @@ bool judge_motion(const RobotTable& robot, const Trajectory& trajectory, Violati
   }
   bool good = true;
   const auto finite = [&](bool is_finite, const char* subject) {
-    if (!is_finite) runs.note_plan("finite", subject, kNotSeen, kNotSeen);
+    if (!is_finite) runs.note_plan("finite", subject, kUnknown, kUnknown);
     good = good && is_finite;
   };
   finite(all_finite(trajectory.time), "time");
@@ -59,8 +60,9 @@ bool judge_motion(const RobotTable& robot, const Trajectory& trajectory, Violati
   return good;
 }
 
-/// Fault of the values of a robot whose indices fit, nullptr if there is none.
-const char* robot_fault(const RobotTable& robot) {
+/// Returns the fault in the values of a robot whose indices are valid; nullptr if there is no
+/// fault.
+const char* robot_fault(const RobotModel& robot) {
   const auto positive = [](const JointVector& limits) {
     return limits.allFinite() && (limits.array() > 0).all();
   };
@@ -73,46 +75,47 @@ const char* robot_fault(const RobotTable& robot) {
     return pose.matrix().allFinite() && pose.linear().isUnitary(1e-6) &&
            pose.linear().determinant() > 0;
   };
-  for (const RobotTable::Frame& frame : robot.frames) {
+  for (const RobotModel::Frame& frame : robot.frames) {
     const bool turns = std::abs(frame.axis.norm() - 1) < 1e-6 && std::isfinite(frame.ratio) &&
                        std::isfinite(frame.offset);
     if (!rigid(frame.transform) || (frame.joint >= 0 && !turns)) return "robot/frames";
   }
-  for (const RobotTable::CoupledLimit& own : robot.coupled_limits) {
+  for (const RobotModel::CoupledLimit& own : robot.coupled_limits) {
     if (!(own.lower <= own.upper && own.velocity > 0 && own.acceleration > 0 && own.jerk > 0))
       return "robot/coupled_limits";
   }
-  for (const RobotTable::BrakingCurve& curve : robot.braking_curves) {
+  for (const RobotModel::BrakingCurve& curve : robot.braking_curves) {
     const double sum = curve.slope + curve.drop + curve.lower_end + curve.upper_end;
     if (!(std::isfinite(sum) && curve.slope > 0 && curve.drop >= 0)) return "robot/braking_curves";
   }
-  for (const RobotTable::Tip& tip : robot.tips)
+  for (const RobotModel::Tip& tip : robot.tips)
     if (!rigid(tip.transform)) return "robot/tips";
-  for (const RobotTable::Capsule& capsule : robot.capsules)
-    if (!seen(capsule.from) || !seen(capsule.to) || !(capsule.radius >= 0)) return "robot/capsules";
+  for (const RobotModel::Capsule& capsule : robot.capsules)
+    if (!is_known(capsule.from) || !is_known(capsule.to) || !(capsule.radius >= 0))
+      return "robot/capsules";
   return nullptr;
 }
 
-bool judge_object(const SceneObject& object, ViolationRuns& runs) {
+bool verify_object_arrays(const SceneObject& object, ViolationCollector& runs) {
   const std::size_t poses = object.time.size();
   const bool fits = poses > 0 && object.position.size() == poses &&
-                    object.orientation.size() == poses && can_judge(object);
+                    object.orientation.size() == poses && has_valid_shape(object);
   if (!fits) {
-    runs.note_plan("structure", object.name, kNotSeen, kNotSeen);
+    runs.note_plan("structure", object.name, kUnknown, kUnknown);
     return false;
   }
   bool finite = poses == 1 || all_finite(object.time);
-  for (const Vec3& position : object.position) finite = finite && seen(position);
+  for (const Vec3& position : object.position) finite = finite && is_known(position);
   for (const Quat& orientation : object.orientation)
     finite = finite && std::abs(orientation.norm() - 1) < 1e-6;
-  if (!finite) runs.note_plan("finite", object.name, kNotSeen, kNotSeen);
+  if (!finite) runs.note_plan("finite", object.name, kUnknown, kUnknown);
   const bool ordered = std::adjacent_find(object.time.begin(), object.time.end(),
                                           std::greater_equal<>()) == object.time.end();
-  if (!ordered) runs.note_plan("time", object.name, kNotSeen, kNotSeen);
+  if (!ordered) runs.note_plan("time", object.name, kUnknown, kUnknown);
   return finite && ordered;
 }
 
-bool judge_goals(const RobotTable& robot, const Plan& plan, ViolationRuns& runs) {
+bool verify_goal_arrays(const RobotModel& robot, const Plan& plan, ViolationCollector& runs) {
   const Goals& goals = plan.goals;
   if (goals.frames() == 0) return true;
   if (goals.tip_position.rows != goals.frames() || goals.tip_position.cols != robot.tips.size()) {
@@ -123,10 +126,10 @@ bool judge_goals(const RobotTable& robot, const Plan& plan, ViolationRuns& runs)
   const bool ordered = std::adjacent_find(goals.time.begin(), goals.time.end(),
                                           std::greater_equal<>()) == goals.time.end();
   if (!ordered || !all_finite(goals.time)) {
-    runs.note_plan("time", "goals", kNotSeen, kNotSeen);
+    runs.note_plan("time", "goals", kUnknown, kUnknown);
     return false;
   }
-  const Table<double>& share = goals.pad_share;
+  const Array2D<double>& share = goals.pad_share;
   if ((share.rows != 0 && (share.rows != goals.frames() || share.cols != robot.tips.size())) ||
       (!goals.closed.empty() && goals.closed.size() != robot.tips.size())) {
     runs.note_plan("structure", "goals", static_cast<double>(share.cols),
@@ -147,12 +150,13 @@ bool judge_goals(const RobotTable& robot, const Plan& plan, ViolationRuns& runs)
   return true;
 }
 
-/// Standing still, or leaving the hard part out, is not a plan; nor is going on where nothing asks.
-void judge_coverage(const Plan& plan, ViolationRuns& runs) {
+/// Checks that the trajectory covers the goals' time: it must neither stand still, nor omit a part,
+/// nor continue beyond the goals.
+void verify_time_coverage(const Plan& plan, ViolationCollector& runs) {
   if (plan.goals.time.empty()) return;
   const auto& reached = plan.trajectory.demonstration_time;
   const auto meets = [&](double own_s, double goal_s) {
-    if (!(std::abs(own_s - goal_s) <= kCoverage_s))
+    if (!(std::abs(own_s - goal_s) <= kCoverageTolerance_s))
       runs.note_plan("time", "demonstration_time", own_s, goal_s);
   };
   meets(reached.front(), plan.goals.time.front());
@@ -161,7 +165,7 @@ void judge_coverage(const Plan& plan, ViolationRuns& runs) {
 
 }  // namespace
 
-bool judge_structure(const RobotTable& robot, const Plan& plan, ViolationRuns& runs) {
+bool verify_structure(const RobotModel& robot, const Plan& plan, ViolationCollector& runs) {
   const bool empty = plan.trajectory.samples() == 0;
   if (plan.has_trajectory() == empty) {
     runs.note_plan("structure", "trajectory", static_cast<double>(plan.trajectory.samples()), 0);
@@ -171,27 +175,30 @@ bool judge_structure(const RobotTable& robot, const Plan& plan, ViolationRuns& r
   if (!plan.remaining.empty())
     runs.note_plan("structure", "remaining", static_cast<double>(plan.remaining.size()), 0);
   if (const char* fault = robot_fault(robot)) {
-    runs.note_plan("structure", fault, kNotSeen, kNotSeen);
+    runs.note_plan("structure", fault, kUnknown, kUnknown);
     return false;
   }
-  bool good = judge_motion(robot, plan.trajectory, runs);
-  good = judge_goals(robot, plan, runs) && good;
-  for (const SceneObject& object : plan.scene.objects) good = judge_object(object, runs) && good;
-  if (!good || !judge_magnitudes(robot, plan, runs)) return false;
-  judge_coverage(plan, runs);
+  bool good = verify_motion_arrays(robot, plan.trajectory, runs);
+  good = verify_goal_arrays(robot, plan, runs) && good;
+  for (const SceneObject& object : plan.scene.objects)
+    good = verify_object_arrays(object, runs) && good;
+  if (!good || !verify_magnitudes(robot, plan, runs)) return false;
+  verify_time_coverage(plan, runs);
   return true;
 }
 
-bool judge_transfer_structure(const RobotTable& robot, const Plan& plan, const Trajectory& transfer,
-                              bool at_its_end, ViolationRuns& runs) {
+bool verify_approach_retreat_structure(const RobotModel& robot, const Plan& plan,
+                                       const Trajectory& transfer, bool at_its_end,
+                                       ViolationCollector& runs) {
   if (transfer.samples() == 0 || plan.trajectory.samples() == 0) return false;
-  if (!judge_motion(robot, transfer, runs) || !judge_magnitudes(transfer, runs)) return false;
+  if (!verify_motion_arrays(robot, transfer, runs) || !verify_magnitudes(transfer, runs))
+    return false;
   const JointRows& way = plan.trajectory.position;
   const double gap = at_its_end
                          ? (transfer.position.bottomRows(1) - way.topRows(1)).cwiseAbs().maxCoeff()
                          : (transfer.position.topRows(1) - way.bottomRows(1)).cwiseAbs().maxCoeff();
-  if (!(gap <= kTransferEnd))
-    runs.note_plan("structure", at_its_end ? "approach" : "retreat", gap, kTransferEnd);
+  if (!(gap <= kJunctionTolerance))
+    runs.note_plan("structure", at_its_end ? "approach" : "retreat", gap, kJunctionTolerance);
   return true;
 }
 

@@ -1,20 +1,23 @@
 #pragma once
 
 #include "core/motion/plan.hpp"
-#include "core/motion/robot_table.hpp"
-#include "stages/verify/violation_runs.hpp"
+#include "core/motion/robot_model.hpp"
+#include "stages/verify/violation_collector.hpp"
 
 namespace morphe::verify {
 
-/// Whether status and content go together, shapes fit, numbers are numbers, time runs on from 0 and
-/// demonstration_time never back; the trajectory must lead through the goals' time, to 1e-6 s, and
-/// no finding may remain; magnitudes are those of a plan (magnitudes.hpp). Notes `structure`,
-/// `finite` and `time`. False if the motion cannot be judged any further.
-bool judge_structure(const RobotTable& robot, const Plan& plan, ViolationRuns& runs);
+/// Checks that status and content are consistent, shapes match, numbers are finite, time increases
+/// from 0 and demonstration_time never decreases; the trajectory must cover the goals' time, to
+/// 1e-6 s, and no finding may remain; magnitudes must be those of a valid plan (magnitudes.hpp).
+/// Records `structure`, `finite` and `time` violations. Returns false if the motion cannot be
+/// verified any further.
+bool verify_structure(const RobotModel& robot, const Plan& plan, ViolationCollector& runs);
 
-/// The same for an approach or a retreat, which have no goals: its last (`at_its_end`) or first
-/// sample is where the trajectory begins or ends, to kTransferEnd. False also if there is none.
-bool judge_transfer_structure(const RobotTable& robot, const Plan& plan, const Trajectory& transfer,
-                              bool at_its_end, ViolationRuns& runs);
+/// Checks the same for an approach or a retreat, which have no goals: its last (`at_its_end`) or
+/// first sample must coincide with the trajectory's begin or end, to kJunctionTolerance. Returns
+/// false also if there is no such motion.
+bool verify_approach_retreat_structure(const RobotModel& robot, const Plan& plan,
+                                       const Trajectory& transfer, bool at_its_end,
+                                       ViolationCollector& runs);
 
 }  // namespace morphe::verify

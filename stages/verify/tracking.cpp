@@ -4,7 +4,7 @@
 
 namespace morphe::verify {
 
-GoalShare goal_share(const Goals& goals, double time_s) {
+GoalInterpolation interpolate_goal_frames(const Goals& goals, double time_s) {
   const std::size_t last = goals.frames() - 1;
   if (time_s <= goals.time.front()) return {0, 0, 0};
   if (time_s >= goals.time.back()) return {last, last, 0};
@@ -24,7 +24,7 @@ bool is_grasping(const std::vector<Phase>& phases, double time_s) {
 
 std::optional<Vec3> goal_at(const Goals& goals, std::size_t tip, double time_s) {
   if (goals.time.empty()) return std::nullopt;
-  const GoalShare at = goal_share(goals, time_s);
+  const GoalInterpolation at = interpolate_goal_frames(goals, time_s);
   const Vec3 goal = (1 - at.share) * goals.tip_position(at.before, tip) +
                     at.share * goals.tip_position(at.after, tip);
   return goal.allFinite() ? std::optional<Vec3>(goal) : std::nullopt;

@@ -2,31 +2,34 @@
 
 #include <optional>
 
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 #include "stages/verify/curve.hpp"
-#include "stages/verify/violation_runs.hpp"
+#include "stages/verify/violation_collector.hpp"
 
 namespace morphe::verify {
 
-/// Goals at a demonstration time: those of two frames, `share` of the way from one to the other.
-/// Held before the first and after the last; a frame's own instant is that frame alone.
-struct GoalShare {
+/// The goals at a demonstration time as an interpolation between two frames, `share` of the way
+/// from `before` to `after`. Constant before the first frame and after the last; at a frame's own
+/// instant both are that frame.
+struct GoalInterpolation {
   std::size_t before = 0, after = 0;
   double share = 0;
 };
-GoalShare goal_share(const Goals& goals, double time_s);
+/// Returns the two goal frames around a demonstration time and the interpolation share.
+GoalInterpolation interpolate_goal_frames(const Goals& goals, double time_s);
 
-/// Whether a demonstration time lies in a phase grasp or hold, borders included.
+/// Returns true if a demonstration time is within a phase grasp or hold, borders included.
 bool is_grasping(const std::vector<Phase>& phases, double time_s);
 
-/// Where a tip should be at a demonstration time: linear between the goals' frames, held before the
-/// first and after the last; nothing where one of the two frames around it has not seen the tip.
+/// Returns the goal position of a tip at a demonstration time: linear between the goals' frames,
+/// constant before the first and after the last; nullopt if the tip is unseen in one of the two
+/// frames around the time.
 std::optional<Vec3> goal_at(const Goals& goals, std::size_t tip, double time_s);
 
-/// Notes `tracking` for each tip that is farther from its goal than the plan tolerates: in grasp
-/// and hold `tracking_grasp`, elsewhere `tracking`; between samples, where it is proved by
-/// bisection, 1e-4 m more.
-void judge_tracking(const RobotTable& robot, const Plan& plan, const Curve& curve,
-                    ViolationRuns& runs);
+/// Records `tracking` violations for each tip that is farther from its goal than the plan
+/// tolerates: `tracking_grasp` in grasp and hold, otherwise `tracking`; between samples, where the
+/// bound is proved by bisection, 1e-4 m more.
+void verify_tracking(const RobotModel& robot, const Plan& plan, const Curve& curve,
+                     ViolationCollector& runs);
 
 }  // namespace morphe::verify

@@ -5,46 +5,49 @@
 #include <string>
 #include <vector>
 
-#include "core/motion/asked.hpp"
 #include "core/motion/export.hpp"
 #include "core/motion/plan.hpp"
-#include "core/motion/robot_table.hpp"
+#include "core/motion/plan_request.hpp"
+#include "core/motion/robot_model.hpp"
 #include "stages/verify/violation.hpp"
 
 namespace morphe::verify {
 
+/// The violations found in a file and the number of its plans by status.
 struct VerifyReport {
-  int executable = 0, approximate = 0, infeasible = 0;  ///< plans, as the file has them
+  /// numbers of plans, by the status stored in the file
+  int executable = 0, approximate = 0, infeasible = 0;
   std::vector<Violation> violations;
 };
 
-/// Judges one plan by what docs/formats.md promises of it, with code of its own. Limits hold along
-/// the quintic between samples (exact extrema); clearance and the way of tips from their goals are
-/// proved there by bisection, and what stays open when nothing moves more than 0.01 mm counts as a
-/// violation; the certificate must agree with what is recomputed (clearance to 1e-4 m, the rest to
-/// 1e-9, see stages/verify/certificate.hpp). In the order of samples, then of causes and
-/// subjects. What a grasp says of friction, mass, torques and stiffness is held against the
-/// effective config, what the plan says of tolerances, home and scene against what was asked, where
-/// these are given.
-MORPHE_EXPORT std::vector<Violation> verify_plan(const RobotTable& robot,
+/// Verifies one plan against the guarantees of docs/formats.md, with an independent implementation.
+/// Limits are checked along the quintic between samples (exact extrema); clearance and the distance
+/// of tips from their goals are proved there by bisection, and intervals that remain undecided when
+/// no body moves more than 0.01 mm count as violations; the certificate must agree with the
+/// recomputed one (clearance to 1e-4 m, all else to 1e-9, see stages/verify/certificate.hpp).
+/// Returns the violations sorted by sample, cause and subject. Friction, mass, torques and
+/// stiffness of a grasp are compared with the effective config; tolerances, home and scene are
+/// compared with the request; both only if given.
+MORPHE_EXPORT std::vector<Violation> verify_plan(const RobotModel& robot,
                                                  const std::string& plan_path, const Plan& plan,
                                                  const std::string& config = {},
-                                                 const Asked* asked = nullptr);
+                                                 const PlanRequest* asked = nullptr);
 
-/// What a file asks for, by its header; InputError where that cannot be told.
-using AskedOf = std::function<Asked(const PlanFileHeader&)>;
+/// A function that returns a file's request from its header; throws InputError if it cannot be
+/// determined.
+using RequirementsReader = std::function<PlanRequest(const PlanFileHeader&)>;
 
-/// Every plan of a plans.h5, of which there must be one, and the robot's table; without `asked_of`
-/// nothing of it is held against the file's config and inputs. On `jobs` threads, with the same
-/// report. Throws InputError if the file cannot be read.
+/// Verifies every plan of a plans.h5, of which there must be at least one, and the robot's table;
+/// without `asked_of`, the file is not compared with its config and inputs. Runs on `jobs` threads,
+/// with the same report for any number. Throws InputError if the file cannot be read.
 MORPHE_EXPORT VerifyReport verify_file(const std::filesystem::path& file,
-                                       const AskedOf& asked_of = {}, int jobs = 1);
+                                       const RequirementsReader& asked_of = {}, int jobs = 1);
 
-/// {executable, approximate, infeasible, violations: [{plan, sample, time_s, cause, subject, value,
-/// limit, unit}]}; a number that is not finite is null.
+/// Returns the report as JSON: {executable, approximate, infeasible, violations: [{plan, sample,
+/// time_s, cause, subject, value, limit, unit}]}; a number that is not finite is null.
 MORPHE_EXPORT std::string verify_json(const VerifyReport& report);
 
-/// A line per violation, then the sum.
+/// Returns the report as text, one line per violation, followed by the totals.
 MORPHE_EXPORT std::string verify_text(const VerifyReport& report);
 
 }  // namespace morphe::verify

@@ -6,62 +6,65 @@
 #include <utility>
 
 #include "core/motion/input_error.hpp"
-#include "core/parallel/ordered_map.hpp"
+#include "core/parallel/ordered_parallel_map.hpp"
 #include "core/store/plan_file.hpp"
-#include "stages/verify/as_asked.hpp"
+#include "stages/verify/requirements.hpp"
 #include "stages/verify/verify.hpp"
-#include "stages/verify/violation_runs.hpp"
+#include "stages/verify/violation_collector.hpp"
 
 namespace morphe::verify {
 namespace {
 
-/// Every movement of a demonstration is there, from 000 on: none was left out.
-void judge_numbers(const std::vector<std::string>& paths, ViolationRuns& runs) {
+/// Checks that every movement of a demonstration is present, numbered from 000 without gaps.
+void verify_plan_numbering(const std::vector<std::string>& paths, ViolationCollector& runs) {
   if (paths.empty()) runs.note_plan("structure", "plans", 0, 1);
   std::map<std::string, int> next;
   for (const std::string& path : paths) {
     const std::string demonstration = path.substr(0, path.find('/'));
     const std::string wanted = fmt::format("{}/{:03}", demonstration, next[demonstration]++);
-    if (path != wanted) runs.note_plan("structure", "plans/" + wanted, kNotSeen, kNotSeen);
+    if (path != wanted) runs.note_plan("structure", "plans/" + wanted, kUnknown, kUnknown);
   }
 }
 
-/// Nothing if it cannot be told what the file asks for: that is a violation itself.
-std::optional<Asked> judge_header(const store::PlanReader& reader, const AskedOf& asked_of,
-                                  ViolationRuns& runs) {
+/// Returns the file's request; nullopt if it cannot be determined, which is recorded as a
+/// violation.
+std::optional<PlanRequest> verify_header(const store::PlanReader& reader,
+                                         const RequirementsReader& asked_of,
+                                         ViolationCollector& runs) {
   if (!asked_of) return std::nullopt;
   try {
-    const Asked asked = asked_of(reader.header());
+    const PlanRequest asked = asked_of(reader.header());
     if (reader.header().config_sha256 != asked.config_sha256)
-      runs.note_plan("config", "config_sha256", kNotSeen, kNotSeen);
-    judge_robot(reader.robot(), asked.robot, runs);
+      runs.note_plan("config", "config_sha256", kUnknown, kUnknown);
+    verify_robot(reader.robot(), asked.robot, runs);
     return asked;
   } catch (const InputError& error) {
     std::string sentence = error.what();
     std::ranges::replace(sentence, '\n', ';');
-    runs.note_plan("config", sentence, kNotSeen, kNotSeen);
+    runs.note_plan("config", sentence, kUnknown, kUnknown);
     return std::nullopt;
   }
 }
 
 using NamedPlan = std::pair<std::string, Plan>;
 
-struct Judged {
+struct VerifiedPlan {
   Status status = Status::infeasible;
   std::vector<Violation> violations;
 };
 
 }  // namespace
 
-VerifyReport verify_file(const std::filesystem::path& file, const AskedOf& asked_of, int jobs) {
+VerifyReport verify_file(const std::filesystem::path& file, const RequirementsReader& asked_of,
+                         int jobs) {
   const store::PlanReader reader(file);
   VerifyReport report;
-  ViolationRuns of_the_file("");
-  judge_numbers(reader.plan_paths(), of_the_file);
-  const std::optional<Asked> asked = judge_header(reader, asked_of, of_the_file);
+  ViolationCollector of_the_file("");
+  verify_plan_numbering(reader.plan_paths(), of_the_file);
+  const std::optional<PlanRequest> asked = verify_header(reader, asked_of, of_the_file);
   report.violations = of_the_file.finish();
   const bool comparable = asked && asked->robot.joint_names == reader.robot().joint_names;
-  parallel::OrderedMap<NamedPlan, Judged> map;
+  parallel::OrderedParallelMap<NamedPlan, VerifiedPlan> map;
   map.next = [&, i = std::size_t{0}]() mutable {
     if (i == reader.plan_paths().size()) return std::unique_ptr<NamedPlan>();
     const std::string& path = reader.plan_paths()[i];
@@ -69,11 +72,11 @@ VerifyReport verify_file(const std::filesystem::path& file, const AskedOf& asked
   };
   map.work = [&](const NamedPlan& named) {
     const auto& [path, plan] = named;
-    return std::make_unique<Judged>(
-        Judged{plan.status(), verify_plan(reader.robot(), path, plan, reader.header().config,
-                                          comparable ? &*asked : nullptr)});
+    return std::make_unique<VerifiedPlan>(
+        VerifiedPlan{plan.status(), verify_plan(reader.robot(), path, plan, reader.header().config,
+                                                comparable ? &*asked : nullptr)});
   };
-  map.write = [&](const Judged& judged) {
+  map.write = [&](const VerifiedPlan& judged) {
     ++(judged.status == Status::executable    ? report.executable
        : judged.status == Status::approximate ? report.approximate
                                               : report.infeasible);

@@ -15,9 +15,10 @@ std::string unit_in(const Units& units, std::string_view name) {
   return found == units.end() ? "" : std::string(found->second);
 }
 
-/// Of a joint, or of a coupled frame that is judged by its own limits.
-bool is_sliding(const RobotTable& robot, const std::string& subject) {
-  return std::ranges::any_of(robot.frames, [&](const RobotTable::Frame& frame) {
+/// Returns true for a prismatic joint, or a prismatic coupled frame that is checked against its own
+/// limits.
+bool is_prismatic(const RobotModel& robot, const std::string& subject) {
+  return std::ranges::any_of(robot.frames, [&](const RobotModel::Frame& frame) {
     const bool named =
         frame.name == subject ||
         (frame.joint >= 0 && robot.joint_names[static_cast<std::size_t>(frame.joint)] == subject);
@@ -27,7 +28,7 @@ bool is_sliding(const RobotTable& robot, const std::string& subject) {
 
 }  // namespace
 
-std::string unit_of(const RobotTable& robot, const Violation& violation) {
+std::string unit_of(const RobotModel& robot, const Violation& violation) {
   static const Units of_joint = {{"position", ""},
                                  {"velocity", "/s"},
                                  {"acceleration", "/s^2"},
@@ -66,7 +67,7 @@ std::string unit_of(const RobotTable& robot, const Violation& violation) {
       {"humanlikeness_mapped", "m^2"}, {"humanlikeness_final", "m^2"}};
   const auto joint = of_joint.find(violation.cause);
   if (joint != of_joint.end()) {
-    return (is_sliding(robot, violation.subject) ? "m" : "rad") + std::string(joint->second);
+    return (is_prismatic(robot, violation.subject) ? "m" : "rad") + std::string(joint->second);
   }
   if (violation.cause == "status" || violation.cause == "certificate") {
     return unit_in(of_subject, violation.subject);

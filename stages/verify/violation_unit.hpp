@@ -2,13 +2,13 @@
 
 #include <string>
 
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 #include "stages/verify/violation.hpp"
 
 namespace morphe::verify {
 
-/// Of a violation's value and limit: m, rad, s, …; "" for a count, a share or a ratio. A joint that
-/// slides has m where others have rad.
-std::string unit_of(const RobotTable& robot, const Violation& violation);
+/// Returns the unit of a violation's value and limit: m, rad, s, …; "" for a count, a share or a
+/// ratio. A prismatic joint has m instead of rad.
+std::string unit_of(const RobotModel& robot, const Violation& violation);
 
 }  // namespace morphe::verify

@@ -51,7 +51,7 @@ def measure(clone, command):
                               env={**os.environ, "CCACHE_DISABLE": "1"}, check=False).returncode
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     processor = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-    return {"processor_s": round(processor, 1), "clock_s": round(time.monotonic() - begin, 1), "exit_code": code}
+    return {"processor_time_s": round(processor, 1), "clock_s": round(time.monotonic() - begin, 1), "exit_code": code}
 
 
 def keep(clone, command, folder):
@@ -94,8 +94,8 @@ def main():
                         arguments.json.write_text(json.dumps(known, indent=1) + "\n")
                 first = first or row
                 failed = failed or row["exit_code"] != 0
-                print(f"{command:8} {commit:10} {row['processor_s']:12.1f} {row['clock_s']:9.1f}"
-                      f"  {row['processor_s'] / first['processor_s']:.2f} {row['clock_s'] / first['clock_s']:.2f}"
+                print(f"{command:8} {commit:10} {row['processor_time_s']:12.1f} {row['clock_s']:9.1f}"
+                      f"  {row['processor_time_s'] / first['processor_time_s']:.2f} {row['clock_s'] / first['clock_s']:.2f}"
                       + (f"  exit code {row['exit_code']}" if row["exit_code"] else ""), flush=True)
     sys.exit(1 if failed else 0)
 

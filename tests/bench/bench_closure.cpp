@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "core/closure/ferrari_canny.hpp"
+#include "core/closure/grasp_forces.hpp"
 #include "core/closure/gravity_margin.hpp"
-#include "core/closure/share_forces.hpp"
 #include "tests/core/closure/grasps.hpp"
 #include "tests/core/closure/polygon_hull.hpp"
 
@@ -72,7 +72,7 @@ void header(const std::string& name) {
 }
 
 /// Share of the tolerance that the bounds take.
-double gap_share(double lower, double upper, const Tolerance& tolerance) {
+double gap_share(double lower, double upper, const BoundTolerance& tolerance) {
   const double least = lower > 0 || upper < 0 ? std::min(std::abs(lower), std::abs(upper)) : 0;
   return (upper - lower) / std::max(tolerance.absolute, tolerance.relative * least);
 }
@@ -117,7 +117,7 @@ void gravity(int count) {
       Tally tally;
       for (int k = 0; k < count; ++k) {
         const ContactSet set = random_grasp(random, n, 0.002);
-        const Load load{0.3, 0.005 * random.normals()};
+        const Load load{0.3, 0.005 * random.normal_vector3()};
         GravityMargin found;
         const double took = milliseconds([&] {
           found =
@@ -139,9 +139,9 @@ void sharing(int count) {
     Tally tally;
     for (int k = 0; k < count; ++k) {
       const ContactSet set = random_grasp(random, n, 0.002);
-      Squeeze found;
+      GraspForces found;
       const double took = milliseconds([&] {
-        found = share_forces(set, -0.981 * Wrench::Unit(2), {8, 0.1, 0.8});
+        found = distribute_grasp_forces(set, -0.981 * Wrench::Unit(2), {8, 0.1, 0.8});
       });
       tally.add(took, found.residual.norm() < 1e-6 ? 1 : 0, 0, found.converged, 0, 0);
     }
@@ -164,11 +164,11 @@ int brackets(int count, int edges) {
           around = polygon_epsilon(set, edges, true);
         },
         1);
-    closed += found.closed();
-    const bool below = found.closed() && around < found.lower - 1e-9;
+    closed += found.force_closure();
+    const bool below = found.force_closure() && around < found.lower - 1e-9;
     const bool above = inscribed > 0 && inscribed > found.upper + 1e-9;
     outside += below || above;
-    inside_gap += found.closed() && found.lower >= inscribed && found.upper <= around;
+    inside_gap += found.force_closure() && found.lower >= inscribed && found.upper <= around;
     if (inscribed > 0) widest = std::max(widest, around - inscribed);
   }
   fmt::print(

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "core/collision/certified.hpp"
+#include "core/collision/continuous_check.hpp"
 #include "core/collision/fcl_engine.hpp"
 #include "core/robot/files/description.hpp"
 #include "tests/core/collision/random_pairs.hpp"
@@ -151,7 +151,7 @@ int run(bool quick, const std::string& file) {
   while (free_states.size() < wanted) {
     const JointVector q = random_position(bench.robot, random);
     const bool free = collision::is_free(bench.world, q, 0, bench.scratch);
-    differ += free != fcl.free(q, 0, bench.scratch);
+    differ += free != fcl.is_free(q, 0, bench.scratch);
     if (all.size() < wanted) all.push_back(q);
     if (free) free_states.push_back(q);
   }
@@ -162,7 +162,7 @@ int run(bool quick, const std::string& file) {
   const auto ours = [&](const JointVector& q) {
     return collision::is_free(bench.world, q, 0, bench.scratch);
   };
-  const auto theirs = [&](const JointVector& q) { return fcl.free(q, 0, bench.scratch); };
+  const auto theirs = [&](const JointVector& q) { return fcl.is_free(q, 0, bench.scratch); };
   for (const auto& [name, states] :
        {std::pair("free states", &free_states), {"any states", &all}}) {
     Times mine = timed(*states, ours), tree = timed(*states, theirs);

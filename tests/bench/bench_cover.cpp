@@ -20,13 +20,13 @@
 
 #include "core/collision/convex_hull.hpp"
 #include "core/collision/mesh_file.hpp"
-#include "core/cover/cover.hpp"
+#include "core/cover/fit_capsules.hpp"
 
 namespace morphe {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using Covers = std::vector<cover::Cover>;
+using Covers = std::vector<cover::CapsuleFit>;
 
 double seconds(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
@@ -50,7 +50,7 @@ fcl::Convexd convex_of(const SceneObject& hull) {
           static_cast<int>(hull.triangles.size()), faces, true};
 }
 
-double between(const cover::Cover& a, const cover::Cover& b, const Pose& a_from_b) {
+double between(const cover::CapsuleFit& a, const cover::CapsuleFit& b, const Pose& a_from_b) {
   double least = std::numeric_limits<double>::infinity();
   for (const collision::CapsuleBody& second : b.capsules) {
     const collision::CapsuleBody there{a_from_b * second.from, a_from_b * second.to, second.radius};
@@ -63,7 +63,7 @@ double between(const cover::Cover& a, const cover::Cover& b, const Pose& a_from_
 
 void compare(const std::string& name, const SceneObject& mesh, const std::vector<int>& budgets) {
   SceneObject hull = mesh;
-  if (!collision::take_hull(hull)) return;
+  if (!collision::replace_by_convex_hull(hull)) return;
   const fcl::Convexd convex = convex_of(hull);
   double reach = 0;
   for (const Vec3& vertex : hull.vertices) reach = std::max(reach, vertex.norm());
@@ -94,7 +94,7 @@ void compare(const std::string& name, const SceneObject& mesh, const std::vector
   std::string row =
       fmt::format("| {} | {} | {:.1f} |", name, hull.vertices.size(), 1e4 * seconds(begin));
   for (const int budget : budgets) {
-    const cover::Cover cover = cover::cover_bodies({mesh}, budget, name);
+    const cover::CapsuleFit cover = cover::fit_capsules({mesh}, budget, name);
     double less = 0;
     std::vector<double> found;
     begin = Clock::now();
@@ -109,8 +109,8 @@ void compare(const std::string& name, const SceneObject& mesh, const std::vector
 
 void figures(const std::string& name, const SceneObject& mesh, int budget) {
   const auto begin = Clock::now();
-  const cover::Cover cover = cover::cover_bodies({mesh}, budget, name);
-  const cover::CoverFigures& f = cover.figures;
+  const cover::CapsuleFit cover = cover::fit_capsules({mesh}, budget, name);
+  const cover::FitQuality& f = cover.quality;
   fmt::print("| {} | {} | {} | {:.2f} | {:.2f} | {:.1f} | {:.1f} | {:.0f} | {:.2f} |\n", name,
              mesh.triangles.size(), cover.capsules.size(), 100 * f.coverage, 1e3 * f.largest_gap_m,
              1e3 * f.standoff_median_m, 1e3 * f.standoff_95_m, 100 * f.near_share, seconds(begin));
@@ -130,7 +130,7 @@ int run(const std::vector<std::string>& files, const std::vector<int>& budgets, 
   }
   for (const std::string& file : files) {
     SceneObject mesh;
-    const std::string wrong = collision::load_surface(file, mesh);
+    const std::string wrong = collision::load_raw_mesh(file, mesh);
     if (!wrong.empty()) {
       fmt::print(stderr, "{}: {}\n", file, wrong);
       return 2;

@@ -5,19 +5,19 @@
 #include <string>
 
 #include "core/robot/files/description.hpp"
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 
 namespace morphe {
 namespace {
 
-RobotTable robot_named(const std::string& name) {
+RobotModel robot_named(const std::string& name) {
   return robot::load_robot(std::filesystem::path(MORPHE_SOURCE_DIR) / "configs/robots" /
                            (name + ".yaml"))
       .table;
 }
 
 /// A posture inside the limits that is not special in any way.
-JointVector posture(const RobotTable& robot) {
+JointVector posture(const RobotModel& robot) {
   JointVector q(robot.lower.size());
   for (Eigen::Index i = 0; i < q.size(); ++i) {
     q[i] = robot.lower[i] +
@@ -27,25 +27,25 @@ JointVector posture(const RobotTable& robot) {
 }
 
 void frames(benchmark::State& state, const std::string& name) {
-  const RobotTable robot = robot_named(name);
+  const RobotModel robot = robot_named(name);
   JointVector q = posture(robot);
   std::vector<Pose> base_from_frame;
   for (auto _ : state) {
     benchmark::DoNotOptimize(q.data());
-    robot::forward(robot, q, base_from_frame);
+    robot::forward_kinematics(robot, q, base_from_frame);
     benchmark::DoNotOptimize(base_from_frame.data());
     benchmark::ClobberMemory();
   }
 }
 
 void tip_points_one_by_one(benchmark::State& state, const std::string& name) {
-  const RobotTable robot = robot_named(name);
+  const RobotModel robot = robot_named(name);
   JointVector q = posture(robot);
   std::vector<Pose> base_from_frame;
   Eigen::Matrix3Xd point(3, q.size());
   for (auto _ : state) {
     benchmark::DoNotOptimize(q.data());
-    robot::forward(robot, q, base_from_frame);
+    robot::forward_kinematics(robot, q, base_from_frame);
     for (std::size_t i = 0; i < robot.tips.size(); ++i) {
       const Vec3 tip = robot::tip_pose(robot, base_from_frame, i).translation();
       robot::point_jacobian(robot, base_from_frame, robot.tips[i].frame, tip, point);
@@ -56,13 +56,13 @@ void tip_points_one_by_one(benchmark::State& state, const std::string& name) {
 }
 
 void tips_at_once(benchmark::State& state, const std::string& name) {
-  const RobotTable robot = robot_named(name);
+  const RobotModel robot = robot_named(name);
   JointVector q = posture(robot);
   std::vector<Pose> base_from_frame;
   Eigen::MatrixXd jacobian(6 * static_cast<Eigen::Index>(robot.tips.size()), q.size());
   for (auto _ : state) {
     benchmark::DoNotOptimize(q.data());
-    robot::forward(robot, q, base_from_frame);
+    robot::forward_kinematics(robot, q, base_from_frame);
     robot::tip_jacobians(robot, base_from_frame, jacobian);
     benchmark::DoNotOptimize(jacobian.data());
     benchmark::ClobberMemory();

@@ -10,8 +10,8 @@
 
 #include "core/robot/files/description.hpp"
 #include "core/robot/files/generate.hpp"
-#include "core/robot/forward.hpp"
-#include "core/solve/structured.hpp"
+#include "core/robot/forward_kinematics.hpp"
+#include "core/solve/trust_region.hpp"
 #include "tests/bench/bench_map_problems.hpp"
 #ifdef MORPHE_KDL
 #include "tests/bench/bench_map_kdl.hpp"
@@ -28,7 +28,7 @@ double processor_us() {
 }
 
 double percentile(std::vector<double> values, double share) {
-  if (values.empty()) return kNotSeen;
+  if (values.empty()) return kUnknown;
   const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + at, values.end());
   return values[static_cast<std::size_t>(at)];
@@ -40,7 +40,7 @@ struct Solver {
   solve::MinimiseOptions options;
   solve::BoundedProblem problem;
   humanlike::ObjectiveScratch scratch;
-  solve::StructuredScratch structured;
+  solve::TrustRegionScratch structured;
   solve::Quadratic model;
   const humanlike::FrameGoal* goal = nullptr;
 
@@ -68,7 +68,7 @@ struct Solver {
     goal = &at;
     scratch.new_descent();
     if (options.algorithm == "structured") {
-      return solve::minimise_structured(problem, start, options, structured);
+      return solve::minimise_trust_region(problem, start, options, structured);
     }
     return solve::minimise(problem, start, options);
   }
@@ -82,17 +82,17 @@ struct Row {
 
 void measure_errors(const BenchProblem& bench, const humanlike::FrameGoal& goal,
                     const JointVector& q, std::vector<Pose>& poses, Row& row) {
-  robot::forward(bench.robot, q, poses);
+  robot::forward_kinematics(bench.robot, q, poses);
   for (std::size_t i = 0; i < bench.robot.tips.size(); ++i) {
     const Pose tip = robot::tip_pose(bench.robot, poses, i);
     row.position_mm.push_back(1e3 * (tip.translation() - goal.tip_position[i]).norm());
-    if (!seen(goal.tip_orientation[i])) continue;
+    if (!is_known(goal.tip_orientation[i])) continue;
     row.orientation_deg.push_back(180 / std::numbers::pi *
                                   angle_between(Quat(tip.linear()), goal.tip_orientation[i]));
   }
 }
 
-JointVector random_position(const RobotTable& robot, std::mt19937_64& random) {
+JointVector random_position(const RobotModel& robot, std::mt19937_64& random) {
   JointVector q(robot.lower.size());
   for (Eigen::Index j = 0; j < q.size(); ++j) {
     q[j] = std::uniform_real_distribution<>(robot.lower[j], robot.upper[j])(random);

@@ -17,7 +17,7 @@ KDL::Frame frame_of(const Pose& pose) {
 }
 
 /// Fixed frames are merged into the link before them; every joint turns about z.
-KDL::Chain chain_of(const RobotTable& robot) {
+KDL::Chain chain_of(const RobotModel& robot) {
   KDL::Chain chain;
   Pose link = Pose::Identity();
   bool turns = false;
@@ -25,9 +25,9 @@ KDL::Chain chain_of(const RobotTable& robot) {
     chain.addSegment(
         KDL::Segment(KDL::Joint(turns ? KDL::Joint::RotZ : KDL::Joint::None), frame_of(link)));
   };
-  const RobotTable::Tip& tip = robot.tips.front();
+  const RobotModel::Tip& tip = robot.tips.front();
   for (int i = 0; i <= tip.frame; ++i) {
-    const RobotTable::Frame& frame = robot.frames[static_cast<std::size_t>(i)];
+    const RobotModel::Frame& frame = robot.frames[static_cast<std::size_t>(i)];
     link = link * frame.transform;
     if (frame.joint < 0) continue;
     finish();
@@ -54,7 +54,7 @@ struct KdlArm::Solver {
   KDL::ChainIkSolverPos_NR_JL position;
   KDL::JntArray from, to;
 
-  explicit Solver(const RobotTable& robot)
+  explicit Solver(const RobotModel& robot)
       : chain(chain_of(robot)),
         forward(chain),
         velocity(chain),
@@ -63,7 +63,7 @@ struct KdlArm::Solver {
         to(from) {}
 };
 
-KdlArm::KdlArm(const RobotTable& robot) : solver_(new Solver(robot)) {}
+KdlArm::KdlArm(const RobotModel& robot) : solver_(new Solver(robot)) {}
 KdlArm::~KdlArm() { delete solver_; }
 
 bool KdlArm::solve(const Pose& base_from_tip, JointVector& q) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 
 namespace morphe {
 
@@ -8,7 +8,7 @@ namespace morphe {
 /// tip the wrist's.
 class KdlArm {
  public:
-  explicit KdlArm(const RobotTable& robot);
+  explicit KdlArm(const RobotModel& robot);
   ~KdlArm();
   /// Steps from q towards the tip's pose; false if it did not arrive.
   bool solve(const Pose& base_from_tip, JointVector& q);

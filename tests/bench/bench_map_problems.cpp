@@ -4,7 +4,7 @@
 #include <numbers>
 #include <random>
 
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 
 namespace morphe {
 namespace {
@@ -27,17 +27,17 @@ struct Noise {
   }
 };
 
-humanlike::FrameGoal goal_at(const RobotTable& robot, JointVector q, bool orientations,
+humanlike::FrameGoal goal_at(const RobotModel& robot, JointVector q, bool orientations,
                              Noise& noise) {
   for (std::size_t j = 0; j < robot.joints(); ++j) {
-    const bool finger = std::any_of(kFingerNames, kFingerNames + kFingers, [&](const char* name) {
-      return robot.joint_names[j].starts_with(name);
-    });
+    const bool finger =
+        std::any_of(kFingerNames, kFingerNames + kFingerCount,
+                    [&](const char* name) { return robot.joint_names[j].starts_with(name); });
     if (finger) q[static_cast<Eigen::Index>(j)] += noise.normal(kDegree);
   }
   q = q.cwiseMax(robot.lower).cwiseMin(robot.upper);
   std::vector<Pose> poses;
-  robot::forward(robot, q, poses);
+  robot::forward_kinematics(robot, q, poses);
   const auto origin = [&](int frame) -> Vec3 {
     return poses[static_cast<std::size_t>(frame)].translation();
   };
@@ -50,7 +50,7 @@ humanlike::FrameGoal goal_at(const RobotTable& robot, JointVector q, bool orient
   for (std::size_t i = 0; i < robot.tips.size(); ++i) {
     const Pose tip = robot::tip_pose(robot, poses, i);
     goal.tip_position.push_back(sensed(tip.translation()));
-    goal.tip_orientation.push_back(orientations ? turn * Quat(tip.linear()) : unseen_rotation());
+    goal.tip_orientation.push_back(orientations ? turn * Quat(tip.linear()) : unknown_rotation());
   }
   const Vec3 shoulder = origin(robot.shoulder_frame);
   for (const auto& centre : robot.centres) {
@@ -60,9 +60,9 @@ humanlike::FrameGoal goal_at(const RobotTable& robot, JointVector q, bool orient
       break;
     }
   }
-  goal.finger_joint.fill(unseen_point());
+  goal.finger_joint.fill(unknown_point());
   for (const auto& centre : robot.centres) {
-    for (std::size_t finger = 0; finger < kFingers; ++finger) {
+    for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
       if (centre.chain == kFingerNames[finger]) {
         goal.finger_joint[finger] = sensed(origin(centre.frame)) + turn * Vec3(0.01, 0, 0.005);
       }

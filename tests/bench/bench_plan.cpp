@@ -17,7 +17,7 @@
 #include "core/moveit/problem.hpp"
 #include "core/robot/files/description.hpp"
 #include "stages/repair/connect.hpp"
-#include "stages/repair/draw_in.hpp"
+#include "stages/repair/path_smoothing.hpp"
 #include "stages/repair/repair_options.hpp"
 
 namespace morphe {
@@ -95,13 +95,13 @@ Answer solve(const Problem& problem, const robot::RobotDescription& robot, const
   if (!answer.why.empty()) {
     const collision::PairSeparation pair =
         collision::least_slack(world, answer.why[0] == 's' ? asked.start : goal, 0, scratch);
-    answer.why += fmt::format(": {} - {}, {:.4f} m", collision::first_name(world, pair),
-                              collision::second_name(world, pair), pair.slack());
+    answer.why += fmt::format(": {} - {}, {:.4f} m", collision::first_body_name(world, pair),
+                              collision::second_body_name(world, pair), pair.slack());
     return answer;
   }
   double begin = processor_ms();
-  answer.path =
-      repair::connect(interval, space, asked.start, goal, options.iterations, options.range, 1);
+  answer.path = repair::plan_rrt_connect(interval, space, asked.start, goal, options.iterations,
+                                         options.range, 1);
   answer.plan_ms = processor_ms() - begin;
   answer.solved = !answer.path.empty();
   if (!answer.solved) {

@@ -16,7 +16,7 @@ namespace {
 constexpr int kJoints = 22, kWaypoints = 200;
 
 struct Problem {
-  RobotTable robot;
+  RobotModel robot;
   JointPath path;
   Movement movement;
 };
@@ -34,7 +34,7 @@ Problem problem(bool jerk) {
   for (int i = 0; i < kWaypoints; ++i) {
     const double t = 0.01 * i;
     out.path.demonstration_time.push_back(t);
-    out.path.origin.push_back(Origin::mapped);
+    out.path.origin.push_back(SampleOrigin::mapped);
     for (int k = 0; k < kJoints; ++k) {
       out.path.position(i, k) =
           0.5 * std::sin(2 * t + 0.7 * k) + 0.1 * std::sin((4 + 0.2 * k) * t + k * k);
@@ -43,14 +43,14 @@ Problem problem(bool jerk) {
   return out;
 }
 
-retime::PacedPath paced_path_of(const Problem& from) {
-  retime::PacedPath paced_path;
+retime::ConstrainedPath paced_path_of(const Problem& from) {
+  retime::ConstrainedPath paced_path;
   paced_path.robot = &from.robot;
   paced_path.movement = &from.movement;
-  paced_path.clocked = retime::clock_path(from.robot, from.path, 0.01, true);
-  const std::vector<double> allowance(paced_path.clocked.clock.size(), 1);
-  paced_path.spline = retime::fit_path(from.robot, paced_path.clocked.clock,
-                                       paced_path.clocked.position, allowance, {}, 0.01)
+  paced_path.parameterized = retime::parameterize_path(from.robot, from.path, 0.01, true);
+  const std::vector<double> allowance(paced_path.parameterized.parameter.size(), 1);
+  paced_path.spline = retime::fit_path(from.robot, paced_path.parameterized.parameter,
+                                       paced_path.parameterized.position, allowance, {}, 0.01)
                           .spline;
   paced_path.velocity = from.robot.velocity;
   paced_path.acceleration = from.robot.acceleration;
@@ -66,7 +66,7 @@ void path_building(benchmark::State& state) {
 /// `build`: the path is built each time. Points of the jerk law: knots and the middles between.
 void law(benchmark::State& state, bool jerk, bool build) {
   const Problem from = problem(jerk);
-  retime::PacedPath paced_path = paced_path_of(from);
+  retime::ConstrainedPath paced_path = paced_path_of(from);
   double duration_s = 0;
   for (auto _ : state) {
     if (build) paced_path = paced_path_of(from);
@@ -79,7 +79,7 @@ void law(benchmark::State& state, bool jerk, bool build) {
 void whole(benchmark::State& state, bool jerk) {
   const Problem from = problem(jerk);
   retime::RetimeOptions options;
-  options.mode = retime::Tempo::fastest;
+  options.mode = retime::RetimeMode::fastest;
   double duration_s = 0;
   for (auto _ : state) {
     duration_s =

@@ -24,10 +24,10 @@ class Approach(CommandCase):
                 home[joints.index(joint)] = np.radians(degrees)
             home = np.clip(home, file["robot/lower"], file["robot/upper"])
             way = plan["trajectory/position"]
-            for group, at_home, meets in (("approach", 0, way[0]), ("retreat", -1, way[-1])):
+            for group, is_unset_pose, meets in (("approach", 0, way[0]), ("retreat", -1, way[-1])):
                 position = plan[group]["position"][()]
-                np.testing.assert_allclose(position[at_home], home, rtol=0, atol=1e-6)
-                np.testing.assert_allclose(position[-1 - at_home], meets, rtol=0, atol=1e-6)
+                np.testing.assert_allclose(position[is_unset_pose], home, rtol=0, atol=1e-6)
+                np.testing.assert_allclose(position[-1 - is_unset_pose], meets, rtol=0, atol=1e-6)
                 self.assertGreater(plan[group]["clearance"][()].min(), 0.001)
                 # Half of the limits at most.
                 velocity = np.abs(plan[group]["velocity"][()]) / file["robot/velocity"][()]

@@ -14,7 +14,7 @@ ORDER = ("run", "verify", "diff", "list", "explain", "report", "simulate", "expo
          "place", "study", "schema", "doctor")
 SHORT = [word for key in ("map.starts=1", "map.key_frames=1", "map.candidates=1", "map.coarse_step_s=0.2", "map.reachable_starts=1",
                           "repair.searches=0") for word in ("--set", key)]
-SHORTER = {"run": SHORT, "simulate": ["--directions", "none"], "place": [*SHORT, "--trials", 1, "--candidates", 8, "--refined", 2, "--planned", 1]}
+SHORTER = {"run": SHORT, "simulate": ["--load-directions", "none"], "place": [*SHORT, "--trials", 1, "--candidates", 8, "--refined", 2, "--planned", 1]}
 PARSED_ONLY = ("study",)  # tests/cli/test_study.py runs studies
 
 

@@ -18,7 +18,7 @@ def setUpModule():
     global PLANS, PHYSICS
     PLANS = planned_sample("--set", "grasp.close_fingers=true")
     PHYSICS = PLANS.parent / "simulated"
-    done = morphe("simulate", PLANS, "--out", PHYSICS, "--ensemble", 2, "--only", PLAN)
+    done = morphe("simulate", PLANS, "--out", PHYSICS, "--rollouts", 2, "--only", PLAN)
     if "has no MuJoCo" in done.stderr:
         PHYSICS = None
     else:
@@ -58,10 +58,10 @@ class ReportGrasp(CommandCase):
         page, _ = self.page("--physics", self.folder / "none", "--physics", self.folder / "physics")
         shown = self.row(page)["physics"]
         self.assertEqual((shown["held"], shown["rollouts"]), (results["held"], 2))
-        self.assertEqual(shown["directions"], 6)
-        self.assertEqual(shown["torque_share"], max(one["torque_share"] for one in results["rollouts"]))
+        self.assertEqual(shown["load_directions"], 6)
+        self.assertEqual(shown["torque_ratio"], max(one["torque_ratio"] for one in results["rollouts"]))
         self.assertEqual(sum(shown["failures"].values()), 2 - shown["held"])
-        self.assertEqual(shown["given_N"], results["rollouts"][0]["given_N"])
+        self.assertEqual(shown["commanded_force_N"], results["rollouts"][0]["commanded_force_N"])
         file = self.folder / "physics/ADL001DR2_000.json"
         file.write_text(json.dumps(results | {"plan_sha256": "0" * 64}))
         page, printed = self.page("--physics", self.folder / "physics")
@@ -81,7 +81,7 @@ class ReportGrasp(CommandCase):
         shutil.copy(PLANS, beside)
         self.physics(beside / "physics")
         self.succeeds("report", beside, "--out", self.folder / "page.html")
-        self.assertEqual(self.row(Page(self.folder / "page.html"))["physics"]["directions"], 6)
+        self.assertEqual(self.row(Page(self.folder / "page.html"))["physics"]["load_directions"], 6)
 
     def test_a_browser_shows_them(self):
         self.physics(self.folder / "physics")
@@ -94,7 +94,7 @@ class ReportGrasp(CommandCase):
         with h5py.File(PLANS) as file:
             self.assertEqual(tips, list(file["plans"][PLAN]["grasp/contacts/tip"].asstr()))
         text = window.execute_script("return document.querySelector('.grasp').innerText")
-        for part in ("In physics (MuJoCo", "of 2 rollouts", "needed to lift, given", "the plan's"):
+        for part in ("In physics (MuJoCo", "of 2 rollouts", "required to lift, commanded", "the plan's"):
             self.assertIn(part, text)
 
         def picture():

@@ -31,14 +31,14 @@ def setUpModule():
         assert probe.returncode == 2
         raise unittest.SkipTest("built without MuJoCo")
     SIMULATED = PLANS.parent / "simulated"
-    done = morphe("simulate", PLANS, "--out", SIMULATED, *COARSE, "--ensemble", 2, "--jobs", 1)
+    done = morphe("simulate", PLANS, "--out", SIMULATED, *COARSE, "--rollouts", 2, "--jobs", 1)
     assert done.returncode == 0, done.stderr
     PRINTED = done.stdout
 
 
 # A step twice as long as usual does for what is no question of physics.
-COARSE = ("--directions", "none", "--step", 0.004)
-FINE = ("--directions", "none")
+COARSE = ("--load-directions", "none", "--time-step", 0.004)
+FINE = ("--load-directions", "none")
 
 
 def contents(folder):
@@ -46,8 +46,8 @@ def contents(folder):
 
 
 class Simulate(CommandCase):
-    def simulate(self, folder, *arguments, ensemble=2, how=COARSE):
-        return self.succeeds("simulate", PLANS, "--out", self.folder / folder, *how, "--ensemble", ensemble,
+    def simulate(self, folder, *arguments, rollouts=2, how=COARSE):
+        return self.succeeds("simulate", PLANS, "--out", self.folder / folder, *how, "--rollouts", rollouts,
                              *arguments)
 
     def rows(self, folder):
@@ -64,7 +64,7 @@ class Simulate(CommandCase):
                                          "ADL001AR1/000"])
         self.assertEqual([len(found) for found in by_plan.values()], [2, 2, 1, 1, 1])
         self.assertEqual([by_plan[name][0]["failure"] for name in list(by_plan)[2:]],
-                         ["infeasible", "broken", "no_grasp"])
+                         ["infeasible", "invalid_data", "no_grasp"])
         first, varied = by_plan[GRASP]
         self.assertEqual((first["friction"], first["mass_kg"]), ("0.8", "0.3"))
         self.assertNotEqual(varied["mass_kg"], "0.3")
@@ -78,7 +78,7 @@ class Simulate(CommandCase):
         self.simulate("four", "--jobs", "4")
         self.assertEqual(contents(self.folder / "four"), contents(SIMULATED))
         arguments = [MORPHE, "simulate", PLANS, "--out", self.folder / "killed", *COARSE,
-                     "--ensemble", "2", "--jobs", "1"]
+                     "--rollouts", "2", "--jobs", "1"]
         process = subprocess.Popen(list(map(str, arguments)), stdout=subprocess.DEVNULL)
         first = self.folder / "killed/ADL001DR2_000.json"
         while process.poll() is None and not first.exists():
@@ -93,53 +93,57 @@ class Simulate(CommandCase):
 
     def test_what_is_there_is_used_only_if_it_says_the_same(self):
         only = ("--only", GRASP)
-        self.simulate("out", *only, ensemble=1)
+        self.simulate("out", *only, rollouts=1)
         file = self.folder / "out/ADL001DR2_000.json"
         text = file.read_text()
         done = json.loads(text)
         self.assertEqual(done["format"], "morphe-simulation")
         self.assertEqual(len(done["rollouts"]), 1)
         file.write_text(text[:100])  # half of it: made anew
-        self.simulate("out", *only, ensemble=1)
+        self.simulate("out", *only, rollouts=1)
         self.assertEqual(file.read_text(), text)
         stamp = file.stat().st_mtime_ns
-        self.simulate("out", *only, "--fresh", ensemble=1)
+        self.simulate("out", *only, "--fresh", rollouts=1)
         self.assertNotEqual(file.stat().st_mtime_ns, stamp)
         self.assertEqual(file.read_text(), text)
-        self.simulate("out", *only, "--friction", "0.01", ensemble=1)
+        self.simulate("out", *only, "--friction", "0.01", rollouts=1)
         rows = self.rows("out")
         self.assertEqual((rows[0]["friction"], rows[0]["held"]), ("0.01", "0"))
 
     def test_nothing_of_the_engine_is_left_behind(self):
-        self.succeeds("simulate", PLANS, "--out", "out", "--ensemble", "1", "--step", 0.004, "--only",
+        self.succeeds("simulate", PLANS, "--out", "out", "--rollouts", "1", "--time-step", 0.004, "--only",
                       "ADL001DR2/001", cwd=self.folder)
         self.assertEqual([file.name for file in self.folder.iterdir()], ["out"])
 
     def test_glue_always_lifts_and_ice_never(self):
-        self.simulate("glue", "--only", GRASP, "--friction", "10", "--torsion", "0.02", how=FINE)
-        self.simulate("ice", "--only", GRASP, "--friction", "0.01", "--torsion", "0.0001", how=FINE)
+        for name, friction, torsional in (("glue", "10", "0.02"), ("ice", "0.01", "0.0001")):
+            self.simulate(name, "--only", GRASP, "--friction", friction, "--torsional-friction", torsional,
+                          how=FINE)
         self.assertEqual([row["held"] for row in self.rows("glue")], ["1"] * 2)
         self.assertEqual([row["held"] for row in self.rows("ice")], ["0"] * 2)
 
-    def test_newtons_tell_hold_from_fall(self):
+    def test_the_predicted_forces_tell_hold_from_fall(self):
         result = self.simulate("out", "--only", GRASP, "--friction-range", "0.1", "1.2",
-                               "--mass-range", "0.05", "3", ensemble=6, how=FINE)
+                               "--mass-range", "0.05", "3", rollouts=6, how=FINE)
         rows = self.rows("out")
         for row in rows:
-            needed = float(row["needed_lift_N"])
-            self.assertEqual(row["foretold"], "1" if needed <= float(row["given_N"]) else "0")
-            self.assertGreaterEqual(float(row["needed_worst_N"]), 0.98 * float(row["needed_down_N"]))
-            if row["failure"] not in ("pushed", "no_contact"):  # it presses with what it is sent to
-                self.assertLess(abs(float(row["pressed_N"]) - float(row["given_N"])), 2.5)
-            self.assertEqual(row["squeeze"], "plan")
+            required = float(row["required_force_lift_N"])
+            held = "1" if required <= float(row["commanded_force_N"]) else "0"
+            self.assertEqual(row["predicted_held"], held)
+            self.assertGreaterEqual(float(row["required_force_worst_N"]),
+                                    0.98 * float(row["required_force_gravity_N"]))
+            # It presses with what it is sent to.
+            if row["failure"] not in ("displaced_while_closing", "no_opposing_contacts"):
+                self.assertLess(abs(float(row["measured_force_N"]) - float(row["commanded_force_N"])), 2.5)
+            self.assertEqual(row["contact_source"], "planned")
         self.assertEqual({row["held"] for row in rows}, {"0", "1"})
-        self.assertIn("tell hold from fall in", result.stdout)
+        self.assertIn("force prediction was right in", result.stdout)
 
     def test_a_file_of_servos(self):
         servos = self.folder / "servos.yaml"
         servos.write_text("index_proximal: {stiffness: 20}\n")
-        self.simulate("plain", "--only", GRASP, ensemble=1)
-        self.simulate("stiff", "--only", GRASP, "--servos", servos, ensemble=1)
+        self.simulate("plain", "--only", GRASP, rollouts=1)
+        self.simulate("stiff", "--only", GRASP, "--servos", servos, rollouts=1)
         self.assertNotEqual(self.rows("plain"), self.rows("stiff"))
         servos.write_text("index: {stiffness: 20}\n")
         result = morphe("simulate", PLANS, "--out", self.folder / "none", "--servos", servos)
@@ -152,11 +156,11 @@ class Simulate(CommandCase):
             self.assertEqual(result.stdout, "")
             self.assertFalse((self.folder / "out").exists())
             return result.stderr
-        self.assertIn("--ensemble must be 1 to 10000", refused("--ensemble", "0"))
+        self.assertIn("--rollouts must be 1 to 10000", refused("--rollouts", "0"))
         self.assertIn("--friction must be above 0", refused("--friction", "nan"))
-        self.assertIn("--step must be", refused("--step", "1"))
+        self.assertIn("--time-step must be", refused("--time-step", "1"))
         self.assertIn("--mass must be above 0", refused("--mass", "-1"))
-        self.assertIn("--directions", refused("--directions", "seven"))
+        self.assertIn("--load-directions", refused("--load-directions", "seven"))
         self.assertIn("--mass-range must be", refused("--mass-range", "3", "1"))
         self.assertIn("--frictoin", refused("--frictoin", "1"))
         self.assertEqual(morphe("simulate", PLANS).returncode, 2)

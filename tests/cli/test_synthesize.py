@@ -36,9 +36,9 @@ class Synthesize(CommandCase):
                                      ["synthetic_000000", "synthetic_000001"])
                     self.assertEqual(list(a["demonstrations"]), list(b["demonstrations"]))
                     for name in a["demonstrations"]:
-                        self.look_at(a["demonstrations"][name], b["demonstrations"][name])
+                        self.check_magnitudes(a["demonstrations"][name], b["demonstrations"][name])
 
-    def look_at(self, recorded, truth):
+    def check_magnitudes(self, recorded, truth):
         for column in ("begin_s", "end_s", "phase"):
             np.testing.assert_array_equal(recorded["labels"][column], truth["labels"][column])
         self.assertEqual(recorded["hand"].attrs["kind"], b"glove")

@@ -204,7 +204,7 @@ def finger_chain(finger):
             [at, at + 0.045 * z, at + 0.070 * z, at + 0.096 * z])
 
 
-def bones_of(axes, points, angles):
+def assumed_capsules(axes, points, angles):
     """[N] rotations and shifts after the second, third and fourth joint."""
     turn, shift, bones = np.broadcast_to(np.eye(3), (len(angles), 3, 3)), np.zeros((len(angles), 3)), []
     for k, (axis, point) in enumerate(zip(axes, points)):
@@ -221,7 +221,7 @@ def angles_for(finger, tips, angles):
     axes, points, rest = finger_chain(finger)
 
     def reached(angles):
-        turn, shift = bones_of(axes, points, angles)[-1]
+        turn, shift = assumed_capsules(axes, points, angles)[-1]
         return turn @ rest[-1] + shift
 
     angles = angles.copy()

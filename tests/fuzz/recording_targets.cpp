@@ -22,8 +22,9 @@ Target target_of(const std::string& format) {
             entry.conventions.unit = "m";
             entry.conventions.rate_hz = 100;
             const Demonstration read = imports::read_recording(entry);
-            const double length_s = longest_s(report_streams(read.streams));
-            if (length_s < kLongest_s && longest_s(report_streams(read.calibration)) < kLongest_s)
+            const double length_s = longest_duration_s(report_streams(read.streams));
+            if (length_s < kLongest_s &&
+                longest_duration_s(report_streams(read.calibration)) < kLongest_s)
               reconstruct::reconstruct(read, {}, {});
           },
           format == "egodex-hdf5"};

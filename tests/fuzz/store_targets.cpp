@@ -2,8 +2,8 @@
 #include "core/store/bytes.hpp"
 #include "core/store/consistency.hpp"
 #include "core/store/demonstration_file.hpp"
-#include "core/store/harmless.hpp"
 #include "core/store/plan_file.hpp"
+#include "core/store/sandbox_probe.hpp"
 #include "targets.hpp"
 
 namespace morphe::fuzz {
@@ -17,7 +17,7 @@ void read_bytes(std::string_view bytes) {
     } catch (const InputError&) {
     }
   };
-  RobotTable robot;
+  RobotModel robot;
   attempt([&] { robot = store::robot_from_bytes(bytes); });
   attempt([&] { store::header_from_bytes(bytes); });
   attempt([&] { store::inconsistency(store::plan_from_bytes(bytes), robot); });
@@ -26,14 +26,14 @@ void read_bytes(std::string_view bytes) {
 /// As every command reads them that is given a file of others.
 void read_plans(std::string_view bytes) {
   const std::filesystem::path file = as_file(bytes, "plans.h5");
-  store::expect_harmless(file);
+  store::probe_in_sandbox(file);
   const store::PlanReader reader(file);
   for (std::size_t i = 0; i < reader.size(); ++i) reader.read(i);
 }
 
 void read_demonstrations(std::string_view bytes) {
   const std::filesystem::path file = as_file(bytes, "demonstrations.h5");
-  store::expect_harmless(file);
+  store::probe_in_sandbox(file);
   const store::DemonstrationReader reader(file);
   for (std::size_t i = 0; i < reader.size(); ++i) reader.read(i);
 }

@@ -28,10 +28,10 @@ void read_all(const config::ConfigNode& node) {
 
 void read_yaml(std::string_view bytes) {
   const config::ConfigNode node = config::ConfigNode::parse(std::string(bytes), "a.yaml");
-  config::ConfigNode copy = node.detached();
+  config::ConfigNode copy = node.copy_as_document();
   copy.extend(node);
   read_all(copy);
-  copy.expect_all_read();
+  copy.require_all_keys_read();
 }
 
 void read_set(std::string_view bytes) {

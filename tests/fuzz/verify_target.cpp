@@ -10,7 +10,7 @@ namespace morphe::fuzz {
 namespace {
 
 struct Forged {
-  RobotTable robot = planar::robot();
+  RobotModel robot = planar::robot();
   Plan plan = planar::plan();
 };
 
@@ -29,7 +29,7 @@ std::vector<double*> numbers_of(Forged& f) {
   for (JointVector* v :
        {&f.robot.lower, &f.robot.upper, &f.robot.velocity, &f.robot.acceleration, &f.robot.jerk})
     add(*v, all);
-  for (RobotTable::Capsule& capsule : f.robot.capsules) {
+  for (RobotModel::Capsule& capsule : f.robot.capsules) {
     all.push_back(&capsule.radius);
     add(capsule.from, all);
     add(capsule.to, all);

@@ -2,12 +2,12 @@
 
 #include <random>
 
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 
 namespace morphe {
 
 /// A position inside the middle `share` of each joint's range.
-inline JointVector random_position(const RobotTable& robot, std::mt19937_64& random,
+inline JointVector random_position(const RobotModel& robot, std::mt19937_64& random,
                                    double share = 1) {
   JointVector q(robot.lower.size());
   for (Eigen::Index j = 0; j < q.size(); ++j) {

@@ -1,12 +1,12 @@
 #include <algorithm>
 
 #include "core/robot/files/assembly.hpp"
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 
 namespace morphe::robot {
 namespace {
 
-/// The chain's hinges, each place once, without those at `skip`.
+/// Returns the chain's hinges without those at `skip`, one for each position.
 std::vector<int> distinct_hinges(const Chain& chain, const std::vector<Pose>& base_from_frame,
                                  int skip) {
   const auto origin = [&](int frame) -> Vec3 {
@@ -15,7 +15,7 @@ std::vector<int> distinct_hinges(const Chain& chain, const std::vector<Pose>& ba
   std::vector<int> distinct;
   for (const int hinge : chain.hinges) {
     const auto same = [&](int other) {
-      return (origin(hinge) - origin(other)).norm() < kSamePoint_m;
+      return (origin(hinge) - origin(other)).norm() < kCoincidentTolerance_m;
     };
     if (!same(skip) && std::ranges::none_of(distinct, same)) distinct.push_back(hinge);
   }
@@ -25,27 +25,28 @@ std::vector<int> distinct_hinges(const Chain& chain, const std::vector<Pose>& ba
 bool carries_something(const Assembly& assembly, const Chain& arm) {
   return std::ranges::any_of(assembly.chains, [&](const Chain& chain) {
     return chain.name != arm.name &&
-           hangs_on(assembly.table, chain.frames.front(), arm.frames.front());
+           is_in_subtree(assembly.table, chain.frames.front(), arm.frames.front());
   });
 }
 
-bool is_finger(const RobotTable& table, const Chain& chain) {
-  return std::ranges::any_of(table.tips, [&](const RobotTable::Tip& tip) {
-    return tip.finger >= 0 && hangs_on(table, tip.frame, chain.frames.back());
+bool is_finger(const RobotModel& table, const Chain& chain) {
+  return std::ranges::any_of(table.tips, [&](const RobotModel::Tip& tip) {
+    return tip.finger >= 0 && is_in_subtree(table, tip.frame, chain.frames.back());
   });
 }
 
 }  // namespace
 
 void derive_centres(Assembly& assembly) {
-  RobotTable& table = assembly.table;
+  RobotModel& table = assembly.table;
   std::vector<Pose> base_from_frame;
-  forward(table, JointVector::Zero(static_cast<Eigen::Index>(table.joints())), base_from_frame);
-  std::vector<RobotTable::Centre> centres;
+  forward_kinematics(table, JointVector::Zero(static_cast<Eigen::Index>(table.joints())),
+                     base_from_frame);
+  std::vector<RobotModel::JointCentre> centres;
   for (const Chain& chain : assembly.chains) {
     const auto before = centres.size();
     std::ranges::copy_if(table.centres, std::back_inserter(centres),
-                         [&](const RobotTable::Centre& c) { return c.chain == chain.name; });
+                         [&](const RobotModel::JointCentre& c) { return c.chain == chain.name; });
     if (centres.size() > before) continue;
     if (chain.arm) {
       std::vector<int> joints = distinct_hinges(chain, base_from_frame, table.shoulder_frame);

@@ -15,7 +15,7 @@ namespace {
 int read_finger(const config::ConfigNode& node) {
   const std::string word = node.text();
   if (word == "wrist") return -1;
-  for (std::size_t finger = 0; finger < kFingers; ++finger) {
+  for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
     if (word == kFingerNames[finger]) return static_cast<int>(finger);
   }
   if (word.size() == 1 && word[0] >= '0' && word[0] <= '4') return word[0] - '0';
@@ -25,12 +25,12 @@ int read_finger(const config::ConfigNode& node) {
 
 void read_tip(Assembly& assembly, const FileScope& scope, const config::ConfigNode& node) {
   const char* key = node.has("chain") ? "chain" : "frame";
-  const Anchor place = anchor_named(assembly, scope, node[key]);
-  RobotTable::Tip tip;
+  const MountPoint place = find_mount_point(assembly, scope, node[key]);
+  RobotModel::Tip tip;
   tip.name = scope.prefix + node["name"].text();
   tip.frame = place.frame;
   if (tip.frame < 0) node[key].fail("a tip must move with a frame");
-  tip.transform = place.frame_from_anchor * read_mount_of(node);
+  tip.transform = place.frame_from_mount * read_optional_mount(node);
   if (node.has("pad_depth")) {
     tip.transform.translate(Vec3(-node["pad_depth"].number(), 0, 0));
   }
@@ -41,25 +41,25 @@ void read_tip(Assembly& assembly, const FileScope& scope, const config::ConfigNo
   } else {
     tip.finger = read_finger(node["finger"]);
   }
-  for (const RobotTable::Tip& other : assembly.table.tips) {
+  for (const RobotModel::Tip& other : assembly.table.tips) {
     if (other.name == tip.name)
       node["name"].fail(fmt::format("a tip '{}' exists already", tip.name));
   }
   assembly.table.tips.push_back(std::move(tip));
 }
 
-/// Adds the fixed frames whose parents exist by now; the others stay in the list.
+/// Adds the fixed frames whose parents exist; the others remain in the list.
 void add_ready_frames(Assembly& assembly, const FileScope& scope,
                       std::vector<config::ConfigNode>& nodes) {
   for (auto node = nodes.begin(); node != nodes.end();) {
-    if (node->has("parent") && !is_known(assembly, scope, (*node)["parent"].text())) {
+    if (node->has("parent") && !has_mount_point(assembly, scope, (*node)["parent"].text())) {
       ++node;
       continue;
     }
-    const Anchor place = read_hanging(assembly, scope, *node);
-    RobotTable::Frame frame;
+    const MountPoint place = read_mount_point(assembly, scope, *node);
+    RobotModel::Frame frame;
     frame.parent = place.frame;
-    frame.transform = place.frame_from_anchor;
+    frame.transform = place.frame_from_mount;
     add_frame(assembly, scope, (*node)["name"], frame);
     node = nodes.erase(node);
   }
@@ -91,7 +91,7 @@ void read_chains_and_frames(Assembly& assembly, const FileScope& scope,
       return other["name"].text() == parent.text();
     };
     if (std::ranges::any_of(fixed, same)) continue;
-    (void)anchor_named(assembly, scope, parent);
+    (void)find_mount_point(assembly, scope, parent);
   }
   if (!fixed.empty()) fixed.front()["parent"].fail("hangs on itself, by way of other frames");
 }
@@ -107,27 +107,27 @@ void read_centres(Assembly& assembly, const FileScope& scope, const config::Conf
       chain.fail(fmt::format("there is no chain '{}'", chain.text()));
     }
     const config::ConfigNode frame = node["frame"];
-    (void)anchor_named(assembly, scope, frame);
-    const int index = frame_called(assembly, scope, frame.text());
+    (void)find_mount_point(assembly, scope, frame);
+    const int index = find_frame(assembly, scope, frame.text());
     if (index < 0) frame.fail("must be a frame");
     assembly.table.centres.push_back({index, meant->arm ? "arm" : meant->name});
   }
 }
 
-/// A frame's name below `key` replaces what an earlier file said.
+/// Reads a frame's name below `key`, which replaces that of an earlier file.
 void read_frame_name(const Assembly& assembly, const FileScope& scope,
                      const config::ConfigNode& root, const char* key, std::string& name) {
   if (!root.has(key)) return;
-  const int frame = frame_called(assembly, scope, root[key].text());
+  const int frame = find_frame(assembly, scope, root[key].text());
   if (frame < 0) root[key].fail(fmt::format("there is no frame or link '{}'", root[key].text()));
   name = assembly.table.frames[static_cast<std::size_t>(frame)].name;
 }
 
-FileScope read_description(const config::ConfigNode& root, const Anchor& base,
+FileScope read_description(const config::ConfigNode& root, const MountPoint& base,
                            const std::string& prefix, Assembly& assembly);
 
-/// `hold: [{joint, at}]`
-void read_held(Assembly& assembly, const FileScope& scope, const config::ConfigNode& list) {
+/// Reads `hold: [{joint, at}]`.
+void read_fixed_joints(Assembly& assembly, const FileScope& scope, const config::ConfigNode& list) {
   for (const config::ConfigNode& node : list.items()) {
     assembly.problems.attempt([&] {
       const std::string name = node["joint"].text();
@@ -141,13 +141,14 @@ void read_held(Assembly& assembly, const FileScope& scope, const config::ConfigN
       if (at < assembly.lower[j] || at > assembly.upper[j])
         node[node.has("at") ? "at" : "joint"].fail(fmt::format(
             "{} is outside its limits, {} to {}", at, assembly.lower[j], assembly.upper[j]));
-      assembly.held.push_back({*joint, at});
+      assembly.fixed_joints.push_back({*joint, at});
     });
   }
 }
 
-/// `natural: [{joint, follow, value}]`
-void read_natural(Assembly& assembly, const FileScope& scope, const config::ConfigNode& list) {
+/// Reads `natural: [{joint, follow, value}]`.
+void read_natural_posture(Assembly& assembly, const FileScope& scope,
+                          const config::ConfigNode& list) {
   const auto joint_named = [&](const config::ConfigNode& node) {
     const auto& names = assembly.table.joint_names;
     for (const std::string& name : {scope.prefix + node.text(), node.text()}) {
@@ -166,8 +167,8 @@ void read_natural(Assembly& assembly, const FileScope& scope, const config::Conf
 }
 
 void read_part(Assembly& assembly, FileScope& scope, const config::ConfigNode& node) {
-  const Anchor place = read_hanging(assembly, scope, node);
-  drop_carriers_wrist(assembly, place);
+  const MountPoint place = read_mount_point(assembly, scope, node);
+  remove_parent_wrist_tip(assembly, place);
   if (node.has("generate")) return read_generated(assembly, place, node["generate"]);
   const config::ConfigNode file = node["file"];
   if (assembly.files.size() > 32) file.fail("more than 32 files: does one name itself?");
@@ -177,12 +178,12 @@ void read_part(Assembly& assembly, FileScope& scope, const config::ConfigNode& n
   scope.links.insert(part.links.begin(), part.links.end());
 }
 
-FileScope read_description(const config::ConfigNode& root, const Anchor& base,
+FileScope read_description(const config::ConfigNode& root, const MountPoint& base,
                            const std::string& prefix, Assembly& assembly) {
   assembly.files.push_back(root.file());
   FileScope scope{base, prefix, assembly.table.capsules.size()};
   const auto attempt = [&](const auto& step) { assembly.problems.attempt(step); };
-  config::add_strangers(root, robot_schema(), assembly.problems);
+  config::report_unknown_keys(root, robot_schema(), assembly.problems);
   const std::string name = root["name"].text();
   if (root.has("parts")) {
     for (const config::ConfigNode& part : root["parts"].items()) read_part(assembly, scope, part);
@@ -191,8 +192,8 @@ FileScope read_description(const config::ConfigNode& root, const Anchor& base,
   if (root.has("generate")) read_generated(assembly, base, root["generate"]);
   if (root.has("urdf")) read_urdf(assembly, scope, root["urdf"]);
   read_chains_and_frames(assembly, scope, root);
-  assembly.problems.throw_any();  // the rest would only repeat what is missing
-  if (root.has("hold")) read_held(assembly, scope, root["hold"]);
+  assembly.problems.throw_if_any();  // further errors would only be consequences
+  if (root.has("hold")) read_fixed_joints(assembly, scope, root["hold"]);
   attempt([&] { read_frame_name(assembly, scope, root, "shoulder", assembly.shoulder); });
   attempt([&] { read_frame_name(assembly, scope, root, "palm", assembly.palm); });
   if (root.has("tips")) {
@@ -200,33 +201,33 @@ FileScope read_description(const config::ConfigNode& root, const Anchor& base,
       attempt([&] { read_tip(assembly, scope, tip); });
   }
   if (root.has("side")) {
-    const std::optional<Side> side = morphe::named<Side>(root["side"].text());
+    const std::optional<Side> side = morphe::enum_from_name<Side>(root["side"].text());
     if (side) assembly.table.side = *side;
     if (!side) attempt([&] { root["side"].fail("must be left or right"); });
   }
-  if (root.has("natural")) read_natural(assembly, scope, root["natural"]);
+  if (root.has("natural")) read_natural_posture(assembly, scope, root["natural"]);
   if (root.has("centres")) attempt([&] { read_centres(assembly, scope, root["centres"]); });
   if (root.has("collision")) read_collision(assembly, scope, root["collision"]);
-  if (assembly.problems.none()) root.expect_all_read();
+  if (assembly.problems.none()) root.require_all_keys_read();
   if (assembly.chains.empty() && assembly.problems.none()) root.fail("has no chains");
   return scope;
 }
 
-RobotDescription loaded(const config::ConfigNode& root) {
+RobotDescription build_description(const config::ConfigNode& root) {
   const std::filesystem::path file = root.file();
   Assembly assembly;
-  config::Problems& problems = assembly.problems;
-  problems.attempt([&] { read_description(root, Anchor{}, "", assembly); });
-  problems.throw_any();
+  config::ErrorList& problems = assembly.problems;
+  problems.attempt([&] { read_description(root, MountPoint{}, "", assembly); });
+  problems.throw_if_any();
   if (assembly.palm.empty() && std::ranges::none_of(assembly.chains, &Chain::arm)) {
     problems.add(fmt::format("{}:1: palm: is missing, and there is no chain 'arm' to end in it",
                              file.string()));
   }
   if (assembly.table.tips.empty())
     problems.add(fmt::format("{}:1: tips: are missing", file.string()));
-  problems.throw_any();
-  finish(assembly);
-  problems.throw_any();
+  problems.throw_if_any();
+  finalize_robot(assembly);
+  problems.throw_if_any();
   return {std::move(assembly.table),   std::move(assembly.files), std::move(assembly.notes),
           std::move(assembly.natural), std::move(assembly.links), std::move(assembly.urdfs)};
 }
@@ -234,11 +235,11 @@ RobotDescription loaded(const config::ConfigNode& root) {
 }  // namespace
 
 RobotDescription load_robot(const std::filesystem::path& file) {
-  return loaded(config::ConfigNode::load(file));
+  return build_description(config::ConfigNode::load(file));
 }
 
 RobotDescription parse_robot(const std::string& text, const std::filesystem::path& file) {
-  return loaded(config::ConfigNode::parse(text, file.string()));
+  return build_description(config::ConfigNode::parse(text, file.string()));
 }
 
 }  // namespace morphe::robot

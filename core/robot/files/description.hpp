@@ -6,38 +6,41 @@
 #include <vector>
 
 #include "core/motion/plan.hpp"
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 
 namespace morphe::robot {
 
-/// What a joint does while no goal asks anything of it: q = value, or q = q_follow + value.
+/// The natural posture of a joint, which applies as long as no goal determines it: q = value, or q
+/// = q_follow + value.
 struct NaturalJoint {
   std::string joint, follow;
   double value = 0;  ///< [rad or m]
 };
 
-/// A URDF of the robot, and the frames that its links are.
+/// A URDF of the robot, and the frames that its links became.
 struct UrdfSource {
   std::filesystem::path file;
-  std::string prefix;                ///< of its names in the robot
-  std::map<std::string, int> links;  ///< by the file's own names
+  std::string prefix;                ///< prefix of its names in the robot
+  std::map<std::string, int> links;  ///< frames by the names of links in the file
 };
 
+/// A robot description as read from its files.
 struct RobotDescription {
-  RobotTable table;
-  std::vector<std::filesystem::path> files;  ///< every file it was read from, the first one named
-  std::vector<std::string> notes;            ///< "FILE:LINE: …": what of it was left out
-  std::vector<NaturalJoint> natural;         ///< what a config's `map.natural` is by default
-  std::map<std::string, int> links;          ///< of its URDFs: the frame that each is
+  RobotModel table;
+  std::vector<std::filesystem::path> files;  ///< all files that were read, the main one first
+  /// "FILE:LINE: …": parts of the description that were ignored.
+  std::vector<std::string> notes;
+  std::vector<NaturalJoint> natural;  ///< default of a config's `map.natural`
+  std::map<std::string, int> links;   ///< links of its URDFs and their frames
   std::vector<UrdfSource> urdfs;
 };
 
 /// Reads a robot description (docs/formats.md): DH chains, a URDF (with an SRDF), a generated arm
 /// or hand, or `parts` that mount other descriptions (a hand on an arm). Throws InputError with
 /// file, line and key for unknown or missing keys, a joint without limits, a coupling to an unknown
-/// joint, a frame or capsule that names nothing: a line for each.
+/// joint, and references to frames or capsules that do not exist, one line for each.
 RobotDescription load_robot(const std::filesystem::path& file);
-/// The same of a text that would stand in that file.
+/// Parses a robot description from a text as if it were the content of `file`.
 RobotDescription parse_robot(const std::string& text, const std::filesystem::path& file);
 
 }  // namespace morphe::robot

@@ -12,11 +12,12 @@
 namespace morphe::robot {
 namespace {
 
-struct Speed {
+struct RateLimits {
   double velocity, acceleration, jerk;
 };
 
-/// A frame whose z is the axis (± x, y or z), as of every DH joint: exact, and fast to turn.
+/// Returns a frame whose z axis is the joint axis (± x, y or z), as in DH joints: exact and fast to
+/// rotate.
 Pose frame_about(const Vec3& axis) {
   Eigen::Index along = 0;
   axis.cwiseAbs().maxCoeff(&along);
@@ -27,14 +28,15 @@ Pose frame_about(const Vec3& axis) {
   return pose;
 }
 
-/// Adds a driven joint that turns about `axis` at the end of `place`; returns where it leads.
-Anchor add_turn(Assembly& assembly, Chain& chain, const std::string& name, const Anchor& place,
-                const Vec3& axis, double lower, double upper, const Speed& speed) {
-  RobotTable::Frame frame;
+/// Adds a driven revolute joint about `axis` at `place`; returns the mount point that it moves.
+MountPoint add_revolute_joint(Assembly& assembly, Chain& chain, const std::string& name,
+                              const MountPoint& place, const Vec3& axis, double lower, double upper,
+                              const RateLimits& speed) {
+  RobotModel::Frame frame;
   frame.name = name;
   frame.parent = place.frame;
   const Pose about = frame_about(axis);
-  frame.transform = place.frame_from_anchor * about;
+  frame.transform = place.frame_from_mount * about;
   frame.joint = static_cast<int>(assembly.table.joint_names.size());
   assembly.table.joint_names.push_back(name);
   assembly.lower.push_back(lower);
@@ -47,52 +49,52 @@ Anchor add_turn(Assembly& assembly, Chain& chain, const std::string& name, const
   return {chain.frames.back(), about.inverse()};
 }
 
-Anchor moved(Anchor place, double x, double y, double z) {
-  place.frame_from_anchor = place.frame_from_anchor * Eigen::Translation3d(x, y, z);
+MountPoint translated(MountPoint place, double x, double y, double z) {
+  place.frame_from_mount = place.frame_from_mount * Eigen::Translation3d(x, y, z);
   return place;
 }
 
-Anchor turned(Anchor place, double angle, const Vec3& axis) {
-  place.frame_from_anchor = place.frame_from_anchor * Eigen::AngleAxisd(angle, axis);
+MountPoint rotated(MountPoint place, double angle, const Vec3& axis) {
+  place.frame_from_mount = place.frame_from_mount * Eigen::AngleAxisd(angle, axis);
   return place;
 }
 
-int add_fixed(Assembly& assembly, const std::string& name, const Anchor& place) {
-  RobotTable::Frame frame;
+int add_fixed(Assembly& assembly, const std::string& name, const MountPoint& place) {
+  RobotModel::Frame frame;
   frame.name = name;
   frame.parent = place.frame;
-  frame.transform = place.frame_from_anchor;
+  frame.transform = place.frame_from_mount;
   assembly.table.frames.push_back(std::move(frame));
   return static_cast<int>(assembly.table.frames.size()) - 1;
 }
 
-void add_tip(Assembly& assembly, const std::string& name, const Anchor& place, int finger,
+void add_tip(Assembly& assembly, const std::string& name, const MountPoint& place, int finger,
              double along) {
-  assembly.table.tips.push_back({name, place.frame, place.frame_from_anchor, finger, along});
+  assembly.table.tips.push_back({name, place.frame, place.frame_from_mount, finger, along});
 }
 
-/// A capsule along z of a place, if the radius is one; returns its number, -1 if none.
-int add_capsule(Assembly& assembly, const std::string& name, const Anchor& place, double length,
+/// Adds a capsule along z of a mount point if the radius is positive; returns its index, or -1.
+int add_capsule(Assembly& assembly, const std::string& name, const MountPoint& place, double length,
                 double radius, bool hand) {
   if (!(radius > 0)) return -1;
-  RobotTable::Capsule capsule{name,
+  RobotModel::Capsule capsule{name,
                               place.frame,
-                              place.frame_from_anchor * Vec3::Zero().eval(),
-                              place.frame_from_anchor * Vec3(0, 0, length),
+                              place.frame_from_mount * Vec3::Zero().eval(),
+                              place.frame_from_mount * Vec3(0, 0, length),
                               radius,
                               hand};
   assembly.table.capsules.push_back(std::move(capsule));
   return static_cast<int>(assembly.table.capsules.size()) - 1;
 }
 
-/// Capsules that meet where more than one joint connects them.
-void allow_meeting(Assembly& assembly, int one, int other) {
+/// Allows a collision of capsules that meet although more than one joint connects them.
+void allow_capsule_pair(Assembly& assembly, int one, int other) {
   if (one < 0 || other < 0) return;
   assembly.table.allowed_pairs.push_back({std::min(one, other), std::max(one, other)});
 }
 
-/// The finger at `share` of the way from index (0) to little (1), between its neighbours.
-FingerProportions finger_between(double share) {
+/// Interpolates the finger at `share` between index (0) and little (1) from its neighbours.
+FingerProportions interpolate_finger(double share) {
   const double at = 3 * share;
   const auto before = static_cast<std::size_t>(std::min(2.0, std::floor(at)));
   const double t = at - static_cast<double>(before);
@@ -114,88 +116,94 @@ FingerProportions finger_between(double share) {
   return f;
 }
 
-const Vec3 kFlexing = Vec3::UnitY();  ///< curls towards x, out of the palm
-const Vec3 kAbducting = -Vec3::UnitX();
+const Vec3 kFlexionAxis = Vec3::UnitY();  ///< flexes towards x, out of the palm
+const Vec3 kAbductionAxis = -Vec3::UnitX();
 
-void add_thumb(Assembly& assembly, const HandShape& shape, const Anchor& palm) {
+void add_thumb(Assembly& assembly, const HandSpec& shape, const MountPoint& palm) {
   const ThumbProportions& t = kThumbProportions;
-  const Speed speed{shape.velocity, shape.acceleration, shape.jerk};
+  const RateLimits speed{shape.velocity, shape.acceleration, shape.jerk};
   Chain chain{"thumb", false, {}, {}, {}};
-  const auto joint = [&](const char* name, const Anchor& place, const Vec3& axis, std::size_t k) {
-    return add_turn(assembly, chain, name, place, axis, t.lower[k], t.upper[k], speed);
+  const auto joint = [&](const char* name, const MountPoint& place, const Vec3& axis,
+                         std::size_t k) {
+    return add_revolute_joint(assembly, chain, name, place, axis, t.lower[k], t.upper[k], speed);
   };
-  Anchor at = moved(palm, 0, t.across * shape.breadth, t.along * shape.length);
+  MountPoint at = translated(palm, 0, t.across * shape.breadth, t.along * shape.length);
   at = joint("thumb_rotation", at, -Vec3::UnitZ(), 0);
-  at = joint("thumb_abduction", turned(at, t.splay, kAbducting), kAbducting, 1);
+  at = joint("thumb_abduction", rotated(at, t.splay, kAbductionAxis), kAbductionAxis, 1);
   const double radius = shape.radius, length = shape.length;
   const int first = static_cast<int>(assembly.table.capsules.size());
   const int metacarpal =
       add_capsule(assembly, "thumb_metacarpal", at, t.metacarpal * length, radius, true);
-  // From here on x points out of the thumb's pad: at zero across the palm.
-  at = turned(moved(at, 0, 0, t.metacarpal * shape.length), radians(-90), Vec3::UnitZ());
-  at = joint("thumb_mcp", at, kFlexing, 2);
+  // From here on x points out of the thumb's pad, which at zero is across the palm.
+  at = rotated(translated(at, 0, 0, t.metacarpal * shape.length), radians(-90), Vec3::UnitZ());
+  at = joint("thumb_mcp", at, kFlexionAxis, 2);
   chain.hinges = {chain.frames.front(), at.frame};
   add_capsule(assembly, "thumb_proximal", at, t.proximal * length, radius, true);
-  at = joint("thumb_ip", moved(at, 0, 0, t.proximal * length), kFlexing, 3);
+  at = joint("thumb_ip", translated(at, 0, 0, t.proximal * length), kFlexionAxis, 3);
   add_capsule(assembly, "thumb_distal", at, t.distal * length, radius, true);
   for (int palm_part = first - shape.fingers + 1; palm_part < first; ++palm_part) {
-    if (metacarpal >= 0) allow_meeting(assembly, metacarpal, palm_part);
+    if (metacarpal >= 0) allow_capsule_pair(assembly, metacarpal, palm_part);
   }
-  chain.end = moved(at, 0, 0, t.distal * shape.length);
-  add_tip(assembly, "thumb_tip", chain.end, 0, kNotSeen);
+  chain.end = translated(at, 0, 0, t.distal * shape.length);
+  add_tip(assembly, "thumb_tip", chain.end, 0, kUnknown);
   assembly.chains.push_back(std::move(chain));
 }
 
-std::string finger_name(const HandShape& shape, int number) {
-  return shape.fingers == static_cast<int>(kFingers) ? kFingerNames[number]
-                                                     : fmt::format("finger{}", number);
+std::string finger_name(const HandSpec& shape, int number) {
+  return shape.fingers == static_cast<int>(kFingerCount) ? kFingerNames[number]
+                                                         : fmt::format("finger{}", number);
 }
 
-double share_of(const HandShape& shape, int number) {
+double share_of(const HandSpec& shape, int number) {
   return static_cast<double>(number - 1) / (shape.fingers - 2);
 }
 
-/// From the wrist's end of the palm to a finger's base.
-void add_metacarpal(Assembly& assembly, const HandShape& shape, const Anchor& palm, int number) {
-  const FingerProportions f = finger_between(share_of(shape, number));
+/// Adds the metacarpal from the wrist's end of the palm to a finger's base.
+void add_metacarpal(Assembly& assembly, const HandSpec& shape, const MountPoint& palm, int number) {
+  const FingerProportions f = interpolate_finger(share_of(shape, number));
   const double along = f.along * shape.length, root = std::min(shape.radius, along);
   add_capsule(assembly, finger_name(shape, number) + "_metacarpal",
-              moved(palm, 0, f.across * shape.breadth, root), along - root, shape.radius, true);
+              translated(palm, 0, f.across * shape.breadth, root), along - root, shape.radius,
+              true);
 }
 
-/// `first_palm`: the first of the metacarpals' capsules, if there are any.
-void add_finger(Assembly& assembly, const HandShape& shape, const Anchor& palm, int first_palm,
+/// Adds a finger. `first_palm` is the index of the first capsule of the metacarpals, if they have
+/// capsules.
+void add_finger(Assembly& assembly, const HandSpec& shape, const MountPoint& palm, int first_palm,
                 int number) {
   const double share = share_of(shape, number);
-  const FingerProportions f = finger_between(share);
-  const Speed speed{shape.velocity, shape.acceleration, shape.jerk};
-  const bool human = shape.fingers == static_cast<int>(kFingers);
+  const FingerProportions f = interpolate_finger(share);
+  const RateLimits speed{shape.velocity, shape.acceleration, shape.jerk};
+  const bool human = shape.fingers == static_cast<int>(kFingerCount);
   const std::string name = finger_name(shape, number);
   Chain chain{name, false, {}, {}, {}};
-  const auto joint = [&](const char* what, const Anchor& place, const Vec3& axis, std::size_t k) {
-    return add_turn(assembly, chain, name + what, place, axis, f.lower[k], f.upper[k], speed);
+  const auto joint = [&](const char* what, const MountPoint& place, const Vec3& axis,
+                         std::size_t k) {
+    return add_revolute_joint(assembly, chain, name + what, place, axis, f.lower[k], f.upper[k],
+                              speed);
   };
   const double length = shape.length;
-  Anchor at = moved(palm, 0, f.across * shape.breadth, f.along * length);
-  at = joint("_abduction", turned(at, -f.splay, kAbducting), kAbducting, 0);
-  at = joint("_mcp", at, kFlexing, 1);
+  MountPoint at = translated(palm, 0, f.across * shape.breadth, f.along * length);
+  at = joint("_abduction", rotated(at, -f.splay, kAbductionAxis), kAbductionAxis, 0);
+  at = joint("_mcp", at, kFlexionAxis, 1);
   const auto phalanx = [&](const char* what, double share_of_hand) {
     return add_capsule(assembly, name + what, at, share_of_hand * length, shape.radius, true);
   };
   const int proximal = phalanx("_proximal", f.proximal);
-  for (int k = 0; k + 1 < shape.fingers; ++k) allow_meeting(assembly, first_palm + k, proximal);
-  at = joint("_pip", moved(at, 0, 0, f.proximal * length), kFlexing, 2);
+  for (int k = 0; k + 1 < shape.fingers; ++k)
+    allow_capsule_pair(assembly, first_palm + k, proximal);
+  at = joint("_pip", translated(at, 0, 0, f.proximal * length), kFlexionAxis, 2);
   chain.hinges = {chain.frames.front(), at.frame};
   phalanx("_middle", f.middle);
-  at = joint("_dip", moved(at, 0, 0, f.middle * length), kFlexing, 3);
+  at = joint("_dip", translated(at, 0, 0, f.middle * length), kFlexionAxis, 3);
   phalanx("_distal", f.distal);
-  chain.end = moved(at, 0, 0, f.distal * length);
+  chain.end = translated(at, 0, 0, f.distal * length);
   add_tip(assembly, name + "_tip", chain.end, 1 + static_cast<int>(std::lround(3 * share)),
-          human ? kNotSeen : share);
+          human ? kUnknown : share);
   assembly.chains.push_back(std::move(chain));
 }
 
-std::string wrong_speed(double velocity, double acceleration, double jerk) {
+std::string rate_limit_error(double velocity, double acceleration, double jerk) {
   return velocity > 0 && acceleration > 0 && jerk > 0
              ? ""
              : "velocity, acceleration and jerk must be above 0";
@@ -203,50 +211,50 @@ std::string wrong_speed(double velocity, double acceleration, double jerk) {
 
 }  // namespace
 
-std::string why_invalid(const ArmShape& shape) {
+std::string validation_error(const ArmSpec& shape) {
   if (shape.joints < 6 || shape.joints > 60) return "joints must be 6 … 60";
   if (!(shape.length > 0)) return "length must be above 0";
   if (!(shape.limit > 0)) return "limit must be above 0";
   if (!(shape.radius >= 0)) return "radius must not be negative";
-  return wrong_speed(shape.velocity, shape.acceleration, shape.jerk);
+  return rate_limit_error(shape.velocity, shape.acceleration, shape.jerk);
 }
 
-std::string why_invalid(const HandShape& shape) {
+std::string validation_error(const HandSpec& shape) {
   if (shape.fingers < 3 || shape.fingers > 12) return "fingers must be 3 … 12";
   if (!(shape.length > 0) || !(shape.breadth > 0)) return "length and breadth must be above 0";
   if (!(shape.radius >= 0)) return "radius must not be negative";
-  return wrong_speed(shape.velocity, shape.acceleration, shape.jerk);
+  return rate_limit_error(shape.velocity, shape.acceleration, shape.jerk);
 }
 
-void add_generated_arm(Assembly& assembly, const Anchor& base, const ArmShape& shape) {
-  assert(why_invalid(shape).empty());
-  const Speed speed{shape.velocity, shape.acceleration, shape.jerk};
+void add_generated_arm(Assembly& assembly, const MountPoint& base, const ArmSpec& shape) {
+  assert(validation_error(shape).empty());
+  const RateLimits speed{shape.velocity, shape.acceleration, shape.jerk};
   const int spherical = shape.joints / 3;
   const Vec3 axes[] = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
   Chain chain{"arm", true, {}, {}, base};
   for (int k = 0; k < shape.joints; ++k) {
     const std::string name = fmt::format("arm_{}", k + 1);
     const bool first = k % 3 == 0;
-    chain.end =
-        add_turn(assembly, chain, name, chain.end, axes[k % 3], -shape.limit, shape.limit, speed);
+    chain.end = add_revolute_joint(assembly, chain, name, chain.end, axes[k % 3], -shape.limit,
+                                   shape.limit, speed);
     if (first) chain.hinges.push_back(chain.end.frame);
     if (k % 3 != 2) continue;
     const int link = add_capsule(assembly, fmt::format("arm_link_{}", k / 3 + 1), chain.end,
                                  shape.length / spherical, shape.radius, false);
-    if (k > 2) allow_meeting(assembly, link - 1, link);
-    chain.end = moved(chain.end, 0, 0, shape.length / spherical);
+    if (k > 2) allow_capsule_pair(assembly, link - 1, link);
+    chain.end = translated(chain.end, 0, 0, shape.length / spherical);
   }
-  // The wrist is a place of its own, whether or not a joint stands there.
+  // The wrist has a frame of its own, even if it has no joint.
   chain.end = {add_fixed(assembly, "wrist", chain.end)};
   if (shape.joints % 3 == 0) chain.hinges.push_back(chain.end.frame);
-  add_tip(assembly, "wrist", chain.end, -1, kNotSeen);
+  add_tip(assembly, "wrist", chain.end, -1, kUnknown);
   assembly.palm = "wrist";
   assembly.chains.push_back(std::move(chain));
 }
 
-void add_generated_hand(Assembly& assembly, const Anchor& base, const HandShape& shape) {
-  assert(why_invalid(shape).empty());
-  const Anchor palm{add_fixed(assembly, "palm", base)};
+void add_generated_hand(Assembly& assembly, const MountPoint& base, const HandSpec& shape) {
+  assert(validation_error(shape).empty());
+  const MountPoint palm{add_fixed(assembly, "palm", base)};
   const int first_palm = static_cast<int>(assembly.table.capsules.size());
   for (int number = 1; number < shape.fingers; ++number) {
     add_metacarpal(assembly, shape, palm, number);
@@ -260,37 +268,37 @@ void add_generated_hand(Assembly& assembly, const Anchor& base, const HandShape&
 
 namespace {
 
-RobotTable finished_table(Assembly& assembly) {
-  finish(assembly);
+RobotModel finalized_table(Assembly& assembly) {
+  finalize_robot(assembly);
   assert(assembly.problems.none());
   return std::move(assembly.table);
 }
 
 }  // namespace
 
-RobotTable generate_arm(const ArmShape& shape) {
+RobotModel generate_arm(const ArmSpec& shape) {
   Assembly assembly;
   assembly.table.name = fmt::format("arm{}", shape.joints);
   add_generated_arm(assembly, {}, shape);
-  return finished_table(assembly);
+  return finalized_table(assembly);
 }
 
-RobotTable generate_hand(const HandShape& shape) {
+RobotModel generate_hand(const HandSpec& shape) {
   Assembly assembly;
   assembly.table.name = fmt::format("hand{}", shape.fingers);
   add_generated_hand(assembly, {}, shape);
-  return finished_table(assembly);
+  return finalized_table(assembly);
 }
 
-RobotTable generate_arm_hand(const ArmShape& arm, const HandShape& hand,
+RobotModel generate_arm_hand(const ArmSpec& arm, const HandSpec& hand,
                              const Pose& wrist_from_palm) {
   Assembly assembly;
   assembly.table.name = fmt::format("arm{}_hand{}", arm.joints, hand.fingers);
   add_generated_arm(assembly, {}, arm);
-  const Anchor end{assembly.chains.back().end.frame, wrist_from_palm};
-  drop_carriers_wrist(assembly, end);
+  const MountPoint end{assembly.chains.back().end.frame, wrist_from_palm};
+  remove_parent_wrist_tip(assembly, end);
   add_generated_hand(assembly, end, hand);
-  return finished_table(assembly);
+  return finalized_table(assembly);
 }
 
 }  // namespace morphe::robot

@@ -7,31 +7,31 @@
 namespace morphe::robot {
 namespace {
 
-double positive(const config::ConfigNode& node) {
+double read_positive(const config::ConfigNode& node) {
   const double value = node.number();
   if (value <= 0) node.fail("must be above 0");
   return value;
 }
 
-/// The name that a file gives, with its prefix.
+/// Returns the name given in the file, with the file's prefix.
 std::string prefixed(const FileScope& scope, const config::ConfigNode& name) {
   return scope.prefix + name.text();
 }
 
-/// Adds an actuated joint; returns its index.
+/// Adds an actuated joint and returns its index.
 int add_joint(Assembly& assembly, const std::string& name, const config::ConfigNode& row) {
   assembly.lower.push_back(row["lower"].number());
   assembly.upper.push_back(row["upper"].number());
   if (assembly.lower.back() >= assembly.upper.back()) row["upper"].fail("must be above lower");
-  assembly.velocity.push_back(positive(row["velocity"]));
-  assembly.acceleration.push_back(positive(row["acceleration"]));
-  assembly.jerk.push_back(positive(row["jerk"]));
+  assembly.velocity.push_back(read_positive(row["velocity"]));
+  assembly.acceleration.push_back(read_positive(row["acceleration"]));
+  assembly.jerk.push_back(read_positive(row["jerk"]));
   assembly.table.joint_names.push_back(name);
   return static_cast<int>(assembly.table.joint_names.size()) - 1;
 }
 
 void read_coupling(const config::ConfigNode& couple, const FileScope& scope,
-                   const std::string& joint, const RobotTable& table, RobotTable::Frame& frame) {
+                   const std::string& joint, const RobotModel& table, RobotModel::Frame& frame) {
   const config::ConfigNode driver = couple["joint"];
   auto found = std::ranges::find(table.joint_names, prefixed(scope, driver));
   if (found == table.joint_names.end()) found = std::ranges::find(table.joint_names, driver.text());
@@ -45,14 +45,14 @@ void read_coupling(const config::ConfigNode& couple, const FileScope& scope,
   if (couple.has("offset")) frame.offset += couple["offset"].number();
 }
 
-/// What a coupled joint may do itself, if its row says so.
-void read_coupled_limit(const config::ConfigNode& row, int frame, RobotTable& table) {
-  RobotTable::CoupledLimit limit;
+/// Reads the limits of a coupled joint itself, if its row has any.
+void read_coupled_limit(const config::ConfigNode& row, int frame, RobotModel& table) {
+  RobotModel::CoupledLimit limit;
   limit.frame = frame;
   bool any = false;
   const auto read = [&](const char* key, double& value, bool above_zero) {
     if (!row.has(key)) return;
-    value = above_zero ? positive(row[key]) : row[key].number();
+    value = above_zero ? read_positive(row[key]) : row[key].number();
     any = true;
   };
   read("lower", limit.lower, false);
@@ -85,19 +85,19 @@ DhConvention read_convention(const config::ConfigNode& node) {
 void read_chain(Assembly& assembly, const FileScope& scope, DhConvention convention,
                 const config::ConfigNode& node) {
   const config::ConfigNode name = node["name"];
-  if (has_anchor(assembly, prefixed(scope, name))) {
+  if (has_frame_or_chain(assembly, prefixed(scope, name))) {
     name.fail(fmt::format("a frame or chain '{}' exists already", prefixed(scope, name)));
   }
   if (node.has("convention")) convention = read_convention(node["convention"]);
   Chain chain{
-      prefixed(scope, name), name.text() == "arm", {}, {}, read_hanging(assembly, scope, node)};
+      prefixed(scope, name), name.text() == "arm", {}, {}, read_mount_point(assembly, scope, node)};
   for (const config::ConfigNode& row : node["joints"].items()) {
     const DhRow dh{row["theta"].number(), row["d"].number(), row["a"].number(),
                    row["alpha"].number()};
     const DhLink link = dh_link(convention, dh);
-    RobotTable::Frame frame;
+    RobotModel::Frame frame;
     frame.parent = chain.end.frame;
-    frame.transform = chain.end.frame_from_anchor * link.before;
+    frame.transform = chain.end.frame_from_mount * link.before;
     frame.slides = read_slides(row);
     if (frame.slides) {
       frame.transform.rotate(Eigen::AngleAxisd(dh.theta, Vec3::UnitZ()));

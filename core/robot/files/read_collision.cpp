@@ -7,8 +7,8 @@
 namespace morphe::robot {
 namespace {
 
-/// The file's capsules with that name; all that begin so if it ends in `*`.
-std::vector<int> capsules_named(const RobotTable& table, const FileScope& scope,
+/// Returns the file's capsules with that name, or with that prefix if the name ends in `*`.
+std::vector<int> capsules_named(const RobotModel& table, const FileScope& scope,
                                 const config::ConfigNode& node) {
   const std::string wanted = node.text();
   const auto matches = [&](const std::string& name, const std::string& pattern) {
@@ -26,26 +26,27 @@ std::vector<int> capsules_named(const RobotTable& table, const FileScope& scope,
 }
 
 void read_capsule(Assembly& assembly, const FileScope& scope, const config::ConfigNode& node) {
-  const Anchor place = anchor_named(assembly, scope, node["frame"]);
-  RobotTable::Capsule capsule;
+  const MountPoint place = find_mount_point(assembly, scope, node["frame"]);
+  RobotModel::Capsule capsule;
   capsule.name = scope.prefix + node["name"].text();
-  const auto same = [&](const RobotTable::Capsule& c) { return c.name == capsule.name; };
+  const auto same = [&](const RobotModel::Capsule& c) { return c.name == capsule.name; };
   if (std::ranges::any_of(assembly.table.capsules, same)) {
     node["name"].fail(fmt::format("a capsule '{}' exists already", capsule.name));
   }
   capsule.frame = place.frame;
-  capsule.from = place.frame_from_anchor * node["from"].vec3();
-  capsule.to = place.frame_from_anchor * node["to"].vec3();
+  capsule.from = place.frame_from_mount * node["from"].vec3();
+  capsule.to = place.frame_from_mount * node["to"].vec3();
   capsule.radius = node["radius"].number();
   if (capsule.radius <= 0) node["radius"].fail("must be above 0");
   assembly.table.capsules.push_back(std::move(capsule));
 }
 
-int body_before(const RobotTable& table, int body) {
-  return body < 0 ? -1 : body_of(table, table.frames[static_cast<std::size_t>(body)].parent);
+int parent_moving_frame(const RobotModel& table, int body) {
+  return body < 0 ? -1
+                  : moving_frame_of(table, table.frames[static_cast<std::size_t>(body)].parent);
 }
 
-void allow(RobotTable& table, int first, int second) {
+void allow(RobotModel& table, int first, int second) {
   if (first != second)
     table.allowed_pairs.push_back({std::min(first, second), std::max(first, second)});
 }
@@ -53,13 +54,13 @@ void allow(RobotTable& table, int first, int second) {
 }  // namespace
 
 void read_collision(Assembly& assembly, const FileScope& scope, const config::ConfigNode& node) {
-  RobotTable& table = assembly.table;
+  RobotModel& table = assembly.table;
   bool whole = true;
   if (node.has("capsules")) {
     for (const config::ConfigNode& item : node["capsules"].items())
       whole = assembly.problems.attempt([&] { read_capsule(assembly, scope, item); }) && whole;
   }
-  if (!whole) return;  // what names them would only repeat it
+  if (!whole) return;  // errors in references would only be consequences
   if (node.has("allowed_links")) {
     for (const config::ConfigNode& pair : node["allowed_links"].items()) {
       assembly.problems.attempt([&] {
@@ -67,7 +68,7 @@ void read_collision(Assembly& assembly, const FileScope& scope, const config::Co
         if (names.size() != 2) pair.fail("must be a list of two links");
         std::array<int, 2> frames{};
         for (const std::size_t k : {0, 1}) {
-          frames[k] = frame_called(assembly, scope, names[k].text());
+          frames[k] = find_frame(assembly, scope, names[k].text());
           if (frames[k] < 0)
             names[k].fail(fmt::format("there is no link or frame '{}'", names[k].text()));
         }
@@ -98,7 +99,7 @@ void read_collision(Assembly& assembly, const FileScope& scope, const config::Co
   }
 }
 
-void allow_frames(RobotTable& table, std::size_t first_capsule, int one, int other) {
+void allow_frames(RobotModel& table, std::size_t first_capsule, int one, int other) {
   for (std::size_t i = first_capsule; i < table.capsules.size(); ++i) {
     if (table.capsules[i].frame != one) continue;
     for (std::size_t j = first_capsule; j < table.capsules.size(); ++j) {
@@ -107,14 +108,14 @@ void allow_frames(RobotTable& table, std::size_t first_capsule, int one, int oth
   }
 }
 
-void allow_neighbours(RobotTable& table) {
+void allow_neighbours(RobotModel& table) {
   const int count = static_cast<int>(table.capsules.size());
   for (int i = 0; i < count; ++i) {
-    const int first = body_of(table, table.capsules[static_cast<std::size_t>(i)].frame);
+    const int first = moving_frame_of(table, table.capsules[static_cast<std::size_t>(i)].frame);
     for (int j = i + 1; j < count; ++j) {
-      const int second = body_of(table, table.capsules[static_cast<std::size_t>(j)].frame);
-      if (first == second || (second >= 0 && body_before(table, second) == first) ||
-          (first >= 0 && body_before(table, first) == second)) {
+      const int second = moving_frame_of(table, table.capsules[static_cast<std::size_t>(j)].frame);
+      if (first == second || (second >= 0 && parent_moving_frame(table, second) == first) ||
+          (first >= 0 && parent_moving_frame(table, first) == second)) {
         allow(table, i, j);
       }
     }

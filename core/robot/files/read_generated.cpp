@@ -3,7 +3,7 @@
 namespace morphe::robot {
 namespace {
 
-/// Reads the numbers that are there; `required` must be.
+/// Reads the numbers that are present; those in `required` must be.
 void read_numbers(const config::ConfigNode& node,
                   std::initializer_list<std::pair<const char*, double*>> required,
                   std::initializer_list<std::pair<const char*, double*>> optional) {
@@ -16,18 +16,18 @@ void read_numbers(const config::ConfigNode& node,
 void expect_free(const Assembly& assembly, const config::ConfigNode& node,
                  std::initializer_list<const char*> names) {
   for (const char* name : names) {
-    if (has_anchor(assembly, name)) node.fail("there is one already");
+    if (has_frame_or_chain(assembly, name)) node.fail("there is one already");
   }
 }
 
 }  // namespace
 
-void read_generated(Assembly& assembly, const Anchor& base, const config::ConfigNode& node) {
+void read_generated(Assembly& assembly, const MountPoint& base, const config::ConfigNode& node) {
   if (node.has("arm") == node.has("hand")) node.fail("must hold either arm or hand");
   std::string wrong;
   if (node.has("arm")) {
     const config::ConfigNode arm = node["arm"];
-    ArmShape shape;
+    ArmSpec shape;
     shape.joints = static_cast<int>(arm["joints"].integer());
     read_numbers(arm, {{"length", &shape.length}},
                  {{"limit", &shape.limit},
@@ -35,19 +35,19 @@ void read_generated(Assembly& assembly, const Anchor& base, const config::Config
                   {"acceleration", &shape.acceleration},
                   {"jerk", &shape.jerk},
                   {"radius", &shape.radius}});
-    if (const std::string message = why_invalid(shape); !message.empty()) arm.fail(message);
+    if (const std::string message = validation_error(shape); !message.empty()) arm.fail(message);
     expect_free(assembly, arm, {"arm", "arm_1", "wrist"});
     add_generated_arm(assembly, base, shape);
   } else {
     const config::ConfigNode hand = node["hand"];
-    HandShape shape;
+    HandSpec shape;
     shape.fingers = static_cast<int>(hand["fingers"].integer());
     read_numbers(hand, {{"length", &shape.length}, {"breadth", &shape.breadth}},
                  {{"velocity", &shape.velocity},
                   {"acceleration", &shape.acceleration},
                   {"jerk", &shape.jerk},
                   {"radius", &shape.radius}});
-    if (const std::string message = why_invalid(shape); !message.empty()) hand.fail(message);
+    if (const std::string message = validation_error(shape); !message.empty()) hand.fail(message);
     expect_free(assembly, hand, {"palm", "thumb", "finger1", "index"});
     add_generated_hand(assembly, base, shape);
   }

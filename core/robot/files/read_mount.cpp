@@ -7,11 +7,11 @@
 namespace morphe::robot {
 namespace {
 
-constexpr double kRounding = 1e-4;  ///< of published matrices and quaternions
+constexpr double kOrthonormalTolerance = 1e-4;  ///< for published matrices and quaternions
 
 Eigen::Matrix3d rotation_from(const Eigen::Matrix3d& rounded, const config::ConfigNode& node) {
   const Eigen::Matrix3d error = rounded.transpose() * rounded - Eigen::Matrix3d::Identity();
-  if (error.cwiseAbs().maxCoeff() > kRounding || rounded.determinant() < 0) {
+  if (error.cwiseAbs().maxCoeff() > kOrthonormalTolerance || rounded.determinant() < 0) {
     node.fail("must be a rotation");
   }
   return Quat(rounded).normalized().toRotationMatrix();
@@ -52,7 +52,8 @@ Pose read_mount(const config::ConfigNode& node) {
     const std::vector<double> w = quaternion.numbers();
     if (w.size() != 4) quaternion.fail(fmt::format("must have 4 numbers, not {}", w.size()));
     const Quat rotation(w[0], w[1], w[2], w[3]);
-    if (std::abs(rotation.norm() - 1) > kRounding) quaternion.fail("must have length 1");
+    if (std::abs(rotation.norm() - 1) > kOrthonormalTolerance)
+      quaternion.fail("must have length 1");
     pose.linear() = rotation.normalized().toRotationMatrix();
   } else if (node.has("matrix")) {
     read_matrix(node["matrix"], pose);
@@ -64,7 +65,7 @@ Pose read_mount(const config::ConfigNode& node) {
   return pose;
 }
 
-Pose read_mount_of(const config::ConfigNode& owner) {
+Pose read_optional_mount(const config::ConfigNode& owner) {
   return owner.has("mount") ? read_mount(owner["mount"]) : Pose::Identity();
 }
 

@@ -13,7 +13,7 @@
 namespace morphe::robot {
 namespace {
 
-/// Keeps urdfdom's messages off the console while it lives.
+/// Suppresses urdfdom's console messages during its lifetime.
 class QuietConsole : console_bridge::OutputHandler {
  public:
   QuietConsole() { console_bridge::useOutputHandler(this); }
@@ -28,8 +28,8 @@ class QuietConsole : console_bridge::OutputHandler {
   bool said_ = false;
 };
 
-/// urdfdom asks for limits and efforts that may come from the description or are not needed, and
-/// reads what a picture alone needs: the one is put in, the other left out.
+/// Adds limits and efforts that urdfdom requires although they may come from the description or are
+/// not needed, and removes the visual elements that are not used.
 void simplify(tinyxml2::XMLDocument& document) {
   tinyxml2::XMLElement* robot = document.RootElement();
   for (const char* tag : {"material", "transmission", "gazebo", "sensor"}) {
@@ -57,7 +57,7 @@ void simplify(tinyxml2::XMLDocument& document) {
   }
 }
 
-urdf::ModelInterfaceSharedPtr parsed(const files::XmlText& text) {
+urdf::ModelInterfaceSharedPtr parse_with_urdfdom(const files::XmlText& text) {
   tinyxml2::XMLDocument simple;
   text.document.DeepCopy(&simple);
   simplify(simple);
@@ -76,23 +76,26 @@ struct Reader {
   const files::XmlText& text;
   const urdf::ModelInterface& model;
   UrdfTree tree;
-  std::map<std::string, config::ConfigNode> own;  ///< what the description says of a joint
+  std::map<std::string, config::ConfigNode> own;  ///< limits that the description gives for a joint
 
-  const urdf::Joint& of(const UrdfJoint& joint) const { return *model.joints_.at(joint.name); }
+  const urdf::Joint& urdf_joint(const UrdfJoint& joint) const {
+    return *model.joints_.at(joint.name);
+  }
   [[noreturn]] void fail(const UrdfJoint& joint, const char* part, const std::string& what) const {
     text.fail(*joint.element, fmt::format("joint {}{}", joint.name, part), what);
   }
-  bool driven(const UrdfJoint& joint) const {
-    return joint.kind != JointKind::fixed && !of(joint).mimic;
+  bool is_actuated(const UrdfJoint& joint) const {
+    return joint.kind != JointKind::fixed && !urdf_joint(joint).mimic;
   }
   const UrdfJoint* find(const std::string& name) const {
     const auto found = std::ranges::find(tree.joints, name, &UrdfJoint::name);
     return found == tree.joints.end() ? nullptr : &*found;
   }
 
-  /// What the description says of this joint; of all joints if the file says nothing.
-  std::optional<double> stated(const UrdfJoint& joint, const char* key,
-                               std::optional<double> written = std::nullopt) const {
+  /// Returns the limit that the description gives for this joint, else the one in the URDF, else
+  /// the one that the description gives for all joints.
+  std::optional<double> limit_value(const UrdfJoint& joint, const char* key,
+                                    std::optional<double> written = std::nullopt) const {
     const auto entry = own.find(joint.name);
     if (entry != own.end() && entry->second.has(key)) return entry->second[key].number();
     if (written) return written;
@@ -100,7 +103,7 @@ struct Reader {
     return std::nullopt;
   }
 
-  void read_own_limits() {
+  void read_limit_overrides() {
     for (const char* key : {"velocity", "acceleration", "jerk"}) {
       if (node.has(key) && !(node[key].number() > 0)) node[key].fail("must be above 0");
     }
@@ -118,7 +121,7 @@ struct Reader {
   }
 
   double positive(const UrdfJoint& joint, const char* key, std::optional<double> written) const {
-    const std::optional<double> value = stated(joint, key, written);
+    const std::optional<double> value = limit_value(joint, key, written);
     if (value && *value > 0 && std::isfinite(*value)) return *value;
     if (value && *value < 0) fail(joint, fmt::format(".{}", key).c_str(), "must be above 0");
     node.fail(
@@ -130,8 +133,8 @@ struct Reader {
   void add_limits(const UrdfJoint& joint) {
     const bool turns_round = joint.kind == JointKind::continuous;
     const double round = 2 * std::numbers::pi;
-    const auto lower = stated(joint, "lower", turns_round ? -round : joint.lower);
-    const auto upper = stated(joint, "upper", turns_round ? round : joint.upper);
+    const auto lower = limit_value(joint, "lower", turns_round ? -round : joint.lower);
+    const auto upper = limit_value(joint, "upper", turns_round ? round : joint.upper);
     if (!lower || !upper) {
       fail(joint, ".limit", "is missing; `lower` and `upper` may stand in urdf.limits");
     }
@@ -143,7 +146,7 @@ struct Reader {
     if (std::ranges::count(assembly.table.joint_names, name) > 0) {
       fail(joint, "", fmt::format("a joint '{}' exists already: give this part a `prefix`", name));
     }
-    if (*lower == *upper) assembly.held.push_back({name, *lower});
+    if (*lower == *upper) assembly.fixed_joints.push_back({name, *lower});
     read_braking(joint);
     assembly.lower.push_back(*lower);
     assembly.upper.push_back(*upper);
@@ -153,12 +156,12 @@ struct Reader {
     assembly.table.joint_names.push_back(name);
   }
 
-  /// `braking: {slope, drop, lower_end, upper_end}` of the next joint to be added.
+  /// Reads `braking: {slope, drop, lower_end, upper_end}` of the next joint to be added.
   void read_braking(const UrdfJoint& joint) {
     const auto entry = own.find(joint.name);
     if (entry == own.end() || !entry->second.has("braking")) return;
     const config::ConfigNode braking = entry->second["braking"];
-    RobotTable::BrakingCurve curve;
+    RobotModel::BrakingCurve curve;
     curve.joint = static_cast<int>(assembly.table.joints());
     curve.slope = braking["slope"].number();
     curve.drop = braking["drop"].number();
@@ -169,11 +172,12 @@ struct Reader {
     assembly.table.braking_curves.push_back(curve);
   }
 
-  /// value = ratio * (driven joint) + offset, through any number of joints that copy each other.
-  void couple(const UrdfJoint& joint, RobotTable::Frame& frame) const {
+  /// Resolves value = ratio * (driven joint) + offset through any number of joints that mimic each
+  /// other.
+  void resolve_mimic(const UrdfJoint& joint, RobotModel::Frame& frame) const {
     const UrdfJoint* at = &joint;
-    for (std::size_t steps = 0; !driven(*at); ++steps) {
-      const urdf::Joint& urdf = of(*at);
+    for (std::size_t steps = 0; !is_actuated(*at); ++steps) {
+      const urdf::Joint& urdf = urdf_joint(*at);
       if (steps > tree.joints.size()) fail(joint, ".mimic", "is coupled to itself");
       const UrdfJoint* next = urdf.mimic ? find(urdf.mimic->joint_name) : nullptr;
       if (!next || next->kind == JointKind::fixed) {
@@ -190,19 +194,19 @@ struct Reader {
                          assembly.table.joint_names.begin());
   }
 
-  /// The limits of a joint that copies another; `enforce: false` leaves out those of its position.
+  /// Reads the limits of a mimic joint; `enforce: false` omits those of its position.
   void limit_coupled(const UrdfJoint& joint, int frame) {
-    RobotTable::CoupledLimit limit;
+    RobotModel::CoupledLimit limit;
     limit.frame = frame;
     const auto entry = own.find(joint.name);
     const bool enforced =
         entry == own.end() || !entry->second.has("enforce") || entry->second["enforce"].boolean();
     if (enforced) {
-      limit.lower = stated(joint, "lower", joint.lower).value_or(limit.lower);
-      limit.upper = stated(joint, "upper", joint.upper).value_or(limit.upper);
+      limit.lower = limit_value(joint, "lower", joint.lower).value_or(limit.lower);
+      limit.upper = limit_value(joint, "upper", joint.upper).value_or(limit.upper);
     }
     const auto most = [&](const char* key, std::optional<double> written, double& value) {
-      if (const auto given = stated(joint, key, written); given && *given > 0) value = *given;
+      if (const auto given = limit_value(joint, key, written); given && *given > 0) value = *given;
     };
     most("velocity", joint.velocity, limit.velocity);
     most("acceleration", std::nullopt, limit.acceleration);
@@ -210,31 +214,31 @@ struct Reader {
     assembly.table.coupled_limits.push_back(limit);
   }
 
-  /// A joint's frame has its name, a fixed one that of its link: joints and links have name spaces
-  /// of their own in a URDF, frames do not.
+  /// Returns a frame name that is not in use: the joint's name, or the link's if it is fixed.
+  /// Joints and links have separate name spaces in a URDF, frames do not.
   std::string free_name(const UrdfJoint& joint) const {
     const bool fixed = joint.kind == JointKind::fixed;
     const std::string name = scope.prefix + (fixed ? joint.child : joint.name);
-    if (!has_anchor(assembly, name)) return name;
+    if (!has_frame_or_chain(assembly, name)) return name;
     const std::string other = scope.prefix + (fixed ? joint.name : joint.child);
     if (!scope.links.contains(name) && !find(name)) {
       fail(joint, "",
            fmt::format("a frame or chain '{}' exists already: give this part a `prefix`", name));
     }
-    if (!has_anchor(assembly, other)) return other;
+    if (!has_frame_or_chain(assembly, other)) return other;
     return name + (fixed ? "_link" : "_joint");
   }
 
   int add_joint_frame(const UrdfJoint& joint) {
-    const urdf::Joint& urdf = of(joint);
-    RobotTable::Frame frame;
+    const urdf::Joint& urdf = urdf_joint(joint);
+    RobotModel::Frame frame;
     frame.name = free_name(joint);
     frame.parent = scope.links.at(scope.prefix + joint.parent);
     frame.transform = pose_of(urdf.parent_to_joint_origin_transform);
     if (joint.kind != JointKind::fixed) {
       frame.axis = Vec3(urdf.axis.x, urdf.axis.y, urdf.axis.z).normalized();
       frame.slides = joint.kind == JointKind::prismatic;
-      couple(joint, frame);
+      resolve_mimic(joint, frame);
     }
     assembly.table.frames.push_back(std::move(frame));
     const int index = static_cast<int>(assembly.table.frames.size()) - 1;
@@ -243,13 +247,13 @@ struct Reader {
   }
 
   int add_root_frame() {
-    RobotTable::Frame frame;
+    RobotModel::Frame frame;
     frame.name = scope.prefix + tree.root;
     frame.parent = scope.base.frame;
-    frame.transform = scope.base.frame_from_anchor;
-    const bool taken = has_anchor(assembly, frame.name) || find(tree.root);
+    frame.transform = scope.base.frame_from_mount;
+    const bool taken = has_frame_or_chain(assembly, frame.name) || find(tree.root);
     if (taken) frame.name += "_link";
-    if (has_anchor(assembly, frame.name)) {
+    if (has_frame_or_chain(assembly, frame.name)) {
       text.fail(text.root(), "robot",
                 fmt::format("a frame '{}' exists already: give this part a `prefix`", frame.name));
     }
@@ -284,15 +288,15 @@ void read_urdf(Assembly& assembly, FileScope& scope, const config::ConfigNode& n
   const files::XmlText text(file, "robot");
   assembly.files.push_back(file);
   UrdfTree tree = urdf_tree(text);
-  const urdf::ModelInterfaceSharedPtr model = parsed(text);
+  const urdf::ModelInterfaceSharedPtr model = parse_with_urdfdom(text);
   Reader reader{assembly, scope, node, text, *model, std::move(tree), {}};
   std::ranges::copy(reader.tree.notes, std::back_inserter(assembly.notes));
-  reader.read_own_limits();
-  config::Problems problems;
+  reader.read_limit_overrides();
+  config::ErrorList problems;
   for (const UrdfJoint& joint : reader.tree.joints) {
-    if (reader.driven(joint)) problems.attempt([&] { reader.add_limits(joint); });
+    if (reader.is_actuated(joint)) problems.attempt([&] { reader.add_limits(joint); });
   }
-  problems.throw_any();
+  problems.throw_if_any();
   assembly.urdfs.push_back({file, scope.prefix, {}});
   reader.add_link(reader.tree.root, reader.add_root_frame());
   for (const UrdfJoint& joint : reader.tree.joints) {

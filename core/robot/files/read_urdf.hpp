@@ -11,18 +11,19 @@
 
 namespace morphe::robot {
 
+/// Converts a pose of urdfdom.
 Pose pose_of(const urdf::Pose& pose);
 
-/// Adds a link's collision shapes as capsules that hold them: a sphere is one, a cylinder the
-/// smaller of the capsule along it and the sphere around it, a box a row of capsules along its
-/// longest side. A cylinder with a sphere of its radius at both ends is the capsule they make up.
-/// Meshes are left out and their links named in assembly.meshes; without `use_shapes` all is,
-/// unnamed.
+/// Adds capsules that contain a link's collision shapes: a sphere becomes a capsule of length zero,
+/// a cylinder the smaller of the capsule along it and the sphere around it, a box a row of capsules
+/// along its longest side. A cylinder with a sphere of its radius at both ends becomes the capsule
+/// that they form. Meshes are ignored and their links are listed in assembly.meshes; without
+/// `use_shapes` all shapes are ignored and not listed.
 void add_link_shapes(Assembly& assembly, const files::XmlText& text, const urdf::Link& link,
                      int frame, bool use_shapes, const std::string& prefix);
 
-/// The links' disabled pairs of an SRDF: no capsule of the one collides with one of the other,
-/// whichever file they come from. Pairs of links that the URDF lacks are noted.
+/// Reads the disabled pairs of links of an SRDF: collisions between the capsules of the two links
+/// are allowed, whichever file they come from. Pairs with links that the URDF lacks are noted.
 void read_srdf(Assembly& assembly, const FileScope& scope, const std::filesystem::path& file);
 
 }  // namespace morphe::robot

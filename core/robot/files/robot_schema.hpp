@@ -4,8 +4,8 @@
 
 namespace morphe::robot {
 
-/// What a robot description may hold. The reader tells a key that is not in it before anything else
-/// of the file; which keys belong together and what names must exist, it alone knows.
+/// Returns the schema of robot descriptions. Unknown keys are reported before any other error of
+/// the file. The reader alone checks the combinations of keys and the existence of names.
 config::Schema robot_schema();
 
 }  // namespace morphe::robot

@@ -7,10 +7,11 @@
 namespace morphe::robot {
 namespace {
 
-constexpr double kExtent_m = 0.01;  ///< what reaches no farther needs no shape
+constexpr double kExtent_m = 0.01;  ///< bodies of a smaller extent need no shape
 
-/// Frames that move as one: the joint frame at or above, -1 = base.
-std::vector<int> bodies_of(const RobotTable& table) {
+/// Returns for each frame the rigid body to which it belongs: the nearest frame with a joint,
+/// itself included, -1 = base.
+std::vector<int> moving_frames(const RobotModel& table) {
   std::vector<int> body;
   for (std::size_t f = 0; f < table.frames.size(); ++f) {
     const int parent = table.frames[f].parent;
@@ -21,12 +22,12 @@ std::vector<int> bodies_of(const RobotTable& table) {
   return body;
 }
 
-/// How far a body reaches from its own joint to the next ones and to tips.
-std::map<int, double> extents(const RobotTable& table, const std::vector<int>& body) {
+/// Returns the distance from each body's own joint to the next joints and to tips.
+std::map<int, double> extents(const RobotModel& table, const std::vector<int>& body) {
   std::vector<Pose> body_from_frame;
   std::map<int, double> extent;
   for (std::size_t f = 0; f < table.frames.size(); ++f) {
-    const RobotTable::Frame& frame = table.frames[f];
+    const RobotModel::Frame& frame = table.frames[f];
     const auto parent = static_cast<std::size_t>(frame.parent);
     const Pose carried =
         (frame.parent < 0 ? Pose::Identity() : body_from_frame[parent]) * frame.transform;
@@ -36,7 +37,7 @@ std::map<int, double> extents(const RobotTable& table, const std::vector<int>& b
     double& reach = extent[frame.parent < 0 ? -1 : body[parent]];
     reach = std::max(reach, carried.translation().norm());
   }
-  for (const RobotTable::Tip& tip : table.tips) {
+  for (const RobotModel::Tip& tip : table.tips) {
     const auto f = static_cast<std::size_t>(tip.frame);
     double& reach = extent[body[f]];
     reach = std::max(reach, (body_from_frame[f] * tip.transform.translation()).norm());
@@ -47,13 +48,13 @@ std::map<int, double> extents(const RobotTable& table, const std::vector<int>& b
 }  // namespace
 
 std::vector<std::string> unchecked_links(const Assembly& assembly) {
-  const RobotTable& table = assembly.table;
-  const std::vector<int> body = bodies_of(table);
+  const RobotModel& table = assembly.table;
+  const std::vector<int> body = moving_frames(table);
   const auto body_of = [&](int frame) {
     return frame < 0 ? -1 : body[static_cast<std::size_t>(frame)];
   };
   std::set<int> covered_bodies, covered_frames;
-  for (const RobotTable::Capsule& capsule : table.capsules) {
+  for (const RobotModel::Capsule& capsule : table.capsules) {
     covered_bodies.insert(body_of(capsule.frame));
     covered_frames.insert(capsule.frame);
   }
@@ -61,7 +62,7 @@ std::vector<std::string> unchecked_links(const Assembly& assembly) {
   for (const auto& [of, reach] : extents(table, body)) {
     if (reach > kExtent_m && !covered_bodies.contains(of)) unchecked.insert(of);
   }
-  for (const int frame : assembly.shaped) {
+  for (const int frame : assembly.frames_with_geometry) {
     if (!covered_frames.contains(frame)) unchecked.insert(frame);
   }
   std::map<int, std::string> names{{-1, "base"}};

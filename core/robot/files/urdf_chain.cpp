@@ -3,30 +3,31 @@
 #include <algorithm>
 
 #include "core/robot/files/assembly.hpp"
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 
 namespace morphe::robot {
 namespace {
 
-constexpr double kAlong = 1e-6;
+constexpr double kParallelSine = 1e-6;
 
-/// Those that turn across the way to the next place along the chain.
-std::vector<int> hinges_of(const RobotTable& table, const std::vector<int>& frames) {
+/// Returns the joints whose axis is not along the line to the next position of the chain.
+std::vector<int> hinges_of(const RobotModel& table, const std::vector<int>& frames) {
   std::vector<Pose> base_from_frame;
-  forward(table, JointVector::Zero(static_cast<Eigen::Index>(table.joints())), base_from_frame);
+  forward_kinematics(table, JointVector::Zero(static_cast<Eigen::Index>(table.joints())),
+                     base_from_frame);
   const auto pose = [&](int frame) -> const Pose& {
     return base_from_frame[static_cast<std::size_t>(frame)];
   };
   std::vector<int> hinges;
   for (auto frame = frames.begin(); frame != frames.end(); ++frame) {
-    const RobotTable::Frame& f = table.frames[static_cast<std::size_t>(*frame)];
+    const RobotModel::Frame& f = table.frames[static_cast<std::size_t>(*frame)];
     const Vec3 here = pose(*frame).translation(), axis = pose(*frame).linear() * f.axis;
     const auto next = std::find_if(frame + 1, frames.end(), [&](int other) {
-      return (pose(other).translation() - here).norm() > kSamePoint_m;
+      return (pose(other).translation() - here).norm() > kCoincidentTolerance_m;
     });
     if (f.joint < 0 || f.slides || next == frames.end()) continue;
     const Vec3 way = (pose(*next).translation() - here).normalized();
-    if (axis.cross(way).norm() > kAlong) hinges.push_back(*frame);
+    if (axis.cross(way).norm() > kParallelSine) hinges.push_back(*frame);
   }
   return hinges;
 }
@@ -36,18 +37,18 @@ std::vector<int> hinges_of(const RobotTable& table, const std::vector<int>& fram
 void read_urdf_chain(Assembly& assembly, const FileScope& scope, const config::ConfigNode& node) {
   const config::ConfigNode name = node["name"];
   Chain chain{scope.prefix + name.text(), name.text() == "arm", {}, {}, {}};
-  if (has_anchor(assembly, chain.name)) {
+  if (has_frame_or_chain(assembly, chain.name)) {
     name.fail(fmt::format("a frame or chain '{}' exists already", chain.name));
   }
   const auto end = [&](const char* key) {
     const std::string joint = scope.prefix + node[key].text();
-    int frame = frame_index(assembly.table, joint);  // of joint and link, the joint
-    if (frame < 0) frame = frame_called(assembly, scope, node[key].text());
+    int frame = frame_index(assembly.table, joint);  // joints take precedence over links
+    if (frame < 0) frame = find_frame(assembly, scope, node[key].text());
     if (frame < 0) node[key].fail(fmt::format("there is no joint or link '{}'", node[key].text()));
     return frame;
   };
   const int first = end("first"), last = end("last");
-  if (!hangs_on(assembly.table, last, first)) node["last"].fail("does not hang on first");
+  if (!is_in_subtree(assembly.table, last, first)) node["last"].fail("does not hang on first");
   for (int frame = last;; frame = assembly.table.frames[static_cast<std::size_t>(frame)].parent) {
     chain.frames.push_back(frame);
     if (frame == first) break;

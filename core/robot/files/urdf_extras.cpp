@@ -16,9 +16,9 @@ namespace fs = std::filesystem;
 struct Source {
   const files::XmlText& text;
   const UrdfSource& urdf;
-  const fs::path& folder;  ///< that the new file lies in
+  const fs::path& folder;  ///< that will contain the new file
 
-  fs::path seen_from_folder(const std::string& file) const {
+  fs::path relative_to_folder(const std::string& file) const {
     std::error_code ignored;
     const fs::path here = fs::weakly_canonical(fs::absolute(folder), ignored);
     const fs::path there =
@@ -29,14 +29,15 @@ struct Source {
   void rename_files(tinyxml2::XMLElement& element) const {
     const char* name = element.Attribute("filename");
     if (name && *name && !std::strstr(name, "://") && !fs::path(name).is_absolute()) {
-      element.SetAttribute("filename", seen_from_folder(name).generic_string().c_str());
+      element.SetAttribute("filename", relative_to_folder(name).generic_string().c_str());
     }
     for (auto* child = element.FirstChildElement(); child; child = child->NextSiblingElement()) {
       rename_files(*child);
     }
   }
 
-  /// A material is often given once, at the top of the file.
+  /// Replaces a reference to a material, which is often defined once at the top of the file, by its
+  /// definition.
   void complete_material(tinyxml2::XMLElement& visual) const {
     tinyxml2::XMLElement* material = visual.FirstChildElement("material");
     const char* name = material ? material->Attribute("name") : nullptr;
@@ -68,8 +69,10 @@ struct Source {
     extra.link = urdf.prefix + link.Attribute("name");
     for (const char* tag : {"inertial", "visual", "collision"}) {
       for (const files::XmlElement* element : files::children(link, tag)) {
-        extra.body += "    " + copied(*element) + "\n";
-        (*tag == 'i' ? extra.massive : *tag == 'v' ? extra.looks : extra.shaped) = true;
+        extra.link_elements += "    " + copied(*element) + "\n";
+        (*tag == 'i'   ? extra.has_inertial
+         : *tag == 'v' ? extra.has_visual
+                       : extra.has_collision) = true;
       }
     }
   }
@@ -90,9 +93,9 @@ struct Source {
   }
 };
 
-/// "inertias: none is known", "inertias: not known of a, b"; "" if all are.
-std::string not_known(const char* what, const std::vector<std::string>& of, std::size_t all,
-                      const char* then) {
+/// Returns "inertias: none is known", "inertias: not known of a, b", or "" if all are known.
+std::string missing_sentence(const char* what, const std::vector<std::string>& of, std::size_t all,
+                             const char* then) {
   if (of.empty()) return "";
   return of.size() == all ? fmt::format("{}: none is known{}", what, then)
                           : fmt::format("{}: not known of {}{}", what, fmt::join(of, ", "), then);
@@ -117,7 +120,8 @@ std::vector<UrdfExtra> urdf_extras(const RobotDescription& robot, const fs::path
   return extras;
 }
 
-std::vector<std::string> unknown_of(const RobotTable& robot, const std::vector<UrdfExtra>& extras) {
+std::vector<std::string> missing_details(const RobotModel& robot,
+                                         const std::vector<UrdfExtra>& extras) {
   std::vector<std::string> no_effort, no_mass, no_looks;
   std::size_t joints = 0, links = 0;
   for (std::size_t f = 0; f < extras.size(); ++f) {
@@ -126,16 +130,16 @@ std::vector<std::string> unknown_of(const RobotTable& robot, const std::vector<U
       ++joints;
       if (!known.effort) no_effort.push_back(robot.frames[f].name);
     }
-    if (known.link.empty() && robot.frames[f].joint < 0) continue;  // a mark, no body
+    if (known.link.empty() && robot.frames[f].joint < 0) continue;  // a marker frame without a body
     ++links;
     const std::string& name = known.link.empty() ? robot.frames[f].name : known.link;
-    if (!known.massive) no_mass.push_back(name);
-    if (!known.looks) no_looks.push_back(name);
+    if (!known.has_inertial) no_mass.push_back(name);
+    if (!known.has_visual) no_looks.push_back(name);
   }
   std::vector<std::string> sentences;
-  for (std::string sentence :
-       {not_known("efforts", no_effort, joints, ", 0 stands for it"),
-        not_known("inertias", no_mass, links, ""), not_known("visuals", no_looks, links, "")}) {
+  for (std::string sentence : {missing_sentence("efforts", no_effort, joints, ", 0 stands for it"),
+                               missing_sentence("inertias", no_mass, links, ""),
+                               missing_sentence("visuals", no_looks, links, "")}) {
     if (!sentence.empty()) sentences.push_back(std::move(sentence));
   }
   return sentences;

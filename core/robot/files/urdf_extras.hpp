@@ -9,23 +9,27 @@
 
 namespace morphe::robot {
 
-/// What a URDF says of a frame, and a table does not.
+/// The data of a URDF's link and joint that RobotModel does not hold.
 struct UrdfExtra {
-  std::string link, joint;  ///< their names; "": the frame's
-  std::string body;         ///< visual, collision and inertial elements, a line each
-  bool looks = false, shaped = false, massive = false;  ///< which of them there are
-  std::optional<double> effort;                         ///< above 0
-  std::string dynamics;                                 ///< the element, "" without
+  std::string link, joint;    ///< original names, "" if equal to the frame's
+  std::string link_elements;  ///< visual, collision and inertial elements, one per line
+  /// True if the link has elements of this kind.
+  bool has_visual = false, has_collision = false, has_inertial = false;
+  std::optional<double> effort;  ///< above 0
+  std::string dynamics;          ///< the dynamics element, "" if absent
   bool continuous = false;
 };
 
-/// [frames] of the robot's URDFs, all empty for a robot that has none. Mesh and texture files that
-/// are named relative to a URDF are named relative to `folder`; a material that a visual only names
-/// is given in full. InputError if a URDF cannot be read any more.
+/// Returns the extra data of all frames [frames], with empty entries if the robot has no URDF.
+/// Paths of meshes and textures relative to a URDF are made relative to `folder`; references to
+/// named materials are replaced by their definitions. Throws InputError if a URDF cannot be read
+/// again.
 std::vector<UrdfExtra> urdf_extras(const RobotDescription& robot,
                                    const std::filesystem::path& folder);
 
-/// Of whose efforts, inertias and visuals nothing is known, a sentence each.
-std::vector<std::string> unknown_of(const RobotTable& robot, const std::vector<UrdfExtra>& extras);
+/// Returns a sentence for each kind of data (efforts, inertias, visuals) that is missing for some
+/// links or joints.
+std::vector<std::string> missing_details(const RobotModel& robot,
+                                         const std::vector<UrdfExtra>& extras);
 
 }  // namespace morphe::robot

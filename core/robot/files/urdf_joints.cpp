@@ -10,7 +10,7 @@
 #include <queue>
 #include <sstream>
 
-#include "core/config/problems.hpp"
+#include "core/config/error_list.hpp"
 
 namespace morphe::robot {
 namespace {
@@ -19,7 +19,7 @@ std::string key_of(const UrdfJoint& joint, const std::string& part) {
   return fmt::format("joint {}{}", joint.name, part);
 }
 
-/// urdfdom would say what is no number, but not where.
+/// Checks attributes for invalid numbers. urdfdom would report them, but without their location.
 void check_numbers(const files::XmlText& urdf, const files::XmlElement& element,
                    const std::string& owner) {
   static constexpr std::array<const char*, 3> kVectors = {"xyz", "rpy", "size"};
@@ -41,7 +41,7 @@ void check_numbers(const files::XmlText& urdf, const files::XmlElement& element,
   }
 }
 
-/// A number that check_numbers() let pass.
+/// Returns a number that check_numbers() has accepted.
 std::optional<double> number(const files::XmlElement* element, const char* name) {
   const char* text = element ? element->Attribute(name) : nullptr;
   if (!text) return std::nullopt;
@@ -62,7 +62,7 @@ void read_limits(const files::XmlText& urdf, UrdfJoint& joint) {
   if (joint.kind == JointKind::continuous) return;
   joint.lower = number(limit, "lower").value_or(0);
   joint.upper = number(limit, "upper").value_or(0);
-  if (*joint.lower == 0 && *joint.upper == 0) {  // written by programs that know none
+  if (*joint.lower == 0 && *joint.upper == 0) {  // written by programs that do not know the limits
     joint.lower.reset();
     joint.upper.reset();
   } else if (*joint.lower > *joint.upper) {
@@ -85,8 +85,9 @@ void read_kind(const files::XmlText& urdf, UrdfJoint& joint, UrdfTree& tree) {
   }
 }
 
-std::map<std::string, const files::XmlElement*> named(const files::XmlText& urdf, const char* tag,
-                                                      config::Problems& problems) {
+std::map<std::string, const files::XmlElement*> elements_by_name(const files::XmlText& urdf,
+                                                                 const char* tag,
+                                                                 config::ErrorList& problems) {
   std::map<std::string, const files::XmlElement*> found;
   for (const files::XmlElement* element : files::children(urdf.root(), tag)) {
     problems.attempt([&] {
@@ -125,10 +126,10 @@ UrdfJoint read_joint(const files::XmlText& urdf, const files::XmlElement& elemen
   return joint;
 }
 
-/// Parents first, else in the file's order; whatever cannot be reached from the root hangs in a
-/// loop.
-std::vector<UrdfJoint> sorted(const files::XmlText& urdf, std::vector<UrdfJoint> joints,
-                              const std::string& root) {
+/// Sorts the joints such that parents come first, otherwise in the file's order. Joints that cannot
+/// be reached from the root are part of a loop.
+std::vector<UrdfJoint> parents_first(const files::XmlText& urdf, std::vector<UrdfJoint> joints,
+                                     const std::string& root) {
   std::multimap<std::string, std::size_t> below;
   for (std::size_t i = 0; i < joints.size(); ++i) below.emplace(joints[i].parent, i);
   std::priority_queue<std::size_t, std::vector<std::size_t>, std::greater<>> ready;
@@ -174,8 +175,8 @@ void refuse_xacro(const files::XmlText& urdf) {
   look(look, urdf.root());
 }
 
-std::string the_root(const files::XmlText& urdf,
-                     const std::map<std::string, std::string>& joint_above) {
+std::string find_root_link(const files::XmlText& urdf,
+                           const std::map<std::string, std::string>& joint_above) {
   std::string root;
   for (const files::XmlElement* link : files::children(urdf.root(), "link")) {
     const std::string name = link->Attribute("name");
@@ -208,25 +209,25 @@ std::vector<double> numbers_of(const std::string& text) {
 UrdfTree urdf_tree(const files::XmlText& urdf) {
   refuse_xacro(urdf);
   const std::size_t count = files::children(urdf.root(), "link").size();
-  if (count > kMostLinks) {
+  if (count > kMaxLinkCount) {
     urdf.fail(urdf.root(), "robot",
-              fmt::format("has {} links; up to {} are read", count, kMostLinks));
+              fmt::format("has {} links; up to {} are read", count, kMaxLinkCount));
   }
-  config::Problems problems;
-  const auto links = named(urdf, "link", problems);
-  (void)named(urdf, "joint", problems);
-  problems.throw_any();
+  config::ErrorList problems;
+  const auto links = elements_by_name(urdf, "link", problems);
+  (void)elements_by_name(urdf, "joint", problems);
+  problems.throw_if_any();
   UrdfTree tree;
   std::vector<UrdfJoint> joints;
-  std::map<std::string, std::string> joint_above;  // of a link
+  std::map<std::string, std::string> joint_above;  // by link
   for (const files::XmlElement* element : files::children(urdf.root(), "joint")) {
     problems.attempt(
         [&] { joints.push_back(read_joint(urdf, *element, links, joint_above, tree)); });
   }
-  problems.throw_any();
+  problems.throw_if_any();
   if (joints.empty()) urdf.fail(urdf.root(), "robot", "has no joints");
-  tree.root = the_root(urdf, joint_above);
-  tree.joints = sorted(urdf, std::move(joints), tree.root);
+  tree.root = find_root_link(urdf, joint_above);
+  tree.joints = parents_first(urdf, std::move(joints), tree.root);
   return tree;
 }
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/motion/named.hpp"
+#include "core/motion/enum_names.hpp"
 #include "core/robot/files/assembly.hpp"
 
 namespace morphe::robot {
@@ -35,13 +35,13 @@ Pose origin_of(const XmlElement& owner) {
   return pose;
 }
 
-/// False if the element holds no shape that is known.
+/// Reads a shape; returns false if the element contains no supported shape.
 bool read_shape(const XmlElement& element, UrdfShape& shape) {
   const XmlElement* geometry = element.FirstChildElement("geometry");
   const XmlElement* found = geometry ? geometry->FirstChildElement() : nullptr;
   if (!found) return false;
   shape.link_from_shape = origin_of(element);
-  const std::optional<Shape> kind = morphe::named<Shape>(found->Value());
+  const std::optional<Shape> kind = morphe::enum_from_name<Shape>(found->Value());
   if (!kind) return false;
   shape.kind = *kind;
   switch (shape.kind) {
@@ -85,8 +85,8 @@ void read_link(const XmlElement& link, UrdfModel& model) {
   model.inertias.emplace(name, inertia);
 }
 
-/// The key `urdf` of a description that says nothing but what is missing.
-std::string completed(const UrdfModel& model, const AssumedLimits& assumed) {
+/// Returns a description with only the key `urdf` and the limits that the URDF lacks.
+std::string urdf_key_text(const UrdfModel& model, const AssumedLimits& assumed) {
   std::string text = fmt::format(
       "urdf:\n  file: '{}'\n  velocity: {}\n  acceleration: {}\n  jerk: {}\n  limits:\n",
       model.file.filename().string(), assumed.velocity, assumed.acceleration, assumed.jerk);
@@ -127,10 +127,10 @@ UrdfModel load_urdf_model(const std::filesystem::path& file, const AssumedLimits
   FileScope scope;
   const std::filesystem::path beside = file.parent_path() / "of the URDF";
   const config::ConfigNode node =
-      config::ConfigNode::parse(completed(model, assumed), beside.string());
+      config::ConfigNode::parse(urdf_key_text(model, assumed), beside.string());
   read_urdf(assembly, scope, node["urdf"]);
-  assembly.problems.throw_any();
-  for (UrdfJoint& joint : model.tree.joints) joint.element = nullptr;  // the text ends here
+  assembly.problems.throw_if_any();
+  for (UrdfJoint& joint : model.tree.joints) joint.element = nullptr;  // the text is destroyed here
   model.table = std::move(assembly.table);
   model.table.capsules.clear();
   const auto vector = [](const std::vector<double>& values) -> JointVector {

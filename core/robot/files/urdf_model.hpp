@@ -5,49 +5,50 @@
 #include <string>
 #include <vector>
 
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 #include "core/motion/scene.hpp"
 #include "core/robot/files/urdf_joints.hpp"
 
 namespace morphe::robot {
 
-/// A shape of a link as the URDF has it.
+/// A shape of a link as defined in the URDF.
 struct UrdfShape {
   std::string link;
   Shape kind = Shape::mesh;
   Vec3 size = Vec3::Ones();  ///< sphere r, -, -; box x, y, z; cylinder r, length, -; mesh scale
-  std::string mesh;          ///< as it is named there
+  std::string mesh;          ///< path of the mesh as written in the file
   Pose link_from_shape = Pose::Identity();
-  bool visual = false;  ///< of the picture, not of collision
+  bool visual = false;  ///< true for visual, false for collision geometry
 };
 
-/// What an inertial element says of a link.
+/// The inertial element of a link.
 struct UrdfInertia {
   double mass = 0;
   Pose link_from_inertia = Pose::Identity();
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about the centre of mass [kg m²]
 };
 
-/// A URDF by itself, before anybody said what of it is a finger: every joint drives, none is held.
-/// Limits that are missing are those of `assumed`.
+/// A URDF by itself, without assigning fingers: every joint is driven, no joint is held. Missing
+/// limits are taken from `assumed`.
 struct UrdfModel {
   std::filesystem::path file;
   std::string name;
   UrdfTree tree;
-  RobotTable table;                  ///< without tips, shoulder, palm and capsules
-  std::map<std::string, int> links;  ///< each is a frame
+  RobotModel table;                  ///< without tips, shoulder, palm and capsules
+  std::map<std::string, int> links;  ///< frame of each link
   std::vector<UrdfShape> shapes;
   std::map<std::string, UrdfInertia> inertias;
   std::vector<std::string> notes;
 
-  const UrdfJoint* joint(const std::string& called) const;  ///< nullptr: none
-  /// The link that a frame is, by its index.
+  /// Returns the joint with that name, or nullptr if there is no such joint.
+  const UrdfJoint* joint(const std::string& called) const;
+  /// Returns the name of the link of each frame.
   std::vector<std::string> link_of_frame() const;
 };
 
-/// For all joints whose limits are missing.
+/// The limits of all joints for which the URDF gives no limits.
 struct AssumedLimits {
-  double position = 3.14159265358979;  ///< both ways [rad or m]
+  double position = 3.14159265358979;  ///< in both directions [rad or m]
   double velocity = 1, acceleration = 1, jerk = 1;
 };
 

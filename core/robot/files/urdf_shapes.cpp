@@ -9,10 +9,10 @@
 namespace morphe::robot {
 namespace {
 
-constexpr double kSame_m = 1e-9;
-constexpr int kMostOfOneBox = 8;
+constexpr double kMatchTolerance_m = 1e-9;
+constexpr int kMaxCapsulesPerBox = 8;
 
-using Capsule = RobotTable::Capsule;
+using Capsule = RobotModel::Capsule;
 
 struct Shapes {
   const urdf::Link& link;
@@ -29,8 +29,8 @@ struct Shapes {
   bool sphere_at(const Vec3& centre, double radius) const {
     return std::ranges::any_of(link.collision_array, [&](const urdf::CollisionSharedPtr& c) {
       const auto* sphere = dynamic_cast<const urdf::Sphere*>(c->geometry.get());
-      return sphere && std::abs(sphere->radius - radius) < kSame_m &&
-             (pose_of(c->origin).translation() - centre).norm() < kSame_m;
+      return sphere && std::abs(sphere->radius - radius) < kMatchTolerance_m &&
+             (pose_of(c->origin).translation() - centre).norm() < kMatchTolerance_m;
     });
   }
 
@@ -45,13 +45,14 @@ struct Shapes {
     add(from, to, radius);
   }
 
-  /// Along the longest side; side by side over the middle one, as many as make them about round.
+  /// Adds capsules along the longest side, side by side over the middle one, as many as make their
+  /// cross sections about round.
   void add_box(const Pose& pose, const Vec3& size) {
     std::array<Eigen::Index, 3> axis = {0, 1, 2};
     std::ranges::sort(axis, [&](Eigen::Index a, Eigen::Index b) { return size[a] > size[b]; });
     const auto [first, second, third] = axis;
-    const double ratio = size[third] > 0 ? size[second] / size[third] : kMostOfOneBox;
-    const int count = std::clamp(static_cast<int>(std::lround(ratio)), 1, kMostOfOneBox);
+    const double ratio = size[third] > 0 ? size[second] / size[third] : kMaxCapsulesPerBox;
+    const int count = std::clamp(static_cast<int>(std::lround(ratio)), 1, kMaxCapsulesPerBox);
     const double breadth = size[second] / count;
     const Vec3 along = 0.5 * size[first] * Vec3::Unit(first);
     for (int k = 0; k < count; ++k) {
@@ -61,7 +62,7 @@ struct Shapes {
     }
   }
 
-  /// A sphere inside another capsule of the link says nothing new.
+  /// Removes spheres inside another capsule of the link, which add no volume.
   void drop_hidden_spheres() {
     const auto hidden = [&](const Capsule& sphere) {
       if (sphere.from != sphere.to) return false;
@@ -71,7 +72,7 @@ struct Shapes {
         const double t =
             std::clamp((sphere.from - other.from).dot(axis) / axis.squaredNorm(), 0.0, 1.0);
         const double depth = (sphere.from - (other.from + t * axis)).norm() + sphere.radius;
-        return depth <= other.radius + kSame_m;
+        return depth <= other.radius + kMatchTolerance_m;
       });
     };
     std::vector<Capsule> left;
@@ -87,7 +88,7 @@ const files::XmlElement& link_element(const files::XmlText& text, const std::str
   return text.root();
 }
 
-std::string free_name(const RobotTable& table, const std::string& wanted) {
+std::string free_name(const RobotModel& table, const std::string& wanted) {
   const auto taken = [&](const std::string& name) {
     return std::ranges::find(table.capsules, name, &Capsule::name) != table.capsules.end();
   };
@@ -104,7 +105,7 @@ void add_link_shapes(Assembly& assembly, const files::XmlText& text, const urdf:
   const std::vector<const files::XmlElement*> elements = files::children(element, "collision");
   Shapes shapes{link, {}};
   const bool drawn = element.FirstChildElement("visual") != nullptr;
-  if (drawn || !link.collision_array.empty()) assembly.shaped.push_back(frame);
+  if (drawn || !link.collision_array.empty()) assembly.frames_with_geometry.push_back(frame);
   if (!use_shapes) return;
   for (std::size_t k = 0; k < link.collision_array.size(); ++k) {
     const urdf::Collision& collision = *link.collision_array[k];

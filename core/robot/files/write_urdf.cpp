@@ -14,12 +14,12 @@ namespace morphe::robot {
 namespace {
 
 std::string numbers(const Vec3& v) {
-  const Vec3 positive = v.array() + 0.0;  // no -0
+  const Vec3 positive = v.array() + 0.0;  // avoids -0
   return fmt::format("{} {} {}", positive.x(), positive.y(), positive.z());
 }
 
-/// Roll, pitch, yaw with R = Rz(yaw) Ry(pitch) Rx(roll), exact at pitch ±90 degrees too: what yaw
-/// cannot tell there, roll takes up.
+/// Returns roll, pitch, yaw with R = Rz(yaw) Ry(pitch) Rx(roll), exact at pitch ±90 degrees too:
+/// there yaw is not determined and roll takes the whole rotation.
 Vec3 rpy_of(const Eigen::Matrix3d& r) {
   const double yaw = std::atan2(r(1, 0), r(0, 0));
   const double pitch = std::atan2(-r(2, 0), std::hypot(r(0, 0), r(1, 0)));
@@ -37,10 +37,10 @@ std::string origin(const Pose& pose) {
 
 std::string shape(const std::string& name, const Pose& pose, const std::string& geometry) {
   return fmt::format("    <collision name=\"{}\">{}<geometry>{}</geometry></collision>\n",
-                     files::xml_escaped(name), origin(pose), geometry);
+                     files::escape_xml(name), origin(pose), geometry);
 }
 
-std::string capsule_shapes(const RobotTable::Capsule& capsule) {
+std::string capsule_shapes(const RobotModel::Capsule& capsule) {
   const auto sphere = [&](const std::string& name, const Vec3& at) {
     return shape(name, make_pose(at, Quat::Identity()),
                  fmt::format("<sphere radius=\"{}\"/>", capsule.radius));
@@ -58,20 +58,20 @@ std::string capsule_shapes(const RobotTable::Capsule& capsule) {
          sphere(capsule.name + "_from", capsule.from) + sphere(capsule.name + "_to", capsule.to);
 }
 
-std::string capsules_of(const RobotTable& robot, int frame) {
+std::string capsules_of(const RobotModel& robot, int frame) {
   std::string shapes;
-  for (const RobotTable::Capsule& capsule : robot.capsules) {
+  for (const RobotModel::Capsule& capsule : robot.capsules) {
     if (capsule.frame == frame) shapes += capsule_shapes(capsule);
   }
   return shapes;
 }
 
 std::string link(const std::string& name, const std::string& body) {
-  if (body.empty()) return fmt::format("  <link name=\"{}\"/>\n", files::xml_escaped(name));
-  return fmt::format("  <link name=\"{}\">\n{}  </link>\n", files::xml_escaped(name), body);
+  if (body.empty()) return fmt::format("  <link name=\"{}\"/>\n", files::escape_xml(name));
+  return fmt::format("  <link name=\"{}\">\n{}  </link>\n", files::escape_xml(name), body);
 }
 
-/// A joint and the link below it.
+/// The names of a joint and its child link.
 struct Names {
   std::string joint, link;
 };
@@ -81,17 +81,17 @@ std::string joint(const Names& names, const char* type, const std::string& paren
   return fmt::format(
       "  <joint name=\"{}\" type=\"{}\">\n    <parent link=\"{}\"/>\n    <child link=\"{}\"/>\n"
       "    {}\n{}  </joint>\n",
-      files::xml_escaped(names.joint), type, files::xml_escaped(parent),
-      files::xml_escaped(names.link), origin(pose), more);
+      files::escape_xml(names.joint), type, files::escape_xml(parent),
+      files::escape_xml(names.link), origin(pose), more);
 }
 
 struct Writer {
-  const RobotTable& robot;
-  const std::vector<UrdfExtra>& extras;  ///< [frames], or none
+  const RobotModel& robot;
+  const std::vector<UrdfExtra>& extras;  ///< [frames], or empty
   std::vector<Names> names;              ///< [frames]
   std::set<std::string> joints_taken, links_taken;
   std::string root;     ///< the name of the root link
-  int root_frame = -1;  ///< the frame that it is, -1: none
+  int root_frame = -1;  ///< the frame that is the root link, -1 if there is no such frame
   std::string text;
 
   const UrdfExtra& extra(std::size_t frame) const {
@@ -104,20 +104,20 @@ struct Writer {
     return name;
   }
 
-  /// The one frame at the base, if it is a URDF's root and the base itself has no shape.
+  /// Returns the only frame at the base, if it is a URDF's root and the base itself has no shape.
   int find_root() const {
     if (extras.empty() || extras.front().link.empty() || !extras.front().joint.empty()) return -1;
     for (std::size_t f = 1; f < robot.frames.size(); ++f) {
       if (robot.frames[f].parent < 0) return -1;
     }
-    const RobotTable::Frame& first = robot.frames.front();
+    const RobotModel::Frame& first = robot.frames.front();
     const bool still = first.joint < 0 && first.transform.isApprox(Pose::Identity(), 0);
     return still && capsules_of(robot, -1).empty() ? 0 : -1;
   }
 
   void name_all() {
     root_frame = find_root();
-    // The names of a URDF are kept; those of other frames give way.
+    // Names from URDFs are kept; names of other frames are changed if they conflict.
     names.resize(robot.frames.size());
     for (const bool of_urdf : {true, false}) {
       for (std::size_t f = 0; f < robot.frames.size(); ++f) {
@@ -138,7 +138,8 @@ struct Writer {
     return frame < 0 ? root : names[static_cast<std::size_t>(frame)].link;
   }
 
-  /// The frame that turns by a joint's own value: the one of its name, else the first.
+  /// Returns the frame that rotates by the joint's own value: the one with its name, else the
+  /// first.
   std::size_t driver_of(int k) const {
     const std::string& name = robot.joint_names[static_cast<std::size_t>(k)];
     std::size_t first = robot.frames.size();
@@ -151,7 +152,7 @@ struct Writer {
   }
 
   void add_moving(std::size_t f) {
-    const RobotTable::Frame& frame = robot.frames[f];
+    const RobotModel::Frame& frame = robot.frames[f];
     const UrdfExtra& known = extra(f);
     Pose pose = frame.transform;
     const Eigen::Index k = frame.joint;
@@ -168,7 +169,7 @@ struct Writer {
       lower = frame.ratio * robot.lower[k] + frame.offset;
       upper = frame.ratio * robot.upper[k] + frame.offset;
       more += fmt::format("    <mimic joint=\"{}\" multiplier=\"{}\" offset=\"{}\"/>\n",
-                          files::xml_escaped(names[driver].joint), frame.ratio, frame.offset);
+                          files::escape_xml(names[driver].joint), frame.ratio, frame.offset);
     }
     more += fmt::format("    <limit lower=\"{}\" upper=\"{}\" effort=\"{}\" velocity=\"{}\"/>\n",
                         std::min(lower, upper), std::max(lower, upper), known.effort.value_or(0),
@@ -185,19 +186,20 @@ struct Writer {
   void add_frames() {
     if (root_frame < 0) text += link(root, capsules_of(robot, -1));
     for (std::size_t f = 0; f < robot.frames.size(); ++f) {
-      const RobotTable::Frame& frame = robot.frames[f];
+      const RobotModel::Frame& frame = robot.frames[f];
       if (frame.joint >= 0) {
         add_moving(f);
       } else if (static_cast<int>(f) != root_frame) {
         text += joint(names[f], "fixed", parent_of(frame.parent), frame.transform, "");
       }
-      const std::string shapes = extra(f).shaped ? "" : capsules_of(robot, static_cast<int>(f));
-      text += link(names[f].link, extra(f).body + shapes);
+      const std::string shapes =
+          extra(f).has_collision ? "" : capsules_of(robot, static_cast<int>(f));
+      text += link(names[f].link, extra(f).link_elements + shapes);
     }
   }
 
   void add_tips() {
-    for (const RobotTable::Tip& tip : robot.tips) {
+    for (const RobotModel::Tip& tip : robot.tips) {
       Names own{tip.name, tip.name};
       while (links_taken.contains(own.link) || joints_taken.contains(own.link)) own.link += "_tip";
       own.joint = own.link;
@@ -208,14 +210,14 @@ struct Writer {
     }
   }
 
-  std::string written(const std::vector<std::string>& comment) {
+  std::string write(const std::vector<std::string>& comment) {
     name_all();
     text = "<?xml version=\"1.0\"?>\n";
     for (std::string line : comment) {
       for (std::size_t at; (at = line.find("--")) != std::string::npos;) line.insert(at + 1, " ");
       text += fmt::format("<!-- {} -->\n", line);
     }
-    text += fmt::format("<robot name=\"{}\">\n", files::xml_escaped(robot.name));
+    text += fmt::format("<robot name=\"{}\">\n", files::escape_xml(robot.name));
     add_frames();
     add_tips();
     return text + "</robot>\n";
@@ -224,15 +226,15 @@ struct Writer {
 
 }  // namespace
 
-std::string urdf_of(const RobotTable& robot) {
+std::string urdf_of(const RobotModel& robot) {
   const std::vector<UrdfExtra> none;
-  return Writer{robot, none, {}, {}, {}, {}, -1, {}}.written({});
+  return Writer{robot, none, {}, {}, {}, {}, -1, {}}.write({});
 }
 
 WrittenUrdf urdf_of(const RobotDescription& robot, const std::filesystem::path& folder) {
   const std::vector<UrdfExtra> extras = urdf_extras(robot, folder);
-  std::vector<std::string> sentences = unknown_of(robot.table, extras);
-  std::string text = Writer{robot.table, extras, {}, {}, {}, {}, -1, {}}.written(sentences);
+  std::vector<std::string> sentences = missing_details(robot.table, extras);
+  std::string text = Writer{robot.table, extras, {}, {}, {}, {}, -1, {}}.write(sentences);
   return {std::move(text), std::move(sentences)};
 }
 

@@ -65,23 +65,23 @@ function contactParts({ contacts, quality, squeeze, approach_direction }) {
 
 function physicsParts(physics) {
   const title = build("h3", {}, `In physics (${plainText(physics.engine)})`);
-  if (physics.unfit !== "none")
-    return [title, build("p", {}, `Not simulated: ${plainText(physics.unfit)}: ${plainText(physics.detail)}`)];
+  if (physics.skip_reason !== "none")
+    return [title, build("p", {}, `Not simulated: ${plainText(physics.skip_reason)}: ${plainText(physics.detail)}`)];
   const causes = (failures) => Object.entries(failures).map(([name, count]) => `${plainText(name)} ${count}`).join(", ");
-  const six = physics.directions > 0 ? [["held in six directions",
-    `${physics.directions_held} of ${physics.directions}${physics.directions_held < physics.directions
+  const six = physics.load_directions > 0 ? [["held in six directions",
+    `${physics.load_directions_held} of ${physics.load_directions}${physics.load_directions_held < physics.load_directions
         ? ` (${causes(physics.direction_failures)})` : ""}`]] : [];
   return [title, figureList([
     ["held after lift and 5 s", `${physics.held} of ${counted(physics.rollouts, "rollout")}`],
     ["failed by", causes(physics.failures) || "none"],
     ...six,
-    ["sag, slip, creep (medians of held)",
-     `${millimetres(physics.sag_m, 2)}, ${millimetres(physics.slip_m, 2)}, ${millimetres(physics.creep_m, 3)} mm`],
+    ["droop, slip, drift (medians of held)",
+     `${millimetres(physics.droop_m, 2)}, ${millimetres(physics.slip_m, 2)}, ${millimetres(physics.drift_m, 3)} mm`],
     ["from the trajectory, arm and hand",
      `${figureText(physics.arm_error)}°, ${figureText(physics.hand_error)}°`],
-    ["largest torque, of limit", `${(100 * physics.torque_share).toFixed(0)} %`],
-    ["needed to lift, given", `${newtonsText(physics.needed_N)}, ${newtonsText(physics.given_N)}`],
+    ["largest torque, of limit", `${(100 * physics.torque_ratio).toFixed(0)} %`],
+    ["required to lift, commanded", `${newtonsText(physics.required_force_N)}, ${newtonsText(physics.commanded_force_N)}`],
     ["friction, torsion, mass",
-     `${figureText(physics.friction)}, ${millimetres(physics.torsion_m, 1)} mm, ${figureText(physics.mass_kg)} kg`],
-    ["squeeze", physics.squeeze === "plan" ? "the plan's" : "of fingers with goals, where they are nearest"]])];
+     `${figureText(physics.friction)}, ${millimetres(physics.torsional_friction_m, 1)} mm, ${figureText(physics.mass_kg)} kg`],
+    ["squeeze", physics.contact_source === "planned" ? "the plan's" : "of fingers with goals, where they are nearest"]])];
 }

@@ -14,18 +14,18 @@ std::string wanted_text(std::initializer_list<std::size_t> shape) {
   std::string text;
   for (const std::size_t length : shape) {
     text += text.empty() ? "" : ", ";
-    text += length == ClipArrays::kAny ? "any" : std::to_string(length);
+    text += length == ClipArrays::kAnyLength ? "any" : std::to_string(length);
   }
   return "(" + text + (shape.size() == 1 ? ",)" : ")");
 }
 
 bool fits(const std::vector<std::size_t>& shape, std::initializer_list<std::size_t> wanted) {
   return std::ranges::equal(shape, wanted, [](std::size_t length, std::size_t as) {
-    return as == ClipArrays::kAny || length == as;
+    return as == ClipArrays::kAnyLength || length == as;
   });
 }
 
-/// Rows `row_length` apart, from `begin` on.
+/// Returns a 3×3 matrix whose rows are `row_length` apart, starting at `begin`.
 Eigen::Matrix3d matrix_at(const NpyArray& array, std::size_t begin, std::size_t row_length) {
   Eigen::Matrix3d matrix;
   for (Eigen::Index row = 0; row < 3; ++row) {
@@ -39,9 +39,9 @@ Eigen::Matrix3d matrix_at(const NpyArray& array, std::size_t begin, std::size_t 
 
 Quat rotation_of(const ClipArrays& clip, const NpyArray& array, std::size_t k,
                  const Eigen::Matrix3d& matrix) {
-  constexpr double kNearly = 0.01;
-  if (!matrix.allFinite()) return unseen_rotation();
-  if (!(matrix * matrix.transpose()).isIdentity(kNearly) || matrix.determinant() < 0) {
+  constexpr double kRotationTolerance = 0.01;
+  if (!matrix.allFinite()) return unknown_rotation();
+  if (!(matrix * matrix.transpose()).isIdentity(kRotationTolerance) || matrix.determinant() < 0) {
     clip.fail(array.name, fmt::format("matrix {} is no rotation", k));
   }
   return Quat(matrix).normalized();
@@ -126,7 +126,7 @@ Quat clip_rotation(const ClipArrays& clip, const NpyArray& array, std::size_t k)
 Pose clip_pose(const ClipArrays& clip, const NpyArray& array, std::size_t k) {
   const Quat turn = rotation_of(clip, array, k, matrix_at(array, 16 * k, 4));
   const double* const first = array.values.data() + 16 * k;
-  if (seen(turn) &&
+  if (is_known(turn) &&
       !(Eigen::Map<const Eigen::Vector4d>(first + 12).isApprox(Eigen::Vector4d::UnitW(), 1e-6))) {
     clip.fail(array.name, fmt::format("matrix {} does not end in the row 0 0 0 1", k));
   }

@@ -12,16 +12,16 @@ namespace {
 
 constexpr double kSameWrist_m = 0.005;
 
-/// [rows, J] joints in the world, in the order of the file.
-Table<Vec3> joints_in(const files::NpyArray& array, const TrackerFrame& frame) {
-  Table<Vec3> joints(array.shape[0], array.shape[1], unseen_point());
+/// Returns [rows, J] joints in the world, in the order of the file.
+Array2D<Vec3> joints_in(const files::NpyArray& array, const TrackerFrame& frame) {
+  Array2D<Vec3> joints(array.shape[0], array.shape[1], unknown_point());
   for (std::size_t k = 0; k < joints.values.size(); ++k) {
     joints.values[k] = frame.point(Eigen::Map<const Vec3>(array.values.data() + 3 * k));
   }
   return joints;
 }
 
-JointOrder order_of(ClipArrays& clip, const std::string& key, const Table<Vec3>& joints,
+JointOrder order_of(ClipArrays& clip, const std::string& key, const Array2D<Vec3>& joints,
                     const std::string& prefix, const Conventions& conventions,
                     std::vector<std::string>& reports) {
   const std::vector<std::string> names = clip.texts(prefix + "joint_names");
@@ -45,12 +45,12 @@ JointOrder order_of(ClipArrays& clip, const std::string& key, const Table<Vec3>&
   return order;
 }
 
-void place_wrist(const std::vector<Vec3>& wrist, const std::string& side, RecordedHand& hand,
-                 std::vector<std::string>& reports) {
+void fill_wrist(const std::vector<Vec3>& wrist, const std::string& side, RecordedHand& hand,
+                std::vector<std::string>& reports) {
   std::size_t differ = 0;
   for (std::size_t i = 0; i < wrist.size(); ++i) {
-    Vec3& here = hand.joint(i, 0);
-    if (!seen(here)) {
+    Vec3& here = hand.keypoints(i, 0);
+    if (!is_known(here)) {
       here = wrist[i];
     } else if ((here - wrist[i]).norm() > kSameWrist_m) {
       ++differ;
@@ -64,28 +64,30 @@ void place_wrist(const std::vector<Vec3>& wrist, const std::string& side, Record
   }
 }
 
-bool shows_how_it_is_turned(const RecordedHand& hand) {
-  for (std::size_t i = 0; i < hand.joint.rows; ++i) {
-    if (seen(hand.joint(i, 0)) && seen(hand.joint(i, 5)) && seen(hand.joint(i, 17))) return true;
+bool determines_orientation(const RecordedHand& hand) {
+  for (std::size_t i = 0; i < hand.keypoints.rows; ++i) {
+    if (is_known(hand.keypoints(i, 0)) && is_known(hand.keypoints(i, 5)) &&
+        is_known(hand.keypoints(i, 17)))
+      return true;
   }
   return false;
 }
 
-void turn_hand(ClipArrays& clip, const std::string& key, Side side, std::size_t rows,
-               const TrackerFrame& frame, bool rebuilt, RecordedHand& hand,
-               std::vector<std::string>& reports) {
+void read_wrist_rotation(ClipArrays& clip, const std::string& key, Side side, std::size_t rows,
+                         const TrackerFrame& frame, bool rebuilt, RecordedHand& hand,
+                         std::vector<std::string>& reports) {
   const files::NpyArray* const array = clip.numbers(key, {rows, 3, 3});
   if (array == nullptr) return;
   const Quat wrist_from_hand(clip_wrist_from_hand(side));
   std::vector<Quat> turned;
   for (std::size_t i = 0; i < rows; ++i) {
     const Quat turn = clip_rotation(clip, *array, i);
-    turned.push_back(seen(turn) ? Quat(frame.turn(turn) * wrist_from_hand) : turn);
+    turned.push_back(is_known(turn) ? Quat(frame.rotation(turn) * wrist_from_hand) : turn);
   }
   if (rebuilt) {
-    hand.turned = std::move(turned);
-  } else if (!shows_how_it_is_turned(hand)) {
-    hand.turned = std::move(turned);
+    hand.orientation = std::move(turned);
+  } else if (!determines_orientation(hand)) {
+    hand.orientation = std::move(turned);
     reports.push_back(fmt::format(
         "{}: how the hand is turned is taken from it, as no knuckles show it: its x points to the "
         "fingers, its z out of the back of the hand",
@@ -98,8 +100,8 @@ void turn_hand(ClipArrays& clip, const std::string& key, Side side, std::size_t 
 std::string clip_prefix(Side side) { return fmt::format("mano_{}_", name_of(side)); }
 
 Eigen::Matrix3d clip_wrist_from_hand(Side side) {
-  // Columns: x, y and z of the hand frame in the wrist's. A left hand's thumb is on its -y, and x
-  // of its hand frame, which is a right one's seen in the mirror, points out of the back.
+  // The columns are x, y and z of the hand frame in the wrist's. A left hand's thumb is on its -y,
+  // and x of its hand frame, the mirror image of a right one's, points out of the back.
   const double sign = side == Side::right ? 1 : -1;
   Eigen::Matrix3d turn;
   turn.col(0) = -sign * Vec3::UnitZ();
@@ -115,22 +117,22 @@ std::optional<RecordedHand> read_clip_hand(ClipArrays& clip, Side side, std::siz
   const std::string prefix = clip_prefix(side), key = prefix + "joints";
   std::vector<Vec3> wrist = clip.points(prefix + "wrist_pos", rows);
   for (Vec3& point : wrist) point = frame.point(point);
-  const files::NpyArray* const array = clip.numbers(key, {rows, ClipArrays::kAny, 3});
+  const files::NpyArray* const array = clip.numbers(key, {rows, ClipArrays::kAnyLength, 3});
   if (array == nullptr && wrist.empty()) return std::nullopt;
   RecordedHand hand = unseen_hand(rows);
   if (array != nullptr) {
-    const Table<Vec3> joints = joints_in(*array, frame);
+    const Array2D<Vec3> joints = joints_in(*array, frame);
     const JointOrder order = order_of(clip, key, joints, prefix, conventions, reports);
     reports.push_back(fmt::format("{}: {}", key, order.because));
-    for (std::size_t k = 0; k < kKeypoints; ++k) {
+    for (std::size_t k = 0; k < kKeypointCount; ++k) {
       if (order.joint[k] < 0) continue;
       for (std::size_t i = 0; i < rows; ++i) {
-        hand.joint(i, k) = joints(i, static_cast<std::size_t>(order.joint[k]));
+        hand.keypoints(i, k) = joints(i, static_cast<std::size_t>(order.joint[k]));
       }
     }
   }
-  place_wrist(wrist, std::string(name_of(side)), hand, reports);
-  turn_hand(clip, prefix + "wrist_rot", side, rows, frame, rebuilt, hand, reports);
+  fill_wrist(wrist, std::string(name_of(side)), hand, reports);
+  read_wrist_rotation(clip, prefix + "wrist_rot", side, rows, frame, rebuilt, hand, reports);
   if (const auto* const confidence = clip.numbers(prefix + "confidence", {rows})) {
     hand.confidence = confidence->values;
   }

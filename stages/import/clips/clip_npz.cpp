@@ -1,4 +1,4 @@
-// Clips: hands, arms and objects in one world, as arrays of numpy under one set of keys
+// Clips contain hands, arms and objects in one world, as arrays of numpy with a fixed set of keys
 // (docs/clips.md). Files of FlashDexRetarget are clips. SPIDER's keypoints have keys of their own.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,8 +17,8 @@
 namespace morphe::imports {
 namespace {
 
-/// Keys that say that a .npz is a clip: of a hand, a body or an object.
-bool is_of_a_clip(const std::string& key) {
+/// Returns true for a key by which a .npz is recognised as a clip: of a hand, a body or an object.
+bool is_clip_key(const std::string& key) {
   for (const Side side : {Side::right, Side::left}) {
     if (key.starts_with(clip_prefix(side)) || key == spider_key("wrist", side)) return true;
     if (key == fmt::format("obj_{}_pose", name_of(side))) return true;
@@ -35,9 +35,9 @@ bool is_of_a_clip(const std::string& key) {
                   keys.empty() ? "nothing" : fmt::format("{}", fmt::join(keys, ", "))));
 }
 
-/// Frames of the clip: the first of these arrays that it has says how many.
+/// Returns the number of frames of the clip, that of the first of these arrays that exists.
 std::size_t rows_of(ClipArrays& clip) {
-  constexpr std::size_t kAny = ClipArrays::kAny;
+  constexpr std::size_t kAny = ClipArrays::kAnyLength;
   if (const auto* const times = clip.numbers("times", {kAny})) return times->shape[0];
   for (const Side side : {Side::right, Side::left}) {
     const std::string prefix = clip_prefix(side);
@@ -59,7 +59,7 @@ std::vector<double> times_of(ClipArrays& clip, std::size_t rows, const Conventio
     time = times->values;
   } else {
     const double in_file = clip.number("fps").value_or(0);
-    const double rate_hz = rate_of(in_file, conventions, clip.file(), reports);
+    const double rate_hz = resolve_rate_hz(in_file, conventions, clip.file(), reports);
     for (std::size_t i = 0; i < rows; ++i) time.push_back(static_cast<double>(i) / rate_hz);
   }
   for (std::size_t i = 0; i < rows; ++i) {
@@ -72,14 +72,14 @@ std::vector<double> times_of(ClipArrays& clip, std::size_t rows, const Conventio
 }
 
 Quat quaternion(const ClipArrays& clip, const files::NpyArray& array, std::size_t k) {
-  constexpr double kNearlyOne = 1e-3, kRounding = 1e-15;
+  constexpr double kUnitNormTolerance = 1e-3, kUnitNormRounding = 1e-15;
   const double* const q = array.values.data() + 4 * k;  // w, x, y, z
   const Quat turn(q[0], q[1], q[2], q[3]);
-  if (!seen(turn)) return unseen_rotation();
-  if (std::abs(turn.norm() - 1) > kNearlyOne) {
+  if (!is_known(turn)) return unknown_rotation();
+  if (std::abs(turn.norm() - 1) > kUnitNormTolerance) {
     clip.fail(array.name, fmt::format("quaternion {} has the length {:.4g}", k, turn.norm()));
   }
-  return std::abs(turn.norm() - 1) < kRounding ? turn : turn.normalized();
+  return std::abs(turn.norm() - 1) < kUnitNormRounding ? turn : turn.normalized();
 }
 
 BodyStream read_body(ClipArrays& clip, std::size_t rows, const TrackerFrame& frame) {
@@ -99,39 +99,42 @@ BodyStream read_body(ClipArrays& clip, std::size_t rows, const TrackerFrame& fra
       clip.fail("body_joint_names", fmt::format("'{}' stands twice", body.names[k]));
     }
   }
-  // What Morphe wrote comes back bit for bit.
+  // Clips written by Morphe are restored bit for bit.
   const bool in_world = frame.world_from_file == Eigen::Matrix3d::Identity();
-  body.position = Table<Vec3>(rows, count, unseen_point());
-  body.orientation = Table<Quat>(rows, count, unseen_rotation());
-  if (confidence != nullptr) body.confidence = {rows, count, kNotSeen};
+  body.position = Array2D<Vec3>(rows, count, unknown_point());
+  body.orientation = Array2D<Quat>(rows, count, unknown_rotation());
+  if (confidence != nullptr) body.confidence = {rows, count, kUnknown};
   for (std::size_t k = 0; k < rows * count; ++k) {
     body.position.values[k] = frame.point(Eigen::Map<const Vec3>(points->values.data() + 3 * k));
-    const Quat turn = turns == nullptr ? unseen_rotation() : quaternion(clip, *turns, k);
-    if (seen(turn)) body.orientation.values[k] = in_world ? turn : frame.turn(turn);
+    const Quat turn = turns == nullptr ? unknown_rotation() : quaternion(clip, *turns, k);
+    if (is_known(turn)) body.orientation.values[k] = in_world ? turn : frame.rotation(turn);
     if (confidence != nullptr) body.confidence.values[k] = confidence->values[k];
   }
   return body;
 }
 
-/// A joint of a hand that stands among those of the body, too, is the body's; so may be all of it.
-void drop_doubles(HandClip& clip) {
+/// Removes the joints of a hand that are also among those of the body, and a hand without other
+/// joints.
+void drop_duplicate_joints(HandClip& clip) {
   for (const Side side : {Side::right, Side::left}) {
     auto& hand = clip.hands[static_cast<std::size_t>(side)];
     if (!hand) continue;
     const std::vector<std::string> names = keypoint_names(side);
     const std::string turned = std::string(name_of(side)) + "_hand";
-    if (std::ranges::find(clip.body.names, turned) != clip.body.names.end()) hand->turned.clear();
-    for (std::size_t k = 0; k < kKeypoints; ++k) {
+    if (std::ranges::find(clip.body.names, turned) != clip.body.names.end())
+      hand->orientation.clear();
+    for (std::size_t k = 0; k < kKeypointCount; ++k) {
       if (std::ranges::find(clip.body.names, names[k]) == clip.body.names.end()) continue;
-      for (std::size_t i = 0; i < hand->joint.rows; ++i) hand->joint(i, k) = unseen_point();
+      for (std::size_t i = 0; i < hand->keypoints.rows; ++i)
+        hand->keypoints(i, k) = unknown_point();
     }
     const bool all =
-        std::ranges::none_of(hand->joint.values, [](const Vec3& p) { return seen(p); });
+        std::ranges::none_of(hand->keypoints.values, [](const Vec3& p) { return is_known(p); });
     if (all && !clip.body.names.empty()) hand.reset();
   }
 }
 
-void read_facts(ClipArrays& clip, Demonstration& demonstration) {
+void read_clip_metadata(ClipArrays& clip, Demonstration& demonstration) {
   demonstration.subject = clip.text("subject").value_or("");
   demonstration.task = clip.text("task").value_or("");
   demonstration.source = clip.text("source").value_or("");
@@ -148,7 +151,7 @@ void read_facts(ClipArrays& clip, Demonstration& demonstration) {
   const auto* const times = clip.numbers("label_times", {phases.size(), 2});
   if (!phases.empty() && times == nullptr) clip.fail("label_times", "is missing");
   for (std::size_t k = 0; k < phases.size(); ++k) {
-    const auto phase = named<PhaseKind>(phases[k]);
+    const auto phase = enum_from_name<PhaseKind>(phases[k]);
     if (!phase) clip.fail("label_phases", fmt::format("'{}' is no phase", phases[k]));
     demonstration.labels.push_back({times->values[2 * k], times->values[2 * k + 1], *phase});
   }
@@ -157,9 +160,9 @@ void read_facts(ClipArrays& clip, Demonstration& demonstration) {
   }
 }
 
-std::optional<Side> hand_said(ClipArrays& clip) {
+std::optional<Side> declared_hand(ClipArrays& clip) {
   const std::optional<std::string> said = clip.text("hand");
-  const std::optional<Side> side = said ? named<Side>(*said) : std::nullopt;
+  const std::optional<Side> side = said ? enum_from_name<Side>(*said) : std::nullopt;
   if (said && !side) clip.fail("hand", "must be right or left, not '" + *said + "'");
   return side;
 }
@@ -175,27 +178,27 @@ TrackerFrame frame_of(ClipArrays& clip, const RecordingFiles& files,
 
 }  // namespace
 
-bool recognises_clip_npz(std::string_view head) { return files::begins_as_npz(head); }
+bool recognises_clip_npz(std::string_view head) { return files::is_npz(head); }
 
 bool holds_a_clip(const std::filesystem::path& file) {
-  return std::ranges::any_of(files::npz_keys(file), is_of_a_clip);
+  return std::ranges::any_of(files::npz_keys(file), is_clip_key);
 }
 
-std::optional<Side> clip_hand(const std::filesystem::path& file) {
+std::optional<Side> clip_reaching_side(const std::filesystem::path& file) {
   ClipArrays clip(files::read_npz(file));
-  return hand_said(clip);
+  return declared_hand(clip);
 }
 
 Demonstration read_clip_npz(const RecordingFiles& files) {
-  // Of what is no clip the arrays may be anything, such as Python objects.
+  // The arrays of other files may contain anything, such as Python objects.
   const std::vector<std::string> keys = files::npz_keys(files.file);
-  if (std::ranges::none_of(keys, is_of_a_clip)) fail_as_no_clip(files.file.string(), keys);
+  if (std::ranges::none_of(keys, is_clip_key)) fail_as_no_clip(files.file.string(), keys);
   ClipArrays clip(files::read_npz(files.file));
   if (is_spider(clip)) return read_spider(clip, files);
   Demonstration demonstration;
-  read_facts(clip, demonstration);
+  read_clip_metadata(clip, demonstration);
   std::vector<std::string>& reports = demonstration.reports;
-  if (const auto said = hand_said(clip); said && *said != files.hand) {
+  if (const auto said = declared_hand(clip); said && *said != files.hand) {
     reports.push_back(fmt::format("the clip says that the {} hand reaches; the {} one is taken",
                                   name_of(*said), name_of(files.hand)));
   }
@@ -203,10 +206,10 @@ Demonstration read_clip_npz(const RecordingFiles& files) {
   HandClip hands;
   const std::size_t rows = rows_of(clip);
   hands.time = times_of(clip, rows, files.conventions, reports);
-  hands.rebuilt = clip.number("rebuilt").value_or(0) != 0;
+  hands.reconstructed = clip.number("rebuilt").value_or(0) != 0;
   for (const Side side : {Side::right, Side::left}) {
     hands.hands[static_cast<std::size_t>(side)] =
-        read_clip_hand(clip, side, rows, frame, hands.rebuilt, files.conventions, reports);
+        read_clip_hand(clip, side, rows, frame, hands.reconstructed, files.conventions, reports);
   }
   const bool in_hand = clip.number("in_hand").value_or(0) != 0;
   hands.body = read_body(clip, rows, frame);
@@ -221,8 +224,8 @@ Demonstration read_clip_npz(const RecordingFiles& files) {
               demonstration);
     return demonstration;
   }
-  drop_doubles(hands);
-  add_tracked(std::move(hands), files, demonstration);
+  drop_duplicate_joints(hands);
+  add_tracked_clip(std::move(hands), files, demonstration);
   return demonstration;
 }
 

@@ -14,20 +14,21 @@ namespace {
 namespace fs = std::filesystem;
 using files::NpyArray;
 
-constexpr double kSamePosition_m = 1e-6;  ///< poses of an object that both hands hold
+constexpr double kSamePosition_m = 1e-6;  ///< tolerance for poses of an object held by both hands
 
-/// The poses [first, first + count) of an array of 4 x 4 matrices.
+/// Adds the poses [first, first + count) of an array of 4 x 4 matrices.
 void add_poses(const ClipArrays& clip, const NpyArray& array, std::size_t first, std::size_t count,
                const TrackerFrame& frame, SceneObject& object) {
   for (std::size_t k = 0; k < count; ++k) {
     const Pose pose = clip_pose(clip, array, first + k);
     object.position.push_back(frame.point(pose.translation()));
     const bool turned = pose.linear().allFinite();
-    object.orientation.push_back(turned ? frame.turn(Quat(pose.linear())) : unseen_rotation());
+    object.orientation.push_back(turned ? frame.rotation(Quat(pose.linear())) : unknown_rotation());
   }
 }
 
-/// By its folder beside the clip's, a mesh in metres times `scale`; otherwise a ball.
+/// Returns the shape of an object from its folder beside the clip's, a mesh in metres times
+/// `scale`; otherwise a ball.
 SceneObject shape_of(const std::string& clip_file, const std::string& id, double scale,
                      std::vector<std::string>& reports) {
   const fs::path folder = fs::path(clip_file).parent_path();
@@ -44,18 +45,18 @@ SceneObject shape_of(const std::string& clip_file, const std::string& id, double
     reports.push_back(fmt::format("object {}: shape from {}", id, file.string()));
     return mesh;
   }
-  return ball_for(id, reports);
+  return placeholder_sphere(id, reports);
 }
 
-bool is_there(const std::vector<SceneObject>& objects, const std::string& name) {
+bool contains_object(const std::vector<SceneObject>& objects, const std::string& name) {
   return std::ranges::find(objects, name, &SceneObject::name) != objects.end();
 }
 
-/// Without the instants at which its pose was not seen.
+/// Removes the instants at which its pose was not seen.
 void drop_unseen(SceneObject& object) {
   std::size_t kept = 0;
   for (std::size_t k = 0; k < object.time.size(); ++k) {
-    if (!seen(object.position[k]) || !seen(object.orientation[k])) continue;
+    if (!is_known(object.position[k]) || !is_known(object.orientation[k])) continue;
     object.time[kept] = object.time[k];
     object.position[kept] = object.position[k];
     object.orientation[kept++] = object.orientation[k];
@@ -65,12 +66,13 @@ void drop_unseen(SceneObject& object) {
   object.orientation.resize(kept, Quat::Identity());
 }
 
-/// Adds it under its name, or "NAME_2" … if that is taken; not if it was never seen.
+/// Adds an object under its name, or "NAME_2" … if that is used; not if it was never seen.
 void add_object(SceneObject object, std::vector<SceneObject>& objects) {
   drop_unseen(object);
   if (object.time.empty()) return;
   const std::string name = object.name;
-  for (int n = 2; is_there(objects, object.name); ++n) object.name = fmt::format("{}_{}", name, n);
+  for (int n = 2; contains_object(objects, object.name); ++n)
+    object.name = fmt::format("{}_{}", name, n);
   objects.push_back(std::move(object));
 }
 
@@ -81,9 +83,9 @@ bool same_path(const SceneObject& a, const SceneObject& b) {
   return a.position.size() == b.position.size();
 }
 
-void add_handled(ClipArrays& clip, Side side, const std::vector<double>& time,
-                 const TrackerFrame& frame, std::vector<std::string>& reports,
-                 std::vector<SceneObject>& objects) {
+void add_handled_object(ClipArrays& clip, Side side, const std::vector<double>& time,
+                        const TrackerFrame& frame, std::vector<std::string>& reports,
+                        std::vector<SceneObject>& objects) {
   const std::string prefix = fmt::format("obj_{}_", name_of(side));
   const NpyArray* const poses = clip.numbers(prefix + "pose", {time.size(), 4, 4});
   const std::string id = clip.text(prefix + "id").value_or(fmt::format("{}_object", name_of(side)));
@@ -118,19 +120,19 @@ void add_context(ClipArrays& clip, const std::vector<double>& time, const Tracke
 
 void add_discs(ClipArrays& clip, const std::vector<double>& time, const TrackerFrame& frame,
                std::vector<SceneObject>& objects) {
-  const NpyArray* const discs = clip.numbers("support_discs", {ClipArrays::kAny, 5});
+  const NpyArray* const discs = clip.numbers("support_discs", {ClipArrays::kAnyLength, 5});
   for (std::size_t k = 0; discs != nullptr && k < discs->shape[0]; ++k) {
     const double* const disc = discs->values.data() + 5 * k;  // x, y, top, radius, height
     SceneObject object;
     object.name = "support";
     object.shape = Shape::cylinder;
-    object.size = {frame.metres * disc[3], frame.metres * disc[4]};
+    object.size = {frame.unit_m * disc[3], frame.unit_m * disc[4]};
     if (!(object.size[0] > 0 && object.size[1] > 0)) {
       clip.fail("support_discs", "radius and height must be positive");
     }
     object.time = {time.front()};
     object.position = {frame.point(Vec3(disc[0], disc[1], disc[2] - disc[4] / 2))};
-    object.orientation = {frame.turn(Quat::Identity())};
+    object.orientation = {frame.rotation(Quat::Identity())};
     add_object(std::move(object), objects);
   }
 }
@@ -140,11 +142,11 @@ std::size_t numbers_of(Shape shape) {
 }
 
 void read_mesh(ClipArrays& clip, const std::string& prefix, double metres, SceneObject& object) {
-  for (const Vec3& vertex : clip.points(prefix + "vertices", ClipArrays::kAny)) {
-    if (!seen(vertex)) clip.fail(prefix + "vertices", "holds what is no number");
+  for (const Vec3& vertex : clip.points(prefix + "vertices", ClipArrays::kAnyLength)) {
+    if (!is_known(vertex)) clip.fail(prefix + "vertices", "holds what is no number");
     object.vertices.push_back(metres * vertex);
   }
-  for (const Vec3& corners : clip.points(prefix + "triangles", ClipArrays::kAny)) {
+  for (const Vec3& corners : clip.points(prefix + "triangles", ClipArrays::kAnyLength)) {
     for (const double corner : corners) {
       if (!(corner >= 0 && corner < static_cast<double>(object.vertices.size())) ||
           corner != std::floor(corner)) {
@@ -162,12 +164,12 @@ void read_shape(ClipArrays& clip, const std::string& prefix, double metres,
   const bool mesh = clip.has(prefix + "vertices");
   const std::string said = clip.text(prefix + "shape").value_or(mesh ? "mesh" : "");
   if (said.empty()) {
-    const SceneObject ball = ball_for(object.name, reports);
+    const SceneObject ball = placeholder_sphere(object.name, reports);
     object.shape = ball.shape;
     object.size = ball.size;
     return;
   }
-  const auto shape = named<Shape>(said);
+  const auto shape = enum_from_name<Shape>(said);
   if (!shape) {
     clip.fail(prefix + "shape",
               fmt::format("must be sphere, box, cylinder, capsule or mesh, not '{}'", said));
@@ -187,7 +189,7 @@ SceneObject read_object(ClipArrays& clip, const std::string& name, const std::ve
   const std::string prefix = "object_" + name + "_";
   SceneObject object;
   object.name = name;
-  const NpyArray* const poses = clip.numbers(prefix + "pose", {ClipArrays::kAny, 4, 4});
+  const NpyArray* const poses = clip.numbers(prefix + "pose", {ClipArrays::kAnyLength, 4, 4});
   const std::size_t count = poses->shape[0];
   if (const auto* const own = clip.numbers(prefix + "times", {count})) {
     object.time = own->values;
@@ -206,7 +208,7 @@ SceneObject read_object(ClipArrays& clip, const std::string& name, const std::ve
   }
   if (count == 0) clip.fail(prefix + "pose", "holds no pose");
   add_poses(clip, *poses, 0, count, frame, object);
-  read_shape(clip, prefix, frame.metres, reports, object);
+  read_shape(clip, prefix, frame.unit_m, reports, object);
   return object;
 }
 
@@ -220,7 +222,7 @@ std::vector<SceneObject> read_clip_objects(ClipArrays& clip, const std::vector<d
     add_object(read_object(clip, name, time, frame, reports), objects);
   }
   for (const Side side : {Side::right, Side::left}) {
-    add_handled(clip, side, time, frame, reports, objects);
+    add_handled_object(clip, side, time, frame, reports, objects);
   }
   add_context(clip, time, frame, reports, objects);
   add_discs(clip, time, frame, objects);

@@ -8,10 +8,10 @@
 
 namespace morphe::imports {
 
-/// The objects of a clip, each name once: object_<name>_… with their shapes; obj_<side>_… that a
-/// hand handles and desk_context_… around it, whose meshes are objects/<id>/visual.obj beside the
-/// clip or its folder (without one: a ball, which is reported); support_discs. `time` is the
-/// clip's.
+/// Reads the objects of a clip, each name once: object_<name>_… with their shapes; obj_<side>_…
+/// that a hand manipulates and desk_context_… around it, whose meshes are objects/<id>/visual.obj
+/// beside the clip or its folder (without a mesh: a ball, which is reported); support_discs. `time`
+/// is the clip's.
 std::vector<SceneObject> read_clip_objects(ClipArrays& clip, const std::vector<double>& time,
                                            const TrackerFrame& frame,
                                            std::vector<std::string>& reports);

@@ -16,19 +16,19 @@ namespace {
 namespace fs = std::filesystem;
 using files::NpyArray;
 
-constexpr std::size_t kPose = 7;  ///< x, y, z, then the quaternion w, x, y, z
-constexpr double kInHand_m = 0.10;
+constexpr std::size_t kPoseValueCount = 7;  ///< x, y, z, then the quaternion w, x, y, z
+constexpr double kMinFingertipDistance_m = 0.10;
 
-bool is_there(const NpyArray* array) {
+bool has_data(const NpyArray* array) {
   if (array == nullptr) return false;
   for (std::size_t k = 0; k < array->values.size(); ++k) {
     const double value = array->values[k];
-    if (value != 0 && !(value == 1 && k % kPose == 3)) return true;
+    if (value != 0 && !(value == 1 && k % kPoseValueCount == 3)) return true;
   }
   return false;
 }
 
-/// What ../task_info.json says (JSON is YAML).
+/// Reads ../task_info.json (JSON is YAML).
 void read_task(const RecordingFiles& files, double& step_s, Demonstration& demonstration) {
   const fs::path file = fs::absolute(files.file).parent_path().parent_path() / "task_info.json";
   std::error_code error;
@@ -46,9 +46,10 @@ std::vector<double> times_of(ClipArrays& clip, std::size_t rows, double step_s,
                              const RecordingFiles& files, std::vector<std::string>& reports) {
   std::vector<double> time;
   const NpyArray* const stamps = clip.numbers("timestamps", {rows});
-  const double rate_hz = stamps != nullptr ? 0
-                                           : rate_of(step_s > 0 ? 1 / step_s : 0, files.conventions,
-                                                     clip.file(), reports);
+  const double rate_hz =
+      stamps != nullptr
+          ? 0
+          : resolve_rate_hz(step_s > 0 ? 1 / step_s : 0, files.conventions, clip.file(), reports);
   for (std::size_t i = 0; i < rows; ++i) {
     time.push_back(stamps != nullptr ? (stamps->values[i] - stamps->values[0]) * 1e-9
                                      : static_cast<double>(i) / rate_hz);
@@ -62,22 +63,24 @@ std::vector<double> times_of(ClipArrays& clip, std::size_t rows, double step_s,
 std::optional<RecordedHand> read_hand(ClipArrays& clip, Side side, std::size_t rows,
                                       const TrackerFrame& frame,
                                       std::vector<std::string>& reports) {
-  const NpyArray* const wrist = clip.numbers(spider_key("wrist", side), {rows, kPose});
-  const NpyArray* const tips = clip.numbers(spider_key("finger", side), {rows, kFingers, kPose});
-  if (!is_there(wrist)) return std::nullopt;
+  const NpyArray* const wrist = clip.numbers(spider_key("wrist", side), {rows, kPoseValueCount});
+  const NpyArray* const tips =
+      clip.numbers(spider_key("finger", side), {rows, kFingerCount, kPoseValueCount});
+  if (!has_data(wrist)) return std::nullopt;
   RecordedHand hand = unseen_hand(rows);
   double reach = 0, count = 0;
   for (std::size_t i = 0; i < rows; ++i) {
-    hand.joint(i, 0) = frame.point(Eigen::Map<const Vec3>(wrist->values.data() + kPose * i));
-    for (std::size_t finger = 0; finger < kFingers && is_there(tips); ++finger) {
-      const double* const tip = tips->values.data() + kPose * (kFingers * i + finger);
-      hand.joint(i, 4 + 4 * finger) = frame.point(Eigen::Map<const Vec3>(tip));
+    hand.keypoints(i, 0) =
+        frame.point(Eigen::Map<const Vec3>(wrist->values.data() + kPoseValueCount * i));
+    for (std::size_t finger = 0; finger < kFingerCount && has_data(tips); ++finger) {
+      const double* const tip = tips->values.data() + kPoseValueCount * (kFingerCount * i + finger);
+      hand.keypoints(i, 4 + 4 * finger) = frame.point(Eigen::Map<const Vec3>(tip));
       if (finger == kThumb) continue;
-      reach += (hand.joint(i, 4 + 4 * finger) - hand.joint(i, 0)).norm();
+      reach += (hand.keypoints(i, 4 + 4 * finger) - hand.keypoints(i, 0)).norm();
       ++count;
     }
   }
-  if (count > 0 && reach / count < kInHand_m) {
+  if (count > 0 && reach / count < kMinFingertipDistance_m) {
     reports.push_back(fmt::format(
         "the {} fingertips are {:.0f} mm from the wrist in the mean: what is called the wrist may "
         "be the middle finger's knuckle",
@@ -105,24 +108,24 @@ Demonstration read_spider(ClipArrays& clip, const RecordingFiles& files) {
       files, "x y z", "m", "SPIDER's Z is up; which way the person faces is not said", reports);
   const Side first = clip.has(spider_key("wrist", Side::right)) ? Side::right : Side::left;
   const std::size_t rows =
-      clip.numbers(spider_key("wrist", first), {ClipArrays::kAny, kPose})->shape[0];
+      clip.numbers(spider_key("wrist", first), {ClipArrays::kAnyLength, kPoseValueCount})->shape[0];
   HandClip hands;
   hands.time = times_of(clip, rows, step_s, files, reports);
   for (const Side side : {Side::right, Side::left}) {
     hands.hands[static_cast<std::size_t>(side)] = read_hand(clip, side, rows, frame, reports);
-    const NpyArray* const poses = clip.numbers(spider_key("obj", side), {rows, kPose});
-    if (!is_there(poses)) continue;
-    SceneObject object = ball_for(fmt::format("{}_object", name_of(side)), reports);
+    const NpyArray* const poses = clip.numbers(spider_key("obj", side), {rows, kPoseValueCount});
+    if (!has_data(poses)) continue;
+    SceneObject object = placeholder_sphere(fmt::format("{}_object", name_of(side)), reports);
     object.time = hands.time;
     for (std::size_t i = 0; i < rows; ++i) {
-      const double* const q = poses->values.data() + kPose * i;
+      const double* const q = poses->values.data() + kPoseValueCount * i;
       const Quat turn(q[3], q[4], q[5], q[6]);
       if (!(std::abs(turn.norm() - 1) < 1e-3)) {
         clip.fail(poses->name,
                   fmt::format("the quaternion of row {} has the length {:.4g}", i, turn.norm()));
       }
       object.position.push_back(frame.point(Vec3(q[0], q[1], q[2])));
-      object.orientation.push_back(frame.turn(turn));
+      object.orientation.push_back(frame.rotation(turn));
     }
     hands.objects.push_back(std::move(object));
   }
@@ -132,7 +135,7 @@ Demonstration read_spider(ClipArrays& clip, const RecordingFiles& files) {
   if (const std::vector<std::string> unread = clip.unread(); !unread.empty()) {
     reports.push_back(fmt::format("left out: {}", fmt::join(unread, ", ")));
   }
-  add_tracked(std::move(hands), files, demonstration);
+  add_tracked_clip(std::move(hands), files, demonstration);
   return demonstration;
 }
 

@@ -5,14 +5,15 @@
 
 namespace morphe::imports {
 
-/// What SPIDER calls an array: "qpos_wrist_right"; `what`: wrist, finger or obj.
+/// Returns SPIDER's key of an array, such as "qpos_wrist_right"; `what` is wrist, finger or obj.
 std::string spider_key(const char* what, Side side);
 
-/// Whether the arrays are those of SPIDER's trajectory_keypoints.npz.
+/// Returns true if the arrays are those of SPIDER's trajectory_keypoints.npz.
 bool is_spider(const ClipArrays& clip);
 
-/// Wrists, fingertips and objects of it, in metres with Z up; the time a frame takes and the task
-/// from ../task_info.json, as SPIDER lays its files. What is zero throughout is not there.
+/// Reads its wrists, fingertips and objects, in metres with Z up. The duration of a frame and the
+/// task are read from ../task_info.json, as SPIDER arranges its files. Arrays that are always zero
+/// are regarded as missing.
 Demonstration read_spider(ClipArrays& clip, const RecordingFiles& files);
 
 }  // namespace morphe::imports

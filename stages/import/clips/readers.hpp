@@ -9,14 +9,16 @@
 
 namespace morphe::imports {
 
-// Clips of reconstructed hands, as RecordingFormat describes the two functions.
+// Readers of clips of reconstructed hands; for the two functions see RecordingFormat.
 
+/// Returns true for the first bytes of a .npz, which may be a clip.
 bool recognises_clip_npz(std::string_view head);
+/// Reads a clip.
 Demonstration read_clip_npz(const RecordingFiles& files);
-/// Whether any array of a .npz is called as one that only a clip has. InputError if it has no
-/// directory of arrays.
+/// Returns true if an array of a .npz has a key that only a clip has. Throws InputError if it has
+/// no directory of arrays.
 bool holds_a_clip(const std::filesystem::path& file);
-/// The hand that reaches, if the clip says it.
-std::optional<Side> clip_hand(const std::filesystem::path& file);
+/// Returns the hand that reaches, if the clip contains it.
+std::optional<Side> clip_reaching_side(const std::filesystem::path& file);
 
 }  // namespace morphe::imports

@@ -20,7 +20,7 @@ struct Arrays {
   std::vector<NpyArray> all;
 
   void add(const std::string& key, std::vector<std::size_t> shape, std::vector<double> values) {
-    all.push_back({key, NpyKind::number, std::move(shape), std::move(values), {}});
+    all.push_back({key, NpyKind::floating, std::move(shape), std::move(values), {}});
   }
   void add(const std::string& key, double value) { add(key, {}, {value}); }
   void add(const std::string& key, std::vector<std::string> text) {
@@ -36,7 +36,7 @@ void append(const Vec3& point, std::vector<double>& values) {
   values.insert(values.end(), point.begin(), point.end());
 }
 
-/// Three numbers a row, and the fourth of `last` where there is a translation.
+/// Appends three numbers per row, and the fourth of `last` if there is a translation.
 void append(const Eigen::Matrix3d& turn, const Vec3* translation, std::vector<double>& values) {
   for (Eigen::Index row = 0; row < 3; ++row) {
     for (Eigen::Index col = 0; col < 3; ++col) values.push_back(turn(row, col));
@@ -46,14 +46,14 @@ void append(const Eigen::Matrix3d& turn, const Vec3* translation, std::vector<do
 }
 
 Eigen::Matrix3d matrix_of(const Quat& turn) {
-  return seen(turn) ? turn.toRotationMatrix() : Eigen::Matrix3d::Constant(kNotSeen);
+  return is_known(turn) ? turn.toRotationMatrix() : Eigen::Matrix3d::Constant(kUnknown);
 }
 
-/// Which joints of a skeleton go where.
-struct Parting {
+/// The arrays to which the joints of a skeleton are written.
+struct SkeletonSplit {
   std::vector<std::size_t> body;
-  std::array<std::array<int, kKeypoints>, 2> hands{};  ///< by Side; -1 = none
-  std::array<int, 2> turned{-1, -1};                   ///< right_hand, left_hand
+  std::array<std::array<int, kKeypointCount>, 2> hands{};  ///< by Side; -1 if absent
+  std::array<int, 2> turned{-1, -1};                       ///< right_hand, left_hand
   bool has(Side side) const {
     const auto which = static_cast<std::size_t>(side);
     return turned[which] >= 0 ||
@@ -61,15 +61,15 @@ struct Parting {
   }
 };
 
-bool has_turns(const BodyStream& body, std::size_t k) {
+bool has_rotations(const BodyStream& body, std::size_t k) {
   for (std::size_t i = 0; i < body.orientation.rows; ++i) {
-    if (seen(body.orientation(i, k))) return true;
+    if (is_known(body.orientation(i, k))) return true;
   }
   return false;
 }
 
-Parting part(const BodyStream& skeleton) {
-  Parting parting;
+SkeletonSplit split_skeleton(const BodyStream& skeleton) {
+  SkeletonSplit parting;
   for (auto& hand : parting.hands) hand.fill(-1);
   const bool confident = skeleton.confidence.rows > 0;
   for (std::size_t k = 0; k < skeleton.names.size(); ++k) {
@@ -80,7 +80,7 @@ Parting part(const BodyStream& skeleton) {
       const auto found = std::ranges::find(names, skeleton.names[k]);
       if (found != names.end()) {
         parting.hands[which][static_cast<std::size_t>(found - names.begin())] = static_cast<int>(k);
-        in_body = has_turns(skeleton, k) || confident;
+        in_body = has_rotations(skeleton, k) || confident;
       } else if (skeleton.names[k] == std::string(name_of(side)) + "_hand") {
         parting.turned[which] = static_cast<int>(k);
       }
@@ -90,13 +90,13 @@ Parting part(const BodyStream& skeleton) {
   return parting;
 }
 
-void add_hand(const BodyStream& skeleton, const Parting& parting, Side side, Arrays& arrays) {
+void add_hand(const BodyStream& skeleton, const SkeletonSplit& parting, Side side, Arrays& arrays) {
   const auto which = static_cast<std::size_t>(side);
   const std::size_t rows = skeleton.time.size();
   const std::string prefix = clip_prefix(side);
   const auto& joints = parting.hands[which];
   const auto point = [&](std::size_t i, int joint) {
-    return joint < 0 ? unseen_point() : skeleton.position(i, static_cast<std::size_t>(joint));
+    return joint < 0 ? unknown_point() : skeleton.position(i, static_cast<std::size_t>(joint));
   };
   std::vector<double> wrist, all, turns;
   const Eigen::Matrix3d hand_from_wrist = clip_wrist_from_hand(side).transpose();
@@ -109,7 +109,7 @@ void add_hand(const BodyStream& skeleton, const Parting& parting, Side side, Arr
     }
   }
   arrays.add(prefix + "wrist_pos", {rows, 3}, std::move(wrist));
-  arrays.add(prefix + "joints", {rows, kKeypoints, 3}, std::move(all));
+  arrays.add(prefix + "joints", {rows, kKeypointCount, 3}, std::move(all));
   if (!turns.empty()) arrays.add(prefix + "wrist_rot", {rows, 3, 3}, std::move(turns));
 }
 
@@ -132,7 +132,7 @@ void add_body(const BodyStream& skeleton, const std::vector<std::size_t>& joints
   }
   arrays.add("body_joint_names", std::move(names));
   arrays.add("body_joints", {rows, joints.size(), 3}, std::move(points));
-  if (std::ranges::any_of(joints, [&](std::size_t k) { return has_turns(skeleton, k); })) {
+  if (std::ranges::any_of(joints, [&](std::size_t k) { return has_rotations(skeleton, k); })) {
     arrays.add("body_rotations", {rows, joints.size(), 4}, std::move(turns));
   }
   if (std::ranges::any_of(parents, [](const auto& name) { return !name.empty(); })) {
@@ -145,7 +145,7 @@ void add_body(const BodyStream& skeleton, const std::vector<std::size_t>& joints
 void add_skeleton(const BodyStream& skeleton, Arrays& arrays) {
   arrays.add("times", {skeleton.time.size()}, skeleton.time);
   if (skeleton.rebuilt) arrays.add("rebuilt", 1);
-  const Parting parting = part(skeleton);
+  const SkeletonSplit parting = split_skeleton(skeleton);
   if (parting.has(Side::right) || parting.has(Side::left)) arrays.add("joint_order", "openpose");
   for (const Side side : {Side::right, Side::left}) {
     if (parting.has(side)) add_hand(skeleton, parting, side, arrays);
@@ -160,7 +160,7 @@ void add_keypoints(const HandStream& hand, Side side, Arrays& arrays) {
   arrays.add("times", {rows}, hand.time);
   arrays.add("in_hand", 1);
   arrays.add("joint_order", "openpose");
-  arrays.add(clip_prefix(side) + "joints", {rows, kKeypoints, 3}, std::move(joints));
+  arrays.add(clip_prefix(side) + "joints", {rows, kKeypointCount, 3}, std::move(joints));
 }
 
 void add_object(const SceneObject& object, Arrays& arrays) {
@@ -180,10 +180,10 @@ void add_object(const SceneObject& object, Arrays& arrays) {
   for (const Eigen::Vector3i& corners : object.triangles) append(corners.cast<double>(), triangles);
   arrays.add(prefix + "vertices", {object.vertices.size(), 3}, std::move(vertices));
   arrays.add(prefix + "triangles", {object.triangles.size(), 3}, std::move(triangles));
-  arrays.all.back().kind = NpyKind::whole;
+  arrays.all.back().kind = NpyKind::integer;
 }
 
-void add_facts(const Demonstration& demonstration, Arrays& arrays) {
+void add_clip_metadata(const Demonstration& demonstration, Arrays& arrays) {
   arrays.add("axes", "x y z");
   arrays.add("unit", "m");
   arrays.add("hand", std::string(name_of(demonstration.hand)));
@@ -212,7 +212,7 @@ void add_facts(const Demonstration& demonstration, Arrays& arrays) {
 
 }  // namespace
 
-bool is_as_a_clip(const Demonstration& demonstration) {
+bool can_write_clip(const Demonstration& demonstration) {
   const Streams& streams = demonstration.streams;
   if (streams.sensors || (streams.hand && streams.hand->kind == HandKind::glove)) return false;
   if (streams.skeleton) return true;
@@ -221,7 +221,7 @@ bool is_as_a_clip(const Demonstration& demonstration) {
 
 void write_clip(const Demonstration& demonstration, const std::filesystem::path& file) {
   Arrays arrays;
-  add_facts(demonstration, arrays);
+  add_clip_metadata(demonstration, arrays);
   if (demonstration.streams.skeleton) {
     add_skeleton(*demonstration.streams.skeleton, arrays);
   } else {

@@ -13,8 +13,8 @@
 #include "stages/import/folders/folder_files.hpp"
 #include "stages/import/folders/manifest_entries.hpp"
 #include "stages/import/folders/read_recording.hpp"
-#include "stages/import/guess/import_question.hpp"
 #include "stages/import/guess/name_map.hpp"
+#include "stages/import/guess/unresolved_import.hpp"
 #include "stages/import/recording/format.hpp"
 #include "stages/import/recording/name_words.hpp"
 
@@ -35,26 +35,26 @@ bool holds_key_recordings(const fs::path& yaml) {
   return false;
 }
 
-/// Its folders below `root`, behind `above`, and what it is called.
+/// Creates the file with its folders below `root`, preceded by `above`, and its names.
 DatasetFile file_below(const fs::path& path, const fs::path& root,
                        const std::vector<std::string>& above) {
   DatasetFile file;
   file.path = path;
-  file.in_folder = true;
+  file.from_folder = true;
   const fs::path below = path.lexically_relative(root);
-  file.called = below.generic_string();
+  file.display_name = below.generic_string();
   file.sketch.folders = above;
-  for (std::string& folder : folders_on(below.parent_path())) {
+  for (std::string& folder : folder_names(below.parent_path())) {
     file.sketch.folders.push_back(std::move(folder));
   }
   file.sketch.stem = path.stem().string();
   return file;
 }
 
-/// A manifest of a folder decides for all below it.
+/// A manifest of a folder, which determines the recordings of all files below it.
 struct FolderManifest {
   fs::path file;
-  std::set<fs::path> uses;  ///< without links
+  std::set<fs::path> uses;  ///< the files that it lists, with links resolved
 };
 
 FolderManifest read_folder_manifest(const ImportRequest& request, const DatasetFile& manifest,
@@ -82,9 +82,9 @@ const FolderManifest* manifest_above(const fs::path& path,
   return above == manifests.end() ? nullptr : &*above;
 }
 
-/// Why a file of a folder is no recording to be read, "" if it may be one.
-std::string why_not_read(const ImportRequest& request, const fs::path& path,
-                         const RecordingFormat* format) {
+/// Returns the reason to skip a file of a folder, "" if it may be a recording.
+std::string skip_reason(const ImportRequest& request, const fs::path& path,
+                        const RecordingFormat* format) {
   if (format == nullptr && store::has_hdf5_signature(path))
     return "an HDF5 file: if it holds demonstrations, give it by itself";
   if (is_yaml(path) && holds_key_recordings(path)) return "a manifest: give it by itself";
@@ -98,11 +98,11 @@ std::string why_not_read(const ImportRequest& request, const fs::path& path,
   return format->name == "mot" ? "joint angles alone, from which no arm can be rebuilt" : "";
 }
 
-/// Those files of a folder that may be recordings.
+/// Adds the files of a folder that may be recordings.
 void add_folder(const ImportRequest& request, const fs::path& folder,
                 const std::vector<std::string>& above, std::vector<NamedEntry>& entries,
-                std::vector<DatasetFile>& files, std::vector<LeftOut>& left_out) {
-  FolderFiles found = files_below(folder, request.results);
+                std::vector<DatasetFile>& files, std::vector<SkippedFile>& left_out) {
+  FolderFiles found = list_files(folder, request.results_folder);
   left_out.insert(left_out.end(), found.left_out.begin(), found.left_out.end());
   std::vector<FolderManifest> manifests;
   for (const fs::path& path : found.files) {
@@ -119,7 +119,7 @@ void add_folder(const ImportRequest& request, const fs::path& folder,
     if (fs::equivalent(path, request.static_trial, error)) continue;
     try {
       const RecordingFormat* const format = recognised_format(path);
-      std::string why = why_not_read(request, path, format);
+      std::string why = skip_reason(request, path, format);
       if (why.empty() && manifest != nullptr) {
         why = fmt::format("{} does not list it",
                           manifest->file.lexically_relative(folder).generic_string());
@@ -131,7 +131,7 @@ void add_folder(const ImportRequest& request, const fs::path& folder,
       files.push_back(file_below(path, folder, above));
       files.back().sketch.format = format->name;
     } catch (const InputError& fault) {
-      left_out.push_back(unreadable(path, fault));
+      left_out.push_back(skipped_file_from_error(path, fault));
     }
   }
 }
@@ -139,16 +139,16 @@ void add_folder(const ImportRequest& request, const fs::path& folder,
 DatasetFile direct_file(const ImportRequest& request, const fs::path& path) {
   DatasetFile file;
   file.path = path;
-  file.called = path.filename().string();
-  file.names = request.names.string();
-  file.sketch.folders = folders_on(path.parent_path());
+  file.display_name = path.filename().string();
+  file.names = request.name_map.string();
+  file.sketch.folders = folder_names(path.parent_path());
   file.sketch.stem = path.stem().string();
   const RecordingFormat* const format = request.format.empty() ? recognised_format(path) : nullptr;
   file.sketch.format = format != nullptr ? format->name : request.format;
   return file;
 }
 
-/// As it will be imported, but for what is still to be found out.
+/// Reads a file as it will be imported, except for properties still to be determined.
 Demonstration read_file(const ImportRequest& request, const DatasetFile& file) {
   ManifestEntry entry;
   entry.file = file.path.string();
@@ -158,19 +158,19 @@ Demonstration read_file(const ImportRequest& request, const DatasetFile& file) {
   return read_recording(entry);
 }
 
-/// Recordings are told to belong together by the names of their points.
-void rename_those_there(const NameMap& names, Demonstration& demonstration) {
+/// Renames the markers, since related recordings are identified by the names of their points.
+void rename_known_markers(const NameMap& names, Demonstration& demonstration) {
   if (!demonstration.streams.markers) return;
   for (std::string& name : demonstration.streams.markers->names) {
     if (const auto found = names.find(name); found != names.end()) name = found->second;
   }
 }
 
-/// Names that are given for a folder are meant for the files that have them; of a recording given
-/// directly, its static trial may have some.
+/// Reads a file with the request's name map. For a folder, the map applies to files that contain
+/// its names; for a recording given directly, some of them may be in its static trial.
 Demonstration read_with_names(const ImportRequest& request, DatasetFile& file) {
-  if (request.names.empty()) return read_file(request, file);
-  file.names = request.names.string();
+  if (request.name_map.empty()) return read_file(request, file);
+  file.names = request.name_map.string();
   try {
     return read_file(request, file);
   } catch (const InputError&) {
@@ -178,19 +178,19 @@ Demonstration read_with_names(const ImportRequest& request, DatasetFile& file) {
   }
   try {
     Demonstration demonstration = read_file(request, file);
-    if (!file.in_folder) file.names = request.names.string();
+    if (!file.from_folder) file.names = request.name_map.string();
     return demonstration;
-  } catch (const ImportQuestion& question) {
-    if (!question.without_names) throw;
-    file.names = request.names.string();  // the rest of them may be its static trial's
-    Demonstration demonstration = *question.without_names;
-    rename_those_there(read_names(request.names), demonstration);
+  } catch (const UnresolvedImport& question) {
+    if (!question.demonstration) throw;
+    file.names = request.name_map.string();  // the remaining names may be its static trial's
+    Demonstration demonstration = *question.demonstration;
+    rename_known_markers(read_names(request.name_map), demonstration);
     return demonstration;
   }
 }
 
-/// Keeps the first question, and of the others what they propose for further names.
-void keep_question(const ImportQuestion& question, std::optional<ImportQuestion>& open) {
+/// Keeps the first question, and adds the names proposed by the others.
+void merge_proposal(const UnresolvedImport& question, std::optional<UnresolvedImport>& open) {
   if (!open) {
     open = question;
     return;
@@ -203,9 +203,9 @@ void keep_question(const ImportQuestion& question, std::optional<ImportQuestion>
   }
 }
 
-void look_into(const ImportRequest& request, DatasetFile& file) {
+void inspect_file(const ImportRequest& request, DatasetFile& file) {
   const Demonstration demonstration = read_with_names(request, file);
-  RecordingSketch sketch = sketch_of(demonstration);
+  RecordingDescriptor sketch = recording_descriptor(demonstration);
   sketch.folders = std::move(file.sketch.folders);
   sketch.stem = std::move(file.sketch.stem);
   sketch.format = std::move(file.sketch.format);
@@ -220,12 +220,13 @@ void look_into(const ImportRequest& request, DatasetFile& file) {
 
 std::vector<DatasetFile> dataset_files(const ImportRequest& request,
                                        std::vector<NamedEntry>& entries,
-                                       std::vector<LeftOut>& left_out) {
+                                       std::vector<SkippedFile>& left_out) {
   const bool several = std::ranges::count_if(request.paths, [](const fs::path& path) {
                          return fs::is_directory(path);
                        }) > 1;
   std::vector<DatasetFile> files, read;
-  std::vector<std::size_t> tables;  // any table may look like points: beside recordings it is none
+  // Any table may look like points: one that cannot be read beside recordings is not a recording.
+  std::vector<std::size_t> tables;
   for (std::size_t given = 0; given < request.paths.size(); ++given) {
     const fs::path& path = request.paths[given];
     const std::size_t entries_before = entries.size(), files_before = files.size();
@@ -241,30 +242,30 @@ std::vector<DatasetFile> dataset_files(const ImportRequest& request,
     } else {
       files.push_back(direct_file(request, path));
     }
-    for (std::size_t k = entries_before; k < entries.size(); ++k) entries[k].path = given;
-    for (std::size_t k = files_before; k < files.size(); ++k) files[k].given = given;
+    for (std::size_t k = entries_before; k < entries.size(); ++k) entries[k].request_index = given;
+    for (std::size_t k = files_before; k < files.size(); ++k) files[k].request_index = given;
   }
-  std::optional<ImportQuestion> open;  // asked of the whole folder where none of it can be read
+  std::optional<UnresolvedImport> open;  // question about the whole folder if no file can be read
   for (DatasetFile& file : files) {
     try {
-      look_into(request, file);
+      inspect_file(request, file);
       read.push_back(std::move(file));
     } catch (const InputError& fault) {
-      if (!file.in_folder) {  // what is wrong with it is told when it is imported
-        file.names = request.names.string();
+      if (!file.from_folder) {  // the error is reported by the import
+        file.names = request.name_map.string();
         read.push_back(std::move(file));
         continue;
       }
-      const auto* const question = dynamic_cast<const ImportQuestion*>(&fault);
-      if (question != nullptr) keep_question(*question, open);
-      left_out.push_back(unreadable(file.path, fault));
+      const auto* const question = dynamic_cast<const UnresolvedImport*>(&fault);
+      if (question != nullptr) merge_proposal(*question, open);
+      left_out.push_back(skipped_file_from_error(file.path, fault));
       if (file.sketch.format == "point-csv") tables.push_back(left_out.size() - 1);
     }
   }
-  if (read.empty() && entries.empty() && open) throw ImportQuestion(*open);
+  if (read.empty() && entries.empty() && open) throw UnresolvedImport(*open);
   for (const std::size_t k : tables) {
     if (read.empty()) continue;
-    std::string& why = left_out[k].why;
+    std::string& why = left_out[k].reason;
     why = "not a recording as it stands: " +
           why.substr(std::min(why.find_first_not_of("0123456789: "), why.size()));
     left_out[k].failed = false;
@@ -272,17 +273,17 @@ std::vector<DatasetFile> dataset_files(const ImportRequest& request,
   return read;
 }
 
-bool named_as_static(const DatasetFile& file) {
-  const auto says = [](const std::string& name) { return read_static_name(name).is_static; };
+bool has_static_name(const DatasetFile& file) {
+  const auto says = [](const std::string& name) { return parse_static_name(name).is_static; };
   return says(file.sketch.stem) || std::ranges::any_of(file.sketch.folders, says);
 }
 
 bool is_static_trial(const DatasetFile& file) {
-  return named_as_static(file) && stands_still(file.sketch);
+  return has_static_name(file) && is_stationary(file.sketch);
 }
 
-std::vector<std::string> names_for(const DatasetFile& file) {
-  if (!file.in_folder) return {};
+std::vector<std::string> candidate_names(const DatasetFile& file) {
+  if (!file.from_folder) return {};
   const std::vector<std::string>& folders = file.sketch.folders;
   const std::string& stem = file.sketch.stem;
   const std::string ending = file.path.extension().string();

@@ -11,10 +11,11 @@
 namespace morphe::imports {
 namespace {
 
-/// The folder's name stands in front already: P01 of P01_reach, not P1 of P10.
-bool stands_in_front(const std::string& folder, const std::string& name) {
+/// Returns true if the name already starts with the folder's name: P01 of P01_reach, but not P1 of
+/// P10.
+bool has_folder_prefix(const std::string& folder, const std::string& name) {
   if (!name.starts_with(folder)) return false;
-  for (const NameWord& word : words_of(name)) {
+  for (const NameWord& word : split_name(name)) {
     if (word.end == folder.size()) return true;
   }
   return false;
@@ -26,12 +27,12 @@ std::string joined_name(const std::vector<std::string>& folders, const std::stri
                         bool all) {
   std::string name = stem;
   for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder) {
-    if (all || !stands_in_front(*folder, name)) name = *folder + "_" + name;
+    if (all || !has_folder_prefix(*folder, name)) name = *folder + "_" + name;
   }
   return name;
 }
 
-std::vector<ManifestEntry> give_names(std::vector<NamedEntry> entries) {
+std::vector<ManifestEntry> assign_unique_names(std::vector<NamedEntry> entries) {
   std::set<std::string> taken;
   std::vector<ManifestEntry> named;
   for (NamedEntry& one : entries) {

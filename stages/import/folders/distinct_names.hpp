@@ -8,20 +8,20 @@
 
 namespace morphe::imports {
 
-/// An entry that is to be called by the first of these names that is free, none = its own.
+/// An entry that takes the first of these names that is unused; without names, it keeps its own.
 struct NamedEntry {
   ManifestEntry entry;
-  std::vector<std::string> names;
-  std::size_t path = 0;  ///< of the request, that it came from
+  std::vector<std::string> names;  ///< candidate names, the best first
+  std::size_t request_index = 0;   ///< index of the path of the request that it came from
 };
 
-/// "P01_reach" of folders P01 and file reach; a folder whose name what follows begins with is left
-/// out, unless `all` are asked for.
+/// Returns for example "P01_reach" for the folder P01 and the file reach. A folder whose name is
+/// already a prefix of the rest is left out, unless `all` is set.
 std::string joined_name(const std::vector<std::string>& folders, const std::string& stem,
                         bool all = false);
 
-/// The entries with names that differ. InputError for one that cannot name a group, and for two of
-/// the same name that say no other.
-std::vector<ManifestEntry> give_names(std::vector<NamedEntry> entries);
+/// Returns the entries with distinct names. Throws InputError for a name that is invalid for a
+/// group, and for two entries with the same name and no alternative.
+std::vector<ManifestEntry> assign_unique_names(std::vector<NamedEntry> entries);
 
 }  // namespace morphe::imports

@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Static trials out of `files`, into the vector that is returned. Where nothing else was given
-/// directly, that is what is meant.
+/// Moves static trials from `files` to the vector that is returned. If only static trials were
+/// given directly, they are imported as recordings.
 std::vector<DatasetFile> take_static_trials(std::vector<DatasetFile>& files, bool of_folder) {
   const auto is_recording = [](const DatasetFile& file) { return !is_static_trial(file); };
   if (!of_folder && std::ranges::none_of(files, is_recording)) return {};
@@ -30,8 +30,8 @@ std::vector<DatasetFile> take_static_trials(std::vector<DatasetFile>& files, boo
   return statics;
 }
 
-std::vector<RecordingSketch> sketches_of(const std::vector<DatasetFile>& files) {
-  std::vector<RecordingSketch> sketches;
+std::vector<RecordingDescriptor> sketches_of(const std::vector<DatasetFile>& files) {
+  std::vector<RecordingDescriptor> sketches;
   for (const DatasetFile& file : files) sketches.push_back(file.sketch);
   return sketches;
 }
@@ -39,17 +39,20 @@ std::vector<RecordingSketch> sketches_of(const std::vector<DatasetFile>& files) 
 ManifestEntry entry_of(const ImportRequest& request, const DatasetFile& file) {
   ManifestEntry entry;
   entry.file = file.path.string();
-  entry.format = file.in_folder ? file.sketch.format : request.format;
+  entry.format = file.from_folder ? file.sketch.format : request.format;
   entry.names = file.names;
   entry.conventions = request.conventions;
-  const Hands told = file.hand.side == Side::left ? Hands::left : Hands::right;
-  // Of a folder's recordings some may be of one hand alone.
-  const bool two = shows_hand(file.sketch, Side::right) && shows_hand(file.sketch, Side::left);
-  const bool as_told = !request.hand || (*request.hand == Hands::both && file.in_folder && !two);
+  const HandSelection told =
+      file.hand.side == Side::left ? HandSelection::left : HandSelection::right;
+  // Some recordings of a folder may show one hand only.
+  const bool two =
+      has_points_of_side(file.sketch, Side::right) && has_points_of_side(file.sketch, Side::left);
+  const bool as_told =
+      !request.hand || (*request.hand == HandSelection::both && file.from_folder && !two);
   entry.hand = as_told ? told : *request.hand;
-  const bool usual = !file.in_folder && told == Hands::right;
+  const bool usual = !file.from_folder && told == HandSelection::right;
   if (as_told && !usual) entry.notes.push_back(file.hand.why);
-  if (file.in_folder && named_as_static(file)) {
+  if (file.from_folder && has_static_name(file)) {
     entry.notes.push_back(
         "its name is that of a static trial, but its points move: taken as a "
         "demonstration");
@@ -60,29 +63,31 @@ ManifestEntry entry_of(const ImportRequest& request, const DatasetFile& file) {
 void pair_entry(const DatasetFile& file, const std::optional<StaticPair>& pair,
                 const std::vector<DatasetFile>& statics, ManifestEntry& entry) {
   if (pair) {
-    const DatasetFile& still = statics[pair->which];
+    const DatasetFile& still = statics[pair->static_index];
     entry.static_trial = still.path.string();
-    entry.notes.push_back(fmt::format(
-        "static trial: {}{}", still.called,
-        pair->choice > 1 ? fmt::format(", of {} that may be its person's", pair->choice) : ""));
+    entry.notes.push_back(
+        fmt::format("static trial: {}{}", still.display_name,
+                    pair->candidate_count > 1
+                        ? fmt::format(", of {} that may be its person's", pair->candidate_count)
+                        : ""));
     if (!still.sketch.subject.empty() && !file.sketch.subject.empty() &&
         still.sketch.subject != file.sketch.subject) {
       entry.notes.push_back(
           fmt::format("the static trial's file says subject {}, the recording's {}",
                       still.sketch.subject, file.sketch.subject));
     }
-  } else if (file.in_folder && file.sketch.markers) {
+  } else if (file.from_folder && file.sketch.has_markers) {
     entry.notes.push_back("no static trial was found for it");
   }
 }
 
-/// The first folder that names somebody, one with a number rather than one without; folders that
-/// all recordings share name nobody.
+/// Returns the first folder that names a person, preferably one with a number; folders shared by
+/// all recordings do not name a person.
 std::string person_of(const std::vector<std::string>& folders, std::size_t shared) {
   std::string person;
   for (std::size_t k = shared; k < folders.size(); ++k) {
-    if (names_nobody(folders[k]) || read_static_name(folders[k]).is_static) continue;
-    const bool numbered = std::ranges::any_of(words_of(folders[k]), &NameWord::number);
+    if (is_generic_folder_name(folders[k]) || parse_static_name(folders[k]).is_static) continue;
+    const bool numbered = std::ranges::any_of(split_name(folders[k]), &NameWord::number);
     if (numbered) return folders[k];
     if (person.empty()) person = folders[k];
   }
@@ -100,14 +105,14 @@ std::size_t shared_folders(const std::vector<DatasetFile>& files) {
   return shared;
 }
 
-void add_found(const ImportRequest& request, std::vector<DatasetFile> files,
-               std::vector<LeftOut>& left_out, std::vector<NamedEntry>& entries) {
+void add_recordings(const ImportRequest& request, std::vector<DatasetFile> files,
+                    std::vector<SkippedFile>& left_out, std::vector<NamedEntry>& entries) {
   const bool given = !request.static_trial.empty();
-  const bool of_folder = std::ranges::any_of(files, &DatasetFile::in_folder);
+  const bool of_folder = std::ranges::any_of(files, &DatasetFile::from_folder);
   const std::vector<DatasetFile> statics = take_static_trials(files, of_folder);
-  leave_out_doubles(files, left_out);
+  remove_duplicates(files, left_out);
   const auto pairs = pair_static_trials(
-      sketches_of(files), given ? std::vector<RecordingSketch>{} : sketches_of(statics));
+      sketches_of(files), given ? std::vector<RecordingDescriptor>{} : sketches_of(statics));
   std::vector<std::size_t> served(statics.size());
   const std::size_t shared = shared_folders(files);
   for (std::size_t k = 0; k < files.size(); ++k) {
@@ -115,20 +120,20 @@ void add_found(const ImportRequest& request, std::vector<DatasetFile> files,
     ManifestEntry entry = entry_of(request, file);
     if (!given) {
       pair_entry(file, pairs[k], statics, entry);
-    } else if (!file.in_folder || file.sketch.markers) {
+    } else if (!file.from_folder || file.sketch.has_markers) {
       entry.static_trial = request.static_trial.string();
     }
-    if (pairs[k]) ++served[pairs[k]->which];
-    if (file.in_folder) {
+    if (pairs[k]) ++served[pairs[k]->static_index];
+    if (file.from_folder) {
       entry.subject = pairs[k] ? pairs[k]->person : "";
       if (entry.subject.empty()) entry.subject = person_of(file.sketch.folders, shared);
     }
-    for (ManifestEntry& one : hand_by_hand(std::move(entry))) {
-      std::vector<std::string> names = names_for(file);
-      if (one.of_both) {
+    for (ManifestEntry& one : split_by_hand(std::move(entry))) {
+      std::vector<std::string> names = candidate_names(file);
+      if (one.split_from_both) {
         for (std::string& name : names) name += fmt::format("_{}", name_of(side_of(one)));
       }
-      entries.push_back({std::move(one), std::move(names), file.given});
+      entries.push_back({std::move(one), std::move(names), file.request_index});
     }
   }
   for (std::size_t k = 0; k < statics.size(); ++k) {
@@ -144,26 +149,26 @@ FoundRecordings find_recordings(const ImportRequest& request) {
   FoundRecordings found;
   std::vector<NamedEntry> entries;
   std::vector<DatasetFile> files = dataset_files(request, entries, found.left_out);
-  found.of_folder = std::ranges::any_of(
+  found.from_folder = std::ranges::any_of(
       request.paths, [](const fs::path& path) { return fs::is_directory(path); });
-  add_found(request, std::move(files), found.left_out, entries);
-  std::ranges::stable_sort(entries, {}, &NamedEntry::path);
-  found.entries = give_names(std::move(entries));
+  add_recordings(request, std::move(files), found.left_out, entries);
+  std::ranges::stable_sort(entries, {}, &NamedEntry::request_index);
+  found.entries = assign_unique_names(std::move(entries));
   return found;
 }
 
-void expect_some(const ImportRequest& request, const Imported& imported) {
+void require_recordings(const ImportRequest& request, const ImportResult& imported) {
   const auto folder = std::ranges::find_if(
       request.paths, [](const fs::path& path) { return fs::is_directory(path); });
   if (!imported.entries.empty() || folder == request.paths.end()) return;
   std::map<std::string, std::size_t> reasons;
   std::vector<std::string> list;
-  for (const LeftOut& one : imported.left_out) {
+  for (const SkippedFile& one : imported.skipped) {
     if (one.failed) {
-      const std::size_t line = std::min(one.why.find('\n'), one.why.size());
-      throw InputError(sentence_of(one) + one.why.substr(line));
+      const std::size_t line = std::min(one.reason.find('\n'), one.reason.size());
+      throw InputError(skip_message(one) + one.reason.substr(line));
     }
-    ++reasons[one.why];
+    ++reasons[one.reason];
   }
   for (const auto& [why, count] : reasons) list.push_back(fmt::format("{} {}", count, why));
   throw InputError(fmt::format("{}: holds no recording ({}); formats: {}", folder->string(),

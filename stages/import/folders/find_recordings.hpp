@@ -9,24 +9,26 @@ namespace morphe::imports {
 
 /// The recordings of a request, as a manifest would list them.
 struct FoundRecordings {
-  std::vector<ManifestEntry> entries;
-  std::vector<LeftOut> left_out;
-  bool of_folder = false;  ///< there is a folder among the paths
+  std::vector<ManifestEntry> entries;  ///< with distinct names
+  std::vector<SkippedFile> left_out;   ///< files that are not imported, with reasons
+  bool from_folder = false;            ///< true if there is a folder among the paths
 };
 
-/// Manifests list their recordings. A recording given directly is taken as it is, but for the hand,
-/// and for static trials that are given with it (static_pairing.hpp).
+/// Finds the recordings of a request. Manifests list their recordings. A recording given directly
+/// is taken unchanged except for the hand and for static trials that are given with it
+/// (static_pairing.hpp).
 ///
-/// In a folder every file that a format recognises is a recording, below it too. A static trial is
-/// told by its name or its folder's, and by its points, which stand still; it is paired with the
-/// recordings of its person. A recording is called after its folders and its file, its subject is
-/// who the name of the static trial or the first folder names, its hand the one that moves farther;
-/// what was assumed of it is in its notes. A recordings.yaml in a folder decides for all below it:
-/// what it does not list is left out. Left out are, too: what has the bytes of a file before it, or
-/// is the same recording in another format beside it; joint angles alone (mot); HDF5 files.
+/// In a folder, including its subfolders, every file that a format recognises is a recording. A
+/// static trial is identified by its name or its folder's and by its stationary points; it is
+/// paired with the recordings of the same person. A recording is named after its folders and its
+/// file; its subject is the person named by the static trial or the first folder; its hand is the
+/// one that moves farther; the assumptions made are in its notes. A recordings.yaml in a folder
+/// determines the recordings of all files below it: those that it does not list are skipped. Also
+/// skipped are files with the same bytes as a previous file or with the same recording in another
+/// format, joint angles alone (mot), and HDF5 files.
 FoundRecordings find_recordings(const ImportRequest& request);
 
-/// InputError if nothing was imported from the folders of a request: with what stands in the way.
-void expect_some(const ImportRequest& request, const Imported& imported);
+/// Throws InputError with the obstacles if no recording was imported from the folders of a request.
+void require_recordings(const ImportRequest& request, const ImportResult& imported);
 
 }  // namespace morphe::imports

@@ -24,9 +24,9 @@ bool is_plain_text(const std::string& name) {
 struct FolderWalk {
   const fs::path& results;
   FolderFiles found;
-  std::set<fs::path> entered;  ///< without links
+  std::set<fs::path> entered;  ///< folders with links resolved
 
-  void leave_out(const fs::path& path, const std::string& why, bool failed = false) {
+  void skip(const fs::path& path, const std::string& why, bool failed = false) {
     found.left_out.push_back({path, why, failed});
   }
 
@@ -34,16 +34,16 @@ struct FolderWalk {
     std::error_code error;
     const fs::path real = fs::canonical(folder, error);
     if (error || !entered.insert(real).second) {
-      if (!error) leave_out(folder, "leads to a folder that was looked at already");
+      if (!error) skip(folder, "leads to a folder that was looked at already");
       return;
     }
     std::vector<fs::path> inside;
     for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
       inside.push_back(at->path());
     }
-    if (error) leave_out(folder, error.message(), true);
+    if (error) skip(folder, error.message(), true);
     std::ranges::sort(inside, [](const fs::path& a, const fs::path& b) {
-      return comes_before(a.filename().string(), b.filename().string());
+      return natural_less(a.filename().string(), b.filename().string());
     });
     for (const fs::path& path : inside) visit(path);
   }
@@ -51,37 +51,37 @@ struct FolderWalk {
   void visit(const fs::path& path) {
     std::error_code error;
     const std::string name = path.filename().string();
-    if (name.starts_with('.')) return leave_out(path, "hidden");
-    if (!is_plain_text(name)) return leave_out(path, "its name is no plain text", true);
+    if (name.starts_with('.')) return skip(path, "hidden");
+    if (!is_plain_text(name)) return skip(path, "its name is no plain text", true);
     const fs::file_status status = fs::status(path, error);
     if (fs::is_directory(status)) {
       if (!results.empty() && fs::equivalent(path, results, error)) {
-        return leave_out(path, "the folder of the results");
+        return skip(path, "the folder of the results");
       }
-      if (fs::exists(path / "journal.sqlite", error)) return leave_out(path, "the folder of a run");
+      if (fs::exists(path / "journal.sqlite", error)) return skip(path, "the folder of a run");
       return enter(path);
     }
     if (fs::is_regular_file(status)) {
       found.files.push_back(path);
     } else {
-      leave_out(path, fs::exists(status) ? "no file" : "cannot be read");
+      skip(path, fs::exists(status) ? "no file" : "cannot be read");
     }
   }
 };
 
 }  // namespace
 
-FolderFiles files_below(const fs::path& folder, const fs::path& results) {
+FolderFiles list_files(const fs::path& folder, const fs::path& results) {
   FolderWalk walk{results, {}, {}};
   walk.enter(folder);
   if (!walk.found.left_out.empty() && walk.found.left_out.front().file == folder) {
     throw InputError(
-        fmt::format("{}: cannot be read: {}", folder.string(), walk.found.left_out.front().why));
+        fmt::format("{}: cannot be read: {}", folder.string(), walk.found.left_out.front().reason));
   }
   return std::move(walk.found);
 }
 
-std::vector<std::string> folders_on(const fs::path& path) {
+std::vector<std::string> folder_names(const fs::path& path) {
   std::vector<std::string> folders;
   for (const fs::path& part : path) {
     const std::string name = part.string();

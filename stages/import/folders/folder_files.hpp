@@ -3,22 +3,23 @@
 #include <filesystem>
 #include <vector>
 
-#include "stages/import/folders/left_out.hpp"
+#include "stages/import/folders/skipped_file.hpp"
 
 namespace morphe::imports {
 
-/// What a folder holds, in folders of folders too.
+/// The contents of a folder, including its subfolders.
 struct FolderFiles {
   std::vector<std::filesystem::path> files;  ///< in natural order
-  std::vector<LeftOut> left_out;
+  std::vector<SkippedFile> left_out;         ///< skipped entries, with reasons
 };
 
-/// Links are followed, each folder is entered once, however many lead to it. Left out are hidden
-/// files, folders of earlier runs, `results`, what is no file, and what cannot be read or has a
-/// name that no manifest can hold. InputError if the folder itself cannot be read.
-FolderFiles files_below(const std::filesystem::path& folder, const std::filesystem::path& results);
+/// Lists the files of a folder. Links are followed, and each folder is entered once, regardless of
+/// the number of links to it. Skipped are hidden files, folders of earlier runs, `results`, entries
+/// that are not files, and entries that cannot be read or have a name that is invalid in a
+/// manifest. Throws InputError if the folder itself cannot be read.
+FolderFiles list_files(const std::filesystem::path& folder, const std::filesystem::path& results);
 
-/// The names of the folders on a path, but for "." and "..".
-std::vector<std::string> folders_on(const std::filesystem::path& path);
+/// Returns the names of the folders on a path, except for "." and "..".
+std::vector<std::string> folder_names(const std::filesystem::path& path);
 
 }  // namespace morphe::imports

@@ -5,29 +5,33 @@
 #include <string>
 #include <vector>
 
-#include "stages/import/folders/left_out.hpp"
 #include "stages/import/folders/manifest.hpp"
+#include "stages/import/folders/skipped_file.hpp"
 #include "stages/import/recording/conventions.hpp"
 
 namespace morphe::imports {
 
-/// What to read. A path is a recording, a manifest (.yaml, see manifest.hpp) that lists several, or
-/// a folder (find_recordings.hpp). What stands here of a recording is of those given directly and
-/// of those found in folders; of a manifest's as manifest_entries.hpp says.
+/// A request to import recordings. A path is a recording, a manifest (.yaml, see manifest.hpp) that
+/// lists several, or a folder (find_recordings.hpp). The other fields apply to recordings given
+/// directly and to those found in folders; for those of a manifest, see manifest_entries.hpp.
 struct ImportRequest {
-  std::vector<std::filesystem::path> paths;
-  std::filesystem::path static_trial;  ///< of all of them; empty = found, or none
-  std::string format;                  ///< one of import_format_names(); "" = by content
-  std::filesystem::path names;         ///< YAML map "recorded name: name used here"; empty = none
+  std::vector<std::filesystem::path> paths;  ///< recordings, manifests and folders
+  /// Static trial of all recordings; if empty, it is searched for in the request.
+  std::filesystem::path static_trial;
+  std::string format;  ///< one of import_format_names(); "" to detect it from the content
+  std::filesystem::path name_map;  ///< YAML map "recorded name: name used here"; may be empty
   Conventions conventions;
-  std::optional<Hands> hand = {};      ///< none: the one that reaches, told from the motion
-  std::filesystem::path results = {};  ///< a folder that is no part of the dataset; empty = none
+  /// Hands to import; without a value, the one that reaches, determined from the motion.
+  std::optional<HandSelection> hand = {};
+  /// A folder that is not part of the dataset; may be empty.
+  std::filesystem::path results_folder = {};
 };
 
-/// What came of it.
-struct Imported {
-  std::vector<ManifestEntry> entries;  ///< of what was read, in order, as a manifest would have it
-  std::vector<LeftOut> left_out;       ///< of folders
+/// The result of an import.
+struct ImportResult {
+  /// Entries of the recordings that were read, in order, as in a manifest.
+  std::vector<ManifestEntry> entries;
+  std::vector<SkippedFile> skipped;  ///< skipped files of folders
 };
 
 }  // namespace morphe::imports

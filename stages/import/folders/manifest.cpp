@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What may also stand at the top of a manifest, for all recordings.
+/// The fields that may also be at the top of a manifest, for all recordings.
 template <class Fields>
 void shared_fields(Fields& f, ManifestEntry& e) {
   f("static", e.static_trial);
@@ -54,7 +54,7 @@ void label_keys(Fields& f, Label& label) {
   f.required("end_s", label.end_s);
 }
 
-std::vector<Label> read_labels(const config::ConfigNode& node, config::Problems& problems) {
+std::vector<Label> read_labels(const config::ConfigNode& node, config::ErrorList& problems) {
   std::vector<Label> labels;
   for (const config::ConfigNode& item : node.items()) {
     Label& label = labels.emplace_back();
@@ -65,14 +65,14 @@ std::vector<Label> read_labels(const config::ConfigNode& node, config::Problems&
   return labels;
 }
 
-/// One of a list: the first key behind the dash.
+/// Returns an item of a list: the first key follows the dash.
 std::string list_item(const std::string& fields, std::size_t indent) {
   std::string item = fields;
   return item.replace(indent - 2, 1, "-");
 }
 
-/// Writes what an entry says; what it leaves to its file or a default is left out.
-struct SaidFields {
+/// Writes the fields of an entry that differ from their defaults.
+struct NonDefaultFields {
   config::FieldWriter& out;
 
   template <class T>
@@ -80,8 +80,8 @@ struct SaidFields {
     if constexpr (requires { value.empty(); }) {
       if (value.empty()) return;
     }
-    if constexpr (std::is_same_v<T, ForwardBy>) {
-      if (value == ForwardBy::body) return;
+    if constexpr (std::is_same_v<T, ForwardSource>) {
+      if (value == ForwardSource::body) return;
     }
     out(key, value);
   }
@@ -102,7 +102,7 @@ std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file) {
   const config::ConfigNode root = config::ConfigNode::load(file);
   if (!root.is_map()) root.fail("must be a mapping of keys to values");
   ManifestEntry defaults;
-  config::Problems problems;
+  config::ErrorList problems;
   config::FieldReader root_reader(root, problems);
   shared_fields(root_reader, defaults);
   std::vector<ManifestEntry> entries;
@@ -124,28 +124,28 @@ std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file) {
     for (std::string* path : paths_of(entry)) {
       if (!path->empty() || path == &entry.file) *path = (file.parent_path() / *path).string();
     }
-    for (ManifestEntry& one : hand_by_hand(std::move(entry))) entries.push_back(std::move(one));
+    for (ManifestEntry& one : split_by_hand(std::move(entry))) entries.push_back(std::move(one));
   }
-  root.add_unread(problems);
-  problems.throw_any();
+  root.report_unread_keys(problems);
+  problems.throw_if_any();
   return entries;
 }
 
-std::vector<ManifestEntry> hand_by_hand(ManifestEntry entry) {
-  if (entry.hand != Hands::both) return {std::move(entry)};
+std::vector<ManifestEntry> split_by_hand(ManifestEntry entry) {
+  if (entry.hand != HandSelection::both) return {std::move(entry)};
   const std::string name = entry.name.empty() ? fs::path(entry.file).stem().string() : entry.name;
   std::vector<ManifestEntry> entries;
-  for (const Hands hand : {Hands::right, Hands::left}) {
+  for (const HandSelection hand : {HandSelection::right, HandSelection::left}) {
     ManifestEntry& one = entries.emplace_back(entry);
     one.hand = hand;
-    one.of_both = true;
+    one.split_from_both = true;
     one.name = fmt::format("{}_{}", name, name_of(hand));
   }
   return entries;
 }
 
 Side side_of(const ManifestEntry& entry) {
-  return entry.hand == Hands::left ? Side::left : Side::right;
+  return entry.hand == HandSelection::left ? Side::left : Side::right;
 }
 
 std::string manifest_text(std::vector<ManifestEntry> entries, const fs::path& folder) {
@@ -156,7 +156,7 @@ std::string manifest_text(std::vector<ManifestEntry> entries, const fs::path& fo
       if (!path->empty()) *path = fs::weakly_canonical(*path).lexically_relative(here).string();
     }
     config::FieldWriter writer("    ");
-    SaidFields said{writer};
+    NonDefaultFields said{writer};
     own_fields(said, entry);
     text += list_item(writer.text, 4);
     if (!entry.labels.empty()) text += "    labels:\n";
@@ -169,7 +169,7 @@ std::string manifest_text(std::vector<ManifestEntry> entries, const fs::path& fo
   return text;
 }
 
-config::Schema manifest_schema(const config::Meanings& meanings) {
+config::Schema manifest_schema(const config::KeyDescriptions& meanings) {
   constexpr const char* kTable = "ManifestEntry";
   ManifestEntry entry;
   Label label;

@@ -9,12 +9,14 @@
 
 namespace morphe::imports {
 
-/// The hand that reaches, if a file of that format says it: clips do. InputError if it is damaged.
+/// Returns the hand that reaches, if a file of that format contains it: only clips do. Throws
+/// InputError if the file is damaged.
 std::optional<Side> hand_in_file(const std::filesystem::path& file, const std::string& format);
 
-/// The recordings of a manifest for a request, whose format, names and `forward: recorded` win over
-/// what the manifest says. So do its other conventions and the hand where the manifest is given by
-/// itself; in a folder it decides. Where neither says a hand, the recording's file does.
+/// Returns the recordings of a manifest for a request, whose format, names and `forward: recorded`
+/// take precedence over the manifest's. The same holds for its other conventions and the hand if
+/// the manifest is given directly; in a folder the manifest takes precedence. If neither gives a
+/// hand, it is taken from the recording's file.
 std::vector<ManifestEntry> entries_of(const ImportRequest& request,
                                       const std::filesystem::path& manifest, bool in_folder);
 

@@ -7,14 +7,15 @@
 
 #include "core/math/rigid.hpp"
 #include "core/math/rotation.hpp"
-#include "core/motion/counted.hpp"
+#include "core/motion/count_with_noun.hpp"
 #include "core/motion/input_error.hpp"
 
 namespace morphe::imports {
 namespace {
 
-constexpr double kThinnest = 0.001;  ///< a box of markers in one plane has no thickness [m]
-constexpr std::size_t kSizes[] = {1, 3, 2, 2, 0};  // numbers a shape's size has
+/// Least extent of a box of markers, which has no thickness if they are in one plane [m].
+constexpr double kMinMarkerBoxSize_m = 0.001;
+constexpr std::size_t kSizes[] = {1, 3, 2, 2, 0};  // number of sizes of each shape
 
 [[noreturn]] void fail(const std::string& file, const MarkerObject& object,
                        const std::string& message) {
@@ -34,47 +35,49 @@ std::vector<std::size_t> columns_of(const std::string& file, const MarkerObject&
     if (columns.size() == before) fail(file, object, fmt::format("no marker '{}'", wanted));
   }
   std::ranges::sort(columns);
-  // clang 14 cannot read the ranges::unique of g++ 12's library.
+  // clang 14 cannot compile the ranges::unique of g++ 12's library.
   columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
   return columns;
 }
 
 using Points = std::vector<Vec3>;
 
-bool found(const Pose& pose) { return pose.matrix().allFinite(); }
+bool is_finite_pose(const Pose& pose) { return pose.matrix().allFinite(); }
 
-/// Mean of the frames' points, each frame carried onto `reference`; NaN where one never was seen.
+/// Returns the mean of the frames' points, each frame transformed to `reference`; NaN for points
+/// that were never seen.
 Points mean_shape(const std::vector<Points>& frames, const Points& reference) {
   Points sum(reference.size(), Vec3::Zero());
   std::vector<int> count(reference.size(), 0);
   for (const Points& frame : frames) {
-    const Pose reference_from_frame = math::fit_rigid(frame, reference);
-    if (!found(reference_from_frame)) continue;
+    const Pose reference_from_frame = math::fit_rigid_transform(frame, reference);
+    if (!is_finite_pose(reference_from_frame)) continue;
     for (std::size_t k = 0; k < frame.size(); ++k) {
-      if (!seen(frame[k])) continue;
+      if (!is_known(frame[k])) continue;
       sum[k] += reference_from_frame * frame[k];
       ++count[k];
     }
   }
   for (std::size_t k = 0; k < sum.size(); ++k) {
-    sum[k] = count[k] > 0 ? Vec3(sum[k] / count[k]) : unseen_point();
+    sum[k] = count[k] > 0 ? Vec3(sum[k] / count[k]) : unknown_point();
   }
   return sum;
 }
 
-/// Principal axes as columns, permuted and signed to lie nearest to x, y and z; right-handed.
-Eigen::Matrix3d axes_of(const Points& shape) {
+/// Returns the principal axes as columns, permuted and signed to be nearest to x, y and z;
+/// right-handed.
+Eigen::Matrix3d object_axes(const Points& shape) {
   Vec3 mean = Vec3::Zero();
   double count = 0;
   for (const Vec3& point : shape) {
-    if (!seen(point)) continue;
+    if (!is_known(point)) continue;
     mean += point;
     ++count;
   }
   mean /= count;
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const Vec3& point : shape) {
-    if (seen(point)) spread += (point - mean) * (point - mean).transpose();
+    if (is_known(point)) spread += (point - mean) * (point - mean).transpose();
   }
   const Eigen::Matrix3d principal = math::principal_axes(spread).axes;
   int order[] = {0, 1, 2};
@@ -96,8 +99,8 @@ Eigen::Matrix3d axes_of(const Points& shape) {
 
 }  // namespace
 
-std::string why_invalid(const MarkerObject& object) {
-  const std::optional<Shape> shape = named<Shape>(object.shape);
+std::string validation_error(const MarkerObject& object) {
+  const std::optional<Shape> shape = enum_from_name<Shape>(object.shape);
   if (!shape || *shape == Shape::mesh) {
     return fmt::format("shape must be sphere, box, cylinder or capsule, not '{}'", object.shape);
   }
@@ -123,38 +126,38 @@ void add_marker_object(const std::string& file, const MarkerObject& object,
     Points& points = frames.emplace_back();
     for (const std::size_t k : columns) points.push_back(markers.position(i, k));
     const auto count = static_cast<std::size_t>(
-        std::ranges::count_if(points, [](const Vec3& point) { return seen(point); }));
+        std::ranges::count_if(points, [](const Vec3& point) { return is_known(point); }));
     if (count > most) {
       most = count;
       fullest = i;
     }
   }
-  if (most == 0 || !found(math::fit_rigid(frames[fullest], frames[fullest]))) {
+  if (most == 0 || !is_finite_pose(math::fit_rigid_transform(frames[fullest], frames[fullest]))) {
     fail(file, object, "no frame shows three of its markers that are not in a line");
   }
   Points shape = mean_shape(frames, frames[fullest]);
-  const Eigen::Matrix3d axes = axes_of(shape);
+  const Eigen::Matrix3d axes = object_axes(shape);
   Eigen::AlignedBox3d extent;
   for (Vec3& point : shape) {
     point = axes.transpose() * point;
-    if (seen(point)) extent.extend(point);
+    if (is_known(point)) extent.extend(point);
   }
   for (Vec3& point : shape) point -= extent.center();
 
   SceneObject body;
   body.name = object.name;
-  body.shape = named<Shape>(object.shape).value_or(Shape::box);
+  body.shape = enum_from_name<Shape>(object.shape).value_or(Shape::box);
   body.size = object.size;
   if (body.size.empty()) {
     const Vec3 sizes = extent.sizes();
-    if (sizes.minCoeff() < kThinnest)
+    if (sizes.minCoeff() < kMinMarkerBoxSize_m)
       fail(file, object, "its markers lie in a plane: give its size");
     body.size = {sizes.x(), sizes.y(), sizes.z()};
   }
   double squares = 0;
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    const Pose world_from_body = math::fit_rigid(shape, frames[i]);
-    if (!found(world_from_body)) continue;
+    const Pose world_from_body = math::fit_rigid_transform(shape, frames[i]);
+    if (!is_finite_pose(world_from_body)) continue;
     body.time.push_back(markers.time[i]);
     body.position.push_back(world_from_body.translation());
     body.orientation.push_back(Quat(world_from_body.linear()).normalized());
@@ -164,7 +167,7 @@ void add_marker_object(const std::string& file, const MarkerObject& object,
   const auto poses = static_cast<double>(body.time.size());
   std::string report =
       fmt::format("{}: from {}, rigid within {:.1f} mm (root mean square)", object.name,
-                  counted(columns.size(), "marker"), 1000 * std::sqrt(squares / poses));
+                  count_with_noun(columns.size(), "marker"), 1000 * std::sqrt(squares / poses));
   if (body.time.size() < frames.size()) {
     report += fmt::format("; not seen in {} of {} frames", frames.size() - body.time.size(),
                           frames.size());

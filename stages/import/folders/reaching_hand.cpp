@@ -6,16 +6,16 @@
 #include <optional>
 #include <set>
 
-#include "stages/import/folders/recording_sketch.hpp"
+#include "stages/import/folders/recording_descriptor.hpp"
 #include "stages/import/recording/name_words.hpp"
 #include "stages/import/trackers/hand_curl.hpp"
 
 namespace morphe::imports {
 namespace {
 
-constexpr double kFarther = 1.25;   ///< times as far as the other side
-constexpr double kMoves_m = 0.010;  ///< less is no reach
-constexpr std::size_t kOfHand = 3;  ///< points of a hand that are looked at
+constexpr double kMinMotionRatio = 1.25;      ///< least ratio of the motion of both sides
+constexpr double kMinReach_m = 0.010;         ///< least motion of a reach
+constexpr std::size_t kTestedPointCount = 3;  ///< points of a hand that are compared
 
 std::optional<Side> side_of_letter(char letter) {
   if (letter == 'R' || letter == 'r') return Side::right;
@@ -28,7 +28,8 @@ char other_letter(char letter) {
   return kTo[kFrom.find(letter)];
 }
 
-/// R and L at an end of a name say a side if all of it is capitals, or if the other side is there.
+/// Returns the side of an R or L at an end of a name if the whole name is in capitals, or if the
+/// name of the other side exists.
 std::optional<Side> side_at_end(const std::string& name, std::size_t at,
                                 const std::set<std::string_view>& all) {
   const std::optional<Side> side = side_of_letter(name[at]);
@@ -41,11 +42,12 @@ std::optional<Side> side_at_end(const std::string& name, std::size_t at,
   return capitals || all.contains(other) ? side : std::nullopt;
 }
 
-std::optional<Side> side_said_by(const std::string& name, const std::set<std::string_view>& all) {
+std::optional<Side> side_in_point_name(const std::string& name,
+                                       const std::set<std::string_view>& all) {
   const std::string_view own = std::string_view(name).substr(name.rfind(':') + 1);
-  for (const NameWord& word : words_of(own)) {
+  for (const NameWord& word : split_name(own)) {
     const std::optional<Side> side =
-        word.text.size() == 1 ? side_of_letter(word.text[0]) : named<Side>(word.text);
+        word.text.size() == 1 ? side_of_letter(word.text[0]) : enum_from_name<Side>(word.text);
     if (side) return side;
   }
   if (own.empty()) return std::nullopt;
@@ -53,24 +55,24 @@ std::optional<Side> side_said_by(const std::string& name, const std::set<std::st
   return first ? first : side_at_end(name, name.size() - 1, all);
 }
 
-/// How far the points of a side wander that do so most [m]: together, so that one alone weighs
-/// less.
-double farthest_of(std::vector<double> wander) {
-  const std::size_t count = std::min(kOfHand, wander.size());
+/// Returns the mean of the largest deviations of a side's points [m], so that a single point has
+/// less influence.
+double mean_largest_deviation(std::vector<double> wander) {
+  const std::size_t count = std::min(kTestedPointCount, wander.size());
   std::ranges::partial_sort(wander, wander.begin() + static_cast<std::ptrdiff_t>(count),
                             std::greater<>());
   double sum = 0;
   for (std::size_t k = 0; k < count; ++k) sum += wander[k];
-  return sum / static_cast<double>(kOfHand);
+  return sum / static_cast<double>(kTestedPointCount);
 }
 
 }  // namespace
 
-ReachingHand reaching_hand(const Demonstration& demonstration, const RecordingSketch& sketch) {
+ReachingHand reaching_hand(const Demonstration& demonstration, const RecordingDescriptor& sketch) {
   const auto& hand = demonstration.streams.hand;
   if (hand && hand->kind == HandKind::keypoints) {
-    const double out = curl_away_from_right_palm(hand->position);
-    if (std::abs(out) > kCurl_m) {
+    const double out = finger_curl_m(hand->position);
+    if (std::abs(out) > kMinCurl_m) {
       const Side side = out < 0 ? Side::right : Side::left;
       return {side, fmt::format("the {} hand: its fingers curl as those do", name_of(side))};
     }
@@ -78,8 +80,8 @@ ReachingHand reaching_hand(const Demonstration& demonstration, const RecordingSk
   const std::set<std::string_view> all(sketch.points.begin(), sketch.points.end());
   std::vector<double> wander[2];
   for (std::size_t k = 0; k < sketch.points.size(); ++k) {
-    const std::optional<Side> side = side_said_by(sketch.points[k], all);
-    if (side) wander[static_cast<std::size_t>(*side)].push_back(sketch.wander[k]);
+    const std::optional<Side> side = side_in_point_name(sketch.points[k], all);
+    if (side) wander[static_cast<std::size_t>(*side)].push_back(sketch.rms_deviation_m[k]);
   }
   if (wander[0].empty() && wander[1].empty()) {
     return {Side::right, "the right hand is assumed: the file does not tell which one reaches"};
@@ -89,8 +91,8 @@ ReachingHand reaching_hand(const Demonstration& demonstration, const RecordingSk
     return {side, fmt::format("the {0} hand reaches: the file has points of the {0} side alone",
                               name_of(side))};
   }
-  const double right = farthest_of(wander[0]), left = farthest_of(wander[1]);
-  if (std::max(right, left) <= std::max(kMoves_m, kFarther * std::min(right, left))) {
+  const double right = mean_largest_deviation(wander[0]), left = mean_largest_deviation(wander[1]);
+  if (std::max(right, left) <= std::max(kMinReach_m, kMinMotionRatio * std::min(right, left))) {
     return {Side::right,
             fmt::format("the right hand is assumed: both move alike, by {:.0f} and {:.0f} mm",
                         1000 * right, 1000 * left)};
@@ -103,10 +105,11 @@ ReachingHand reaching_hand(const Demonstration& demonstration, const RecordingSk
                       1000 * std::min(right, left))};
 }
 
-bool shows_hand(const RecordingSketch& sketch, Side side) {
+bool has_points_of_side(const RecordingDescriptor& sketch, Side side) {
   const std::set<std::string_view> all(sketch.points.begin(), sketch.points.end());
-  return std::ranges::any_of(
-      sketch.points, [&](const std::string& name) { return side_said_by(name, all) == side; });
+  return std::ranges::any_of(sketch.points, [&](const std::string& name) {
+    return side_in_point_name(name, all) == side;
+  });
 }
 
 }  // namespace morphe::imports

@@ -7,17 +7,17 @@
 #include <system_error>
 
 #include "core/store/consistency.hpp"
+#include "stages/import/folders/recording_descriptor.hpp"
 #include "stages/import/folders/recording_formats.hpp"
-#include "stages/import/folders/recording_sketch.hpp"
-#include "stages/import/guess/facing.hpp"
-#include "stages/import/guess/import_question.hpp"
+#include "stages/import/guess/heading.hpp"
 #include "stages/import/guess/name_map.hpp"
+#include "stages/import/guess/unresolved_import.hpp"
 
 namespace morphe::imports {
 
 namespace {
 
-std::string head_of(const std::filesystem::path& file) {
+std::string read_file_head(const std::filesystem::path& file) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(file, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
@@ -28,8 +28,8 @@ std::string head_of(const std::filesystem::path& file) {
   if (!stream || std::filesystem::is_directory(status)) {
     throw InputError(fmt::format("{}: cannot be read", file.string()));
   }
-  constexpr std::size_t kSeen = 65536;  // a header may name hundreds of points
-  std::string head(kSeen, '\0');
+  constexpr std::size_t kHeadSize_bytes = 65536;  // a header may name hundreds of points
+  std::string head(kHeadSize_bytes, '\0');
   stream.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(stream.gcount()));
   return head.starts_with("\xEF\xBB\xBF") ? head.substr(3) : head;
@@ -38,7 +38,8 @@ std::string head_of(const std::filesystem::path& file) {
 const RecordingFormat& format_of(const std::string& file, const std::string& wanted) {
   const std::string known = fmt::format("{}", fmt::join(import_format_names(), ", "));
   for (const RecordingFormat& format : recording_formats()) {
-    if (wanted.empty() ? format.recognises(head_of(file)) : format.name == wanted) return format;
+    if (wanted.empty() ? format.recognises(read_file_head(file)) : format.name == wanted)
+      return format;
   }
   throw InputError(wanted.empty()
                        ? fmt::format("{}:1: format: not recognised; known: {}", file, known)
@@ -48,7 +49,7 @@ const RecordingFormat& format_of(const std::string& file, const std::string& wan
 }  // namespace
 
 const RecordingFormat* recognised_format(const std::filesystem::path& file) {
-  const std::string head = head_of(file);
+  const std::string head = read_file_head(file);
   for (const RecordingFormat& format : recording_formats()) {
     if (format.recognises(head)) return &format;
   }
@@ -61,17 +62,18 @@ Demonstration read_recording(const ManifestEntry& entry) {
     throw InputError(
         fmt::format("{}: glove: only liberty-csv takes one, not {}", entry.file, format.name));
   }
-  Demonstration demonstration = read_or_ask(
+  Demonstration demonstration = read_or_propose(
       format,
       {entry.file, entry.static_trial, entry.glove, entry.static_glove, entry.glove_calibration,
        read_names(entry.names), side_of(entry), entry.conventions},
       entry.manifest);
   demonstration.hand = side_of(entry);
-  if (entry.of_both && !shows_hand(sketch_of(demonstration), demonstration.hand)) {
+  if (entry.split_from_both &&
+      !has_points_of_side(recording_descriptor(demonstration), demonstration.hand)) {
     throw InputError(fmt::format("{}: hand: both, but nothing in it is called as the {} one's",
                                  entry.file, name_of(demonstration.hand)));
   }
-  face_forward(entry.conventions, demonstration);
+  align_heading(entry.conventions, demonstration);
   for (const MarkerObject& object : entry.objects) {
     add_marker_object(entry.file, object, demonstration);
   }

@@ -8,10 +8,11 @@
 
 namespace morphe::imports {
 
-/// The demonstration that an entry describes. InputError as import_recordings() says.
+/// Reads the demonstration that an entry describes. Throws InputError as import_recordings() does.
 Demonstration read_recording(const ManifestEntry& entry);
 
-/// The format that a file's first bytes are of, null if of none. InputError: it cannot be read.
+/// Returns the format recognised from a file's first bytes, null if there is no such format. Throws
+/// InputError if the file cannot be read.
 const RecordingFormat* recognised_format(const std::filesystem::path& file);
 
 }  // namespace morphe::imports

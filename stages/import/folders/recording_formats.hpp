@@ -7,10 +7,10 @@
 
 namespace morphe::imports {
 
-/// Every format there is: one line each, in the order in which they are tried.
+/// Returns all formats, in the order in which they are tried.
 const std::vector<RecordingFormat>& recording_formats();
 
-/// The name of every format, in the order in which they are tried.
+/// Returns the names of all formats, in the order in which they are tried.
 std::vector<std::string> import_format_names();
 
 }  // namespace morphe::imports

@@ -5,27 +5,30 @@
 #include <string>
 #include <vector>
 
-#include "stages/import/folders/recording_sketch.hpp"
+#include "stages/import/folders/recording_descriptor.hpp"
 
 namespace morphe::imports {
 
-/// The static trial that belongs to a recording, and how that was told.
+/// The static trial that belongs to a recording, and the reason for the match.
 struct StaticPair {
-  std::size_t which = 0;   ///< of the static trials
-  std::string person;      ///< as the recording's name or folder writes it; "" = not told by a name
-  std::size_t choice = 1;  ///< of how many that would have fitted
+  std::size_t static_index = 0;  ///< index of the static trial
+  /// As written in the recording's name or folder; "" if it was not matched by name.
+  std::string person;
+  std::size_t candidate_count = 1;  ///< number of static trials that would have matched
 };
 
-/// For each recording its static trial, none where nothing says whose a static trial is.
+/// Returns the static trial of each recording, or no value if no static trial matches it.
 ///
-/// A static trial lies in the folder of its person or session, folders of static trials ("Static",
-/// "calib") left out of sight: it serves what lies below that folder, be it in another branch
-/// (static/P01/… and reach/P01/…). If its own name begins with somebody's ("ADL001_static") it
-/// serves only recordings whose name begins so, or that lie in a folder of that name, and never
-/// those of another number ("ADL002DR1"). Both must be of one format and share markers. Of several
-/// the one of the nearest folder, then of the longest name, of the same subject in the file, with
-/// the most markers in common, with the most words in common, the first.
+/// A static trial is in the folder of its person or session; folders of static trials ("Static",
+/// "calib") are ignored. It applies to all recordings below that folder, including those in another
+/// branch (static/P01/… and reach/P01/…). If its own name begins with a person's ("ADL001_static"),
+/// it applies only to recordings whose name begins with it, or that are in a folder of that name,
+/// and never to those with another number ("ADL002DR1"). Both must have the same format and share
+/// markers. If there are several, the one of the nearest folder is chosen, then the one with the
+/// longest name, with the same subject in the file, with the most markers in common, with the most
+/// words in common, and finally the first.
 std::vector<std::optional<StaticPair>> pair_static_trials(
-    const std::vector<RecordingSketch>& recordings, const std::vector<RecordingSketch>& statics);
+    const std::vector<RecordingDescriptor>& recordings,
+    const std::vector<RecordingDescriptor>& statics);
 
 }  // namespace morphe::imports

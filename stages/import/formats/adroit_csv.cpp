@@ -1,6 +1,6 @@
-// Adroit demonstrations as text: an optional '#' line, column names, then a row every 10 ms.
-// Their world has Z up, the hand starts at Y = -0.24 m and reaches to a door at Y > 0.1 m: Y is
-// forward and X to the right, so coordinates are taken as they are.
+// Adroit demonstrations as text: an optional '#' line, column names, then a row every 10 ms. Their
+// world has Z up, the hand starts at Y = -0.24 m and reaches to a door at Y > 0.1 m: Y is forward
+// and X to the right, so coordinates are used unchanged.
 #include <algorithm>
 
 #include "stages/import/formats/adroit_hand.hpp"
@@ -11,9 +11,10 @@
 namespace morphe::imports {
 namespace {
 
-/// The door handle's bar, as a ball around the one point that was recorded of it. While the latch
-/// turns, the nearest fingertip centre comes to 26 to 30 mm from that point in all five recordings:
-/// contact; a fingertip of that hand is about 8 mm thick (half), which leaves 20 mm.
+/// The radius of a sphere for the door handle's bar, around its only recorded point. While the
+/// latch turns, the nearest fingertip centre comes to 26 to 30 mm from that point in all five
+/// recordings, which is contact; a fingertip of that hand is about 8 mm thick (half), which leaves
+/// 20 mm.
 constexpr double kHandleRadius_m = 0.020;
 
 struct Row {
@@ -58,10 +59,10 @@ Demonstration read_adroit_csv(const RecordingFiles& files) {
   for (const Row& row : rows) time.push_back(row.time_s);
 
   BodyStream wrist{
-      {"wrist"}, {}, time, {rows.size(), 1, unseen_point()}, {rows.size(), 1, unseen_rotation()}};
+      {"wrist"}, {}, time, {rows.size(), 1, unknown_point()}, {rows.size(), 1, unknown_rotation()}};
   AngleStream angles{{std::begin(kAdroitJoints), std::end(kAdroitJoints)}, time, {}};
   angles.angles.resize(static_cast<Eigen::Index>(rows.size()), kAdroitJointCount);
-  HandStream tips{HandKind::fingertips, {}, time, {}, {rows.size(), 5, unseen_point()}};
+  HandStream tips{HandKind::fingertips, {}, time, {}, {rows.size(), 5, unknown_point()}};
   SceneObject handle;
   handle.name = "handle";
   handle.shape = Shape::sphere;
@@ -69,8 +70,8 @@ Demonstration read_adroit_csv(const RecordingFiles& files) {
   handle.time = time;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const AdroitAngles& q = rows[i].angles;
-    // Orientation from the angles, position from the palm point itself: it was recorded at the
-    // same instant as the handle's.
+    // The orientation follows from the angles, the position from the palm point itself, which was
+    // recorded at the same instant as the handle's.
     Pose world_from_palm = adroit_world_from_palm(q, 0);
     world_from_palm.translation() += rows[i].palm - world_from_palm * adroit_palm_point();
     wrist.position(i, 0) = world_from_palm.translation();
@@ -85,7 +86,7 @@ Demonstration read_adroit_csv(const RecordingFiles& files) {
     handle.orientation.push_back(Quat::Identity());
   }
   Demonstration demonstration;
-  demonstration.reports = csv.reports;
+  demonstration.reports = csv.notes;
   demonstration.streams.sensors = std::move(wrist);
   demonstration.streams.arm_angles = std::move(angles);
   demonstration.streams.hand = std::move(tips);

@@ -1,6 +1,6 @@
 // The hand is modelled on Shadow's: joint axes and offsets as in the public MuJoCo models of it
 // (abduction about y, flexion about x, palm arch about (0.571, 0, 0.821); thumb: base about -z,
-// proximal and hub about x, then y, y). Checked on the recordings: see the tests.
+// proximal and hub about x, then y, y). The tests check this on the recordings.
 #include "stages/import/formats/adroit_hand.hpp"
 
 #include <initializer_list>
@@ -26,8 +26,8 @@ enum Column : std::size_t {
   THJ4 = 22
 };
 
-/// Abduction and three flexions from column `first` on, seen from the knuckle; phalanges 45, 25 and
-/// 26 mm.
+/// Returns the fingertip relative to the knuckle for abduction and three flexions from column
+/// `first` on; phalanges of 45, 25 and 26 mm.
 Vec3 finger_tip(const AdroitAngles& q, std::size_t first) {
   const Vec3 x = Vec3::UnitX(), z = Vec3::UnitZ();
   return turn(q[first], Vec3::UnitY()) * turn(q[first + 1], x) * shift(0.045 * z) *

@@ -1,5 +1,5 @@
-// BVH: the skeleton with its rest pose and channels, then a row of channel values a frame. The file
-// says neither unit nor axes.
+// BVH: the skeleton with its rest pose and channels, then a row of channel values per frame. The
+// file contains neither unit nor axes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,23 +10,24 @@
 #include "stages/import/formats/marker_recording.hpp"
 #include "stages/import/formats/readers.hpp"
 #include "stages/import/formats/skeleton_axes.hpp"
+#include "stages/import/recording/apply_name_map.hpp"
 #include "stages/import/recording/format.hpp"
-#include "stages/import/recording/rename.hpp"
 
 namespace morphe::imports {
 namespace {
 
-/// Between two frames [s]; and body lengths that the unit must not lead out of [m]: from the root
-/// to its farthest joint, and the upper arm.
-struct Plausible {
-  double least, most;
+/// Plausible ranges of the time between two frames [s], and of body lengths in the assumed unit
+/// [m]: from the root to its farthest joint, and the upper arm.
+struct PlausibleRange {
+  double min, max;
 };
-constexpr Plausible kFrame_s{1e-5, 10}, kExtent{0.2, 3.0}, kUpperArm{0.15, 0.5};
+constexpr PlausibleRange kFramePeriodRange_s{1e-5, 10}, kSkeletonExtentRange_m{0.2, 3.0},
+    kUpperArmRange_m{0.15, 0.5};
 
-BodyStream names_of(const BvhFile& bvh, const RecordingFiles& files) {
+BodyStream skeleton_names(const BvhFile& bvh, const RecordingFiles& files) {
   BodyStream body;
   for (const BvhJoint& joint : bvh.joints) body.names.push_back(joint.name);
-  rename(bvh.text.file, files.renamed, body.names);
+  apply_name_map(bvh.text.file, files.name_map, body.names);
   for (const BvhJoint& joint : bvh.joints) {
     body.parents.push_back(joint.parent < 0 ? ""
                                             : body.names[static_cast<std::size_t>(joint.parent)]);
@@ -36,40 +37,43 @@ BodyStream names_of(const BvhFile& bvh, const RecordingFiles& files) {
 
 void check_size(const BvhFile& bvh, const std::vector<std::string>& names,
                 const std::vector<Vec3>& rest) {
-  const auto check = [&](const std::string& what, double length, const Plausible& plausible) {
-    if (length >= plausible.least && length <= plausible.most) return;
-    throw NotSaid("unit", fmt::format("{}: unit: cannot be right: {} would be {:.3g} m",
-                                      bvh.text.file, what, length));
+  const auto check = [&](const std::string& what, double length, const PlausibleRange& plausible) {
+    if (length >= plausible.min && length <= plausible.max) return;
+    throw UnresolvedConvention(
+        "unit", fmt::format("{}: unit: cannot be right: {} would be {:.3g} m", bvh.text.file, what,
+                            length));
   };
   double extent = 0;
   for (const Vec3& point : rest) extent = std::max(extent, (point - rest[0]).norm());
-  check("the farthest joint's distance from the root", extent, kExtent);
+  check("the farthest joint's distance from the root", extent, kSkeletonExtentRange_m);
   const auto find = [&](const char* name) { return std::find(names.begin(), names.end(), name); };
   for (const auto& [shoulder, elbow] : {std::pair(find("right_shoulder"), find("right_elbow")),
                                         std::pair(find("left_shoulder"), find("left_elbow"))}) {
     if (shoulder == names.end() || elbow == names.end()) continue;
     const Vec3 upper_arm = rest[static_cast<std::size_t>(elbow - names.begin())] -
                            rest[static_cast<std::size_t>(shoulder - names.begin())];
-    check("the upper arm", upper_arm.norm(), kUpperArm);
+    check("the upper arm", upper_arm.norm(), kUpperArmRange_m);
   }
 }
 
 double frame_rate(const BvhFile& bvh, const Conventions& conventions,
                   std::vector<std::string>& reports) {
-  const bool plausible = bvh.frame_s >= kFrame_s.least && bvh.frame_s <= kFrame_s.most;
+  const bool plausible =
+      bvh.frame_s >= kFramePeriodRange_s.min && bvh.frame_s <= kFramePeriodRange_s.max;
   if (!plausible && !conventions.rate_hz) {
-    throw NotSaid("rate", fmt::format("{}:{}: Frame Time: {} s cannot be right; give --rate or "
-                                      "`rate_hz:`",
-                                      bvh.text.file, bvh.frame_time_line, bvh.frame_s));
+    throw UnresolvedConvention(
+        "rate", fmt::format("{}:{}: Frame Time: {} s cannot be right; give --rate or "
+                            "`rate_hz:`",
+                            bvh.text.file, bvh.frame_time_line, bvh.frame_s));
   }
-  return rate_of(plausible ? 1 / bvh.frame_s : 0, conventions, bvh.text.file, reports);
+  return resolve_rate_hz(plausible ? 1 / bvh.frame_s : 0, conventions, bvh.text.file, reports);
 }
 
-/// Whether the first frame is none of the recording: some programs put the pose of the rest
-/// skeleton there. A joint turns by more than 30 degrees to the next frame, and by more than three
-/// times as much as any does between later ones.
-bool begins_with_a_pose(const BodyStream& body) {
-  constexpr double kJump = 30 * M_PI / 180, kShare = 3;
+/// Returns true if the first frame is not part of the recording: some programs write the rest pose
+/// there. A joint turns by more than 30 degrees to the next frame, and by more than three times the
+/// largest turn between later frames.
+bool starts_with_rest_pose(const BodyStream& body) {
+  constexpr double kMinPoseJump_rad = 30 * M_PI / 180, kMinPoseJumpRatio = 3;
   const auto most = [&](std::size_t row) {
     double turned = 0;
     for (std::size_t j = 0; j < body.names.size(); ++j) {
@@ -80,9 +84,9 @@ bool begins_with_a_pose(const BodyStream& body) {
   };
   if (body.time.size() < 3) return false;
   const double first = most(0);
-  if (first < kJump) return false;
+  if (first < kMinPoseJump_rad) return false;
   for (std::size_t row = 1; row + 1 < body.time.size(); ++row) {
-    if (most(row) * kShare > first) return false;
+    if (most(row) * kMinPoseJumpRatio > first) return false;
   }
   return true;
 }
@@ -99,9 +103,9 @@ void drop_first_frame(BodyStream& body) {
 
 void report_file(const BvhFile& bvh, std::vector<std::string>& reports) {
   const auto frames = static_cast<std::size_t>(bvh.rows.rows());
-  if (frames != bvh.frames_said) {
+  if (frames != bvh.declared_frame_count) {
     reports.push_back(fmt::format("'Frames:' says {}, the file holds {}: those were taken",
-                                  bvh.frames_said, frames));
+                                  bvh.declared_frame_count, frames));
   }
   const BvhJoint& root = bvh.joints[0];
   const bool moved = std::ranges::any_of(root.channels, [](const auto& c) { return !c.rotates; });
@@ -116,8 +120,8 @@ void report_file(const BvhFile& bvh, std::vector<std::string>& reports) {
 
 bool recognises_bvh(std::string_view head) {
   const std::size_t begin = std::min(head.find_first_not_of(" \t\r\n"), head.size());
-  constexpr std::string_view kFirst = "hierarchy";
-  return std::ranges::equal(head.substr(begin, kFirst.size()), kFirst, [](char a, char b) {
+  constexpr std::string_view kFirstWord = "hierarchy";
+  return std::ranges::equal(head.substr(begin, kFirstWord.size()), kFirstWord, [](char a, char b) {
     return std::tolower(static_cast<unsigned char>(a)) == b;
   });
 }
@@ -129,30 +133,30 @@ Demonstration read_bvh(const RecordingFiles& files) {
   }
   Demonstration demonstration;
   std::vector<std::string>& reports = demonstration.reports;
-  reports = bvh.text.reports;
+  reports = bvh.text.notes;
   report_file(bvh, reports);
   const double rate_hz = frame_rate(bvh, files.conventions, reports);
-  const double metres = metres_of("", files.conventions, bvh.text.file, reports);
+  const double metres = resolve_unit_m("", files.conventions, bvh.text.file, reports);
 
-  BodyStream body = names_of(bvh, files);
+  BodyStream body = skeleton_names(bvh, files);
   BvhPoses poses;
-  pose_bvh(bvh, nullptr, poses);
+  bvh_forward_kinematics(bvh, nullptr, poses);
   for (Vec3& point : poses.position) point *= metres;
   const std::vector<Vec3> rest = poses.position;
-  if (files.conventions.judged) check_size(bvh, body.names, rest);
+  if (files.conventions.plausibility_checks) check_size(bvh, body.names, rest);
 
   const auto frames = static_cast<std::size_t>(bvh.rows.rows());
-  body.position = Table<Vec3>(frames, bvh.joints.size(), unseen_point());
-  body.orientation = Table<Quat>(frames, bvh.joints.size(), unseen_rotation());
+  body.position = Array2D<Vec3>(frames, bvh.joints.size(), unknown_point());
+  body.orientation = Array2D<Quat>(frames, bvh.joints.size(), unknown_rotation());
   for (std::size_t i = 0; i < frames; ++i) {
     body.time.push_back(static_cast<double>(i) / rate_hz);
-    pose_bvh(bvh, bvh.rows.row(static_cast<Eigen::Index>(i)).data(), poses);
+    bvh_forward_kinematics(bvh, bvh.rows.row(static_cast<Eigen::Index>(i)).data(), poses);
     for (std::size_t j = 0; j < bvh.joints.size(); ++j) {
       body.position(i, j) = metres * poses.position[j];
       body.orientation(i, j) = poses.orientation[j];
     }
   }
-  if (begins_with_a_pose(body)) {
+  if (starts_with_rest_pose(body)) {
     drop_first_frame(body);
     reports.push_back(
         "the first frame was left out: it is a pose, from which joints jump to the second");

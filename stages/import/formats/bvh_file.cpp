@@ -12,18 +12,18 @@
 namespace morphe::imports {
 namespace {
 
-constexpr std::size_t kMostJoints = 2000;  // a body with both hands has about 100
+constexpr std::size_t kMaxJointCount = 2000;  // a body with both hands has about 100
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\0'; }
 
-/// The words of a file; a bracket is a word of its own.
-class Words {
+/// Splits a file into words; a bracket is a separate word.
+class Tokenizer {
  public:
-  explicit Words(const files::CsvText& text) : text_(text) {}
+  explicit Tokenizer(const files::CsvText& text) : text_(text) {}
 
   std::size_t line() const { return line_ + 1; }
 
-  /// The next word, "" at the end of the file.
+  /// Returns the next word, "" at the end of the file.
   std::string_view next() {
     for (; line_ < text_.lines.size(); ++line_, column_ = 0) {
       const std::string_view here = text_.lines[line_];
@@ -40,7 +40,8 @@ class Words {
     return {};
   }
 
-  /// What is left of this line up to a bracket, without blanks around it: a name may hold blanks.
+  /// Returns the rest of this line up to a bracket, without blanks around it: a name may contain
+  /// blanks.
   std::string rest_of_line() {
     const std::string_view here = text_.lines[line_];
     std::size_t begin = column_, end = std::min(here.find('{', column_), here.size());
@@ -52,7 +53,7 @@ class Words {
 
   void expect(std::string_view word) {
     const std::string found(next());
-    if (small(found) != small(word)) fail(word, fmt::format("expected, not '{}'", found));
+    if (to_lower(found) != to_lower(word)) fail(word, fmt::format("expected, not '{}'", found));
   }
 
   [[noreturn]] void fail(std::string_view key, std::string_view message) const {
@@ -65,17 +66,17 @@ class Words {
 };
 
 std::optional<BvhChannel> channel_of(std::string_view word) {
-  const std::string name = small(word);
+  const std::string name = to_lower(word);
   if (name.empty() || name[0] < 'x' || name[0] > 'z') return std::nullopt;
   const std::string_view kind = std::string_view(name).substr(1);
   if (kind != "position" && kind != "rotation") return std::nullopt;
   return BvhChannel{kind == "rotation", name[0] - 'x'};
 }
 
-/// Reads the tree with a list of open joints, so that no depth of it can exhaust the stack.
+/// Reads the tree with a list of open joints, so that its depth cannot exhaust the stack.
 class Hierarchy {
  public:
-  Hierarchy(Words& words, const files::CsvText& text, std::vector<BvhJoint>& joints)
+  Hierarchy(Tokenizer& words, const files::CsvText& text, std::vector<BvhJoint>& joints)
       : words_(words), text_(text), joints_(joints) {}
 
   void read() {
@@ -84,7 +85,7 @@ class Hierarchy {
     open(words_.rest_of_line());
     while (!open_.empty()) {
       const std::string_view found = words_.next();
-      const std::string word = small(found);
+      const std::string word = to_lower(found);
       if (word == "offset" && !here().has_offset) {
         for (Eigen::Index axis = 0; axis < 3; ++axis) joint().offset[axis] = number("OFFSET");
         here().has_offset = true;
@@ -94,7 +95,7 @@ class Hierarchy {
         open(words_.rest_of_line());
       } else if (word == "end" && !here().is_end) {
         const std::string parent = joint().name;
-        words_.rest_of_line();  // "Site", or a name that some programs write
+        words_.rest_of_line();  // "Site", or a name written by some programs
         open(parent + "_end", true);
       } else if (word == "}") {
         close();
@@ -107,20 +108,20 @@ class Hierarchy {
   }
 
  private:
-  struct Open {
+  struct OpenJoint {
     std::size_t index;
     bool is_end;
     bool has_offset = false, has_channels = false;
   };
 
-  Open& here() { return open_.back(); }
+  OpenJoint& here() { return open_.back(); }
   BvhJoint& joint() { return joints_[here().index]; }
 
   void open(const std::string& name, bool is_end = false) {
     if (name.empty()) words_.fail("", "a joint has no name");
     if (!names_.insert(name).second) words_.fail(name, "the joint stands twice");
-    if (joints_.size() == kMostJoints) {
-      words_.fail(name, fmt::format("the skeleton has more than {} joints", kMostJoints));
+    if (joints_.size() == kMaxJointCount) {
+      words_.fail(name, fmt::format("the skeleton has more than {} joints", kMaxJointCount));
     }
     joints_.push_back(
         {name, open_.empty() ? -1 : static_cast<int>(here().index), Vec3::Zero(), {}});
@@ -157,24 +158,24 @@ class Hierarchy {
     here().has_channels = true;
   }
 
-  Words& words_;
+  Tokenizer& words_;
   const files::CsvText& text_;
   std::vector<BvhJoint>& joints_;
-  std::vector<Open> open_;
+  std::vector<OpenJoint> open_;
   std::set<std::string> names_;
 };
 
-/// "Frames: 12" or "Frame Time:.01", blanks anywhere; the number.
-double read_setting(Words& words, const files::CsvText& text, std::string_view key) {
+/// Reads the number of "Frames: 12" or "Frame Time:.01", with blanks anywhere.
+double read_setting(Tokenizer& words, const files::CsvText& text, std::string_view key) {
   std::string line(words.next());
   if (line.empty()) words.fail(key, "is missing: the file ends before it");
   line += " " + words.rest_of_line();
   std::string squeezed;
-  for (const char c : small(line)) {
+  for (const char c : to_lower(line)) {
     if (!is_blank(c)) squeezed += c;
   }
   std::string wanted;
-  for (const char c : small(key)) {
+  for (const char c : to_lower(key)) {
     if (!is_blank(c)) wanted += c;
   }
   wanted += ':';
@@ -184,7 +185,7 @@ double read_setting(Words& words, const files::CsvText& text, std::string_view k
   return text.number(words.line(), key, std::string_view(squeezed).substr(wanted.size()));
 }
 
-/// The numbers of one line into `row`.
+/// Reads the numbers of one line into `row`.
 void read_row(const files::CsvText& text, std::size_t line, Eigen::Index channels, double* row) {
   const std::string_view here = text.lines[line - 1];
   Eigen::Index count = 0;
@@ -212,14 +213,14 @@ BvhFile read_bvh_file(const std::filesystem::path& file) {
   bvh.text = files::read_csv(file, ' ');
   const files::CsvText& text = bvh.text;
   if (text.lines.empty()) text.fail(1, "", "the file is empty");
-  Words words(text);
+  Tokenizer words(text);
   Hierarchy(words, text, bvh.joints).read();
   words.expect("MOTION");
   const double frames = read_setting(words, text, "Frames");
   if (frames < 0 || frames > 1e9 || frames != std::floor(frames)) {
     words.fail("Frames", "must be a whole number");
   }
-  bvh.frames_said = static_cast<std::size_t>(frames);
+  bvh.declared_frame_count = static_cast<std::size_t>(frames);
   bvh.frame_s = read_setting(words, text, "Frame Time");
   bvh.frame_time_line = words.line();
 
@@ -239,7 +240,7 @@ BvhFile read_bvh_file(const std::filesystem::path& file) {
   return bvh;
 }
 
-void pose_bvh(const BvhFile& bvh, const double* row, BvhPoses& poses) {
+void bvh_forward_kinematics(const BvhFile& bvh, const double* row, BvhPoses& poses) {
   poses.position.resize(bvh.joints.size());
   poses.orientation.resize(bvh.joints.size());
   for (std::size_t j = 0; j < bvh.joints.size(); ++j) {

@@ -10,41 +10,44 @@
 
 namespace morphe::imports {
 
-/// One number of a row: what it does to its joint.
+/// A channel of a joint: the translation or rotation to which a number of a row applies.
 struct BvhChannel {
-  bool rotates = false;
-  int axis = 0;  ///< 0 x, 1 y, 2 z
+  bool rotates = false;  ///< true for a rotation, false for a translation
+  int axis = 0;          ///< 0 x, 1 y, 2 z
 };
 
+/// A joint of the hierarchy.
 struct BvhJoint {
-  std::string name;  ///< an End Site is called "<parent>_end"
-  int parent = -1;   ///< -1 = the root
-  Vec3 offset = Vec3::Zero();
+  std::string name;                  ///< an End Site is called "<parent>_end"
+  int parent = -1;                   ///< -1 for the root
+  Vec3 offset = Vec3::Zero();        ///< OFFSET from the parent
   std::vector<BvhChannel> channels;  ///< in the order of the row
 };
 
-/// A BVH file as it stands there: its own axes and unit, angles in degrees.
+/// The contents of a BVH file: its own axes and unit, angles in degrees.
 struct BvhFile {
-  files::CsvText text;
-  std::vector<BvhJoint> joints;  ///< parents first
-  double frame_s = 0;            ///< "Frame Time", not checked
-  std::size_t frame_time_line = 0;
-  std::size_t frames_said = 0;  ///< "Frames"; the rows are what counts
-  JointRows rows;               ///< [frames, channels of all joints]
+  files::CsvText text;                   ///< lines of the file
+  std::vector<BvhJoint> joints;          ///< parents first
+  double frame_s = 0;                    ///< "Frame Time", not checked
+  std::size_t frame_time_line = 0;       ///< line of "Frame Time"
+  std::size_t declared_frame_count = 0;  ///< "Frames"; the number of rows takes precedence
+  JointRows rows;                        ///< [frames, channels of all joints]
 };
 
-/// Keywords in any case, blanks and tabs as they come, a row of numbers a line. InputError for
-/// anything else: an unknown word, a bracket left open, a joint without OFFSET or named twice, a
-/// channel named twice, a row with too few or too many numbers or one that is none, no row at all.
+/// Reads a BVH file: keywords in any case, any blanks and tabs, a row of numbers per line. Throws
+/// InputError for any error: an unknown word, an unclosed bracket, a joint without OFFSET or named
+/// twice, a channel named twice, a row with too few or too many numbers or another word, or no
+/// rows.
 BvhFile read_bvh_file(const std::filesystem::path& file);
 
-/// Poses of all joints for one row, in the file's axes and unit: T(p) R_1 R_2 R_3 in the order of
-/// the channels after the parent's pose, p = OFFSET, with what position channels give put in its
-/// place. No row (nullptr): the rest skeleton, p = OFFSET and no rotation, the root at the origin.
+/// The poses of all joints in the file's axes and unit.
 struct BvhPoses {
   std::vector<Vec3> position;     ///< [joints]
   std::vector<Quat> orientation;  ///< [joints]
 };
-void pose_bvh(const BvhFile& bvh, const double* row, BvhPoses& poses);
+/// Computes the poses for one row: T(p) R_1 R_2 R_3 in the order of the channels after the parent's
+/// pose, with p = OFFSET, replaced by the values of position channels. Without a row (nullptr) it
+/// computes the rest skeleton: p = OFFSET and no rotation, the root at the origin.
+void bvh_forward_kinematics(const BvhFile& bvh, const double* row, BvhPoses& poses);
 
 }  // namespace morphe::imports

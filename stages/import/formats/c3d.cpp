@@ -1,6 +1,6 @@
-// C3D: points of a motion capture system. What the file does not say is which way the subject
-// looks; if it says how the laboratory is shown on a screen (POINT:X_SCREEN, Y_SCREEN), the subject
-// is taken to look into that screen, which is reported.
+// C3D: points of a motion capture system. The file does not contain the heading of the subject; if
+// it contains the orientation of the laboratory on a screen (POINT:X_SCREEN, Y_SCREEN), the subject
+// is assumed to look into that screen, which is reported.
 #include <fmt/format.h>
 
 #include <cctype>
@@ -12,7 +12,7 @@
 namespace morphe::imports {
 namespace {
 
-/// "+X", "-Z", "Y" as a vector; zero if it is none.
+/// Returns "+X", "-Z", "Y" as a vector; zero for other texts.
 Vec3 axis_of(std::string text) {
   const double sign = text.starts_with('-') ? -1 : 1;
   if (text.starts_with('-') || text.starts_with('+')) text.erase(0, 1);
@@ -28,8 +28,8 @@ MarkerRecording read_c3d_recording(const std::filesystem::path& file,
   recording.reports = std::move(points.reports);
   for (char& c : points.unit) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   const std::string source = file.string();
-  const double metres = metres_of(points.unit, conventions, source, recording.reports);
-  const double rate_hz = rate_of(points.rate_hz, conventions, source, recording.reports);
+  const double metres = resolve_unit_m(points.unit, conventions, source, recording.reports);
+  const double rate_hz = resolve_rate_hz(points.rate_hz, conventions, source, recording.reports);
   const Vec3 right = axis_of(points.x_screen), up = axis_of(points.y_screen);
   const Vec3 forward = up.cross(right);
   if (conventions.axes.empty() && !forward.isZero()) {

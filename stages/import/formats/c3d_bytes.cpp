@@ -42,7 +42,8 @@ float C3dBytes::real(std::size_t offset) const {
   const std::uint32_t first = word(offset), second = word(offset + 2);
   if (processor == C3dProcessor::intel) return std::bit_cast<float>(second << 16 | first);
   const float value = std::bit_cast<float>(first << 16 | second);
-  // DEC counts exponents from 128 and the leading 1 as a half: the same bits are four times less.
+  // DEC counts exponents from 128 and the leading 1 as a half: the same bits have a fourth of the
+  // value.
   return processor == C3dProcessor::dec ? value / 4 : value;
 }
 

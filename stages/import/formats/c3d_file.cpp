@@ -14,11 +14,11 @@
 namespace morphe::imports {
 namespace {
 
-constexpr std::size_t kBlock = 512;
+constexpr std::size_t kBlockSize_bytes = 512;
 constexpr std::uint8_t kMagic = 0x50;
 constexpr double kLargestWord = 65535;
 
-/// The header's numbers, in words of two bytes.
+/// The numbers of the header, in words of two bytes.
 struct C3dHeader {
   std::size_t points, analog, first, last, data_block, analog_per_frame;
   double scale, rate_hz;
@@ -31,16 +31,16 @@ C3dBytes read_bytes(const std::filesystem::path& file) {
     throw InputError(fmt::format("{}: cannot be read", file.string()));
   }
   C3dBytes bytes{file.string(), std::string((std::istreambuf_iterator<char>(stream)), {})};
-  bytes.require(0, kBlock, "the header");
+  bytes.require(0, kBlockSize_bytes, "the header");
   if (bytes.byte(1) != kMagic) bytes.fail(1, "must be 0x50: this is no C3D file");
   return bytes;
 }
 
-/// Where the parameters begin; their header says which processor wrote the file.
+/// Returns the start of the parameters, whose header contains the processor that wrote the file.
 std::size_t find_parameters(C3dBytes& bytes) {
   if (bytes.byte(0) == 0) bytes.fail(0, "the parameters must begin at block 1 or later");
-  const std::size_t start = (bytes.byte(0) - std::size_t{1}) * kBlock;
-  bytes.require(start, kBlock, "the section of parameters");
+  const std::size_t start = (bytes.byte(0) - std::size_t{1}) * kBlockSize_bytes;
+  bytes.require(start, kBlockSize_bytes, "the section of parameters");
   const std::uint8_t processor = bytes.byte(start + 3);
   if (processor < 84 || processor > 86) {
     bytes.fail(start + 3,
@@ -55,7 +55,7 @@ C3dHeader read_c3d_header(const C3dBytes& bytes) {
           bytes.word(16), bytes.word(18), bytes.real(12), bytes.real(20)};
 }
 
-/// The number of frames, by the most capable of the places that say it.
+/// Returns the number of frames from the field with the largest range.
 double frame_count(const C3dHeader& header, const C3dParameters& parameters, C3dPoints& points) {
   const double in_header = static_cast<double>(header.last) - static_cast<double>(header.first) + 1;
   const double in_point = parameters.number("POINT:FRAMES", in_header);
@@ -80,10 +80,10 @@ double frame_count(const C3dHeader& header, const C3dParameters& parameters, C3d
   return count;
 }
 
-/// Analog samples stand behind the points of each frame: their number decides where the next
-/// begins.
+/// Returns the number of analog samples after the points of each frame, which determines the start
+/// of the next frame.
 std::size_t analog_count(const C3dHeader& header, const C3dParameters& parameters) {
-  const double used = parameters.number("ANALOG:USED", kNotSeen);
+  const double used = parameters.number("ANALOG:USED", kUnknown);
   const double expected = used * static_cast<double>(header.analog_per_frame);
   if (expected == expected && expected != static_cast<double>(header.analog)) {
     parameters.fail("ANALOG:USED", fmt::format("{} channels with {} samples a frame are not the {} "
@@ -103,8 +103,9 @@ double scale_of(const C3dHeader& header, const C3dParameters& parameters) {
   return scale;
 }
 
-/// Block of the first frame. Where neither place says it (OptiTrack's Motive writes 0 in both) the
-/// points begin behind the parameters, whose length in blocks `behind_parameters` follows from.
+/// Returns the offset of the first frame. If neither field contains it (OptiTrack's Motive writes 0
+/// in both), the points begin at block `behind_parameters`, which follows from the length of the
+/// parameters.
 std::size_t data_start(const C3dHeader& header, const C3dParameters& parameters,
                        std::size_t behind_parameters, std::vector<std::string>& reports) {
   const auto in_header = static_cast<double>(header.data_block);
@@ -114,7 +115,7 @@ std::size_t data_start(const C3dHeader& header, const C3dParameters& parameters,
         "neither the header nor POINT:DATA_START says where points begin: read from block {}, "
         "behind the parameters",
         behind_parameters));
-    return (behind_parameters - 1) * kBlock;
+    return (behind_parameters - 1) * kBlockSize_bytes;
   }
   if (block == 0) block = in_header;
   if (!(block >= 2 && block <= kLargestWord))
@@ -125,10 +126,11 @@ std::size_t data_start(const C3dHeader& header, const C3dParameters& parameters,
                     "from {}, as POINT:DATA_START says",
                     in_header, block));
   }
-  return (static_cast<std::size_t>(block) - 1) * kBlock;
+  return (static_cast<std::size_t>(block) - 1) * kBlockSize_bytes;
 }
 
-/// LABELS, LABELS2, LABELS3, … hold at most 255 each; a point without a name becomes "*4".
+/// Reads LABELS, LABELS2, LABELS3, …, which contain at most 255 each; a point without a name
+/// becomes "*4".
 std::vector<std::string> read_labels(const C3dParameters& parameters, std::size_t points,
                                      std::vector<std::string>& reports) {
   std::vector<std::string> labels = parameters.texts("POINT:LABELS");
@@ -156,9 +158,9 @@ std::vector<std::string> read_labels(const C3dParameters& parameters, std::size_
   return labels;
 }
 
-/// Frames of points, each with its analog samples behind it.
+/// Reads the frames of points, each followed by its analog samples.
 void read_points(const C3dBytes& bytes, std::size_t start, std::size_t frame_bytes, double scale,
-                 Table<Vec3>& position) {
+                 Array2D<Vec3>& position) {
   for (std::size_t i = 0; i < position.rows; ++i) {
     for (std::size_t k = 0; k < position.cols; ++k) {
       const std::size_t at = start + i * frame_bytes + k * (scale < 0 ? 16 : 8);
@@ -167,7 +169,7 @@ void read_points(const C3dBytes& bytes, std::size_t start, std::size_t frame_byt
                          : static_cast<double>(bytes.integer(at + 2 * n));
       };
       const Vec3 point = Vec3(value(0), value(1), value(2)) * (scale < 0 ? 1 : scale);
-      if (value(3) >= 0 && seen(point)) position(i, k) = point;
+      if (value(3) >= 0 && is_known(point)) position(i, k) = point;
     }
   }
 }
@@ -202,10 +204,10 @@ C3dPoints read_c3d_points(const std::filesystem::path& file) {
         "POINT:FRAMES",
         fmt::format("{} frames from byte {} on are promised, {} are there", frames, start, there));
   }
-  points.position = Table<Vec3>(static_cast<std::size_t>(frames), header.points, unseen_point());
+  points.position = Array2D<Vec3>(static_cast<std::size_t>(frames), header.points, unknown_point());
   read_points(bytes, start, frame_bytes, scale, points.position);
   const std::size_t behind = bytes.size() - start - points.position.rows * frame_bytes;
-  if (behind >= kBlock) {
+  if (behind >= kBlockSize_bytes) {
     points.reports.push_back(fmt::format("{} bytes behind the last frame were left out", behind));
   }
   return points;

@@ -9,21 +9,21 @@
 
 namespace morphe::imports {
 
-/// The 3D points of a C3D file, as they stand there: own unit, own axes.
+/// The 3D points of a C3D file, in its own unit and axes.
 struct C3dPoints {
   std::vector<std::string> labels;  ///< [K]
   std::string unit;                 ///< POINT:UNITS, "" if absent
   std::string x_screen, y_screen;   ///< POINT:X_SCREEN and Y_SCREEN, such as "+X"; "" if absent
-  double rate_hz = 0;               ///< POINT:RATE, else the header's
-  std::size_t first_frame = 1;
-  Table<Vec3> position;              ///< [N, K], NaN = not seen: residual below zero, or no number
-  std::vector<std::string> reports;  ///< where header, parameters and data disagree
+  double rate_hz = 0;               ///< POINT:RATE, otherwise the header's
+  std::size_t first_frame = 1;      ///< number of the first frame
+  Array2D<Vec3> position;  ///< [N, K], NaN if not seen: residual below zero, or not a number
+  std::vector<std::string> reports;  ///< disagreements of header, parameters and data
 };
 
-/// Reads header, parameters and points; analog samples are passed over. Intel, DEC and SGI
-/// processors, floats and scaled integers. InputError "FILE: byte N: …" or "FILE: POINT:KEY: …" for
-/// anything that leads outside the file, is missing, or contradicts itself such that points cannot
-/// be told from each other.
+/// Reads header, parameters and points, skipping analog samples. Intel, DEC and SGI processors,
+/// floats and scaled integers are supported. Throws InputError "FILE: byte N: …" or "FILE:
+/// POINT:KEY: …" for references outside the file, missing data, or contradictions that make the
+/// points ambiguous.
 C3dPoints read_c3d_points(const std::filesystem::path& file);
 
 }  // namespace morphe::imports

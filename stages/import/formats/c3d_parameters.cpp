@@ -12,12 +12,12 @@
 namespace morphe::imports {
 namespace {
 
-std::string capitals(std::string text) {
+std::string to_upper(std::string text) {
   for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   return text;
 }
 
-bool printable(const std::string& text) {
+bool is_printable(const std::string& text) {
   return std::ranges::none_of(text, [](unsigned char c) { return c < 0x20 || c == 0x7f; });
 }
 
@@ -39,8 +39,8 @@ C3dParameters::C3dParameters(const C3dBytes& bytes, std::size_t start) : bytes_(
     const auto length = static_cast<std::size_t>(std::abs(signed_byte(bytes, offset)));
     if (length == 0) break;
     const int group = signed_byte(bytes, offset + 1);
-    const std::string name = capitals(bytes.text(offset + 2, length));
-    if (!printable(name)) bytes.fail(offset + 2, "a parameter's name is no text");
+    const std::string name = to_upper(bytes.text(offset + 2, length));
+    if (!is_printable(name)) bytes.fail(offset + 2, "a parameter's name is no text");
     const std::size_t after_name = offset + 2 + length;
     const std::size_t step = bytes.word(after_name);
     if (group < 0) {
@@ -53,7 +53,7 @@ C3dParameters::C3dParameters(const C3dBytes& bytes, std::size_t start) : bytes_(
     offset = after_name + step;
   }
   for (Named& parameter : parameters) {
-    found_[groups[parameter.group] + ":" + parameter.name] = std::move(parameter.record);
+    records_[groups[parameter.group] + ":" + parameter.name] = std::move(parameter.record);
   }
 }
 
@@ -83,8 +83,8 @@ C3dParameters::Record C3dParameters::read_record(std::size_t offset, std::size_t
 }
 
 std::vector<double> C3dParameters::numbers(const std::string& key) const {
-  const auto found = found_.find(key);
-  if (found == found_.end()) return {};
+  const auto found = records_.find(key);
+  if (found == records_.end()) return {};
   const Record& record = found->second;
   if (record.type < 0) fail(key, "must be a number");
   std::vector<double> values;
@@ -98,8 +98,8 @@ std::vector<double> C3dParameters::numbers(const std::string& key) const {
 }
 
 std::vector<std::string> C3dParameters::texts(const std::string& key) const {
-  const auto found = found_.find(key);
-  if (found == found_.end()) return {};
+  const auto found = records_.find(key);
+  if (found == records_.end()) return {};
   const Record& record = found->second;
   if (record.type >= 0) fail(key, "must be a text");
   const std::size_t length = record.dimensions.empty() ? 1 : record.dimensions[0];
@@ -107,7 +107,7 @@ std::vector<std::string> C3dParameters::texts(const std::string& key) const {
   for (std::size_t at = 0; length > 0 && at < record.count; at += length) {
     std::string& text = texts.emplace_back(bytes_.text(record.offset + at, length));
     while (!text.empty() && (text.back() == ' ' || text.back() == '\0')) text.pop_back();
-    if (!printable(text)) fail(key, "holds what is no text");
+    if (!is_printable(text)) fail(key, "holds what is no text");
     if (!files::is_utf8(text)) text = files::utf8_from_latin1(text);
   }
   return texts;

@@ -14,25 +14,26 @@ namespace morphe::imports {
 namespace {
 
 using Columns = CaptureColumns;
-constexpr std::string_view kJoint = "_joint";
+constexpr std::string_view kJointSuffix = "_joint";
 
-/// "wrist_x_mm" is part x of wrist, in mm; "wrist_azimuth_deg" its part azimuth, in deg.
-struct Part {
+/// The parts of a column's name: "wrist_x_mm" is part x of wrist, in mm; "wrist_azimuth_deg" is its
+/// part azimuth, in deg.
+struct ParsedColumnName {
   std::string_view name, part, unit;
 };
 
-/// Takes "_tail" from the end of a text.
-bool take(std::string_view& text, std::string_view tail) {
+/// Removes "_tail" from the end of a text; returns false if it is absent.
+bool strip_suffix(std::string_view& text, std::string_view tail) {
   if (text.size() <= tail.size() + 1 || !text.ends_with(tail)) return false;
   if (text[text.size() - tail.size() - 1] != '_') return false;
   text.remove_suffix(tail.size() + 1);
   return true;
 }
 
-std::optional<Part> part_of(std::string_view column) {
-  Part part;
+std::optional<ParsedColumnName> parse_column_name(std::string_view column) {
+  ParsedColumnName part;
   for (const std::string_view unit : {"m", "cm", "mm", "in", "deg", "rad"}) {
-    if (take(column, unit)) {
+    if (strip_suffix(column, unit)) {
       part.unit = unit;
       break;
     }
@@ -40,7 +41,7 @@ std::optional<Part> part_of(std::string_view column) {
   const bool angle = part.unit == "deg" || part.unit == "rad", none = part.unit.empty();
   for (const std::string_view name :
        {"x", "y", "z", "qw", "qx", "qy", "qz", "azimuth", "elevation", "roll"}) {
-    if (!take(column, name)) continue;
+    if (!strip_suffix(column, name)) continue;
     const bool of_length = name.size() == 1, of_rotation = name.starts_with('q');
     if (of_length ? angle : of_rotation ? !none : !(angle || none)) return std::nullopt;
     part.name = column;
@@ -67,11 +68,11 @@ class HeaderReader {
     }
     for (Columns::Body& body : bodies_) {
       check(body);
-      const bool tracked = body.turn != Columns::Turn::none;
+      const bool tracked = body.rotation_format != Columns::RotationFormat::none;
       auto& among = tracked ? columns_.bodies : columns_.points;
-      body.name = ours(body.name);
-      if (!tracked && body.name.ends_with(kJoint))
-        body.name.resize(body.name.size() - kJoint.size());
+      body.name = mapped_name(body.name);
+      if (!tracked && body.name.ends_with(kJointSuffix))
+        body.name.resize(body.name.size() - kJointSuffix.size());
       if (std::ranges::find(among, body.name, &Columns::Body::name) != among.end()) {
         csv_.fail(1, body.name, "two columns' names become that");
       }
@@ -88,7 +89,7 @@ class HeaderReader {
   }
 
  private:
-  std::string ours(std::string_view name) {
+  std::string mapped_name(std::string_view name) {
     const auto entry = renamed_.find(std::string(name));
     if (entry == renamed_.end()) return std::string(name);
     used_.push_back(entry->first);
@@ -100,7 +101,7 @@ class HeaderReader {
       columns_.time = c;
     } else if (name == "frame") {
       columns_.frame = c;
-    } else if (const auto part = part_of(name)) {
+    } else if (const auto part = parse_column_name(name)) {
       add_part(c, *part);
     } else if (!add_glove(c, name)) {
       columns_.left_out.emplace_back(name);
@@ -111,13 +112,13 @@ class HeaderReader {
     using Unit = Columns::GloveSensor::Unit;
     std::string_view name = column;
     std::optional<Unit> unit;
-    if (take(name, "deg"))
+    if (strip_suffix(name, "deg"))
       unit = Unit::degrees;
-    else if (take(name, "rad"))
+    else if (strip_suffix(name, "rad"))
       unit = Unit::radians;
-    else if (take(name, "raw"))
+    else if (strip_suffix(name, "raw"))
       unit = Unit::raw;
-    const auto sensor = std::ranges::find(human::kGloveSensors, ours(name));
+    const auto sensor = std::ranges::find(human::kGloveSensors, mapped_name(name));
     if (sensor == std::end(human::kGloveSensors)) return false;
     if (!unit) csv_.fail(1, column, "must say its unit: end in _deg, _rad or _raw");
     columns_.glove.push_back(
@@ -125,17 +126,17 @@ class HeaderReader {
     return true;
   }
 
-  Columns::Body& body_called(std::string_view name) {
+  Columns::Body& find_or_add_body(std::string_view name) {
     const auto found = std::ranges::find(bodies_, name, &Columns::Body::name);
     if (found != bodies_.end()) return *found;
     bodies_.emplace_back().name = name;
     return bodies_.back();
   }
 
-  void add_part(std::size_t c, const Part& part) {
-    Columns::Body& body = body_called(part.name);
+  void add_part(std::size_t c, const ParsedColumnName& part) {
+    Columns::Body& body = find_or_add_body(part.name);
     const auto put = [&](std::size_t& where) {
-      if (where != Columns::kNone) {
+      if (where != Columns::kNoColumn) {
         csv_.fail(1, columns_.names[c], fmt::format("{} has that twice", body.name));
       }
       where = c;
@@ -144,26 +145,28 @@ class HeaderReader {
     if (part.part.size() == 1) {
       const auto axis = static_cast<std::size_t>(last - 'x');
       const bool first =
-          body.position == std::array{Columns::kNone, Columns::kNone, Columns::kNone};
+          body.position == std::array{Columns::kNoColumn, Columns::kNoColumn, Columns::kNoColumn};
       put(body.position[axis]);
       if (!first && body.unit != part.unit) csv_.fail(1, columns_.names[c], "is in another unit");
       body.unit = part.unit;
       return;
     }
     const bool quaternion = part.part.front() == 'q';
-    const auto turn = quaternion ? Columns::Turn::quaternion : Columns::Turn::euler;
-    if (body.turn != Columns::Turn::none && body.turn != turn) {
+    const auto turn =
+        quaternion ? Columns::RotationFormat::quaternion : Columns::RotationFormat::euler;
+    if (body.rotation_format != Columns::RotationFormat::none && body.rotation_format != turn) {
       csv_.fail(1, columns_.names[c], "the body has a quaternion and Euler angles: one is enough");
     }
-    const bool first = body.turn == Columns::Turn::none;
-    body.turn = turn;
+    const bool first = body.rotation_format == Columns::RotationFormat::none;
+    body.rotation_format = turn;
     if (quaternion)
       return put(body.rotation[last == 'w' ? 0 : static_cast<std::size_t>(last - 'w')]);
     if (part.unit.empty())
       csv_.fail(1, columns_.names[c], "must say its unit: end in _deg or _rad");
-    const double radians = part.unit == "deg" ? kDegree : 1;
-    if (!first && body.radians != radians) csv_.fail(1, columns_.names[c], "is in another unit");
-    body.radians = radians;
+    const double radians = part.unit == "deg" ? kRadPerDegree : 1;
+    if (!first && body.radians_per_unit != radians)
+      csv_.fail(1, columns_.names[c], "is in another unit");
+    body.radians_per_unit = radians;
     put(body.rotation[part.part == "azimuth" ? 0 : part.part == "elevation" ? 1 : 2]);
   }
 
@@ -173,14 +176,14 @@ class HeaderReader {
     };
     static constexpr const char* kAxes[] = {"x", "y", "z"};
     for (std::size_t k = 0; k < 3; ++k) {
-      if (body.position[k] == Columns::kNone) missing(kAxes[k]);
+      if (body.position[k] == Columns::kNoColumn) missing(kAxes[k]);
     }
     static constexpr const char* kQuaternion[] = {"qw", "qx", "qy", "qz"};
     static constexpr const char* kEuler[] = {"azimuth", "elevation", "roll"};
-    if (body.turn == Columns::Turn::none) return;
-    const bool quaternion = body.turn == Columns::Turn::quaternion;
+    if (body.rotation_format == Columns::RotationFormat::none) return;
+    const bool quaternion = body.rotation_format == Columns::RotationFormat::quaternion;
     for (std::size_t k = 0; k < (quaternion ? 4u : 3u); ++k) {
-      if (body.rotation[k] == Columns::kNone) missing(quaternion ? kQuaternion[k] : kEuler[k]);
+      if (body.rotation[k] == Columns::kNoColumn) missing(quaternion ? kQuaternion[k] : kEuler[k]);
     }
   }
 

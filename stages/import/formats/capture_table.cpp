@@ -13,7 +13,7 @@ namespace {
 
 using Columns = CaptureColumns;
 
-bool not_seen(std::string_view cell) {
+bool is_missing_cell(std::string_view cell) {
   return cell.empty() || cell == "NaN" || cell == "nan" || cell == "NAN";
 }
 
@@ -25,8 +25,8 @@ CaptureTable read_capture_table(const files::CsvText& csv, const Columns& column
   for (std::size_t c = 0; c < needed.size(); ++c) {
     needed[c] = std::ranges::find(columns.left_out, columns.names[c]) == columns.left_out.end();
   }
-  const std::size_t clock = columns.time != Columns::kNone ? columns.time : columns.frame;
-  const double step = columns.time != Columns::kNone ? 1 : 1 / rate_hz;
+  const std::size_t clock = columns.time != Columns::kNoColumn ? columns.time : columns.frame;
+  const double step = columns.time != Columns::kNoColumn ? 1 : 1 / rate_hz;
   CaptureTable rows;
   rows.columns = columns.names.size();
   rows.values.reserve((csv.lines.size() - 1) * rows.columns);
@@ -38,13 +38,13 @@ CaptureTable read_capture_table(const files::CsvText& csv, const Columns& column
                fmt::format("the row has {} cells, the header {}", cells.size(), rows.columns));
     }
     for (std::size_t c = 0; c < cells.size(); ++c) {
-      rows.values.push_back(!needed[c] || not_seen(cells[c])
-                                ? kNotSeen
+      rows.values.push_back(!needed[c] || is_missing_cell(cells[c])
+                                ? kUnknown
                                 : csv.number(line, columns.names[c], cells[c]));
     }
     const double now = rows[rows.time.size()][clock];
     if (!std::isfinite(now)) csv.fail(line, columns.names[clock], "is empty");
-    if (line == 2 && columns.time == Columns::kNone) first = now;
+    if (line == 2 && columns.time == Columns::kNoColumn) first = now;
     const double t = (now - first) * step;
     constexpr double kHour = 3600;
     if (!rows.time.empty() && !(t > rows.time.back())) {

@@ -17,7 +17,7 @@ using Columns = CaptureColumns;
 
 HandStream read_glove_columns(const files::CsvText& csv, const Columns& columns,
                               const CaptureTable& rows,
-                              const std::map<std::string, RawToAngle>& calibration,
+                              const std::map<std::string, SensorCalibration>& calibration,
                               std::vector<std::string>& reports) {
   using Unit = Columns::GloveSensor::Unit;
   HandStream hand;
@@ -26,7 +26,7 @@ HandStream read_glove_columns(const files::CsvText& csv, const Columns& columns,
   hand.time = rows.time;
   const auto n = static_cast<Eigen::Index>(rows.time.size());
   hand.angles =
-      JointRows::Constant(n, static_cast<Eigen::Index>(human::kGloveSensorCount), kNotSeen);
+      JointRows::Constant(n, static_cast<Eigen::Index>(human::kGloveSensorCount), kUnknown);
   std::vector<std::string> missing(hand.names), never;
   for (const auto& [sensor, column, unit] : columns.glove) {
     const std::string name = human::kGloveSensors[sensor];

@@ -10,12 +10,12 @@
 
 namespace morphe::imports {
 
-/// The glove of a capture's table, all kGloveSensors in rad: NaN for those the file lacks, which
-/// are reported, as are those without a number. InputError for raw counts without calibration and
-/// an angle of more than half a turn.
+/// Reads the glove of a capture table, all kGloveSensors in rad: NaN for those missing in the file,
+/// which are reported, as are those without a number. Throws InputError for raw counts without
+/// calibration and an angle of more than half a turn.
 HandStream read_glove_columns(const files::CsvText& csv, const CaptureColumns& columns,
                               const CaptureTable& rows,
-                              const std::map<std::string, RawToAngle>& calibration,
+                              const std::map<std::string, SensorCalibration>& calibration,
                               std::vector<std::string>& reports);
 
 }  // namespace morphe::imports

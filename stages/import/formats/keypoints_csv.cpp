@@ -1,7 +1,7 @@
-// 21 points of a hand as text: column names, then a row a frame. KeypointColumns, in any order:
-// `frame` (whole numbers that grow) or `time_s`, and kp00_x … kp20_z: the wrist, then four a finger
-// from its base to its tip, thumb first. An empty cell or "nan" was not seen. Neither unit nor rate
-// is said.
+// 21 points of a hand as text: column names, then a row per frame. The columns, in any order, are
+// `frame` (increasing whole numbers) or `time_s`, and kp00_x … kp20_z: the wrist, then four per
+// finger from its base to its tip, thumb first. An empty cell or "nan" means not seen. The file
+// contains neither unit nor rate.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -17,12 +17,12 @@
 namespace morphe::imports {
 namespace {
 
-constexpr std::size_t kPoints = 21;
+constexpr std::size_t kCsvKeypointCount = 21;
 
-/// Where the numbers of a row stand.
+/// The positions of the numbers in a row.
 struct KeypointColumns {
   std::optional<std::size_t> frame, time_s;
-  std::size_t of_point[kPoints][3] = {};
+  std::size_t of_point[kCsvKeypointCount][3] = {};
 };
 
 std::string column_name(std::size_t point, std::size_t axis) {
@@ -36,7 +36,7 @@ KeypointColumns read_columns(const NamedColumns& named) {
   if (named.has("frame")) columns.frame = take("frame");
   if (named.has("time_s")) columns.time_s = take("time_s");
   if (known.empty()) named.csv.fail(named.line, "frame", "neither this nor time_s is there");
-  for (std::size_t point = 0; point < kPoints; ++point) {
+  for (std::size_t point = 0; point < kCsvKeypointCount; ++point) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       columns.of_point[point][axis] = take(column_name(point, axis));
     }
@@ -50,7 +50,7 @@ KeypointColumns read_columns(const NamedColumns& named) {
 Vec3 read_point(const files::CsvText& csv, std::size_t line,
                 const std::vector<std::string_view>& cells, const KeypointColumns& columns,
                 std::size_t point) {
-  Vec3 result = unseen_point();
+  Vec3 result = unknown_point();
   int filled = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::string_view cell = cells[columns.of_point[point][axis]];
@@ -75,18 +75,18 @@ double read_time(const files::CsvText& csv, std::size_t line,
   return frame / rate_hz;
 }
 
-/// Says what of the points is not known, and refuses a hand that no unit explains.
-void judge(const files::CsvText& csv, const HandStream& hand, bool judged,
-           std::vector<std::string>& reports) {
+/// Reports unseen points, and rejects a hand with an implausible size.
+void check_keypoints(const files::CsvText& csv, const HandStream& hand, bool judged,
+                     std::vector<std::string>& reports) {
   std::size_t unseen = 0, centred = 0;
   double farthest = 0;
   for (std::size_t i = 0; i < hand.position.rows; ++i) {
     const Vec3& wrist = hand.position(i, 0);
-    if (seen(wrist) && wrist.norm() < 1e-6) ++centred;
-    for (std::size_t point = 0; point < kPoints; ++point) {
+    if (is_known(wrist) && wrist.norm() < 1e-6) ++centred;
+    for (std::size_t point = 0; point < kCsvKeypointCount; ++point) {
       const Vec3& here = hand.position(i, point);
-      if (!seen(here)) ++unseen;
-      if (seen(here) && seen(wrist)) farthest = std::max(farthest, (here - wrist).norm());
+      if (!is_known(here)) ++unseen;
+      if (is_known(here) && is_known(wrist)) farthest = std::max(farthest, (here - wrist).norm());
     }
   }
   if (unseen == hand.position.values.size()) {
@@ -96,9 +96,10 @@ void judge(const files::CsvText& csv, const HandStream& hand, bool judged,
         fmt::format("{} of {} points were not seen", unseen, hand.position.values.size()));
   }
   if (judged && farthest > 0 && (farthest < 0.05 || farthest > 0.5)) {
-    throw NotSaid("unit", fmt::format("{}:1: unit: cannot be right: a point would be {:.3g} m from "
-                                      "the wrist",
-                                      csv.file, farthest));
+    throw UnresolvedConvention(
+        "unit", fmt::format("{}:1: unit: cannot be right: a point would be {:.3g} m from "
+                            "the wrist",
+                            csv.file, farthest));
   }
   reports.push_back(
       centred == hand.position.rows
@@ -118,7 +119,7 @@ bool recognises_keypoints_csv(std::string_view head) {
 Demonstration read_keypoints_csv(const RecordingFiles& files) {
   const files::CsvText csv = files::read_csv(files.file);
   if (!files.static_trial.empty()) csv.fail(1, "static", "this format has no static trial");
-  if (!files.renamed.empty()) csv.fail(1, "names", "this format has no names to map");
+  if (!files.name_map.empty()) csv.fail(1, "names", "this format has no names to map");
   if (!files.conventions.axes.empty()) {
     csv.fail(1, "axes", "of the points do not matter: only the hand's shape is taken from them");
   }
@@ -127,25 +128,26 @@ Demonstration read_keypoints_csv(const RecordingFiles& files) {
   const KeypointColumns columns = read_columns(named);
   Demonstration demonstration;
   std::vector<std::string>& reports = demonstration.reports;
-  reports = csv.reports;
-  const double metres = metres_of("", files.conventions, csv.file, reports);
-  const double rate_hz = columns.time_s ? 0 : rate_of(0, files.conventions, csv.file, reports);
+  reports = csv.notes;
+  const double metres = resolve_unit_m("", files.conventions, csv.file, reports);
+  const double rate_hz =
+      columns.time_s ? 0 : resolve_rate_hz(0, files.conventions, csv.file, reports);
 
   HandStream hand;
   hand.kind = HandKind::keypoints;
-  hand.position = Table<Vec3>(named.rows(), kPoints, unseen_point());
+  hand.position = Array2D<Vec3>(named.rows(), kCsvKeypointCount, unknown_point());
   for (std::size_t line = named.first_row(); line <= csv.lines.size(); ++line) {
     const auto cells = named.cells(line);
     hand.time.push_back(read_time(csv, line, cells, columns, rate_hz));
     if (hand.time.size() > 1 && !(hand.time.back() > hand.time[hand.time.size() - 2])) {
       csv.fail(line, columns.time_s ? "time_s" : "frame", "does not follow the row before");
     }
-    for (std::size_t point = 0; point < kPoints; ++point) {
+    for (std::size_t point = 0; point < kCsvKeypointCount; ++point) {
       hand.position(line - named.first_row(), point) =
           metres * read_point(csv, line, cells, columns, point);
     }
   }
-  judge(csv, hand, files.conventions.judged, reports);
+  check_keypoints(csv, hand, files.conventions.plausibility_checks, reports);
   demonstration.streams.hand = std::move(hand);
   return demonstration;
 }

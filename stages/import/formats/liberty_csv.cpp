@@ -1,19 +1,19 @@
-// Polhemus Liberty sensors and a CyberGlove II as text, columns by name: one file each or both in
-// one, and for the calibration pose likewise.
+// Polhemus Liberty sensors and a CyberGlove II as text, with columns by name: one file each or both
+// in one, and likewise for the calibration pose.
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "core/human/calibration.hpp"
 #include "core/motion/input_error.hpp"
-#include "stages/import/formats/capture_rows.hpp"
+#include "stages/import/formats/capture_file.hpp"
 #include "stages/import/formats/readers.hpp"
 #include "stages/import/recording/format.hpp"
 
 namespace morphe::imports {
 namespace {
 
-/// The streams of one or two files; what both have is an error.
+/// Reads the streams of one or two files; a stream in both is an error.
 Streams read_pair(const std::filesystem::path& first, const std::filesystem::path& second,
                   const RecordingFiles& files, std::vector<std::string>& used,
                   std::vector<std::string>& reports) {
@@ -56,7 +56,7 @@ Demonstration read_liberty_csv(const RecordingFiles& files) {
   for (const std::string& report : still) {
     demonstration.reports.push_back("calibration pose: " + report);
   }
-  for (const auto& entry : files.renamed) {
+  for (const auto& entry : files.name_map) {
     if (std::ranges::find(used, entry.first) == used.end()) {
       throw InputError(fmt::format("{}: names: '{}' is renamed but was not recorded",
                                    files.file.string(), entry.first));

@@ -13,18 +13,19 @@ bool not_a_number(std::string_view cell) { return cell == "NaN" || cell == "nan"
 }  // namespace
 
 std::string MarkerColumns::name(std::size_t column) const {
-  if (column < kFirst) return leading[column];
-  return fmt::format("{}.{}", names[(column - kFirst) / 3], "XYZ"[(column - kFirst) % 3]);
+  if (column < kLeadingCount) return leading[column];
+  return fmt::format("{}.{}", names[(column - kLeadingCount) / 3],
+                     "XYZ"[(column - kLeadingCount) % 3]);
 }
 
 std::vector<std::string> read_marker_names(const files::CsvText& csv, std::size_t line) {
   const auto cells = csv.cells(line);
   std::size_t end = cells.size();
-  while (end > MarkerColumns::kFirst && cells[end - 1].empty()) --end;
+  while (end > MarkerColumns::kLeadingCount && cells[end - 1].empty()) --end;
   std::vector<std::string> names;
   std::set<std::string_view> known;
-  for (std::size_t c = MarkerColumns::kFirst; c < end; ++c) {
-    const bool begins_marker = (c - MarkerColumns::kFirst) % 3 == 0;
+  for (std::size_t c = MarkerColumns::kLeadingCount; c < end; ++c) {
+    const bool begins_marker = (c - MarkerColumns::kLeadingCount) % 3 == 0;
     if (begins_marker == cells[c].empty()) {
       csv.fail(line, fmt::format("column {}", c + 1),
                begins_marker ? "has no marker name"
@@ -40,7 +41,7 @@ std::vector<std::string> read_marker_names(const files::CsvText& csv, std::size_
 
 void read_points(const files::CsvText& csv, std::size_t line,
                  const std::vector<std::string_view>& cells, const MarkerColumns& columns,
-                 double metres, Table<Vec3>& position, std::size_t row) {
+                 double metres, Array2D<Vec3>& position, std::size_t row) {
   const auto wrong_count = [&](const std::string& key) {
     csv.fail(line, key,
              fmt::format("the row has {} cells, the header {}", cells.size(), columns.count()));
@@ -53,10 +54,10 @@ void read_points(const files::CsvText& csv, std::size_t line,
     Vec3 point;
     int filled = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::size_t c = MarkerColumns::kFirst + 3 * k + axis;
+      const std::size_t c = MarkerColumns::kLeadingCount + 3 * k + axis;
       if (cells[c].empty() || not_a_number(cells[c])) continue;
       const std::optional<double> value = files::finite_number(cells[c]);
-      if (!value) csv.number(line, columns.name(c), cells[c]);  // fails, and says where
+      if (!value) csv.number(line, columns.name(c), cells[c]);  // fails with the location
       point[static_cast<Eigen::Index>(axis)] = *value * metres;
       ++filled;
     }

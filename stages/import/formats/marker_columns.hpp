@@ -10,26 +10,27 @@
 
 namespace morphe::imports {
 
-/// Markers as Vicon's CSV and TRC write them: two columns of their own, then X, Y and Z of each
-/// marker, whose name stands above its X.
+/// The marker columns of Vicon's CSV and TRC: two leading columns, then X, Y and Z of each marker,
+/// whose name is above its X.
 struct MarkerColumns {
-  static constexpr std::size_t kFirst = 2;
-  std::string leading[kFirst];     ///< what the first two columns are called
-  std::vector<std::string> names;  ///< [K]
+  static constexpr std::size_t kLeadingCount = 2;  ///< columns before the first marker's
+  std::string leading[kLeadingCount];              ///< names of the first two columns
+  std::vector<std::string> names;                  ///< [K]
 
-  std::size_t count() const { return kFirst + 3 * names.size(); }
-  std::string name(std::size_t column) const;  ///< for messages: "RFTP.X"
+  /// Returns the number of columns.
+  std::size_t count() const { return kLeadingCount + 3 * names.size(); }
+  std::string name(std::size_t column) const;  ///< name for messages: "RFTP.X"
 };
 
-/// The names of a line, empty cells behind the last one aside. InputError for one where no marker
-/// begins, a marker without one, a name that stands twice, and none at all.
+/// Reads the names in a line; trailing empty cells are ignored. Throws InputError for a name in
+/// another column, a marker without a name, a repeated name, and a line without names.
 std::vector<std::string> read_marker_names(const files::CsvText& csv, std::size_t line);
 
-/// A marker's three cells of a row, times `metres`. No cell, or NaN in all three, was not seen.
-/// InputError for a row with too few cells or text behind the last marker's, a cell that is no
-/// number, and a marker with some of X, Y, Z but not all.
+/// Reads a marker's three cells of a row, times `metres`. An empty cell, or NaN in all three, means
+/// not seen. Throws InputError for a row with too few cells or text after the last marker's, a cell
+/// that is not a number, and a marker with some of X, Y, Z but not all.
 void read_points(const files::CsvText& csv, std::size_t line,
                  const std::vector<std::string_view>& cells, const MarkerColumns& columns,
-                 double metres, Table<Vec3>& position, std::size_t row);
+                 double metres, Array2D<Vec3>& position, std::size_t row);
 
 }  // namespace morphe::imports

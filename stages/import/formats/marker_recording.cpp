@@ -8,9 +8,9 @@
 #include <set>
 
 #include "core/motion/input_error.hpp"
-#include "stages/import/formats/joints_of_points.hpp"
+#include "stages/import/formats/extract_joints.hpp"
+#include "stages/import/recording/apply_name_map.hpp"
 #include "stages/import/recording/arm_names.hpp"
-#include "stages/import/recording/rename.hpp"
 #include "stages/import/trackers/hand_checks.hpp"
 #include "stages/import/trackers/hand_tracker.hpp"
 #include "stages/import/trackers/world_checks.hpp"
@@ -18,22 +18,22 @@
 namespace morphe::imports {
 namespace {
 
-constexpr double kRoom = 30, kHand = 0.002;  // [m]
+constexpr double kMaxMarkerSpread_m = 30, kMinMarkerSpread_m = 0.002;  // [m]
 
-/// Diagonal of the box around every point that was seen, NaN if none was.
-double extent(const Table<Vec3>& position) {
+/// Returns the diagonal of the box around all seen points, NaN if no point was seen.
+double extent(const Array2D<Vec3>& position) {
   Eigen::AlignedBox3d box;
   for (const Vec3& point : position.values) {
-    if (seen(point)) box.extend(point);
+    if (is_known(point)) box.extend(point);
   }
-  return box.isEmpty() ? kNotSeen : box.diagonal().norm();
+  return box.isEmpty() ? kUnknown : box.diagonal().norm();
 }
 
 void hide_points_at_origin(MarkerRecording& recording) {
   std::size_t hidden = 0;
   for (Vec3& point : recording.markers.position.values) {
     if (!point.isZero(0)) continue;
-    point = unseen_point();
+    point = unknown_point();
     ++hidden;
   }
   if (hidden > 0) {
@@ -44,7 +44,7 @@ void hide_points_at_origin(MarkerRecording& recording) {
 
 bool ever_seen(const MarkerStream& markers, std::size_t k) {
   for (std::size_t i = 0; i < markers.time.size(); ++i) {
-    if (seen(markers.position(i, k))) return true;
+    if (is_known(markers.position(i, k))) return true;
   }
   return false;
 }
@@ -63,7 +63,8 @@ void report_never_seen(MarkerRecording& recording) {
   }
 }
 
-/// Where joints are is seen in a static trial, or from landmarks in the recording itself.
+/// Reports a missing static trial: joints are located by it, or by landmarks in the recording
+/// itself.
 void report_no_static(Demonstration& demonstration) {
   if (!demonstration.streams.markers || demonstration.streams.skeleton) return;
   const MarkerStream& markers = *demonstration.streams.markers;
@@ -93,9 +94,10 @@ void bring_into_world(MarkerRecording& recording, const std::string& source,
         "the file does not say its axes: '{}' point right, forward and up, as is usual", usual));
   }
   if (axes.empty()) {
-    throw NotSaid("axes", fmt::format("{}: axes: the file does not say which axes point right, "
-                                      "forward and up; give --axes or `axes:` such as 'x y z'",
-                                      source));
+    throw UnresolvedConvention(
+        "axes", fmt::format("{}: axes: the file does not say which axes point right, "
+                            "forward and up; give --axes or `axes:` such as 'x y z'",
+                            source));
   }
   const Eigen::Matrix3d turn = world_from_recorded(axes, source);
   for (Vec3& point : recording.markers.position.values) point = turn * point;
@@ -109,10 +111,11 @@ void bring_into_world(MarkerRecording& recording, const std::string& source,
 void check_extent(const MarkerRecording& recording, const std::string& source) {
   const double apart = extent(recording.markers.position);
   const bool whole_hand = recording.markers.names.size() >= 3;
-  if (apart > kRoom || (whole_hand && apart > 0 && apart < kHand)) {
-    throw NotSaid("unit", fmt::format("{}: unit: the markers spread over {:.3g} m; give --unit or "
-                                      "`unit:` if the file's is wrong",
-                                      source, apart));
+  if (apart > kMaxMarkerSpread_m || (whole_hand && apart > 0 && apart < kMinMarkerSpread_m)) {
+    throw UnresolvedConvention(
+        "unit", fmt::format("{}: unit: the markers spread over {:.3g} m; give --unit or "
+                            "`unit:` if the file's is wrong",
+                            source, apart));
   }
 }
 
@@ -123,18 +126,18 @@ MarkerRecording read_into_world(const std::filesystem::path& file, const Recordi
   MarkerRecording recording = read(file, files.conventions);
   hide_points_at_origin(recording);
   bring_into_world(recording, file.string(), files.conventions.axes, usual_axes);
-  if (files.conventions.judged) check_extent(recording, file.string());
+  if (files.conventions.plausibility_checks) check_extent(recording, file.string());
   return recording;
 }
 
-/// Markers and bodies share one space of names.
+/// Applies a name map; markers and bodies share one set of names.
 void rename_all(const std::string& file, const std::map<std::string, std::string>& renamed,
                 MarkerRecording& recording) {
   std::vector<std::string>&markers = recording.markers.names,
   &bodies = recording.bodies.poses.names;
   std::vector<std::string> all = markers;
   all.insert(all.end(), bodies.begin(), bodies.end());
-  rename(file, renamed, all);
+  apply_name_map(file, renamed, all);
   const auto first_body = all.begin() + static_cast<std::ptrdiff_t>(markers.size());
   markers.assign(all.begin(), first_body);
   bodies.assign(first_body, all.end());
@@ -147,10 +150,11 @@ bool has(const MarkerRecording& recording, const std::string& name) {
   return among(recording.markers.names) || among(recording.bodies.poses.names);
 }
 
-/// A static trial holds markers that the recording lacks, and the other way round.
+/// Applies the name map to a recording and its static trial, either of which may lack markers of
+/// the other.
 void rename_both(const RecordingFiles& files, MarkerRecording& recording, MarkerRecording& still) {
   std::map<std::string, std::string> here, there;
-  for (const auto& entry : files.renamed) {
+  for (const auto& entry : files.name_map) {
     const bool in_still = has(still, entry.first);
     if (in_still) there.insert(entry);
     if (has(recording, entry.first) || !in_still) here.insert(entry);
@@ -159,7 +163,7 @@ void rename_both(const RecordingFiles& files, MarkerRecording& recording, Marker
   rename_all(files.static_trial.string(), there, still);
 }
 
-/// Points that are called as joints are a hand's like any tracker's.
+/// Checks points that are named as joints like a tracker's hands.
 void check_joints(const RecordingFiles& files, Demonstration& demonstration) {
   if (!demonstration.streams.skeleton) return;
   HandClip clip;
@@ -172,7 +176,7 @@ void check_joints(const RecordingFiles& files, Demonstration& demonstration) {
     clip.hands[static_cast<std::size_t>(side)] = unseen_hand(clip.time.size());
   }
   std::vector<std::string>& reports = demonstration.reports;
-  check_hands(files.file.string(), clip, files.conventions.judged, reports);
+  check_hands(files.file.string(), clip, files.conventions.plausibility_checks, reports);
   check_world(clip, reports);
 }
 
@@ -182,28 +186,29 @@ Demonstration read_marker_recording(const RecordingFiles& files,
                                     MarkerRecording (*read)(const std::filesystem::path&,
                                                             const Conventions&),
                                     const std::string& usual_axes) {
-  MarkerRecording recording = read_into_world(files.file, files, read, usual_axes), still;
+  MarkerRecording recording = read_into_world(files.file, files, read, usual_axes),
+                  static_recording;
   if (!files.static_trial.empty()) {
-    still = read_into_world(files.static_trial, files, read, usual_axes);
+    static_recording = read_into_world(files.static_trial, files, read, usual_axes);
   }
-  rename_both(files, recording, still);
+  rename_both(files, recording, static_recording);
   Demonstration demonstration;
   demonstration.subject = recording.subject;
   report_never_seen(recording);
   demonstration.reports = recording.reports;
   if (!recording.markers.names.empty() || recording.bodies.poses.names.empty()) {
     demonstration.streams.markers = std::move(recording.markers);
-    take_joints(files.hand, demonstration);
+    extract_joints(files.hand, demonstration);
   }
   add_rigid_bodies(recording.bodies, demonstration);
   check_joints(files, demonstration);
   if (files.static_trial.empty()) report_no_static(demonstration);
   if (!files.static_trial.empty()) {
-    report_never_seen(still);
-    for (const std::string& report : still.reports) {
+    report_never_seen(static_recording);
+    for (const std::string& report : static_recording.reports) {
       demonstration.reports.push_back("static trial: " + report);
     }
-    demonstration.calibration.markers = std::move(still.markers);
+    demonstration.calibration.markers = std::move(static_recording.markers);
   }
   return demonstration;
 }

@@ -8,22 +8,23 @@
 
 namespace morphe::imports {
 
-/// A file of markers as it stands there: its own axes, but metres.
+/// The contents of a file of markers, in its own axes, but in metres.
 struct MarkerRecording {
-  MarkerStream markers;
-  RigidBodies bodies;   ///< on the markers' clock, if the format has them
-  std::string subject;  ///< "" = not said
-  std::string axes;     ///< as Conventions::axes; "" = not said
-  std::vector<std::string> reports;
+  MarkerStream markers;              ///< markers [m]
+  RigidBodies bodies;                ///< on the markers' clock, if the format has them
+  std::string subject;               ///< "" if absent
+  std::string axes;                  ///< as Conventions::axes; "" if absent
+  std::vector<std::string> reports;  ///< assumptions and repairs
 };
 
-/// Recording and static trial in the world: axes as given, else as the file says, else
-/// `usual_axes`, which is reported ("" = an InputError that asks for them); names renamed. A point
-/// exactly at the origin is how some programs write what was not seen: it becomes that. Markers
-/// that were never seen and such points are reported. InputError "FILE: unit: …" if the markers
-/// stand farther apart than in any room or nearer than on any hand, and for names that stand twice.
-/// Points that are called as joints become a skeleton (joints_of_points.hpp), rigid bodies what
-/// rigid_bodies.hpp says; those of a static trial are left out.
+/// Reads a recording and its static trial into the world. The axes are the given ones, otherwise
+/// the file's, otherwise `usual_axes`, which is reported ("" for an InputError that asks for them);
+/// names are mapped. A point exactly at the origin, by which some programs denote an unseen marker,
+/// becomes unseen. Markers that were never seen and such points are reported. Throws InputError
+/// "FILE: unit: …" if the distances between markers are larger than any capture volume or smaller
+/// than any hand, and for repeated names. Points that are named as joints become a skeleton
+/// (extract_joints.hpp), rigid bodies are added by rigid_bodies.hpp; those of a static trial are
+/// left out.
 Demonstration read_marker_recording(const RecordingFiles& files,
                                     MarkerRecording (*read)(const std::filesystem::path&,
                                                             const Conventions&),

@@ -1,7 +1,7 @@
 // OpenSim storage (.mot, .sto) of joint coordinates: header lines up to "endheader", a line of
-// column names that begins with "time", then a row a sample; cells separated by commas, or else by
-// blanks and tabs. AngleStream holds angles alone: columns called …_tx, …_ty, …_tz or …trans… are
-// translations and left out (reported).
+// column names that begins with "time", then a row per sample; cells are separated by commas, or
+// otherwise by blanks and tabs. AngleStream contains angles only: columns named …_tx, …_ty, …_tz or
+// …trans… are translations and left out (reported).
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -15,14 +15,14 @@
 #include "core/files/csv.hpp"
 #include "core/motion/input_error.hpp"
 #include "stages/import/formats/readers.hpp"
+#include "stages/import/recording/apply_name_map.hpp"
 #include "stages/import/recording/column_label.hpp"
 #include "stages/import/recording/format.hpp"
-#include "stages/import/recording/rename.hpp"
 
 namespace morphe::imports {
 namespace {
 
-/// The cells of a line; empty ones at its end are padding.
+/// Returns the cells of a line without empty ones at its end, which are padding.
 std::vector<std::string_view> cells_of(const files::CsvText& text, std::size_t line) {
   std::vector<std::string_view> cells;
   if (text.separator == ',') {
@@ -44,11 +44,11 @@ struct MotHeader {
   std::map<std::string, std::string> value;  ///< by key in lower case
 };
 
-/// Lines "key=value" up to "endheader"; others are the author's words.
+/// Reads lines "key=value" up to "endheader"; other lines are free text.
 MotHeader read_mot_header(const files::CsvText& text) {
   MotHeader header;
   for (std::size_t line = 1; line <= text.lines.size(); ++line) {
-    std::string here = small(text.lines[line - 1]);
+    std::string here = to_lower(text.lines[line - 1]);
     here.erase(std::find(here.begin(), here.end(), ','), here.end());
     std::erase_if(here, [](char c) { return c == ' ' || c == '\t'; });
     if (here == "endheader") {
@@ -63,40 +63,40 @@ MotHeader read_mot_header(const files::CsvText& text) {
 }
 
 bool is_translation(const std::string& column) {
-  const std::string name = small(column);
+  const std::string name = to_lower(column);
   return name.ends_with("_tx") || name.ends_with("_ty") || name.ends_with("_tz") ||
          name.find("trans") != std::string::npos;
 }
 
-/// Radians in the file's unit of angle.
+/// Returns radians in the file's unit of angle.
 double radians_of(const files::CsvText& text, const MotHeader& header,
                   const Conventions& conventions) {
   if (const auto said = header.value.find("indegrees"); said != header.value.end()) {
-    if (said->second == "yes" || said->second == "true") return kDegree;
+    if (said->second == "yes" || said->second == "true") return kRadPerDegree;
     if (said->second == "no" || said->second == "false") return 1;
     text.fail(header.end, "inDegrees", fmt::format("must be yes or no, not '{}'", said->second));
   }
-  if (conventions.unit == "deg") return kDegree;
+  if (conventions.unit == "deg") return kRadPerDegree;
   if (conventions.unit == "rad") return 1;
   text.fail(header.end, "inDegrees",
             "the header does not say whether angles are in degrees; give --unit or `unit:` deg or "
             "rad");
 }
 
-/// Says so where the header is wrong about how much there is.
+/// Reports a count in the header that differs from the contents.
 void compare_count(const files::CsvText& text, const MotHeader& header, const std::string& key,
                    std::size_t found, const char* what, std::vector<std::string>& reports) {
-  const auto said = header.value.find(small(key));
+  const auto said = header.value.find(to_lower(key));
   if (said == header.value.end()) return;
   if (text.number(header.end, key, said->second) == static_cast<double>(found)) return;
   reports.push_back(fmt::format("{} says {}, the file holds {} {}: those were taken", key,
                                 said->second, found, what));
 }
 
-/// A number, or NaN where a program wrote that it has none.
+/// Returns a number, or NaN if the cell contains "nan".
 double number_or_nan(const files::CsvText& text, std::size_t line, const std::string& column,
                      std::string_view cell) {
-  return small(cell) == "nan" ? kNotSeen : text.number(line, column, cell);
+  return to_lower(cell) == "nan" ? kUnknown : text.number(line, column, cell);
 }
 
 std::vector<std::string> read_columns(const files::CsvText& text, std::size_t line) {
@@ -107,7 +107,7 @@ std::vector<std::string> read_columns(const files::CsvText& text, std::size_t li
     if (!known.emplace(cell).second) text.fail(line, cell, "the column stands twice");
     columns.emplace_back(cell);
   }
-  if (columns.empty() || small(columns[0]) != "time") {
+  if (columns.empty() || to_lower(columns[0]) != "time") {
     text.fail(line, "time", "the first column must be called this");
   }
   return columns;
@@ -116,7 +116,7 @@ std::vector<std::string> read_columns(const files::CsvText& text, std::size_t li
 }  // namespace
 
 bool recognises_mot(std::string_view head) {
-  const std::string text = small(head);
+  const std::string text = to_lower(head);
   return text.find("endheader") != std::string::npos &&
          (text.find("nrows") != std::string::npos || text.find("indegrees") != std::string::npos ||
           text.find("datatype") != std::string::npos);
@@ -127,10 +127,10 @@ Demonstration read_mot(const RecordingFiles& files) {
   if (!files.static_trial.empty()) text.fail(1, "static", "this format has no static trial");
   Demonstration demonstration;
   std::vector<std::string>& reports = demonstration.reports;
-  reports = text.reports;
+  reports = text.notes;
   const MotHeader header = read_mot_header(text);
   std::size_t line = header.end + 1;
-  while (line <= text.lines.size() && text.blank(line)) ++line;
+  while (line <= text.lines.size() && text.is_blank(line)) ++line;
   if (line > text.lines.size()) text.fail(header.end, "", "the file ends after its header");
   if (text.lines[line - 1].find(',') == std::string::npos) text.separator = '\t';
   const std::vector<std::string> columns = read_columns(text, line);
@@ -151,7 +151,7 @@ Demonstration read_mot(const RecordingFiles& files) {
   std::vector<double> values;
   std::size_t unseen = 0;
   for (++line; line <= text.lines.size(); ++line) {
-    if (text.blank(line)) continue;
+    if (text.is_blank(line)) continue;
     const auto cells = cells_of(text, line);
     if (cells.size() != columns.size()) {
       text.fail(line, cells.size() < columns.size() ? columns[cells.size()] : "",
@@ -180,7 +180,7 @@ Demonstration read_mot(const RecordingFiles& files) {
   if (unseen > 0) {
     reports.push_back(fmt::format("{} of {} angles are NaN: not seen", unseen, values.size()));
   }
-  rename(text.file, files.renamed, stream.joints);
+  apply_name_map(text.file, files.name_map, stream.joints);
   demonstration.streams.arm_angles = std::move(stream);
   return demonstration;
 }

@@ -1,10 +1,10 @@
-// Takes that OptiTrack's Motive exports as CSV: rigid bodies and markers. Line 1 holds pairs of a
-// key and its value (format version, rates, units); then the types, names and IDs of the columns,
-// their quantities, "Frame,Time…" above X, Y, Z and W, and a row a frame. A body or marker that was
-// not seen has empty cells. Quaternions stand as x, y, z, w.
+// Takes that OptiTrack's Motive exports as CSV: rigid bodies and markers. Line 1 contains pairs of
+// a key and its value (format version, rates, units); then follow the types, names and IDs of the
+// columns, their quantities, "Frame,Time…" above X, Y, Z and W, and a row per frame. A body or
+// marker that was not seen has empty cells. Quaternions are x, y, z, w.
 //
-// Markers of one name stand twice: as the body's pose puts them ("Rigid Body Marker") and as they
-// were measured ("Marker"). The measured ones are taken where there are any.
+// Markers of one name occur twice: as given by the body's pose ("Rigid Body Marker") and as
+// measured ("Marker"). The measured ones are used if there are any.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -12,7 +12,7 @@
 #include <cmath>
 #include <set>
 
-#include "core/motion/counted.hpp"
+#include "core/motion/count_with_noun.hpp"
 #include "stages/import/formats/marker_recording.hpp"
 #include "stages/import/formats/optitrack_header.hpp"
 #include "stages/import/formats/point_header.hpp"
@@ -24,13 +24,14 @@ namespace {
 
 using Items = std::vector<const OptitrackItem*>;
 
-/// One row of a take.
+/// A row of a take.
 struct TakeRow {
   const files::CsvText& csv;
   std::size_t line;
   std::vector<std::string> cells;
 
-  /// Numbers of an item; none if all cells are empty. InputError if some are.
+  /// Returns the numbers of an item, empty if all cells are empty. Throws InputError if only some
+  /// are.
   std::vector<double> numbers(const OptitrackItem& item, const char* quantity,
                               const std::vector<std::size_t>& columns) const {
     std::vector<double> values;
@@ -45,11 +46,11 @@ struct TakeRow {
   }
 };
 
-/// What a take holds, sorted.
+/// The items of a take by kind.
 struct Take {
   Items bodies, measured, solved;
   std::size_t unlabelled = 0;
-  std::set<std::string> others;  ///< types that are left out
+  std::set<std::string> others;  ///< other types, which are left out
 };
 
 Take sort_items(const OptitrackHeader& header) {
@@ -72,7 +73,7 @@ Take sort_items(const OptitrackHeader& header) {
   return take;
 }
 
-/// Measured markers, and solved ones whose name no measured one has.
+/// Returns the measured markers, and solved ones whose names are not among the measured.
 Items markers_of(const Take& take) {
   Items markers = take.measured;
   const auto has = [&](const OptitrackItem* one) {
@@ -83,14 +84,15 @@ Items markers_of(const Take& take) {
   return markers;
 }
 
-/// Euler angles in degrees turn about the axes in the order of their name, each about the body's
-/// own axis.
-Quat turn_of(const std::vector<double>& numbers, const std::string& order) {
+/// Returns a rotation from a quaternion or from Euler angles in degrees, which turn about the axes
+/// in the order of their name, each about the body's own axis.
+Quat rotation_from_numbers(const std::vector<double>& numbers, const std::string& order) {
   if (numbers.size() == 4) return Quat(numbers[3], numbers[0], numbers[1], numbers[2]);
   Quat turn = Quat::Identity();
   for (const char axis : order) {
     const int k = axis - 'X';
-    turn = turn * Eigen::AngleAxisd(numbers[static_cast<std::size_t>(k)] * kDegree, Vec3::Unit(k));
+    turn = turn *
+           Eigen::AngleAxisd(numbers[static_cast<std::size_t>(k)] * kRadPerDegree, Vec3::Unit(k));
   }
   return turn;
 }
@@ -114,7 +116,7 @@ void read_body(const TakeRow& row, const OptitrackItem& item, const std::string&
   const std::vector<double> position = row.numbers(item, "Position", item.position);
   const std::vector<double> rotation = row.numbers(item, "Rotation", item.rotation);
   if (position.empty() || rotation.empty()) return;
-  const Quat turn = turn_of(rotation, order);
+  const Quat turn = rotation_from_numbers(rotation, order);
   if (!(std::abs(turn.norm() - 1) < 0.01)) {
     row.csv.fail(row.line, fmt::format("{}.Rotation", item.name),
                  "is no quaternion of unit length");
@@ -128,7 +130,7 @@ double time_of(const TakeRow& row, double rate_hz) {
   return rate_hz > 0 ? frame / rate_hz : row.csv.number(row.line, "Time", row.cells[1]);
 }
 
-/// The box around a body's markers in its own frame: those called BODY:… or BODY_….
+/// Returns the box around a body's markers in its own frame: those named BODY:… or BODY_….
 Eigen::AlignedBox3d extent_of(const MarkerStream& markers, const BodyStream& bodies,
                               std::size_t body) {
   Eigen::AlignedBox3d box;
@@ -142,7 +144,7 @@ Eigen::AlignedBox3d extent_of(const MarkerStream& markers, const BodyStream& bod
     for (std::size_t i = 0; i < markers.time.size(); ++i) {
       const Vec3 in_body = bodies.orientation(i, body).conjugate() *
                            (markers.position(i, k) - bodies.position(i, body));
-      if (!seen(in_body)) continue;
+      if (!is_known(in_body)) continue;
       sum += in_body;
       ++count;
     }
@@ -164,7 +166,7 @@ void report_gaps(const std::vector<double>& time, double rate_hz,
   }
   if (gaps > 0) {
     reports.push_back(
-        fmt::format("{:.0f} frames are missing in {}", missing, counted(gaps, "gap")));
+        fmt::format("{:.0f} frames are missing in {}", missing, count_with_noun(gaps, "gap")));
   }
 }
 
@@ -178,13 +180,13 @@ std::string unit_of(const OptitrackHeader& header) {
   return said;
 }
 
-void say_what_is_taken(const OptitrackHeader& header, const Take& take,
-                       std::vector<std::string>& reports) {
+void report_take_contents(const OptitrackHeader& header, const Take& take,
+                          std::vector<std::string>& reports) {
   if (!take.measured.empty() && !take.solved.empty()) {
     reports.push_back("markers as they were measured, not as the poses of their bodies put them");
   }
   if (take.unlabelled > 0) {
-    reports.push_back(fmt::format("{} left out", counted(take.unlabelled, "unlabelled marker")));
+    reports.push_back(fmt::format("{} left out", count_with_noun(take.unlabelled, "unlabelled marker")));
   }
   if (!take.others.empty()) {
     reports.push_back(fmt::format("columns left out: {}", fmt::join(take.others, ", ")));
@@ -204,22 +206,22 @@ MarkerRecording read_take(const std::filesystem::path& file, const Conventions& 
   const std::string order = header.value("Rotation Type");
   check_rotations(csv, header, order, take.bodies);
   MarkerRecording recording;
-  recording.reports = csv.reports;
-  const double metres =
-      metres_of(unit_of(header), conventions, fmt::format("{}:1", csv.file), recording.reports);
+  recording.reports = csv.notes;
+  const double metres = resolve_unit_m(unit_of(header), conventions, fmt::format("{}:1", csv.file),
+                                       recording.reports);
   const std::string said_rate = header.value("Export Frame Rate");
   const double in_file = said_rate.empty() ? 0 : csv.number(1, "Export Frame Rate", said_rate);
   const double rate_hz = in_file > 0 || conventions.rate_hz
-                             ? rate_of(in_file, conventions, csv.file, recording.reports)
+                             ? resolve_rate_hz(in_file, conventions, csv.file, recording.reports)
                              : 0;
   const std::size_t rows = csv.lines.size() - header.line;
   MarkerStream& stream = recording.markers;
   BodyStream& bodies = recording.bodies.poses;
   for (const OptitrackItem* item : markers) stream.names.push_back(item->name);
   for (const OptitrackItem* item : take.bodies) bodies.names.push_back(item->name);
-  stream.position = Table<Vec3>(rows, markers.size(), unseen_point());
-  bodies.position = Table<Vec3>(rows, take.bodies.size(), unseen_point());
-  bodies.orientation = Table<Quat>(rows, take.bodies.size(), unseen_rotation());
+  stream.position = Array2D<Vec3>(rows, markers.size(), unknown_point());
+  bodies.position = Array2D<Vec3>(rows, take.bodies.size(), unknown_point());
+  bodies.orientation = Array2D<Quat>(rows, take.bodies.size(), unknown_rotation());
   for (std::size_t i = 0; i < rows; ++i) {
     const std::size_t line = header.line + 1 + i;
     const TakeRow row{csv, line, quoted_cells(csv.lines[line - 1], csv.separator)};
@@ -245,7 +247,7 @@ MarkerRecording read_take(const std::filesystem::path& file, const Conventions& 
     recording.bodies.extent.push_back(extent_of(stream, bodies, k));
     recording.bodies.bone.push_back(take.bodies[k]->type == "Bone");
   }
-  say_what_is_taken(header, take, recording.reports);
+  report_take_contents(header, take, recording.reports);
   report_gaps(stream.time, rate_hz, recording.reports);
   return recording;
 }

@@ -11,8 +11,8 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-constexpr std::size_t kFirstColumn = 2;  ///< behind frame and time
-constexpr std::size_t kLinesOfHeader = 12;
+constexpr std::size_t kFirstColumn = 2;  ///< after frame and time
+constexpr std::size_t kMaxHeaderLines = 12;
 
 Cells unquoted_cells(const files::CsvText& csv, std::size_t line) {
   return quoted_cells(csv.lines[line - 1], csv.separator);
@@ -27,27 +27,27 @@ void read_first_line(const files::CsvText& csv, OptitrackHeader& header) {
   if (cell(cells, 0) != "Format Version") {
     csv.fail(1, "", "must begin with 'Format Version': export the take with its header");
   }
-  for (std::size_t k = 0; k + 1 < cells.size(); k += 2) header.said[cells[k]] = cells[k + 1];
+  for (std::size_t k = 0; k + 1 < cells.size(); k += 2) header.settings[cells[k]] = cells[k + 1];
   if (header.value("Coordinate Space") == "Local") {
     csv.fail(1, "Coordinate Space", "is Local: export in Global coordinates");
   }
 }
 
-/// The lines between the first and "Frame,Time": types, names, IDs, (parents,) quantities.
+/// Returns the lines between the first and "Frame,Time": types, names, IDs, (parents,) quantities.
 std::vector<std::size_t> lines_above(const files::CsvText& csv, OptitrackHeader& header) {
   std::vector<std::size_t> lines;
-  const std::size_t last = std::min(csv.lines.size(), kLinesOfHeader);
+  const std::size_t last = std::min(csv.lines.size(), kMaxHeaderLines);
   for (std::size_t line = 2; line <= last; ++line) {
     if (cell(unquoted_cells(csv, line), 0) == "Frame") {
       header.line = line;
       return lines;
     }
-    if (!csv.blank(line)) lines.push_back(line);
+    if (!csv.is_blank(line)) lines.push_back(line);
   }
   csv.fail(last, "Frame", "the line 'Frame,Time' is missing: export the take with its header");
 }
 
-/// Columns of one quantity of an item in the order of `axes`.
+/// Returns the columns of one quantity of an item in the order of `axes`.
 std::vector<std::size_t> columns_of(const files::CsvText& csv, std::size_t line,
                                     const OptitrackItem& item, const std::string& quantity,
                                     const std::map<std::string, std::size_t>& found) {
@@ -67,8 +67,8 @@ std::vector<std::size_t> columns_of(const files::CsvText& csv, std::size_t line,
 }  // namespace
 
 std::string OptitrackHeader::value(const std::string& key) const {
-  const auto found = said.find(key);
-  return found == said.end() ? "" : found->second;
+  const auto found = settings.find(key);
+  return found == settings.end() ? "" : found->second;
 }
 
 OptitrackHeader read_optitrack_header(const files::CsvText& csv) {

@@ -9,28 +9,28 @@
 
 namespace morphe::imports {
 
-/// One thing in a take and where its numbers stand: columns of X, Y, Z (and W).
+/// An item of a take with its columns of X, Y, Z (and W).
 struct OptitrackItem {
   std::string type;                   ///< "Rigid Body", "Rigid Body Marker", "Marker", "Bone", …
   std::string name;                   ///< "Box", "Box:Marker1"
-  std::vector<std::size_t> position;  ///< 3, or none
-  std::vector<std::size_t> rotation;  ///< 4 of a quaternion x, y, z, w; 3 of Euler angles; or none
+  std::vector<std::size_t> position;  ///< 3, or empty
+  std::vector<std::size_t> rotation;  ///< 4 of a quaternion x, y, z, w; 3 of Euler angles; or empty
 };
 
 /// The header of a take that Motive exported as CSV.
 struct OptitrackHeader {
-  std::map<std::string, std::string, std::less<>> said;  ///< line 1: "Length Units", …
-  std::vector<OptitrackItem> items;
-  std::size_t line = 0;   ///< of "Frame,Time…"; rows follow
-  std::size_t cells = 0;  ///< of a row
+  std::map<std::string, std::string, std::less<>> settings;  ///< line 1: "Length Units", …
+  std::vector<OptitrackItem> items;  ///< items in the order of their columns
+  std::size_t line = 0;              ///< line of "Frame,Time…"; rows follow
+  std::size_t cells = 0;             ///< number of cells in a row
 
-  /// "" if line 1 does not say it.
+  /// "" if absent in line 1.
   std::string value(const std::string& key) const;
 };
 
-/// Columns are told by what stands above them, not by their place or the file's version. InputError
-/// for a file without these lines, poses relative to other bodies (Coordinate Space Local) and
-/// a position or rotation that lacks a column.
+/// Reads the header. Columns are identified by the lines above them, independent of their position
+/// and the file's version. Throws InputError for a file without these lines, poses relative to
+/// other bodies (Coordinate Space Local) and a position or rotation with a missing column.
 OptitrackHeader read_optitrack_header(const files::CsvText& csv);
 
 }  // namespace morphe::imports

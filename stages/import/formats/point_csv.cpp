@@ -1,7 +1,7 @@
-// Points as text, a row a frame, with whatever columns somebody's program writes (point_header.hpp
-// says which headers are understood), separated by commas, semicolons or tabs, with a decimal comma
-// where the file has one. What was not seen is an empty cell, NaN, NA, null, none or -. The time is
-// a column `time` or `t`, or frames and a rate. The file does not say its axes.
+// Points as text, a row per frame, with any columns (see point_header.hpp for supported headers),
+// separated by commas, semicolons or tabs, with a decimal comma if the file has one. An unseen
+// value is an empty cell, NaN, NA, null, none or -. The time is a column `time` or `t`, or frames
+// and a rate. The file does not contain its axes.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -15,7 +15,7 @@
 namespace morphe::imports {
 namespace {
 
-/// Times as they stand there, and the row of the file each came from.
+/// The times in the file, and the line of each row.
 struct PointRows {
   std::vector<double> time, frame;
   std::vector<std::size_t> line;
@@ -23,7 +23,7 @@ struct PointRows {
 
 double cell_number(const files::CsvText& text, std::size_t line, const std::string& column,
                    const std::string& cell, const PointHeader& header) {
-  const std::optional<double> value = number_in(cell, header.decimal_comma);
+  const std::optional<double> value = parse_number(cell, header.decimal_comma);
   if (!value) text.fail(line, column, fmt::format("must be a number, not '{}'", cell));
   return *value;
 }
@@ -31,11 +31,11 @@ double cell_number(const files::CsvText& text, std::size_t line, const std::stri
 Vec3 point_in_row(const files::CsvText& text, std::size_t line,
                   const std::vector<std::string>& cells, const PointColumns& point,
                   const PointHeader& header) {
-  Vec3 result = unseen_point();
+  Vec3 result = unknown_point();
   int filled = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::string& cell = cells[point.at[axis]];
-    if (says_nothing(cell)) continue;
+    if (is_missing_value(cell)) continue;
     result[static_cast<Eigen::Index>(axis)] =
         cell_number(text, line, fmt::format("{}.{}", point.name, "xyz"[axis]), cell, header);
     ++filled;
@@ -74,22 +74,22 @@ PointRows point_rows(const files::CsvText& text, const PointHeader& header, doub
   }
   if (rows.line.empty()) text.fail(text.lines.size(), "", "ends before the first row");
   if (blank > 0) recording.reports.push_back(fmt::format("{} blank lines were left out", blank));
-  recording.markers.position = Table<Vec3>(rows.line.size(), header.points.size(), Vec3::Zero());
+  recording.markers.position = Array2D<Vec3>(rows.line.size(), header.points.size(), Vec3::Zero());
   recording.markers.position.values = std::move(values);
   return rows;
 }
 
-/// Seconds in a unit of the time column: the header's, else the first with which the rows come at a
-/// rate that a camera has, which is reported.
+/// Returns seconds in a unit of the time column: the header's, otherwise the first with which the
+/// rows have the rate of a camera, which is reported.
 double seconds_of(const TimeColumn& column, const std::vector<double>& time,
                   std::vector<std::string>& reports) {
   constexpr std::pair<const char*, double> kSecondsPer[] = {
       {"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}};
-  constexpr double kSlowest_s = 0.25, kFastest_s = 1e-4;
+  constexpr double kMaxRowPeriod_s = 0.25, kMinRowPeriod_s = 1e-4;
   const double step = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
   for (const auto& [name, seconds] : kSecondsPer) {
     if (column.unit == name) return seconds;
-    const bool plausible = step * seconds <= kSlowest_s && step * seconds >= kFastest_s;
+    const bool plausible = step * seconds <= kMaxRowPeriod_s && step * seconds >= kMinRowPeriod_s;
     if (!column.unit.empty() || !plausible) continue;
     reports.push_back(fmt::format("'{}' does not say its unit: taken as {}, {:.4g} rows a second",
                                   column.name, name, 1 / (step * seconds)));
@@ -114,13 +114,13 @@ void set_times(const files::CsvText& text, const PointHeader& header, const Poin
     check_grows(text, rows.time, rows, header.time->name);
     const double seconds =
         rows.time.size() > 1 ? seconds_of(*header.time, rows.time, recording.reports) : 1;
-    constexpr double kClock_s = 1e5;  // a day and more: counted from elsewhere
-    const double begin = rows.time[0] * seconds > kClock_s ? rows.time[0] : 0;
+    constexpr double kMaxStartTime_s = 1e5;  // more than a day: the times are absolute
+    const double begin = rows.time[0] * seconds > kMaxStartTime_s ? rows.time[0] : 0;
     if (begin > 0) recording.reports.push_back("times were counted from the first row's");
     for (const double value : rows.time) time.push_back((value - begin) * seconds);
     return;
   }
-  const double rate_hz = rate_of(0, conventions, text.file, recording.reports);
+  const double rate_hz = resolve_rate_hz(0, conventions, text.file, recording.reports);
   if (header.frame) check_grows(text, rows.frame, rows, "frame");
   for (std::size_t i = 0; i < rows.line.size(); ++i) {
     time.push_back((header.frame ? rows.frame[i] - rows.frame[0] : static_cast<double>(i)) /
@@ -136,45 +136,45 @@ MarkerRecording read_point_file(const std::filesystem::path& file, const Convent
     text.fail(1, "", "no three columns are the x, y and z of a point: wrist_x, wrist_y, wrist_z");
   }
   MarkerRecording recording;
-  recording.reports = text.reports;
+  recording.reports = text.notes;
   for (const PointColumns& point : header.points) recording.markers.names.push_back(point.name);
   const double metres =
-      metres_of(header.unit, conventions, fmt::format("{}:{}", text.file, header.first_row - 1),
-                recording.reports);
+      resolve_unit_m(header.unit, conventions,
+                     fmt::format("{}:{}", text.file, header.first_row - 1), recording.reports);
   const PointRows rows = point_rows(text, header, metres, recording);
   set_times(text, header, rows, conventions, recording);
   if (header.decimal_comma) recording.reports.push_back("numbers have a decimal comma");
-  if (header.before > 0) {
+  if (header.lines_before > 0) {
     recording.reports.push_back(
-        fmt::format("{} lines before the header were left out", header.before));
+        fmt::format("{} lines before the header were left out", header.lines_before));
   }
-  if (!header.left_out.empty()) {
+  if (!header.ignored_columns.empty()) {
     recording.reports.push_back(fmt::format("columns that are no points were left out: {}",
-                                            fmt::join(header.left_out, ", ")));
+                                            fmt::join(header.ignored_columns, ", ")));
   }
   return recording;
 }
 
-/// A table of other things may hold three columns that look like a point: angles of a shoulder
-/// blade called Scap_X, Scap_Y, Scap_Z.
+/// Returns true if the table is one of points. Other tables may have three columns that resemble a
+/// point, such as the angles of a shoulder blade called Scap_X, Scap_Y, Scap_Z.
 bool is_about_points(const PointHeader& header) {
-  constexpr std::size_t kBesideOne = 4;  // a rotation
+  constexpr std::size_t kMaxOtherColumns = 4;  // the columns of a rotation
   return header.points.size() > 1 ||
-         (header.points.size() == 1 && header.left_out.size() <= kBesideOne);
+         (header.points.size() == 1 && header.ignored_columns.size() <= kMaxOtherColumns);
 }
 
 }  // namespace
 
 bool recognises_point_csv(std::string_view head) {
   if (head.find('\0') != head.npos || head.starts_with("Format Version")) return false;
-  // Tables that lie beside a recording of hands: where a headset and objects were.
+  // Exclude tables beside a recording of hands, with trajectories of a headset and objects.
   for (const char* first : {"graph_uid,", "session_uid,", "object_uid,"}) {
     if (head.starts_with(first)) return false;
   }
   files::CsvText text;
   while (!head.empty()) {
     const std::size_t end = head.find_first_of("\r\n");
-    if (end == head.npos && !text.lines.empty()) break;  // a line that goes on beyond what is seen
+    if (end == head.npos && !text.lines.empty()) break;  // a line that continues beyond the head
     text.lines.emplace_back(head.substr(0, end));
     head.remove_prefix(end == head.npos ? head.size() : end + 1);
     if (text.lines.back().empty()) text.lines.pop_back();
@@ -182,7 +182,7 @@ bool recognises_point_csv(std::string_view head) {
   try {
     return is_about_points(read_point_header(text));
   } catch (const InputError&) {
-    return true;  // a header of points, with something wrong in it
+    return true;  // a header of points with an error
   }
 }
 

@@ -13,9 +13,9 @@
 namespace morphe::imports {
 namespace {
 
-constexpr std::size_t kHeaderWithin = 30;  // lines
+constexpr std::size_t kMaxHeaderLine = 30;  // lines
 char separator_of(const files::CsvText& text) {
-  // The last line is a row: names may hold any sign.
+  // The last line is a row: names may contain any character.
   const std::string& row = text.lines.back();
   for (const char sign : {';', '\t'}) {
     if (std::ranges::count(row, sign) >= 2) return sign;
@@ -23,17 +23,17 @@ char separator_of(const files::CsvText& text) {
   return ',';
 }
 
-/// What a line holds.
-struct LineKind {
+/// The numbers of cells, numbers and words in a line.
+struct CellCounts {
   std::size_t cells = 0, numbers = 0, words = 0;
 };
 
-LineKind kind_of_line(const std::vector<std::string>& cells, bool decimal_comma) {
-  LineKind kind{cells.size(), 0, 0};
+CellCounts count_cells(const std::vector<std::string>& cells, bool decimal_comma) {
+  CellCounts kind{cells.size(), 0, 0};
   for (const std::string& cell : cells) {
-    if (number_in(cell, decimal_comma)) {
+    if (parse_number(cell, decimal_comma)) {
       ++kind.numbers;
-    } else if (!says_nothing(cell)) {
+    } else if (!is_missing_value(cell)) {
       ++kind.words;
     }
   }
@@ -44,36 +44,37 @@ bool has_decimal_commas(const files::CsvText& text, char separator) {
   if (separator == ',') return false;
   for (std::size_t line = text.lines.size(); line > 0 && line + 5 > text.lines.size(); --line) {
     for (const std::string& cell : quoted_cells(text.lines[line - 1], separator)) {
-      if (cell.find(',') != std::string::npos && number_in(cell, true)) return true;
+      if (cell.find(',') != std::string::npos && parse_number(cell, true)) return true;
     }
   }
   return false;
 }
 
-/// Lines of the header: the last one of words near the top, and those above it as wide as a row.
+/// The lines of the header: the last one of words near the top, and those above it with as many
+/// cells as a row.
 struct HeaderLines {
-  std::size_t first = 0, last = 0;  ///< 0 = there is none
+  std::size_t first = 0, last = 0;  ///< 0 if absent
 };
 
 HeaderLines find_header(const files::CsvText& text, const PointHeader& header) {
   HeaderLines lines;
-  const std::size_t end = std::min(kHeaderWithin, text.lines.size());
+  const std::size_t end = std::min(kMaxHeaderLine, text.lines.size());
   for (std::size_t line = 1; line <= end; ++line) {
-    const LineKind kind =
-        kind_of_line(quoted_cells(text.lines[line - 1], header.separator), header.decimal_comma);
+    const CellCounts kind =
+        count_cells(quoted_cells(text.lines[line - 1], header.separator), header.decimal_comma);
     if (kind.words >= 3 && kind.words >= kind.numbers) lines.last = line;
   }
   lines.first = lines.last;
   while (lines.first > 1) {
-    const LineKind above = kind_of_line(quoted_cells(text.lines[lines.first - 2], header.separator),
-                                        header.decimal_comma);
+    const CellCounts above = count_cells(
+        quoted_cells(text.lines[lines.first - 2], header.separator), header.decimal_comma);
     if (above.words + above.numbers == 0 || 2 * above.cells < header.cells) break;
     --lines.first;
   }
   return lines;
 }
 
-/// The words above a column, joined; a name counts for up to two empty cells behind it.
+/// Returns the joined words above a column; a name also applies to up to two empty cells after it.
 std::vector<std::string> labels_of(const files::CsvText& text, const HeaderLines& lines,
                                    const PointHeader& header) {
   std::vector<std::string> labels(header.cells);
@@ -95,16 +96,16 @@ std::vector<std::string> labels_of(const files::CsvText& text, const HeaderLines
   return labels;
 }
 
-struct Found {
+struct AxisColumns {
   std::array<std::optional<std::size_t>, 4> at;
 };
 
-/// Takes the columns of every point whose three axes read in the same way.
+/// Takes the columns of every point whose three axes have the same notation.
 void take_points(const files::CsvText& text, std::size_t line,
                  const std::vector<ColumnLabel>& labels, std::vector<bool>& taken,
                  PointHeader& header) {
   for (std::size_t way = 0; way < 3; ++way) {
-    std::map<std::string, Found> found;
+    std::map<std::string, AxisColumns> found;
     std::vector<std::string> order;
     for (std::size_t c = 0; c < labels.size(); ++c) {
       if (taken[c] || labels[c].text.empty()) continue;
@@ -123,7 +124,7 @@ void take_points(const files::CsvText& text, std::size_t line,
         if (column) taken[*column] = true;
       }
       if (at[3] || is_other_quantity(name)) {
-        header.left_out.push_back(name);
+        header.ignored_columns.push_back(name);
         continue;
       }
       header.points.push_back({name, {*at[0], *at[1], *at[2]}});
@@ -152,7 +153,7 @@ std::vector<std::string> quoted_cells(std::string_view line, char separator) {
   return cells;
 }
 
-std::optional<double> number_in(std::string_view cell, bool decimal_comma) {
+std::optional<double> parse_number(std::string_view cell, bool decimal_comma) {
   const std::size_t comma = cell.find(',');
   if (decimal_comma && cell.find('.') != std::string_view::npos) return {};
   if (comma == std::string_view::npos) return files::finite_number(cell);
@@ -162,9 +163,9 @@ std::optional<double> number_in(std::string_view cell, bool decimal_comma) {
   return files::finite_number(with_point);
 }
 
-bool says_nothing(std::string_view cell) {
+bool is_missing_value(std::string_view cell) {
   static const std::set<std::string> kWords = {"", "nan", "na", "n/a", "null", "none", "-"};
-  return kWords.contains(small(cell));
+  return kWords.contains(to_lower(cell));
 }
 
 PointHeader read_point_header(const files::CsvText& text) {
@@ -176,18 +177,18 @@ PointHeader read_point_header(const files::CsvText& text) {
   const HeaderLines lines = find_header(text, header);
   if (lines.last == 0) return header;
   header.first_row = lines.last + 1;
-  header.before = lines.first - 1;
+  header.lines_before = lines.first - 1;
   std::vector<ColumnLabel> labels;
   for (std::string& label : labels_of(text, lines, header)) {
-    labels.push_back(without_unit(std::move(label)));
+    labels.push_back(split_unit(std::move(label)));
   }
   std::vector<bool> taken(labels.size(), false);
   for (std::size_t c = 0; c < labels.size(); ++c) {
-    if (!header.time && is_time(labels[c].text)) {
+    if (!header.time && is_time_label(labels[c].text)) {
       header.time = TimeColumn{c, labels[c].text, labels[c].unit};
-      if (small(labels[c].text).starts_with("sec")) header.time->unit = "s";
+      if (to_lower(labels[c].text).starts_with("sec")) header.time->unit = "s";
       taken[c] = true;
-    } else if (!header.frame && is_frame(labels[c].text)) {
+    } else if (!header.frame && is_frame_label(labels[c].text)) {
       header.frame = c;
       taken[c] = true;
     }
@@ -205,7 +206,7 @@ PointHeader read_point_header(const files::CsvText& text) {
     }
   }
   for (std::size_t c = 0; c < labels.size(); ++c) {
-    if (!taken[c] && !labels[c].text.empty()) header.left_out.push_back(labels[c].text);
+    if (!taken[c] && !labels[c].text.empty()) header.ignored_columns.push_back(labels[c].text);
   }
   return header;
 }

@@ -10,46 +10,48 @@
 
 namespace morphe::imports {
 
-/// Columns of a table of points.
+/// The columns of a point in a table.
 struct PointColumns {
   std::string name;
-  std::size_t at[3] = {};  ///< of x, y and z
+  std::size_t at[3] = {};  ///< columns of x, y and z
 };
 
-/// A column of time, and what its header says of the unit.
+/// A column of time, with the unit given in the header.
 struct TimeColumn {
-  std::size_t at = 0;
-  std::string name, unit;  ///< "s", "ms", "us", "ns", "" = not said
+  std::size_t at = 0;      ///< index of the column
+  std::string name, unit;  ///< "s", "ms", "us", "ns", "" if absent
 };
 
-/// The header of a text file with a row a frame, whatever its columns.
+/// The header of a text file with a row per frame and any columns.
 struct PointHeader {
-  char separator = ',';
-  bool decimal_comma = false;
-  std::size_t first_row = 0, cells = 0;  ///< line of the first frame; cells of a row
-  std::vector<PointColumns> points;
-  std::string unit;  ///< of lengths, "" = not said
-  std::optional<TimeColumn> time;
-  std::optional<std::size_t> frame;
-  std::vector<std::string> left_out;  ///< columns that are neither
-  std::size_t before = 0;             ///< lines before the header
+  char separator = ',';                      ///< comma, semicolon or tab
+  bool decimal_comma = false;                ///< true if numbers have a decimal comma
+  std::size_t first_row = 0, cells = 0;      ///< line of the first frame; number of cells in a row
+  std::vector<PointColumns> points;          ///< columns of the points
+  std::string unit;                          ///< unit of lengths, "" if absent
+  std::optional<TimeColumn> time;            ///< column of the time, if any
+  std::optional<std::size_t> frame;          ///< column of the frame number, if any
+  std::vector<std::string> ignored_columns;  ///< columns that are neither points nor time nor frame
+  std::size_t lines_before = 0;              ///< number of lines before the header
 };
 
-/// Cells of a line, quotes ("a;b", "" for one) taken off.
+/// Returns the cells of a line without their quotes ("a;b", "" for one quote).
 std::vector<std::string> quoted_cells(std::string_view line, char separator);
 
-/// A cell's number as the file writes it; nothing for text, and for the other of comma and point.
-std::optional<double> number_in(std::string_view cell, bool decimal_comma);
+/// Returns a cell's number in the file's notation; no value for text, and for the other one of
+/// comma and point.
+std::optional<double> parse_number(std::string_view cell, bool decimal_comma);
 
-/// Whether a cell says that there is no number: empty, NaN, NA, null, none, -.
-bool says_nothing(std::string_view cell);
+/// Returns true if a cell denotes a missing number: empty, NaN, NA, null, none, -.
+bool is_missing_value(std::string_view cell);
 
 /// Reads the header: one line or several above each other ("wrist" over "X" "Y" "Z" over "mm"; a
-/// name counts for the empty cells behind it). The columns of a point are its name and an axis, in
-/// either order, with any sign or none between (wrist_x, wrist.X, wrist X, X:wrist, wristX); a unit
-/// may follow, or stand in brackets. Three columns that have a fourth, w, are a rotation, and those
-/// whose name speaks of one, of a velocity, a force or the like are no points: both are left out.
-/// No points: there is none. InputError for units that differ, and a point that stands twice.
+/// name also applies to the empty cells after it). The columns of a point are labelled by its name
+/// and an axis, in either order, with or without punctuation in between (wrist_x, wrist.X, wrist X,
+/// X:wrist, wristX); a unit may follow, or be in brackets. Three columns with a fourth, w, are a
+/// rotation, and names may denote a rotation, a velocity, a force or the like: both are left out.
+/// Without any points there is no header. Throws InputError for inconsistent units, and a repeated
+/// point.
 PointHeader read_point_header(const files::CsvText& text);
 
 }  // namespace morphe::imports

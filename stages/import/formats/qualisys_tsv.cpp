@@ -1,7 +1,7 @@
-// Qualisys Track Manager's TSV: a line a key (NO_OF_FRAMES, NO_OF_MARKERS, FREQUENCY, MARKER_NAMES,
-// …), perhaps a line that names the columns, then a row a frame: x, y and z of each marker, perhaps
-// behind the frame's number and its time. A marker at 0, 0, 0 or with empty cells was not seen.
-// Lengths are millimetres in all of them. The file does not say its axes.
+// Qualisys Track Manager's TSV: a line per key (NO_OF_FRAMES, NO_OF_MARKERS, FREQUENCY,
+// MARKER_NAMES, …), optionally a line with column names, then a row per frame: x, y and z of each
+// marker, optionally after the frame's number and its time. A marker at 0, 0, 0 or with empty cells
+// was not seen. Lengths are always in millimetres. The file does not contain its axes.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -21,7 +21,8 @@ struct TsvHeader {
   std::map<std::string, std::pair<std::size_t, std::string>> value;  ///< line and first value
   std::vector<std::string> markers;
   std::size_t names_line = 0, first_row = 0;
-  bool counts_time = false;  ///< the first column is the time, and no frame's number is there
+  /// True if the first column is the time, without a frame number.
+  bool first_column_is_time = false;
 };
 
 bool is_key(std::string_view word) {
@@ -51,10 +52,10 @@ TsvHeader read_tsv_header(const files::CsvText& text) {
     if (name.empty()) text.fail(header.names_line, kMarkerNames, "a marker has no name");
     if (!known.insert(name).second) text.fail(header.names_line, name, "the marker stands twice");
   }
-  // A line that names the columns: "Frame Time A X A Y A Z", or "A X …".
-  while (line <= text.lines.size() && text.blank(line)) ++line;
-  if (line <= text.lines.size() && !number_in(text.cells(line)[0], false)) {
-    header.counts_time = text.cells(line)[0] == "Time";
+  // An optional line names the columns: "Frame Time A X A Y A Z", or "A X …".
+  while (line <= text.lines.size() && text.is_blank(line)) ++line;
+  if (line <= text.lines.size() && !parse_number(text.cells(line)[0], false)) {
+    header.first_column_is_time = text.cells(line)[0] == "Time";
     ++line;
   }
   if (line > text.lines.size()) text.fail(text.lines.size(), "", "ends before the first frame");
@@ -69,7 +70,8 @@ double number_in_header(const files::CsvText& text, const TsvHeader& header,
   return text.number(found->second.first, key, found->second.second);
 }
 
-/// Columns before the first marker's: none, the frame's number, or that and its time.
+/// Returns the number of columns before the first marker's: 0, or those of the frame's number, or
+/// of that and its time.
 std::size_t leading_columns(const files::CsvText& text, const TsvHeader& header) {
   std::size_t cells = text.cells(header.first_row).size();
   const std::size_t points = 3 * header.markers.size();
@@ -86,7 +88,8 @@ void read_frames_of(const files::CsvText& text, const TsvHeader& header, double 
                     double rate_hz, MarkerRecording& recording) {
   const std::size_t leading = leading_columns(text, header), markers = header.markers.size();
   MarkerStream& stream = recording.markers;
-  stream.position = Table<Vec3>(text.lines.size() - header.first_row + 1, markers, unseen_point());
+  stream.position =
+      Array2D<Vec3>(text.lines.size() - header.first_row + 1, markers, unknown_point());
   double first_frame = 0;
   for (std::size_t line = header.first_row; line <= text.lines.size(); ++line) {
     const std::size_t row = line - header.first_row;
@@ -97,7 +100,7 @@ void read_frames_of(const files::CsvText& text, const TsvHeader& header, double 
                 fmt::format("the row has {} cells, not {}", cells.size(), leading + 3 * markers));
     }
     double frame = static_cast<double>(row);
-    if (leading > 0 && !header.counts_time) {
+    if (leading > 0 && !header.first_column_is_time) {
       frame = text.number(line, "Frame", cells[0]);
       if (row == 0) first_frame = frame;
       frame -= first_frame;
@@ -111,7 +114,7 @@ void read_frames_of(const files::CsvText& text, const TsvHeader& header, double 
       int filled = 0;
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::string_view cell = cells[leading + 3 * k + axis];
-        if (says_nothing(cell)) continue;
+        if (is_missing_value(cell)) continue;
         point[static_cast<Eigen::Index>(axis)] = text.number(line, header.markers[k], cell);
         ++filled;
       }
@@ -128,15 +131,15 @@ MarkerRecording read_qualisys_file(const std::filesystem::path& file,
   const files::CsvText text = files::read_csv(file, '\t');
   if (text.lines.empty()) text.fail(1, "", "the file is empty");
   MarkerRecording recording;
-  recording.reports = text.reports;
+  recording.reports = text.notes;
   const TsvHeader header = read_tsv_header(text);
   const auto included = header.value.find("DATA_INCLUDED");
   if (included != header.value.end() && included->second.second != "3D") {
     text.fail(included->second.first, "DATA_INCLUDED",
               fmt::format("must be 3D, not '{}': export the markers", included->second.second));
   }
-  const double rate_hz = rate_of(number_in_header(text, header, "FREQUENCY"), conventions,
-                                 text.file, recording.reports);
+  const double rate_hz = resolve_rate_hz(number_in_header(text, header, "FREQUENCY"), conventions,
+                                         text.file, recording.reports);
   if (conventions.unit.empty()) {
     recording.reports.push_back("the file does not say its unit: mm, as Qualisys writes");
   }

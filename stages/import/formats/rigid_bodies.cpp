@@ -15,13 +15,13 @@ namespace morphe::imports {
 namespace {
 
 constexpr const char* kSensors[] = {"shoulder", "elbow", "wrist"};
-constexpr double kThinnestBox = 0.005;  ///< of a box around markers that lie in a plane [m]
+constexpr double kMinBodyBoxSize_m = 0.005;  ///< thickness of a box around markers in a plane [m]
 
 bool is_sensor(const std::string& name) {
   return std::ranges::find(kSensors, name) != std::end(kSensors);
 }
 
-/// Adds some of `from`'s columns behind those of `to`, which has the same rows or none.
+/// Appends some of `from`'s columns to those of `to`, which has the same rows or is empty.
 void add_columns(const BodyStream& from, const std::vector<std::size_t>& columns, bool parents,
                  std::optional<BodyStream>& to) {
   if (columns.empty()) return;
@@ -33,8 +33,8 @@ void add_columns(const BodyStream& from, const std::vector<std::size_t>& columns
     joined.names.push_back(from.names[k]);
     if (parents) joined.parents.emplace_back();
   }
-  joined.position = Table<Vec3>(from.time.size(), joined.names.size(), unseen_point());
-  joined.orientation = Table<Quat>(from.time.size(), joined.names.size(), unseen_rotation());
+  joined.position = Array2D<Vec3>(from.time.size(), joined.names.size(), unknown_point());
+  joined.orientation = Array2D<Quat>(from.time.size(), joined.names.size(), unknown_rotation());
   for (std::size_t i = 0; i < from.time.size(); ++i) {
     for (std::size_t k = 0; k < before; ++k) {
       joined.position(i, k) = to->position(i, k);
@@ -53,9 +53,9 @@ void add_object(const RigidBodies& bodies, std::size_t k, Demonstration& demonst
   SceneObject object;
   Vec3 centre = Vec3::Zero();
   if (bodies.extent[k].isEmpty()) {
-    object = ball_for(name, demonstration.reports);
+    object = placeholder_sphere(name, demonstration.reports);
   } else {
-    const Vec3 sizes = bodies.extent[k].sizes().cwiseMax(kThinnestBox);
+    const Vec3 sizes = bodies.extent[k].sizes().cwiseMax(kMinBodyBoxSize_m);
     centre = bodies.extent[k].center();
     object.name = name;
     object.shape = Shape::box;
@@ -68,7 +68,7 @@ void add_object(const RigidBodies& bodies, std::size_t k, Demonstration& demonst
   for (std::size_t i = 0; i < bodies.poses.time.size(); ++i) {
     const Vec3& position = bodies.poses.position(i, k);
     const Quat& orientation = bodies.poses.orientation(i, k);
-    if (!seen(position) || !seen(orientation)) continue;
+    if (!is_known(position) || !is_known(orientation)) continue;
     object.time.push_back(bodies.poses.time[i]);
     object.position.push_back(position + orientation * centre);
     object.orientation.push_back(orientation);

@@ -11,17 +11,19 @@
 namespace morphe::imports {
 namespace {
 
-constexpr double kNearAxis = 0.9659258262890683;  // cos 15 degrees
-constexpr double kLevel = 0.7;  // the shoulder line's horizontal share in the first frame, at least
+constexpr double kMinAxisCosine = 0.9659258262890683;  // cos 15 degrees
+// Least horizontal share of the shoulder line in the first frame.
+constexpr double kMinShoulderLevelShare = 0.7;
 
-[[noreturn]] void ask(const std::string& file, const std::string& why) {
-  throw NotSaid("axes", fmt::format("{}: axes: the file does not say which of its axes point "
-                                    "right, forward and up, and {}; give "
-                                    "--axes or `axes:` such as 'x y z'",
-                                    file, why));
+[[noreturn]] void throw_unknown_axes(const std::string& file, const std::string& why) {
+  throw UnresolvedConvention("axes",
+                             fmt::format("{}: axes: the file does not say which of its axes point "
+                                         "right, forward and up, and {}; give "
+                                         "--axes or `axes:` such as 'x y z'",
+                                         file, why));
 }
 
-/// The signed coordinate axis with the largest component along a direction.
+/// Returns the signed coordinate axis with the largest component along a direction.
 Vec3 main_axis(const Vec3& direction) {
   Eigen::Index which = 0;
   direction.cwiseAbs().maxCoeff(&which);
@@ -32,8 +34,9 @@ Vec3 main_axis(const Vec3& direction) {
 
 Vec3 near_axis(const Vec3& direction, const std::string& what, const std::string& file) {
   const Vec3 axis = main_axis(direction);
-  if (!(axis.dot(direction) >= kNearAxis * direction.norm()) || direction.norm() == 0) {
-    ask(file, fmt::format("{} of its rest skeleton is not within 15 degrees of one of them", what));
+  if (!(axis.dot(direction) >= kMinAxisCosine * direction.norm()) || direction.norm() == 0) {
+    throw_unknown_axes(
+        file, fmt::format("{} of its rest skeleton is not within 15 degrees of one of them", what));
   }
   return axis;
 }
@@ -55,7 +58,8 @@ Eigen::Matrix3d world_from_skeleton(const BodyStream& body, const std::vector<Ve
                                     const std::string& file, std::vector<std::string>& reports) {
   const std::optional<Pair> shoulders = find_pair(body, "shoulder"), hips = find_pair(body, "hip");
   if (!shoulders) {
-    ask(file,
+    throw_unknown_axes(
+        file,
         "no names map two of its joints to left_shoulder and right_shoulder, from which that could "
         "be seen");
   }
@@ -71,14 +75,16 @@ Eigen::Matrix3d world_from_skeleton(const BodyStream& body, const std::vector<Ve
                           .normalized();
   }
   if (main_axis(recorded_trunk) != up) {
-    ask(file, fmt::format("its rest skeleton stands along {}, but what was recorded along {}",
+    throw_unknown_axes(
+        file, fmt::format("its rest skeleton stands along {}, but what was recorded along {}",
                           axis_word(up), axis_word(main_axis(recorded_trunk))));
   }
   Vec3 line = rest[shoulders->right] - rest[shoulders->left];
   const bool by_hips = line.norm() == 0 && hips;
   if (by_hips) line = rest[hips->right] - rest[hips->left];
   const Vec3 right = near_axis(line, "the line from left to right", file);
-  if (right.dot(up) != 0) ask(file, "its rest skeleton's trunk and shoulders lie along one axis");
+  if (right.dot(up) != 0)
+    throw_unknown_axes(file, "its rest skeleton's trunk and shoulders lie along one axis");
   const Vec3 forward = up.cross(right);
   Eigen::Matrix3d world;
   world << right.transpose(), forward.transpose(), up.transpose();
@@ -86,8 +92,8 @@ Eigen::Matrix3d world_from_skeleton(const BodyStream& body, const std::vector<Ve
   const Vec3 first =
       world * (body.position(0, shoulders->right) - body.position(0, shoulders->left));
   const double level = std::hypot(first.x(), first.y());
-  if (!(level > kLevel * first.norm())) {
-    ask(file, "the shoulders do not stand side by side in the first frame");
+  if (!(level > kMinShoulderLevelShare * first.norm())) {
+    throw_unknown_axes(file, "the shoulders do not stand side by side in the first frame");
   }
   reports.push_back(fmt::format(
       "axes were taken from the skeleton: '{} {} {}' point right, forward and up at rest",

@@ -1,8 +1,8 @@
-// TRC, as Motion Analysis and OpenSim write it, separated by tabs or commas: line 1 "PathFileType"
-// and the path it once had, 2 names of the header's values, 3 the values, 4 "Frame#", "Time" and a
-// marker's name in every third column, 5 "X1 Y1 Z1 …", then a row a frame, often behind a blank
-// line. How many frames and markers the header promises is not believed but compared. What was not
-// seen is an empty cell or NaN. The file does not say its axes.
+// TRC, as written by Motion Analysis and OpenSim, separated by tabs or commas: line 1
+// "PathFileType" and its original path, 2 names of the header's values, 3 the values, 4 "Frame#",
+// "Time" and a marker's name in every third column, 5 "X1 Y1 Z1 …", then a row per frame, often
+// after a blank line. The numbers of frames and markers in the header are only compared with the
+// contents. An empty cell or NaN means not seen. The file does not contain its axes.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -30,7 +30,7 @@ TrcHeader read_trc_header(const files::CsvText& csv) {
   return header;
 }
 
-/// A value of the header, "" if it is not there.
+/// Returns a value of the header, "" if it is absent.
 std::string value_of(const TrcHeader& header, std::string_view key) {
   const auto found = header.find(key);
   return found == header.end() ? "" : found->second;
@@ -50,8 +50,8 @@ void compare_count(const files::CsvText& csv, const TrcHeader& header, std::stri
 
 void check_axes(const files::CsvText& csv, const MarkerColumns& columns) {
   const auto cells = csv.cells(kAxisLine);
-  for (std::size_t c = MarkerColumns::kFirst; c < columns.count(); ++c) {
-    const std::size_t k = c - MarkerColumns::kFirst;
+  for (std::size_t c = MarkerColumns::kLeadingCount; c < columns.count(); ++c) {
+    const std::size_t k = c - MarkerColumns::kLeadingCount;
     const std::string wanted = fmt::format("{}{}", "XYZ"[k % 3], k / 3 + 1);
     if (c >= cells.size() || cells[c] != wanted) {
       csv.fail(kAxisLine, columns.name(c), fmt::format("must stand under '{}'", wanted));
@@ -59,13 +59,13 @@ void check_axes(const files::CsvText& csv, const MarkerColumns& columns) {
   }
 }
 
-/// Rows from the sixth line on. The times are the file's own; `rate_hz` is only compared.
+/// Reads the rows from the sixth line on. The times are the file's own; `rate_hz` is only compared.
 void read_rows(const files::CsvText& csv, const MarkerColumns& columns, double metres,
                double rate_hz, MarkerRecording& recording) {
   MarkerStream& markers = recording.markers;
-  const std::size_t first = csv.blank(kFirstRow) ? kFirstRow + 1 : kFirstRow;
+  const std::size_t first = csv.is_blank(kFirstRow) ? kFirstRow + 1 : kFirstRow;
   markers.position =
-      Table<Vec3>(csv.lines.size() - first + 1, columns.names.size(), unseen_point());
+      Array2D<Vec3>(csv.lines.size() - first + 1, columns.names.size(), unknown_point());
   for (std::size_t line = first; line <= csv.lines.size(); ++line) {
     const auto cells = csv.cells(line);
     read_points(csv, line, cells, columns, metres, markers.position, line - first);
@@ -91,7 +91,7 @@ MarkerRecording read_trc_file(const std::filesystem::path& file, const Conventio
   csv.separator = csv.lines[0].find('\t') != std::string::npos ? '\t' : ',';
   if (csv.cells(1)[0] != "PathFileType") csv.fail(1, "", "must begin with 'PathFileType'");
   MarkerRecording recording;
-  recording.reports = csv.reports;
+  recording.reports = csv.notes;
   const auto leading = csv.cells(kNameLine);
   if (leading.size() < 3 || leading[0] != "Frame#" || leading[1] != "Time") {
     csv.fail(kNameLine, "", "must begin with 'Frame#' and 'Time'");
@@ -99,8 +99,9 @@ MarkerRecording read_trc_file(const std::filesystem::path& file, const Conventio
   const TrcHeader header = read_trc_header(csv);
   const MarkerColumns columns{{"Frame#", "Time"}, read_marker_names(csv, kNameLine)};
   check_axes(csv, columns);
-  const double metres = metres_of(value_of(header, "Units"), conventions,
-                                  fmt::format("{}:{}", csv.file, kValueLine), recording.reports);
+  const double metres =
+      resolve_unit_m(value_of(header, "Units"), conventions,
+                     fmt::format("{}:{}", csv.file, kValueLine), recording.reports);
   const double rate_hz = conventions.rate_hz.value_or(number_of(csv, header, "DataRate"));
   recording.markers.names = columns.names;
   read_rows(csv, columns, metres, rate_hz, recording);

@@ -1,7 +1,8 @@
-// Vicon's export: sections with blank lines between them, each a line with its name, the rate [Hz],
-// names, columns, units and a row a frame. The section "Trajectories" names a marker in every third
-// column from the third ("SUBJECT:NAME") over "Frame,Sub Frame,X,Y,Z,…"; an empty cell is a marker
-// that was not seen. The file does not say its axes: X right, Y forward and Z up are usual.
+// Vicon's export: sections with blank lines between them, each with a line for its name, the rate
+// [Hz], names, columns, units and a row per frame. The section "Trajectories" names a marker in
+// every third column from the third ("SUBJECT:NAME") over "Frame,Sub Frame,X,Y,Z,…"; an empty cell
+// is a marker that was not seen. The file does not contain its axes: X right, Y forward and Z up
+// are usual.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -28,7 +29,7 @@ bool is_other_section(std::string_view name) {
   return std::ranges::find(kOtherSections, name) != std::end(kOtherSections);
 }
 
-/// The section of markers: the line of its name, the line of its last frame.
+/// The section of markers: the line of its name and the line of its last frame.
 struct Section {
   std::size_t first = 0, last = 0;
 };
@@ -37,9 +38,9 @@ Section find_section(const files::CsvText& csv, std::vector<std::string>& report
   Section markers;
   std::vector<std::string> others;
   for (std::size_t line = 1; line <= csv.lines.size(); ++line) {
-    if (csv.blank(line)) continue;
+    if (csv.is_blank(line)) continue;
     const std::size_t first = line;
-    while (line < csv.lines.size() && !csv.blank(line + 1)) ++line;
+    while (line < csv.lines.size() && !csv.is_blank(line + 1)) ++line;
     const std::string name(csv.cells(first)[0]);
     if (name == kMarkerSection) {
       if (markers.first != 0) csv.fail(first, name, "the section stands twice");
@@ -58,7 +59,7 @@ Section find_section(const files::CsvText& csv, std::vector<std::string>& report
   return markers;
 }
 
-/// "SUBJECT:NAME" becomes NAME if there is one subject and the names stay different.
+/// Replaces "SUBJECT:NAME" by NAME if there is only one subject and the names stay different.
 void strip_subject(std::vector<std::string>& names, std::string& subject,
                    std::vector<std::string>& reports) {
   std::set<std::string> subjects, stripped;
@@ -77,19 +78,19 @@ void strip_subject(std::vector<std::string>& names, std::string& subject,
   for (std::string& name : names) name.erase(0, name.find(':') + 1);
 }
 
-/// The unit that stands under every column ("" if under none).
+/// Returns the unit below every column, "" if there are no units.
 std::string read_columns_and_unit(const files::CsvText& csv, std::size_t line,
                                   const MarkerColumns& columns) {
   const auto axes = csv.cells(line), units = csv.cells(line + 1);
   for (std::size_t c = 0; c < columns.count(); ++c) {
     const std::string name = columns.name(c);
-    const std::string_view wanted = c < MarkerColumns::kFirst
+    const std::string_view wanted = c < MarkerColumns::kLeadingCount
                                         ? std::string_view(name)
                                         : std::string_view(name).substr(name.size() - 1);
     if (cell_at(axes, c) != wanted) csv.fail(line, name, "the column is missing");
   }
-  const std::string_view unit = cell_at(units, MarkerColumns::kFirst);
-  for (std::size_t c = MarkerColumns::kFirst; c < columns.count(); ++c) {
+  const std::string_view unit = cell_at(units, MarkerColumns::kLeadingCount);
+  for (std::size_t c = MarkerColumns::kLeadingCount; c < columns.count(); ++c) {
     if (cell_at(units, c) == unit) continue;
     csv.fail(line + 1, columns.name(c), "unit differs from the first column's");
   }
@@ -102,12 +103,12 @@ std::string read_columns_and_unit(const files::CsvText& csv, std::size_t line,
   return std::string(unit);
 }
 
-/// Frames from `line` to `last` into `markers`; numbers that were left out are reported.
+/// Reads the frames from `line` to `last` into `markers` and reports omitted numbers.
 void read_frames(const files::CsvText& csv, std::size_t line, std::size_t last,
                  const MarkerColumns& columns, double metres, double rate_hz,
                  MarkerRecording& recording) {
   MarkerStream& markers = recording.markers;
-  markers.position = Table<Vec3>(last - line + 1, columns.names.size(), unseen_point());
+  markers.position = Array2D<Vec3>(last - line + 1, columns.names.size(), unknown_point());
   double before = 0, left_out = 0;
   for (std::size_t row = 0; line <= last; ++line, ++row) {
     const auto cells = csv.cells(line);
@@ -132,17 +133,18 @@ void read_frames(const files::CsvText& csv, std::size_t line, std::size_t last,
 MarkerRecording read_vicon_file(const std::filesystem::path& file, const Conventions& conventions) {
   const files::CsvText csv = files::read_csv(file);
   MarkerRecording recording;
-  recording.reports = csv.reports;
+  recording.reports = csv.notes;
   const Section section = find_section(csv, recording.reports);
   const std::size_t line = section.first;
   const std::string_view rate = csv.cells(line + 1)[0];
-  const double rate_hz = rate_of(rate.empty() ? 0 : csv.number(line + 1, "rate", rate), conventions,
-                                 fmt::format("{}:{}", csv.file, line + 1), recording.reports);
+  const double rate_hz =
+      resolve_rate_hz(rate.empty() ? 0 : csv.number(line + 1, "rate", rate), conventions,
+                      fmt::format("{}:{}", csv.file, line + 1), recording.reports);
   MarkerColumns columns{{"Frame", "Sub Frame"}, read_marker_names(csv, line + 2)};
   strip_subject(columns.names, recording.subject, recording.reports);
   const std::string unit = read_columns_and_unit(csv, line + 3, columns);
-  const double metres =
-      metres_of(unit, conventions, fmt::format("{}:{}", csv.file, line + 4), recording.reports);
+  const double metres = resolve_unit_m(unit, conventions, fmt::format("{}:{}", csv.file, line + 4),
+                                       recording.reports);
   recording.markers.names = columns.names;
   read_frames(csv, line + 5, section.last, columns, metres, rate_hz, recording);
   return recording;

@@ -5,27 +5,28 @@
 #include <cmath>
 
 #include "stages/import/guess/body_cues.hpp"
-#include "stages/import/guess/body_guess.hpp"
+#include "stages/import/guess/convention_guess.hpp"
 #include "stages/import/recording/conventions.hpp"
 
 namespace morphe::imports {
 namespace {
 
-/// How well cues agree with a choice of axes.
+/// Returns the agreement of cues with a choice of axes.
 double agreement(const std::vector<BodyCue>& cues, const Eigen::Matrix3d& world_from_recorded) {
   double sum = 0;
   for (const BodyCue& cue : cues) {
     const double cosine = cue.world.dot(world_from_recorded * cue.recorded);
-    sum += cue.weight * (cue.signless ? std::abs(cosine) : cosine);
+    sum += cue.weight * (cue.undirected ? std::abs(cosine) : cosine);
   }
   return sum;
 }
 
-/// A hand alone says too little for that.
+/// Returns the cues of the body, without those of a hand alone, which do not determine the axes.
 std::vector<BodyCue> cues_of_body(const RecordedPoints& points) {
   std::vector<BodyCue> cues = body_cues(points);
   std::erase_if(cues, [](const BodyCue& cue) {
-    return cue.of == CueOf::hand || cue.of == CueOf::way || cue.use == CueFor::heading;
+    return cue.source == CueSource::hand || cue.source == CueSource::reach ||
+           cue.purpose == CuePurpose::heading;
   });
   return cues;
 }
@@ -63,19 +64,19 @@ Guess guess_axes(const RecordedPoints& points) {
   std::vector<std::string> because;
   for (const BodyCue& cue : cues) {
     const double cosine = cue.world.dot(world * cue.recorded);
-    constexpr double kAgrees = 0.7;
-    const bool agrees = (cue.signless ? std::abs(cosine) : cosine) > kAgrees;
-    if (agrees && std::ranges::find(because, cue.what) == because.end()) {
-      because.emplace_back(cue.what);
+    constexpr double kMinCueCosine = 0.7;
+    const bool agrees = (cue.undirected ? std::abs(cosine) : cosine) > kMinCueCosine;
+    if (agrees && std::ranges::find(because, cue.description) == because.end()) {
+      because.emplace_back(cue.description);
     }
   }
-  constexpr double kSure = 0.2, kLikely = 0.08, kAgreement = 0.6;
-  const double ahead = choices[0].agreement - choices[1].agreement;
-  const bool sure = ahead > kSure && choices[0].agreement > kAgreement;
+  constexpr double kSureMargin = 0.2, kLikelyMargin = 0.08, kMinAgreement = 0.6;
+  const double margin = choices[0].agreement - choices[1].agreement;
+  const bool sure = margin > kSureMargin && choices[0].agreement > kMinAgreement;
   return {choices[0].axes,
-          sure              ? Sureness::sure
-          : ahead > kLikely ? Sureness::likely
-                            : Sureness::guessed,
+          sure                     ? Confidence::sure
+          : margin > kLikelyMargin ? Confidence::likely
+                                   : Confidence::guessed,
           fmt::format("{}", fmt::join(because, "; "))};
 }
 

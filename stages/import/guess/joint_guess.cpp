@@ -31,7 +31,7 @@ SkeletonNames skeleton_of(const std::vector<std::string>& names,
   SkeletonNames skeleton;
   std::map<std::string, int> at;
   for (std::size_t j = 0; j < names.size(); ++j) {
-    skeleton.words.push_back(recorded_words_of(names[j]));
+    skeleton.words.push_back(parse_recorded_name(names[j]));
     const auto found = at.find(parents[j]);
     const int parent = found == at.end() ? -1 : found->second;
     skeleton.parent.push_back(parent);
@@ -65,7 +65,8 @@ bool names_hip(const RecordedWords& w) {
 }
 bool names_leg(const RecordedWords& w) { return w.has(BodyWord::leg) && !w.has(BodyWord::lower); }
 
-/// The joint nearest to the root that says so, of a side and below another joint if there is one.
+/// Returns the matching joint nearest to the root, of a side and below another joint if there is
+/// one.
 std::optional<std::size_t> first_joint(const SkeletonNames& skeleton, BodyWord side, Test says,
                                        std::optional<std::size_t> above = {}) {
   std::optional<std::size_t> first;
@@ -86,7 +87,8 @@ std::optional<std::size_t> first_of(const SkeletonNames& skeleton, BodyWord side
   return found;
 }
 
-/// Biped counts fingers: "Finger0", "Finger01" the thumb, "Finger1", "Finger11" the index finger.
+/// Returns true for a joint of the finger. Biped numbers its fingers: "Finger0", "Finger01" the
+/// thumb, "Finger1", "Finger11" the index finger.
 bool is_of_finger(const RecordedWords& words, std::size_t finger) {
   if (words.has(BodyWord::toe)) return false;
   if (words.has(kFingerWords[finger])) return true;
@@ -98,7 +100,7 @@ bool is_of_finger(const RecordedWords& words, std::size_t finger) {
   return number == static_cast<int>(finger);
 }
 
-/// The finger's joints along one chain; what lies before the last four is inside the palm.
+/// Adds the finger's joints along one chain; joints before the last four are inside the palm.
 void add_finger(const SkeletonNames& skeleton, const std::vector<std::string>& names,
                 const std::string& side, std::size_t wrist, std::size_t finger,
                 GuessedNames& guessed) {
@@ -139,7 +141,7 @@ GuessedNames guess_joints(const std::vector<std::string>& names,
   GuessedNames guessed;
   for (const auto& [side, begin] : {std::pair(BodyWord::left, std::string("left_")),
                                     std::pair(BodyWord::right, std::string("right_"))}) {
-    const std::string& prefix = begin;  // clang 14 has no bindings in lambdas
+    const std::string& prefix = begin;  // clang 14 cannot capture structured bindings in lambdas
     const auto add = [&](std::optional<std::size_t> joint, const char* name) {
       if (joint) guessed.emplace_back(names[*joint], prefix + name);
     };
@@ -154,7 +156,7 @@ GuessedNames guess_joints(const std::vector<std::string>& names,
     add(elbow, "elbow");
     add(wrist, "wrist");
     if (!wrist) continue;
-    for (std::size_t finger = 0; finger < kFingers; ++finger) {
+    for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
       add_finger(skeleton, names, prefix, *wrist, finger, guessed);
     }
   }

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "core/config/node.hpp"
-#include "core/files/shipped.hpp"
+#include "core/files/data_files.hpp"
 #include "core/motion/input_error.hpp"
 
 namespace morphe::imports {
@@ -14,20 +14,21 @@ namespace fs = std::filesystem;
 
 constexpr const char* kFolder = "configs/names";
 
-/// Those that are there and are maps: nobody asked for them by name.
-std::vector<ShippedNames> shipped_maps() {
+/// Returns the valid maps among the shipped files. Errors are ignored, since these files were not
+/// requested.
+std::vector<ShippedNameMap> shipped_maps() {
   std::vector<fs::path> named;
   std::error_code ignored;
   for (const fs::directory_entry& entry :
-       fs::directory_iterator(files::here_or_shipped(kFolder), ignored)) {
+       fs::directory_iterator(files::resolve_data_file(kFolder), ignored)) {
     if (entry.path().extension() == ".yaml") named.push_back(entry.path().filename());
   }
   std::ranges::sort(named);
-  std::vector<ShippedNames> maps;
+  std::vector<ShippedNameMap> maps;
   for (const fs::path& name : named) {
     try {
       const fs::path file = kFolder / name;
-      maps.push_back({file, read_names(files::here_or_shipped(file))});
+      maps.push_back({file, read_names(files::resolve_data_file(file))});
     } catch (const InputError&) {
       continue;
     }
@@ -46,11 +47,11 @@ NameMap read_names(const fs::path& file) {
   return names;
 }
 
-std::optional<ShippedNames> shipped_names_for(const std::vector<std::string>& recorded) {
+std::optional<ShippedNameMap> find_shipped_names(const std::vector<std::string>& recorded) {
   const std::set<std::string> there(recorded.begin(), recorded.end());
-  std::optional<ShippedNames> best;
+  std::optional<ShippedNameMap> best;
   bool tied = false;
-  for (ShippedNames& candidate : shipped_maps()) {
+  for (ShippedNameMap& candidate : shipped_maps()) {
     const bool fits = std::ranges::all_of(
         candidate.names, [&](const auto& entry) { return there.contains(entry.first); });
     if (!fits || candidate.names.empty()) continue;

@@ -8,19 +8,20 @@
 
 namespace morphe::imports {
 
-/// Recorded name -> name used here.
+/// A map from recorded names to names used here.
 using NameMap = std::map<std::string, std::string>;
 
-/// A YAML file of such a map; empty for "". InputError if it is no map of names.
+/// Reads a YAML file with such a map; empty for "". Throws InputError if it is not a map of names.
 NameMap read_names(const std::filesystem::path& file);
 
-struct ShippedNames {
+/// A name map in configs/names.
+struct ShippedNameMap {
   std::filesystem::path file;  ///< configs/names/….yaml
-  NameMap names;
+  NameMap names;               ///< its contents
 };
 
-/// The map of configs/names of which every name was recorded; of several the largest. Nothing if
-/// none is, or two of one size are.
-std::optional<ShippedNames> shipped_names_for(const std::vector<std::string>& recorded);
+/// Returns the map of configs/names all of whose names were recorded; the largest if there are
+/// several. Returns no map if no map matches, or if the two largest are equal in size.
+std::optional<ShippedNameMap> find_shipped_names(const std::vector<std::string>& recorded);
 
 }  // namespace morphe::imports

@@ -12,9 +12,9 @@
 namespace morphe::imports {
 namespace {
 
-/// Where a point is on an arm, before it is decided whether points are joints or markers.
+/// The part of an arm on which a point is, independent of the decision between joints and markers.
 enum class PointPart {
-  nothing,
+  none,
   girdle,
   shoulder,
   upper_arm,
@@ -30,13 +30,13 @@ enum class PointPart {
   finger
 };
 
-struct PlacedPoint {
-  PointPart part = PointPart::nothing;
+struct PointAssignment {
+  PointPart part = PointPart::none;
   bool left = false;
   std::string finger_joint;  ///< "index_tip"
 };
 
-/// A finger's joint by its word or number; a finger alone is its tip.
+/// Returns a finger's joint by its word or number; a finger alone is its tip.
 std::string finger_joint_of(const RecordedWords& w, std::size_t which) {
   using enum BodyWord;
   const std::vector<std::string> joints = finger_joint_names(which);
@@ -53,18 +53,18 @@ std::string finger_joint_of(const RecordedWords& w, std::size_t which) {
   return number >= 1 && number <= 4 ? joints[static_cast<std::size_t>(number - 1)] : "";
 }
 
-PlacedPoint place_finger(const RecordedWords& w) {
+PointAssignment classify_finger_point(const RecordedWords& w) {
   using enum BodyWord;
-  for (std::size_t which = 0; which < kFingers; ++which) {
+  for (std::size_t which = 0; which < kFingerCount; ++which) {
     if (!w.has(kFingerWords[which])) continue;
     const std::string joint = finger_joint_of(w, which);
-    return joint.empty() ? PlacedPoint{} : PlacedPoint{PointPart::finger, false, joint};
+    return joint.empty() ? PointAssignment{} : PointAssignment{PointPart::finger, false, joint};
   }
-  return w.has(hand) && w.has(tip) ? PlacedPoint{PointPart::finger, false, "middle_tip"}
-                                   : PlacedPoint{};
+  return w.has(hand) && w.has(tip) ? PointAssignment{PointPart::finger, false, "middle_tip"}
+                                   : PointAssignment{};
 }
 
-PointPart place_on_arm(const RecordedWords& w) {
+PointPart classify_arm_point(const RecordedWords& w) {
   using enum BodyWord;
   const bool thumb_side = w.has(radial) || w.has(lateral) || w.has(thumb);
   const bool little_side = w.has(ulnar) || w.has(medial) || w.has(little);
@@ -83,32 +83,32 @@ PointPart place_on_arm(const RecordedWords& w) {
   if (w.has(scapula)) return PointPart::girdle;
   if (w.has(shoulder)) return PointPart::shoulder;
   if (w.has(hip) || w.has(thigh)) return PointPart::hip;
-  return w.has(hand) ? PointPart::hand : PointPart::nothing;
+  return w.has(hand) ? PointPart::hand : PointPart::none;
 }
 
-PlacedPoint place_point(const std::string& name, Side recorded) {
+PointAssignment classify_point(const std::string& name, Side recorded) {
   using enum BodyWord;
-  const RecordedWords w = recorded_words_of(name);
+  const RecordedWords w = parse_recorded_name(name);
   const bool sided = w.has(left) || w.has(right);
   for (const BodyWord elsewhere : {head, neck, trunk, pelvis, clavicle, knee, ankle, foot, toe}) {
     if (w.has(elsewhere) && !w.has(hand)) return {};  // "back of the hand" is on an arm
   }
-  if (w.strange && !sided && w.words.size() < 2) return {};  // "ring_stand"
-  PlacedPoint placed{place_on_arm(w), false, ""};
+  if (w.has_unknown_word && !sided && w.words.size() < 2) return {};  // for example "ring_stand"
+  PointAssignment placed{classify_arm_point(w), false, ""};
   const bool side_of_wrist =
       placed.part == PointPart::wrist_thumb || placed.part == PointPart::wrist_little;
-  if (placed.part == PointPart::nothing || (placed.part == PointPart::hand && !side_of_wrist)) {
-    const PlacedPoint on_finger = place_finger(w);
-    if (on_finger.part != PointPart::nothing) placed = on_finger;
+  if (placed.part == PointPart::none || (placed.part == PointPart::hand && !side_of_wrist)) {
+    const PointAssignment on_finger = classify_finger_point(w);
+    if (on_finger.part != PointPart::none) placed = on_finger;
   }
   placed.left = sided ? w.has(left) : recorded == Side::left;
   return placed;
 }
 
-using Numbered = std::map<PointPart, std::vector<std::string>>;
+using NamesByPart = std::map<PointPart, std::vector<std::string>>;
 
-/// Markers of one side: clusters are counted in the order of the file.
-void add_markers(const Numbered& points, const std::map<std::string, std::string>& fingers,
+/// Adds the markers of one side. Clusters are numbered in the order of the file.
+void add_markers(const NamesByPart& points, const std::map<std::string, std::string>& fingers,
                  char side, GuessedNames& guessed) {
   const auto cluster = [&](PointPart part, const char* name) {
     const auto found = points.find(part);
@@ -122,9 +122,9 @@ void add_markers(const Numbered& points, const std::map<std::string, std::string
     if (found == points.end()) return;
     guessed.emplace_back(found->second.front(), fmt::format("{}{}", side, name));
   };
-  constexpr std::size_t kCluster = 3;
+  constexpr std::size_t kMinClusterMarkers = 3;
   const auto shoulders = points.find(PointPart::shoulder);
-  const bool many = shoulders != points.end() && shoulders->second.size() >= kCluster;
+  const bool many = shoulders != points.end() && shoulders->second.size() >= kMinClusterMarkers;
   if (many && !points.contains(PointPart::girdle)) {
     cluster(PointPart::shoulder, "SHO");
   } else {
@@ -148,8 +148,8 @@ void add_markers(const Numbered& points, const std::map<std::string, std::string
   }
 }
 
-/// Joints of one side. One marker beside a joint stands for it where nothing better is there.
-void add_joints(const Numbered& points, const std::map<std::string, std::string>& fingers,
+/// Adds the joints of one side. A marker beside a joint is used if there is no better point.
+void add_joints(const NamesByPart& points, const std::map<std::string, std::string>& fingers,
                 const std::string& side, GuessedNames& guessed) {
   const auto joint = [&](const char* name, std::initializer_list<PointPart> parts) {
     for (const PointPart part : parts) {
@@ -167,22 +167,23 @@ void add_joints(const Numbered& points, const std::map<std::string, std::string>
   for (const auto& [name, recorded] : fingers) guessed.emplace_back(recorded, side + name);
 }
 
-/// 21 points that are only numbered, from 0: a hand in the order that most programs have.
+/// Returns the names of 21 points that are only numbered, from 0: a hand in the most common order.
 GuessedNames numbered_hand(const std::vector<std::string>& names, Side hand) {
-  constexpr std::size_t kWholeHand = 21;
+  constexpr std::size_t kHandPointCount = 21;
   std::vector<std::string> parts = {"wrist"};
-  for (std::size_t finger = 0; finger < kFingers; ++finger) {
+  for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
     for (const std::string& joint : finger_joint_names(finger)) parts.push_back(joint);
   }
   std::map<int, std::string> by_number;
   for (const std::string& name : names) {
-    const RecordedWords words = recorded_words_of(name);
+    const RecordedWords words = parse_recorded_name(name);
     if (words.numbers.size() == 1) by_number.emplace(words.numbers[0], name);
   }
-  const bool whole = names.size() == kWholeHand && by_number.size() == kWholeHand &&
-                     by_number.begin()->first == 0 && by_number.rbegin()->first == kWholeHand - 1;
+  const bool whole = names.size() == kHandPointCount && by_number.size() == kHandPointCount &&
+                     by_number.begin()->first == 0 &&
+                     by_number.rbegin()->first == kHandPointCount - 1;
   GuessedNames guessed;
-  for (std::size_t k = 0; whole && k < kWholeHand; ++k) {
+  for (std::size_t k = 0; whole && k < kHandPointCount; ++k) {
     guessed.emplace_back(by_number[static_cast<int>(k)],
                          fmt::format("{}_{}", name_of(hand), parts[k]));
   }
@@ -192,24 +193,25 @@ GuessedNames numbered_hand(const std::vector<std::string>& names, Side hand) {
 }  // namespace
 
 GuessedNames guess_points(const std::vector<std::string>& names, Side hand) {
-  Numbered points[2];
+  NamesByPart points[2];
   std::map<std::string, std::string> fingers[2];
   for (const std::string& name : names) {
-    const PlacedPoint placed = place_point(name, hand);
+    const PointAssignment placed = classify_point(name, hand);
     if (placed.part == PointPart::finger) {
       fingers[placed.left].emplace(placed.finger_joint, name);
-    } else if (placed.part != PointPart::nothing) {
+    } else if (placed.part != PointPart::none) {
       points[placed.left][placed.part].push_back(name);
     }
   }
-  constexpr std::size_t kCluster = 3;
+  constexpr std::size_t kMinClusterMarkers = 3;
   const auto has = [&](PointPart part, std::size_t count) {
-    return std::ranges::any_of(points, [&](const Numbered& side) {
+    return std::ranges::any_of(points, [&](const NamesByPart& side) {
       const auto found = side.find(part);
       return found != side.end() && found->second.size() >= count;
     });
   };
-  const bool markers = has(PointPart::upper_arm, kCluster) || has(PointPart::forearm, kCluster) ||
+  const bool markers = has(PointPart::upper_arm, kMinClusterMarkers) ||
+                       has(PointPart::forearm, kMinClusterMarkers) ||
                        (has(PointPart::elbow_outer, 1) && has(PointPart::elbow_inner, 1));
   GuessedNames guessed;
   if (points[0].empty() && points[1].empty() && fingers[0].empty() && fingers[1].empty()) {

@@ -13,7 +13,7 @@
 namespace morphe::imports {
 namespace {
 
-/// Landmarks of the trunk in the usual marker sets; "" for any other name.
+/// Returns the part for landmarks of the trunk in the usual marker sets; "" for any other name.
 std::string trunk_part(const std::string& name) {
   std::string own = name.substr(name.rfind(':') + 1);
   for (char& c : own) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
@@ -33,11 +33,11 @@ std::string trunk_part(const std::string& name) {
   return "";
 }
 
-/// What is no part of an arm, but tells which way is up and forward.
-std::string part_of(const std::string& name) {
+/// Returns a part that is not on an arm, but determines up and forward.
+std::string body_part_of_name(const std::string& name) {
   if (std::string part = body_part(name); !part.empty()) return part;
   if (std::string part = trunk_part(name); !part.empty()) return part;
-  const RecordedWords words = recorded_words_of(name);
+  const RecordedWords words = parse_recorded_name(name);
   const std::string side = words.has(BodyWord::right)  ? "right "
                            : words.has(BodyWord::left) ? "left "
                                                        : "";
@@ -49,11 +49,11 @@ std::string part_of(const std::string& name) {
 }
 
 void add_columns(const std::vector<std::string>& names, const std::vector<double>& time,
-                 const Table<Vec3>& position, RecordedPoints& points) {
+                 const Array2D<Vec3>& position, RecordedPoints& points) {
   const bool same_rows = points.time == time;
   if (!points.names.empty() && !same_rows) return;
   points.time = time;
-  Table<Vec3> joined(time.size(), points.names.size() + names.size(), unseen_point());
+  Array2D<Vec3> joined(time.size(), points.names.size() + names.size(), unknown_point());
   for (std::size_t i = 0; i < time.size(); ++i) {
     for (std::size_t k = 0; k < points.names.size(); ++k) joined(i, k) = points.position(i, k);
     for (std::size_t k = 0; k < names.size(); ++k) {
@@ -63,14 +63,14 @@ void add_columns(const std::vector<std::string>& names, const std::vector<double
   points.position = std::move(joined);
   for (const std::string& name : names) {
     points.names.push_back(name);
-    points.parts.push_back(part_of(name));
+    points.parts.push_back(body_part_of_name(name));
   }
 }
 
-std::vector<std::string> hand_points(HandKind kind, const std::string& side) {
+std::vector<std::string> hand_point_names(HandKind kind, const std::string& side) {
   std::vector<std::string> names;
   if (kind == HandKind::keypoints) names.push_back(side + "_wrist");
-  for (std::size_t finger = 0; finger < kFingers; ++finger) {
+  for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
     const std::vector<std::string> joints = finger_joint_names(finger);
     for (std::size_t j = kind == HandKind::keypoints ? 0 : 3; j < 4; ++j) {
       names.push_back(fmt::format("{}_{}", side, joints[j]));
@@ -103,14 +103,14 @@ RecordedPoints recorded_points(const Streams& streams, Side hand) {
   const auto& kept = streams.hand;
   if (kept && kept->position.rows > 0 &&
       (points.names.empty() || (kept->kind == HandKind::fingertips && streams.sensors))) {
-    add_columns(hand_points(streams.hand->kind, side), streams.hand->time, streams.hand->position,
-                points);
+    add_columns(hand_point_names(streams.hand->kind, side), streams.hand->time,
+                streams.hand->position, points);
   }
   return points;
 }
 
 std::vector<Vec3> mean_track(const RecordedPoints& points, std::string_view part) {
-  std::vector<Vec3> track(points.time.size(), unseen_point());
+  std::vector<Vec3> track(points.time.size(), unknown_point());
   std::vector<std::size_t> columns;
   for (std::size_t k = 0; k < points.parts.size(); ++k) {
     if (points.parts[k].starts_with(part)) columns.push_back(k);
@@ -127,11 +127,11 @@ Vec3 mean_of(const std::vector<Vec3>& track) {
   Vec3 sum = Vec3::Zero();
   double count = 0;
   for (const Vec3& point : track) {
-    if (!seen(point)) continue;
+    if (!is_known(point)) continue;
     sum += point;
     ++count;
   }
-  return count > 0 ? Vec3(sum / count) : unseen_point();
+  return count > 0 ? Vec3(sum / count) : unknown_point();
 }
 
 }  // namespace morphe::imports

@@ -8,25 +8,26 @@
 
 namespace morphe::imports {
 
-/// The points of a recording, whatever stream they are in.
+/// The points of a recording, from any of its streams.
 struct RecordedPoints {
-  std::vector<std::string> names;
-  std::vector<std::string> parts;    ///< what each is taken for: body_part, or "head", "pelvis",
-                                     ///< "right toe", …, by the words in its name; "" = unknown
-  std::vector<std::string> parents;  ///< of a skeleton, otherwise empty
+  std::vector<std::string> names;  ///< [K] recorded names
+  /// Part of each point by the words in its name: body_part, or "head", "pelvis", "right toe", …;
+  /// "" if unknown.
+  std::vector<std::string> parts;
+  std::vector<std::string> parents;  ///< for a skeleton, otherwise empty
   std::vector<double> time;          ///< [N] [s]
-  Table<Vec3> position;              ///< [N, K]
+  Array2D<Vec3> position;            ///< [N, K]
 };
 
-/// Markers, and the joints of a skeleton behind them; otherwise sensors or the points of a hand. No
-/// names where it holds none.
+/// Returns the markers, followed by the joints of a skeleton; otherwise sensors or the points of a
+/// hand. It has no names if there are no points.
 RecordedPoints recorded_points(const Streams& streams, Side hand);
 
-/// In each frame the mean of the points whose part begins so ("right elbow": both epicondyles,
-/// too); unseen where none was.
+/// Returns in each frame the mean of the points whose part has this prefix ("right elbow" includes
+/// both epicondyles); unseen if no such point was seen.
 std::vector<Vec3> mean_track(const RecordedPoints& points, std::string_view part);
 
-/// Mean of what was seen; unseen if nothing was.
+/// Returns the mean of the seen points; unseen if there are no seen points.
 Vec3 mean_of(const std::vector<Vec3>& track);
 
 }  // namespace morphe::imports

@@ -9,17 +9,17 @@
 namespace morphe::imports {
 namespace {
 
-using Words = std::vector<BodyWord>;
+using Message = std::vector<BodyWord>;
 
-/// A meaning and its spellings.
-struct Spelled {
-  Words words;
-  std::string_view spellings;  ///< between blanks
+/// The spellings of a word or a sequence of words.
+struct Spelling {
+  Message words;
+  std::string_view spellings;  ///< separated by blanks
 };
 
-const std::vector<Spelled>& spelled() {
+const std::vector<Spelling>& spelling_table() {
   using enum BodyWord;
-  static const std::vector<Spelled> all = {
+  static const std::vector<Spelling> all = {
       {{left},
        "l left lt lft links linke linker gauche izquierda izquierdo sinistra "
        "sinistro 左"},
@@ -95,10 +95,10 @@ const std::vector<Spelled>& spelled() {
   return all;
 }
 
-const std::map<std::string, Words, std::less<>>& dictionary() {
+const std::map<std::string, Message, std::less<>>& dictionary() {
   static const auto words = [] {
-    std::map<std::string, Words, std::less<>> by_spelling;
-    for (const Spelled& one : spelled()) {
+    std::map<std::string, Message, std::less<>> by_spelling;
+    for (const Spelling& one : spelling_table()) {
       std::istringstream spellings{std::string(one.spellings)};
       for (std::string word; spellings >> word;) by_spelling[word] = one.words;
     }
@@ -107,18 +107,18 @@ const std::map<std::string, Words, std::less<>>& dictionary() {
   return words;
 }
 
-/// Letters as a sequence of words, as few as can be; nothing if they are none.
-std::optional<Words> split(std::string_view letters) {
-  constexpr std::size_t kLongest = 24;  // of any name that is worth it
-  if (letters.size() > kLongest) return std::nullopt;
+/// Splits letters into as few words as possible; returns no value if that is impossible.
+std::optional<Message> split(std::string_view letters) {
+  constexpr std::size_t kMaxNameLength = 24;  // longer names are not split
+  if (letters.size() > kMaxNameLength) return std::nullopt;
   if (const auto found = dictionary().find(letters); found != dictionary().end()) {
     return found->second;
   }
-  std::optional<Words> best;
+  std::optional<Message> best;
   for (std::size_t length = 1; length < letters.size(); ++length) {
     const auto found = dictionary().find(letters.substr(0, length));
     if (found == dictionary().end()) continue;
-    std::optional<Words> rest = split(letters.substr(length));
+    std::optional<Message> rest = split(letters.substr(length));
     if (!rest || (best && best->size() <= rest->size() + found->second.size())) continue;
     rest->insert(rest->begin(), found->second.begin(), found->second.end());
     best = std::move(rest);
@@ -126,26 +126,27 @@ std::optional<Words> split(std::string_view letters) {
   return best;
 }
 
-enum class Kind { sign, digit, small, capital };
+enum class CharKind { sign, digit, small, capital };
 
-Kind kind_of(char c) {
+CharKind kind_of(char c) {
   const auto u = static_cast<unsigned char>(c);
-  if (std::isdigit(u)) return Kind::digit;
-  if (std::isupper(u)) return Kind::capital;
-  return std::islower(u) || u >= 0x80 ? Kind::small : Kind::sign;
+  if (std::isdigit(u)) return CharKind::digit;
+  if (std::isupper(u)) return CharKind::capital;
+  return std::islower(u) || u >= 0x80 ? CharKind::small : CharKind::sign;
 }
 
-/// "RightHandIndex3_end" at changes of kind; a capital belongs to the small letters behind it.
+/// Splits a name such as "RightHandIndex3_end" at changes of character class; a capital belongs to
+/// the small letters after it.
 std::vector<std::string> pieces_of(std::string_view name) {
   std::vector<std::string> pieces(1);
   for (std::size_t i = 0; i < name.size(); ++i) {
-    const Kind now = kind_of(name[i]), before = i > 0 ? kind_of(name[i - 1]) : Kind::sign;
-    const bool word_begins = now == Kind::capital && before == Kind::capital &&
-                             i + 2 < name.size() && kind_of(name[i + 1]) == Kind::small &&
-                             kind_of(name[i + 2]) == Kind::small;
-    const bool goes_on = now == before || (now == Kind::small && before == Kind::capital);
+    const CharKind now = kind_of(name[i]), before = i > 0 ? kind_of(name[i - 1]) : CharKind::sign;
+    const bool word_begins = now == CharKind::capital && before == CharKind::capital &&
+                             i + 2 < name.size() && kind_of(name[i + 1]) == CharKind::small &&
+                             kind_of(name[i + 2]) == CharKind::small;
+    const bool goes_on = now == before || (now == CharKind::small && before == CharKind::capital);
     if (!goes_on || word_begins) pieces.emplace_back();
-    if (now != Kind::sign) {
+    if (now != CharKind::sign) {
       pieces.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(name[i])));
     }
   }
@@ -159,21 +160,21 @@ bool RecordedWords::has(BodyWord word) const {
   return std::ranges::find(words, word) != words.end();
 }
 
-RecordedWords recorded_words_of(std::string_view name) {
+RecordedWords parse_recorded_name(std::string_view name) {
   if (const std::size_t colon = name.rfind(':'); colon + 1 < name.size()) {
     name.remove_prefix(colon + 1);
   }
   RecordedWords result;
   for (const std::string& piece : pieces_of(name)) {
-    if (kind_of(piece[0]) == Kind::digit) {
+    if (kind_of(piece[0]) == CharKind::digit) {
       result.numbers.push_back(piece.size() < 7 ? std::stoi(piece) : 0);
       continue;
     }
-    const std::optional<Words> words = split(piece);
+    const std::optional<Message> words = split(piece);
     if (words) {
       result.words.insert(result.words.end(), words->begin(), words->end());
     } else {
-      result.strange = true;
+      result.has_unknown_word = true;
     }
   }
   return result;

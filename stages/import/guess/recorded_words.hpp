@@ -7,7 +7,7 @@
 
 namespace morphe::imports {
 
-/// What a word of a recorded name means.
+/// The meaning of a word in a recorded name.
 enum class BodyWord : std::uint8_t {
   left,
   right,
@@ -60,22 +60,23 @@ enum class BodyWord : std::uint8_t {
   filler
 };
 
-/// In the order of kFingerNames.
+/// The fingers' words in the order of kFingerNames.
 inline constexpr BodyWord kFingerWords[] = {BodyWord::thumb, BodyWord::index, BodyWord::middle,
                                             BodyWord::ring, BodyWord::little};
 
-/// A recorded name taken apart: "mixamorig:RightHandIndex3_end" is {right, hand, index, tip}, 3.
+/// A parsed name: "mixamorig:RightHandIndex3_end" is {right, hand, index, tip}, 3.
 struct RecordedWords {
-  std::vector<BodyWord> words;
-  std::vector<int> numbers;
-  bool strange = false;  ///< holds letters that are none of the words
+  std::vector<BodyWord> words;    ///< known words, in order
+  std::vector<int> numbers;       ///< numbers, in order
+  bool has_unknown_word = false;  ///< true if it contains letters that are not a known word
 
+  /// Returns true if the name contains this word.
   bool has(BodyWord word) const;
 };
 
-/// Takes a name apart at signs, capitals and digits ("SUBJECT:" before it aside), and what is left
-/// into words, those of several languages and their usual short forms ("RELB", "upperarm_l",
-/// "右ひじ").
-RecordedWords recorded_words_of(std::string_view name);
+/// Splits a name at punctuation, capitals and digits (without the prefix "SUBJECT:"), and the
+/// remaining letters into words of several languages and their usual abbreviations ("RELB",
+/// "upperarm_l", "右ひじ").
+RecordedWords parse_recorded_name(std::string_view name);
 
 }  // namespace morphe::imports

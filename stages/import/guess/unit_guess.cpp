@@ -4,32 +4,32 @@
 #include <cmath>
 #include <optional>
 
-#include "stages/import/guess/body_guess.hpp"
+#include "stages/import/guess/convention_guess.hpp"
 
 namespace morphe::imports {
 namespace {
 
-/// A length of the body in recorded units, and what it usually is [m].
+/// A length of the body in recorded units and its usual value [m].
 struct BodyLength {
   const char* what;
   double recorded, usual_m;
 };
 
-/// Median distance of two tracks.
+/// Returns the median distance between two tracks.
 double distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   std::vector<double> lengths;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const double length = (a[i] - b[i]).norm();
     if (std::isfinite(length)) lengths.push_back(length);
   }
-  if (lengths.empty()) return kNotSeen;
+  if (lengths.empty()) return kUnknown;
   const auto half = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
   std::ranges::nth_element(lengths, half);
   return *half;
 }
 
-/// Usual lengths between joint centres of adults; where clusters stand for joints, a third shorter
-/// or longer.
+/// Returns lengths between joint centres, with usual values of adults; if clusters replace joints,
+/// they are a third shorter or longer.
 std::vector<BodyLength> body_lengths(const RecordedPoints& points) {
   std::vector<BodyLength> lengths;
   const auto add = [&](const char* what, const std::string& from, const std::string& to,
@@ -62,49 +62,50 @@ double misfit(const std::vector<BodyLength>& lengths, double metres) {
   return std::sqrt(sum / static_cast<double>(lengths.size()));
 }
 
-std::string shown(double metres) {
+std::string length_text(double metres) {
   return metres < 0.995 ? fmt::format("{:.0f} mm", 1000 * metres) : fmt::format("{:.2f} m", metres);
 }
 
-/// No part of a body can be told: a person reaches over half a metre or a few.
-Guess from_extent(const RecordedPoints& points) {
+/// Guesses the unit from the extent, if no body part is known: a person reaches over half a metre
+/// or a few.
+Guess guess_unit_from_extent(const RecordedPoints& points) {
   Eigen::AlignedBox3d box;
   for (const Vec3& point : points.position.values) {
-    if (seen(point)) box.extend(point);
+    if (is_known(point)) box.extend(point);
   }
   if (box.isEmpty() || !(box.diagonal().norm() > 0)) return {};
   const std::vector<BodyLength> extent = {{"extent", box.diagonal().norm(), 1.0}};
   const auto best = std::ranges::min_element(
       kUnits, kUnits + 3, {}, [&](const auto& unit) { return misfit(extent, unit.second); });
-  return {best->first, Sureness::guessed,
-          fmt::format("all points lie within {}", shown(extent[0].recorded * best->second))};
+  return {best->first, Confidence::guessed,
+          fmt::format("all points lie within {}", length_text(extent[0].recorded * best->second))};
 }
 
 }  // namespace
 
 Guess guess_unit(const RecordedPoints& points) {
   const std::vector<BodyLength> lengths = body_lengths(points);
-  if (lengths.empty()) return from_extent(points);
+  if (lengths.empty()) return guess_unit_from_extent(points);
   const auto best = std::ranges::min_element(
       kUnits, {}, [&](const auto& unit) { return misfit(lengths, unit.second); });
-  constexpr double kUsual = 0.22, kPossible = 0.45;  // logarithms: 25 and 57 %
+  constexpr double kUsualMisfit = 0.22, kPossibleMisfit = 0.45;  // logarithms: 25 and 57 %
   const double off = misfit(lengths, best->second);
   const BodyLength& first = lengths.front();
-  if (off < kPossible) {
-    return {best->first, off < kUsual ? Sureness::sure : Sureness::likely,
-            fmt::format("{} {} long", first.what, shown(first.recorded * best->second))};
+  if (off < kPossibleMisfit) {
+    return {best->first, off < kUsualMisfit ? Confidence::sure : Confidence::likely,
+            fmt::format("{} {} long", first.what, length_text(first.recorded * best->second))};
   }
   double logs = 0;
   for (const BodyLength& length : lengths) logs += std::log(length.usual_m / length.recorded);
   const double metres = std::exp(logs / static_cast<double>(lengths.size()));
   return {
-      fmt::format("{:.3g}", metres), Sureness::guessed,
+      fmt::format("{:.3g}", metres), Confidence::guessed,
       fmt::format("with it the body has usual lengths, {} {}; with mm, cm, m, in and ft it has not",
-                  first.what, shown(first.recorded * metres))};
+                  first.what, length_text(first.recorded * metres))};
 }
 
 Guess guess_rate(const RecordedPoints& points, double unit_m) {
-  std::vector<double> speeds;  // a frame
+  std::vector<double> speeds;  // per frame
   for (std::size_t i = 1; i < points.position.rows; ++i) {
     double fastest = 0;
     for (std::size_t k = 0; k < points.position.cols; ++k) {
@@ -116,11 +117,11 @@ Guess guess_rate(const RecordedPoints& points, double unit_m) {
   if (speeds.empty()) return {};
   const auto at = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() * 95 / 100);
   std::ranges::nth_element(speeds, at);
-  constexpr double kRates[] = {30, 60, 100, 120, 200, 240}, kReach_m_s = 1;
-  const double rate = *std::ranges::min_element(kRates, {}, [&](double hz) {
-    return *at > 0 ? std::abs(std::log(*at * hz / kReach_m_s)) : hz;
+  constexpr double kUsualRates_hz[] = {30, 60, 100, 120, 200, 240}, kReachSpeed_m_s = 1;
+  const double rate = *std::ranges::min_element(kUsualRates_hz, {}, [&](double hz) {
+    return *at > 0 ? std::abs(std::log(*at * hz / kReachSpeed_m_s)) : hz;
   });
-  return {fmt::format("{:.0f}", rate), Sureness::guessed,
+  return {fmt::format("{:.0f}", rate), Confidence::guessed,
           fmt::format("the hand then moves at up to {:.1f} m/s; put in what the camera took",
                       *at * rate)};
 }

@@ -8,11 +8,11 @@
 namespace morphe::imports {
 namespace {
 
-constexpr std::string_view kSigns = " _.:-/";
+constexpr std::string_view kSeparators = " _.:-/";
 
 }  // namespace
 
-std::string small(std::string_view text) {
+std::string to_lower(std::string_view text) {
   std::string result(text);
   for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return result;
@@ -27,12 +27,12 @@ std::string trim(std::string_view text, std::string_view signs) {
 namespace {
 
 constexpr std::string_view kLengths[] = {"mm", "cm", "m", "in", "inch", "meters", "millimeters"};
-constexpr std::string_view kTimes[] = {"s",    "sec",          "secs", "seconds", "ms",
-                                       "msec", "milliseconds", "us",   "µs",      "ns"};
+constexpr std::string_view kTimeUnits[] = {"s",    "sec",          "secs", "seconds", "ms",
+                                           "msec", "milliseconds", "us",   "µs",      "ns"};
 
 bool is_unit(const std::string& word) {
   return std::ranges::find(kLengths, word) != std::end(kLengths) ||
-         std::ranges::find(kTimes, word) != std::end(kTimes);
+         std::ranges::find(kTimeUnits, word) != std::end(kTimeUnits);
 }
 
 std::string usual_unit(const std::string& word) {
@@ -45,32 +45,32 @@ std::string usual_unit(const std::string& word) {
 
 }  // namespace
 
-ColumnLabel without_unit(std::string label) {
+ColumnLabel split_unit(std::string label) {
   ColumnLabel result;
   for (const char* brackets : {"()", "[]"}) {
     const std::size_t open = label.find(brackets[0]);
     const std::size_t close = label.find(brackets[1], std::min(open, label.size()));
     if (close == std::string::npos) continue;
-    const std::string word = small(trim(label.substr(open + 1, close - open - 1), " "));
+    const std::string word = to_lower(trim(label.substr(open + 1, close - open - 1), " "));
     if (!is_unit(word)) continue;
     result.unit = usual_unit(word);
     label.erase(open, close - open + 1);
   }
-  label = trim(label, kSigns);
-  const std::size_t sign = label.find_last_of(kSigns);
-  const std::string last = sign == std::string::npos ? "" : small(label.substr(sign + 1));
+  label = trim(label, kSeparators);
+  const std::size_t sign = label.find_last_of(kSeparators);
+  const std::string last = sign == std::string::npos ? "" : to_lower(label.substr(sign + 1));
   if (result.unit.empty() && is_unit(last)) {
     result.unit = usual_unit(last);
     label.erase(sign);
   }
-  result.text = trim(label, kSigns);
+  result.text = trim(label, kSeparators);
   return result;
 }
 
 namespace {
 
 int axis_of_word(const std::string& word) {
-  const std::string letter = small(word);
+  const std::string letter = to_lower(word);
   const bool numbered =
       !letter.empty() && letter.find_first_not_of("0123456789", 1) == std::string::npos;
   const std::size_t which = numbered ? std::string("xyzw").find(letter[0]) : std::string::npos;
@@ -81,7 +81,8 @@ int axis_of_word(const std::string& word) {
 
 std::array<AxisReading, 3> readings_of(const std::string& label) {
   std::array<AxisReading, 3> readings;
-  const std::size_t last = label.find_last_of(kSigns), first = label.find_first_of(kSigns);
+  const std::size_t last = label.find_last_of(kSeparators),
+                    first = label.find_first_of(kSeparators);
   const auto number_of = [](const std::string& word) { return word.substr(1); };
   if (last == std::string::npos) {
     if (const int axis = axis_of_word(label); axis >= 0) {
@@ -93,8 +94,8 @@ std::array<AxisReading, 3> readings_of(const std::string& label) {
     }
     return readings;
   }
-  readings[0] = {trim(label.substr(0, last), kSigns), axis_of_word(label.substr(last + 1))};
-  readings[1] = {trim(label.substr(first + 1), kSigns), axis_of_word(label.substr(0, first))};
+  readings[0] = {trim(label.substr(0, last), kSeparators), axis_of_word(label.substr(last + 1))};
+  readings[1] = {trim(label.substr(first + 1), kSeparators), axis_of_word(label.substr(0, first))};
   readings[2] = {label.substr(0, label.size() - 1), axis_of_word(label.substr(label.size() - 1))};
   return readings;
 }
@@ -105,7 +106,7 @@ bool is_other_quantity(const std::string& name) {
       "vel",  "velocity", "acc",    "accel", "acceleration", "force",       "moment", "torque",
       "gyro", "omega",    "normal", "mag",   "ang",          "angular"};
   std::string word;
-  for (const char c : small(name) + " ") {
+  for (const char c : to_lower(name) + " ") {
     if (std::isalpha(static_cast<unsigned char>(c))) {
       word += c;
     } else {
@@ -116,17 +117,17 @@ bool is_other_quantity(const std::string& name) {
   return false;
 }
 
-bool is_time(const std::string& label) {
+bool is_time_label(const std::string& label) {
   static const std::set<std::string> kNames = {"time", "t",     "timestamp",  "seconds", "sec",
                                                "zeit", "temps", "time stamp", "times"};
-  return kNames.contains(small(trim(label, kSigns)));
+  return kNames.contains(to_lower(trim(label, kSeparators)));
 }
 
-bool is_frame(const std::string& label) {
+bool is_frame_label(const std::string& label) {
   static const std::set<std::string> kNames = {
       "frame",        "frame#",      "frames", "sample", "samples", "frame number",
       "frame_number", "framenumber", "bild",   "image",  "nr"};
-  return kNames.contains(small(trim(label, " ")));
+  return kNames.contains(to_lower(trim(label, " ")));
 }
 
 }  // namespace morphe::imports

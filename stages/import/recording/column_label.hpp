@@ -6,31 +6,35 @@
 
 namespace morphe::imports {
 
-/// What stands above a column, without its unit.
+/// The label of a column without its unit.
 struct ColumnLabel {
-  std::string text;
-  std::string unit;  ///< mm, cm, m, in; s, ms, us, ns; "" = none
+  std::string text;  ///< label without the unit
+  std::string unit;  ///< mm, cm, m, in; s, ms, us, ns; "" if absent
 };
 
-/// Takes "(mm)", "[mm]" or a last word that is a unit ("wrist_x_mm") off a label.
-ColumnLabel without_unit(std::string label);
+/// Removes "(mm)", "[mm]" or a final word that is a unit ("wrist_x_mm") from a label.
+ColumnLabel split_unit(std::string label);
 
-/// One way to read a label as a point's name and an axis.
+/// An interpretation of a label as a point's name and an axis.
 struct AxisReading {
-  std::string name;
-  int axis = -1;  ///< 0 … 3: x, y, z, w; -1: it cannot be read so
+  std::string name;  ///< name of the point
+  int axis = -1;     ///< 0 … 3: x, y, z, w; -1 if it cannot be interpreted in this way
 };
 
-/// The axis behind the name, before it, or grown together with it: "wrist_x", "x:wrist", "wristX".
+/// Returns the interpretations with the axis after the name, before it, or joined to it: "wrist_x",
+/// "x:wrist", "wristX".
 std::array<AxisReading, 3> readings_of(const std::string& label);
 
-/// Whether a name speaks of a rotation, a velocity, a force or the like, not of a point.
+/// Returns true if a name denotes a rotation, a velocity, a force or the like, not a point.
 bool is_other_quantity(const std::string& name);
-bool is_time(const std::string& label);
-bool is_frame(const std::string& label);
+/// Returns true for the label of a column of times.
+bool is_time_label(const std::string& label);
+/// Returns true for the label of a column of frame numbers.
+bool is_frame_label(const std::string& label);
 
-/// In small letters; without the signs at both ends.
-std::string small(std::string_view text);
+/// Returns the text in lower case.
+std::string to_lower(std::string_view text);
+/// Returns the text without the given signs at both ends.
 std::string trim(std::string_view text, std::string_view signs);
 
 }  // namespace morphe::imports

@@ -59,11 +59,11 @@ double metres_per_unit(const std::string& unit, const std::string& source) {
   return metres;
 }
 
-double metres_of(const std::string& in_file, const Conventions& conventions,
-                 const std::string& source, std::vector<std::string>& reports) {
+double resolve_unit_m(const std::string& in_file, const Conventions& conventions,
+                      const std::string& source, std::vector<std::string>& reports) {
   const std::string& unit = conventions.unit.empty() ? in_file : conventions.unit;
   if (unit.empty()) {
-    throw NotSaid(
+    throw UnresolvedConvention(
         "unit", fmt::format("{}: unit: the file does not say it; give --unit or `unit:` such as mm",
                             source));
   }
@@ -74,11 +74,11 @@ double metres_of(const std::string& in_file, const Conventions& conventions,
   return metres_per_unit(unit, source);
 }
 
-double rate_of(double in_file, const Conventions& conventions, const std::string& source,
-               std::vector<std::string>& reports) {
+double resolve_rate_hz(double in_file, const Conventions& conventions, const std::string& source,
+                       std::vector<std::string>& reports) {
   const double rate_hz = conventions.rate_hz.value_or(in_file);
   if (!(rate_hz > 0) || !std::isfinite(rate_hz)) {
-    throw NotSaid(
+    throw UnresolvedConvention(
         "rate",
         fmt::format(
             "{}: rate: the file does not say it; give --rate or `rate_hz:` in frames a second",

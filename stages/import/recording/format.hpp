@@ -12,27 +12,28 @@
 
 namespace morphe::imports {
 
-/// One recording on disk and what belongs to it.
+/// A recording on disk and the files that belong to it.
 struct RecordingFiles {
-  std::filesystem::path file;
-  std::filesystem::path static_trial;          ///< or calibration pose; empty = none
-  std::filesystem::path glove, static_glove;   ///< of their own, beside the two; empty = none
-  std::filesystem::path glove_calibration;     ///< YAML, for raw counts; empty = none
-  std::map<std::string, std::string> renamed;  ///< recorded marker or joint name -> name used here
-  Side hand = Side::right;                     ///< which one was recorded
-  Conventions conventions;                     ///< what the file itself does not say
+  std::filesystem::path file;          ///< the recording
+  std::filesystem::path static_trial;  ///< static trial or calibration pose; may be empty
+  /// Separate files of a glove, beside the two; may be empty.
+  std::filesystem::path glove, static_glove;
+  std::filesystem::path glove_calibration;      ///< YAML, for raw counts; may be empty
+  std::map<std::string, std::string> name_map;  ///< recorded marker or joint name -> name used here
+  Side hand = Side::right;                      ///< the recorded hand
+  Conventions conventions;                      ///< conventions that are not in the file itself
 };
 
-/// A recording format: `recognises` judges the first bytes of a file (without a UTF-8 mark), `read`
-/// fills the streams, the calibration and the objects (and what else the file says: the subject),
-/// in the world frame and in metres, and says in `reports` what it assumed or repaired. InputError
-/// for what is not exactly what the format says, NotSaid for axes, a unit or a rate that neither
-/// the file nor `conventions` gives, or that cannot be right: import_question.hpp asks for them all
-/// at once.
+/// A recording format. `recognises` tests the first bytes of a file (without a UTF-8 mark). `read`
+/// fills the streams, the calibration, the objects and other data of the file (such as the
+/// subject), in the world frame and in metres, and lists its assumptions and repairs in `reports`.
+/// It throws InputError for a violation of the format, and UnresolvedConvention for axes, a unit or
+/// a rate that neither the file nor `conventions` gives, or that is implausible:
+/// unresolved_import.hpp asks for all of them at once.
 struct RecordingFormat {
-  std::string name;
-  bool (*recognises)(std::string_view head);
-  Demonstration (*read)(const RecordingFiles& files);
+  std::string name;                           ///< one of import_format_names()
+  bool (*recognises)(std::string_view head);  ///< true for the first bytes of a file of this format
+  Demonstration (*read)(const RecordingFiles& files);  ///< reads a recording of this format
 };
 
 }  // namespace morphe::imports

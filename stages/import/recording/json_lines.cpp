@@ -11,7 +11,7 @@
 namespace morphe::imports {
 namespace {
 
-void append_numbers(const JsonPlace& place, const nlohmann::json& value,
+void append_numbers(const JsonNode& place, const nlohmann::json& value,
                     std::vector<double>& numbers) {
   if (value.is_array()) {
     for (const nlohmann::json& entry : value) append_numbers(place, entry, numbers);
@@ -34,26 +34,26 @@ std::ifstream open(const std::filesystem::path& file) {
 
 }  // namespace
 
-void JsonPlace::fail(const std::string& message) const {
+void JsonNode::fail(const std::string& message) const {
   const std::string where = line > 0 ? fmt::format("{}:{}", file, line) : file;
   throw InputError(key.empty() ? fmt::format("{}: {}", where, message)
                                : fmt::format("{}: {}: {}", where, key, message));
 }
 
-bool JsonPlace::has(const std::string& name) const {
+bool JsonNode::has(const std::string& name) const {
   return value->is_object() && value->contains(name);
 }
 
-JsonPlace JsonPlace::at(const std::string& name) const {
-  JsonPlace member{file, line, key.empty() ? name : key + "." + name, nullptr};
+JsonNode JsonNode::at(const std::string& name) const {
+  JsonNode member{file, line, key.empty() ? name : key + "." + name, nullptr};
   if (!has(name)) member.fail("is missing");
   member.value = &value->at(name);
   return member;
 }
 
-double JsonPlace::number() const { return numbers(1)[0]; }
+double JsonNode::number() const { return numbers(1)[0]; }
 
-std::vector<double> JsonPlace::numbers(std::size_t count) const {
+std::vector<double> JsonNode::numbers(std::size_t count) const {
   std::vector<double> all;
   append_numbers(*this, *value, all);
   if (all.size() != count) {
@@ -62,17 +62,17 @@ std::vector<double> JsonPlace::numbers(std::size_t count) const {
   return all;
 }
 
-Vec3 JsonPlace::point() const {
+Vec3 JsonNode::point() const {
   const std::vector<double> p = numbers(3);
   return {p[0], p[1], p[2]};
 }
 
-std::string JsonPlace::text() const {
+std::string JsonNode::text() const {
   if (!value->is_string()) fail("must be a text");
   return value->get<std::string>();
 }
 
-Quat JsonPlace::quaternion() const {
+Quat JsonNode::quaternion() const {
   const std::vector<double> q = numbers(4);
   const Quat turn(q[0], q[1], q[2], q[3]);
   if (!(std::abs(turn.norm() - 1) < 0.01)) fail("is no quaternion of unit length");
@@ -80,12 +80,12 @@ Quat JsonPlace::quaternion() const {
 }
 
 void each_json_line(const std::filesystem::path& file,
-                    const std::function<void(const JsonPlace&)>& visit) {
+                    const std::function<void(const JsonNode&)>& visit) {
   std::ifstream stream = open(file);
   std::string text;
   for (std::size_t line = 1; std::getline(stream, text); ++line) {
     if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
-    JsonPlace place{file.string(), line, "", nullptr};
+    JsonNode place{file.string(), line, "", nullptr};
     const nlohmann::json value = nlohmann::json::parse(text, nullptr, false);
     if (!value.is_object()) place.fail("is no object of JSON: the line is damaged or cut off");
     place.value = &value;
@@ -98,7 +98,7 @@ nlohmann::json read_json(const std::filesystem::path& file) {
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   nlohmann::json value = nlohmann::json::parse(text, nullptr, false);
   if (!value.is_object()) {
-    JsonPlace{file.string(), 0, "", nullptr}.fail(
+    JsonNode{file.string(), 0, "", nullptr}.fail(
         "is no object of JSON: the file is damaged or cut off");
   }
   return value;

@@ -7,7 +7,8 @@
 
 namespace morphe::imports {
 
-/// A whole number, if the cell is one: nanoseconds of a day do not fit into a double.
+/// Returns the integer in a cell, if it contains one: nanoseconds of a day do not fit into a
+/// double.
 inline std::optional<std::int64_t> whole_number(std::string_view cell) {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);

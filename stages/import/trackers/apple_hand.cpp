@@ -6,7 +6,7 @@
 
 namespace morphe::imports {
 
-std::string plain_apple_name(std::string_view name) {
+std::string normalized_apple_name(std::string_view name) {
   std::string plain;
   for (const char c : name) {
     if (c != '_') plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -18,9 +18,9 @@ std::string plain_apple_name(std::string_view name) {
   return plain;
 }
 
-const std::array<std::string, kKeypoints>& apple_joints() {
-  static const std::array<std::string, kKeypoints> names = [] {
-    std::array<std::string, kKeypoints> all{"wrist"};
+const std::array<std::string, kKeypointCount>& apple_joints() {
+  static const std::array<std::string, kKeypointCount> names = [] {
+    std::array<std::string, kKeypointCount> all{"wrist"};
     std::size_t k = 1;
     for (const char* finger : kFingerNames) {
       for (const char* joint : {"knuckle", "intermediatebase", "intermediatetip", "tip"}) {
@@ -32,7 +32,7 @@ const std::array<std::string, kKeypoints>& apple_joints() {
   return names;
 }
 
-std::optional<Pose> rigid_motion(const std::vector<double>& numbers, bool column_major) {
+std::optional<Pose> pose_from_matrix(const std::vector<double>& numbers, bool column_major) {
   Eigen::Matrix4d m = Eigen::Map<const Eigen::Matrix4d>(numbers.data());
   if (!column_major) m.transposeInPlace();
   const Eigen::Matrix3d rotation = m.topLeftCorner<3, 3>();

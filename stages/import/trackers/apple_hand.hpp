@@ -11,20 +11,20 @@
 
 namespace morphe::imports {
 
-/// A joint's name as programs write it, in small letters and without "finger":
+/// Returns the canonical form of a joint's name, in small letters and without "finger":
 /// "indexFingerKnuckle", "IndexKnuckle" and "index_knuckle" are "indexknuckle".
-std::string plain_apple_name(std::string_view name);
+std::string normalized_apple_name(std::string_view name);
 
-/// Plain names in the order of keypoints: "wrist", "thumbknuckle", … "littletip". A finger's
-/// knuckle is its MCP joint, the thumb's its CMC; metacarpals are no keypoints.
-const std::array<std::string, kKeypoints>& apple_joints();
+/// Returns the canonical names in the order of keypoints: "wrist", "thumbknuckle", … "littletip". A
+/// finger's knuckle is its MCP joint, the thumb's its CMC; metacarpals are not keypoints.
+const std::array<std::string, kKeypointCount>& apple_joints();
 
-/// A rigid motion from the 16 numbers of a matrix, none if it is none: its rotation must be one
-/// within 1 %, its fourth row 0, 0, 0, 1.
-std::optional<Pose> rigid_motion(const std::vector<double>& numbers, bool column_major);
+/// Returns the rigid motion given by the 16 numbers of a matrix, or no value if it is not rigid:
+/// its rotation must be orthonormal within 1 %, its fourth row 0, 0, 0, 1.
+std::optional<Pose> pose_from_matrix(const std::vector<double>& numbers, bool column_major);
 
-/// Why a clip from Apple's hand tracking has the axes that it has, for `reports`.
-inline constexpr const char* kAppleAxes =
+/// The reason for the axes of a clip from Apple's hand tracking, for `reports`.
+inline constexpr const char* kAppleAxesReason =
     "Y is up by the device's gravity, as in ARKit; which way the person faces is not said";
 
 }  // namespace morphe::imports

@@ -1,7 +1,7 @@
-// Hands as Project Aria's machine perception services track them: hand_tracking_results.csv, or
-// wrist_and_palm_poses.csv of earlier versions. A row a frame, columns by name, in metres in the
-// frame of the device; a hand that was not seen has a confidence of 0 or less. Where the device was
-// says closed_loop_trajectory.csv beside the file; its world has Z up.
+// Hands as tracked by Project Aria's machine perception services: hand_tracking_results.csv, or
+// wrist_and_palm_poses.csv of earlier versions. There is a row per frame, with columns by name, in
+// metres in the frame of the device; a hand that was not seen has a confidence of 0 or less. The
+// trajectory of the device is in closed_loop_trajectory.csv beside the file; its world has Z up.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,16 +17,16 @@
 namespace morphe::imports {
 namespace {
 
-/// A side's columns; points are x, y, z.
+/// The columns of a side; points are x, y, z.
 struct HandColumns {
   std::size_t confidence = 0;
-  std::vector<std::vector<std::size_t>> landmarks;  ///< 21, or none
-  std::vector<std::size_t> wrist;                   ///< without landmarks
+  std::vector<std::vector<std::size_t>> landmarks;  ///< 21, or empty
+  std::vector<std::size_t> wrist;                   ///< used if there are no landmarks
 };
 
 struct AriaFile {
   HandClip clip;          ///< in the device's frame
-  bool landmarks = true;  ///< else wrists alone
+  bool landmarks = true;  ///< false for wrists alone
 };
 
 std::vector<std::string> point_names(const std::string& point) {
@@ -59,13 +59,13 @@ void read_hand(const NamedColumns& columns, std::size_t line,
   };
   if (!(confidence > 0)) return;
   if (at.landmarks.empty()) {
-    hand.joint(i, 0) = point(at.wrist);
+    hand.keypoints(i, 0) = point(at.wrist);
     return;
   }
   const KeypointOrder& order = *keypoint_order("aria");
-  for (std::size_t k = 0; k < kKeypoints; ++k) {
+  for (std::size_t k = 0; k < kKeypointCount; ++k) {
     if (order.joint[k] >= 0) {
-      hand.joint(i, k) = point(at.landmarks[static_cast<std::size_t>(order.joint[k])]);
+      hand.keypoints(i, k) = point(at.landmarks[static_cast<std::size_t>(order.joint[k])]);
     }
   }
 }
@@ -90,50 +90,50 @@ AriaFile read_aria_file(const files::CsvText& csv) {
   return read;
 }
 
-/// The world in which most rows are, none if the trajectory knows none of them.
-std::optional<std::size_t> main_world(
-    const std::vector<std::optional<DeviceTrajectory::Place>>& places) {
+/// Returns the world that contains most rows; no value if the trajectory contains none of them.
+std::optional<std::size_t> main_map(
+    const std::vector<std::optional<DeviceTrajectory::DevicePose>>& places) {
   std::map<std::size_t, std::size_t> rows;
   for (const auto& place : places) {
-    if (place) ++rows[place->world];
+    if (place) ++rows[place->map_index];
   }
   const auto most =
       std::ranges::max_element(rows, {}, [](const auto& entry) { return entry.second; });
   return most == rows.end() ? std::nullopt : std::optional(most->first);
 }
 
-/// Axes of the trajectory's world: up is where gravity does not point.
-std::string axes_of(const DeviceTrajectory& trajectory, const Conventions& conventions) {
+/// Returns the axes of the trajectory's world: up is opposite to gravity.
+std::string trajectory_axes(const DeviceTrajectory& trajectory, const Conventions& conventions) {
   const Vec3 up = -trajectory.gravity.normalized();
   if (!(up.z() > 0.99) && conventions.axes.empty()) {
-    throw NotSaid("axes",
-                  fmt::format("{}: axes: gravity points along ({:.3g}, {:.3g}, {:.3g}), not "
-                              "along -z; give --axes or `axes:`",
-                              trajectory.file, -up.x(), -up.y(), -up.z()));
+    throw UnresolvedConvention(
+        "axes", fmt::format("{}: axes: gravity points along ({:.3g}, {:.3g}, {:.3g}), not "
+                            "along -z; give --axes or `axes:`",
+                            trajectory.file, -up.x(), -up.y(), -up.z()));
   }
   return "x y z";
 }
 
-void bring_into_world(const DeviceTrajectory& trajectory, const RecordingFiles& files,
-                      const std::vector<std::optional<DeviceTrajectory::Place>>& places,
-                      std::size_t world, HandClip& clip, std::vector<std::string>& reports) {
+void transform_to_world(const DeviceTrajectory& trajectory, const RecordingFiles& files,
+                        const std::vector<std::optional<DeviceTrajectory::DevicePose>>& places,
+                        std::size_t world, HandClip& clip, std::vector<std::string>& reports) {
   const TrackerFrame frame = tracker_frame(
-      files, axes_of(trajectory, files.conventions), "m",
+      files, trajectory_axes(trajectory, files.conventions), "m",
       "Z is up by the device's gravity; which way the person faces is not said", reports);
   const std::size_t rows = clip.time.size();
   BodyStream& body = clip.body;
   body.names = {"head"};
-  body.position = Table<Vec3>(rows, 1, unseen_point());
-  body.orientation = Table<Quat>(rows, 1, unseen_rotation());
+  body.position = Array2D<Vec3>(rows, 1, unknown_point());
+  body.orientation = Array2D<Quat>(rows, 1, unknown_rotation());
   std::size_t nowhere = 0, elsewhere = 0;
   for (std::size_t i = 0; i < rows; ++i) {
-    const bool here = places[i] && places[i]->world == world;
+    const bool here = places[i] && places[i]->map_index == world;
     if (!places[i]) ++nowhere;
     if (places[i] && !here) ++elsewhere;
     for (auto& hand : clip.hands) {
-      for (std::size_t k = 0; k < kKeypoints; ++k) {
-        Vec3& point = hand->joint(i, k);
-        point = here ? frame.point(places[i]->world_from_device * point) : unseen_point();
+      for (std::size_t k = 0; k < kKeypointCount; ++k) {
+        Vec3& point = hand->keypoints(i, k);
+        point = here ? frame.point(places[i]->world_from_device * point) : unknown_point();
       }
     }
     if (!here) continue;
@@ -169,7 +169,7 @@ Demonstration read_aria_csv(const RecordingFiles& files) {
   AriaFile read = read_aria_file(csv);
   Demonstration demonstration;
   std::vector<std::string>& reports = demonstration.reports;
-  reports = csv.reports;
+  reports = csv.notes;
   if (read.landmarks) {
     reports.push_back("Aria tracks no root of the thumb (CMC): it is left out, as is the palm");
   } else {
@@ -178,15 +178,15 @@ Demonstration read_aria_csv(const RecordingFiles& files) {
   const std::vector<double> device_time = read.clip.time;
   for (double& time_s : read.clip.time) time_s -= device_time.front();
   reports.push_back(fmt::format("time 0 is {} s of the device's clock", device_time.front()));
-  const std::filesystem::path beside = trajectory_of(files.file);
+  const std::filesystem::path beside = find_trajectory_file(files.file);
   std::string why = "no closed_loop_trajectory.csv lies beside the file or in a folder slam/";
   if (!beside.empty()) {
     const DeviceTrajectory trajectory = read_device_trajectory(beside);
-    std::vector<std::optional<DeviceTrajectory::Place>> places;
+    std::vector<std::optional<DeviceTrajectory::DevicePose>> places;
     for (const double time_s : device_time) places.push_back(trajectory.at(time_s));
-    if (const auto world = main_world(places)) {
-      bring_into_world(trajectory, files, places, *world, read.clip, reports);
-      add_tracked(std::move(read.clip), files, demonstration);
+    if (const auto world = main_map(places)) {
+      transform_to_world(trajectory, files, places, *world, read.clip, reports);
+      add_tracked_clip(std::move(read.clip), files, demonstration);
       return demonstration;
     }
     why = fmt::format("no row lies in the time of {}", trajectory.file);

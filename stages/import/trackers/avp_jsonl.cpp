@@ -1,4 +1,4 @@
-// tracking.jsonl of the recorder for Apple Vision Pro: a line a frame with `timestamp` [s], the
+// tracking.jsonl of the recorder for Apple Vision Pro: a line per frame with `timestamp` [s], the
 // head's matrix and the joints of both hands, each a 4 x 4 matrix column by column. The wrist is in
 // ARKit's world (Y up), the other joints in the wrist's frame. A hand that was not seen is missing.
 #include <fmt/format.h>
@@ -14,17 +14,17 @@ namespace morphe::imports {
 namespace {
 
 struct AvpFrame {
-  std::array<std::map<std::string, Pose>, 2> hands;  ///< by Side and plain name
+  std::array<std::map<std::string, Pose>, 2> hands;  ///< by Side and canonical name
   std::optional<Pose> head;
 };
 
-Pose pose_of(const JsonPlace& place) {
-  const auto pose = rigid_motion(place.numbers(16), true);
+Pose pose_of(const JsonNode& place) {
+  const auto pose = pose_from_matrix(place.numbers(16), true);
   if (!pose) place.fail("is no rigid motion, column by column");
   return *pose;
 }
 
-AvpFrame read_frame(const JsonPlace& line) {
+AvpFrame read_frame(const JsonNode& line) {
   AvpFrame frame;
   if (line.has("headMatrix") && !line.at("headMatrix").value->is_null()) {
     frame.head = pose_of(line.at("headMatrix"));
@@ -32,34 +32,34 @@ AvpFrame read_frame(const JsonPlace& line) {
   for (const auto& [key, side] :
        {std::pair("rightHand", Side::right), std::pair("leftHand", Side::left)}) {
     if (!line.has(key) || line.at(key).value->is_null()) continue;
-    const JsonPlace hand = line.at(key);
+    const JsonNode hand = line.at(key);
     if (!hand.value->is_object()) hand.fail("must be an object of joints");
     for (const auto& [name, value] : hand.value->items()) {
       if (value.is_null()) continue;
-      const JsonPlace joint = hand.at(name);
-      frame.hands[static_cast<std::size_t>(side)][plain_apple_name(name)] = pose_of(joint);
+      const JsonNode joint = hand.at(name);
+      frame.hands[static_cast<std::size_t>(side)][normalized_apple_name(name)] = pose_of(joint);
     }
   }
   return frame;
 }
 
-void place_hand(const std::map<std::string, Pose>& joints, const TrackerFrame& frame,
-                std::size_t row, RecordedHand& hand) {
+void set_keypoints(const std::map<std::string, Pose>& joints, const TrackerFrame& frame,
+                   std::size_t row, RecordedHand& hand) {
   const auto wrist = joints.find("wrist");
   if (wrist == joints.end()) return;
-  hand.joint(row, 0) = frame.point(wrist->second.translation());
-  for (std::size_t k = 1; k < kKeypoints; ++k) {
+  hand.keypoints(row, 0) = frame.point(wrist->second.translation());
+  for (std::size_t k = 1; k < kKeypointCount; ++k) {
     const auto joint = joints.find(apple_joints()[k]);
     if (joint == joints.end()) continue;
-    hand.joint(row, k) = frame.point(wrist->second * joint->second.translation());
+    hand.keypoints(row, k) = frame.point(wrist->second * joint->second.translation());
   }
 }
 
 BodyStream head_of(const std::vector<AvpFrame>& frames, const TrackerFrame& frame) {
   BodyStream body;
   body.names = {"head"};
-  body.position = Table<Vec3>(frames.size(), 1, unseen_point());
-  body.orientation = Table<Quat>(frames.size(), 1, unseen_rotation());
+  body.position = Array2D<Vec3>(frames.size(), 1, unknown_point());
+  body.orientation = Array2D<Quat>(frames.size(), 1, unknown_rotation());
   for (std::size_t i = 0; i < frames.size(); ++i) {
     if (!frames[i].head) continue;
     const Pose head = frame.pose(*frames[i].head);
@@ -81,11 +81,11 @@ bool recognises_avp_jsonl(std::string_view head) {
 Demonstration read_avp_jsonl(const RecordingFiles& files) {
   Demonstration demonstration;
   std::vector<std::string>& reports = demonstration.reports;
-  const TrackerFrame frame = tracker_frame(files, "x -z y", "m", kAppleAxes, reports);
+  const TrackerFrame frame = tracker_frame(files, "x -z y", "m", kAppleAxesReason, reports);
   HandClip clip;
   std::vector<AvpFrame> frames;
   bool forearm = false;
-  each_json_line(files.file, [&](const JsonPlace& line) {
+  each_json_line(files.file, [&](const JsonNode& line) {
     add_time(line.at("timestamp").number(), line.file, line.line, "timestamp", clip.time);
     frames.push_back(read_frame(line));
     for (const auto& hand : frames.back().hands) forearm = forearm || hand.contains("forearmarm");
@@ -94,13 +94,13 @@ Demonstration read_avp_jsonl(const RecordingFiles& files) {
     const auto which = static_cast<std::size_t>(side);
     RecordedHand hand = unseen_hand(frames.size());
     for (std::size_t i = 0; i < frames.size(); ++i) {
-      place_hand(frames[i].hands[which], frame, i, hand);
+      set_keypoints(frames[i].hands[which], frame, i, hand);
     }
     clip.hands[which] = std::move(hand);
   }
   clip.body = head_of(frames, frame);
   if (forearm) reports.push_back("the joints of the forearm are the device's guess: left out");
-  add_tracked(std::move(clip), files, demonstration);
+  add_tracked_clip(std::move(clip), files, demonstration);
   return demonstration;
 }
 

@@ -1,7 +1,7 @@
-// What people save of avp_stream, the library that streams hands from Apple Vision Pro: a .npz with
-// `stream_right_wrist` [T, 1, 4, 4] in the world (which the library has turned Z up already),
-// `stream_right_fingers` [T, 25 or 27, 4, 4] in the wrist's frame, the same on the left, and
-// `stream_head`. It holds no times.
+// Data saved from avp_stream, the library that streams hands from Apple Vision Pro: a .npz with
+// `stream_right_wrist` [T, 1, 4, 4] in the world (which the library has already turned to Z up),
+// `stream_right_fingers` [T, 25 or 27, 4, 4] in the wrist's frame, the same for the left hand, and
+// `stream_head`. It contains no times.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,9 +18,9 @@
 namespace morphe::imports {
 namespace {
 
-constexpr std::size_t kNumbers = 16;
+constexpr std::size_t kMatrixValueCount = 16;
 
-/// Matrices of a frame's joints; no joints = the file does not have the key.
+/// The matrices of a frame's joints; without joints if the file does not have the key.
 struct MatrixTable {
   const files::NpyArray* array = nullptr;
   std::size_t rows = 0, joints = 0;
@@ -40,29 +40,29 @@ MatrixTable matrices_in(const files::NpzFile& npz, const std::string& key) {
   return table;
 }
 
-/// None where nothing was seen yet: NaN, all zero or the unit matrix. InputError for a matrix that
-/// is no rigid motion.
+/// Returns a pose, or no value before the first detection: NaN, all zero or the unit matrix. Throws
+/// InputError for a matrix that is not a rigid motion.
 std::optional<Pose> pose_in(const files::NpzFile& npz, const MatrixTable& table, std::size_t row,
                             std::size_t joint) {
   const auto begin = table.array->values.begin() +
-                     static_cast<std::ptrdiff_t>(kNumbers * (row * table.joints + joint));
-  const std::vector<double> numbers(begin, begin + kNumbers);
+                     static_cast<std::ptrdiff_t>(kMatrixValueCount * (row * table.joints + joint));
+  const std::vector<double> numbers(begin, begin + kMatrixValueCount);
   if (std::ranges::any_of(numbers, [](double v) { return std::isnan(v); }) ||
       std::ranges::all_of(numbers, [](double v) { return v == 0; })) {
     return std::nullopt;
   }
-  const auto pose = rigid_motion(numbers, false);
+  const auto pose = pose_from_matrix(numbers, false);
   if (!pose) {
     npz.fail(table.array->name, fmt::format("row {}, joint {}: is no rigid motion", row, joint));
   }
   return pose;
 }
 
-bool at_home(const std::optional<Pose>& pose) {
+bool is_unset_pose(const std::optional<Pose>& pose) {
   return !pose || pose->matrix().isApprox(Eigen::Matrix4d::Identity());
 }
 
-/// What of a hand the file has.
+/// The arrays of a hand in the file.
 struct StreamKeys {
   MatrixTable wrist, fingers;
 };
@@ -73,11 +73,11 @@ RecordedHand read_hand(const files::NpzFile& npz, const StreamKeys& keys, std::s
   const KeypointOrder& order = *keypoint_order(keys.fingers.joints == 27 ? "arkit" : "webxr");
   for (std::size_t i = 0; i < rows; ++i) {
     const auto wrist = pose_in(npz, keys.wrist, i, 0);
-    if (at_home(wrist)) continue;
-    hand.joint(i, 0) = frame.point(wrist->translation());
-    for (std::size_t k = 1; k < kKeypoints && keys.fingers.joints > 0; ++k) {
+    if (is_unset_pose(wrist)) continue;
+    hand.keypoints(i, 0) = frame.point(wrist->translation());
+    for (std::size_t k = 1; k < kKeypointCount && keys.fingers.joints > 0; ++k) {
       const auto joint = pose_in(npz, keys.fingers, i, static_cast<std::size_t>(order.joint[k]));
-      if (joint) hand.joint(i, k) = frame.point(*wrist * joint->translation());
+      if (joint) hand.keypoints(i, k) = frame.point(*wrist * joint->translation());
     }
   }
   return hand;
@@ -88,11 +88,11 @@ BodyStream read_head(const files::NpzFile& npz, std::size_t rows, const TrackerF
   const MatrixTable table = matrices_in(npz, "stream_head");
   if (table.rows != rows || table.joints != 1) return body;
   body.names = {"head"};
-  body.position = Table<Vec3>(rows, 1, unseen_point());
-  body.orientation = Table<Quat>(rows, 1, unseen_rotation());
+  body.position = Array2D<Vec3>(rows, 1, unknown_point());
+  body.orientation = Array2D<Quat>(rows, 1, unknown_rotation());
   for (std::size_t i = 0; i < rows; ++i) {
     const auto head = pose_in(npz, table, i, 0);
-    if (at_home(head)) continue;
+    if (is_unset_pose(head)) continue;
     const Pose pose = frame.pose(*head);
     body.position(i, 0) = pose.translation();
     body.orientation(i, 0) = Quat(pose.linear());
@@ -120,7 +120,7 @@ StreamKeys keys_of(const files::NpzFile& npz, Side side) {
 }  // namespace
 
 bool recognises_avp_npz(std::string_view head) {
-  if (!files::begins_as_npz(head)) return false;
+  if (!files::is_npz(head)) return false;
   return std::ranges::any_of(
       std::initializer_list<std::string_view>{"stream_right_", "stream_left_", "stream_head"},
       [&](std::string_view key) { return head.find(key) != std::string_view::npos; });
@@ -133,7 +133,7 @@ Demonstration read_avp_npz(const RecordingFiles& files) {
   const TrackerFrame frame =
       tracker_frame(files, "x y z", "m",
                     "avp_stream has turned Z up; which way the person faces is not said", reports);
-  const double rate_hz = rate_of(0, files.conventions, files.file.string(), reports);
+  const double rate_hz = resolve_rate_hz(0, files.conventions, files.file.string(), reports);
   const StreamKeys keys[] = {keys_of(npz, Side::right), keys_of(npz, Side::left)};
   const std::size_t rows = std::max(keys[0].wrist.rows, keys[1].wrist.rows);
   if (rows == 0) npz.fail("stream_right_wrist", "neither this nor stream_left_wrist has a frame");
@@ -148,7 +148,7 @@ Demonstration read_avp_npz(const RecordingFiles& files) {
     clip.hands[which] = read_hand(npz, keys[which], rows, frame);
   }
   clip.body = read_head(npz, rows, frame);
-  add_tracked(std::move(clip), files, demonstration);
+  add_tracked_clip(std::move(clip), files, demonstration);
   return demonstration;
 }
 

@@ -10,7 +10,7 @@
 namespace morphe::imports {
 namespace {
 
-constexpr double kLeastStep_s = 1e-4, kLongestStep_s = 0.1, kHeld_s = 0.010;
+constexpr double kMinTimeStep_s = 1e-4, kMaxInterpolationGap_s = 0.1, kMaxExtrapolation_s = 0.010;
 
 Quat unit_quaternion(const NamedColumns& columns, std::size_t line, const double (&q)[4]) {
   const Quat turn(q[3], q[0], q[1], q[2]);
@@ -22,25 +22,26 @@ Quat unit_quaternion(const NamedColumns& columns, std::size_t line, const double
 
 }  // namespace
 
-std::optional<DeviceTrajectory::Place> DeviceTrajectory::at(double time_s) const {
+std::optional<DeviceTrajectory::DevicePose> DeviceTrajectory::at(double time_s) const {
   const auto after =
       static_cast<std::size_t>(std::ranges::upper_bound(time, time_s) - time.begin());
   const bool has_before = after > 0, has_after = after < time.size();
-  if (has_before && has_after && world[after - 1] == world[after] &&
-      time[after] - time[after - 1] <= kLongestStep_s) {
+  if (has_before && has_after && map_index[after - 1] == map_index[after] &&
+      time[after] - time[after - 1] <= kMaxInterpolationGap_s) {
     const double share = (time_s - time[after - 1]) / (time[after] - time[after - 1]);
     const Pose &a = pose[after - 1], &b = pose[after];
-    return Place{make_pose((1 - share) * a.translation() + share * b.translation(),
-                           Quat(a.linear()).slerp(share, Quat(b.linear()))),
-                 world[after]};
+    return DevicePose{make_pose((1 - share) * a.translation() + share * b.translation(),
+                                Quat(a.linear()).slerp(share, Quat(b.linear()))),
+                      map_index[after]};
   }
-  if (has_before && time_s - time[after - 1] <= kHeld_s)
-    return Place{pose[after - 1], world[after - 1]};
-  if (has_after && time[after] - time_s <= kHeld_s) return Place{pose[after], world[after]};
+  if (has_before && time_s - time[after - 1] <= kMaxExtrapolation_s)
+    return DevicePose{pose[after - 1], map_index[after - 1]};
+  if (has_after && time[after] - time_s <= kMaxExtrapolation_s)
+    return DevicePose{pose[after], map_index[after]};
   return std::nullopt;
 }
 
-std::filesystem::path trajectory_of(const std::filesystem::path& hands) {
+std::filesystem::path find_trajectory_file(const std::filesystem::path& hands) {
   const std::filesystem::path folder = hands.parent_path(), above = folder / "..";
   for (const std::filesystem::path& place : {folder, folder / "slam", folder / "trajectory",
                                              above / "slam", above / "trajectory", above}) {
@@ -79,7 +80,7 @@ DeviceTrajectory read_device_trajectory(const std::filesystem::path& file) {
     if (row[uid] != last_uid) {
       last_uid = row[uid];
       ++world;
-    } else if (!trajectory.time.empty() && time_s - trajectory.time.back() < kLeastStep_s) {
+    } else if (!trajectory.time.empty() && time_s - trajectory.time.back() < kMinTimeStep_s) {
       continue;
     }
     double t[3], q[4];
@@ -87,7 +88,7 @@ DeviceTrajectory read_device_trajectory(const std::filesystem::path& file) {
     for (std::size_t k = 0; k < 4; ++k) q[k] = columns.number(line, row, numbers[3 + k]);
     trajectory.time.push_back(time_s);
     trajectory.pose.push_back(make_pose({t[0], t[1], t[2]}, unit_quaternion(columns, line, q)));
-    trajectory.world.push_back(world);
+    trajectory.map_index.push_back(world);
   }
   return trajectory;
 }

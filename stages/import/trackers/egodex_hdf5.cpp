@@ -1,13 +1,13 @@
-// An episode of EgoDex: HDF5 with a group `transforms` of 4 x 4 matrices (row by row) a frame, the
-// joints of ARKit's body and hands and the camera in a world with Y up, in metres, at 30 frames a
-// second; beside it `confidences` a joint. No objects.
+// An episode of EgoDex: HDF5 with a group `transforms` of 4 x 4 matrices (row by row) per frame,
+// the joints of ARKit's body and hands and the camera in a world with Y up, in metres, at 30 frames
+// per second; beside it `confidences` of the joints. It contains no objects.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
 
-#include "core/store/harmless.hpp"
 #include "core/store/hdf5_file.hpp"
+#include "core/store/sandbox_probe.hpp"
 #include "stages/import/recording/conventions.hpp"
 #include "stages/import/trackers/apple_hand.hpp"
 #include "stages/import/trackers/hand_tracker.hpp"
@@ -24,7 +24,7 @@ struct NamedJoint {
   const char* in_file;
   const char* here;
 };
-/// A joint of ARKit stands where its bone begins: the arm's at the shoulder.
+/// A joint of ARKit is at the proximal end of its bone: the arm's at the shoulder.
 constexpr NamedJoint kEgodexJoints[] = {{"hip", "pelvis"},
                                         {"neck4", "neck"},
                                         {"camera", "head"},
@@ -33,18 +33,18 @@ constexpr NamedJoint kEgodexJoints[] = {{"hip", "pelvis"},
                                         {"leftArm", "left_shoulder"},
                                         {"leftForearm", "left_elbow"}};
 
-/// A joint's poses and how sure they are.
+/// The poses of a joint and their confidences.
 struct Track {
   std::vector<Pose> pose;
-  std::vector<double> confidence;  ///< or none
+  std::vector<double> confidence;  ///< may be empty
 
   bool seen(std::size_t row) const { return confidence.empty() || confidence[row] > 0; }
 };
 
-/// The groups of a file, and names as they stand there by their plain ones.
+/// The groups of a file, and the names in the file by their canonical forms.
 struct Episode {
   Hdf5Group transforms, confidences;
-  bool sure = false;  ///< has confidences
+  bool has_confidences = false;
   std::map<std::string, std::string> names;
   std::size_t rows = 0;
 };
@@ -52,10 +52,10 @@ struct Episode {
 Episode open_episode(const Hdf5Group& root) {
   Episode episode;
   episode.transforms = root.open("transforms");
-  episode.sure = root.has("confidences");
-  if (episode.sure) episode.confidences = root.open("confidences");
+  episode.has_confidences = root.has("confidences");
+  if (episode.has_confidences) episode.confidences = root.open("confidences");
   for (const std::string& name : episode.transforms.children()) {
-    episode.names[plain_apple_name(name)] = name;
+    episode.names[normalized_apple_name(name)] = name;
   }
   for (const char* wrist : {"righthand", "lefthand"}) {
     const auto found = episode.names.find(wrist);
@@ -65,7 +65,7 @@ Episode open_episode(const Hdf5Group& root) {
   return episode;
 }
 
-/// No rows if the file does not have the joint.
+/// Reads the track of a joint, without rows if the file does not have it.
 Track read_track(const Episode& episode, const std::string& plain) {
   Track track;
   const auto found = episode.names.find(plain);
@@ -74,11 +74,11 @@ Track read_track(const Episode& episode, const std::string& plain) {
   const auto matrices = episode.transforms.read<double>(name, {episode.rows, 4, 4});
   for (std::size_t i = 0; i < episode.rows; ++i) {
     const auto begin = matrices.values.begin() + static_cast<std::ptrdiff_t>(16 * i);
-    const auto pose = rigid_motion(std::vector<double>(begin, begin + 16), false);
+    const auto pose = pose_from_matrix(std::vector<double>(begin, begin + 16), false);
     if (!pose) episode.transforms.fail(name, fmt::format("row {} is no rigid motion", i));
     track.pose.push_back(*pose);
   }
-  if (episode.sure && episode.confidences.has(name)) {
+  if (episode.has_confidences && episode.confidences.has(name)) {
     track.confidence = episode.confidences.read<double>(name, {episode.rows}).values;
     for (double& sure : track.confidence) sure = std::clamp(sure, 0.0, 1.0);
   }
@@ -87,11 +87,11 @@ Track read_track(const Episode& episode, const std::string& plain) {
 
 RecordedHand read_hand(const Episode& episode, Side side, const TrackerFrame& frame) {
   RecordedHand hand = unseen_hand(episode.rows);
-  for (std::size_t k = 0; k < kKeypoints; ++k) {
+  for (std::size_t k = 0; k < kKeypointCount; ++k) {
     const std::string joint = k == 0 ? "hand" : apple_joints()[k];
     const Track track = read_track(episode, std::string(name_of(side)) + joint);
     for (std::size_t i = 0; i < track.pose.size(); ++i) {
-      if (track.seen(i)) hand.joint(i, k) = frame.point(track.pose[i].translation());
+      if (track.seen(i)) hand.keypoints(i, k) = frame.point(track.pose[i].translation());
     }
     if (k == 0) hand.confidence = track.confidence;
   }
@@ -102,14 +102,15 @@ BodyStream read_body(const Episode& episode, const TrackerFrame& frame) {
   BodyStream body;
   std::vector<Track> tracks;
   for (const NamedJoint& joint : kEgodexJoints) {
-    Track track = read_track(episode, plain_apple_name(joint.in_file));
+    Track track = read_track(episode, normalized_apple_name(joint.in_file));
     if (track.pose.empty()) continue;
     body.names.emplace_back(joint.here);
     tracks.push_back(std::move(track));
   }
-  body.position = Table<Vec3>(episode.rows, tracks.size(), unseen_point());
-  body.orientation = Table<Quat>(episode.rows, tracks.size(), unseen_rotation());
-  if (episode.sure) body.confidence = Table<double>(episode.rows, tracks.size(), kNotSeen);
+  body.position = Array2D<Vec3>(episode.rows, tracks.size(), unknown_point());
+  body.orientation = Array2D<Quat>(episode.rows, tracks.size(), unknown_rotation());
+  if (episode.has_confidences)
+    body.confidence = Array2D<double>(episode.rows, tracks.size(), kUnknown);
   for (std::size_t k = 0; k < tracks.size(); ++k) {
     for (std::size_t i = 0; i < episode.rows; ++i) {
       if (!tracks[k].confidence.empty()) body.confidence(i, k) = tracks[k].confidence[i];
@@ -141,14 +142,15 @@ bool recognises_egodex_hdf5(std::string_view head) {
 }
 
 Demonstration read_egodex_hdf5(const RecordingFiles& files) {
-  store::expect_harmless(files.file);
+  store::probe_in_sandbox(files.file);
   const store::Hdf5File file = store::Hdf5File::open(files.file);
   const Hdf5Group root = file.root();
   Demonstration demonstration;
   std::vector<std::string>& reports = demonstration.reports;
-  const TrackerFrame frame = tracker_frame(files, "x -z y", "m", kAppleAxes, reports);
+  const TrackerFrame frame = tracker_frame(files, "x -z y", "m", kAppleAxesReason, reports);
   const Episode episode = open_episode(root);
-  const double rate_hz = rate_of(kEgodexRate_hz, files.conventions, files.file.string(), reports);
+  const double rate_hz =
+      resolve_rate_hz(kEgodexRate_hz, files.conventions, files.file.string(), reports);
   HandClip clip;
   for (std::size_t i = 0; i < episode.rows; ++i) {
     clip.time.push_back(static_cast<double>(i) / rate_hz);
@@ -160,7 +162,7 @@ Demonstration read_egodex_hdf5(const RecordingFiles& files) {
   file.expect_unchanged();
   reports.push_back("shoulders and elbows are the headset's guess, mostly from the hands");
   report_words(root, reports);
-  add_tracked(std::move(clip), files, demonstration);
+  add_tracked_clip(std::move(clip), files, demonstration);
   return demonstration;
 }
 

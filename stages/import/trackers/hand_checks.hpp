@@ -7,13 +7,13 @@
 
 namespace morphe::imports {
 
-/// What a clip of tracked hands says about itself, in the world and in metres: of each hand what
-/// there is, its own joints and those called so among the body's. In `reports`: frames
-/// in which a hand was not seen, bones that change their length (a wrong convention does that) and
-/// rows that come too slowly for a reach. NotSaid "unit" if a hand's size is no person's (not of
-/// one that is among the body's joints alone, a skeleton's, and not if it is not `judged`).
-/// InputError if the fingers of a hand curl as those of the other side do: exchanged sides and
-/// mirrored axes look like this.
+/// Checks the hands of a clip in the world and in metres. All joints of a hand are used, its own
+/// and those among the body's. Adds to `reports` the frames in which a hand was not seen, bones of
+/// variable length (as caused by a wrong convention) and a frame rate too low for a reach. Throws
+/// UnresolvedConvention "unit" if a hand's size is not a person's (except for a hand that is only
+/// among the body's joints, as in a skeleton, and if it is not `judged`). Throws InputError if the
+/// fingers of a hand curl as those of the other side do, as caused by exchanged sides and mirrored
+/// axes.
 void check_hands(const std::string& file, const HandClip& clip, bool judged,
                  std::vector<std::string>& reports);
 

@@ -9,7 +9,7 @@
 namespace morphe::imports {
 namespace {
 
-/// One column of a skeleton that is being put together.
+/// A column of a skeleton under construction.
 struct SkeletonJoint {
   std::string name;
   std::vector<Vec3> position;
@@ -19,16 +19,17 @@ struct SkeletonJoint {
 
 void add_hand(RecordedHand&& hand, Side side, std::vector<SkeletonJoint>& joints) {
   const std::vector<std::string> names = keypoint_names(side);
-  const std::size_t rows = hand.joint.rows;
-  for (std::size_t k = 0; k < kKeypoints; ++k) {
-    SkeletonJoint joint{names[k], {}, std::vector<Quat>(rows, unseen_rotation()), hand.confidence};
-    for (std::size_t i = 0; i < rows; ++i) joint.position.push_back(hand.joint(i, k));
-    if (std::ranges::any_of(joint.position, [](const Vec3& point) { return seen(point); }))
+  const std::size_t rows = hand.keypoints.rows;
+  for (std::size_t k = 0; k < kKeypointCount; ++k) {
+    SkeletonJoint joint{names[k], {}, std::vector<Quat>(rows, unknown_rotation()), hand.confidence};
+    for (std::size_t i = 0; i < rows; ++i) joint.position.push_back(hand.keypoints(i, k));
+    if (std::ranges::any_of(joint.position, [](const Vec3& point) { return is_known(point); }))
       joints.push_back(std::move(joint));
   }
-  if (std::ranges::any_of(hand.turned, [](const Quat& turn) { return seen(turn); })) {
-    SkeletonJoint turned{std::string(name_of(side)) + "_hand", {}, hand.turned, hand.confidence};
-    for (std::size_t i = 0; i < rows; ++i) turned.position.push_back(hand.joint(i, 0));
+  if (std::ranges::any_of(hand.orientation, [](const Quat& turn) { return is_known(turn); })) {
+    SkeletonJoint turned{
+        std::string(name_of(side)) + "_hand", {}, hand.orientation, hand.confidence};
+    for (std::size_t i = 0; i < rows; ++i) turned.position.push_back(hand.keypoints(i, 0));
     joints.push_back(std::move(turned));
   }
 }
@@ -38,7 +39,7 @@ void add_hand(RecordedHand&& hand, Side side, std::vector<SkeletonJoint>& joints
 std::vector<std::string> keypoint_names(Side side) {
   const std::string prefix = std::string(name_of(side)) + "_";
   std::vector<std::string> names{prefix + "wrist"};
-  for (std::size_t finger = 0; finger < kFingers; ++finger) {
+  for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
     for (const std::string& joint : finger_joint_names(finger)) names.push_back(prefix + joint);
   }
   return names;
@@ -62,13 +63,13 @@ void add_clip(HandClip&& clip, Demonstration& demonstration) {
   }
   BodyStream& skeleton = demonstration.streams.skeleton.emplace();
   skeleton.time = std::move(clip.time);
-  skeleton.rebuilt = clip.rebuilt;
+  skeleton.rebuilt = clip.reconstructed;
   skeleton.parents = std::move(clip.body.parents);
   skeleton.parents.resize(joints.size());
-  skeleton.position = Table<Vec3>(rows, joints.size(), unseen_point());
-  skeleton.orientation = Table<Quat>(rows, joints.size(), unseen_rotation());
+  skeleton.position = Array2D<Vec3>(rows, joints.size(), unknown_point());
+  skeleton.orientation = Array2D<Quat>(rows, joints.size(), unknown_rotation());
   if (std::ranges::any_of(joints, [](const auto& joint) { return !joint.confidence.empty(); })) {
-    skeleton.confidence = Table<double>(rows, joints.size(), kNotSeen);
+    skeleton.confidence = Array2D<double>(rows, joints.size(), kUnknown);
   }
   for (std::size_t k = 0; k < joints.size(); ++k) {
     skeleton.names.push_back(joints[k].name);

@@ -4,10 +4,10 @@
 
 namespace morphe::imports {
 
-// With f from the wrist to the middle knuckle and a from the little knuckle to that of the index,
-// f x a points out of the back of a right hand and out of the palm of a left one; fingers curl to
-// the palm.
-double curl_away_from_right_palm(const Table<Vec3>& keypoints) {
+// With f from the wrist to the middle knuckle and a from the little knuckle to that of the index, f
+// x a points out of the back of a right hand and out of the palm of a left one; fingers curl
+// towards the palm.
+double finger_curl_m(const Array2D<Vec3>& keypoints) {
   double sum = 0, count = 0;
   for (std::size_t row = 0; row < keypoints.rows; ++row) {
     const Vec3 along = keypoints(row, 9) - keypoints(row, 0);
@@ -20,7 +20,7 @@ double curl_away_from_right_palm(const Table<Vec3>& keypoints) {
       ++count;
     }
   }
-  return count > 0 ? sum / count : kNotSeen;
+  return count > 0 ? sum / count : kUnknown;
 }
 
 }  // namespace morphe::imports

@@ -4,12 +4,12 @@
 
 namespace morphe::imports {
 
-/// Fingers that are nearly straight tell no side [m].
-inline constexpr double kCurl_m = 0.010;
+/// Curl below which the fingers are nearly straight and do not determine the side [m].
+inline constexpr double kMinCurl_m = 0.010;
 
-/// How far the fingers curl out of what would be the back of a right hand: mean over all frames of
-/// [N, 21] keypoints [m]. Below -kCurl_m it is a right hand, above kCurl_m a left one; NaN = not
-/// seen well enough.
-double curl_away_from_right_palm(const Table<Vec3>& keypoints);
+/// Returns the distance by which the fingers curl out of the back of a right hand: the mean over
+/// all frames of [N, 21] keypoints [m]. Below -kMinCurl_m it is a right hand, above kMinCurl_m a
+/// left one; NaN if not seen well enough.
+double finger_curl_m(const Array2D<Vec3>& keypoints);
 
 }  // namespace morphe::imports

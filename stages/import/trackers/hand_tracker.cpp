@@ -14,7 +14,8 @@ namespace morphe::imports {
 namespace {
 
 bool ever_seen(const std::optional<RecordedHand>& hand) {
-  return hand && std::ranges::any_of(hand->joint.values, [](const Vec3& p) { return seen(p); });
+  return hand &&
+         std::ranges::any_of(hand->keypoints.values, [](const Vec3& p) { return is_known(p); });
 }
 
 void drop_unseen(HandClip& clip, std::vector<std::string>& reports) {
@@ -29,7 +30,7 @@ void drop_unseen(HandClip& clip, std::vector<std::string>& reports) {
 }  // namespace
 
 Pose TrackerFrame::pose(const Pose& in_file) const {
-  return make_pose(point(in_file.translation()), turn(Quat(in_file.linear())));
+  return make_pose(point(in_file.translation()), rotation(Quat(in_file.linear())));
 }
 
 TrackerFrame tracker_frame(const RecordingFiles& files, const std::string& axes,
@@ -39,14 +40,14 @@ TrackerFrame tracker_frame(const RecordingFiles& files, const std::string& axes,
   if (!files.static_trial.empty()) {
     throw InputError(fmt::format("{}: static: this format has no static trial", file));
   }
-  if (!files.renamed.empty()) {
+  if (!files.name_map.empty()) {
     throw InputError(
         fmt::format("{}: names: this format's names are known: there is nothing to "
                     "map",
                     file));
   }
   TrackerFrame frame;
-  frame.metres = metres_of(unit, files.conventions, file, reports);
+  frame.unit_m = resolve_unit_m(unit, files.conventions, file, reports);
   const std::string& given = files.conventions.axes;
   if (given.empty() && !because.empty())
     reports.push_back(fmt::format("axes '{}': {}", axes, because));
@@ -55,7 +56,7 @@ TrackerFrame tracker_frame(const RecordingFiles& files, const std::string& axes,
 }
 
 RecordedHand unseen_hand(std::size_t rows) {
-  return {Table<Vec3>(rows, kKeypoints, unseen_point()), {}, {}};
+  return {Array2D<Vec3>(rows, kKeypointCount, unknown_point()), {}, {}};
 }
 
 void add_time(double time_s, const std::string& file, std::size_t line, const std::string& key,
@@ -66,13 +67,13 @@ void add_time(double time_s, const std::string& file, std::size_t line, const st
   time.push_back(time_s);
 }
 
-void add_tracked(HandClip&& clip, const RecordingFiles& files, Demonstration& demonstration) {
+void add_tracked_clip(HandClip&& clip, const RecordingFiles& files, Demonstration& demonstration) {
   std::vector<std::string>& reports = demonstration.reports;
   drop_unseen(clip, reports);
   if (!clip.hands[0] && !clip.hands[1] && clip.body.names.empty()) {
     throw InputError(fmt::format("{}: no hand was seen in any frame", files.file.string()));
   }
-  check_hands(files.file.string(), clip, files.conventions.judged, reports);
+  check_hands(files.file.string(), clip, files.conventions.plausibility_checks, reports);
   check_world(clip, reports);
   add_clip(std::move(clip), demonstration);
 }
@@ -88,25 +89,25 @@ void add_shape(HandClip&& clip, const RecordingFiles& files, const std::string& 
   auto& hand = clip.hands[static_cast<std::size_t>(side)];
   if (!hand)
     throw InputError(fmt::format("{}: no hand was seen in any frame", files.file.string()));
-  check_hands(files.file.string(), clip, files.conventions.judged, reports);
+  check_hands(files.file.string(), clip, files.conventions.plausibility_checks, reports);
   reports.push_back(fmt::format("{}: only the shape of the {} hand is taken, not where it was", why,
                                 name_of(side)));
   HandStream& stream = demonstration.streams.hand.emplace();
   stream.kind = HandKind::keypoints;
   stream.time = std::move(clip.time);
-  stream.position = std::move(hand->joint);
+  stream.position = std::move(hand->keypoints);
 }
 
-SceneObject ball_for(const std::string& name, std::vector<std::string>& reports) {
-  constexpr double kBall_m = 0.03;
+SceneObject placeholder_sphere(const std::string& name, std::vector<std::string>& reports) {
+  constexpr double kPlaceholderRadius_m = 0.03;
   SceneObject ball;
   ball.name = name;
   ball.shape = Shape::sphere;
-  ball.size = {kBall_m};
+  ball.size = {kPlaceholderRadius_m};
   reports.push_back(fmt::format(
       "object {}: only its pose was recorded: taken as a ball of {:.0f} mm around its origin; "
       "`target.body` of a config gives its shape",
-      name, 2000 * kBall_m));
+      name, 2000 * kPlaceholderRadius_m));
   return ball;
 }
 

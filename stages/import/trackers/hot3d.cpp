@@ -1,11 +1,11 @@
-// A sequence of HOT3D: umetrack_hand_pose_trajectory.jsonl, a line a camera's frame, with the
-// wrist's pose and the joints' angles of both hands; and beside it umetrack_hand_user_profile.json
-// (the person's hand), dynamic_objects.csv (poses of objects), headset_trajectory.csv,
-// metadata.json (which headset, and so which way is up) and the objects' meshes. Times are whole
-// nanoseconds.
+// A sequence of HOT3D: umetrack_hand_pose_trajectory.jsonl, with a line per camera frame that
+// contains the wrist's pose and the joints' angles of both hands; and beside it
+// umetrack_hand_user_profile.json (the person's hand), dynamic_objects.csv (poses of objects),
+// headset_trajectory.csv, metadata.json (the headset, which determines the up axis) and the
+// objects' meshes. Times are whole nanoseconds.
 //
-// The landmarks are computed: UmeTrack's wrist is the joint. MANO's is not (its `t_xyz` is where
-// the model stands), and its model must not be passed on: that file is not read.
+// The landmarks are computed: UmeTrack's wrist is the joint. MANO's is not (its `t_xyz` is the
+// model's position), and its model must not be redistributed, so that file is not read.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 #include <set>
 
 #include "core/collision/mesh_file.hpp"
-#include "core/motion/counted.hpp"
+#include "core/motion/count_with_noun.hpp"
 #include "core/motion/input_error.hpp"
 #include "stages/import/recording/json_lines.hpp"
 #include "stages/import/trackers/hand_tracker.hpp"
@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A headset's cameras take the same moment a tenth of a millisecond apart: one frame.
+/// The cameras of a headset record the same frame a tenth of a millisecond apart.
 constexpr std::int64_t kSameFrame_ns = 10'000'000;
 
 double seconds(std::int64_t from_ns, std::int64_t to_ns) {
@@ -38,34 +38,35 @@ bool is_file(const fs::path& file) {
   return fs::is_regular_file(file, error);
 }
 
-std::int64_t stamp_of(const JsonPlace& line) {
-  const JsonPlace stamp = line.at("timestamp_ns");
+std::int64_t stamp_of(const JsonNode& line) {
+  const JsonNode stamp = line.at("timestamp_ns");
   if (!stamp.value->is_number_integer()) stamp.fail("must be a whole number");
   return stamp.value->get<std::int64_t>();
 }
 
-void read_hand(const JsonPlace& pose, const UmetrackHand& model, Side side, std::size_t row,
+void read_hand(const JsonNode& pose, const UmetrackHand& model, Side side, std::size_t row,
                const TrackerFrame& frame, RecordedHand& hand) {
-  const JsonPlace wrist = pose.at("wrist_xform");
+  const JsonNode wrist = pose.at("wrist_xform");
   const Pose at = make_pose(wrist.at("t_xyz").point(), wrist.at("q_wxyz").quaternion());
-  const auto points =
-      points_of(model, side, at, pose.at("joint_angles").numbers(UmetrackHand::kAngles));
+  const auto points = umetrack_forward_kinematics(
+      model, side, at, pose.at("joint_angles").numbers(UmetrackHand::kAngleCount));
   const double confidence = pose.has("hand_confidence") ? pose.at("hand_confidence").number() : 1.0;
   hand.confidence[row] = std::clamp(confidence, 0.0, 1.0);
   if (!(confidence > 0)) return;
   const KeypointOrder& order = *keypoint_order("aria");
-  for (std::size_t k = 0; k < kKeypoints; ++k) {
+  for (std::size_t k = 0; k < kKeypointCount; ++k) {
     if (order.joint[k] < 0) continue;
-    hand.joint(row, k) = frame.point(points.landmarks[static_cast<std::size_t>(order.joint[k])]);
+    hand.keypoints(row, k) =
+        frame.point(points.landmarks[static_cast<std::size_t>(order.joint[k])]);
   }
-  hand.joint(row, 1) = frame.point(points.thumb_root);
+  hand.keypoints(row, 1) = frame.point(points.thumb_cmc);
 }
 
-/// Frames of the file with each hand's pose, kept as they stand in it.
+/// The frames of the file with the pose of each hand.
 struct HandFrames {
   std::vector<std::int64_t> time_ns;
   RecordedHand hands[2];
-  std::size_t doubled = 0;
+  std::size_t duplicate_count = 0;
 };
 
 HandFrames read_hands(const fs::path& file, const UmetrackHand& model, const TrackerFrame& frame) {
@@ -73,13 +74,13 @@ HandFrames read_hands(const fs::path& file, const UmetrackHand& model, const Tra
   std::vector<std::int64_t>& stamps = frames.time_ns;
   std::vector<nlohmann::json> lines;
   std::vector<std::size_t> numbers;
-  each_json_line(file, [&](const JsonPlace& line) {
+  each_json_line(file, [&](const JsonNode& line) {
     const std::int64_t now = stamp_of(line);
     if (!stamps.empty() && now <= stamps.back()) {
       line.at("timestamp_ns").fail("does not follow the line before");
     }
     if (!stamps.empty() && now - stamps.back() < kSameFrame_ns) {
-      ++frames.doubled;
+      ++frames.duplicate_count;
       return;
     }
     stamps.push_back(now);
@@ -91,7 +92,7 @@ HandFrames read_hands(const fs::path& file, const UmetrackHand& model, const Tra
     hand.confidence.assign(stamps.size(), 0);
   }
   for (std::size_t i = 0; i < stamps.size(); ++i) {
-    const JsonPlace poses{file.string(), numbers[i], "hand_poses", &lines[i]};
+    const JsonNode poses{file.string(), numbers[i], "hand_poses", &lines[i]};
     for (const auto& [key, side] : {std::pair("0", Side::left), std::pair("1", Side::right)}) {
       if (!poses.has(key)) continue;
       read_hand(poses.at(key), model, side, i, frame, frames.hands[static_cast<std::size_t>(side)]);
@@ -100,12 +101,12 @@ HandFrames read_hands(const fs::path& file, const UmetrackHand& model, const Tra
   return frames;
 }
 
-/// Names by number, from metadata.json or a library's instance.json.
+/// Returns names by number, from metadata.json or a library's instance.json.
 std::map<std::string, std::string> object_names(const fs::path& folder) {
   std::map<std::string, std::string> names;
   if (const fs::path file = folder / "metadata.json"; is_file(file)) {
     const nlohmann::json json = read_json(file);
-    const JsonPlace top{file.string(), 0, "", &json};
+    const JsonNode top{file.string(), 0, "", &json};
     if (top.has("object_uids") && top.has("object_names")) {
       const nlohmann::json &uids = *top.at("object_uids").value,
                            &called = *top.at("object_names").value;
@@ -134,7 +135,7 @@ std::map<std::string, std::string> library_names(const fs::path& folder) {
     if (!is_file(file)) continue;
     const nlohmann::json json = read_json(file);
     for (const auto& [uid, entry] : json.items()) {
-      const JsonPlace at{file.string(), 0, uid, &entry};
+      const JsonNode at{file.string(), 0, uid, &entry};
       if (at.has("instance_name")) names.emplace(uid, at.at("instance_name").text());
     }
   }
@@ -154,10 +155,10 @@ SceneObject shape_of(const fs::path& folder, const std::string& uid, const std::
     reports.push_back(fmt::format("object {}: shape from {}", name, file.string()));
     return mesh;
   }
-  return ball_for(name, reports);
+  return placeholder_sphere(name, reports);
 }
 
-/// `begin_ns` is the time 0.
+/// Reads the objects. `begin_ns` is the time 0.
 std::vector<SceneObject> read_objects(const fs::path& folder, const TrackerFrame& frame,
                                       std::int64_t begin_ns, std::vector<std::string>& reports) {
   std::vector<SceneObject> objects;
@@ -187,7 +188,7 @@ std::vector<SceneObject> read_objects(const fs::path& folder, const TrackerFrame
   return objects;
 }
 
-/// The headset's pose where a frame of the hands has one, as the body's head.
+/// Reads the headset's poses at the frames of the hands, as the body's head.
 BodyStream read_head(const fs::path& folder, const std::vector<std::int64_t>& time_ns,
                      const TrackerFrame& frame) {
   BodyStream body;
@@ -197,8 +198,8 @@ BodyStream read_head(const fs::path& folder, const std::vector<std::int64_t>& ti
   if (bodies.empty()) return body;
   const TimedPoses& headset = bodies.begin()->second;
   body.names = {"head"};
-  body.position = Table<Vec3>(time_ns.size(), 1, unseen_point());
-  body.orientation = Table<Quat>(time_ns.size(), 1, unseen_rotation());
+  body.position = Array2D<Vec3>(time_ns.size(), 1, unknown_point());
+  body.orientation = Array2D<Quat>(time_ns.size(), 1, unknown_rotation());
   std::size_t next = 0;
   for (std::size_t i = 0; i < time_ns.size(); ++i) {
     const std::int64_t from = time_ns[i] - kSameFrame_ns, to = time_ns[i] + kSameFrame_ns;
@@ -221,7 +222,7 @@ Metadata read_metadata(const fs::path& folder, const RecordingFiles& files) {
   std::string headset;
   if (is_file(file)) {
     const nlohmann::json json = read_json(file);
-    const JsonPlace top{file.string(), 0, "", &json};
+    const JsonNode top{file.string(), 0, "", &json};
     if (top.has("headset")) headset = top.at("headset").text();
     if (top.has("participant_id")) said.subject = top.at("participant_id").text();
   }
@@ -230,10 +231,10 @@ Metadata read_metadata(const fs::path& folder, const RecordingFiles& files) {
   } else if (headset.starts_with("Quest")) {
     said.axes = "x -z y";
   } else if (files.conventions.axes.empty()) {
-    throw NotSaid("axes",
-                  fmt::format("{}: axes: no metadata.json beside it names the headset (Aria "
-                              "has Z up, Quest 3 Y); give --axes or `axes:`",
-                              files.file.string()));
+    throw UnresolvedConvention(
+        "axes", fmt::format("{}: axes: no metadata.json beside it names the headset (Aria "
+                            "has Z up, Quest 3 Y); give --axes or `axes:`",
+                            files.file.string()));
   }
   said.because = fmt::format(
       "up as in the world of a headset of the kind {}; which way the person "
@@ -248,7 +249,7 @@ bool recognises_hot3d(std::string_view head) {
   const std::string_view line = head.substr(0, head.find('\n'));
   const auto has = [&](std::string_view key) { return line.find(key) != std::string_view::npos; };
   return line.starts_with('{') && has("\"timestamp_ns\"") && has("\"hand_poses\"") &&
-         head.find("\"betas\"") == std::string_view::npos;  // else MANO's
+         head.find("\"betas\"") == std::string_view::npos;  // otherwise it is MANO's
 }
 
 Demonstration read_hot3d(const RecordingFiles& files) {
@@ -264,9 +265,9 @@ Demonstration read_hot3d(const RecordingFiles& files) {
   demonstration.subject = said.subject;
   const TrackerFrame frame = tracker_frame(files, said.axes, "m", said.because, reports);
   HandFrames read = read_hands(files.file, read_umetrack_hand(profile), frame);
-  if (read.doubled > 0) {
+  if (read.duplicate_count > 0) {
     reports.push_back(fmt::format("{} within 10 ms of the one before left out: another camera's",
-                                  counted(read.doubled, "frame")));
+                                  count_with_noun(read.duplicate_count, "frame")));
   }
   HandClip clip;
   if (read.time_ns.empty())
@@ -277,7 +278,7 @@ Demonstration read_hot3d(const RecordingFiles& files) {
   clip.hands = {std::move(read.hands[0]), std::move(read.hands[1])};
   clip.objects = read_objects(folder, frame, begin_ns, reports);
   clip.body = read_head(folder, read.time_ns, frame);
-  add_tracked(std::move(clip), files, demonstration);
+  add_tracked_clip(std::move(clip), files, demonstration);
   return demonstration;
 }
 

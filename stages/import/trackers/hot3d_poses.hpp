@@ -10,14 +10,14 @@
 
 namespace morphe::imports {
 
-/// Poses of a body as HOT3D's tables have them, in the recording's world.
+/// The poses of a body in HOT3D's tables, in the recording's world.
 struct TimedPoses {
-  std::vector<std::int64_t> time_ns;
-  std::vector<Pose> pose;
+  std::vector<std::int64_t> time_ns;  ///< [N] time stamps
+  std::vector<Pose> pose;             ///< [N] world_from_body
 };
 
-/// dynamic_objects.csv or headset_trajectory.csv: the poses of each body by its number, in the
-/// order of their times. InputError for what is no such table.
+/// Reads dynamic_objects.csv or headset_trajectory.csv: the poses of each body by its number, in
+/// the order of their times. Throws InputError for other files.
 std::map<std::string, TimedPoses> read_hot3d_poses(const std::filesystem::path& file);
 
 }  // namespace morphe::imports

@@ -9,20 +9,22 @@
 
 namespace morphe::imports {
 
-inline constexpr std::size_t kKeypoints = 1 + 4 * kFingers;
+/// Number of keypoints: the wrist and four per finger.
+inline constexpr std::size_t kKeypointCount = 1 + 4 * kFingerCount;
 
-/// The order in which a tool lists a hand's joints. Keypoints are the wrist, then four a finger
+/// The order in which a tool lists a hand's joints. Keypoints are the wrist, then four per finger
 /// from its base to its tip, thumb first (CMC, MCP, IP, tip; the others MCP, PIP, DIP, tip).
 struct KeypointOrder {
-  std::string_view name;                ///< "openpose", "aria", "openxr", …
-  std::size_t joints = 0;               ///< in the tool's list
-  std::array<int, kKeypoints> joint{};  ///< keypoint k is the list's joint [k]; -1 = it has none
+  std::string_view name;   ///< "openpose", "aria", "openxr", …
+  std::size_t joints = 0;  ///< number of joints in the tool's list
+  /// Keypoint k is the list's joint [k]; -1 if the list lacks it.
+  std::array<int, kKeypointCount> joint{};
 };
 
-/// Every order there is.
+/// Returns all orders.
 const std::vector<KeypointOrder>& keypoint_orders();
 
-/// The order of that name, null if there is none.
+/// Returns the order of that name, null if there is no such order.
 const KeypointOrder* keypoint_order(std::string_view name);
 
 }  // namespace morphe::imports

@@ -1,7 +1,7 @@
-// Gloves of Manus (and Xsens Metagloves) as their recorder exports them, a file a hand: columns by
-// name, NODE_Position_X … of 25 nodes [cm], and a row a frame. The hand stands at the origin: the
-// file holds its shape, not where it was. z points to the fingers; of a right hand x points away
-// from the thumb and y out of the back: the axes are left-handed.
+// Gloves of Manus (and Xsens Metagloves) as exported by their recorder, with one file per hand:
+// columns by name, NODE_Position_X … of 25 nodes [cm], and a row per frame. The hand is at the
+// origin: the file contains its shape, not its position. z points to the fingers; for a right hand
+// x points away from the thumb and y out of the back: the axes are left-handed.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,9 +16,9 @@
 namespace morphe::imports {
 namespace {
 
-constexpr const char* kClock = "Elapsed_Time_In_Milliseconds";
+constexpr const char* kTimeColumn = "Elapsed_Time_In_Milliseconds";
 
-/// Nodes in the order of keypoints. The exporter calls the thumb's last joint DIP.
+/// Returns the nodes in the order of keypoints. The exporter calls the thumb's last joint DIP.
 std::vector<std::string> nodes() {
   std::vector<std::string> names{"Hand", "Thumb_CMC", "Thumb_MCP", "Thumb_DIP", "Thumb_TIP"};
   for (const char* finger : {"Index", "Middle", "Ring", "Pinky"}) {
@@ -29,7 +29,7 @@ std::vector<std::string> nodes() {
   return names;
 }
 
-/// The side that the end of the file's name says: …_L.csv, …_right.csv.
+/// Returns the side in the suffix of the file's name: …_L.csv, …_right.csv.
 std::optional<Side> side_in(std::string stem) {
   std::ranges::transform(stem, stem.begin(), [](unsigned char c) { return std::tolower(c); });
   if (stem.ends_with("_l") || stem.ends_with("left")) return Side::left;
@@ -37,12 +37,13 @@ std::optional<Side> side_in(std::string stem) {
   return std::nullopt;
 }
 
-/// Told by the file's name, otherwise by how the fingers curl, otherwise the one asked for.
+/// Returns the side by the file's name, otherwise by the curl of the fingers, otherwise the
+/// requested one.
 Side side_of(const RecordingFiles& files, const RecordedHand& hand,
              std::vector<std::string>& reports) {
   if (const auto side = side_in(files.file.stem().string())) return *side;
-  const double out = curl_away_from_right_palm(hand.joint);
-  const bool curls = std::abs(out) > kCurl_m;
+  const double out = finger_curl_m(hand.keypoints);
+  const bool curls = std::abs(out) > kMinCurl_m;
   const Side side = !curls ? files.hand : out < 0 ? Side::right : Side::left;
   reports.push_back(fmt::format(
       "neither _L nor _R ends the file's name: a {} hand, {}", name_of(side),
@@ -54,7 +55,7 @@ Side side_of(const RecordingFiles& files, const RecordedHand& hand,
 
 bool recognises_manus_csv(std::string_view head) {
   const std::string_view line = head.substr(0, head.find_first_of("\r\n"));
-  return line.find(kClock) != std::string_view::npos &&
+  return line.find(kTimeColumn) != std::string_view::npos &&
          line.find("Thumb_CMC_Position_X") != std::string_view::npos;
 }
 
@@ -62,7 +63,7 @@ Demonstration read_manus_csv(const RecordingFiles& files) {
   const files::CsvText csv = files::read_csv(files.file);
   if (csv.lines.empty()) csv.fail(1, "", "the file is empty");
   const NamedColumns columns(csv, 1);
-  const std::size_t clock = columns.at(kClock);
+  const std::size_t clock = columns.at(kTimeColumn);
   std::vector<std::vector<std::size_t>> points;
   for (const std::string& node : nodes()) {
     points.push_back(columns.at(std::vector<std::string>{node + "_Position_X", node + "_Position_Y",
@@ -70,7 +71,7 @@ Demonstration read_manus_csv(const RecordingFiles& files) {
   }
   Demonstration demonstration;
   std::vector<std::string>& reports = demonstration.reports;
-  reports = csv.reports;
+  reports = csv.notes;
   TrackerFrame frame = tracker_frame(files, "x y z", "cm", "", reports);
   frame.world_from_file.col(0) *= -1;
   reports.push_back("the file's axes are left-handed: x is negated");
@@ -78,9 +79,9 @@ Demonstration read_manus_csv(const RecordingFiles& files) {
   RecordedHand hand = unseen_hand(columns.rows());
   for (std::size_t line = columns.first_row(); line <= csv.lines.size(); ++line) {
     const auto row = columns.cells(line);
-    add_time(columns.number(line, row, clock) / 1e3, csv.file, line, kClock, clip.time);
-    for (std::size_t k = 0; k < kKeypoints; ++k) {
-      hand.joint(line - columns.first_row(), k) = frame.point(
+    add_time(columns.number(line, row, clock) / 1e3, csv.file, line, kTimeColumn, clip.time);
+    for (std::size_t k = 0; k < kKeypointCount; ++k) {
+      hand.keypoints(line - columns.first_row(), k) = frame.point(
           {columns.number(line, row, points[k][0]), columns.number(line, row, points[k][1]),
            columns.number(line, row, points[k][2])});
     }

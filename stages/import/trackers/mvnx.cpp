@@ -1,6 +1,6 @@
-// MVNX of Xsens: a body from inertial sensors as segments, each at the joint where it begins and
-// with its orientation; with gloves the segments of the fingers, too. World: X forward, Y left, Z
-// up, metres. Objects are not in it.
+// MVNX of Xsens: a body from inertial sensors as segments, each at its proximal joint and with its
+// orientation; with gloves also the segments of the fingers. World: X forward, Y left, Z up,
+// metres. It contains no objects.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ struct NamedSegment {
   const char* label;
   const char* joint;
 };
-/// A segment begins at the joint before it.
+/// A segment begins at its proximal joint.
 constexpr NamedSegment kMvnxJoints[] = {{"Pelvis", "pelvis"},
                                         {"T8", "trunk"},
                                         {"Head", "head"},
@@ -43,20 +43,20 @@ BodyStream body_of(const MvnxFile& mvnx, const TrackerFrame& frame) {
     body.names.emplace_back(segment.joint);
   }
   const std::size_t rows = mvnx.time.size();
-  body.position = Table<Vec3>(rows, columns.size(), unseen_point());
-  body.orientation = Table<Quat>(rows, columns.size(), unseen_rotation());
+  body.position = Array2D<Vec3>(rows, columns.size(), unknown_point());
+  body.orientation = Array2D<Quat>(rows, columns.size(), unknown_rotation());
   for (std::size_t i = 0; i < rows; ++i) {
     for (std::size_t k = 0; k < columns.size(); ++k) {
       body.position(i, k) = frame.point(mvnx.body.position(i, columns[k]));
-      body.orientation(i, k) = frame.turn(mvnx.body.orientation(i, columns[k]));
+      body.orientation(i, k) = frame.rotation(mvnx.body.orientation(i, columns[k]));
     }
   }
   return body;
 }
 
-/// Axes of the hand in its segment, which in the T-pose stands as the world does: the arms to the
-/// sides, palms down, thumbs forward. Fingers along z, the thumb along y; x leaves the palm of a
-/// right hand and the back of a left one, as a mirror would have it.
+/// Returns the axes of the hand in its segment, which in the T-pose are those of the world: the
+/// arms to the sides, palms down, thumbs forward. Fingers point along z, the thumb along y; x
+/// points out of the palm of a right hand and out of the back of a left one, as in a mirror image.
 Eigen::Matrix3d hand_axes(Side side) {
   const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
   Eigen::Matrix3d axes;
@@ -68,11 +68,12 @@ Eigen::Matrix3d hand_axes(Side side) {
   return axes;
 }
 
-/// The keypoint at which a segment of a finger begins: MC at the thumb's first joint, PP, MP, DP.
+/// Adds the keypoints at which the segments of a finger begin: MC at the thumb's first joint, PP,
+/// MP, DP.
 void add_fingers(const MvnxSegments& fingers, Side side, const TrackerFrame& frame,
                  RecordedHand& hand) {
   const std::string prefix = side == Side::right ? "Right" : "Left";
-  for (std::size_t finger = 0; finger < kFingers; ++finger) {
+  for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
     const bool thumb = finger == kThumb;
     const std::vector<const char*> parts = thumb ? std::vector<const char*>{"MC", "PP", "DP"}
                                                  : std::vector<const char*>{"PP", "MP", "DP"};
@@ -82,11 +83,11 @@ void add_fingers(const MvnxSegments& fingers, Side side, const TrackerFrame& fra
       if (!column) continue;
       const std::size_t keypoint = 1 + 4 * finger + part;
       const auto tip = fingers.tips.find(label);
-      for (std::size_t i = 0; i < hand.joint.rows; ++i) {
+      for (std::size_t i = 0; i < hand.keypoints.rows; ++i) {
         const Vec3& begin = fingers.position(i, *column);
-        hand.joint(i, keypoint) = frame.point(begin);
+        hand.keypoints(i, keypoint) = frame.point(begin);
         if (part == 2 && tip != fingers.tips.end()) {
-          hand.joint(i, keypoint + 1) =
+          hand.keypoints(i, keypoint + 1) =
               frame.point(begin + fingers.orientation(i, *column) * tip->second);
         }
       }
@@ -119,8 +120,9 @@ Demonstration read_mvnx(const RecordingFiles& files) {
     RecordedHand hand = unseen_hand(clip.time.size());
     const Quat segment_from_hand(hand_axes(side));
     for (std::size_t i = 0; i < clip.time.size(); ++i) {
-      hand.joint(i, 0) = frame.point(mvnx.body.position(i, *column));
-      hand.turned.push_back(frame.turn(mvnx.body.orientation(i, *column)) * segment_from_hand);
+      hand.keypoints(i, 0) = frame.point(mvnx.body.position(i, *column));
+      hand.orientation.push_back(frame.rotation(mvnx.body.orientation(i, *column)) *
+                                 segment_from_hand);
     }
     const MvnxSegments& fingers = mvnx.fingers[which];
     add_fingers(fingers, side, frame, hand);
@@ -134,7 +136,7 @@ Demonstration read_mvnx(const RecordingFiles& files) {
     }
     clip.hands[which] = std::move(hand);
   }
-  add_tracked(std::move(clip), files, demonstration);
+  add_tracked_clip(std::move(clip), files, demonstration);
   return demonstration;
 }
 

@@ -7,7 +7,7 @@
 
 #include "core/files/csv.hpp"
 #include "core/files/xml_text.hpp"
-#include "core/motion/counted.hpp"
+#include "core/motion/count_with_noun.hpp"
 
 namespace morphe::imports {
 namespace {
@@ -26,7 +26,7 @@ std::string text_of(const XmlElement& element) {
   return text == nullptr ? "" : text;
 }
 
-/// Numbers of an element's text, as many as asked for.
+/// Returns the requested count of numbers in an element's text.
 std::vector<double> numbers_of(const XmlText& xml, const XmlElement& element, std::size_t count) {
   const std::string text = text_of(element);
   std::vector<double> numbers;
@@ -53,7 +53,7 @@ std::vector<double> numbers_of(const XmlText& xml, const XmlElement& element, st
   return numbers;
 }
 
-/// Labels, and the points that are called a tip.
+/// Reads the labels, and the points that are named as tips.
 MvnxSegments read_segments(const XmlText& xml, const XmlElement* list) {
   MvnxSegments segments;
   if (list == nullptr) return segments;
@@ -115,14 +115,14 @@ std::vector<const XmlElement*> motion_frames(const XmlText& xml, const XmlElemen
   }
   if (motion.empty()) xml.fail(frames, "frame", "none is of the type normal");
   if (poses > 0) {
-    reports.push_back(fmt::format("{} of the calibration left out", counted(poses, "frame")));
+    reports.push_back(fmt::format("{} of the calibration left out", count_with_noun(poses, "frame")));
   }
   return motion;
 }
 
-void prepare(MvnxSegments& segments, std::size_t rows) {
-  segments.position = Table<Vec3>(rows, segments.labels.size(), unseen_point());
-  segments.orientation = Table<Quat>(rows, segments.labels.size(), unseen_rotation());
+void allocate_frames(MvnxSegments& segments, std::size_t rows) {
+  segments.position = Array2D<Vec3>(rows, segments.labels.size(), unknown_point());
+  segments.orientation = Array2D<Quat>(rows, segments.labels.size(), unknown_rotation());
 }
 
 }  // namespace
@@ -144,12 +144,12 @@ MvnxFile read_mvnx_file(const std::filesystem::path& path, double rate_hz) {
   read.fingers[0] = read_segments(xml, subject.FirstChildElement("fingerTrackingSegmentsRight"));
   read.fingers[1] = read_segments(xml, subject.FirstChildElement("fingerTrackingSegmentsLeft"));
   const auto frames = motion_frames(xml, child_of(xml, subject, "frames"), read.reports);
-  prepare(read.body, frames.size());
-  for (MvnxSegments& hand : read.fingers) prepare(hand, frames.size());
+  allocate_frames(read.body, frames.size());
+  for (MvnxSegments& hand : read.fingers) allocate_frames(hand, frames.size());
   double first = 0, last = 0;
   for (std::size_t row = 0; row < frames.size(); ++row) {
     const XmlElement& frame = *frames[row];
-    // Times are rounded to milliseconds, the index is not.
+    // Times are rounded to milliseconds, unlike the index.
     const double index = frame.Attribute("index") != nullptr ? number_attribute(xml, frame, "index")
                                                              : static_cast<double>(row);
     if (row == 0) {

@@ -14,8 +14,8 @@ Vec3 row(const std::vector<double>& numbers, std::size_t k) {
   return {numbers[3 * k], numbers[3 * k + 1], numbers[3 * k + 2]};
 }
 
-/// All rows, at least those that are used: the last two joints are the wrist's, which stay at 0.
-std::vector<double> rows(const JsonPlace& model, const char* key, std::size_t count) {
+/// Returns all rows, at least those in use: the last two joints are the wrist's, which stay at 0.
+std::vector<double> rows(const JsonNode& model, const char* key, std::size_t count) {
   return model.at(key).numbers(3 * count);
 }
 
@@ -23,12 +23,12 @@ std::vector<double> rows(const JsonPlace& model, const char* key, std::size_t co
 
 UmetrackHand read_umetrack_hand(const std::filesystem::path& profile) {
   const nlohmann::json json = read_json(profile);
-  const JsonPlace top{profile.string(), 0, "", &json};
-  const JsonPlace model = top.at("hand_model");
+  const JsonNode top{profile.string(), 0, "", &json};
+  const JsonNode model = top.at("hand_model");
   UmetrackHand hand;
-  const auto axes = rows(model, "joint_rotation_axes", UmetrackHand::kAngles);
-  const auto points = rows(model, "joint_rest_positions", UmetrackHand::kAngles);
-  for (std::size_t k = 0; k < UmetrackHand::kFingerJoints; ++k) {
+  const auto axes = rows(model, "joint_rotation_axes", UmetrackHand::kAngleCount);
+  const auto points = rows(model, "joint_rest_positions", UmetrackHand::kAngleCount);
+  for (std::size_t k = 0; k < UmetrackHand::kFingerJointCount; ++k) {
     hand.axis[k] = row(axes, k);
     if (!(std::abs(hand.axis[k].norm() - 1) < 0.01)) {
       model.at("joint_rotation_axes").fail("must be of unit length");
@@ -36,10 +36,10 @@ UmetrackHand read_umetrack_hand(const std::filesystem::path& profile) {
     hand.axis[k].normalize();
     hand.point[k] = kMillimetre * row(points, k);
   }
-  const auto rest = rows(model, "landmark_rest_positions", UmetrackHand::kLandmarks);
-  const auto bones = rows(model, "landmark_rest_bone_indices", UmetrackHand::kLandmarks);
-  const auto weights = rows(model, "landmark_rest_bone_weights", UmetrackHand::kLandmarks);
-  for (std::size_t k = 0; k < UmetrackHand::kLandmarks; ++k) {
+  const auto rest = rows(model, "landmark_rest_positions", UmetrackHand::kLandmarkCount);
+  const auto bones = rows(model, "landmark_rest_bone_indices", UmetrackHand::kLandmarkCount);
+  const auto weights = rows(model, "landmark_rest_bone_weights", UmetrackHand::kLandmarkCount);
+  for (std::size_t k = 0; k < UmetrackHand::kLandmarkCount; ++k) {
     UmetrackHand::Landmark& landmark = hand.landmarks[k];
     landmark.rest = kMillimetre * row(rest, k);
     double sum = 0;
@@ -47,8 +47,8 @@ UmetrackHand read_umetrack_hand(const std::filesystem::path& profile) {
       const double bone = bones[3 * k + i];
       landmark.weight[i] = weights[3 * k + i];
       sum += landmark.weight[i];
-      if (landmark.weight[i] == 0) continue;  // what stands there is not used
-      if (bone != std::floor(bone) || bone < 0 || bone >= UmetrackHand::kBones) {
+      if (landmark.weight[i] == 0) continue;  // the index of a bone without weight is unused
+      if (bone != std::floor(bone) || bone < 0 || bone >= UmetrackHand::kBoneCount) {
         model.at("landmark_rest_bone_indices").fail("must be whole numbers from 0 to 16");
       }
       landmark.bone[i] = static_cast<std::size_t>(bone);
@@ -60,12 +60,13 @@ UmetrackHand read_umetrack_hand(const std::filesystem::path& profile) {
   return hand;
 }
 
-UmetrackPoints points_of(const UmetrackHand& hand, Side side, const Pose& world_from_wrist,
-                         const std::vector<double>& angles) {
+UmetrackPoints umetrack_forward_kinematics(const UmetrackHand& hand, Side side,
+                                           const Pose& world_from_wrist,
+                                           const std::vector<double>& angles) {
   UmetrackPoints points;
   Affine root(world_from_wrist.matrix());
   if (side == Side::right) root.linear().col(0) *= -1;
-  std::array<Affine, UmetrackHand::kBones> bones;
+  std::array<Affine, UmetrackHand::kBoneCount> bones;
   bones[0] = bones[1] = root;
   for (std::size_t finger = 0; finger < 5; ++finger) {
     Affine here = root;
@@ -74,7 +75,7 @@ UmetrackPoints points_of(const UmetrackHand& hand, Side side, const Pose& world_
       const Vec3& about = hand.point[joint];
       here = here * Eigen::Translation3d(about) *
              Eigen::AngleAxisd(angles[joint], hand.axis[joint]) * Eigen::Translation3d(-about);
-      if (joint == 0) points.thumb_root = here * hand.point[1];
+      if (joint == 0) points.thumb_cmc = here * hand.point[1];
       if (k > 0) bones[2 + 3 * finger + k - 1] = here;
     }
   }

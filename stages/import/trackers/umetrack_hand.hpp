@@ -9,32 +9,38 @@
 
 namespace morphe::imports {
 
-/// UmeTrack's model of a person's left hand (a right one is its mirror image): four joints a
-/// finger, thumb first, each turning about an axis through a point, and landmarks that follow up to
-/// three of the bones by weight.
+/// UmeTrack's model of a person's left hand (a right one is its mirror image): four joints per
+/// finger, thumb first, each rotating about an axis through a point, and landmarks attached to up
+/// to three of the bones by weight.
 struct UmetrackHand {
-  static constexpr std::size_t kFingerJoints = 20, kAngles = 22, kLandmarks = 21, kBones = 17;
-  std::array<Vec3, kFingerJoints> axis, point;  ///< at rest, in the wrist's frame [m]
+  static constexpr std::size_t kFingerJointCount = 20, kAngleCount = 22, kLandmarkCount = 21,
+                               kBoneCount = 17;
+  /// Axes and points of the joints at rest, in the wrist's frame [m].
+  std::array<Vec3, kFingerJointCount> axis, point;
+  /// A landmark with its rest position [m] and the weights of its bones.
   struct Landmark {
     Vec3 rest = Vec3::Zero();  ///< [m]
     std::array<std::size_t, 3> bone{};
     std::array<double, 3> weight{};
   };
-  std::array<Landmark, kLandmarks> landmarks;
+  std::array<Landmark, kLandmarkCount> landmarks;  ///< order "aria" of keypoint_orders.hpp
 };
 
-/// umetrack_hand_user_profile.json. InputError "FILE: KEY: …" for what is missing or of another
-/// size, and for bones that the model does not have.
+/// Reads umetrack_hand_user_profile.json. Throws InputError "FILE: KEY: …" for data that are
+/// missing or of another size, and for bones that the model does not have.
 UmetrackHand read_umetrack_hand(const std::filesystem::path& profile);
 
-/// A hand as it was at one time [m].
+/// The points of a hand at one time [m].
 struct UmetrackPoints {
-  std::array<Vec3, UmetrackHand::kLandmarks> landmarks;  ///< order "aria" of keypoint_orders.hpp
-  Vec3 thumb_root;  ///< where the thumb's first bone begins (CMC), which is no landmark
+  std::array<Vec3, UmetrackHand::kLandmarkCount>
+      landmarks;   ///< order "aria" of keypoint_orders.hpp
+  Vec3 thumb_cmc;  ///< proximal end of the thumb's first bone (CMC), which is not a landmark
 };
 
-/// For the angles of the joints [rad], at least kFingerJoints.
-UmetrackPoints points_of(const UmetrackHand& hand, Side side, const Pose& world_from_wrist,
-                         const std::vector<double>& angles);
+/// Computes the points for the joint angles [rad], of which there must be at least
+/// kFingerJointCount.
+UmetrackPoints umetrack_forward_kinematics(const UmetrackHand& hand, Side side,
+                                           const Pose& world_from_wrist,
+                                           const std::vector<double>& angles);
 
 }  // namespace morphe::imports

@@ -7,17 +7,19 @@
 #include <optional>
 
 #include "core/math/statistics.hpp"
-#include "core/motion/extent.hpp"
+#include "core/motion/bounding_box.hpp"
 
 namespace morphe::imports {
 namespace {
 
-constexpr double kAbove_m = 0.15;    ///< hands over the head, in the median of a recording
-constexpr double kNear_m = 0.3;      ///< of the wrist to a ball around an object that is held
-constexpr double kStill_m = 0.05;    ///< what wanders less stands still
-constexpr double kSameTime_s = 0.1;  ///< an object's clock may be another
+/// Height of the hands above the head, in the median of a recording.
+constexpr double kMaxHandsAboveHead_m = 0.15;
+/// Distance of the wrist from a sphere around an object that is held.
+constexpr double kHeldObjectDistance_m = 0.3;
+constexpr double kStationaryMotion_m = 0.05;  ///< displacement below which an object is stationary
+constexpr double kMaxClockOffset_s = 0.1;     ///< an object's clock may differ
 
-/// [N] of a joint of the body, none if it has none of that name.
+/// Returns [N] positions of a joint of the body, empty if it has no joint of that name.
 std::vector<Vec3> joint_of(const BodyStream& body, const std::string& name) {
   std::vector<Vec3> points;
   const auto found = std::ranges::find(body.names, name);
@@ -33,15 +35,15 @@ std::vector<std::vector<Vec3>> wrists_of(const HandClip& clip) {
     std::vector<Vec3> wrist = joint_of(clip.body, std::string(name_of(side)) + "_wrist");
     const auto& hand = clip.hands[static_cast<std::size_t>(side)];
     if (wrist.empty() && hand) {
-      for (std::size_t i = 0; i < hand->joint.rows; ++i) wrist.push_back(hand->joint(i, 0));
+      for (std::size_t i = 0; i < hand->keypoints.rows; ++i) wrist.push_back(hand->keypoints(i, 0));
     }
     if (!wrist.empty()) wrists.push_back(std::move(wrist));
   }
   return wrists;
 }
 
-void report_up(const HandClip& clip, const std::vector<std::vector<Vec3>>& wrists,
-               std::vector<std::string>& reports) {
+void report_up_axis(const HandClip& clip, const std::vector<std::vector<Vec3>>& wrists,
+                    std::vector<std::string>& reports) {
   const std::vector<Vec3> head = joint_of(clip.body, "head");
   std::vector<double> above;
   for (std::size_t i = 0; i < head.size(); ++i) {
@@ -52,20 +54,22 @@ void report_up(const HandClip& clip, const std::vector<std::vector<Vec3>>& wrist
   }
   if (above.empty()) return;
   const double usual = math::median(above);
-  if (usual < kAbove_m) return;
+  if (usual < kMaxHandsAboveHead_m) return;
   reports.push_back(
       fmt::format("the hands are {:.2f} m above the head in the median: another axis may be up "
                   "(--axes)",
                   usual));
 }
 
-/// From an object to the nearest wrist that was seen about then; NaN if none was.
-double to_hand(const std::vector<double>& time, const std::vector<std::vector<Vec3>>& wrists,
-               double time_s, const Vec3& object) {
+/// Returns the distance from an object to the nearest wrist that was seen at about that time; NaN
+/// if no wrist was seen.
+double nearest_wrist_distance(const std::vector<double>& time,
+                              const std::vector<std::vector<Vec3>>& wrists, double time_s,
+                              const Vec3& object) {
   const auto next = std::ranges::lower_bound(time, time_s);
-  double nearest = kNotSeen;
+  double nearest = kUnknown;
   for (const auto at : {next, next == time.begin() ? next : next - 1}) {
-    if (at == time.end() || std::abs(*at - time_s) > kSameTime_s) continue;
+    if (at == time.end() || std::abs(*at - time_s) > kMaxClockOffset_s) continue;
     const auto i = static_cast<std::size_t>(at - time.begin());
     for (const std::vector<Vec3>& wrist : wrists) {
       nearest = std::fmin(nearest, (wrist[i] - object).norm());
@@ -74,23 +78,23 @@ double to_hand(const std::vector<double>& time, const std::vector<std::vector<Ve
   return nearest;
 }
 
-/// Of a ball around the origin that holds the object's box [m].
+/// Returns the radius of a sphere around the origin that contains the object's box [m].
 double radius_of(const SceneObject& object) {
-  const Eigen::AlignedBox3d box = extent_of(object, Pose::Identity());
+  const Eigen::AlignedBox3d box = bounding_box(object, Pose::Identity());
   return box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).norm();
 }
 
-/// How far an object gets, corner to corner, before a hand has come near, while hands are seen [m].
-/// (Afterwards it may roll or swing by itself.)
-double moves_untouched(const SceneObject& object, const std::vector<double>& time,
-                       const std::vector<std::vector<Vec3>>& wrists) {
-  const double near_m = kNear_m + radius_of(object);
+/// Returns the displacement of an object, corner to corner, before a hand comes near, while hands
+/// are seen [m]. (Afterwards it may roll or swing by itself.).
+double displacement_before_contact(const SceneObject& object, const std::vector<double>& time,
+                                   const std::vector<std::vector<Vec3>>& wrists) {
+  const double near_m = kHeldObjectDistance_m + radius_of(object);
   double most = 0;
   Eigen::AlignedBox3d box;
   for (std::size_t i = 0; i < object.time.size(); ++i) {
     const Vec3& here = object.position[i];
-    if (!seen(here)) continue;
-    const double away = to_hand(time, wrists, object.time[i], here);
+    if (!is_known(here)) continue;
+    const double away = nearest_wrist_distance(time, wrists, object.time[i], here);
     if (away <= near_m) break;
     if (std::isnan(away)) {
       box.setEmpty();
@@ -107,10 +111,10 @@ double moves_untouched(const SceneObject& object, const std::vector<double>& tim
 void check_world(const HandClip& clip, std::vector<std::string>& reports) {
   const std::vector<std::vector<Vec3>> wrists = wrists_of(clip);
   if (wrists.empty()) return;
-  report_up(clip, wrists, reports);
+  report_up_axis(clip, wrists, reports);
   for (const SceneObject& object : clip.objects) {
-    const double moved = moves_untouched(object, clip.time, wrists);
-    if (moved > kStill_m) {
+    const double moved = displacement_before_contact(object, clip.time, wrists);
+    if (moved > kStationaryMotion_m) {
       reports.push_back(
           fmt::format("object {} moves by {:.2f} m before a hand has come near: the frame itself "
                       "may move, as a "

@@ -7,9 +7,9 @@
 
 namespace morphe::imports {
 
-/// What does not fit into a world that stands still, Z up, in `reports`: hands that are above the
-/// head (another axis may be up), objects that move before a hand has come near (the frame itself
-/// may be a camera's that moves). A hand without head and objects shows neither.
+/// Adds to `reports` observations that contradict a stationary world with Z up: hands above the
+/// head (another axis may be up), and objects that move before a hand is near (the frame may be
+/// that of a moving camera). A hand without head and objects allows neither check.
 void check_world(const HandClip& clip, std::vector<std::string>& reports);
 
 }  // namespace morphe::imports

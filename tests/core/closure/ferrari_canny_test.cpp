@@ -18,13 +18,13 @@ double height(const ContactSet& set, ForceLimit limit, const Wrench& u) {
 /// The bounds are in order, the upper one is what its direction says, and a null direction is one.
 void expect_proven(const ContactSet& set, ForceLimit limit, const FerrariCanny& found) {
   EXPECT_LE(found.lower, found.upper);
-  EXPECT_NEAR(found.weakest.norm(), 1, 1e-9);
+  EXPECT_NEAR(found.weakest_twist.norm(), 1, 1e-9);
   if (found.exactly_zero) {
     EXPECT_EQ(found.lower, 0);
     EXPECT_EQ(found.upper, 0);
-    EXPECT_LE(height(set, limit, found.weakest), 1e-10);
+    EXPECT_LE(height(set, limit, found.weakest_twist), 1e-10);
   } else {
-    EXPECT_NEAR(height(set, limit, found.weakest), found.upper, 1e-12);
+    EXPECT_NEAR(height(set, limit, found.weakest_twist), found.upper, 1e-12);
   }
 }
 
@@ -72,15 +72,15 @@ TEST(FerrariCanny, ExactlyZero) {
   math::RandomStream random(1, "flat");
   for (const ContactSet& one : flat) {
     for (int turned = 0; turned < 4; ++turned) {
-      const ContactSet set = moved(one, random.rotation(), random.normals());
+      const ContactSet set = moved(one, random.rotation(), random.normal_vector3());
       for (const ForceLimit limit : kBoth) {
         const FerrariCanny found = ferrari_canny(set, limit);
         EXPECT_TRUE(found.exactly_zero);
-        EXPECT_FALSE(found.closed());
+        EXPECT_FALSE(found.force_closure());
         EXPECT_EQ(found.residual(), 0);
         expect_proven(set, limit, found);
         if (!set.contacts.empty()) {
-          EXPECT_LE(height(set, ForceLimit::sum, -found.weakest), 1e-10);
+          EXPECT_LE(height(set, ForceLimit::sum, -found.weakest_twist), 1e-10);
         }
       }
     }
@@ -136,7 +136,7 @@ TEST(FerrariCanny, CoplanarFacets) {
       const FerrariCanny found = ferrari_canny(set, limit);
       expect_proven(set, limit, found);
       EXPECT_TRUE(found.within_tolerance) << trial;
-      closed += found.closed() ? 1 : 0;
+      closed += found.force_closure() ? 1 : 0;
     }
   }
   EXPECT_GT(closed, 50);
@@ -154,7 +154,7 @@ TEST(FerrariCanny, NotClosed) {
   expect_proven(below, ForceLimit::sum, sum);
   const FerrariCanny each = ferrari_canny(below, ForceLimit::each);
   EXPECT_TRUE(each.exactly_zero);
-  EXPECT_LE(height(below, ForceLimit::each, each.weakest), 0);
+  EXPECT_LE(height(below, ForceLimit::each, each.weakest_twist), 0);
 }
 
 TEST(FerrariCanny, BetweenInscribedAndCircumscribedPolygons) {
@@ -167,12 +167,12 @@ TEST(FerrariCanny, BetweenInscribedAndCircumscribedPolygons) {
     EXPECT_TRUE(found.within_tolerance);
     const double inscribed = polygon_epsilon(set, 16, false),
                  around = polygon_epsilon(set, 16, true);
-    closed += found.closed() ? 1 : 0;
+    closed += found.force_closure() ? 1 : 0;
     // Below 0 the distance of a facet is no distance of the hull.
     if (inscribed > 0) {
       EXPECT_LE(inscribed, found.upper + 1e-9);
     }
-    if (found.closed()) {
+    if (found.force_closure()) {
       EXPECT_GE(around, found.lower - 1e-9);
     }
   }
@@ -189,13 +189,13 @@ TEST(FerrariCanny, DescentEndsBetweenTheBounds) {
       const FerrariCanny found = ferrari_canny(contacts, limit);
       expect_proven(contacts, limit, found);
       EXPECT_TRUE(found.within_tolerance);
-      if (!found.closed()) continue;
+      if (!found.force_closure()) continue;
       ++closed;
       const WrenchSet set = make_wrench_set(contacts, limit);
       double least = kInfinity;
       for (int start = 0; start < 12; ++start) {
         Wrench u;
-        u << random.normals(), random.normals();
+        u << random.normal_vector3(), random.normal_vector3();
         u.normalize();
         for (int step = 1; step < 150; ++step) {
           const Support there = support(set, u);
@@ -214,7 +214,7 @@ TEST(FerrariCanny, TheSameHoweverTheObjectLies) {
   math::RandomStream random(1, "turned");
   for (int trial = 0; trial < 40; ++trial) {
     const ContactSet set = random_grasp(random, 3 + trial % 3, 0.01);
-    const ContactSet other = moved(set, random.rotation(), 0.3 * random.normals());
+    const ContactSet other = moved(set, random.rotation(), 0.3 * random.normal_vector3());
     for (const ForceLimit limit : kBoth) {
       const FerrariCanny a = ferrari_canny(set, limit, {0.01, 1e-3, 1000});
       const FerrariCanny b = ferrari_canny(other, limit, {0.01, 1e-3, 1000});

@@ -66,13 +66,13 @@ inline std::vector<ClosedForm> closed_forms() {
          std::min(2 * g / std::sqrt(1 + g * g), 2 * mu / std::sqrt(square + 4 * mu * mu))});
   }
   forms.push_back({"three, mu 0.2", three_fingers(0.2, 0), 0.105272, 0.6 / std::sqrt(5)});
-  forms.push_back({"three, mu 0.4", three_fingers(0.4, 0), 0.226744, kNotSeen});
-  forms.push_back({"three, mu 0.5", three_fingers(0.5, 0), 0.287698, kNotSeen});
+  forms.push_back({"three, mu 0.4", three_fingers(0.4, 0), 0.226744, kUnknown});
+  forms.push_back({"three, mu 0.5", three_fingers(0.5, 0), 0.287698, kUnknown});
   forms.push_back({"three, mu 0.8", three_fingers(0.8, 0), 0.8 / std::sqrt(3), 2.4 / std::sqrt(5)});
-  forms.push_back({"three soft, mu 0.2", three_fingers(0.2, 0.05), 0.118676, kNotSeen});
-  forms.push_back({"three soft, mu 0.5", three_fingers(0.5, 0.05), 0.300440, kNotSeen});
-  forms.push_back({"three soft, mu 0.8", three_fingers(0.8, 0.05), 0.477155, kNotSeen});
-  forms.push_back({"tetrahedron", tetrahedron(0.5), 0.5 / std::sqrt(2), kNotSeen});
+  forms.push_back({"three soft, mu 0.2", three_fingers(0.2, 0.05), 0.118676, kUnknown});
+  forms.push_back({"three soft, mu 0.5", three_fingers(0.5, 0.05), 0.300440, kUnknown});
+  forms.push_back({"three soft, mu 0.8", three_fingers(0.8, 0.05), 0.477155, kUnknown});
+  forms.push_back({"tetrahedron", tetrahedron(0.5), 0.5 / std::sqrt(2), kUnknown});
   forms.push_back({"octahedron", octahedron(0.5), 0.5 * std::sqrt(2.0 / 3), 2});
   return forms;
 }
@@ -84,7 +84,7 @@ inline ContactSet random_grasp(math::RandomStream& random, int contacts, double 
   set.friction = {random.uniform(0.3, 1), gamma_m};
   set.torque_scale_m = 0.06;
   for (int k = 0; k < contacts; ++k) {
-    const Vec3 direction = random.normals().normalized();
+    const Vec3 direction = random.normal_vector3().normalized();
     set.contacts.push_back(
         {axes.cwiseProduct(direction), -direction.cwiseQuotient(axes).normalized()});
   }
@@ -107,12 +107,12 @@ inline ContactSet moved(const ContactSet& set, const Quat& turn, const Vec3& shi
 inline ContactSet cube_grasp(math::RandomStream& random, int contacts, double mu, double g) {
   std::vector<Vec3> points, normals;
   for (int k = 0; k < contacts; ++k) {
-    const int axis = random.whole({0, 2});
+    const int axis = random.uniform_integer({0, 2});
     Vec3 point, normal = Vec3::Zero();
-    for (int j = 0; j < 3; ++j) point[j] = 0.5 * random.whole({-2, 2});
-    point[axis] = random.chance(0.5) ? 1 : -1;
+    for (int j = 0; j < 3; ++j) point[j] = 0.5 * random.uniform_integer({-2, 2});
+    point[axis] = random.bernoulli(0.5) ? 1 : -1;
     normal[axis] = -point[axis];
-    for (int times = random.chance(0.1) ? 2 : 1; times > 0; --times) {
+    for (int times = random.bernoulli(0.1) ? 2 : 1; times > 0; --times) {
       points.push_back(point);
       normals.push_back(normal);
     }
@@ -126,7 +126,7 @@ inline ContactSet flat_grasp(math::RandomStream& random, int kind, double off) {
   ContactSet set = two_fingers(random.uniform(0.3, 1), random.uniform(0.3, 1), 0);
   if (kind % 3 == 0) {
     for (int k = kind / 3 % 4; k > 0; --k) {
-      const Vec3 normal = random.normals().normalized();
+      const Vec3 normal = random.normal_vector3().normalized();
       set.contacts.push_back({{off, 0, random.uniform(-1, 1)}, normal});
     }
     set.contacts[0].point.x() = off;
@@ -134,11 +134,11 @@ inline ContactSet flat_grasp(math::RandomStream& random, int kind, double off) {
     set.friction.gamma_m = off;
   } else {
     std::vector<Vec3> points;
-    for (int k = 0; k < 5; ++k) points.push_back(random.normals());
+    for (int k = 0; k < 5; ++k) points.push_back(random.normal_vector3());
     points.push_back(-points[0] - points[1] - points[2]);
     set = sphere_set(points, off, 0);
   }
-  return moved(set, random.rotation(), random.normals());
+  return moved(set, random.rotation(), random.normal_vector3());
 }
 
 }  // namespace morphe::closure

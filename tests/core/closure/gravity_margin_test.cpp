@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "core/closure/share_forces.hpp"
+#include "core/closure/grasp_forces.hpp"
 #include "tests/core/closure/grasps.hpp"
 
 namespace morphe::closure {
 namespace {
 
-const Tolerance kFine{1e-4, 1e-4, 2000};
+const BoundTolerance kFine{1e-4, 1e-4, 2000};
 
 void expect_around(const GravityMargin& margin, double truth) {
   EXPECT_TRUE(margin.within_tolerance);
@@ -42,13 +42,13 @@ TEST(GravityMargin, TwoOppositeFingersHoldTwiceMuAcross) {
 // Their normal forces must be alike to balance along the line: both are the smaller limit.
 TEST(GravityMargin, AContactWithASmallerShareLimitsTheOther) {
   ContactSet set = pinch(0.6, 0.002);
-  set.contacts[1].share = 0.25;
+  set.contacts[1].force_limit_share = 0.25;
   expect_around(gravity_margin(set, {}, Vec3::UnitX(), kFine), 0.3);
   // Along the line each finger gives what it has.
   expect_around(gravity_margin(set, {}, -Vec3(set.contacts[0].normal), kFine), 1);
   expect_around(gravity_margin(set, {}, -Vec3(set.contacts[1].normal), kFine), 0.25);
-  set.contacts[1].share = 0;
-  EXPECT_EQ(why_invalid(set), "contact 1: its share must be above 0");
+  set.contacts[1].force_limit_share = 0;
+  EXPECT_EQ(validation_error(set), "contact 1: its share must be above 0");
 }
 
 /// Normal forces a and b differ by lambda cos; no turning asks for lambda sin / 2 across at each,
@@ -67,11 +67,11 @@ TEST(GravityMargin, TheWorstIsTheLeastOfAllDirections) {
   math::RandomStream random(1, "worst");
   for (int trial = 0; trial < 10; ++trial) {
     const ContactSet set = random_grasp(random, 4, 0.005);
-    const Load load{0.3, 0.01 * random.normals()};
+    const Load load{0.3, 0.01 * random.normal_vector3()};
     const GravityMargin worst = worst_gravity_margin(set, load);
     EXPECT_TRUE(worst.within_tolerance);
     for (int k = 0; k < 10; ++k) {
-      const GravityMargin one = gravity_margin(set, load, random.normals());
+      const GravityMargin one = gravity_margin(set, load, random.normal_vector3());
       EXPECT_TRUE(one.within_tolerance);
       EXPECT_GE(one.upper, worst.lower);
     }
@@ -86,15 +86,16 @@ TEST(GravityMargin, CentreOfMassBesideTheLine) {
   const double mu = 0.6, gamma = 0.002, off = 0.02, mass = 0.3;
   const Load load{mass, {off, 0, 0}};
   const GravityMargin margin = gravity_margin(pinch(mu, gamma), load, Vec3::UnitY(), kFine);
-  const double torsion = mass * kGravity * off / (2 * gamma), weight = mass * kGravity / (2 * mu);
-  EXPECT_GT(margin.newtons_too_few(mass), torsion);
-  EXPECT_NEAR(margin.newtons_enough(mass), std::hypot(torsion, weight), 0.02);
+  const double torsion = mass * kGravity_m_s2 * off / (2 * gamma),
+               weight = mass * kGravity_m_s2 / (2 * mu);
+  EXPECT_GT(margin.insufficient_force_n(mass), torsion);
+  EXPECT_NEAR(margin.sufficient_force_n(mass), std::hypot(torsion, weight), 0.02);
   EXPECT_NEAR(torsion, 14.715, 1e-9);
   // In the direction of the offset nothing turns, and without torsion nothing resists the turning.
   expect_around(gravity_margin(pinch(mu, gamma), load, Vec3::UnitX(), kFine), 2 * mu);
   const GravityMargin hard = gravity_margin(pinch(mu, 0), load, Vec3::UnitY());
   EXPECT_EQ(hard.upper, 0);
-  EXPECT_EQ(hard.newtons_too_few(mass), kInfinity);
+  EXPECT_EQ(hard.insufficient_force_n(mass), kInfinity);
   const GravityMargin worst = worst_gravity_margin(pinch(mu, 0), load);
   EXPECT_EQ(worst.upper, 0);
   EXPECT_NEAR(std::abs(worst.direction.y()), 1, 1e-6);
@@ -120,18 +121,19 @@ TEST(GravityMargin, ForcesAreFoundForTheSqueezeThatIsEnough) {
   int held = 0;
   for (int trial = 0; trial < 40; ++trial) {
     const ContactSet set = random_grasp(random, 3 + trial % 3, 0.002);
-    const Load load{0.3, 0.01 * random.normals()};
-    const Vec3 down = random.normals().normalized();
+    const Load load{0.3, 0.01 * random.normal_vector3()};
+    const Vec3 down = random.normal_vector3().normalized();
     const GravityMargin margin = gravity_margin(set, load, down);
     if (margin.lower == 0) continue;
     ++held;
-    const Wrench weight = load.mass_kg * kGravity *
-                          wrench_of(down, (load.centre - set.reference) / set.torque_scale_m);
+    const Wrench weight =
+        load.mass_kg * kGravity_m_s2 *
+        wrench_of(down, (load.centre_of_mass - set.reference) / set.torque_scale_m);
     const auto left_over = [&](double newtons) {
-      return share_forces(set, weight, {newtons, 0, 1}).residual.norm();
+      return distribute_grasp_forces(set, weight, {newtons, 0, 1}).residual.norm();
     };
-    EXPECT_LT(left_over(1.001 * margin.newtons_enough(load.mass_kg)), 1e-4);
-    EXPECT_GT(left_over(0.99 * margin.newtons_too_few(load.mass_kg)), 1e-4);
+    EXPECT_LT(left_over(1.001 * margin.sufficient_force_n(load.mass_kg)), 1e-4);
+    EXPECT_GT(left_over(0.99 * margin.insufficient_force_n(load.mass_kg)), 1e-4);
   }
   EXPECT_GT(held, 15);
 }
@@ -156,7 +158,7 @@ TEST(GravityMargin, TheSameAboutAnyPointInAnyScale) {
   for (int trial = 0; trial < 15; ++trial) {
     const ContactSet set = random_grasp(random, 4, 0.005);
     ContactSet other = set;
-    other.reference = 0.03 * random.normals();
+    other.reference = 0.03 * random.normal_vector3();
     other.torque_scale_m = 0.1;
     const Load load{0.3, {0.005, 0, 0.01}};
     const GravityMargin a = gravity_margin(set, load, -Vec3::UnitZ());

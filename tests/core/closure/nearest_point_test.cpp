@@ -7,10 +7,10 @@
 namespace morphe::closure {
 namespace {
 
-const Tolerance kExact{0, 1e-9, 2000};
+const BoundTolerance kExact{0, 1e-9, 2000};
 
 Bounds distance(const ContactSet& set) {
-  return distance_below_zero(make_wrench_set(set, ForceLimit::sum), kExact);
+  return negative_origin_distance(make_wrench_set(set, ForceLimit::sum), kExact);
 }
 
 TEST(NearestPoint, OneFingerWithoutTorque) {

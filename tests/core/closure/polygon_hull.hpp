@@ -19,7 +19,7 @@ inline double polygon_epsilon(const ContactSet& set, int edges, bool around) {
   std::vector<double> points;
   const double mu = set.friction.mu / (around ? std::cos(std::numbers::pi / edges) : 1);
   for (const Contact& contact : set.contacts) {
-    const Vec3 r = lever(set, contact), across = contact.normal.unitOrthogonal();
+    const Vec3 r = moment_arm(set, contact), across = contact.normal.unitOrthogonal();
     const Vec3 along = contact.normal.cross(across);
     for (int k = 0; k < edges; ++k) {
       const double angle = 2 * std::numbers::pi * k / edges;
@@ -33,7 +33,7 @@ inline double polygon_epsilon(const ContactSet& set, int edges, bool around) {
   qhT* qh = &hull;  // qhull's macros want this name
   qh_zero(qh, silence);
   char command[] = "qhull";
-  double least = kNotSeen;
+  double least = kUnknown;
   if (!qh_new_qhull(qh, 6, static_cast<int>(points.size() / 6), points.data(), 0, command, silence,
                     silence)) {
     least = kInfinity;

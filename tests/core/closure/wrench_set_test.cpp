@@ -9,17 +9,17 @@ namespace {
 
 Wrench random_twist(math::RandomStream& random) {
   Wrench u;
-  u << random.normals(), random.normals();
+  u << random.normal_vector3(), random.normal_vector3();
   return u.normalized();
 }
 
 /// The wrench of a force in the cone of one contact, drawn evenly over all that it may do.
 Wrench random_wrench(math::RandomStream& random, const ContactSet& set, const Contact& contact) {
-  const Vec3 bend = random.normals().normalized() * std::cbrt(random.uniform());
+  const Vec3 bend = random.normal_vector3().normalized() * std::cbrt(random.uniform());
   const Vec3 across = contact.normal.unitOrthogonal(), along = contact.normal.cross(across);
   Wrench wrench =
       wrench_of(contact.normal + set.friction.mu * (bend.x() * across + bend.y() * along),
-                lever(set, contact));
+                moment_arm(set, contact));
   wrench.tail<3>() += set.friction.gamma_m / set.torque_scale_m * bend.z() * contact.normal;
   return wrench;
 }
@@ -55,9 +55,9 @@ TEST(WrenchSet, VelocityAlongTheNormal) {
   for (int trial = 0; trial < 1000; ++trial) {
     const ContactSet contacts = random_grasp(random, 1, 0);
     const WrenchSet set = make_wrench_set(contacts, ForceLimit::sum);
-    const Vec3 turn = random.normals();
+    const Vec3 turn = random.normal_vector3();
     Wrench u;
-    u << contacts.contacts[0].normal - turn.cross(lever(contacts, contacts.contacts[0])), turn;
+    u << contacts.contacts[0].normal - turn.cross(moment_arm(contacts, contacts.contacts[0])), turn;
     const Support there = support(set, u);
     EXPECT_NEAR(there.value, u.dot(there.point), 1e-13);
     const Vec3 n = contacts.contacts[0].normal, force = there.point.head<3>();
@@ -75,19 +75,19 @@ TEST(WrenchSet, SupportIsBelowZeroWhereAllPushAway) {
 
 TEST(WrenchSet, WhatIsWrongIsSaid) {
   const ContactSet right = two_fingers(1, 0.5, 0);
-  EXPECT_EQ(why_invalid(right), "");
+  EXPECT_EQ(validation_error(right), "");
   const auto wrong = [&](auto change) {
     ContactSet set = right;
     change(set);
-    return why_invalid(set);
+    return validation_error(set);
   };
-  EXPECT_EQ(wrong([](ContactSet& set) { set.friction.mu = kNotSeen; }),
+  EXPECT_EQ(wrong([](ContactSet& set) { set.friction.mu = kUnknown; }),
             "friction must be 0 or more");
   EXPECT_EQ(wrong([](ContactSet& set) { set.friction.gamma_m = -1; }),
             "torsional friction must be 0 or more");
   EXPECT_EQ(wrong([](ContactSet& set) { set.torque_scale_m = 0; }),
             "the torque scale must be above 0");
-  EXPECT_EQ(wrong([](ContactSet& set) { set.reference[1] = kNotSeen; }),
+  EXPECT_EQ(wrong([](ContactSet& set) { set.reference[1] = kUnknown; }),
             "the reference point is not a point");
   EXPECT_EQ(wrong([](ContactSet& set) { set.contacts[1].point[0] = kInfinity; }),
             "contact 1: its point is none");

@@ -25,7 +25,7 @@ bool closed(SceneObject mesh) {
   weld(mesh);
   close_holes(mesh, 0.01);
   const MeshObject made = mesh_object(mesh.vertices, mesh.triangles);
-  return !is_open(*made.solid) && inside(*made.solid, Vec3(0.001, 0.002, 0.003));
+  return !is_open(*made.solid) && is_inside(*made.solid, Vec3(0.001, 0.002, 0.003));
 }
 
 TEST(CloseHoles, LooseCornersAreSewn) {

@@ -58,7 +58,7 @@ TEST_P(FclAgreement, DistanceOfBodiesApart) {
 
 /// A capsule of the base and one object, or two capsules.
 struct Pair {
-  RobotTable table;
+  RobotModel table;
   robot::Robot robot;
   Scene scene;
   CollisionWorld world;
@@ -96,9 +96,9 @@ TEST_P(FclAgreement, VerdictOnObjectsWithMarginAndWithContact) {
     const CollisionWorld& world = pair.make(random.uniform(0, 0.01), depth_m);
     for (const double time_s : {0.5, 1.5}) {
       const PairSeparation least = least_slack(world, q, time_s, scratch);
-      ASSERT_DOUBLE_EQ(least.required, time_s < 1 ? world.tolerances.margin : -depth_m);
+      ASSERT_DOUBLE_EQ(least.required_distance_m, time_s < 1 ? world.tolerances.margin : -depth_m);
       if (std::abs(least.slack()) < 1e-6) continue;
-      EXPECT_EQ(FclEngine(world).free(q, time_s, scratch), least.slack() >= 0)
+      EXPECT_EQ(FclEngine(world).is_free(q, time_s, scratch), least.slack() >= 0)
           << name_of(GetParam()) << " " << k << " slack " << least.slack();
       colliding += least.slack() < 0;
       sinking += least.slack() >= 0 && least.separation.distance < 0;
@@ -132,7 +132,7 @@ TEST(FclAgreementOfMeshes, VerdictWithMarginAndWithContact) {
     for (const double time_s : {0.5, 1.5}) {
       const PairSeparation least = least_slack(world, q, time_s, scratch);
       if (std::abs(least.slack()) < 2e-5) continue;
-      EXPECT_EQ(FclEngine(world).free(q, time_s, scratch), least.slack() >= 0)
+      EXPECT_EQ(FclEngine(world).is_free(q, time_s, scratch), least.slack() >= 0)
           << k << " slack " << least.slack();
       colliding += least.slack() < 0;
       sinking += least.slack() >= 0 && least.separation.distance < 0;
@@ -154,7 +154,7 @@ TEST(FclAgreementOfCapsules, Verdict) {
     world.pairs = {{0, 1}};  // both of the base: no pair by themselves
     const double slack = least_slack(world, q, 0, scratch).slack();
     if (std::abs(slack) < 1e-6) continue;
-    EXPECT_EQ(FclEngine(world).free(q, 0, scratch), slack >= 0) << k << " slack " << slack;
+    EXPECT_EQ(FclEngine(world).is_free(q, 0, scratch), slack >= 0) << k << " slack " << slack;
   }
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/collision/certified.hpp"
+#include "core/collision/continuous_check.hpp"
 #include "tests/core/collision/meshes.hpp"
 #include "tests/core/collision/random_bodies.hpp"
 #include "tests/support/two_link_arm.hpp"
@@ -31,7 +31,7 @@ TEST(Mesh, BoxOfTrianglesIsTheBox) {
     const double expected = signed_distance(box, point, box_gradient);
     EXPECT_NEAR(signed_distance(mesh.ready(), point, mesh_gradient), expected, 1e-12);
     EXPECT_LT((mesh_gradient - box_gradient).norm(), 1e-6);
-    EXPECT_LE(signed_distance_at_least(mesh.ready(), point), expected + 1e-12);
+    EXPECT_LE(signed_distance_lower_bound(mesh.ready(), point), expected + 1e-12);
     inside_count += expected < 0;
 
     const Pose pose = random.pose(0.2);
@@ -85,11 +85,11 @@ TEST(Mesh, InsideOfATorusIsInsideTheTube) {
     const Vec3 p = random.point(0.3);
     const double from_tube = std::hypot(std::hypot(p.x(), p.y()) - 0.2, p.z());
     if (std::abs(from_tube - 0.07) < 0.002) continue;  // the polygons' sagitta
-    EXPECT_EQ(inside(*mesh.solid, p), from_tube < 0.07);
+    EXPECT_EQ(is_inside(*mesh.solid, p), from_tube < 0.07);
     inside_count += from_tube < 0.07;
   }
   EXPECT_GT(inside_count, 300);
-  EXPECT_FALSE(inside(*mesh.solid, Vec3::Zero()));  // the hole
+  EXPECT_FALSE(is_inside(*mesh.solid, Vec3::Zero()));  // the hole
 }
 
 TEST(Mesh, PointsInTheAxesOfSymmetryAreToldToo) {
@@ -99,7 +99,7 @@ TEST(Mesh, PointsInTheAxesOfSymmetryAreToldToo) {
     for (int y = -2; y <= 2; ++y) {
       for (int z = -2; z <= 2; ++z) {
         const Vec3 point = 0.06 * Vec3(x, y, z);
-        EXPECT_EQ(inside(*mesh.solid, point), point.cwiseAbs().maxCoeff() < 0.1) << point;
+        EXPECT_EQ(is_inside(*mesh.solid, point), point.cwiseAbs().maxCoeff() < 0.1) << point;
       }
     }
   }
@@ -176,12 +176,12 @@ TEST(Mesh, BrokenOnesAreNamedAndCollide) {
   broken(mesh_object({Vec3::Zero(), Vec3::UnitX()}, {{0, 1, 1}}), "it has no triangles");
   broken(mesh_object({Vec3::Zero(), Vec3::UnitX()}, {{0, 1, 2}}),
          "a triangle's corner does not exist");
-  broken(mesh_object({Vec3::Zero(), Vec3::UnitX(), unseen_point()}, {{0, 1, 2}}),
+  broken(mesh_object({Vec3::Zero(), Vec3::UnitX(), unknown_point()}, {{0, 1, 2}}),
          "a vertex is not a number");
 }
 
 TEST(Mesh, WorldPreparesItAndCertifiesPastIt) {
-  RobotTable table = two_link_arm();
+  RobotModel table = two_link_arm();
   table.capsules.push_back({"forearm", 1, Vec3::Zero(), Vec3(0.5, 0, 0), 0.01, false});
   const robot::Robot robot(table);
   Scene scene;
@@ -189,9 +189,9 @@ TEST(Mesh, WorldPreparesItAndCertifiesPastIt) {
   wall.position = {Vec3(0.8, 0, 0)};
   scene.objects = {wall};
   const CollisionWorld world = make_world(robot, scene, {}, {});
-  ReadyMeshes ready;
-  make_ready(box_mesh(Vec3(0.001, 0.001, 0.4)), ready);
-  make_ready(wall, ready);
+  MeshCache ready;
+  add_to_cache(box_mesh(Vec3(0.001, 0.001, 0.4)), ready);
+  add_to_cache(wall, ready);
   const CollisionWorld again = make_world(robot, scene, {}, {}, ready);
   EXPECT_EQ(again.meshes[0], ready[1].solid) << "made once";
   EXPECT_EQ(world.meshes[0]->radius, ready[1].solid->radius);

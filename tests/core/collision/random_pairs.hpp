@@ -17,7 +17,7 @@ inline MeshObject random_hull(RandomBodies& random) {
     points.vertices.push_back(axes[k] * Vec3::Unit(k));
     points.vertices.push_back(-axes[k] * Vec3::Unit(k));
   }
-  take_hull(points);
+  replace_by_convex_hull(points);
   return mesh_object(points.vertices, points.triangles);
 }
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 #include "core/motion/scene.hpp"
 #include "tests/core/collision/random_bodies.hpp"
 
@@ -10,10 +10,10 @@ namespace morphe::collision {
 
 /// An arm of four joints, a fixed palm and two fingers of three joints, the last one coupled to the
 /// middle one. Random links, axes and capsules. 4 + 2 * 2 = 8 actuated joints.
-inline RobotTable random_robot(RandomBodies& random) {
-  RobotTable robot;
+inline RobotModel random_robot(RandomBodies& random) {
+  RobotModel robot;
   const auto add_frame = [&](int parent, double link_m, int joint, double ratio) {
-    RobotTable::Frame frame;
+    RobotModel::Frame frame;
     frame.parent = parent;
     frame.transform = random.pose(0);
     frame.transform.translation() = link_m * random.direction();

@@ -1,14 +1,14 @@
 #pragma once
 
-#include "core/collision/certified.hpp"
+#include "core/collision/continuous_check.hpp"
 #include "tests/core/collision/random_robot.hpp"
 
 namespace morphe::collision {
 
 /// A slim random robot (links 8 mm thin, fingers 2 mm), walls 1 mm thin about it, and a straight
-inline RobotTable thin_robot(RandomBodies& random) {
-  RobotTable robot = random_robot(random);
-  for (RobotTable::Capsule& capsule : robot.capsules) capsule.radius *= 0.2;
+inline RobotModel thin_robot(RandomBodies& random) {
+  RobotModel robot = random_robot(random);
+  for (RobotModel::Capsule& capsule : robot.capsules) capsule.radius *= 0.2;
   return robot;
 }
 
@@ -61,7 +61,7 @@ inline void count_thin_walls(RandomBodies& random, ThinWallCount& count,
   const ThinWalls walls(random);
   if (!is_free(walls.world, walls.from, 0, scratch)) return;
   const double travel_m =
-      (walls.robot.capsule_levers * (walls.to - walls.from).cwiseAbs()).maxCoeff();
+      (walls.robot.capsule_motion_bounds * (walls.to - walls.from).cwiseAbs()).maxCoeff();
   const int steps = std::max(1, static_cast<int>(std::ceil(travel_m / 1e-4)));
   const double fine = sampled_slack(walls, steps, scratch);
   const double coarse = sampled_slack(walls, 10, scratch);

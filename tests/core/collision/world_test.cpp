@@ -15,7 +15,7 @@ Movement grasping() {
   movement.target = "cup";
   movement.phases = {{PhaseKind::reach, 0, 0.4, 1},       {PhaseKind::preshape, 0.2, 0.4, 1},
                      {PhaseKind::grasp, 0.4, 0.5, 1},     {PhaseKind::hold, 0.5, 0.6, 1},
-                     {PhaseKind::transport, 0.6, 0.7, 1}, {PhaseKind::go_back, 0.7, 1, 1}};
+                     {PhaseKind::transport, 0.6, 0.7, 1}, {PhaseKind::return_phase, 0.7, 1, 1}};
   return movement;
 }
 
@@ -26,7 +26,7 @@ TEST(MakeWorld, LeavesOutAllowedAndRigidPairs) {
   // 12 capsules: 66 pairs, 11 of neighbours allowed. The palm (5) moves with the last link (4),
   // which is one of those already.
   EXPECT_EQ(world.pairs.size(), 55u);
-  RobotTable stiff = robot;
+  RobotModel stiff = robot;
   stiff.allowed_pairs.clear();
   EXPECT_EQ(make_world(robot::Robot(stiff), {}, {}, {}).pairs.size(), 65u);
   stiff.allowed_pairs = {{7, 2}};
@@ -48,8 +48,8 @@ TEST(MakeWorld, TouchingLastsFromPreshapeToRelease) {
   EXPECT_FALSE(may_touch(world, 5, 4, 0.71));
   EXPECT_FALSE(may_touch(world, 5, 3, 0.5));
   EXPECT_FALSE(may_touch(world, 4, 4, 0.5));
-  EXPECT_EQ(required_m(world, 5, 4, 0.5), -world.tolerances.contact_depth);
-  EXPECT_EQ(required_m(world, 5, 4, 0.1), world.tolerances.margin);
+  EXPECT_EQ(required_distance_m(world, 5, 4, 0.5), -world.tolerances.contact_depth);
+  EXPECT_EQ(required_distance_m(world, 5, 4, 0.1), world.tolerances.margin);
 
   Movement movement = grasping();
   movement.phases.erase(movement.phases.begin() + 1);
@@ -64,17 +64,17 @@ TEST(MakeWorld, TouchingLastsFromPreshapeToRelease) {
 
 TEST(MakeWorld, LinksThatAreNoPadsHaveADepthOfTheirOwn) {
   RandomBodies random(33);
-  RobotTable table = random_robot(random);
+  RobotModel table = random_robot(random);
   table.tips.push_back({"tip", static_cast<int>(table.frames.size()) - 1, Pose::Identity(), 1});
   const robot::Robot robot(table);
   const Scene scene = random_scene(random);
   CollisionWorld world = make_world(robot, scene, grasping(), {});
   const int pad = static_cast<int>(table.capsules.size()) - 1;
-  EXPECT_EQ(required_m(world, pad - 1, 4, 0.5), -0.005);
+  EXPECT_EQ(required_distance_m(world, pad - 1, 4, 0.5), -0.005);
   world.tolerances.link_depth = 0.0005;
-  EXPECT_EQ(required_m(world, pad, 4, 0.5), -0.005);
-  EXPECT_EQ(required_m(world, pad - 1, 4, 0.5), -0.0005);
-  EXPECT_EQ(required_m(world, pad - 1, 4, 0.1), world.tolerances.margin);
+  EXPECT_EQ(required_distance_m(world, pad, 4, 0.5), -0.005);
+  EXPECT_EQ(required_distance_m(world, pad - 1, 4, 0.5), -0.0005);
+  EXPECT_EQ(required_distance_m(world, pad - 1, 4, 0.1), world.tolerances.margin);
 }
 
 /// Every pair, without the shortcuts.
@@ -93,7 +93,7 @@ std::vector<PairSeparation> all_pairs(const CollisionWorld& world, double time_s
       const SceneObject& solid = world.scene->objects[k];
       pairs.push_back({capsule, object, true,
                        capsule_solid(scratch.bodies[i], solid, recorded_pose(solid, time_s)),
-                       required_m(world, capsule, object, time_s)});
+                       required_distance_m(world, capsule, object, time_s)});
     }
   }
   return pairs;
@@ -118,24 +118,24 @@ TEST(World, QueriesEqualThoseOverAllPairs) {
     double least_m = std::numeric_limits<double>::infinity(), clear_m = least_m;
     for (const PairSeparation& pair : all_pairs(world, time_s, scratch)) {
       least_m = std::min(least_m, pair.slack());
-      if (pair.required >= 0) clear_m = std::min(clear_m, pair.separation.distance);
+      if (pair.required_distance_m >= 0) clear_m = std::min(clear_m, pair.separation.distance);
       if (pair.slack() >= below_m) continue;
       ASSERT_LT(next, near.size());
       EXPECT_EQ(near[next].capsule, pair.capsule);
       EXPECT_EQ(near[next].other, pair.other);
-      EXPECT_EQ(near[next].object, pair.object);
+      EXPECT_EQ(near[next].other_is_object, pair.other_is_object);
       EXPECT_EQ(near[next++].separation.distance, pair.separation.distance);
     }
     EXPECT_EQ(next, near.size());
     EXPECT_EQ(least.slack(), least_m);
     EXPECT_EQ(free_m, clear_m);
-    EXPECT_EQ(first_name(world, least).substr(0, 4), "part");
-    EXPECT_FALSE(second_name(world, least).empty());
+    EXPECT_EQ(first_body_name(world, least).substr(0, 4), "part");
+    EXPECT_FALSE(second_body_name(world, least).empty());
   }
 }
 
 TEST(World, NothingToHitLeavesInfiniteSlack) {
-  RobotTable table;
+  RobotModel table;
   table.capsules.push_back({"base", -1, Vec3::Zero(), Vec3::UnitZ(), 0.1, false});
   const robot::Robot robot(table);
   const Scene empty;
@@ -143,7 +143,7 @@ TEST(World, NothingToHitLeavesInfiniteSlack) {
   const CollisionWorld world = make_world(robot, empty, {}, {});
   EXPECT_EQ(least_slack(world, JointVector(0), 0, scratch).slack(),
             std::numeric_limits<double>::infinity());
-  EXPECT_TRUE(FclEngine(world).free(JointVector(0), 0, scratch));
+  EXPECT_TRUE(FclEngine(world).is_free(JointVector(0), 0, scratch));
 }
 
 TEST(World, FclAgreesOnWholeRobots) {
@@ -161,13 +161,13 @@ TEST(World, FclAgreesOnWholeRobots) {
     const bool too_near_to_tell = std::any_of(
         ours.begin(), ours.end(), [](const PairSeparation& p) { return p.slack() > -1e-6; });
     if (too_near_to_tell) continue;
-    FclEngine(world).pairs(q, time_s, scratch, fcls);
+    FclEngine(world).colliding_pairs(q, time_s, scratch, fcls);
     ASSERT_EQ(ours.size(), fcls.size());
     for (std::size_t p = 0; p < ours.size(); ++p) {
       EXPECT_EQ(ours[p].capsule, fcls[p].capsule);
       EXPECT_EQ(ours[p].other, fcls[p].other);
     }
-    EXPECT_EQ(FclEngine(world).free(q, time_s, scratch), ours.empty());
+    EXPECT_EQ(FclEngine(world).is_free(q, time_s, scratch), ours.empty());
     free += ours.empty();
   }
   EXPECT_GT(free, 20);

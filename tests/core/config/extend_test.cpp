@@ -14,7 +14,7 @@ TEST(ConfigNode, ExtendingTakesWhatIsMissingAndKeepsWhereItStood) {
   EXPECT_EQ(node["list"].numbers(), std::vector<double>{1});
   EXPECT_EQ(node["file"].folder(), "base");
   EXPECT_EQ(node["map"]["a"].folder(), "special");
-  node.expect_all_read();
+  node.require_all_keys_read();
 }
 
 TEST(ConfigNode, AnUnreadKeyOfTheBaseIsNamedWithTheBase) {
@@ -23,7 +23,7 @@ TEST(ConfigNode, AnUnreadKeyOfTheBaseIsNamedWithTheBase) {
   EXPECT_EQ(node["a"].integer(), 1);
   EXPECT_TRUE(node["map"].is_map());
   try {
-    node.expect_all_read();
+    node.require_all_keys_read();
     FAIL() << "typo was accepted";
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(), "base.yaml:3: map.typo: unknown key");

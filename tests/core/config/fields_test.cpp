@@ -47,7 +47,7 @@ void fields(Fields& f, Options& o) {
   f("inner", o.inner);
   f("list", o.list);
 }
-std::string why_invalid(const Options& o) {
+std::string validation_error(const Options& o) {
   return o.count < 0 ? "count must not be negative" : "";
 }
 
@@ -148,7 +148,7 @@ TEST(Fields, OneThatDoesNotIsToldOfTheSection) {
   EXPECT_THROW(
       {
         try {
-          root["a"].fail_below("c must be positive");
+          root["a"].fail_at_key("c must be positive");
         } catch (const InputError& error) {
           EXPECT_STREQ(error.what(), "o.yaml:2: a: c must be positive");
           throw;

@@ -43,7 +43,7 @@ TEST(HostileYaml, TwoHundredThousandKeysTakeNoLongerThanTheirLength) {
   double sum = 0;
   for (const std::string& key : node.keys()) sum += node[key].number();
   EXPECT_EQ(sum, 200'000);
-  EXPECT_THROW(ConfigNode::parse(text, "a.yaml").expect_all_read(), InputError);
+  EXPECT_THROW(ConfigNode::parse(text, "a.yaml").require_all_keys_read(), InputError);
 }
 
 TEST(HostileYaml, NestingWithoutEnd) {

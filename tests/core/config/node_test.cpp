@@ -40,7 +40,7 @@ TEST(ConfigNode, ReadsEveryKindOfValue) {
   EXPECT_EQ(root["nested"]["deep"]["x"].key(), "nested.deep.x");
   EXPECT_THAT(root.keys(),
               ElementsAre("text", "yes", "count", "x", "plus", "point", "names", "nested"));
-  EXPECT_NO_THROW(root.expect_all_read());
+  EXPECT_NO_THROW(root.require_all_keys_read());
 }
 
 TEST(ConfigNode, DegreesBecomeRadians) {
@@ -73,17 +73,17 @@ TEST(ConfigNode, UnreadKeysAreErrors) {
   const ConfigNode root = parse("a: 1\nmap:\n  x: 2\n  typo: 3\nlist:\n  - y: 1\n    z: 2\n");
   (void)root["a"];
   (void)root["map"]["x"];
-  EXPECT_EQ(error_of([&] { root.expect_all_read(); }),
+  EXPECT_EQ(error_of([&] { root.require_all_keys_read(); }),
             "a.yaml:4: map.typo: unknown key\na.yaml:6: list: unknown key");
   (void)root["map"]["typo"];
   for (const ConfigNode& item : root["list"].items()) (void)item["y"];
-  EXPECT_EQ(error_of([&] { root.expect_all_read(); }), "a.yaml:7: list[0].z: unknown key");
+  EXPECT_EQ(error_of([&] { root.require_all_keys_read(); }), "a.yaml:7: list[0].z: unknown key");
 }
 
 TEST(ConfigNode, AKeyWithoutAValueAsksForTheDefault) {
   const ConfigNode root = parse("known:\nother:\n");
   EXPECT_FALSE(root.has("known"));
-  EXPECT_EQ(error_of([&] { root.expect_all_read(); }), "a.yaml:2: other: unknown key");
+  EXPECT_EQ(error_of([&] { root.require_all_keys_read(); }), "a.yaml:2: other: unknown key");
 }
 
 TEST(ConfigNode, RefusesARepeatedKey) {
@@ -126,7 +126,7 @@ TEST(ConfigNode, SetReplacesAndAdds) {
   EXPECT_EQ(root["map"]["start"].vec3(), Vec3(1, 2, 3));
   EXPECT_EQ(root["new"]["deep"]["key"].text(), "word");
   EXPECT_DOUBLE_EQ(root["empty"]["x"].number(), 3 * std::numbers::pi / 180);
-  EXPECT_NO_THROW(root.expect_all_read());
+  EXPECT_NO_THROW(root.require_all_keys_read());
 }
 
 TEST(ConfigNode, SetIsNamedInErrors) {
@@ -137,7 +137,8 @@ TEST(ConfigNode, SetIsNamedInErrors) {
   EXPECT_EQ(error_of([&] { (void)root["map"]["w_x"].number(); }),
             "--set map.w_x: map.w_x: must be a number, not 'much'");
   root.set("map.typo", "1");
-  EXPECT_EQ(error_of([&] { root.expect_all_read(); }), "--set map.typo: map.typo: unknown key");
+  EXPECT_EQ(error_of([&] { root.require_all_keys_read(); }),
+            "--set map.typo: map.typo: unknown key");
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ void fields(Fields& f, Section& o) {
   f("other", o.other);
   f("maybe", o.maybe);
 }
-std::string why_invalid(const Section& o) {
+std::string validation_error(const Section& o) {
   if (!(o.share > 0 && o.share <= 1)) return "share";
   if (!(o.length >= 0)) return "length";
   if (o.count < 1) return "count";
@@ -49,7 +49,7 @@ void fields(Fields& f, Whole& o) {
   f("on", o.on);
 }
 
-const Meanings kMeanings = [](const std::string& type, const std::string& key) {
+const KeyDescriptions kMeanings = [](const std::string& type, const std::string& key) {
   return type == "Section" && key == "share" ? "a part" : "";
 };
 
@@ -79,10 +79,10 @@ TEST(Schema, AsksTheStructForItsBounds) {
 TEST(Schema, TellsEveryKeyThatItDoesNotHave) {
   const ConfigNode node =
       ConfigNode::parse("on: true\nsecton: {}\nsection: {shar: 1}\nitems: [{name: a, x: 1}]", "a");
-  Problems problems;
-  add_strangers(node, schema_of<Whole>(kMeanings), problems);
+  ErrorList problems;
+  report_unknown_keys(node, schema_of<Whole>(kMeanings), problems);
   try {
-    problems.throw_any();
+    problems.throw_if_any();
     FAIL();
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),

@@ -9,8 +9,8 @@ namespace {
 /// Another library reads back what was written.
 TEST(Markup, AnXmlReaderFindsTheTextAndTheSize) {
   const std::string name = "a<b> & \"c\" d'e µm";
-  const std::string svg = svg_begin(640, 480, 12) + "<text id=\"" + xml_escaped(name) + "\">" +
-                          xml_escaped(name) + "</text></svg>\n";
+  const std::string svg = svg_header(640, 480, 12) + "<text id=\"" + escape_xml(name) + "\">" +
+                          escape_xml(name) + "</text></svg>\n";
   tinyxml2::XMLDocument document;
   ASSERT_EQ(document.Parse(svg.c_str()), tinyxml2::XML_SUCCESS);
   const tinyxml2::XMLElement& root = *document.RootElement();
@@ -25,8 +25,8 @@ TEST(Markup, AnXmlReaderFindsTheTextAndTheSize) {
 }
 
 TEST(Markup, WhatXmlCannotHoldIsLeftOut) {
-  EXPECT_EQ(xml_escaped("a\x01\x1b"
-                        "b\tc\nd"),
+  EXPECT_EQ(escape_xml("a\x01\x1b"
+                       "b\tc\nd"),
             "ab\tc\nd");
 }
 

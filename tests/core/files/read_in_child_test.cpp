@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "core/files/confine.hpp"
+#include "core/files/sandbox.hpp"
 #include "core/motion/input_error.hpp"
 
 namespace morphe::files {
@@ -35,7 +35,7 @@ TEST(Confine, ReadsAndDoesNothingElse) {
   const fs::path other = fs::path(testing::TempDir()) / "morphe_confine_other";
   std::ofstream(file) << "text";
   const int status = child([&] {
-    confine_to_reading(10, std::uint64_t{1} << 30);
+    enter_read_sandbox(10, std::uint64_t{1} << 30);
     char byte = 0;
     const int read = ::open(file.c_str(), O_RDONLY);
     if (read < 0 || ::read(read, &byte, 1) != 1 || byte != 't') return 1;
@@ -53,7 +53,7 @@ TEST(Confine, ReadsAndDoesNothingElse) {
 
 TEST(Confine, WhatDoesNotEndIsEnded) {
   const int status = child([] {
-    confine_to_reading(1, std::uint64_t{1} << 30);
+    enter_read_sandbox(1, std::uint64_t{1} << 30);
     volatile unsigned long count = 0;
     while (true) count = count + 1;
     return 0;
@@ -65,17 +65,17 @@ TEST(Confine, WhatDoesNotEndIsEnded) {
 TEST(ReadInChild, SaysHowItEnded) {
   const fs::path file = fs::path(testing::TempDir()) / "morphe_in_child";
   std::ofstream(file) << "text";
-  EXPECT_EQ(fault_in_child(file, [] {}), "");
-  EXPECT_EQ(fault_in_child(file, [] { throw InputError("is for its reader"); }), "");
-  EXPECT_EQ(fault_in_child(file, [] { throw std::runtime_error("of a library"); }),
+  EXPECT_EQ(child_read_error(file, [] {}), "");
+  EXPECT_EQ(child_read_error(file, [] { throw InputError("is for its reader"); }), "");
+  EXPECT_EQ(child_read_error(file, [] { throw std::runtime_error("of a library"); }),
             "the library that reads it fails on it");
   const auto crash = [] {
     volatile int* volatile nowhere = nullptr;
     *nowhere = 1;
   };
-  EXPECT_THAT(fault_in_child(file, crash), HasSubstr("the library that reads it"));
+  EXPECT_THAT(child_read_error(file, crash), HasSubstr("the library that reads it"));
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-  EXPECT_EQ(fault_in_child(file, [] { std::vector<char>(std::size_t{3} << 30).back() = 1; }),
+  EXPECT_EQ(child_read_error(file, [] { std::vector<char>(std::size_t{3} << 30).back() = 1; }),
             "reading it takes more than 1024 MB of memory");
 #endif
   fs::remove(file);

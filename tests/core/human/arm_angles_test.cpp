@@ -17,13 +17,13 @@ const Vec3 kShoulderAt(0.2, -0.1, 0.4);
 
 ArmPose pose_of(const ArmAngles& degrees) {
   ArmAngles angles;
-  for (std::size_t k = 0; k < kArmAngles; ++k) angles[k] = degrees[k] * kDegree;
+  for (std::size_t k = 0; k < kArmAngleCount; ++k) angles[k] = degrees[k] * kRadPerDegree;
   return arm_pose(kShoulderAt, kLengths, angles);
 }
 
 ArmAngles random_angles(std::mt19937& random, double inside) {
   ArmAngles angles;
-  for (std::size_t k = 0; k < kArmAngles; ++k) {
+  for (std::size_t k = 0; k < kArmAngleCount; ++k) {
     std::uniform_real_distribution<double> uniform(human_arm_limits().lower[k] + inside,
                                                    human_arm_limits().upper[k] - inside);
     angles[k] = uniform(random);
@@ -32,7 +32,7 @@ ArmAngles random_angles(std::mt19937& random, double inside) {
 }
 
 void expect_within_limits(const ArmAngles& angles) {
-  for (std::size_t k = 0; k < kArmAngles; ++k) {
+  for (std::size_t k = 0; k < kArmAngleCount; ++k) {
     EXPECT_GE(angles[k], human_arm_limits().lower[k]);
     EXPECT_LE(angles[k], human_arm_limits().upper[k]);
   }
@@ -56,7 +56,7 @@ TEST(ArmPose, EachAngleTurnsAsItsNameSays) {
   expect_near(pose_of({0, 0, 0, 90}).wrist, kShoulderAt + Vec3(0, 0.25, -0.30));
   expect_near(palm(pose_of({0, 0, 0, 90, 0})), -Vec3::UnitX());
   expect_near(palm(pose_of({0, 0, 0, 90, 70})),  // nearly palm down
-              Vec3(-std::cos(70 * kDegree), 0, -std::sin(70 * kDegree)));
+              Vec3(-std::cos(70 * kRadPerDegree), 0, -std::sin(70 * kRadPerDegree)));
   expect_near(fingers(pose_of({0, 0, 0, 90, 0, 90})), -Vec3::UnitX());    // to the palm
   expect_near(fingers(pose_of({0, 0, 0, 90, 0, 0, 90})), Vec3::UnitZ());  // to the thumb
 }
@@ -87,9 +87,9 @@ TEST(FitArmAngles, FindsTheAnglesOfEveryPose) {
   for (int trial = 0; trial < 5000; ++trial) {
     const ArmAngles q = random_angles(random, 1e-3);
     const ArmFit fit = fit_arm_angles(arm_pose(kShoulderAt, kLengths, q));
-    EXPECT_LT(fit.position_m, 1e-9);
-    EXPECT_LT(fit.rotation_rad, 1e-7);
-    for (std::size_t k = 0; k < kArmAngles; ++k) EXPECT_NEAR(fit.angles[k], q[k], 1e-6) << k;
+    EXPECT_LT(fit.position_error_m, 1e-9);
+    EXPECT_LT(fit.rotation_error_rad, 1e-7);
+    for (std::size_t k = 0; k < kArmAngleCount; ++k) EXPECT_NEAR(fit.angles[k], q[k], 1e-6) << k;
   }
 }
 
@@ -104,24 +104,24 @@ TEST(FitArmAngles, StraightElbowsAndArmsToTheSideKeepTheirPose) {
     }
     const ArmFit fit = fit_arm_angles(arm_pose(kShoulderAt, kLengths, q));
     expect_within_limits(fit.angles);
-    EXPECT_LT(fit.position_m, 1e-7);
-    EXPECT_LT(fit.rotation_rad, 1e-6) << trial;
+    EXPECT_LT(fit.position_error_m, 1e-7);
+    EXPECT_LT(fit.rotation_error_rad, 1e-6) << trial;
   }
 }
 
 TEST(FitArmAngles, StaysWithinLimitsAndSaysWhatItMissesBy) {
   const ArmFit outwards = fit_arm_angles(pose_of({0, 0, -54, 90}));  // 20 degrees too far
   expect_within_limits(outwards.angles);
-  EXPECT_NEAR(outwards.angles[2], -34 * kDegree, 1e-12);
-  EXPECT_NEAR(outwards.position_m, 2 * 0.25 * std::sin(10 * kDegree), 1e-12);
+  EXPECT_NEAR(outwards.angles[2], -34 * kRadPerDegree, 1e-12);
+  EXPECT_NEAR(outwards.position_error_m, 2 * 0.25 * std::sin(10 * kRadPerDegree), 1e-12);
   const ArmFit beyond = fit_arm_angles(pose_of({0, 0, 0, 90, 97}));
-  EXPECT_NEAR(beyond.angles[4], 77 * kDegree, 1e-9);
-  EXPECT_NEAR(beyond.position_m, 0, 1e-12);
-  EXPECT_NEAR(beyond.rotation_rad, 20 * kDegree, 1e-9);
+  EXPECT_NEAR(beyond.angles[4], 77 * kRadPerDegree, 1e-9);
+  EXPECT_NEAR(beyond.position_error_m, 0, 1e-12);
+  EXPECT_NEAR(beyond.rotation_error_rad, 20 * kRadPerDegree, 1e-9);
   const ArmFit backwards = fit_arm_angles(pose_of({0, 0, 0, -5}));
   expect_within_limits(backwards.angles);  // an elbow bent the wrong way is best held straight
-  EXPECT_NEAR(backwards.angles[3], 0, 1 * kDegree);
-  EXPECT_NEAR(backwards.position_m, 2 * 0.25 * std::sin(2.5 * kDegree), 0.0005);
+  EXPECT_NEAR(backwards.angles[3], 0, 1 * kRadPerDegree);
+  EXPECT_NEAR(backwards.position_error_m, 2 * 0.25 * std::sin(2.5 * kRadPerDegree), 0.0005);
 
   std::mt19937 random(17);
   std::normal_distribution<double> normal;
@@ -133,25 +133,25 @@ TEST(FitArmAngles, StaysWithinLimitsAndSaysWhatItMissesBy) {
     const ArmFit fit = fit_arm_angles(pose);
     expect_within_limits(fit.angles);
     const ArmPose reached = arm_pose(kShoulderAt, {0.3, 0.25}, fit.angles);
-    EXPECT_NEAR(fit.position_m,
+    EXPECT_NEAR(fit.position_error_m,
                 std::max((reached.elbow - pose.elbow).norm(), (reached.wrist - pose.wrist).norm()),
                 1e-9);
-    EXPECT_NEAR(fit.rotation_rad, angle_between(reached.world_from_hand, pose.world_from_hand),
-                1e-6);
+    EXPECT_NEAR(fit.rotation_error_rad,
+                angle_between(reached.world_from_hand, pose.world_from_hand), 1e-6);
   }
 }
 
 TEST(FitArmAngles, AreUnseenWhereThePoseIs) {
   ArmPose pose = pose_of({10, 10, 10, 90});
   for (const auto& spoil :
-       {+[](ArmPose& p) { p.wrist.x() = kNotSeen; }, +[](ArmPose& p) { p.shoulder.z() = kNotSeen; },
-        +[](ArmPose& p) { p.world_from_hand = unseen_rotation(); },
+       {+[](ArmPose& p) { p.wrist.x() = kUnknown; }, +[](ArmPose& p) { p.shoulder.z() = kUnknown; },
+        +[](ArmPose& p) { p.world_from_hand = unknown_rotation(); },
         +[](ArmPose& p) { p.elbow = p.shoulder; }}) {
     ArmPose spoiled = pose;
     spoil(spoiled);
     const ArmFit fit = fit_arm_angles(spoiled);
     for (const double angle : fit.angles) EXPECT_TRUE(std::isnan(angle));
-    EXPECT_TRUE(std::isnan(fit.position_m));
+    EXPECT_TRUE(std::isnan(fit.position_error_m));
   }
 }
 

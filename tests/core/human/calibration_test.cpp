@@ -35,9 +35,9 @@ Still calibration_pose(int frames, double noise_m) {
   sensors.names = {"wrist", "shoulder", "elbow"};
   const Vec3 mounts[] = {{0.01, -0.02, 0.03}, {0, 0.04, 0.02}, {-0.03, 0.01, 0}};
   const Vec3 joints[] = {kWrist, kShoulder, kElbow};
-  markers.position = Table<Vec3>(static_cast<std::size_t>(frames), 6, Vec3::Zero());
-  sensors.position = Table<Vec3>(static_cast<std::size_t>(frames), 3, Vec3::Zero());
-  sensors.orientation = Table<Quat>(static_cast<std::size_t>(frames), 3, Quat::Identity());
+  markers.position = Array2D<Vec3>(static_cast<std::size_t>(frames), 6, Vec3::Zero());
+  sensors.position = Array2D<Vec3>(static_cast<std::size_t>(frames), 3, Vec3::Zero());
+  sensors.orientation = Array2D<Quat>(static_cast<std::size_t>(frames), 3, Quat::Identity());
   for (std::size_t s = 0; s < 3; ++s) {
     const Quat turned(Eigen::AngleAxisd(0.5 + 1.2 * static_cast<double>(s),
                                         Vec3(1, 2, static_cast<double>(s)).normalized()));
@@ -98,7 +98,7 @@ TEST(SensorOffsets, SayWhatIsMissing) {
                                     HasSubstr("no point elbow was digitised")));
   problems.clear();
   streams = calibration_pose(3, 0).streams;
-  for (std::size_t i = 0; i < 3; ++i) streams.sensors->position(i, 1) = unseen_point();
+  for (std::size_t i = 0; i < 3; ++i) streams.sensors->position(i, 1) = unknown_point();
   offsets = sensor_offsets(streams, problems);
   EXPECT_THAT(offsets.sensors, ElementsAre("wrist", "elbow"));
   EXPECT_THAT(problems, ElementsAre(HasSubstr("never seen whole: the sensor shoulder")));

@@ -77,7 +77,7 @@ TEST(Glove, EncodingIsTheInverse) {
     for (double& angle : reading.hand.joint) angle = uniform(random);
     reading.hand.joint[joint("middle_abduction")] = 0;
     const GloveReading back = decode_glove(encode_glove(reading));
-    for (std::size_t k = 0; k < kHandAngles; ++k) {
+    for (std::size_t k = 0; k < kHandAngleCount; ++k) {
       EXPECT_NEAR(back.hand.joint[k], reading.hand.joint[k], 1e-15);
     }
   }

@@ -3,7 +3,7 @@
 #include "core/humanlike/frame_objective.hpp"
 #include "core/robot/files/description.hpp"
 #include "core/robot/files/generate.hpp"
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 #include "core/solve/minimise.hpp"
 #include "tests/support/random_positions.hpp"
 
@@ -13,24 +13,24 @@ namespace {
 /// Frames of the paper's kinds: goals that the robot's own tips make, the elbow somewhere else.
 class SolversAgree : public testing::TestWithParam<std::string> {
  protected:
-  static RobotTable robot_called(const std::string& name) {
+  static RobotModel robot_called(const std::string& name) {
     if (name == "arm_9") return robot::generate_arm({9, 0.58, 1.5});
     if (name == "arm_21") return robot::generate_arm({21, 0.58, 1.5});
     return robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/" + name + ".yaml").table;
   }
 
-  static FrameGoal goal_at(const RobotTable& robot, const JointVector& q) {
+  static FrameGoal goal_at(const RobotModel& robot, const JointVector& q) {
     FrameGoal goal;
     std::vector<Pose> poses;
-    robot::forward(robot, q, poses);
+    robot::forward_kinematics(robot, q, poses);
     for (std::size_t i = 0; i < robot.tips.size(); ++i) {
       const Pose tip = robot::tip_pose(robot, poses, i);
       goal.tip_position.push_back(tip.translation());
       goal.tip_orientation.push_back(robot.tips.size() == 1 ? Quat(tip.linear())
-                                                            : unseen_rotation());
+                                                            : unknown_rotation());
     }
     goal.elbow = poses[robot.frames.size() / 2].translation() + Vec3(0.05, 0, 0.1);
-    goal.finger_joint.fill(unseen_point());
+    goal.finger_joint.fill(unknown_point());
     return goal;
   }
 };

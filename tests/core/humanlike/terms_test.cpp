@@ -6,7 +6,7 @@
 
 #include "core/humanlike/frame_objective.hpp"
 #include "core/robot/files/description.hpp"
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 #include "tests/core/robot/sliding_robot.hpp"
 #include "tests/support/finite_differences.hpp"
 #include "tests/support/random_positions.hpp"
@@ -18,14 +18,14 @@ namespace {
 class Terms : public testing::Test {
  protected:
   Terms() : robot(robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table) {
-    goal.tip_position.assign(robot.tips.size(), unseen_point());
-    goal.tip_orientation.assign(robot.tips.size(), unseen_rotation());
-    goal.finger_joint.fill(unseen_point());
+    goal.tip_position.assign(robot.tips.size(), unknown_point());
+    goal.tip_orientation.assign(robot.tips.size(), unknown_rotation());
+    goal.finger_joint.fill(unknown_point());
   }
 
   void set_pad_normals() {
     goal.pad_share.assign(robot.tips.size(), 0.5);
-    goal.pad_normal.assign(robot.tips.size(), unseen_point());
+    goal.pad_normal.assign(robot.tips.size(), unknown_point());
     goal.pad_normal[0] = Vec3(1, 2, -2) / 3;
     goal.pad_normal[2] = -Vec3::UnitY();
   }
@@ -49,7 +49,7 @@ class Terms : public testing::Test {
   template <Term T>
   solve::Quadratic model(const T& term, const JointVector& q) const {
     std::vector<Pose> poses;
-    robot::forward(robot, q, poses);
+    robot::forward_kinematics(robot, q, poses);
     solve::Quadratic result;
     result.reset(q.size());
     const RobotState state{robot, q, poses};
@@ -90,7 +90,7 @@ class Terms : public testing::Test {
 /// The exact Hessian against differences of the gradient.
 TEST_F(Terms, ExactHessian) {
   set_every_goal();
-  goal.tip_position[4] = unseen_point();
+  goal.tip_position[4] = unknown_point();
   FrameObjective objective;
   objective.get<TipPosition>().weight = 1000;
   objective.get<TipOrientation>() = {0.5, 1e-3};
@@ -154,21 +154,21 @@ TEST_F(Terms, ThumbDistance) {
   expect_gradient(term);
   // Fingers that are far, or whose goal is not seen, ask for nothing.
   for (std::size_t i = 1; i < robot.tips.size(); ++i) {
-    if (i != 1) goal.tip_position[i] = unseen_point();
+    if (i != 1) goal.tip_position[i] = unknown_point();
   }
   std::mt19937_64 random(3);
   const JointVector q = random_position(robot, random);
   std::vector<Pose> poses;
-  robot::forward(robot, q, poses);
+  robot::forward_kinematics(robot, q, poses);
   const Vec3 thumb = robot::tip_pose(robot, poses, 0).translation();
   const Vec3 index = robot::tip_pose(robot, poses, 1).translation();
   const double off = (thumb - index).norm() - 0.025;
   EXPECT_NEAR(value(term, q), 1000 * off * off, 1e-9);
   goal.hand_scale = 1;
   EXPECT_EQ(value(term, q), 0);
-  EXPECT_EQ(term.nearness(0.04), 1);
-  EXPECT_NEAR(term.nearness(0.05), 0.5, 1e-12);
-  EXPECT_EQ(term.nearness(0.06), 0);
+  EXPECT_EQ(term.proximity_weight(0.04), 1);
+  EXPECT_NEAR(term.proximity_weight(0.05), 0.5, 1e-12);
+  EXPECT_EQ(term.proximity_weight(0.06), 0);
 }
 TEST_F(Terms, TipOrientation) {
   set_every_goal();
@@ -200,10 +200,10 @@ TEST_F(Terms, NaturalPosture) {
 TEST_F(Terms, PadDirectionIsTheChordBetweenPadAndNormal) {
   const JointVector q = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
   std::vector<Pose> poses;
-  robot::forward(robot, q, poses);
+  robot::forward_kinematics(robot, q, poses);
   const Eigen::Matrix3d tip = robot::tip_pose(robot, poses, 1).linear();
   goal.pad_share.assign(robot.tips.size(), 0.5);
-  goal.pad_normal.assign(robot.tips.size(), unseen_point());
+  goal.pad_normal.assign(robot.tips.size(), unknown_point());
   const double angle = 40 * std::numbers::pi / 180;
   goal.pad_normal[1] = tip * Vec3(std::cos(angle), 0, std::sin(angle));
   EXPECT_NEAR(value(PadDirection{1}, q), 0.5 * 4 * std::pow(std::sin(angle / 2), 2), 1e-12);
@@ -215,7 +215,7 @@ TEST_F(Terms, OrientationCountsHalfTheAngle) {
   // The goal is the tip itself turned by 40 degrees: Eq. (2) gives 20 degrees.
   const JointVector q = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
   std::vector<Pose> poses;
-  robot::forward(robot, q, poses);
+  robot::forward_kinematics(robot, q, poses);
   const double angle = 40 * std::numbers::pi / 180;
   goal.tip_orientation[0] = Quat(Eigen::AngleAxisd(angle, Vec3(1, 2, 3).normalized())) *
                             Quat(robot::tip_pose(robot, poses, 0).linear());
@@ -239,7 +239,7 @@ TEST_F(Terms, WithThreeTipsSeenTheHandIsFree) {
 TEST_F(Terms, UnseenGoalsAddNothing) {
   const JointVector q = JointVector::Constant(static_cast<Eigen::Index>(robot.joints()), 0.1);
   FrameObjective objective;
-  objective.each([](auto& term) { term.weight = 1; });
+  objective.for_each_term([](auto& term) { term.weight = 1; });
   ObjectiveScratch scratch;
   solve::Quadratic result;
   result.reset(q.size());

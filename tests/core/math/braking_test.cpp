@@ -9,14 +9,14 @@
 namespace morphe::math {
 namespace {
 
-const RobotTable::BrakingCurve kCurve = {0, 12, 0.3, -2.7501, 2.7501};
+const RobotModel::BrakingCurve kCurve = {0, 12, 0.3, -2.7501, 2.7501};
 
 TEST(Braking, SpeedLeftIsTheRobotsOwnFormula) {
-  EXPECT_NEAR(speed_left(kCurve, 2.7501 - 0.1, true), std::sqrt(1.2) - 0.3, 1e-14);
-  EXPECT_NEAR(speed_left(kCurve, -2.7501 + 0.1, false), std::sqrt(1.2) - 0.3, 1e-14);
-  EXPECT_EQ(speed_left(kCurve, 2.7501 - 0.3 * 0.3 / 12 + 1e-12, true), 0);
-  EXPECT_EQ(speed_left(kCurve, 3, true), 0);
-  EXPECT_GT(speed_left(kCurve, 3, false), 2.62);
+  EXPECT_NEAR(braking_speed_limit(kCurve, 2.7501 - 0.1, true), std::sqrt(1.2) - 0.3, 1e-14);
+  EXPECT_NEAR(braking_speed_limit(kCurve, -2.7501 + 0.1, false), std::sqrt(1.2) - 0.3, 1e-14);
+  EXPECT_EQ(braking_speed_limit(kCurve, 2.7501 - 0.3 * 0.3 / 12 + 1e-12, true), 0);
+  EXPECT_EQ(braking_speed_limit(kCurve, 3, true), 0);
+  EXPECT_GT(braking_speed_limit(kCurve, 3, false), 2.62);
 }
 
 TEST(Braking, RatioIsThatOfDenseSamples) {
@@ -27,7 +27,7 @@ TEST(Braking, RatioIsThatOfDenseSamples) {
       double sampled = 0;
       for (int k = 0; k <= 200000; ++k) {
         const double t = 1.5 * k / 200000, v = value_at(piece, t, 1);
-        const double left = speed_left(kCurve, value_at(piece, t), v > 0);
+        const double left = braking_speed_limit(kCurve, value_at(piece, t), v > 0);
         sampled = std::max(sampled, std::abs(v) / left);
       }
       const double found = braking_ratio(kCurve, piece);

@@ -64,14 +64,14 @@ TEST(Quintic, ExtremesEqualDenseSampling) {
 TEST(Quintic, BeyondARangeIsWhatTheExtremesSay) {
   // 1 - (2 z - 1)^2: a quintic with a parabola's states at both ends is that parabola.
   const QuinticPiece parabola = quintic_piece({0, 4, -8}, {0, -4, -8}, 1);
-  EXPECT_NEAR(beyond(parabola, -1, 0.75), 0.25, 1e-14);
-  EXPECT_EQ(beyond(parabola, 0, 1.0000001), 0);
+  EXPECT_NEAR(limit_excess(parabola, -1, 0.75), 0.25, 1e-14);
+  EXPECT_EQ(limit_excess(parabola, 0, 1.0000001), 0);
   std::mt19937 random(11);
   for (int trial = 0; trial < 200; ++trial) {
     const QuinticPiece piece = random_piece(random, 0.3);
     const Range over = extremes(piece).position;
     const double out = std::max({0.0, -0.5 - over.least, over.greatest - 0.8});
-    EXPECT_EQ(beyond(piece, -0.5, 0.8), out);
+    EXPECT_EQ(limit_excess(piece, -0.5, 0.8), out);
   }
 }
 
@@ -118,7 +118,7 @@ TEST(Quintic, ReportsTheWorstOfManySteps) {
     trajectory.time.push_back(0.1 * static_cast<double>(i));
   for (JointRows* rows : {&trajectory.position, &trajectory.velocity, &trajectory.acceleration})
     *rows = JointRows::NullaryExpr(kSamples, kJoints, [&] { return any(random); });
-  RobotTable robot;
+  RobotModel robot;
   robot.joint_names.assign(kJoints, "a");
   robot.lower = JointVector::Constant(kJoints, -3);
   robot.upper = JointVector::Constant(kJoints, 3);
@@ -144,7 +144,7 @@ TEST(Quintic, ReportsTheWorstOfManySteps) {
 }
 
 TEST(Quintic, JudgesATrajectoryBetweenItsSamples) {
-  RobotTable robot;
+  RobotModel robot;
   robot.joint_names = {"a"};
   robot.lower = JointVector::Constant(1, -0.5);
   robot.upper = JointVector::Constant(1, 1.25);

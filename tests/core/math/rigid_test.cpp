@@ -27,8 +27,8 @@ TEST(FitRigid, FindsExactMotionsAlsoWithOneMarkerMissing) {
   for (int trial = 0; trial < 200; ++trial) {
     const Pose truth = random_pose(random);
     std::vector<Vec3> now = moved(truth, kStill);
-    if (trial % 5 < 4) now[static_cast<std::size_t>(trial % 5)] = unseen_point();
-    const Pose found = fit_rigid(kStill, now);
+    if (trial % 5 < 4) now[static_cast<std::size_t>(trial % 5)] = unknown_point();
+    const Pose found = fit_rigid_transform(kStill, now);
     EXPECT_TRUE(found.matrix().isApprox(truth.matrix(), 1e-12));
     EXPECT_NEAR(found.linear().determinant(), 1, 1e-12);
     EXPECT_LT(rigid_residual(found, kStill, now), 1e-13);
@@ -42,17 +42,17 @@ TEST(FitRigid, IsNotAReflectionOfNearlyFlatClusters) {
     now[k] = still[k];
     now[k].z() = -still[k].z();  // noise through the plane
   }
-  const Pose found = fit_rigid(still, now);
+  const Pose found = fit_rigid_transform(still, now);
   EXPECT_NEAR(found.linear().determinant(), 1, 1e-12);
   EXPECT_LT(Eigen::AngleAxisd(found.linear()).angle(), 0.1);
 }
 
 TEST(FitRigid, RefusesTwoMarkersAndCollinearOnes) {
   std::vector<Vec3> now = kStill;
-  now[0] = now[2] = unseen_point();
-  EXPECT_FALSE(fit_rigid(kStill, now).matrix().allFinite());
+  now[0] = now[2] = unknown_point();
+  EXPECT_FALSE(fit_rigid_transform(kStill, now).matrix().allFinite());
   const std::vector<Vec3> line = {{0, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}};
-  EXPECT_FALSE(fit_rigid(line, line).matrix().allFinite());
+  EXPECT_FALSE(fit_rigid_transform(line, line).matrix().allFinite());
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #include "core/motion/scene.hpp"
-#include "core/motion/extent.hpp"
+#include "core/motion/bounding_box.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,14 +16,14 @@ SceneObject body(Shape shape, std::vector<double> size) {
 }
 
 Vec3 sizes_of(const SceneObject& object, const Quat& turn) {
-  const Eigen::AlignedBox3d extent = extent_of(object, make_pose(Vec3(1, 2, 3), turn));
+  const Eigen::AlignedBox3d extent = bounding_box(object, make_pose(Vec3(1, 2, 3), turn));
   EXPECT_TRUE(object.shape == Shape::mesh || extent.center().isApprox(Vec3(1, 2, 3), 1e-12));
   return extent.sizes();
 }
 
 TEST(ExtentOf, EachShape) {
-  const Quat lying(Eigen::AngleAxisd(90 * kDegree, Vec3::UnitX()));  // its z along -y
-  const Quat half(Eigen::AngleAxisd(45 * kDegree, Vec3::UnitX()));
+  const Quat lying(Eigen::AngleAxisd(90 * kRadPerDegree, Vec3::UnitX()));  // its z along -y
+  const Quat half(Eigen::AngleAxisd(45 * kRadPerDegree, Vec3::UnitX()));
   EXPECT_TRUE(sizes_of(body(Shape::sphere, {0.5}), half).isApprox(Vec3(1, 1, 1), 1e-12));
   EXPECT_TRUE(sizes_of(body(Shape::box, {1, 2, 3}), lying).isApprox(Vec3(1, 3, 2), 1e-12));
   EXPECT_TRUE(sizes_of(body(Shape::capsule, {0.1, 2}), lying).isApprox(Vec3(0.2, 2.2, 0.2), 1e-12));
@@ -41,7 +41,7 @@ TEST(ExtentOf, WithoutASizeItIsAPoint) {
   for (const Shape shape :
        {Shape::sphere, Shape::box, Shape::cylinder, Shape::capsule, Shape::mesh}) {
     EXPECT_TRUE(sizes_of(body(shape, {}), Quat::Identity()).isZero()) << name_of(shape);
-    EXPECT_EQ(extent_of(body(shape, {}), make_pose(Vec3(1, 2, 3), Quat::Identity())).min(),
+    EXPECT_EQ(bounding_box(body(shape, {}), make_pose(Vec3(1, 2, 3), Quat::Identity())).min(),
               Vec3(1, 2, 3));
   }
   EXPECT_TRUE(sizes_of(body(Shape::box, {1, 2}), Quat::Identity()).isZero());

@@ -11,11 +11,11 @@ using ::testing::ElementsAre;
 Streams three_markers() {
   MarkerStream markers;
   markers.names = {"a", "b", "c"};
-  markers.position = Table<Vec3>(11, 3, Vec3(1, 2, 3));
+  markers.position = Array2D<Vec3>(11, 3, Vec3(1, 2, 3));
   for (std::size_t i = 0; i < 11; ++i) {
     markers.time.push_back(0.5 + 0.1 * static_cast<double>(i));
-    markers.position(i, 2) = unseen_point();
-    if ((i >= 2 && i <= 4) || i == 10) markers.position(i, 0) = unseen_point();
+    markers.position(i, 2) = unknown_point();
+    if ((i >= 2 && i <= 4) || i == 10) markers.position(i, 0) = unknown_point();
   }
   Streams streams;
   streams.markers = std::move(markers);
@@ -45,8 +45,8 @@ TEST(StreamReport, TheLongestStreamSaysHowLongARecordingIs) {
   streams.hand->names = {"sensor"};
   streams.hand->time = {0, 2};
   streams.hand->angles = JointRows::Zero(2, 1);
-  EXPECT_NEAR(longest_s(report_streams(streams)), 2, 1e-12);
-  EXPECT_EQ(longest_s({}), 0);
+  EXPECT_NEAR(longest_duration_s(report_streams(streams)), 2, 1e-12);
+  EXPECT_EQ(longest_duration_s({}), 0);
 }
 
 }  // namespace

@@ -31,7 +31,8 @@ TEST(WorldFrames, AreThoseOfTableAndTargetAsTheMovementBegins) {
   const Movement movement{0, 1, 3, {}, "cup"};
   const Pose base_from_world(Eigen::Translation3d(1, 2, 3));
 
-  const WorldFrames frames = world_frames(scene, movement, base_from_world, Vec3(0.1, 0.2, 0.3));
+  const WorldFrames frames =
+      find_world_frames(scene, movement, base_from_world, Vec3(0.1, 0.2, 0.3));
 
   EXPECT_TRUE(frames.base_from_table.translation().isApprox(Vec3(0.52, 0, 0.7), 1e-12));
   EXPECT_TRUE(frames.base_from_table.linear().col(2).isApprox(Vec3::UnitX(), 1e-12));
@@ -43,11 +44,11 @@ TEST(WorldFrames, AreThoseOfTableAndTargetAsTheMovementBegins) {
 TEST(WorldFrames, OfWhatIsNotThereAreUnseen) {
   Scene scene;
   scene.objects = {body("table", Shape::sphere, {1}, {0, 0, 0})};
-  const WorldFrames frames = world_frames(scene, {}, Pose::Identity(), unseen_point());
-  EXPECT_FALSE(seen(frames.base_from_table));
-  EXPECT_FALSE(seen(frames.base_from_target));
-  EXPECT_FALSE(seen(frames.shoulder));
-  EXPECT_FALSE(seen(WorldFrames{}.base_from_world));
+  const WorldFrames frames = find_world_frames(scene, {}, Pose::Identity(), unknown_point());
+  EXPECT_FALSE(is_known(frames.base_from_table));
+  EXPECT_FALSE(is_known(frames.base_from_target));
+  EXPECT_FALSE(is_known(frames.shoulder));
+  EXPECT_FALSE(is_known(WorldFrames{}.base_from_world));
 }
 
 }  // namespace

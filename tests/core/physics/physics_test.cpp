@@ -13,7 +13,7 @@ namespace {
 class Physics : public testing::Test {
  protected:
   void SetUp() override {
-    if (engine().empty()) GTEST_SKIP() << "built without MuJoCo";
+    if (engine_version().empty()) GTEST_SKIP() << "built without MuJoCo";
   }
 };
 
@@ -31,7 +31,8 @@ Fallen fallen(double friction, double torsion_m, double force_N, double aside = 
     EXPECT_EQ(state.step(), std::nullopt);
   }
   const Pose pose = state.body(block);
-  return {-pose.translation().z(), angle_between(Quat(pose.linear()), Quat::Identity()) / kDegree};
+  return {-pose.translation().z(),
+          angle_between(Quat(pose.linear()), Quat::Identity()) / kRadPerDegree};
 }
 
 TEST_F(Physics, CoulombHoldsJustAboveTheFrictionItAsksForAndNotBelow) {
@@ -72,7 +73,7 @@ TEST_F(Physics, WhatHasNoNameIsAnError) {
 // Left to itself the engine goes back to its start with the block in its place.
 TEST_F(Physics, AStateOfNumbersThatAreNoneIsNoticed) {
   const Model model(pinched_block(0.8, 0.002));
-  for (const double bad : {kNotSeen, 1e30}) {
+  for (const double bad : {kUnknown, 1e30}) {
     State state(model);
     EXPECT_EQ(state.step(), std::nullopt);
     state.set_joint(model.joint("left"), bad);
@@ -81,7 +82,7 @@ TEST_F(Physics, AStateOfNumbersThatAreNoneIsNoticed) {
     EXPECT_THAT(*wrong, testing::HasSubstr("unstable"));
   }
   State state(model);
-  state.set_control(model.actuator("left"), kNotSeen);
+  state.set_control(model.actuator("left"), kUnknown);
   EXPECT_TRUE(state.step().has_value());
 }
 
@@ -162,10 +163,10 @@ TEST_F(Physics, TouchesAreSeenWithTheirForces) {
   const Model model(pinched_block(0.8, 0.002));
   State state = pinched(model);
   heights(model, state, 500);
-  std::vector<Touch> touches;
-  state.touches(touches);
+  std::vector<GeomContact> touches;
+  state.contacts(touches);
   ASSERT_EQ(touches.size(), 2U);
-  for (const Touch& touch : touches) {
+  for (const GeomContact& touch : touches) {
     EXPECT_NEAR(touch.force, 3, 0.05);
     EXPECT_NEAR(std::abs(touch.normal.x()), 1, 1e-3);
     EXPECT_NEAR(std::abs(touch.point.x()), 0.02, 1e-3);

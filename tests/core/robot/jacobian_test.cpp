@@ -1,7 +1,7 @@
 // Jacobians against central differences of forward(), for every shipped robot and every frame.
 #include <gtest/gtest.h>
 
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 #include "core/robot/tree.hpp"
 #include "tests/core/robot/shipped_robots.hpp"
 
@@ -12,16 +12,16 @@ constexpr double kStep = 1e-5;
 
 class Jacobian : public testing::TestWithParam<std::string> {
  protected:
-  RobotTable robot = shipped_robot(GetParam());
+  RobotModel robot = shipped_robot(GetParam());
   std::mt19937 random{3};
   std::vector<Pose> at, before, after;
 
   void move(const JointVector& q, Eigen::Index joint) {
     JointVector moved = q;
     moved[joint] = q[joint] - kStep;
-    forward(robot, moved, before);
+    forward_kinematics(robot, moved, before);
     moved[joint] = q[joint] + kStep;
-    forward(robot, moved, after);
+    forward_kinematics(robot, moved, after);
   }
 };
 
@@ -30,11 +30,11 @@ TEST_P(Jacobian, OfAPointMatchesDifferences) {
   double worst = 0;
   for (int i = 0; i < 5; ++i) {
     const JointVector q = random_position(robot, random);
-    forward(robot, q, at);
+    forward_kinematics(robot, q, at);
     for (Eigen::Index joint = 0; joint < q.size(); ++joint) {
       move(q, joint);
       for (std::size_t f = 0; f < robot.frames.size(); ++f) {
-        Eigen::Matrix3Xd jacobian = Eigen::Matrix3Xd::Constant(3, q.size(), kNotSeen);
+        Eigen::Matrix3Xd jacobian = Eigen::Matrix3Xd::Constant(3, q.size(), kUnknown);
         point_jacobian(robot, at, static_cast<int>(f), at[f] * point_in_frame, jacobian);
         const Vec3 expected =
             (after[f] * point_in_frame - before[f] * point_in_frame) / (2 * kStep);
@@ -52,7 +52,7 @@ TEST_P(Jacobian, OfADistanceMatchesDifferences) {
   const Vec3 in_first(0.03, -0.05, 0.11), in_second(-0.02, 0.04, 0.01);
   double worst = 0;
   const JointVector q = random_position(robot, random);
-  forward(robot, q, at);
+  forward_kinematics(robot, q, at);
   for (Eigen::Index joint = 0; joint < q.size(); ++joint) {
     move(q, joint);
     for (std::size_t f = 0; f < robot.frames.size(); ++f) {
@@ -64,8 +64,8 @@ TEST_P(Jacobian, OfADistanceMatchesDifferences) {
         const int both = common_ancestor(robot, first, second);
         const Vec3 direction = away(at).normalized();
         JointVector slope = JointVector::Zero(q.size());
-        add_point_slope(robot, at, first, both, at[f] * in_first, direction, slope);
-        add_point_slope(robot, at, second, both, at[g] * in_second, -direction, slope);
+        add_point_gradient(robot, at, first, both, at[f] * in_first, direction, slope);
+        add_point_gradient(robot, at, second, both, at[g] * in_second, -direction, slope);
         const double expected = (away(after).norm() - away(before).norm()) / (2 * kStep);
         worst = std::max(worst, std::abs(slope[joint] - expected));
       }
@@ -79,8 +79,8 @@ TEST_P(Jacobian, OfARotationMatchesDifferences) {
   const auto tips = static_cast<Eigen::Index>(robot.tips.size());
   for (int i = 0; i < 5; ++i) {
     const JointVector q = random_position(robot, random);
-    forward(robot, q, at);
-    Eigen::MatrixXd all = Eigen::MatrixXd::Constant(6 * tips, q.size(), kNotSeen);
+    forward_kinematics(robot, q, at);
+    Eigen::MatrixXd all = Eigen::MatrixXd::Constant(6 * tips, q.size(), kUnknown);
     tip_jacobians(robot, at, all);
     for (Eigen::Index joint = 0; joint < q.size(); ++joint) {
       move(q, joint);
@@ -100,17 +100,17 @@ TEST_P(Jacobian, OfARotationMatchesDifferences) {
 
 TEST_P(Jacobian, OfTheBaseIsZero) {
   const JointVector q = random_position(robot, random);
-  forward(robot, q, at);
-  Eigen::Matrix3Xd jacobian = Eigen::Matrix3Xd::Constant(3, q.size(), kNotSeen);
+  forward_kinematics(robot, q, at);
+  Eigen::Matrix3Xd jacobian = Eigen::Matrix3Xd::Constant(3, q.size(), kUnknown);
   point_jacobian(robot, at, -1, Vec3(1, 2, 3), jacobian);
   EXPECT_TRUE(jacobian.isZero(0));
 }
 
 TEST_P(Jacobian, OfAllTipsAtOnceIsThatOfEach) {
   const JointVector q = random_position(robot, random);
-  forward(robot, q, at);
+  forward_kinematics(robot, q, at);
   const auto tips = static_cast<Eigen::Index>(robot.tips.size());
-  Eigen::MatrixXd all = Eigen::MatrixXd::Constant(6 * tips, q.size(), kNotSeen);
+  Eigen::MatrixXd all = Eigen::MatrixXd::Constant(6 * tips, q.size(), kUnknown);
   tip_jacobians(robot, at, all);
   Eigen::Matrix3Xd point(3, q.size());
   for (Eigen::Index i = 0; i < tips; ++i) {
@@ -124,9 +124,9 @@ INSTANTIATE_TEST_SUITE_P(Robots, Jacobian, testing::ValuesIn(shipped_robots()),
                          [](const auto& instance) { return instance.param; });
 
 TEST(CoupledJoint, CountsForTheJointThatDrivesIt) {
-  const RobotTable robot = shipped_robot("dlr_hit2");
+  const RobotModel robot = shipped_robot("dlr_hit2");
   std::vector<Pose> at;
-  forward(robot, zero_position(robot), at);
+  forward_kinematics(robot, zero_position(robot), at);
   const std::size_t distal = frame_named(robot, "index_distal");
   const Vec3 tip = tip_pose(robot, at, tip_named(robot, "index_tip")).translation();
   Eigen::Matrix3Xd jacobian(3, 15);

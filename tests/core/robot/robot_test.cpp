@@ -13,18 +13,18 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 /// Base – 0 – 1 – 2 (palm, fixed) – 3 – 4, and 5 on the palm beside them; joints a, b, c, c, d.
-RobotTable branching() {
-  RobotTable robot;
+RobotModel branching() {
+  RobotModel robot;
   robot.joint_names = {"a", "b", "c", "d"};
   const int parents[] = {-1, 0, 1, 2, 3, 2}, joints[] = {0, 1, -1, 2, 2, 3};
   for (std::size_t f = 0; f < 6; ++f) {
-    RobotTable::Frame frame;
+    RobotModel::Frame frame;
     frame.parent = parents[f];
     frame.joint = joints[f];
     robot.frames.push_back(frame);
   }
   robot.palm_frame = 2;
-  RobotTable::Tip index, other;
+  RobotModel::Tip index, other;
   index.frame = 4;
   index.finger = 1;
   other.frame = 5;
@@ -35,19 +35,19 @@ RobotTable branching() {
 }
 
 TEST(Tree, QuestionsOfABranchingRobot) {
-  const RobotTable robot = branching();
+  const RobotModel robot = branching();
   std::vector<int> above;
-  for (const int frame : upwards(robot, 4)) above.push_back(frame);
+  for (const int frame : ancestors(robot, 4)) above.push_back(frame);
   EXPECT_THAT(above, ElementsAre(4, 3, 2, 1, 0));
-  for (const int frame : upwards(robot, -1)) ADD_FAILURE() << "the base is no frame: " << frame;
-  EXPECT_TRUE(hangs_on(robot, 4, 2));
-  EXPECT_TRUE(hangs_on(robot, 2, 2));
-  EXPECT_TRUE(hangs_on(robot, 4, -1));
-  EXPECT_FALSE(hangs_on(robot, 5, 3));
-  EXPECT_FALSE(hangs_on(robot, 2, 4));
-  EXPECT_FALSE(hangs_on(robot, -1, 0));
-  EXPECT_TRUE(moves(robot, 2, 4));
-  EXPECT_FALSE(moves(robot, 2, 5));
+  for (const int frame : ancestors(robot, -1)) ADD_FAILURE() << "the base is no frame: " << frame;
+  EXPECT_TRUE(is_in_subtree(robot, 4, 2));
+  EXPECT_TRUE(is_in_subtree(robot, 2, 2));
+  EXPECT_TRUE(is_in_subtree(robot, 4, -1));
+  EXPECT_FALSE(is_in_subtree(robot, 5, 3));
+  EXPECT_FALSE(is_in_subtree(robot, 2, 4));
+  EXPECT_FALSE(is_in_subtree(robot, -1, 0));
+  EXPECT_TRUE(joint_moves_frame(robot, 2, 4));
+  EXPECT_FALSE(joint_moves_frame(robot, 2, 5));
   EXPECT_EQ(common_ancestor(robot, 4, 5), 2);
   EXPECT_EQ(common_ancestor(robot, 4, 3), 3);
   EXPECT_EQ(common_ancestor(robot, -1, 3), -1);
@@ -59,12 +59,12 @@ TEST(Robot, DerivesWhatFollows) {
   EXPECT_THAT(robot.arm_joints, ElementsAre(0, 1));
   EXPECT_THAT(robot.arm_centres, ElementsAre(1, 2));
   EXPECT_THAT(robot.tip_of_centre, ElementsAre(-1, 1, 1, -1, -1));
-  EXPECT_THAT(robot.centres_of_chain, ElementsAre(2, 2, 2, 1, 2));
-  EXPECT_EQ(robot.capsule_levers.rows(), 0);
+  EXPECT_THAT(robot.chain_centre_count, ElementsAre(2, 2, 2, 1, 2));
+  EXPECT_EQ(robot.capsule_motion_bounds.rows(), 0);
 }
 
 TEST(Robot, OfNothingIsNothing) {
-  const Robot robot{RobotTable{}};
+  const Robot robot{RobotModel{}};
   EXPECT_THAT(robot.arm_joints, IsEmpty());
   EXPECT_THAT(robot.moving_frame, IsEmpty());
 }

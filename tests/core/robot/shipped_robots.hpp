@@ -13,7 +13,7 @@ namespace morphe::robot {
 inline std::filesystem::path robot_file(const std::string& name) {
   return std::filesystem::path(MORPHE_SOURCE_DIR) / "configs/robots" / (name + ".yaml");
 }
-inline RobotTable shipped_robot(const std::string& name) {
+inline RobotModel shipped_robot(const std::string& name) {
   return load_robot(robot_file(name)).table;
 }
 
@@ -27,7 +27,7 @@ inline std::vector<std::string> shipped_robots() {
   return names;
 }
 
-inline JointVector random_position(const RobotTable& robot, std::mt19937& random) {
+inline JointVector random_position(const RobotModel& robot, std::mt19937& random) {
   JointVector q(robot.lower.size());
   for (Eigen::Index i = 0; i < q.size(); ++i) {
     q[i] = std::uniform_real_distribution<>(robot.lower[i], robot.upper[i])(random);
@@ -35,17 +35,17 @@ inline JointVector random_position(const RobotTable& robot, std::mt19937& random
   return q;
 }
 
-inline JointVector zero_position(const RobotTable& robot) {
+inline JointVector zero_position(const RobotModel& robot) {
   return JointVector::Zero(robot.lower.size());
 }
 
-inline std::size_t frame_named(const RobotTable& robot, const std::string& name) {
-  const auto found = std::ranges::find(robot.frames, name, &RobotTable::Frame::name);
+inline std::size_t frame_named(const RobotModel& robot, const std::string& name) {
+  const auto found = std::ranges::find(robot.frames, name, &RobotModel::Frame::name);
   return static_cast<std::size_t>(found - robot.frames.begin());
 }
 
-inline std::size_t tip_named(const RobotTable& robot, const std::string& name) {
-  const auto found = std::ranges::find(robot.tips, name, &RobotTable::Tip::name);
+inline std::size_t tip_named(const RobotModel& robot, const std::string& name) {
+  const auto found = std::ranges::find(robot.tips, name, &RobotModel::Tip::name);
   return static_cast<std::size_t>(found - robot.tips.begin());
 }
 

@@ -1,20 +1,20 @@
 #pragma once
 
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 
 namespace morphe::robot {
 
 /// Joints that turn and slide, about and along slanted axes; frames coupled to either kind that
 /// turn or slide themselves. The last frame carries the tip and a capsule.
-inline RobotTable sliding_robot() {
-  RobotTable robot;
+inline RobotModel sliding_robot() {
+  RobotModel robot;
   robot.name = "sliding";
   robot.joint_names = {"turn", "slide", "last"};
   robot.lower = JointVector::Constant(3, -0.3);
   robot.upper = JointVector::Constant(3, 0.4);
   robot.velocity = robot.acceleration = robot.jerk = JointVector::Ones(3);
   const auto add = [&](const Vec3& axis, int joint, double ratio, double offset, bool slides) {
-    RobotTable::Frame frame;
+    RobotModel::Frame frame;
     frame.name = "frame" + std::to_string(robot.frames.size());
     frame.parent = static_cast<int>(robot.frames.size()) - 1;
     frame.transform = Eigen::Translation3d(0.1, -0.05, 0.2) *

@@ -2,7 +2,7 @@
 // levers against motions.
 #include <gtest/gtest.h>
 
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 #include "core/robot/robot.hpp"
 #include "tests/core/robot/shipped_robots.hpp"
 #include "tests/core/robot/sliding_robot.hpp"
@@ -11,17 +11,17 @@ namespace morphe::robot {
 namespace {
 
 constexpr double kWay = 1e-5;
-const RobotTable kRobot = sliding_robot();
+const RobotModel kRobot = sliding_robot();
 
 TEST(Sliding, FramesMoveAlongTheirAxes) {
   std::mt19937 random(1);
   std::vector<Pose> frames;
   for (int k = 0; k < 10; ++k) {
     const JointVector q = random_position(kRobot, random);
-    forward(kRobot, q, frames);
+    forward_kinematics(kRobot, q, frames);
     Pose expected = Pose::Identity();
     for (std::size_t f = 0; f < kRobot.frames.size(); ++f) {
-      const RobotTable::Frame& frame = kRobot.frames[f];
+      const RobotModel::Frame& frame = kRobot.frames[f];
       const double value = frame.joint < 0 ? 0 : frame.ratio * q[frame.joint] + frame.offset;
       expected = expected * frame.transform;
       if (frame.slides) expected = expected * Eigen::Translation3d(value * frame.axis);
@@ -36,17 +36,17 @@ TEST(Sliding, JacobiansMatchDifferences) {
   std::vector<Pose> at, before, after;
   for (int k = 0; k < 5; ++k) {
     const JointVector q = random_position(kRobot, random);
-    forward(kRobot, q, at);
+    forward_kinematics(kRobot, q, at);
     const Vec3 tip = tip_pose(kRobot, at, 0).translation(), direction = Vec3(3, -1, 2).normalized();
     Eigen::Matrix3Xd of_point(3, q.size());
     point_jacobian(kRobot, at, 6, tip, of_point);
     Eigen::MatrixXd of_tips(6, q.size());
     tip_jacobians(kRobot, at, of_tips);
     JointVector slope = JointVector::Zero(q.size());
-    add_point_slope(kRobot, at, 6, -1, tip, direction, slope);
+    add_point_gradient(kRobot, at, 6, -1, tip, direction, slope);
     for (Eigen::Index j = 0; j < q.size(); ++j) {
-      forward(kRobot, q - kWay * JointVector::Unit(q.size(), j), before);
-      forward(kRobot, q + kWay * JointVector::Unit(q.size(), j), after);
+      forward_kinematics(kRobot, q - kWay * JointVector::Unit(q.size(), j), before);
+      forward_kinematics(kRobot, q + kWay * JointVector::Unit(q.size(), j), after);
       const Pose a = tip_pose(kRobot, before, 0), b = tip_pose(kRobot, after, 0);
       const Vec3 moved = (b.translation() - a.translation()) / (2 * kWay);
       const Eigen::AngleAxisd turn(b.linear() * a.linear().transpose());
@@ -66,9 +66,9 @@ TEST(Sliding, NoPointTravelsFartherThanItsLevers) {
   double tightest = 0;
   for (int k = 0; k < 2000; ++k) {
     const JointVector from = random_position(robot, random), to = random_position(robot, random);
-    forward(robot, from, a);
-    forward(robot, to, b);
-    const double allowed = robot.capsule_levers.row(0).dot((to - from).cwiseAbs());
+    forward_kinematics(robot, from, a);
+    forward_kinematics(robot, to, b);
+    const double allowed = robot.capsule_motion_bounds.row(0).dot((to - from).cwiseAbs());
     for (const Vec3& end : {robot.capsules[0].from, robot.capsules[0].to}) {
       const double travel = (b[6] * end - a[6] * end).norm();
       EXPECT_LE(travel, allowed);

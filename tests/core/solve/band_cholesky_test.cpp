@@ -38,10 +38,10 @@ void fill(const Eigen::MatrixXd& dense, Index n, BandCholesky& band) {
   band.resize(static_cast<std::size_t>(frames), n);
   for (Index f = 0; f < frames; ++f) {
     const auto frame = static_cast<std::size_t>(f);
-    band.clear(frame);
-    band.own(frame) = dense.block(f * n, f * n, n, n);
+    band.clear_row(frame);
+    band.diagonal_block(frame) = dense.block(f * n, f * n, n, n);
     for (Index before = 1; before <= std::min(f, BandCholesky::kBandBlocks); ++before) {
-      band.between(frame, before) = dense.block(f * n, (f - before) * n, n, n).diagonal();
+      band.off_diagonal(frame, before) = dense.block(f * n, (f - before) * n, n, n).diagonal();
     }
   }
 }

@@ -68,7 +68,7 @@ INSTANTIATE_TEST_SUITE_P(Algorithms, Minimise,
 TEST(MinimiseOptions, RefusesAnUnknownAlgorithm) {
   MinimiseOptions options;
   options.algorithm = "simplex";
-  EXPECT_NE(why_invalid(options).find("simplex"), std::string::npos);
+  EXPECT_NE(validation_error(options).find("simplex"), std::string::npos);
 }
 
 }  // namespace

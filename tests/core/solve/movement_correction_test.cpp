@@ -57,15 +57,15 @@ MovementPoint at(const MovementProblem& problem, const JointRows& q) {
 JointRows corrected(const MovementProblem& problem, const MovementPoint& from,
                     const JointRows& aimed, const MovementPoint& to, double damping = 0) {
   JointRows q = row(kNotSeen, kNotSeen);
-  correct(problem, difference_curvature(problem), from, aimed, to,
-          JointVector::Constant(1, damping), q);
+  correct_step(problem, difference_curvature(problem), from, aimed, to,
+               JointVector::Constant(1, damping), q);
   return q;
 }
 
 TEST(MovementCorrection, AQuadraticsStepIsRightAndStays) {
   const MovementProblem problem = quadratic((Eigen::Matrix2d() << 30, 4, 4, 2).finished(), {1, -3});
   const MovementPoint from = at(problem, row(0.3, -0.2)), to = at(problem, row(-0.7, 1.1));
-  EXPECT_NEAR(wrong_by(from, to.q, to)[0], 0, 1e-12);
+  EXPECT_NEAR(model_error(from, to.q, to)[0], 0, 1e-12);
   EXPECT_LT((corrected(problem, from, to.q, to) - to.q).norm(), 1e-14);
 }
 
@@ -75,7 +75,8 @@ TEST(MovementCorrection, OfAQuadraticItLeadsBackWhereTheStepAimed) {
   const JointRows aimed = row(0.5, 0.4);
   EXPECT_LT((corrected(problem, from, aimed, to) - aimed).norm(), 1e-5);
   // By how much higher the value is than where the step aimed.
-  EXPECT_NEAR(wrong_by(from, aimed, to)[0], to.value - at(problem, aimed).value, 1e-8 * to.value);
+  EXPECT_NEAR(model_error(from, aimed, to)[0], to.value - at(problem, aimed).value,
+              1e-8 * to.value);
   // Damped as strongly as it is curved, half of the way.
   EXPECT_LT((corrected(problem, from, aimed, to, 4e6) - row(0.75, 0.7)).norm(), 1e-5);
 }
@@ -91,7 +92,7 @@ TEST(MovementCorrection, NeighboursHoldAFrameBack) {
   halfway = 0.5 * (aimed + end);
   const MovementPoint from = at(problem, start), to = at(problem, end);
   JointRows q;
-  correct(problem, difference_curvature(problem), from, aimed, to, JointVector::Zero(2), q);
+  correct_step(problem, difference_curvature(problem), from, aimed, to, JointVector::Zero(2), q);
   EXPECT_LT((q - halfway).norm(), 1e-5);
 }
 
@@ -110,7 +111,7 @@ TEST(MovementCorrection, AStepAlongACurvedValleyReturnsToItsFloor) {
   MovementPoint to = at(problem, aimed);
   EXPECT_NEAR(from.value, 1, 1e-12);
   EXPECT_NEAR(to.value, 1e4, 1e-8);
-  EXPECT_NEAR(wrong_by(from, aimed, to)[0], 1e4, 1e-8);
+  EXPECT_NEAR(model_error(from, aimed, to)[0], 1e4, 1e-8);
   // Along off's slope (-200, 100) over the other curvature (12, 10), until off, -100, is none.
   to = at(problem, corrected(problem, from, aimed, to));
   EXPECT_LT((to.q - row(8. / 13, 3. / 13)).norm(), 1e-3);

@@ -85,7 +85,7 @@ TEST(DemonstrationFile, ReturnsEveryKindOfHand) {
   all[0].name = "angles";
   all[0].streams.hand = {HandKind::joint_angles, {"a", "b"}, {0.5}, JointRows::Ones(1, 2), {}};
   all[1].name = "tips";
-  all[1].streams.hand = {HandKind::fingertips, {}, {0.5}, {}, Table<Vec3>(1, 5, Vec3::Ones())};
+  all[1].streams.hand = {HandKind::fingertips, {}, {0.5}, {}, Array2D<Vec3>(1, 5, Vec3::Ones())};
   write_demonstrations(file, all);
   const DemonstrationReader reader(file);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -142,7 +142,7 @@ TEST(DemonstrationFile, RefusesNamesAndArraysThatDoNotFit) {
   EXPECT_EQ(add("a"), file.string() + ":/demonstrations/a: is there already");
   EXPECT_THAT(add("a/b"), HasSubstr("'a/b' cannot be a name"));
   EXPECT_THAT(add(""), HasSubstr("'' cannot be a name"));
-  demo.streams.markers = {{"m"}, {0, 1}, Table<Vec3>(3, 1, Vec3::Zero())};
+  demo.streams.markers = {{"m"}, {0, 1}, Array2D<Vec3>(3, 1, Vec3::Zero())};
   EXPECT_EQ(add("c"), file.string() + ":/demonstrations/c/markers/position: has 3 rows, not 2");
 }
 

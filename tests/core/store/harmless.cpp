@@ -1,4 +1,4 @@
-#include "core/store/harmless.hpp"
+#include "core/store/sandbox_probe.hpp"
 
 #include <gmock/gmock.h>
 #include <hdf5.h>
@@ -18,16 +18,16 @@ TEST(Harmless, FilesThatCanBeReadAndThoseThatCannotAreLeftToTheirReader) {
     writer.add(full_plan("zz", 0));
     writer.finish();
   }
-  EXPECT_EQ(input_error([&] { expect_harmless(file); }), "");
+  EXPECT_EQ(input_error([&] { probe_in_sandbox(file); }), "");
   const std::string bytes = bytes_of(file);
   for (std::size_t at = 8; at < bytes.size(); at += bytes.size() / 40) {
     std::string flipped = bytes;
     flipped[at] = static_cast<char>(flipped[at] ^ 0x80);
     write_bytes(file, flipped);
-    EXPECT_EQ(input_error([&] { expect_harmless(file); }), "") << at;
+    EXPECT_EQ(input_error([&] { probe_in_sandbox(file); }), "") << at;
   }
-  EXPECT_EQ(input_error([&] { expect_harmless(file.parent_path()); }), "");
-  EXPECT_EQ(input_error([&] { expect_harmless("/dev/zero"); }), "");
+  EXPECT_EQ(input_error([&] { probe_in_sandbox(file.parent_path()); }), "");
+  EXPECT_EQ(input_error([&] { probe_in_sandbox("/dev/zero"); }), "");
 }
 
 /// A group that holds itself is one object, however it is reached.
@@ -39,7 +39,7 @@ TEST(Harmless, AGroupThatHoldsItself) {
   H5Lcreate_hard(made, "/g", group, "and again", H5P_DEFAULT, H5P_DEFAULT);
   H5Gclose(group);
   H5Fclose(made);
-  EXPECT_EQ(input_error([&] { expect_harmless(file); }), "");
+  EXPECT_EQ(input_error([&] { probe_in_sandbox(file); }), "");
 }
 
 TEST(Hdf5File, APipeIsNoFile) {

@@ -15,7 +15,7 @@ using testing::HasSubstr;
 
 TEST(Hdf5File, ArraysOfAnyRankAndType) {
   const auto file = fresh_file("a.h5");
-  const Hdf5Array<double> four{{2, 1, 3, 2}, {1, 2, 3, 4, -0.0, 6, kNotSeen, 8, 9, 10, 11, 1e-320}};
+  const Hdf5Array<double> four{{2, 1, 3, 2}, {1, 2, 3, 4, -0.0, 6, kUnknown, 8, 9, 10, 11, 1e-320}};
   const Hdf5Array<std::int32_t> two{{1, 2}, {INT32_MIN, INT32_MAX}};
   const Hdf5Array<std::uint8_t> none{{0, 3}, {}};
   {
@@ -64,7 +64,7 @@ TEST(Hdf5File, Attributes) {
     const Hdf5Group root = out.root();
     root.set("text", text);
     root.set("empty", std::string());
-    root.set("number", kNotSeen);
+    root.set("number", kUnknown);
     root.set("integer", std::int32_t{-3});
     root.set("byte", std::uint8_t{255});
     root.set("numbers", std::vector<double>{1, 2.5});
@@ -81,7 +81,7 @@ TEST(Hdf5File, Attributes) {
   EXPECT_EQ(word, "");
   double number = 0;
   root.get("number", number);
-  EXPECT_TRUE(same_bits(number, kNotSeen));
+  EXPECT_TRUE(same_bits(number, kUnknown));
   std::int32_t integer = 0;
   root.get("integer", integer);
   EXPECT_EQ(integer, -3);

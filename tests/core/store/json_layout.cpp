@@ -13,7 +13,7 @@ TEST(JsonLayout, AGraspIsWhatItsGroupHolds) {
   Grasp grasp;
   grasp.sample = 7;
   grasp.base_from_object = Pose(Eigen::Translation3d(1, 2, 3));
-  grasp.tips_in_object = {Vec3(0.1, 0.2, 0.3), unseen_point()};
+  grasp.tips_in_object = {Vec3(0.1, 0.2, 0.3), unknown_point()};
   grasp.hand_posture = Eigen::Vector2d(0.25, -0.5);
   JsonWriter bare;
   lay_out_grasp(bare, grasp);

@@ -11,7 +11,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-void expect_same(const RobotTable& a, const RobotTable& b) {
+void expect_same(const RobotModel& a, const RobotModel& b) {
   EXPECT_SAME(name);
   EXPECT_SAME(joint_names);
   EXPECT_SAME(lower);
@@ -307,7 +307,7 @@ TEST(PlanFile, RefusesToWriteWhatDoesNotFit) {
   EXPECT_THAT(error(full_plan("a/b", 0)), HasSubstr("'a/b' cannot be a name"));
   EXPECT_THAT(error(full_plan("", 0)), HasSubstr("'' cannot be a name"));
   Plan plan = full_plan("b", 1);
-  plan.goals.tip_position = Table<Vec3>(4, 3, Vec3::Zero());
+  plan.goals.tip_position = Array2D<Vec3>(4, 3, Vec3::Zero());
   EXPECT_EQ(error(plan), file.string() + ":/plans/b/001/goals/tip_position: has 3 columns, not 2");
   plan = full_plan("b", 1);
   plan.trajectory = {};

@@ -41,7 +41,7 @@ bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
   return true;
 }
 template <class T>
-bool same_bits(const Table<T>& a, const Table<T>& b) {
+bool same_bits(const Array2D<T>& a, const Array2D<T>& b) {
   return a.rows == b.rows && a.cols == b.cols && same_bits(a.values, b.values);
 }
 

@@ -19,7 +19,7 @@ class Numbers {
   Numbers(int begin, bool all_seen) : all_seen_(all_seen), count_(begin) {}
   double operator()() {
     ++count_;
-    return count_ % 17 == 0 && !all_seen_ ? kNotSeen : 0.1 * count_ + 1.0 / count_;
+    return count_ % 17 == 0 && !all_seen_ ? kUnknown : 0.1 * count_ + 1.0 / count_;
   }
   Vec3 point() {
     const double x = (*this)(), y = (*this)();
@@ -27,7 +27,7 @@ class Numbers {
   }
   Quat rotation() {
     const Vec3 axis = Vec3(1.0 + count_, 2.0, -3.0).normalized();
-    return ++count_ % 5 == 0 && !all_seen_ ? unseen_rotation()
+    return ++count_ % 5 == 0 && !all_seen_ ? unknown_rotation()
                                            : Quat(Eigen::AngleAxisd(0.01 * count_, axis));
   }
   Pose pose() { return make_pose({(*this)(), 2, 3}, Quat(Eigen::AngleAxisd(0.3, Vec3::UnitY()))); }
@@ -55,13 +55,13 @@ class Numbers {
     for (Quat& value : values) value = rotation();
     return values;
   }
-  Table<Vec3> points(std::size_t rows, std::size_t cols) {
-    Table<Vec3> table(rows, cols, Vec3::Zero());
+  Array2D<Vec3> points(std::size_t rows, std::size_t cols) {
+    Array2D<Vec3> table(rows, cols, Vec3::Zero());
     table.values = points(rows * cols);
     return table;
   }
-  Table<Quat> rotations(std::size_t rows, std::size_t cols) {
-    Table<Quat> table(rows, cols, Quat::Identity());
+  Array2D<Quat> rotations(std::size_t rows, std::size_t cols) {
+    Array2D<Quat> table(rows, cols, Quat::Identity());
     table.values = rotations(rows * cols);
     return table;
   }
@@ -133,7 +133,7 @@ Trajectory trajectory(Numbers& number, std::size_t samples) {
   t.clearance = number.many(samples);
   for (std::size_t i = 0; i < samples; ++i) {
     t.phase.push_back(static_cast<PhaseKind>((i + 1) % 7));
-    t.origin.push_back(static_cast<Origin>((i + 1) % 3));
+    t.origin.push_back(static_cast<SampleOrigin>((i + 1) % 3));
   }
   return t;
 }
@@ -157,13 +157,13 @@ Demonstration full_demonstration(const std::string& name) {
   demo.streams.sensors->orientation(0, 0) = Quat(0.1, 0.7, -0.7, 0.1);
   demo.calibration = full_streams(number, HandKind::keypoints);
   demo.objects = objects();
-  demo.labels = {{0.1, 0.2, PhaseKind::reach}, {0.2, kNotSeen, PhaseKind::grasp}};
+  demo.labels = {{0.1, 0.2, PhaseKind::reach}, {0.2, kUnknown, PhaseKind::grasp}};
   return demo;
 }
 
-RobotTable small_robot() {
+RobotModel small_robot() {
   Numbers number;
-  RobotTable robot;
+  RobotModel robot;
   robot.name = "three";
   robot.joint_names = {"S1", "E1", "index_distal"};
   robot.lower = number.vector(3);
@@ -175,7 +175,7 @@ RobotTable small_robot() {
                   {"E1", 0, number.pose(), number.point(), 1, 1.5, 0.75},
                   {"fixed", 1, number.pose(), number.point(), -1, 2.5, 1.25},
                   {"coupled", 2, number.pose(), number.point(), 2, -1, 3, true}};
-  robot.coupled_limits = {{3, -0.5, 0.25, 1.5, RobotTable::kUnbounded, 12}};
+  robot.coupled_limits = {{3, -0.5, 0.25, 1.5, RobotModel::kUnbounded, 12}};
   robot.braking_curves = {{1, 12, 0.3, -2.75, 2.5}};
   robot.unchecked_links = {"fixed", "E1"};
   robot.tips = {{"ring_tip", 3, number.pose(), 3, 0.75}, {"wrist_tip", 2, number.pose(), -1}};
@@ -212,18 +212,18 @@ Plan full_plan(const std::string& demonstration, int movement) {
   plan.movement = {movement,
                    0.5,
                    2.75,
-                   {{PhaseKind::reach, 0.5, 1, 0.9}, {PhaseKind::hold, 1, kNotSeen, 0.8}},
+                   {{PhaseKind::reach, 0.5, 1, 0.9}, {PhaseKind::hold, 1, kUnknown, 0.8}},
                    "cup"};
   plan.reason = Reason::none;
   plan.detail = "It holds.";
   plan.tolerances = {0.002, 0.004, 0.001, 0.006, 0.03, 0.25, 0.04};
   plan.goals.time = number.many(4);
   plan.goals.tip_position = number.points(4, 2);
-  plan.goals.pad_share = Table<double>(4, 2, 0.25);
+  plan.goals.pad_share = Array2D<double>(4, 2, 0.25);
   plan.goals.pad_share(2, 1) = number();
   plan.goals.closed = {0, 1};
   plan.goals.tip_orientation = number.rotations(4, 2);
-  plan.goals.reachable = Table<std::uint8_t>(4, 2, 0);
+  plan.goals.reachable = Array2D<std::uint8_t>(4, 2, 0);
   plan.goals.reachable(1, 1) = plan.goals.reachable(3, 0) = 1;
   plan.goals.shoulder_position = number.points(4);
   plan.goals.elbow_position = number.points(4);
@@ -244,12 +244,12 @@ Plan full_plan(const std::string& demonstration, int movement) {
   plan.findings = {{0.6, 0.7, Cause::object, "finger", "table", 0.01},
                    {0.8, 0.9, Cause::limit, "E1", "", 0.02}};
   plan.repair = {{0, "detour", 0.55, 0.75, 0.3, 1, 0, 0.002, "tracking: index_tip", true, ""},
-                 {1, "attempt 1", kNotSeen, kNotSeen, 0, 2, 0.01, 0.02, "object: finger", false,
+                 {1, "attempt 1", kUnknown, kUnknown, 0, 2, 0.01, 0.02, "object: finger", false,
                   "no way was found"}};
   plan.remaining = {{0.65, 0.7, Cause::tracking, "index_tip", "", 0.002}};
   plan.path.position = number.rows(5, 3);
-  plan.path.origin = {Origin::planned, Origin::resolved, Origin::mapped, Origin::mapped,
-                      Origin::planned};
+  plan.path.origin = {SampleOrigin::planned, SampleOrigin::re_solved, SampleOrigin::mapped,
+                      SampleOrigin::mapped, SampleOrigin::planned};
   plan.path.demonstration_time = number.many(5);
   plan.grasp.sample = 2;
   plan.grasp.approach_direction = number.point();
@@ -271,7 +271,7 @@ Plan full_plan(const std::string& demonstration, int movement) {
   plan.approach = trajectory(number, 2);
   plan.retreat = trajectory(number, 3);
   plan.certificate = {number(), number(), number(), number(), number(), number(), number(),
-                      number(), kNotSeen, number(), number(), number(), number(), number(),
+                      number(), kUnknown, number(), number(), number(), number(), number(),
                       number(), number(), number(), number(), number(), true,     {"fixed"}};
   return plan;
 }

@@ -6,13 +6,13 @@
 #include "core/motion/demonstration.hpp"
 #include "core/motion/input_error.hpp"
 #include "core/motion/plan.hpp"
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 
 namespace morphe::store {
 
 /// Every field differs from its default, every number from every other, and some are NaN.
 Demonstration full_demonstration(const std::string& name);
-RobotTable small_robot();
+RobotModel small_robot();
 PlanFileHeader plan_header();
 Plan full_plan(const std::string& demonstration, int movement);
 /// As it leaves a stage that gave up early: nothing but a reason.

@@ -1,4 +1,4 @@
-#include "core/store/workable.hpp"
+#include "core/store/input_bounds.hpp"
 
 #include <gmock/gmock.h>
 
@@ -21,7 +21,7 @@ TEST(Workable, WhatWouldTakeForeverIsNamedWithItsPlace) {
       {"markers/time: row 1: -inf is no time",
        [=](Demonstration& d) { d.streams.markers->time[0] = -inf; }},
       {"sensors/time: row 2: nan is no time",
-       [](Demonstration& d) { d.streams.sensors->time[1] = kNotSeen; }},
+       [](Demonstration& d) { d.streams.sensors->time[1] = kUnknown; }},
       {"rows a second: more than",
        [](Demonstration& d) {
          for (std::size_t i = 0; i < d.streams.markers->time.size(); ++i)
@@ -38,7 +38,7 @@ TEST(Workable, WhatWouldTakeForeverIsNamedWithItsPlace) {
            if (o.time.size() > 1) std::swap(o.time[0], o.time[1]);
        }},
       {"/position: row 1: is no place",
-       [](Demonstration& d) { d.objects[0].position[0].setConstant(kNotSeen); }},
+       [](Demonstration& d) { d.objects[0].position[0].setConstant(kUnknown); }},
       {"/orientation: row 1: is no rotation",
        [](Demonstration& d) { d.objects[0].orientation[0].coeffs().setZero(); }},
       {"is no size",

@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "pipeline/describe/draw.hpp"
-#include "pipeline/describe/report.hpp"
+#include "pipeline/describe/robot_svg.hpp"
+#include "pipeline/describe/robot_text.hpp"
 #include "pipeline/describe/self_collision.hpp"
 
 namespace morphe::describe {
@@ -19,7 +19,7 @@ using testing::HasSubstr;
 /// Two links of 0.3 and 0.2 m along z, bent about x; a finger of one coupled joint beside them.
 robot::RobotDescription two_links() {
   robot::RobotDescription description;
-  RobotTable& robot = description.table;
+  RobotModel& robot = description.table;
   robot.name = "two <links>";
   robot.joint_names = {"a", "b"};
   robot.lower = JointVector::Constant(2, -1);
@@ -39,7 +39,7 @@ robot::RobotDescription two_links() {
 }
 
 TEST(RobotReport, ReachIsThatOfTheStretchedLinks) {
-  const RobotTable robot = two_links().table;
+  const RobotModel robot = two_links().table;
   EXPECT_NEAR(stretched_reach(robot, robot.tips[0]), 0.3 + 0.15 + 0.05, 1e-15);
   EXPECT_NEAR(stretched_reach(robot, robot.tips[1]), 0.3 + 0.02, 1e-15);
 }
@@ -47,17 +47,18 @@ TEST(RobotReport, ReachIsThatOfTheStretchedLinks) {
 TEST(RobotReport, RemarksOnWhatIsHardlyMeant) {
   robot::RobotDescription robot = two_links();
   robot.notes = {"hand.urdf:7: a mesh"};
-  EXPECT_THAT(remarks(robot), ElementsAre("hand.urdf:7: a mesh",
-                                          "tip pad has no centre for its finger's humanlikeness"));
+  EXPECT_THAT(
+      plausibility_notes(robot),
+      ElementsAre("hand.urdf:7: a mesh", "tip pad has no centre for its finger's humanlikeness"));
   robot.table.tips[1].frame = 0;  // the palm moves with b, this one before it
-  EXPECT_THAT(remarks(robot), testing::Contains("tip pad does not hang on palm palm"));
+  EXPECT_THAT(plausibility_notes(robot), testing::Contains("tip pad does not hang on palm palm"));
   robot.notes.clear();
   robot.table.unchecked_links = {"upper", "hand"};
   robot.table.tips.pop_back();
   robot.table.tips[0].frame = 0;
   robot.table.palm_frame = 0;
   robot.table.shoulder_frame = 1;
-  EXPECT_THAT(remarks(robot),
+  EXPECT_THAT(plausibility_notes(robot),
               ElementsAre("joint b moves no tip", "palm a does not hang on shoulder b",
                           "no contact of upper, hand is checked: no shape is known"));
 }
@@ -75,7 +76,7 @@ TEST(RobotReport, PrintsJointsCouplingsAndTips) {
 /// The number behind the first `before` from `at` on; moves `at` behind it.
 double number_behind(const std::string& svg, const std::string& before, std::size_t& at) {
   at = svg.find(before, at);
-  if (at == std::string::npos) return kNotSeen;
+  if (at == std::string::npos) return kUnknown;
   at += before.size();
   return std::stod(svg.substr(at));
 }
@@ -93,7 +94,7 @@ std::vector<std::pair<double, double>> dots(const std::string& svg, const std::s
 }
 
 TEST(RobotDrawing, TipsStandWhereTheyAreToScale) {
-  const std::string svg = svg_of(two_links().table);
+  const std::string svg = robot_svg(two_links().table);
   const auto tips = dots(svg, "#c0392b"), joints = dots(svg, "#1f5fa8");
   ASSERT_EQ(tips.size(), 8u);  // two tips, two postures, two views
   ASSERT_EQ(joints.size(), 12u);
@@ -112,11 +113,11 @@ TEST(RobotDrawing, TipsStandWhereTheyAreToScale) {
               per_metre * (0.3 * std::cos(a) + 0.2 * std::cos(b)), 0.1);
   EXPECT_NEAR(tips[6].first, joints[9].first, 0.02);  // from the side it stays on x = 0
   EXPECT_THAT(svg, HasSubstr("two &lt;links&gt;: 2 joints"));
-  EXPECT_EQ(svg, svg_of(two_links().table));
+  EXPECT_EQ(svg, robot_svg(two_links().table));
 }
 
 TEST(RobotDrawing, StaysInsideItsPanels) {
-  const std::string svg = svg_of(two_links().table);
+  const std::string svg = robot_svg(two_links().table);
   std::size_t index = 0;
   for (const auto& [x, y] : dots(svg, "#1f5fa8")) {
     const bool right = index / 3 % 2 == 1, low = index / 6 == 1;
@@ -129,8 +130,8 @@ TEST(RobotDrawing, StaysInsideItsPanels) {
 }
 
 /// A base, and an arm that can turn its end into the base; a collar that always touches the end.
-RobotTable turning() {
-  RobotTable robot = two_links().table;
+RobotModel turning() {
+  RobotModel robot = two_links().table;
   robot.lower = JointVector::Constant(2, -std::numbers::pi);
   robot.upper = -robot.lower;
   // Capsules 1 and 2 lie on bodies with a joint between, 3 far above everything.
@@ -142,7 +143,7 @@ RobotTable turning() {
 }
 
 TEST(SelfCollision, TellsAlwaysFromNeverFromSometimes) {
-  const RobotTable robot = turning();
+  const RobotModel robot = turning();
   const SelfCollision found = sample_self_collision(robot, 4000);
   const auto pairs = [](const std::vector<SelfCollisionPair>& list) {
     std::vector<std::array<int, 2>> capsules;

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "pipeline/explain/reason_words.hpp"
+#include "pipeline/explain/reason_sentence.hpp"
 #include "tests/stages/certify/planar_arm.hpp"
 
 namespace morphe::explain {
@@ -26,12 +26,12 @@ Plan resting_plan(double off_m, Reason reason) {
   plan.movement.phases = {{PhaseKind::reach, 0, 1}, {PhaseKind::grasp, 1, 2}};
   Goals& goals = plan.goals;
   goals.time = {0, 0.5, 1, 2};
-  goals.tip_position = Table<Vec3>(4, 2, unseen_point());
-  goals.reachable = Table<std::uint8_t>(4, 2, 1);
+  goals.tip_position = Array2D<Vec3>(4, 2, unknown_point());
+  goals.reachable = Array2D<std::uint8_t>(4, 2, 1);
   for (std::size_t f = 0; f < 4; ++f) goals.tip_position(f, 0) = Vec3(0.55, 0.04, off_m);
   plan.path.position = JointRows::Zero(4, 3);
   plan.path.demonstration_time = goals.time;
-  plan.path.origin.assign(4, Origin::mapped);
+  plan.path.origin.assign(4, SampleOrigin::mapped);
   plan.mapped.position = plan.path.position;
   plan.repair.emplace_back();
   return plan;
@@ -39,7 +39,7 @@ Plan resting_plan(double off_m, Reason reason) {
 
 std::vector<std::string> accepted_by(const Plan& plan) {
   for (const Advice& advice : advice_for(arm(), plan)) {
-    if (advice.effect == Effect::accepts) return advice.settings;
+    if (advice.effect == AdviceKind::accepts) return advice.settings;
   }
   return {};
 }
@@ -50,7 +50,7 @@ TEST(Advice, ATolerancePassesWhatIsMissedByItsOwnNumbers) {
       << "12.3 mm, a twentieth and room for smoothing, to half a millimetre; 20 mm are allowed "
          "before the grasp";
   const std::vector<Advice> advice = advice_for(arm(), plan);
-  EXPECT_EQ(advice.front().effect, Effect::solves) << "what may solve it comes first";
+  EXPECT_EQ(advice.front().effect, AdviceKind::solves) << "what may solve it comes first";
   EXPECT_THAT(text_of(advice.back()),
               HasSubstr("is 12.3 mm from its goal at 0.50 s in the grasp, 5.0 allowed"));
   EXPECT_THAT(accepted_by(resting_plan(0.0301, Reason::tracking)),
@@ -76,9 +76,9 @@ TEST(Advice, AMarginOrDepthPassesAContactUnlessBodiesOverlap) {
 }
 
 TEST(Advice, EveryReasonHasASentenceAndSomethingToTry) {
-  for (std::size_t k = 1; k < count_of<Reason>(); ++k) {
+  for (std::size_t k = 1; k < enum_count<Reason>(); ++k) {
     const auto reason = static_cast<Reason>(k);
-    EXPECT_THAT(std::string(sentence_of(reason)), testing::EndsWith("."));
+    EXPECT_THAT(std::string(reason_sentence(reason)), testing::EndsWith("."));
     Plan nothing;
     nothing.reason = reason;
     for (const Plan& plan : {nothing, resting_plan(0, reason)}) {
@@ -86,7 +86,7 @@ TEST(Advice, EveryReasonHasASentenceAndSomethingToTry) {
       EXPECT_FALSE(advice.empty()) << name_of(reason);
       for (const Advice& one : advice) {
         EXPECT_FALSE(one.sentence.empty());
-        EXPECT_EQ(one.settings.empty(), one.effect == Effect::changes);
+        EXPECT_EQ(one.settings.empty(), one.effect == AdviceKind::changes);
       }
     }
   }

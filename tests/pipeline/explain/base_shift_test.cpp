@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/robot/files/description.hpp"
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 #include "stages/check/check_path.hpp"
 
 namespace morphe::explain {
@@ -19,18 +19,18 @@ Plan stretched_plan(const robot::Robot& robot, double beyond_m) {
                                   .cwiseMax(robot.lower)
                                   .cwiseMin(robot.upper);
   std::vector<Pose> poses;
-  robot::forward(robot, posture, poses);
+  robot::forward_kinematics(robot, posture, poses);
   Plan plan;
   plan.reason = Reason::unreachable;
   plan.movement.end_s = 0.5;
   Goals& goals = plan.goals;
-  goals.tip_position = {kFrames, robot.tips.size(), unseen_point()};
-  goals.tip_orientation = {kFrames, robot.tips.size(), unseen_rotation()};
+  goals.tip_position = {kFrames, robot.tips.size(), unknown_point()};
+  goals.tip_orientation = {kFrames, robot.tips.size(), unknown_rotation()};
   goals.reachable = {kFrames, robot.tips.size(), 0};
-  goals.finger_joint_position = {kFrames, kFingers, unseen_point()};
-  goals.shoulder_position.assign(kFrames, unseen_point());
+  goals.finger_joint_position = {kFrames, kFingerCount, unknown_point()};
+  goals.shoulder_position.assign(kFrames, unknown_point());
   goals.elbow_position = goals.wrist_position = goals.shoulder_position;
-  goals.wrist_orientation.assign(kFrames, unseen_rotation());
+  goals.wrist_orientation.assign(kFrames, unknown_rotation());
   for (std::size_t f = 0; f < kFrames; ++f) {
     goals.time.push_back(0.05 * static_cast<double>(f));
     for (const std::size_t tip : {0U, 1U}) {
@@ -39,7 +39,7 @@ Plan stretched_plan(const robot::Robot& robot, double beyond_m) {
     }
   }
   plan.mapped.position = posture.transpose().replicate(static_cast<Index>(kFrames), 1);
-  plan.path = {plan.mapped.position, std::vector<Origin>(kFrames), goals.time};
+  plan.path = {plan.mapped.position, std::vector<SampleOrigin>(kFrames), goals.time};
   return plan;
 }
 
@@ -49,8 +49,8 @@ TEST(BaseShift, BringsIntoReachWhatLiesBeyondTheStretchedArm) {
   const planning::PipelineConfig config;  // the base's axes are the world's
   const auto found = find_base_shift(robot, config, stretched_plan(robot, 0.1), 0.16);
   ASSERT_TRUE(found.has_value());
-  EXPECT_GT(found->before, 0.1) << "several frames, two tips, 80 mm beyond what is allowed";
-  EXPECT_LT(found->after, 0.01 * found->before);
+  EXPECT_GT(found->depth_before, 0.1) << "several frames, two tips, 80 mm beyond what is allowed";
+  EXPECT_LT(found->depth_after, 0.01 * found->depth_before);
   EXPECT_GT(found->shift.z(), 0.06) << "all but the 20 mm that tracking allows";
   EXPECT_LE(found->shift.cwiseAbs().maxCoeff(), 0.16);
 }

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "core/motion/input_error.hpp"
-#include "pipeline/place/reach.hpp"
-#include "pipeline/place/reach_map.hpp"
+#include "pipeline/place/reachability_grid.hpp"
+#include "pipeline/place/reachability_map.hpp"
 #include "pipeline/place/refine.hpp"
 #include "tests/pipeline/planning/robot_demonstration.hpp"
 
@@ -14,13 +14,14 @@ namespace {
 /// A person who moves as the robot does, whose shoulder is the robot's: no turn, no shift meets
 /// every goal with the person's own upper arm and palm.
 struct Known : test::RobotDemonstration {
-  std::vector<Trial> trials;
+  std::vector<TrialMovement> trials;
 
   Known() {
-    planning::Rebuilt rebuilt{motion, {}, {movement}};
-    rebuilt.beside.name = "robot";
+    planning::Reconstruction rebuilt{motion, {}, {movement}};
+    rebuilt.on_robot_side.name = "robot";
     trials.push_back(
-        make_trial(planner(), std::make_shared<const planning::Rebuilt>(rebuilt), 0).value());
+        make_trial(planner(), std::make_shared<const planning::Reconstruction>(rebuilt), 0)
+            .value());
   }
 };
 
@@ -33,10 +34,10 @@ PlaceOptions small() {
   return options;
 }
 
-const Report kSilent = [](const std::string&, int, int) {};
+const ProgressCallback kSilent = [](const std::string&, int, int) {};
 
-Candidate at(const Known& known, const Stand& stand) {
-  return try_stand(known.planner(), stand, {&known.trials.front()}, {10, 3, 8}, 1);
+Candidate at(const Known& known, const BasePlacement& stand) {
+  return evaluate_placement(known.planner(), stand, {&known.trials.front()}, {10, 3, 8}, 1);
 }
 
 TEST(Place, TheKnownPlaceMeetsEverything) {
@@ -44,24 +45,24 @@ TEST(Place, TheKnownPlaceMeetsEverything) {
   const Candidate truth = at(known, {});
   EXPECT_EQ(truth.measures.out_of_reach, 0);
   EXPECT_LT(truth.measures.tip_error_m, 1e-3);
-  EXPECT_EQ(truth.measures.colliding, 0);
-  EXPECT_LT(truth.measures.upper_arm, 1 * kDegree);
-  EXPECT_LT(truth.measures.palm, 15 * kDegree) << "five tips ask nothing of the palm";
-  const Reach reach(known.robot, 1);
-  EXPECT_EQ(reach.share_outside(known.trials.front(), {}), 0);
-  Stand far;
+  EXPECT_EQ(truth.measures.collision_share, 0);
+  EXPECT_LT(truth.measures.upper_arm_error, 1 * kRadPerDegree);
+  EXPECT_LT(truth.measures.palm_error, 15 * kRadPerDegree) << "five tips ask nothing of the palm";
+  const ReachabilityGrid reach(known.robot, 1);
+  EXPECT_EQ(reach.share_out_of_reach(known.trials.front(), {}), 0);
+  BasePlacement far;
   far.shoulder_offset = {0, -3, 0};
-  EXPECT_EQ(reach.share_outside(known.trials.front(), far), 1);
+  EXPECT_EQ(reach.share_out_of_reach(known.trials.front(), far), 1);
 }
 
 TEST(Place, ItIsFoundAgainFromBesideIt) {
   const Known known;
-  Stand beside;
+  BasePlacement beside;
   beside.shoulder_offset = {0.1, -0.08, 0.06};
-  beside.world_from_base = Eigen::AngleAxisd(15 * kDegree, Vec3(1, 2, 3).normalized());
+  beside.world_from_base = Eigen::AngleAxisd(15 * kRadPerDegree, Vec3(1, 2, 3).normalized());
   const Candidate start = at(known, beside), truth = at(known, {});
   PlaceOptions options;
-  options.person_m = 0;
+  options.person_clearance_m = 0;
   const Candidate found = refine(known.planner(), beside, {}, {}, known.trials,
                                  map::robot_shoulder(known.robot), options, 1);
   EXPECT_EQ(found.measures.out_of_reach, 0);
@@ -72,32 +73,36 @@ TEST(Place, ItIsFoundAgainFromBesideIt) {
 TEST(Place, TheSameAtAnyNumberOfThreads) {
   const Known known;
   PlaceOptions options = small();
-  const std::vector<Found> one = place(known.planner(), known.trials, options, kSilent);
+  const std::vector<PlacementResult> one =
+      find_placements(known.planner(), known.trials, options, kSilent);
   options.jobs = 2;
-  const std::vector<Found> two = place(known.planner(), known.trials, options, kSilent);
+  const std::vector<PlacementResult> two =
+      find_placements(known.planner(), known.trials, options, kSilent);
   ASSERT_EQ(one.size(), 1U);
   ASSERT_EQ(two.size(), 1U);
-  EXPECT_EQ(one[0].stand.world_from_base.coeffs(), two[0].stand.world_from_base.coeffs());
-  EXPECT_EQ(one[0].stand.shoulder_offset, two[0].stand.shoulder_offset);
-  EXPECT_EQ(cost_of(one[0].planned.measures), cost_of(two[0].planned.measures));
-  EXPECT_EQ(one[0].planned.executable, 1);
-  EXPECT_EQ(one[0].planned.measures.out_of_reach, 0);
-  EXPECT_LT(one[0].planned.measures.upper_arm, 20 * kDegree);
+  EXPECT_EQ(one[0].base_placement.world_from_base.coeffs(),
+            two[0].base_placement.world_from_base.coeffs());
+  EXPECT_EQ(one[0].base_placement.shoulder_offset, two[0].base_placement.shoulder_offset);
+  EXPECT_EQ(cost_of(one[0].plan_summary.measures), cost_of(two[0].plan_summary.measures));
+  EXPECT_EQ(one[0].plan_summary.executable, 1);
+  EXPECT_EQ(one[0].plan_summary.measures.out_of_reach, 0);
+  EXPECT_LT(one[0].plan_summary.measures.upper_arm_error, 20 * kRadPerDegree);
 }
 
 TEST(Place, ConstraintsHoldInWhatIsFound) {
   const Known known;
   PlaceOptions options = small();
-  options.mount = Mount::side;
-  options.tilt_rad = 10 * kDegree;
-  options.keep.z = true;
-  const Found found = place(known.planner(), known.trials, options, kSilent).front();
-  EXPECT_GE(std::abs(found.stand.up().x()), std::cos(10.3 * kDegree));
-  EXPECT_EQ(found.stand.shoulder_offset.z(), 0);
-  EXPECT_GE(std::hypot(found.base.x() + 0.2, found.base.y()), options.person_m - 0.002);
-  options.person_m = 0.9;
-  options.keep = {true, true, true, true};
-  EXPECT_THROW(place(known.planner(), known.trials, options, kSilent), InputError);
+  options.mount = MountDirection::side;
+  options.max_tilt_rad = 10 * kRadPerDegree;
+  options.fixed.z = true;
+  const PlacementResult found =
+      find_placements(known.planner(), known.trials, options, kSilent).front();
+  EXPECT_GE(std::abs(found.base_placement.up().x()), std::cos(10.3 * kRadPerDegree));
+  EXPECT_EQ(found.base_placement.shoulder_offset.z(), 0);
+  EXPECT_GE(std::hypot(found.base.x() + 0.2, found.base.y()), options.person_clearance_m - 0.002);
+  options.person_clearance_m = 0.9;
+  options.fixed = {true, true, true, true};
+  EXPECT_THROW(find_placements(known.planner(), known.trials, options, kSilent), InputError);
 }
 
 TEST(Place, NoBaseStandsInOrBelowTheTable) {
@@ -107,14 +112,14 @@ TEST(Place, NoBaseStandsInOrBelowTheTable) {
   table.shape = Shape::box;
   table.size = {1, 0.8, 0.04};
   table.time = {0};
-  const Trial& trial = known.trials.front();
+  const TrialMovement& trial = known.trials.front();
   table.position = {trial.shoulder + Vec3(0, 0.6, -0.4)};
   table.orientation = {Quat::Identity()};
-  known.trials.front().around.objects = {table};
+  known.trials.front().surroundings.objects = {table};
   const auto free = [&](const Vec3& base) {
-    Stand stand;
+    BasePlacement stand;
     stand.shoulder_offset = base;  // of a robot whose shoulder is its base's origin
-    return base_is_free(known.trials, stand, Vec3::Zero(), Side::right, {});
+    return is_base_allowed(known.trials, stand, Vec3::Zero(), Side::right, {});
   };
   EXPECT_TRUE(free({0.1, 0.5, -0.37}));
   EXPECT_FALSE(free({0.1, 0.5, -0.4}));
@@ -125,12 +130,13 @@ TEST(Place, NoBaseStandsInOrBelowTheTable) {
 
 TEST(ReachMap, TellsWhereGoalsAreMetAndDrawsIt) {
   const Known known;
-  Found found;
-  found.stand = {};
-  const ReachMap map = reach_map(known.planner(), known.trials, found, small(), kSilent);
-  ASSERT_EQ(map.met.size(), 13U);
-  EXPECT_EQ(map.met[8][6], 1) << "no shift";
-  EXPECT_LT(map.met[12][0], 0.5) << "0.6 m left and 0.4 m in front";
+  PlacementResult found;
+  found.base_placement = {};
+  const ReachabilityMap map =
+      reachability_map(known.planner(), known.trials, found, small(), kSilent);
+  ASSERT_EQ(map.reachable_share.size(), 13U);
+  EXPECT_EQ(map.reachable_share[8][6], 1) << "no shift";
+  EXPECT_LT(map.reachable_share[12][0], 0.5) << "0.6 m left and 0.4 m in front";
   const std::string svg = svg_of(map);
   EXPECT_EQ(svg, svg_of(map));
   EXPECT_NE(svg.find("<title>robot shoulder</title>"), std::string::npos);

@@ -48,7 +48,7 @@ TEST_F(Approach, LeadsFromHomeToTheFirstSampleAndBackWithinItsShareOfTheLimits) 
   ASSERT_TRUE(plan->executable()) << plan->detail;
   Plan with = *plan;
   const ApproachOptions asked = options();
-  const Refusal result = add_approach(of.planner(), asked, 1, with);
+  const PlanningFailure result = add_approach(of.planner(), asked, 1, with);
   ASSERT_EQ(result.reason, Reason::none) << result.detail;
   const JointVector home = home_posture(of.robot, asked);
   const Trajectory &there = with.approach, &back = with.retreat;
@@ -75,7 +75,7 @@ TEST_F(Approach, NoneWhereHomeIsInAnObstacle) {
   Plan with = *plan;
   const ApproachOptions asked = options();
   std::vector<Pose> frames;
-  robot::forward(of.robot, home_posture(of.robot, asked), frames);
+  robot::forward_kinematics(of.robot, home_posture(of.robot, asked), frames);
   SceneObject ball;
   ball.name = "ball";
   ball.shape = Shape::sphere;
@@ -84,16 +84,16 @@ TEST_F(Approach, NoneWhereHomeIsInAnObstacle) {
   ball.position = {robot::tip_pose(of.robot, frames, 1).translation()};
   ball.orientation = {Quat::Identity()};
   with.scene.objects.push_back(ball);
-  const Refusal result = add_approach(of.planner(), asked, 1, with);
+  const PlanningFailure result = add_approach(of.planner(), asked, 1, with);
   EXPECT_EQ(result.reason, Reason::no_approach);
   EXPECT_THAT(result.detail, testing::HasSubstr("ball"));
 }
 
 TEST(ApproachOptions, SaysWhatIsWrong) {
   ApproachOptions options;
-  EXPECT_EQ(why_invalid(options), "");
+  EXPECT_EQ(validation_error(options), "");
   options.limit_share = 1.5;
-  EXPECT_EQ(why_invalid(options), "limit_share must be above 0 and at most 1");
+  EXPECT_EQ(validation_error(options), "limit_share must be above 0 and at most 1");
 }
 
 }  // namespace

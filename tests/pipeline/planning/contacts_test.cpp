@@ -21,8 +21,8 @@ using testing::HasSubstr;
 Plan planned_drink(const std::vector<std::string>& settings) {
   const LoadedConfig loaded = load_config(
       std::filesystem::path(MORPHE_SOURCE_DIR) / "configs/pipelines/pa10_dlr_hit2.yaml", settings);
-  const Planner planner{loaded.options, loaded.robot};
-  return plan_demonstration(planner, shipped_reach("ADL001DR2", imports::ForwardBy::body))
+  const PlanningInputs planner{loaded.options, loaded.robot};
+  return plan_demonstration(planner, shipped_reach("ADL001DR2", imports::ForwardSource::body))
       .plans.at(0);
 }
 
@@ -32,7 +32,7 @@ TEST(Contacts, PadsTouchTheCupAndAnotherFingerCloses) {
   EXPECT_EQ(plan.tolerances.contact_depth, 0.001);
   EXPECT_EQ(plan.tolerances.link_depth, 0.0);
   ASSERT_GE(plan.grasp.contacts.size(), 3U);
-  const SceneObject& cup = *object_named(plan.scene.objects, plan.movement.target);
+  const SceneObject& cup = *find_object(plan.scene.objects, plan.movement.target);
   for (const PadContact& contact : plan.grasp.contacts) {
     EXPECT_GT(contact.gap, -0.001) << contact.tip;
     EXPECT_LT(contact.gap, 0.0005) << contact.tip;

@@ -3,7 +3,7 @@
 
 #include <numeric>
 
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 #include "pipeline/planning/plan_movement.hpp"
 #include "stages/import/import.hpp"
 #include "stages/reconstruct/mirror.hpp"
@@ -22,14 +22,14 @@ Pose seen_in_mirror(const Pose& pose) {
 
 /// The robot that takes the mirrored posture at the same angles: y of every frame is turned round.
 robot::Robot mirrored(const robot::Robot& robot) {
-  RobotTable table = robot;
+  RobotModel table = robot;
   table.side = table.side == Side::right ? Side::left : Side::right;
-  for (RobotTable::Frame& frame : table.frames) {
+  for (RobotModel::Frame& frame : table.frames) {
     frame.transform = seen_in_mirror(frame.transform);
     frame.axis = frame.slides ? Vec3(kMirror * frame.axis) : Vec3(-(kMirror * frame.axis));
   }
-  for (RobotTable::Tip& tip : table.tips) tip.transform = seen_in_mirror(tip.transform);
-  for (RobotTable::Capsule& capsule : table.capsules) {
+  for (RobotModel::Tip& tip : table.tips) tip.transform = seen_in_mirror(tip.transform);
+  for (RobotModel::Capsule& capsule : table.capsules) {
     capsule.from = kMirror * capsule.from;
     capsule.to = kMirror * capsule.to;
   }
@@ -77,10 +77,10 @@ TEST(LeftRobot, DoesAsItsMirrorImageDoes) {
     for (std::size_t f = 0; f < a.goals.frames(); ++f) {
       for (std::size_t tip = 0; tip < config.robot.tips.size(); ++tip) {
         const Vec3 goal = a.goals.tip_position(f, tip);
-        if (!seen(goal)) continue;
+        if (!is_known(goal)) continue;
         ASSERT_LT((b.goals.tip_position(f, tip) - kMirror * goal).norm(), 1e-9);
         const Quat turned = a.goals.tip_orientation(f, tip);
-        if (!seen(turned)) continue;
+        if (!is_known(turned)) continue;
         ASSERT_LT(angle_between(b.goals.tip_orientation(f, tip),
                                 Quat(kMirror * turned.toRotationMatrix() * kMirror)),
                   1e-6);
@@ -109,18 +109,21 @@ TEST(LeftRobot, TakesALeftHandAsItIs) {
   const LoadedConfig config = load_config(std::filesystem::path(MORPHE_SOURCE_DIR) /
                                           "configs/pipelines/pa10_dlr_hit2.yaml");
   const Demonstration right = shipped("ADL001DR2");
-  const Demonstration left = reconstruct::mirrored(right);  // says "right": what it is not
+  const Demonstration left = reconstruct::mirror_image(right);  // says "right": what it is not
   Demonstration as_left = left;
   as_left.hand = Side::left;
   StageSeconds seconds;
   const robot::Robot left_robot = mirrored(config.robot);
-  const Rebuilt from_right = rebuild({config.options, left_robot}, right, seconds);
-  const Rebuilt from_left = rebuild({config.options, left_robot}, as_left, seconds);
-  const Rebuilt plain = rebuild({config.options, config.robot}, right, seconds);
+  const Reconstruction from_right =
+      reconstruct_demonstration({config.options, left_robot}, right, seconds);
+  const Reconstruction from_left =
+      reconstruct_demonstration({config.options, left_robot}, as_left, seconds);
+  const Reconstruction plain =
+      reconstruct_demonstration({config.options, config.robot}, right, seconds);
   ASSERT_EQ(from_left.motion.time.size(), plain.motion.time.size());
   for (std::size_t i = 0; i < plain.motion.time.size(); i += 10) {
     const Vec3 here = plain.motion.tip(i, kIndex);
-    if (!seen(here)) continue;
+    if (!is_known(here)) continue;
     const Vec3 mirrored_here(-here.x(), here.y(), here.z());
     EXPECT_LT((from_left.motion.tip(i, kIndex) - mirrored_here).norm(), 1e-12);
     EXPECT_LT((from_right.motion.tip(i, kIndex) - mirrored_here).norm(), 1e-12);

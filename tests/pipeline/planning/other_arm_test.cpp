@@ -30,8 +30,8 @@ Demonstration other_arm_at_the_elbow(const test::RobotDemonstration& of, double 
   body.names = {"left_shoulder", "left_elbow", "left_wrist"};
   body.parents = {"", "left_shoulder", "left_elbow"};
   body.time = motion.time;
-  body.position = Table<Vec3>(motion.time.size(), 3, unseen_point());
-  body.orientation = Table<Quat>(motion.time.size(), 3, unseen_rotation());
+  body.position = Array2D<Vec3>(motion.time.size(), 3, unknown_point());
+  body.orientation = Array2D<Quat>(motion.time.size(), 3, unknown_rotation());
   for (std::size_t i = 0; i < motion.time.size(); ++i) {
     const double away_m = 0.4 * std::pow(std::sin(M_PI / 2 * (motion.time[i] - 0.75)), 2);
     const Vec3 tips = motion.elbow[75] + (gap_m + away_m) * out;
@@ -52,9 +52,9 @@ double least_distance(const robot::Robot& robot, const Trajectory& trajectory,
   std::vector<Pose> frames;
   for (std::size_t i = 0; i < trajectory.samples(); ++i) {
     const JointVector q = trajectory.position.row(static_cast<Eigen::Index>(i)).transpose();
-    robot::forward(robot, q, frames);
+    robot::forward_kinematics(robot, q, frames);
     const Pose pose = recorded_pose(object, trajectory.demonstration_time[i]);
-    for (const RobotTable::Capsule& capsule : robot.capsules) {
+    for (const RobotModel::Capsule& capsule : robot.capsules) {
       const Pose base_from_frame =
           capsule.frame < 0 ? Pose::Identity() : frames[static_cast<std::size_t>(capsule.frame)];
       const Vec3 from = pose.inverse() * (base_from_frame * capsule.from),
@@ -73,7 +73,7 @@ double least_distance(const robot::Robot& robot, const Trajectory& trajectory,
 Plan plan_beside(const test::RobotDemonstration& of, Demonstration demonstration,
                  std::vector<std::string>& notes) {
   StageSeconds seconds;
-  std::ranges::copy(other_arm_beside(of.planner(), demonstration, notes),
+  std::ranges::copy(other_arm_obstacles(of.planner(), demonstration, notes),
                     std::back_inserter(demonstration.objects));
   return plan_movement(of.planner(), demonstration, of.motion, of.movement, seconds);
 }
@@ -113,8 +113,8 @@ TEST(OtherArm, OneThatIsNoPersonsIsSaidToBeSo) {
   body.names = {"left_shoulder", "left_elbow", "left_wrist", "left_hand"};
   body.parents = {"", "left_shoulder", "left_elbow", "left_wrist"};
   body.time = of.motion.time;
-  body.position = Table<Vec3>(body.time.size(), 4, unseen_point());
-  body.orientation = Table<Quat>(body.time.size(), 4, unseen_rotation());
+  body.position = Array2D<Vec3>(body.time.size(), 4, unknown_point());
+  body.orientation = Array2D<Quat>(body.time.size(), 4, unknown_rotation());
   Eigen::Matrix3d hand;
   hand.col(2) = -Vec3::UnitY();
   hand.col(0) = Vec3::UnitZ();
@@ -127,7 +127,7 @@ TEST(OtherArm, OneThatIsNoPersonsIsSaidToBeSo) {
     }
   }
   std::vector<std::string> notes;
-  EXPECT_EQ(other_arm_beside(of.planner(), demonstration, notes).size(), 3u);
+  EXPECT_EQ(other_arm_obstacles(of.planner(), demonstration, notes).size(), 3u);
   EXPECT_THAT(notes, testing::Contains(HasSubstr("other arm, an obstacle all the same: elbow and "
                                                  "wrist lie")));
 }
@@ -137,7 +137,7 @@ TEST(OtherArm, AHandAloneHasNone) {
   of.config.scene.other_arm = true;
   robot::Robot hand{robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/dlr_hit2.yaml").table};
   std::vector<std::string> notes;
-  EXPECT_THAT(other_arm_beside({of.config, hand}, other_arm_at_the_elbow(of, 0.06), notes),
+  EXPECT_THAT(other_arm_obstacles({of.config, hand}, other_arm_at_the_elbow(of, 0.06), notes),
               IsEmpty());
   EXPECT_THAT(notes, ElementsAre(HasSubstr("a hand alone has no place in the world")));
 }
@@ -148,7 +148,7 @@ TEST(OtherArm, ARecordedObjectOfThatNameStaysWhatItIs) {
   Demonstration demonstration = other_arm_at_the_elbow(of, 0.06);
   demonstration.objects.emplace_back().name = "other hand";
   std::vector<std::string> notes;
-  const auto capsules = other_arm_beside(of.planner(), demonstration, notes);
+  const auto capsules = other_arm_obstacles(of.planner(), demonstration, notes);
   ASSERT_EQ(capsules.size(), 2u);
   EXPECT_EQ(capsules[1].name, "other forearm");
   EXPECT_THAT(notes, testing::Contains(HasSubstr("other hand is an object that was recorded")));

@@ -52,7 +52,7 @@ TEST_F(PipelineConfigFiles, AConfigExtendsAnotherAndSettingsReplaceBoth) {
   EXPECT_EQ(loaded.options.map.starts, 9);
   EXPECT_EQ(loaded.options.map.objective.get<humanlike::TipPosition>().weight, 10);
   EXPECT_EQ(loaded.options.map.candidates, 2);
-  EXPECT_EQ(loaded.options.retime.mode, retime::Tempo::fastest);
+  EXPECT_EQ(loaded.options.retime.mode, retime::RetimeMode::fastest);
   EXPECT_EQ(loaded.robot.joints(), 22u);
   EXPECT_EQ(loaded.robot.arm_joints.size(), 7u) << "what follows from the table is there";
 }

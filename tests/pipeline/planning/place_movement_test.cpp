@@ -38,7 +38,7 @@ TEST(PlaceMovement, GoalsAndBodiesGoIntoTheBaseFrame) {
   const PlacedMovement placed(of.planner(), of.motion, of.movement, around, offset);
 
   std::vector<Pose> frames;
-  robot::forward(of.robot, JointVector::Zero(of.first.size()), frames);
+  robot::forward_kinematics(of.robot, JointVector::Zero(of.first.size()), frames);
   const Vec3 shoulder = frames[static_cast<std::size_t>(of.robot.shoulder_frame)].translation();
   const Eigen::Matrix3d turn =
       (Eigen::AngleAxisd(a, Vec3::UnitZ()) * Eigen::AngleAxisd(b, Vec3::UnitX()))
@@ -57,8 +57,9 @@ TEST(PlaceMovement, GoalsAndBodiesGoIntoTheBaseFrame) {
   EXPECT_THAT(names_in(placed.scene), ElementsAre("post", "lamp"));
   EXPECT_LT((placed.scene.objects[0].position[0] - in_base({0.5, 0.6, 0.7})).norm(), 1e-12);
   EXPECT_LT((placed.scene.objects[1].position[0] - in_base({-0.3, 0.2, 0.9})).norm(), 1e-12);
-  EXPECT_THAT(names_in(placed.known), ElementsAre("post")) << "the mapping is not told of the lamp";
-  EXPECT_EQ(placed.world.scene, &placed.known);
+  EXPECT_THAT(names_in(placed.mapping_scene), ElementsAre("post"))
+      << "the mapping is not told of the lamp";
+  EXPECT_EQ(placed.world.scene, &placed.mapping_scene);
   EXPECT_EQ(placed.problem.frames(), of.motion.time.size());
 }
 
@@ -66,14 +67,14 @@ TEST(PlaceMovement, GoalsAndBodiesGoIntoTheBaseFrame) {
 TEST(PlaceMovement, BodiesMayStandRelativeToTheBase) {
   test::RobotDemonstration of;
   of.config.scene.objects = {ball("post", {0.5, 0.6, 0.7}), ball("lamp", {-0.3, 0.2, 0.9})};
-  of.config.scene.objects[1].relative_to = scene::Relative::base;
+  of.config.scene.objects[1].relative_to = scene::ReferenceFrame::base;
   const Scene around = scene_around(of.planner(), {}, of.motion, of.movement);
   EXPECT_THAT(names_in(around), ElementsAre("post"));
   const PlacedMovement here(of.planner(), of.motion, of.movement, around, Vec3::Zero());
   const PlacedMovement there(of.planner(), of.motion, of.movement, around, Vec3(0.1, 0, 0));
-  EXPECT_EQ(here.nowhere, "");
+  EXPECT_EQ(here.missing_support, "");
   EXPECT_THAT(names_in(here.scene), ElementsAre("post", "lamp"));
-  EXPECT_THAT(names_in(here.known), ElementsAre("post", "lamp"));
+  EXPECT_THAT(names_in(here.mapping_scene), ElementsAre("post", "lamp"));
   EXPECT_EQ(here.scene.objects[1].position[0], Vec3(-0.3, 0.2, 0.9));
   EXPECT_EQ(there.scene.objects[1].position[0], Vec3(-0.3, 0.2, 0.9));
   EXPECT_NEAR((here.scene.objects[0].position[0] - there.scene.objects[0].position[0]).norm(), 0.1,
@@ -81,9 +82,9 @@ TEST(PlaceMovement, BodiesMayStandRelativeToTheBase) {
   const Vec3 shoulder = here.frames.base_from_world * of.motion.shoulder[0];
   EXPECT_LT((here.frames.shoulder - shoulder).norm(), 1e-12);
 
-  of.config.scene.objects[1].relative_to = scene::Relative::table;
+  of.config.scene.objects[1].relative_to = scene::ReferenceFrame::table;
   const PlacedMovement nowhere(of.planner(), of.motion, of.movement, around, Vec3::Zero());
-  EXPECT_EQ(nowhere.nowhere,
+  EXPECT_EQ(nowhere.missing_support,
             "lamp stands relative to the table, and there is none in this movement");
 }
 
@@ -103,7 +104,7 @@ TEST(PlaceMovement, TheMappingKnowsTheTargetIfItIsToStayClearOfIt) {
     const Scene around = scene_around(of.planner(), beside, of.motion, of.movement);
     EXPECT_EQ(of.movement.target, "cup");
     const PlacedMovement placed(of.planner(), of.motion, of.movement, around, Vec3::Zero());
-    EXPECT_EQ(placed.known.objects.size(), clear ? 1U : 0U);
+    EXPECT_EQ(placed.mapping_scene.objects.size(), clear ? 1U : 0U);
   }
 }
 
@@ -111,18 +112,18 @@ TEST(PlaceMovement, TheMappingKnowsTheTargetIfItIsToStayClearOfIt) {
 /// place, so that the mean of the frames' objectives is least where the offset undoes that.
 TEST(PlaceMovement, TheOffsetFindsBackWhereTheGoalsWereMade) {
   test::RobotDemonstration of;
-  RobotTable table = of.robot;
+  RobotModel table = of.robot;
   table.lower = of.last.array() - 1e-6;
   table.upper = of.last.array() + 1e-6;
   const robot::Robot still(table);
   for (std::size_t i = 0; i < of.motion.time.size(); ++i) {
-    for (std::size_t f = 0; f < kFingers; ++f) of.motion.tip(i, f) = of.motion.tip(200, f);
+    for (std::size_t f = 0; f < kFingerCount; ++f) of.motion.tip(i, f) = of.motion.tip(200, f);
   }
   const Vec3 beside(0.02, -0.015, 0.01);
   of.config.placement.shoulder_offset = beside;
   of.config.map.free_offset.limit_m = 0.04;
   of.config.map.free_offset.weight = 0;
-  const planning::Planner planner{of.config, still};
+  const planning::PlanningInputs planner{of.config, still};
   const Scene around = scene_around(planner, {}, of.motion, of.movement);
   const Vec3 offset = choose_offset(planner, of.motion, of.movement, around, 5);
   EXPECT_LT((offset + beside).norm(), 0.0015) << offset.transpose();

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/motion/goals_at.hpp"
+#include "core/motion/goal_interpolation.hpp"
 #include "pipeline/planning/plan_parts.hpp"
 #include "tests/pipeline/planning/robot_demonstration.hpp"
 
@@ -43,7 +43,7 @@ TEST(PlanMovement, WhatTheRobotCanDoIsPlannedAndMet) {
   for (std::size_t i = 0; i < plan.trajectory.samples(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     const JointVector q = plan.trajectory.position.row(row).transpose();
-    robot::forward(of.robot, q, frames);
+    robot::forward_kinematics(of.robot, q, frames);
     for (std::size_t tip = 0; tip < of.robot.tips.size(); ++tip) {
       const Vec3 goal = tip_goal_at(plan.goals, tip, plan.trajectory.demonstration_time[i]);
       EXPECT_LT((robot::tip_pose(of.robot, frames, tip).translation() - goal).norm(), 1e-3);
@@ -124,12 +124,12 @@ TEST(PlanMovement, WhatReachesNoGoalIsNeverExecutableWhateverTrackingAllows) {
 TEST(PlanMovement, NothingToPlanWith) {
   test::RobotDemonstration of;
   const std::vector<Vec3> shoulder = of.motion.shoulder;
-  of.motion.shoulder.assign(shoulder.size(), unseen_point());
+  of.motion.shoulder.assign(shoulder.size(), unknown_point());
   EXPECT_EQ(plan_of(of).reason, Reason::no_shoulder);
   of.motion.shoulder = shoulder;
   for (std::size_t i = 150; i < of.motion.time.size(); ++i) {
-    for (std::size_t finger = 0; finger < kFingers; ++finger) {
-      of.motion.tip(i, finger) = unseen_point();
+    for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
+      of.motion.tip(i, finger) = unknown_point();
     }
   }
   EXPECT_EQ(plan_of(of).reason, Reason::no_goal);

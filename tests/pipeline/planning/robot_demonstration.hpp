@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/robot/files/description.hpp"
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 #include "pipeline/planning/planner.hpp"
 
 namespace morphe::test {
@@ -25,14 +25,15 @@ struct RobotDemonstration {
     first.head(7) += (Eigen::VectorXd(7) << 0.3, -0.2, 0.1, -0.3, 0.1, 0.1, 0).finished();
     constexpr std::size_t kFrames = 201;
     constexpr double kStep_s = 0.01, kReach_s = 1.5;
-    motion.tip = {kFrames, kFingers, unseen_point()};
-    motion.tip_orientation = {kFrames, kFingers, unseen_rotation()};
-    motion.finger_joint = {kFrames, kFingers, unseen_point()};
+    motion.tip = {kFrames, kFingerCount, unknown_point()};
+    motion.tip_orientation = {kFrames, kFingerCount, unknown_rotation()};
+    motion.finger_joint = {kFrames, kFingerCount, unknown_point()};
     std::vector<Pose> frames;
     for (std::size_t i = 0; i < kFrames; ++i) {
       motion.time.push_back(kStep_s * static_cast<double>(i));
       const double u = std::min(1.0, motion.time.back() / kReach_s);
-      robot::forward(robot, first + u * u * u * (10 - 15 * u + 6 * u * u) * (last - first), frames);
+      robot::forward_kinematics(
+          robot, first + u * u * u * (10 - 15 * u + 6 * u * u) * (last - first), frames);
       const auto at = [&](int frame) -> Vec3 {
         return frames[static_cast<std::size_t>(frame)].translation();
       };
@@ -55,7 +56,7 @@ struct RobotDemonstration {
     config.map.reachable_starts = 8;
   }
 
-  planning::Planner planner() const { return {config, robot}; }
+  planning::PlanningInputs planner() const { return {config, robot}; }
 };
 
 }  // namespace morphe::test

@@ -10,7 +10,7 @@
 namespace morphe::planning {
 
 /// A shipped recording of the UE_ADL database, with its person's static trial.
-inline Demonstration shipped_reach(const std::string& name, imports::ForwardBy forward) {
+inline Demonstration shipped_reach(const std::string& name, imports::ForwardSource forward) {
   const std::filesystem::path folder = std::filesystem::path(MORPHE_SOURCE_DIR) / "datasets/ue-adl";
   imports::ImportRequest request;
   request.paths = {folder / (name + ".csv")};

@@ -6,8 +6,8 @@
 
 #include "pipeline/planning/pipeline_config.hpp"
 #include "pipeline/planning/plan_movement.hpp"
-#include "stages/import/guess/facing.hpp"
-#include "stages/import/guess/turn_demonstration.hpp"
+#include "stages/import/guess/heading.hpp"
+#include "stages/import/guess/rotate_demonstration.hpp"
 #include "tests/pipeline/planning/shipped_reach.hpp"
 
 namespace morphe::planning {
@@ -26,12 +26,13 @@ void round_to_nanometres(Demonstration& demonstration) {
 TEST(TurnedRoom, APersonWhoSitsTheOtherWayGetsTheSamePlan) {
   const LoadedConfig loaded = load_config(std::filesystem::path(MORPHE_SOURCE_DIR) /
                                           "configs/pipelines/pa10_dlr_hit2.yaml");
-  const Planner planner{loaded.options, loaded.robot};
-  Demonstration as_is = shipped_reach("ADL001FR1", imports::ForwardBy::recorded), turned = as_is;
-  imports::face_forward({}, as_is);
-  imports::turn_about_vertical(turned, 33.3 * kDegree);
+  const PlanningInputs planner{loaded.options, loaded.robot};
+  Demonstration as_is = shipped_reach("ADL001FR1", imports::ForwardSource::recorded),
+                turned = as_is;
+  imports::align_heading({}, as_is);
+  imports::rotate_about_vertical(turned, 33.3 * kRadPerDegree);
   round_to_nanometres(turned);
-  imports::face_forward({}, turned);
+  imports::align_heading({}, turned);
 
   const std::vector<Plan> one = plan_demonstration(planner, as_is).plans,
                           other = plan_demonstration(planner, turned).plans;

@@ -47,7 +47,7 @@ struct Read {
   std::string bytes;
 
   explicit Read(const Block& block) {
-    const std::string whole = inflated(from_base64(block.packed()));
+    const std::string whole = inflated(from_base64(block.to_base64()));
     std::size_t length = 0;
     for (std::size_t i = 4; i-- > 0;) length = length * 256 + static_cast<unsigned char>(whole[i]);
     json = Json::parse(whole.substr(4, length));
@@ -66,7 +66,7 @@ struct Read {
           code += (byte & 127) * weight;
           weight *= 128;
         }
-        values(row, column) = kNotSeen;
+        values(row, column) = kUnknown;
         if (code == 0) continue;
         const double zigzag = code - 1;
         const double change = std::fmod(zigzag, 2) == 0 ? zigzag / 2 : -(zigzag + 1) / 2;
@@ -88,13 +88,13 @@ TEST(Base64, IsThatOfRfc4648) {
                                                                {"foob", "Zm9vYg=="},
                                                                {"fooba", "Zm9vYmE="},
                                                                {"foobar", "Zm9vYmFy"}};
-  for (const auto& [bytes, text] : known) EXPECT_EQ(files::base64(bytes), text);
+  for (const auto& [bytes, text] : known) EXPECT_EQ(files::encode_base64(bytes), text);
 }
 
 TEST(Base64, TakesWhatIsLongerThanItsBlocks) {
   std::string bytes(7'000'001, '\0');
   for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<char>(i * 7 % 251);
-  EXPECT_EQ(from_base64(files::base64(bytes)), bytes);
+  EXPECT_EQ(from_base64(files::encode_base64(bytes)), bytes);
 }
 
 TEST(Block, GivesEveryNumberBackToHalfAStep) {
@@ -102,13 +102,13 @@ TEST(Block, GivesEveryNumberBackToHalfAStep) {
   std::normal_distribution<double> normal;
   JointRows values(200, 5);
   for (double& value : values.reshaped()) value = 10 * normal(random);
-  values.row(17).setConstant(kNotSeen);
-  values(0, 2) = kNotSeen;
-  values(199, 4) = kNotSeen;
+  values.row(17).setConstant(kUnknown);
+  values(0, 2) = kUnknown;
+  values(199, 4) = kUnknown;
   values(60, 0) = -4e6;
   Block block;
   block.json["first"] = block.table(values, 1e-4);
-  block.json["second"] = block.whole_numbers(std::vector<int>{0, -1, 255, 3});
+  block.json["second"] = block.integer_column(std::vector<int>{0, -1, 255, 3});
   const Read read(block);
   const JointRows back = read.table(read.json["first"]);
   ASSERT_EQ(back.rows(), 200);

@@ -13,7 +13,7 @@ namespace morphe::report {
 namespace {
 
 std::string film(Plan plan, const std::string& path = "turn/000") {
-  return filmstrip(arm(), plan, path, view_of(arm(), std::nullopt, plan));
+  return filmstrip(arm(), plan, path, make_plan_view(arm(), std::nullopt, plan));
 }
 
 int count(const std::string& text, const std::string& of) {
@@ -65,8 +65,8 @@ TEST(Filmstrip, PutsAPanelAtTheGrasp) {
 
 TEST(Filmstrip, LeavesOutWhatWasNotSeen) {
   Plan plan = turning_plan();
-  for (Vec3& tip : plan.goals.tip_position.values) tip = unseen_point();
-  plan.goals.shoulder_position.assign(3, unseen_point());
+  for (Vec3& tip : plan.goals.tip_position.values) tip = unknown_point();
+  plan.goals.shoulder_position.assign(3, unknown_point());
   plan.scene.objects = {ball({0, 0.7, 0}, 0.1)};
   const std::string svg = film(plan);
   EXPECT_FALSE(std::regex_search(svg, std::regex("[\" ,]-?(nan|inf)")));
@@ -93,7 +93,7 @@ TEST(Filmstrip, NamesFromFilesAreText) {
 TEST(Chart, PutsValuesAtTheirPlaceBetweenTicks) {
   Svg svg(200, 100, "");
   draw_chart(svg, {0, 0}, {200, 100}, "", {{"a", {0, 1, 2}, {0, 10, 5}, "#123456", ""}}, {});
-  const std::string text = svg.finished();
+  const std::string text = svg.to_string();
   std::smatch path;
   const std::regex pattern(
       R"~(<path d="M([\d.]+) ([\d.]+) L([\d.]+) ([\d.]+) L([\d.]+) ([\d.]+) ")~");

@@ -30,8 +30,9 @@ TEST(PageFile, HoldsEveryFileByteByByte) {
 }
 
 TEST(Bundled, LeavesOutImportsAndTheWordExport) {
-  EXPECT_EQ(bundled({"import { a } from \"./a.js\";\nexport const b = a;\n", "  export = 1;\n"}),
-            "(() => {\n\"use strict\";\nconst b = a;\n  export = 1;\n})();\n");
+  EXPECT_EQ(
+      bundle_modules({"import { a } from \"./a.js\";\nexport const b = a;\n", "  export = 1;\n"}),
+      "(() => {\n\"use strict\";\nconst b = a;\n  export = 1;\n})();\n");
 }
 
 TEST(BundledModules, HasEveryModuleOnceAndEveryNameOnce) {
@@ -54,7 +55,7 @@ TEST(BundledModules, HasEveryModuleOnceAndEveryNameOnce) {
     if (entry.path().extension() != ".js") continue;
     EXPECT_NE(listed.find(entry.path().filename().string() + "\n"), std::string::npos) << entry;
   }
-  EXPECT_EQ(bundled_modules().find("\nimport "), std::string::npos);
+  EXPECT_EQ(bundle_page_modules().find("\nimport "), std::string::npos);
 }
 
 /// A module's imports name what its sources define, so that it could be loaded by itself.

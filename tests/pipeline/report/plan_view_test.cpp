@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/report/shown_samples.hpp"
+#include "pipeline/report/select_display_rows.hpp"
 #include "tests/pipeline/report/turning_plan.hpp"
 
 namespace morphe::report {
@@ -26,7 +26,7 @@ double distance_to_ball(double angle) {
 
 TEST(ShownSamples, AreDenseEnoughAndHoldTheExtremes) {
   const Trajectory t = minimum_jerk();
-  const std::vector<int> rows = shown_samples(arm(), t, 60);
+  const std::vector<int> rows = select_display_rows(arm(), t, 60);
   EXPECT_EQ(rows.front(), 0);
   EXPECT_EQ(rows.back(), kSamples - 1);
   EXPECT_TRUE(std::ranges::is_sorted(rows));
@@ -44,12 +44,12 @@ TEST(ShownSamples, AreDenseEnoughAndHoldTheExtremes) {
 
 TEST(ShownSamples, SparseOnesAreAllShown) {
   Trajectory t = certify::sweep(0.5);
-  EXPECT_THAT(shown_samples(arm(), t, 60), testing::ElementsAre(0, 1));
-  EXPECT_THAT(shown_samples(arm(), Trajectory{}, 60), testing::IsEmpty());
+  EXPECT_THAT(select_display_rows(arm(), t, 60), testing::ElementsAre(0, 1));
+  EXPECT_THAT(select_display_rows(arm(), Trajectory{}, 60), testing::IsEmpty());
 }
 
 TEST(JerkShares, OfMinimumJerk) {
-  const JointRows shares = jerk_shares(arm(), minimum_jerk());
+  const JointRows shares = jerk_ratios(arm(), minimum_jerk());
   const double greatest = 60 * kAngle / std::pow(kDuration_s, 3);
   EXPECT_NEAR(shares.cwiseAbs().maxCoeff(), greatest / 60, 1e-6);
   EXPECT_NEAR(shares(kSamples / 2, 0), -greatest / 2 / 60, 1e-4);
@@ -58,9 +58,9 @@ TEST(JerkShares, OfMinimumJerk) {
 TEST(ViewOf, ErrorsSpeedAndClearanceAreTheClosedForms) {
   Plan plan = turning_plan();
   plan.scene.objects = {ball({0, 0.7, 0}, 0.1)};
-  const PlanView view = view_of(arm(), std::nullopt, plan);
+  const PlanView view = make_plan_view(arm(), std::nullopt, plan);
   ASSERT_EQ(view.motions.size(), 1u);
-  const ShownMotion& motion = view.motions[0];
+  const DisplayMotion& motion = view.motions[0];
   EXPECT_EQ(motion.name, "trajectory");
   const double radius = std::hypot(0.55, 0.04);
   for (std::size_t k = 0; k < motion.time.size(); ++k) {
@@ -68,29 +68,29 @@ TEST(ViewOf, ErrorsSpeedAndClearanceAreTheClosedForms) {
     const double angle = motion.position(row, 0);
     const double chord = 2 * radius * std::sin(angle / 2);
     EXPECT_NEAR(motion.tip_error(row, 0), std::hypot(chord, 0.003), 1e-12);
-    EXPECT_NEAR(motion.speed[k], radius * std::abs(motion.velocity(row, 0)), 1e-12);
+    EXPECT_NEAR(motion.mean_tip_speed[k], radius * std::abs(motion.velocity(row, 0)), 1e-12);
     EXPECT_NEAR(
         motion.humanlikeness[k],
         (Vec3(0.3 * std::cos(angle), 0.3 * std::sin(angle), 0) - Vec3(0.3, 0, 0.1)).squaredNorm(),
         1e-12);
     EXPECT_NEAR(motion.nearest[k].separation.distance, distance_to_ball(angle), 1e-9);
   }
-  EXPECT_TRUE(motion.touching.empty());
+  EXPECT_TRUE(motion.touching_pairs.empty());
   EXPECT_EQ(motion.clearance.size(), motion.time.size());
 }
 
 TEST(ViewOf, TheWorldBeginsAtThePersonsShoulder) {
   const Plan plan = turning_plan();
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(1.1, Vec3(1, 2, 3).normalized()).matrix();
-  const PlanView view = view_of(arm(), turn, plan);
+  const PlanView view = make_plan_view(arm(), turn, plan);
   EXPECT_TRUE(view.upright);
   EXPECT_NEAR((view.world_from_base * Vec3(0, -1, 0)).norm(), 0, 1e-12);
   EXPECT_TRUE(view.world_from_base.linear().isApprox(turn));
-  EXPECT_FALSE(view_of(arm(), std::nullopt, plan).upright);
+  EXPECT_FALSE(make_plan_view(arm(), std::nullopt, plan).upright);
 }
 
 /// The same motion as a path that was not timed.
-Plan stopped_plan(Reason reason, Origin origin) {
+Plan stopped_plan(Reason reason, SampleOrigin origin) {
   Plan plan = turning_plan();
   plan.reason = reason;
   plan.path.position = plan.trajectory.position;
@@ -101,10 +101,10 @@ Plan stopped_plan(Reason reason, Origin origin) {
 }
 
 TEST(ViewOf, AnInfeasiblePlanShowsItsPathAndTheWorstInstant) {
-  Plan plan = stopped_plan(Reason::no_path, Origin::resolved);
+  Plan plan = stopped_plan(Reason::no_path, SampleOrigin::re_solved);
   // Deepest where the arm points at the ball, at the angle 0.4 in the middle of the movement.
   plan.scene.objects = {ball({0.6 * std::cos(0.4), 0.6 * std::sin(0.4), 0}, 0.04)};
-  const PlanView view = view_of(arm(), std::nullopt, plan);
+  const PlanView view = make_plan_view(arm(), std::nullopt, plan);
   ASSERT_EQ(view.motions.size(), 1u);
   EXPECT_EQ(view.motions[0].name, "path");
   EXPECT_EQ(view.motions[0].time.front(), 0);
@@ -112,12 +112,12 @@ TEST(ViewOf, AnInfeasiblePlanShowsItsPathAndTheWorstInstant) {
   ASSERT_TRUE(view.worst.has_value());
   EXPECT_NEAR(view.worst->demonstration_s, 6, 1e-9);
   EXPECT_EQ(view.worst->sentence, "forearm and ball overlap by 20.00 mm; 1.00 mm is asked for");
-  EXPECT_FALSE(view.motions[0].touching.empty());
+  EXPECT_FALSE(view.motions[0].touching_pairs.empty());
 }
 
 TEST(ViewOf, AMissedGoalSaysWhatWouldPass) {
-  const Plan plan = stopped_plan(Reason::tracking, Origin::mapped);
-  const PlanView view = view_of(arm(), std::nullopt, plan);
+  const Plan plan = stopped_plan(Reason::tracking, SampleOrigin::mapped);
+  const PlanView view = make_plan_view(arm(), std::nullopt, plan);
   ASSERT_TRUE(view.worst.has_value());
   EXPECT_NEAR(view.worst->demonstration_s, 7, 1e-9);
   const double error = std::hypot(2 * std::hypot(0.55, 0.04) * std::sin(kAngle / 2), 0.003);
@@ -129,7 +129,7 @@ TEST(ViewOf, AMissedGoalSaysWhatWouldPass) {
 TEST(ViewOf, AMovementWithoutAnythingHasNoMotion) {
   Plan plan;
   plan.reason = Reason::no_movement;
-  const PlanView view = view_of(arm(), std::nullopt, plan);
+  const PlanView view = make_plan_view(arm(), std::nullopt, plan);
   EXPECT_TRUE(view.motions.empty());
   EXPECT_FALSE(view.worst.has_value());
   ASSERT_EQ(view.advice.size(), 2u);

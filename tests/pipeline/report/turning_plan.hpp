@@ -23,7 +23,7 @@ inline Trajectory minimum_jerk() {
     t.velocity(k, 0) = kAngle / T * 30 * s * s * (1 - s) * (1 - s);
     t.acceleration(k, 0) = kAngle / (T * T) * 60 * s * (1 - s) * (1 - 2 * s);
     t.phase.push_back(s < 0.5 ? PhaseKind::reach : PhaseKind::grasp);
-    t.origin.push_back(Origin::mapped);
+    t.origin.push_back(SampleOrigin::mapped);
     t.clearance.push_back(k == 123 ? 0.01 : 0.02);
   }
   return t;
@@ -39,9 +39,9 @@ inline Plan turning_plan() {
   plan.movement.phases = {{PhaseKind::reach, 5, 6}, {PhaseKind::grasp, 6, 7}};
   Goals& goals = plan.goals;
   goals.time = {5, 6, 7};
-  goals.tip_position = Table<Vec3>(3, 2, Vec3::Zero());
-  goals.tip_orientation = Table<Quat>(3, 2, unseen_rotation());
-  goals.reachable = Table<std::uint8_t>(3, 2, 1);
+  goals.tip_position = Array2D<Vec3>(3, 2, Vec3::Zero());
+  goals.tip_orientation = Array2D<Quat>(3, 2, unknown_rotation());
+  goals.reachable = Array2D<std::uint8_t>(3, 2, 1);
   for (std::size_t f = 0; f < 3; ++f) {
     goals.tip_position(f, 0) = Vec3(0.55, 0.04, 0.003);
     goals.tip_position(f, 1) = Vec3(0.55, -0.04, 0.003);
@@ -49,9 +49,9 @@ inline Plan turning_plan() {
   goals.common_base_offset = Vec3(0, 1, 0);
   goals.shoulder_position.assign(3, Vec3::Zero());
   goals.elbow_position.assign(3, Vec3(0.3, 0, 0.1));
-  goals.wrist_position.assign(3, unseen_point());
-  goals.wrist_orientation.assign(3, unseen_rotation());
-  goals.finger_joint_position = Table<Vec3>(3, 5, unseen_point());
+  goals.wrist_position.assign(3, unknown_point());
+  goals.wrist_orientation.assign(3, unknown_rotation());
+  goals.finger_joint_position = Array2D<Vec3>(3, 5, unknown_point());
   plan.trajectory = minimum_jerk();
   return plan;
 }

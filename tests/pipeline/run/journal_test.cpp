@@ -35,10 +35,10 @@ class JournalTest : public testing::Test {
       want(DatasetEntry{5, "c"});
     });
   }
-  static Finished finished(const std::string& name, const std::string& bytes) {
-    Finished result;
+  static FinishedDemonstration finished(const std::string& name, const std::string& bytes) {
+    FinishedDemonstration result;
     result.name = name;
-    result.print = {"in", "con", "rob", "sce", "pro"};
+    result.fingerprint = {"in", "con", "rob", "sce", "pro"};
     result.dataset = "data";
     result.summary.demonstrations = 1;
     result.summary.movements = 2;
@@ -49,7 +49,8 @@ class JournalTest : public testing::Test {
   }
   static std::vector<std::string> plans_of(const Journal& journal, const std::string& name) {
     std::vector<std::string> all;
-    journal.each_plan(name, [&](const Finished::StoredPlan& plan) { all.push_back(plan.bytes); });
+    journal.each_plan(
+        name, [&](const FinishedDemonstration::StoredPlan& plan) { all.push_back(plan.bytes); });
     return all;
   }
 
@@ -68,10 +69,10 @@ TEST_F(JournalTest, KeepsWhatWasCommittedAndNothingElse) {
   const auto journal = open();
   EXPECT_EQ(plans_of(*journal, "b"), (std::vector<std::string>{"second", std::string("second")}));
   EXPECT_FALSE(journal->find("a"));
-  const std::optional<Finished> found = journal->find("b");
+  const std::optional<FinishedDemonstration> found = journal->find("b");
   ASSERT_TRUE(found);
-  EXPECT_EQ(found->print.input + found->print.config + found->print.robot + found->print.scene +
-                found->print.program + found->dataset,
+  EXPECT_EQ(found->fingerprint.input + found->fingerprint.config + found->fingerprint.robot +
+                found->fingerprint.scene + found->fingerprint.program + found->dataset,
             "inconrobsceprodata");
   EXPECT_EQ(found->summary.reasons.at("collision"), 1);
   EXPECT_EQ(found->summary.stage_seconds.at("map"), 0.1);
@@ -104,7 +105,7 @@ TEST_F(JournalTest, KeepsWhatTheDatasetNoLongerHasButDoesNotCountIt) {
   journal->add(finished("gone", "x"));
   EXPECT_TRUE(journal->find("gone"));
   EXPECT_FALSE(journal->is_complete());
-  journal->complete();
+  journal->mark_complete();
   EXPECT_TRUE(journal->is_complete());
   EXPECT_TRUE(journal->find("gone"));
   EXPECT_EQ(journal->summary().demonstrations, 0);

@@ -69,7 +69,7 @@ class RunDataset : public testing::Test {
     request.dataset = dataset();
     request.plans = plans(name);
     request.identity.software = "morphe 1.2.3";
-    RobotTable robot = two_link_arm();
+    RobotModel robot = two_link_arm();
     robot.velocity = robot.acceleration = robot.jerk = JointVector::Ones(2);
     request.identity.robot = robot;
     request.config = "seed: 1\n";
@@ -86,7 +86,7 @@ class RunDataset : public testing::Test {
     };
     request.rows = [](const Plan& plan) { return plan.demonstration; };
     request.publish = [] {};
-    Progress progress(Detail::nothing);
+    Progress progress(Verbosity::quiet);
     return run_dataset(*journal, request, progress);
   }
 

@@ -22,17 +22,17 @@ TEST(Shard, IsReadAndWritten) {
 
 TEST(Shard, TheLongestGoesToTheEmptiest) {
   // 9 -> 1, 7 -> 2, 5 -> 2 (12), 4 -> 1 (13), 2 -> 2 (14), 1 -> 1 (14)
-  EXPECT_THAT(share_out({1, 9, 5, 2, 7, 4}, 2), ElementsAre(1, 1, 2, 2, 2, 1));
-  EXPECT_THAT(share_out({0, 0, 0, 0}, 3), ElementsAre(1, 2, 3, 1));
-  EXPECT_THAT(share_out({5, 5}, 4), ElementsAre(1, 2));
-  EXPECT_THAT(share_out({}, 4), ElementsAre());
+  EXPECT_THAT(assign_shards({1, 9, 5, 2, 7, 4}, 2), ElementsAre(1, 1, 2, 2, 2, 1));
+  EXPECT_THAT(assign_shards({0, 0, 0, 0}, 3), ElementsAre(1, 2, 3, 1));
+  EXPECT_THAT(assign_shards({5, 5}, 4), ElementsAre(1, 2));
+  EXPECT_THAT(assign_shards({}, 4), ElementsAre());
 }
 
 TEST(Shard, LoadsDifferByAtMostTheLongest) {
   std::vector<std::size_t> frames;
   for (std::size_t i = 0; i < 1000; ++i) frames.push_back(100 + i * i * 7919 % 3001);
   for (const int count : {2, 7, 64}) {
-    const std::vector<std::uint32_t> shard_of = share_out(frames, count);
+    const std::vector<std::uint32_t> shard_of = assign_shards(frames, count);
     std::vector<std::size_t> loads(static_cast<std::size_t>(count), 0);
     for (std::size_t i = 0; i < frames.size(); ++i) loads.at(shard_of[i] - 1) += frames[i];
     const auto [least, most] = std::minmax_element(loads.begin(), loads.end());

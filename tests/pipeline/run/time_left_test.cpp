@@ -4,22 +4,22 @@
 
 #include <cmath>
 
-#include "core/motion/counted.hpp"
+#include "core/motion/count_with_noun.hpp"
 #include "pipeline/run/progress.hpp"
 
 namespace morphe::run {
 namespace {
 
 TEST(TimeLeft, IsUnknownBeforeOneIsFinished) {
-  const WorkSoFar work{0, 0, {3, 4}, 10, 2};
-  EXPECT_TRUE(std::isnan(seconds_each(work)));
+  const RunWorkload work{0, 0, {3, 4}, 10, 2};
+  EXPECT_TRUE(std::isnan(seconds_per_demonstration(work)));
   EXPECT_TRUE(std::isnan(time_left_s(work)));
   EXPECT_EQ(progress_text({}, 12, work), "0 of 12: 0 executable (0 repaired), 0 infeasible");
 }
 
 TEST(TimeLeft, FourThreadsAfterTheFirstOfTwelveEqualOnes) {
   // All four began together and take 10 s each: 8 wait, three are about to end, 20 s are left.
-  const WorkSoFar work{10, 1, {10, 10, 10}, 8, 4};
+  const RunWorkload work{10, 1, {10, 10, 10}, 8, 4};
   EXPECT_DOUBLE_EQ(time_left_s(work), 20);
 }
 
@@ -29,7 +29,7 @@ TEST(TimeLeft, OneThreadCountsDownInsideADemonstration) {
 }
 
 TEST(TimeLeft, OneThatTakesLongerCounts) {
-  EXPECT_DOUBLE_EQ(seconds_each({10, 1, {30}, 0, 1}), 20);
+  EXPECT_DOUBLE_EQ(seconds_per_demonstration({10, 1, {30}, 0, 1}), 20);
   EXPECT_DOUBLE_EQ(time_left_s({10, 1, {30}, 5, 1}), 5 * 20);
 }
 
@@ -47,9 +47,9 @@ TEST(TimeLeft, IsSaidWithItsRate) {
 }
 
 TEST(TimeLeft, NumbersAndWhatTheyCount) {
-  EXPECT_EQ(counted(1, "demonstration"), "1 demonstration");
-  EXPECT_EQ(counted(0, "demonstration"), "0 demonstrations");
-  EXPECT_EQ(counted(std::size_t{2}, "joint is", "joints are"), "2 joints are");
+  EXPECT_EQ(count_with_noun(1, "demonstration"), "1 demonstration");
+  EXPECT_EQ(count_with_noun(0, "demonstration"), "0 demonstrations");
+  EXPECT_EQ(count_with_noun(std::size_t{2}, "joint is", "joints are"), "2 joints are");
 }
 
 }  // namespace

@@ -12,8 +12,8 @@
 #include "core/motion/input_error.hpp"
 #include "core/robot/files/description.hpp"
 #include "core/robot/files/write_urdf.hpp"
-#include "core/robot/forward.hpp"
-#include "pipeline/setup/keep_changes.hpp"
+#include "core/robot/forward_kinematics.hpp"
+#include "pipeline/setup/merge_sections.hpp"
 #include "tests/core/robot/files/written_urdf.hpp"
 #include "tests/core/robot/shipped_robots.hpp"
 
@@ -31,11 +31,11 @@ fs::path folder() { return robot::robot_folder(); }
 
 /// A shipped robot as a URDF, its tips and fixed frames left out, joints and links called j1, l1, …
 fs::path nameless(const std::string& name) {
-  RobotTable table = robot::shipped_robot(name);
+  RobotModel table = robot::shipped_robot(name);
   table.tips.clear();
   std::string text = robot::urdf_of(table);
   int number = 0;
-  for (const RobotTable::Frame& frame : table.frames) {
+  for (const RobotModel::Frame& frame : table.frames) {
     const std::string plain = fmt::format("n{}", ++number);
     text = std::regex_replace(text, std::regex("\"" + frame.name + "\""), "\"" + plain + "\"");
   }
@@ -46,26 +46,26 @@ robot::RobotDescription set_up_file(const fs::path& urdf, SetupResult* result = 
   SetupRequest request;
   request.urdf = urdf;
   request.out = folder() / "out.yaml";
-  const SetupResult made = set_up(request, std::nullopt);
+  const SetupResult made = make_description(request, std::nullopt);
   if (result) *result = made;
   return robot::parse_robot(made.text, request.out);
 }
 
-std::vector<Pose> poses_at_zero(const RobotTable& table) {
+std::vector<Pose> poses_at_zero(const RobotModel& table) {
   std::vector<Pose> poses;
-  robot::forward(table,
-                 JointVector::Zero(table.lower.size()).cwiseMax(table.lower).cwiseMin(table.upper),
-                 poses);
+  robot::forward_kinematics(
+      table, JointVector::Zero(table.lower.size()).cwiseMax(table.lower).cwiseMin(table.upper),
+      poses);
   return poses;
 }
 
-Vec3 frame_at(const RobotTable& table, int frame) {
+Vec3 frame_at(const RobotModel& table, int frame) {
   return poses_at_zero(table)[static_cast<std::size_t>(frame)].translation();
 }
 
 TEST(SetUp, TheCentresOfAnArmLieWhereItsAxesMeet) {
-  const RobotTable pa10 = robot::shipped_robot("pa10");
-  const RobotTable found = set_up_file(nameless("pa10")).table;
+  const RobotModel pa10 = robot::shipped_robot("pa10");
+  const RobotModel found = set_up_file(nameless("pa10")).table;
   EXPECT_EQ(found.joints(), 7u);
   EXPECT_LT((frame_at(found, found.shoulder_frame) - Vec3(0, 0, 0.317)).norm(), 1e-6);
   ASSERT_EQ(found.centres.size(), 1u);  // an arm alone: its wrist is the end-effector
@@ -77,10 +77,10 @@ TEST(SetUp, TheCentresOfAnArmLieWhereItsAxesMeet) {
 }
 
 TEST(SetUp, AHandIsKnownByItsGeometryAlone) {
-  const RobotTable hand = robot::shipped_robot("dlr_hit2");
+  const RobotModel hand = robot::shipped_robot("dlr_hit2");
   SetupResult result;
   const robot::RobotDescription description = set_up_file(nameless("dlr_hit2"), &result);
-  const RobotTable& found = description.table;
+  const RobotModel& found = description.table;
   ASSERT_EQ(found.tips.size(), 5u);
   const std::vector<Pose> ours = poses_at_zero(found), theirs = poses_at_zero(hand);
   for (std::size_t i = 0; i < 5; ++i) {
@@ -112,13 +112,13 @@ TEST(SetUp, AHandIsKnownByItsGeometryAlone) {
 }
 
 TEST(SetUp, AFingerMayEndBeyondItsShapes) {
-  RobotTable hand = robot::shipped_robot("dlr_hit2");
-  for (RobotTable::Capsule& capsule : hand.capsules) {
+  RobotModel hand = robot::shipped_robot("dlr_hit2");
+  for (RobotModel::Capsule& capsule : hand.capsules) {
     if (capsule.name == "index_distal") capsule.to = capsule.from;  // 14 mm before the tip
     if (capsule.name == "ring_distal") capsule.to.x() -= 0.009;     // 7.4 mm
   }
   SetupResult result;
-  const RobotTable found =
+  const RobotModel found =
       set_up_file(robot::write_text("bracket.urdf", robot::urdf_of(hand)), &result).table;
   const std::vector<Pose> ours = poses_at_zero(found), theirs = poses_at_zero(hand);
   const auto along_bone = [&](const char* finger) {
@@ -128,7 +128,7 @@ TEST(SetUp, AFingerMayEndBeyondItsShapes) {
       const auto bone = robot::frame_named(hand, fmt::format("{}_distal", finger));
       return (theirs[bone].inverse() * robot::tip_pose(found, ours, i).translation()).x();
     }
-    return kNotSeen;
+    return kUnknown;
   };
   // The file's tips lie 25 mm from the last joints. The ring's shapes are near enough to be right.
   EXPECT_NEAR(along_bone("index"), 0.025, 1e-6);
@@ -136,7 +136,7 @@ TEST(SetUp, AFingerMayEndBeyondItsShapes) {
   EXPECT_THAT(result.to_check, Contains(HasSubstr("shapes of index_distal end before")));
   // What the shapes leave out is held by a capsule to the tip.
   double reaches_m = 0;
-  for (const RobotTable::Capsule& capsule : found.capsules) {
+  for (const RobotModel::Capsule& capsule : found.capsules) {
     if (found.frames[static_cast<std::size_t>(capsule.frame)].name != "index_distal") continue;
     reaches_m = std::max(reaches_m, std::max(capsule.from.x(), capsule.to.x()) + capsule.radius);
   }
@@ -144,7 +144,7 @@ TEST(SetUp, AFingerMayEndBeyondItsShapes) {
 }
 
 TEST(SetUp, TheMirrorOfAHandIsALeftOne) {
-  RobotTable hand = robot::shipped_robot("dlr_hit2");
+  RobotModel hand = robot::shipped_robot("dlr_hit2");
   const Eigen::DiagonalMatrix<double, 3> mirror(1, -1, 1);
   const auto reflect = [&](Vec3& v) { v.y() = -v.y(); };
   for (auto& frame : hand.frames) {
@@ -191,7 +191,7 @@ std::string skew_arm() {
 
 TEST(SetUp, CentresDoNotDependOnWhereFramesStandAlongTheirAxes) {
   SetupResult result;
-  const RobotTable arm = set_up_file(robot::write_text("skew.urdf", skew_arm()), &result).table;
+  const RobotModel arm = set_up_file(robot::write_text("skew.urdf", skew_arm()), &result).table;
   EXPECT_LT((frame_at(arm, arm.shoulder_frame) - Vec3(0, 0, 0.4)).norm(), 1e-9);
   EXPECT_LT((frame_at(arm, arm.centres[0].frame) - Vec3(0.05, 0, 0.8)).norm(), 1e-9);
   EXPECT_THAT(result.text, HasSubstr("wrist_centre, parent: l4"));
@@ -205,7 +205,7 @@ TEST(SetUp, CentresDoNotDependOnWhereFramesStandAlongTheirAxes) {
 
 TEST(SetUp, PublishedLimitsAreTaken) {
   std::string text = std::regex_replace(skew_arm(), std::regex("\"skew\""), "\"fr3\"");
-  const RobotTable arm = set_up_file(robot::write_text("fr3.urdf", text)).table;
+  const RobotModel arm = set_up_file(robot::write_text("fr3.urdf", text)).table;
   ASSERT_EQ(arm.braking_curves.size(), 7u);
   EXPECT_EQ(arm.acceleration[0], 10);
   EXPECT_EQ(arm.jerk[6], 5000);
@@ -216,13 +216,13 @@ TEST(SetUp, WhatAPersonChangedStays) {
   SetupRequest request;
   request.urdf = nameless("dlr_hit2");
   request.out = folder() / "out.yaml";
-  const std::string first = set_up(request, std::nullopt).text;
-  EXPECT_EQ(set_up(request, first).text, first);
+  const std::string first = make_description(request, std::nullopt).text;
+  EXPECT_EQ(make_description(request, first).text, first);
   std::string changed = first;
   const std::size_t at = changed.find("pad_depth: 0.01");
   changed.replace(at, 15, "pad_depth: 0.02");
   request.name = "renamed";
-  const SetupResult again = set_up(request, changed);
+  const SetupResult again = make_description(request, changed);
   EXPECT_THAT(again.text, HasSubstr("pad_depth: 0.02"));
   EXPECT_THAT(again.text, HasSubstr("name: renamed"));
   EXPECT_THAT(again.notes, Contains("kept as changed: tips"));
@@ -233,13 +233,13 @@ TEST(SetUp, AHandIsMountedOnAFlange) {
     SetupRequest request;
     request.urdf = nameless(name);
     request.out = folder() / (std::string(name) + ".yaml");
-    robot::write_text(std::string(name) + ".yaml", set_up(request, std::nullopt).text);
+    robot::write_text(std::string(name) + ".yaml", make_description(request, std::nullopt).text);
   }
   MountRequest request{folder() / "pa10.yaml", folder() / "dlr_hit2.yaml", folder() / "both.yaml",
                        "", HandMount{{0, 0, 0.03}, {0, 0, 0}}};
   const robot::RobotDescription both =
       robot::parse_robot(mount_hand(request, std::nullopt).text, request.out);
-  const RobotTable shipped = robot::shipped_robot("pa10_dlr_hit2");
+  const RobotModel shipped = robot::shipped_robot("pa10_dlr_hit2");
   EXPECT_EQ(both.table.joints(), shipped.joints());
   const std::vector<Pose> ours = poses_at_zero(both.table), theirs = poses_at_zero(shipped);
   const Vec3 tip = robot::tip_pose(both.table, ours, 1).translation();
@@ -258,7 +258,7 @@ TEST(SetUp, AnArmAndItsHandMayComeInOneFile) {
   EXPECT_EQ(both.table.tips.size(), 5u);
   EXPECT_EQ(both.table.centres.size(), 7u);
   // The same again, of the URDF that is written of it: its frames have the names that setup gives.
-  const RobotTable table = both.table;
+  const RobotModel table = both.table;
   const robot::RobotDescription twice =
       set_up_file(robot::write_text("twice.urdf", robot::urdf_of(table)));
   EXPECT_EQ(twice.table.joints(), 22u);
@@ -270,31 +270,31 @@ TEST(SetUp, SaysWhatIsWrong) {
   request.urdf = robot::write_text("arm.urdf", skew_arm());
   request.out = folder() / "out.yaml";
   request.hand = "nowhere";
-  EXPECT_THAT([&] { set_up(request, std::nullopt); },
+  EXPECT_THAT([&] { make_description(request, std::nullopt); },
               testing::ThrowsMessage<InputError>(HasSubstr("there is no link 'nowhere'")));
   request.hand.clear();
   std::string text = skew_arm();
   text.replace(text.find("<sphere radius=\"0.05\"/>"), 23,
                "<mesh filename=\"package://x/y.stl\"/>");
   request.urdf = robot::write_text("mesh.urdf", text);
-  EXPECT_THAT(set_up(request, std::nullopt).notes,
+  EXPECT_THAT(make_description(request, std::nullopt).notes,
               Contains(HasSubstr("mesh 'package://x/y.stl' is missing")));
 }
 
 TEST(KeepChanges, SectionsThatNobodyTouchedAreMadeAnew) {
   const std::vector<Section> old = {{"a", "one: 1\n"}, {"b", "two: 2\n"}};
   const std::vector<Section> now = {{"a", "one: 10\n"}, {"b", "two: 20\n"}, {"c", "three: 3\n"}};
-  std::string text = joined(old);
+  std::string text = join_sections(old);
   text.replace(text.find("two: 2"), 6, "two: 7");
   std::vector<std::string> kept;
-  const std::string after = joined_over(now, text, kept);
+  const std::string after = merge_sections(now, text, kept);
   EXPECT_THAT(kept, ElementsAre("b"));
   EXPECT_THAT(after, HasSubstr("one: 10\n"));
   EXPECT_THAT(after, HasSubstr("two: 7\n"));
   EXPECT_THAT(after, HasSubstr("three: 3\n"));
   EXPECT_THAT(after, Not(HasSubstr("two: 20")));
   kept.clear();
-  EXPECT_EQ(joined_over(now, after, kept), after);  // and still counts as changed
+  EXPECT_EQ(merge_sections(now, after, kept), after);  // and still counts as changed
   EXPECT_THAT(kept, ElementsAre("b"));
 }
 

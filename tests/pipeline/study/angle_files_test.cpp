@@ -22,7 +22,8 @@ TEST(AngleFiles, RebuiltAnglesFollowTheAuthorsOwn) {
   const double begin_s[] = {0.64, 0.32, 0.30, 0.60, 0.84};
   imports::ImportRequest request;
   request.paths = {kTrials / "recordings.yaml"};
-  request.conventions.forward = imports::ForwardBy::recorded;  // their angles are about its axes
+  request.conventions.forward =
+      imports::ForwardSource::recorded;  // their angles are about its axes
   std::size_t trial = 0;
   imports::import_recordings(request, [&](Demonstration&& d) {
     const HumanMotion motion = reconstruct::reconstruct(d, {}, {});
@@ -57,7 +58,7 @@ TEST(AngleFiles, RefusesWhatIsNoAngleFile) {
     motion.elbow.push_back(Vec3::UnitX());
     motion.wrist.push_back(Vec3::UnitY());
   }
-  motion.tip = Table<Vec3>(3, kFingers, unseen_point());
+  motion.tip = Array2D<Vec3>(3, kFingerCount, unknown_point());
   EXPECT_THROW(compare_with_angle_file({}, motion, {}, file), InputError);
   std::ofstream(file) << "Finger Velocity,elbow flexion-extension\n1,1\n1,1\n1,1\n1,1\n";
   EXPECT_THROW(compare_with_angle_file({}, motion, {}, file), InputError);

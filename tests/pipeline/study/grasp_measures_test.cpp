@@ -17,9 +17,9 @@ TEST(RecordedContacts, AreWhereASphereIsNearestToTheSkin) {
   handle.time = {0, 1};
   handle.position = {Vec3(1, 0, 0), Vec3(1, 0, 0.1)};
   handle.orientation.assign(2, Quat(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitZ())));
-  SeenHand hand;
-  hand.tip.fill(unseen_point());
-  hand.middle_joint.fill(unseen_point());
+  ObservedHand hand;
+  hand.tip.fill(unknown_point());
+  hand.middle_joint.fill(unknown_point());
   const Vec3 centre(1, 0, 0.05);                    // half-way
   hand.tip[kThumb] = centre + Vec3(0, -0.036, 0);   // skin 5 mm away
   hand.tip[kIndex] = centre + Vec3(0.028, 0, 0);    // 3 mm inside
@@ -32,15 +32,15 @@ TEST(RecordedContacts, AreWhereASphereIsNearestToTheSkin) {
   EXPECT_LT((contacts[0].normal - Vec3(1, 0, 0)).norm(), 1e-12);
   EXPECT_EQ(contacts[1].finger, kIndex);
   EXPECT_LT((contacts[1].point - Vec3(0, -0.02, 0)).norm(), 1e-12);
-  EXPECT_TRUE(recorded_contacts(handle, kNotSeen, hand, {}).empty()) << "no grasp";
+  EXPECT_TRUE(recorded_contacts(handle, kUnknown, hand, {}).empty()) << "no grasp";
 }
 
 TEST(InstantOfGrasp, IsTheMiddleOfTheFirst) {
-  EXPECT_TRUE(std::isnan(instant_of_grasp({{PhaseKind::reach, 0, 1}})));
-  EXPECT_EQ(instant_of_grasp({{PhaseKind::reach, 0, 1},
-                              {PhaseKind::grasp, 1, 1.5},
-                              {PhaseKind::hold, 1.5, 2},
-                              {PhaseKind::grasp, 3, 4}}),
+  EXPECT_TRUE(std::isnan(grasp_instant_s({{PhaseKind::reach, 0, 1}})));
+  EXPECT_EQ(grasp_instant_s({{PhaseKind::reach, 0, 1},
+                             {PhaseKind::grasp, 1, 1.5},
+                             {PhaseKind::hold, 1.5, 2},
+                             {PhaseKind::grasp, 3, 4}}),
             1.25);
 }
 
@@ -51,7 +51,7 @@ TEST(ContactError, IsThatOfPointsAndDirections) {
   known.tip = {0.031, 0, 0};
   known.middle_joint = {0.031, 0, 0.04};
   RobotFinger finger;
-  finger.touched = {0, 0.02, 0};
+  finger.contact_point = {0, 0.02, 0};
   finger.tip = {0.031, 0.003, 0.004};
   finger.pad = {0.031, 0, -0.012};
   finger.middle_joint = finger.tip + Vec3(0.03, 0, 0.03);
@@ -68,10 +68,10 @@ TEST(ContactError, IsThatOfPointsAndDirections) {
 
 /// The second link, 0.5 m along x with a radius of 10 mm, sweeps through a ball of 50 mm.
 TEST(DeepestPenetration, TellsPadsFromOtherLinks) {
-  RobotTable table = two_link_arm();
+  RobotModel table = two_link_arm();
   table.capsules.push_back({"upper", 0, Vec3(0.1, 0, 0), Vec3(0.4, 0, 0), 0.01, true});
   table.capsules.push_back({"finger", 1, Vec3(0.1, 0, 0), Vec3(0.4, 0, 0), 0.01, true});
-  RobotTable::Tip tip;
+  RobotModel::Tip tip;
   tip.name = "index_tip";
   tip.frame = 1;
   tip.finger = 1;
@@ -98,20 +98,20 @@ TEST(DeepestPenetration, TellsPadsFromOtherLinks) {
         collision::make_world(robot, plan.scene, plan.movement, {});
     return deepest_penetration(world, of);
   };
-  EXPECT_NEAR(deepest(trajectory).pads, 0.003, 1e-9) << "stretched it is 57 mm from the centre";
-  EXPECT_EQ(deepest(trajectory).others, 0);
+  EXPECT_NEAR(deepest(trajectory).pads_m, 0.003, 1e-9) << "stretched it is 57 mm from the centre";
+  EXPECT_EQ(deepest(trajectory).other_links_m, 0);
   plan.scene.objects[0].position = {Vec3(0.3, -0.055, 0)};
-  EXPECT_NEAR(deepest(trajectory).others, 0.005, 1e-9);
-  EXPECT_EQ(deepest(trajectory).pads, 0);
+  EXPECT_NEAR(deepest(trajectory).other_links_m, 0.005, 1e-9);
+  EXPECT_EQ(deepest(trajectory).pads_m, 0);
   plan.movement.target = "";
-  EXPECT_EQ(deepest(trajectory).others, 0) << "nothing is grasped";
+  EXPECT_EQ(deepest(trajectory).other_links_m, 0) << "nothing is grasped";
 }
 
 TEST(TipOfFinger, LeavesOutTipsBetweenFingers) {
-  RobotTable table;
+  RobotModel table;
   for (const auto& [finger, along] :
-       {std::pair(0, kNotSeen), std::pair(1, 0.0), std::pair(2, 0.5), std::pair(4, 1.0)}) {
-    RobotTable::Tip tip;
+       {std::pair(0, kUnknown), std::pair(1, 0.0), std::pair(2, 0.5), std::pair(4, 1.0)}) {
+    RobotModel::Tip tip;
     tip.finger = finger;
     tip.along = along;
     table.tips.push_back(tip);
@@ -124,20 +124,20 @@ TEST(TipOfFinger, LeavesOutTipsBetweenFingers) {
 }
 
 TEST(GraspRows, CompareWhatIsExecutableBothWays) {
-  std::vector<GraspPair> pairs(4);
+  std::vector<GraspComparison> pairs(4);
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     GraspScore &contacts = pairs[k].contacts, &fingertips = pairs[k].fingertips;
-    contacts.runs = contacts.executable = k > 0;
-    fingertips.runs = fingertips.executable = k < 3;
+    contacts.has_trajectory = contacts.executable = k > 0;
+    fingertips.has_trajectory = fingertips.executable = k < 3;
     contacts.humanlikeness = fingertips.humanlikeness = 2;
     contacts.duration_s = 1.5 + static_cast<double>(k);  // 2.5 and 3.5 over 2
     fingertips.duration_s = 2;
-    contacts.penetration.pads = 0.0004 * static_cast<double>(k);
-    pairs[k].asked = 3;
-    contacts.demonstrated = contacts.touched = k;
+    contacts.penetration.pads_m = 0.0004 * static_cast<double>(k);
+    pairs[k].demonstrated_contacts = 3;
+    contacts.demonstrated = contacts.touching = k;
     ContactError error;
     error.distance = 0.001 * static_cast<double>(k);
-    if (contacts.runs) contacts.errors = {error};
+    if (contacts.has_trajectory) contacts.errors = {error};
   }
   GraspStudyOptions options;
   options.contacts.name = "contacts";
@@ -146,7 +146,7 @@ TEST(GraspRows, CompareWhatIsExecutableBothWays) {
   add_grasp_rows(options, {{"set", "one"}}, pairs, result);
   const auto row = [&](const std::string& variant, const std::string& metric) {
     for (const StudyRow& one : result.rows) {
-      if (one.of.back().second == variant && one.metric == metric) return one;
+      if (one.case_values.back().second == variant && one.metric == metric) return one;
     }
     ADD_FAILURE() << "no row " << metric;
     return StudyRow{};
@@ -155,13 +155,13 @@ TEST(GraspRows, CompareWhatIsExecutableBothWays) {
   EXPECT_EQ(row("contacts", "executable").at_least, 0.75);
   const StudyRow distance = row("contacts", "contact points from the known ones, median");
   EXPECT_NEAR(distance.ours, 2, 1e-12);
-  EXPECT_EQ(distance.n, 3U);
+  EXPECT_EQ(distance.count, 3U);
   EXPECT_EQ(distance.at_most, 5);
   const StudyRow pads = row("contacts", "penetration of pads, deepest");
   EXPECT_NEAR(pads.ours, 1.2, 1e-12);
-  EXPECT_FALSE(pads.holds()) << "a millimetre at most";
+  EXPECT_FALSE(pads.meets_requirement()) << "a millimetre at most";
   const StudyRow duration = row("contacts over fingertips", "duration, ratio, 90 %");
-  EXPECT_EQ(duration.n, 2U);
+  EXPECT_EQ(duration.count, 2U);
   EXPECT_EQ(duration.ours, 1.75);
   EXPECT_EQ(row("contacts over fingertips", "duration, ratio, median").ours, 1.25);
   EXPECT_EQ(row("contacts", "contacts known").ours, 3) << "one each of those that run";

@@ -11,10 +11,10 @@ namespace {
 constexpr double kPad_m = 0.011;
 
 /// Thumb against index and middle finger, 60 mm apart, a metre above the table.
-SeenHand pinching_hand() {
-  SeenHand hand;
-  hand.tip.fill(unseen_point());
-  hand.middle_joint.fill(unseen_point());
+ObservedHand pinching_hand() {
+  ObservedHand hand;
+  hand.tip.fill(unknown_point());
+  hand.middle_joint.fill(unknown_point());
   hand.tip[kThumb] = {0.30, 0.40, 1.00};
   hand.tip[kIndex] = {0.36, 0.41, 1.01};
   hand.tip[kMiddle] = {0.36, 0.40, 0.99};
@@ -49,10 +49,10 @@ double off_surface(const SceneObject& object, const KnownContact& contact) {
 class HeldObjects : public testing::TestWithParam<Shape> {};
 
 TEST_P(HeldObjects, LieAPadFromEveryTip) {
-  const SeenHand hand = pinching_hand();
+  const ObservedHand hand = pinching_hand();
   math::RandomStream random(1, "held objects");
   for (int k = 0; k < 50; ++k) {
-    const std::optional<HeldObject> held = hold_object(GetParam(), hand, {}, kPad_m, random);
+    const std::optional<HeldObject> held = sample_held_object(GetParam(), hand, {}, kPad_m, random);
     ASSERT_TRUE(held);
     ASSERT_EQ(held->contacts.size(), 3U);
     const Pose world_from_object = recorded_pose(held->object, 0);
@@ -71,21 +71,22 @@ TEST_P(HeldObjects, LieAPadFromEveryTip) {
 
 TEST_P(HeldObjects, AreNotDrawnTwiceAlike) {
   math::RandomStream random(1, "held objects");
-  const SeenHand hand = pinching_hand();
-  const auto one = hold_object(GetParam(), hand, {}, kPad_m, random);
-  const auto other = hold_object(GetParam(), hand, {}, kPad_m, random);
+  const ObservedHand hand = pinching_hand();
+  const auto one = sample_held_object(GetParam(), hand, {}, kPad_m, random);
+  const auto other = sample_held_object(GetParam(), hand, {}, kPad_m, random);
   ASSERT_TRUE(one && other);
   EXPECT_NE(one->object.size, other->object.size);
 }
 
 TEST_P(HeldObjects, KeepClearOfTheRestOfTheHand) {
-  const SeenHand hand = pinching_hand();
+  const ObservedHand hand = pinching_hand();
   math::RandomStream random(1, "held objects");
   const Vec3 between = 0.5 * (hand.tip[kThumb] + hand.tip[kIndex]);
-  EXPECT_FALSE(hold_object(GetParam(), hand, {between}, kPad_m, random)) << "all hold this point";
+  EXPECT_FALSE(sample_held_object(GetParam(), hand, {between}, kPad_m, random))
+      << "all hold this point";
   const Vec3 beside = between + Vec3(0, -0.035, 0);
   for (int k = 0; k < 20; ++k) {
-    const auto held = hold_object(GetParam(), hand, {beside}, kPad_m, random);
+    const auto held = sample_held_object(GetParam(), hand, {beside}, kPad_m, random);
     if (!held) continue;
     const Vec3 p = recorded_pose(held->object, 0).inverse() * beside;
     if (held->object.shape == Shape::sphere) {
@@ -103,10 +104,10 @@ TEST_P(HeldObjects, KeepClearOfTheRestOfTheHand) {
 }
 
 TEST_P(HeldObjects, DoNotReachBelowTheTable) {
-  SeenHand hand = pinching_hand();
+  ObservedHand hand = pinching_hand();
   for (Vec3& tip : hand.tip) tip.z() -= 1.03;  // tips below its top
   math::RandomStream random(1, "held objects");
-  EXPECT_FALSE(hold_object(GetParam(), hand, {}, kPad_m, random));
+  EXPECT_FALSE(sample_held_object(GetParam(), hand, {}, kPad_m, random));
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, HeldObjects,
@@ -121,7 +122,7 @@ TEST(KnownGrasp, GoesWithTheTrueHandAndStaysWhereItIsLet) {
   for (std::size_t index = 0; index < 6; ++index) {
     const synthesize::SyntheticRecording made = synthesize::synthesize(options, 7, index);
     math::RandomStream random(7, "known grasp");
-    const auto known = known_grasp(made, Shape::sphere, kPad_m, random);
+    const auto known = add_held_object(made, Shape::sphere, kPad_m, random);
     if (!known) continue;
     ++found;
     const SceneObject& object = known->recorded.objects.at(0);
@@ -129,7 +130,7 @@ TEST(KnownGrasp, GoesWithTheTrueHandAndStaysWhereItIsLet) {
       return *std::ranges::find(made.truth.labels, phase, &Label::phase);
     };
     const Label grasp = label(PhaseKind::grasp), lift = label(PhaseKind::transport),
-                back = label(PhaseKind::go_back);
+                back = label(PhaseKind::return_phase);
     const std::vector<double>& time = made.truth.streams.hand->time;
     for (std::size_t i = 0; i < time.size(); ++i) {
       const bool closed = time[i] >= 0.5 * (grasp.begin_s + grasp.end_s) && time[i] < lift.end_s;

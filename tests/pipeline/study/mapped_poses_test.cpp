@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/robot/files/generate.hpp"
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 
 namespace morphe::study {
 namespace {
@@ -40,7 +40,7 @@ TEST(MappedPoses, FindsThePosturesThatMadeTheGoals) {
   for (int f = 0; f < 12; ++f) {
     JointVector q(6);
     for (int j = 0; j < 6; ++j) q[j] = 0.7 * std::sin(0.15 * f + 1.3 * j);
-    robot::forward(robot, q, frames);
+    robot::forward_kinematics(robot, q, frames);
     HumanPose pose;
     const Pose wrist = robot::tip_pose(robot, frames, 0);
     pose.wrist = wrist.translation();

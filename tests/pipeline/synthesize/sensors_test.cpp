@@ -26,7 +26,7 @@ Demonstration recorded(const SynthesizeOptions& options, std::size_t index) {
 
 /// Signals of one sensor each, by their variance and that of their steps.
 struct NoiseMeter {
-  double squares = 0, steps = 0, last = kNotSeen;
+  double squares = 0, steps = 0, last = kUnknown;
   std::size_t n = 0;
   void add(double value) {
     squares += value * value;
@@ -55,7 +55,7 @@ TEST(SyntheticSensors, NoiseIsAsConfigured) {
     const Demonstration b = recorded(noisy, i);
     const BodyStream &still = a.streams.sensors.value(), &moved = b.streams.sensors.value();
     for (std::size_t s = 0; s < 3; ++s) {
-      position.last = rotation.last = kNotSeen;
+      position.last = rotation.last = kUnknown;
       for (std::size_t k = 0; k < still.time.size(); ++k) {
         position.add((moved.position(k, s) - still.position(k, s)).y());
         const Quat turn = still.orientation(k, s).conjugate() * moved.orientation(k, s);
@@ -64,7 +64,7 @@ TEST(SyntheticSensors, NoiseIsAsConfigured) {
     }
     const JointRows extra = b.streams.hand.value().angles - a.streams.hand.value().angles;
     for (Eigen::Index s = 0; s < extra.cols(); ++s) {
-      glove.last = kNotSeen;
+      glove.last = kUnknown;
       for (Eigen::Index k = 0; k < extra.rows(); ++k) {
         glove.add(extra(k, s));
       }
@@ -173,11 +173,11 @@ TEST(SyntheticSensors, DropoutsTakeTheirShareInBursts) {
     const JointRows& glove = made.streams.hand.value().angles;
     for (std::size_t s = 0; s < 3; ++s) {
       for (std::size_t k = 0; k < sensors.time.size(); ++k) {
-        const bool gone = !seen(sensors.position(k, s));
-        EXPECT_EQ(gone, !seen(sensors.orientation(k, s)));
+        const bool gone = !is_known(sensors.position(k, s));
+        EXPECT_EQ(gone, !is_known(sensors.orientation(k, s)));
         lost += gone;
         ++all;
-        if (k > 0 && gone && seen(sensors.position(k - 1, s))) ++bursts;
+        if (k > 0 && gone && is_known(sensors.position(k - 1, s))) ++bursts;
       }
     }
     for (Eigen::Index k = 0; k < glove.rows(); ++k) {

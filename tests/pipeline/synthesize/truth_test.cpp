@@ -60,7 +60,7 @@ double greatest(const std::vector<double>& time, const std::vector<double>& valu
 
 bool is_bout(const Label& label) {
   return label.phase == PhaseKind::reach || label.phase == PhaseKind::transport ||
-         label.phase == PhaseKind::go_back;
+         label.phase == PhaseKind::return_phase;
 }
 
 TEST(Synthesize, IsTheSameWhateverWasMadeBefore) {
@@ -84,26 +84,26 @@ TEST(Synthesize, TheAnglesGiveThePositions) {
   for (const Demonstration& truth : truths({}, 6)) {
     const BodyStream& joints = *truth.streams.sensors;
     const JointRows& angles = truth.streams.arm_angles->angles;
-    const RobotTable hand = human::human_hand({*truth.hand_length, *truth.hand_breadth});
+    const RobotModel hand = human::human_hand({*truth.hand_length, *truth.hand_breadth});
     std::vector<Pose> frames;
     double worst_m = 0, worst_rad = 0;
     for (std::size_t i = 0; i < joints.time.size(); i += 7) {
       const auto row = static_cast<Eigen::Index>(i);
       human::ArmAngles arm;
-      for (std::size_t k = 0; k < kArmAngles; ++k) arm[k] = angles(row, static_cast<int>(k));
+      for (std::size_t k = 0; k < kArmAngleCount; ++k) arm[k] = angles(row, static_cast<int>(k));
       const human::ArmPose pose =
           human::arm_pose(joints.position(i, 0), {*truth.upper_arm, *truth.forearm}, arm);
       human::HandAngles fingers;
-      for (std::size_t k = 0; k < kHandAngles; ++k) {
-        fingers.joint[k] = angles(row, static_cast<int>(kArmAngles + k));
+      for (std::size_t k = 0; k < kHandAngleCount; ++k) {
+        fingers.joint[k] = angles(row, static_cast<int>(kArmAngleCount + k));
       }
-      fingers.palm_arch = angles(row, static_cast<int>(kArmAngles + kHandAngles));
+      fingers.palm_arch = angles(row, static_cast<int>(kArmAngleCount + kHandAngleCount));
       const human::HandPoints points = human::hand_points(hand, fingers, frames);
       worst_m = std::max({worst_m, (pose.elbow - joints.position(i, 1)).norm(),
                           (pose.wrist - joints.position(i, 2)).norm()});
       worst_rad =
           std::max(worst_rad, angle_between(pose.world_from_hand, joints.orientation(i, 2)));
-      for (std::size_t finger = 0; finger < kFingers; ++finger) {
+      for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
         const Vec3 tip = pose.wrist + pose.world_from_hand * points.tip[finger];
         worst_m = std::max(worst_m, (tip - truth.streams.hand->position(i, finger)).norm());
       }
@@ -117,7 +117,7 @@ TEST(Synthesize, ArmsStayWithinHumanLimitsAndMoveSmoothly) {
   const human::ArmLimits& limits = human::human_arm_limits();
   for (const Demonstration& truth : truths({}, 30)) {
     const JointRows& angles = truth.streams.arm_angles->angles;
-    for (Eigen::Index k = 0; k < static_cast<Eigen::Index>(kArmAngles); ++k) {
+    for (Eigen::Index k = 0; k < static_cast<Eigen::Index>(kArmAngleCount); ++k) {
       EXPECT_GT(angles.col(k).minCoeff(), limits.lower[static_cast<std::size_t>(k)]);
       EXPECT_LT(angles.col(k).maxCoeff(), limits.upper[static_cast<std::size_t>(k)]);
     }
@@ -170,7 +170,7 @@ TEST(Synthesize, PhasesFollowEachOther) {
       }
       const Label& before = truth.labels[k - 1];
       if (label.phase == PhaseKind::reach) {
-        EXPECT_EQ(before.phase, PhaseKind::go_back);
+        EXPECT_EQ(before.phase, PhaseKind::return_phase);
         EXPECT_GT(label.begin_s, before.end_s);
       } else if (label.phase == PhaseKind::preshape) {
         EXPECT_EQ(before.phase, PhaseKind::reach);
@@ -180,7 +180,7 @@ TEST(Synthesize, PhasesFollowEachOther) {
         EXPECT_EQ(label.begin_s, before.end_s);
       }
     }
-    EXPECT_EQ(truth.labels.back().phase, PhaseKind::go_back);
+    EXPECT_EQ(truth.labels.back().phase, PhaseKind::return_phase);
   }
 }
 
@@ -201,7 +201,7 @@ TEST(Synthesize, TheHandIsWidestAtTwoThirdsOfTheReachAndKeepsItsGrasp) {
       EXPECT_NEAR(at(tips.time, widths, truth.labels[k + 1].begin_s),
                   resting + 0.1 * (widest - resting), 0.0005);
       for (std::size_t p = k + 3;
-           p < truth.labels.size() && truth.labels[p].phase != PhaseKind::go_back; ++p)
+           p < truth.labels.size() && truth.labels[p].phase != PhaseKind::return_phase; ++p)
         EXPECT_NEAR(at(tips.time, widths, truth.labels[p].begin_s), held, 1e-6);
       const auto widest_at = std::ranges::find(widths, widest) - widths.begin();
       shares.push_back((tips.time[static_cast<std::size_t>(widest_at)] - reach.begin_s) /
@@ -295,7 +295,7 @@ TEST(Synthesize, KindsWithoutWeightNeverCome) {
   for (const Demonstration& truth : truths(options, 5)) {
     for (const Label& label : truth.labels) {
       EXPECT_THAT(label.phase,
-                  testing::AnyOf(PhaseKind::reach, PhaseKind::hold, PhaseKind::go_back));
+                  testing::AnyOf(PhaseKind::reach, PhaseKind::hold, PhaseKind::return_phase));
     }
   }
 }

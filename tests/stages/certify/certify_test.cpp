@@ -24,9 +24,9 @@ Vec3 turned(double angle, double x, double y) {
 Goals goals_off_by(const Vec3& off) {
   Goals goals;
   goals.time = {0, 0.8};
-  goals.tip_position = Table<Vec3>(2, 2, unseen_point());
-  goals.tip_orientation = Table<Quat>(2, 2, unseen_rotation());
-  goals.reachable = Table<std::uint8_t>(2, 2, 1);
+  goals.tip_position = Array2D<Vec3>(2, 2, unknown_point());
+  goals.tip_orientation = Array2D<Quat>(2, 2, unknown_rotation());
+  goals.reachable = Array2D<std::uint8_t>(2, 2, 1);
   for (const std::size_t frame : {0u, 1u}) {
     const double angle = frame == 0 ? 0 : kSweep;
     goals.tip_position(frame, 0) = turned(angle, 0.55, 0.04) + off;
@@ -44,7 +44,7 @@ struct Case {
   Movement movement;
   Goals goals = goals_off_by(Vec3::Zero());
   Trajectory trajectory = sweep(kSweep);
-  Mapped mapped;
+  MappingResult mapped;
   Tolerances tolerances;
   bool path_was_free = true;
 
@@ -65,9 +65,9 @@ TEST(Certify, FiguresInClosedForm) {
   c.goals = goals_off_by(Vec3(0, 0, 0.001));
   c.scene.objects = {ball(Vec3(0.4, 0, 0.2), 0.05)};
   c.mapped.humanlikeness = JointRows::Zero(3, 3);
-  c.mapped.humanlikeness.col(0) << 0.1, kNotSeen, 0.3;
+  c.mapped.humanlikeness.col(0) << 0.1, kUnknown, 0.3;
   const Outcome<Certificate> result = c.run();
-  EXPECT_EQ(result.refusal.reason, Reason::none) << result.refusal.detail;
+  EXPECT_EQ(result.failure.reason, Reason::none) << result.failure.detail;
   const Certificate& k = result.value;
   // Minimum-jerk rest to rest: 15/8, 10/sqrt(3) and 60 times the way.
   EXPECT_NEAR(k.velocity_ratio, kSweep * 15 / 8, 1e-12);
@@ -94,8 +94,8 @@ TEST(Certify, LimitBetweenSamplesIsFound) {
   Case c;
   c.robot.velocity[0] = 0.9 * kSweep * 15 / 8;  // both samples are at rest
   const Outcome<Certificate> result = c.run();
-  EXPECT_EQ(result.refusal.reason, Reason::limit);
-  EXPECT_THAT(result.refusal.detail,
+  EXPECT_EQ(result.failure.reason, Reason::limit);
+  EXPECT_THAT(result.failure.detail,
               testing::HasSubstr("velocity of joint shoulder is 1.1111 times"));
 }
 
@@ -103,7 +103,7 @@ TEST(Certify, PositionBeyondItsLimit) {
   Case c;
   c.robot.upper[0] = kSweep - 0.01;
   const Outcome<Certificate> result = c.run();
-  EXPECT_EQ(result.refusal.reason, Reason::limit);
+  EXPECT_EQ(result.failure.reason, Reason::limit);
   EXPECT_NEAR(result.value.position_margin, -0.01, 1e-12);
 }
 
@@ -114,10 +114,10 @@ TEST(Certify, ContactBetweenSamplesIsFound) {
   const Outcome<Certificate> result = c.run();
   EXPECT_GT(*std::min_element(c.trajectory.clearance.begin(), c.trajectory.clearance.end()), 0.03);
   EXPECT_NEAR(result.value.clearance, -0.05, 1e-5);
-  EXPECT_EQ(result.refusal.reason, Reason::smoothing);
-  EXPECT_THAT(result.refusal.detail, testing::HasSubstr("forearm and ball"));
+  EXPECT_EQ(result.failure.reason, Reason::smoothing);
+  EXPECT_THAT(result.failure.detail, testing::HasSubstr("forearm and ball"));
   c.path_was_free = false;
-  EXPECT_EQ(c.run().refusal.reason, Reason::collision);
+  EXPECT_EQ(c.run().failure.reason, Reason::collision);
 }
 
 TEST(Certify, AMissByAHairIsProvedFree) {
@@ -125,20 +125,20 @@ TEST(Certify, AMissByAHairIsProvedFree) {
   // At height 0.06 + margin + 0.2 mm above the sweep of the forearm's axis.
   c.scene.objects = {ball(turned(0.25, 0.5, 0) + Vec3(0, 0, 0.0612), 0.03)};
   const Outcome<Certificate> result = c.run();
-  EXPECT_EQ(result.refusal.reason, Reason::none);
+  EXPECT_EQ(result.failure.reason, Reason::none);
   EXPECT_NEAR(result.value.clearance, 0.0012, 1e-5);
   c.scene.objects = {ball(turned(0.25, 0.5, 0) + Vec3(0, 0, 0.0608), 0.03)};
-  EXPECT_EQ(c.run().refusal.reason, Reason::smoothing);
+  EXPECT_EQ(c.run().failure.reason, Reason::smoothing);
 }
 
 TEST(Certify, TrackingIsTighterInTheGrasp) {
   Case c;
   c.goals = goals_off_by(Vec3(0, 0, 0.006));
-  EXPECT_EQ(c.run().refusal.reason, Reason::none);
+  EXPECT_EQ(c.run().failure.reason, Reason::none);
   c.movement.phases = {{PhaseKind::reach, 0, 0.8, 1}, {PhaseKind::grasp, 0.8, 1, 1}};
   const Outcome<Certificate> result = c.run();
-  EXPECT_EQ(result.refusal.reason, Reason::tracking);
-  EXPECT_THAT(result.refusal.detail, testing::HasSubstr("thumb_tip is 6.00 mm"));
+  EXPECT_EQ(result.failure.reason, Reason::tracking);
+  EXPECT_THAT(result.failure.detail, testing::HasSubstr("thumb_tip is 6.00 mm"));
   EXPECT_NEAR(result.value.position_error_grasp, 0.006, 1e-12);
 }
 
@@ -153,21 +153,21 @@ TEST(Certify, ATipBetweenSamplesIsFound) {
   c.robot.velocity.setConstant(10);
   c.robot.jerk.setConstant(1000);
   for (Vec3& goal : c.goals.tip_position.values)
-    if (seen(goal)) goal = turned(0, 0.55, 0.04);
+    if (is_known(goal)) goal = turned(0, 0.55, 0.04);
   const double way = 2 * std::sin(0.25) * Vec3(0.55, 0.04, 0).norm();
   c.tolerances.tracking = 1.001 * way;
-  EXPECT_EQ(c.run().refusal.reason, Reason::none) << c.run().refusal.detail;
+  EXPECT_EQ(c.run().failure.reason, Reason::none) << c.run().failure.detail;
   c.tolerances.tracking = 0.999 * way;
   const Outcome<Certificate> result = c.run();
-  EXPECT_EQ(result.refusal.reason, Reason::tracking);
-  EXPECT_THAT(result.refusal.detail,
+  EXPECT_EQ(result.failure.reason, Reason::tracking);
+  EXPECT_THAT(result.failure.detail,
               testing::HasSubstr("mm from its goal after sample 0 (0.500 s)"));
   EXPECT_NEAR(result.value.position_error_max, 0, 1e-12);  // of samples
 }
 
 TEST(Certify, MarksWhatWasRepaired) {
   Case c;
-  c.trajectory.origin[1] = Origin::planned;
+  c.trajectory.origin[1] = SampleOrigin::planned;
   EXPECT_TRUE(c.run().value.repaired);
 }
 

@@ -96,7 +96,7 @@ TEST(Grasp, APalmThatHardlyMovesComesFromNowhere) {
   const Scenery s;
   Trajectory t = opening();
   t.position.col(0).setZero();
-  EXPECT_FALSE(seen(find_grasp(planar_arm(), s.scene, s.movement, t).approach_direction));
+  EXPECT_FALSE(is_known(find_grasp(planar_arm(), s.scene, s.movement, t).approach_direction));
 }
 
 TEST(Grasp, NoneWithoutTargetOrPhase) {

@@ -1,14 +1,14 @@
 #pragma once
 
 #include "core/motion/plan.hpp"
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 
 namespace morphe::certify {
 
 /// Two links in the plane z = 0, upper arm 0.3 m and forearm 0.25 m, both turning about z; thumb
 /// and index tips are 0.04 m beside the end of the forearm, the index on a joint of its own.
-inline RobotTable planar_arm() {
-  RobotTable robot;
+inline RobotModel planar_arm() {
+  RobotModel robot;
   robot.name = "planar";
   robot.joint_names = {"shoulder", "elbow", "index"};
   robot.lower = JointVector::Constant(3, -2);
@@ -37,8 +37,8 @@ inline Trajectory sweep(double angle) {
   t.position = t.velocity = t.acceleration = JointRows::Zero(2, 3);
   t.position(1, 0) = angle;
   t.phase = {PhaseKind::reach, PhaseKind::reach};
-  t.origin = {Origin::mapped, Origin::mapped};
-  t.clearance = {kNotSeen, kNotSeen};
+  t.origin = {SampleOrigin::mapped, SampleOrigin::mapped};
+  t.clearance = {kUnknown, kUnknown};
   return t;
 }
 

@@ -70,7 +70,7 @@ TEST(Smoothness, NothingWithoutMotion) {
 
 Goals circling(std::size_t frames) {
   Goals goals;
-  goals.tip_position = Table<Vec3>(frames, 2, unseen_point());
+  goals.tip_position = Array2D<Vec3>(frames, 2, unknown_point());
   for (std::size_t f = 0; f < frames; ++f) {
     const double t = 0.01 * static_cast<double>(f);
     goals.time.push_back(5 + t);
@@ -99,7 +99,7 @@ TEST(Smoothness, SpeedsOfTheTipsThatHaveGoals) {
 
 TEST(Smoothness, ATipThatIsLostOnceDoesNotCount) {
   Goals goals = circling(41);
-  goals.tip_position(7, 0) = unseen_point();
+  goals.tip_position(7, 0) = unknown_point();
   EXPECT_TRUE(human_speed(goals).speed.empty());
   EXPECT_TRUE(robot_speed(planar_arm(), goals, sweep(0.5)).speed.empty());
 }

@@ -14,9 +14,9 @@ namespace {
 constexpr double kStep_s = 0.01;
 
 /// Two links of 0.5 m that turn about z, a forearm, a post at the base, a tip at the end.
-RobotTable two_links() {
+RobotModel two_links() {
   robot::Robot robot{two_link_arm()};
-  RobotTable::Tip tip;
+  RobotModel::Tip tip;
   tip.name = "tip";
   tip.frame = 1;
   tip.transform.translation() = Vec3(0.5, 0, 0);
@@ -36,7 +36,7 @@ JointPath path_of(const std::vector<Eigen::Vector2d>& positions) {
   path.position.resize(static_cast<Eigen::Index>(positions.size()), 2);
   for (std::size_t k = 0; k < positions.size(); ++k) {
     path.position.row(static_cast<Eigen::Index>(k)) = positions[k];
-    path.origin.push_back(Origin::mapped);
+    path.origin.push_back(SampleOrigin::mapped);
     path.demonstration_time.push_back(kStep_s * static_cast<double>(k));
   }
   return path;
@@ -54,7 +54,7 @@ SceneObject post(const std::string& name, const Vec3& position, double radius) {
 }
 
 struct CheckPath : testing::Test {
-  RobotTable robot = two_links();
+  RobotModel robot = two_links();
   Scene scene;
   Goals goals;
   Movement movement;
@@ -129,7 +129,7 @@ TEST_F(CheckPath, WhatIsCarriedMeetsTheArm) {
     cup.release_s = 0.3;
     scene.objects = {cup};
     EXPECT_TRUE(findings(path_of(positions)).empty());
-    cup.release_s = kNotSeen;
+    cup.release_s = kUnknown;
   }
 }
 
@@ -156,14 +156,14 @@ TEST_F(CheckPath, TrackingIsJudgedByPhaseAndSkipsUnseenGoals) {
   // beside it count (some of the motion between is its own).
   movement.phases = {{PhaseKind::reach, 0, 0.025, 1},
                      {PhaseKind::grasp, 0.025, 0.045, 1},
-                     {PhaseKind::go_back, 0.046, 1, 1}};
+                     {PhaseKind::return_phase, 0.046, 1, 1}};
   std::vector<Eigen::Vector2d> positions(11, Eigen::Vector2d(0.2, 0.3));
   for (int k = 0; k <= 5; ++k) goal(2 * kStep_s * k, tip_of(0.2, 0.3) + Vec3(0, 0, 0.01));
   auto found = findings(path_of(positions));
   ASSERT_EQ(found.size(), 1u);
   expect_finding(found[0], Cause::tracking, "tip", "", 2, 5, 0.005);
   // Between a seen goal and one that is not there is none.
-  goals.tip_position(2, 0) = unseen_point();
+  goals.tip_position(2, 0) = unknown_point();
   found = findings(path_of(positions));
   ASSERT_EQ(found.size(), 1u);
   expect_finding(found[0], Cause::tracking, "tip", "", 2, 2, 0.005);
@@ -182,10 +182,10 @@ TEST_F(CheckPath, AJumpIsAnIsolatedStep) {
   ASSERT_EQ(found.size(), 1u);
   expect_finding(found[0], Cause::jump, "shoulder", "", 5, 6, 0.205 - 0.06);
   JointPath path = path_of(positions);
-  path.origin[6] = Origin::planned;
+  path.origin[6] = SampleOrigin::planned;
   EXPECT_TRUE(findings(path).empty());
   for (double& time_s : path.demonstration_time) time_s *= 4;  // 0.205 rad in 40 ms
-  path.origin[6] = Origin::mapped;
+  path.origin[6] = SampleOrigin::mapped;
   EXPECT_TRUE(findings(path).empty());
   // Fast but smooth: no jump.
   positions.clear();
@@ -227,7 +227,7 @@ TEST_F(CheckPath, ContactIsAllowedFromGraspToRelease) {
   movement.target = "cup";
   movement.phases = {{PhaseKind::reach, 0, 0.02, 1},
                      {PhaseKind::grasp, 0.02, 0.04, 1},
-                     {PhaseKind::go_back, 0.04, 1, 1}};
+                     {PhaseKind::return_phase, 0.04, 1, 1}};
   const std::vector<Eigen::Vector2d> still(8, Eigen::Vector2d::Zero());  // 2 mm in the cup
   for (const Engine engine : {Engine::closed, Engine::fcl}) {
     options.engine = engine;
@@ -258,9 +258,9 @@ TEST_F(CheckPath, FindingsAreOrderedByBeginThenCause) {
 
 TEST(CheckOptions, SaysWhatIsWrong) {
   CheckOptions options;
-  EXPECT_EQ(why_invalid(options), "");
+  EXPECT_EQ(validation_error(options), "");
   options.tolerances.margin = -1;
-  EXPECT_EQ(why_invalid(options), "margin must not be negative");
+  EXPECT_EQ(validation_error(options), "margin must not be negative");
 }
 
 }  // namespace

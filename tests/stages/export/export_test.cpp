@@ -12,8 +12,8 @@
 namespace morphe::exports {
 namespace {
 
-RobotTable one_joint() {
-  RobotTable robot;
+RobotModel one_joint() {
+  RobotModel robot;
   robot.name = "hinge";
   robot.joint_names = {"a \"b\", c"};
   robot.lower = JointVector::Constant(1, -1);
@@ -87,7 +87,7 @@ TEST(Robomimic, HoldsOutATenthEvenlySpread) {
 }
 
 TEST(Robomimic, AJointWithoutLimitsCannotBeScaled) {
-  RobotTable robot = one_joint();
+  RobotModel robot = one_joint();
   robot.upper[0] = std::numeric_limits<double>::infinity();
   EXPECT_THROW(robomimic_header(robot, 500), InputError);
 }

@@ -39,7 +39,7 @@ Trajectory sampled(const std::vector<double>& time) {
     }
     t.demonstration_time.push_back(2 * time[i]);
     t.phase.push_back(i < 2 ? PhaseKind::rest : PhaseKind::reach);
-    t.origin.push_back(Origin::mapped);
+    t.origin.push_back(SampleOrigin::mapped);
     t.clearance.push_back(0.1);
   }
   return t;
@@ -48,7 +48,7 @@ Trajectory sampled(const std::vector<double>& time) {
 TEST(Resampled, LiesOnTheCurveAtAnyRate) {
   const Trajectory samples = sampled({0, 0.1, 0.35, 0.6, 0.97});
   for (const double rate_hz : {1000.0, 333.0, 70.0, 10.0, 1.0}) {
-    const Trajectory t = resampled(samples, rate_hz);
+    const Trajectory t = resample(samples, rate_hz);
     EXPECT_EQ(t.time.back(), 0.97);
     for (std::size_t i = 0; i < t.samples(); ++i) {
       const auto row = static_cast<Eigen::Index>(i);
@@ -69,15 +69,15 @@ TEST(Resampled, LiesOnTheCurveAtAnyRate) {
 
 TEST(Resampled, TheEndIsThereOnce) {
   const Trajectory samples = sampled({0, 0.25, 0.5});
-  EXPECT_EQ(resampled(samples, 8).time, (std::vector<double>{0, 0.125, 0.25, 0.375, 0.5}));
-  EXPECT_EQ(resampled(samples, 3).time, (std::vector<double>{0, 1.0 / 3, 0.5}));
+  EXPECT_EQ(resample(samples, 8).time, (std::vector<double>{0, 0.125, 0.25, 0.375, 0.5}));
+  EXPECT_EQ(resample(samples, 3).time, (std::vector<double>{0, 1.0 / 3, 0.5}));
   // A point a rounding before the end is the end.
-  EXPECT_EQ(resampled(sampled({0, 0.25, 0.5 + 1e-12}), 2).time,
+  EXPECT_EQ(resample(sampled({0, 0.25, 0.5 + 1e-12}), 2).time,
             (std::vector<double>{0, 0.5 + 1e-12}));
 }
 
 TEST(Delayed, WaitsInTheFirstPosture) {
-  const Trajectory t = delayed(sampled({0, 0.5}), 0.25);
+  const Trajectory t = add_initial_wait(sampled({0, 0.5}), 0.25);
   EXPECT_EQ(t.time, (std::vector<double>{0, 0.25, 0.75}));
   EXPECT_EQ(t.position.row(0), t.position.row(1));
   EXPECT_TRUE(t.velocity.row(0).isZero(0));
@@ -89,20 +89,20 @@ TEST(Joined, TheWayEndsExactlyWhereTheMotionBegins) {
   motion.position.row(0).array() += 1e-7;
   motion.velocity.row(0).array() -= 1e-6;
   motion.acceleration.row(0).array() += 1e-4;
-  const Trajectory led = ending_at(way, motion);
+  const Trajectory led = adjust_end(way, motion);
   EXPECT_LT((led.position.row(2) - motion.position.row(0)).cwiseAbs().maxCoeff(), 1e-15);
   EXPECT_LT((led.velocity.row(2) - motion.velocity.row(0)).cwiseAbs().maxCoeff(), 1e-15);
   EXPECT_LT((led.acceleration.row(2) - motion.acceleration.row(0)).cwiseAbs().maxCoeff(), 1e-14);
   EXPECT_EQ(led.position.row(0), way.position.row(0));
-  const Trajectory both = joined(led, motion);
+  const Trajectory both = concatenate(led, motion);
   EXPECT_EQ(both.samples(), 5u);
   EXPECT_NEAR(both.time.back(), 0.8, 1e-15);
-  const Trajectory back = beginning_at(sampled({0, 0.2, 0.4}), both);
+  const Trajectory back = adjust_begin(sampled({0, 0.2, 0.4}), both);
   EXPECT_LT((back.position.row(0) - both.position.row(4)).cwiseAbs().maxCoeff(), 1e-15);
 }
 
-RobotTable arm_and_finger() {
-  RobotTable robot;
+RobotModel arm_and_finger() {
+  RobotModel robot;
   robot.name = "two";
   robot.joint_names = {"shoulder", "finger"};
   robot.frames.resize(3);
@@ -114,12 +114,12 @@ RobotTable arm_and_finger() {
 }
 
 TEST(JointGroup, ArmAndHandAreAll) {
-  const RobotTable robot = arm_and_finger();
+  const RobotModel robot = arm_and_finger();
   EXPECT_EQ(joint_group(robot, "arm").joints, std::vector<int>{0});
   EXPECT_EQ(joint_group(robot, "hand").joints, std::vector<int>{1});
   EXPECT_EQ(joint_group(robot, "hand").units, std::vector<std::string>{"m"});
   EXPECT_EQ(joint_group(robot, "all").joints, (std::vector<int>{0, 1}));
-  RobotTable wristed = robot;
+  RobotModel wristed = robot;
   wristed.joint_names = {"shoulder", "wrist", "finger"};
   wristed.frames.insert(wristed.frames.begin() + 1,
                         {{"flange", 0, Pose::Identity(), Vec3::UnitZ(), -1},

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/robot/files/description.hpp"
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 #include "stages/grasp/measure.hpp"
 
 namespace morphe::grasp {
@@ -30,7 +30,7 @@ struct RodBeforeTheHand {
       q[joint] = robot.joint_names[j].ends_with("abduction") ? 0 : 0.1;
     }
     std::vector<Pose> base_from_frame;
-    robot::forward(robot, q, base_from_frame);
+    robot::forward_kinematics(robot, q, base_from_frame);
     const Pose& palm = base_from_frame[static_cast<std::size_t>(robot.palm_frame)];
     const Quat along_y(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitX()));
     SceneObject rod;
@@ -52,22 +52,22 @@ struct RodBeforeTheHand {
 
 TEST(CloseFingers, UntilThePadTouches) {
   const RodBeforeTheHand of(0.06);
-  const ClosedFingers closed = close_fingers(of.world, 0.6, {1, 2, 3, 4}, of.q);
-  EXPECT_THAT(closed.open, ElementsAre());
+  const FingerClosures closed = close_fingers(of.world, 0.6, {1, 2, 3, 4}, of.q);
+  EXPECT_THAT(closed.open_reasons, ElementsAre());
   ASSERT_EQ(closed.closings.size(), 4U);
   JointVector q = of.q;
-  std::vector<Touch> touches;
-  for (const Closing& closing : closed.closings) {
+  std::vector<DesiredContact> touches;
+  for (const FingerClosure& closing : closed.closings) {
     q += closing.turn;
-    touches.push_back(closing.touch);
+    touches.push_back(closing.contact);
     EXPECT_GT(closing.turn.cwiseAbs().maxCoeff(), 0.1) << "it had some way to go";
-    for (const auto& [joint, sign] : closing_joints(of.robot, of.q, closing.touch.tip)) {
+    for (const auto& [joint, sign] : closing_joints(of.robot, of.q, closing.contact.tip)) {
       EXPECT_EQ(sign, 1) << "positive flexion curls the fingers";
       EXPECT_FALSE(of.robot.joint_names[static_cast<std::size_t>(joint)].ends_with("abduction"));
     }
-    const Vec3& point = closing.touch.point;
+    const Vec3& point = closing.contact.point;
     EXPECT_NEAR(point.head<2>().norm(), 0.02, 1e-9) << "on the rod's side";
-    EXPECT_LT(closing.touch.normal.head<2>().dot(point.head<2>()), 0) << "inwards";
+    EXPECT_LT(closing.contact.normal.head<2>().dot(point.head<2>()), 0) << "inwards";
   }
   EXPECT_TRUE((q.array() >= of.robot.lower.array()).all());
   EXPECT_TRUE((q.array() <= of.robot.upper.array()).all());
@@ -80,44 +80,45 @@ TEST(CloseFingers, UntilThePadTouches) {
 
 TEST(CloseFingers, WhatDoesNotReachStaysOpenAndSaysWhy) {
   const RodBeforeTheHand far(0.25);
-  const ClosedFingers closed = close_fingers(far.world, 0.6, {2}, far.q);
+  const FingerClosures closed = close_fingers(far.world, 0.6, {2}, far.q);
   EXPECT_TRUE(closed.closings.empty());
-  EXPECT_THAT(closed.open, ElementsAre(HasSubstr("middle_tip stays open")));
+  EXPECT_THAT(closed.open_reasons, ElementsAre(HasSubstr("middle_tip stays open")));
 }
 
 TEST(CloseFingers, AnInnerLinkThatBeginsInTheTargetStopsTheJointsBeforeItOnce) {
   const RodBeforeTheHand at_the_knuckles(0.02, 0.13);
   const auto proximal = std::ranges::find(at_the_knuckles.robot.capsules, "middle_proximal",
-                                          &RobotTable::Capsule::name);
+                                          &RobotModel::Capsule::name);
   collision::CollisionScratch scratch;
-  collision::pose_bodies(at_the_knuckles.world, at_the_knuckles.q, 0.6, scratch);
+  collision::update_bodies(at_the_knuckles.world, at_the_knuckles.q, 0.6, scratch);
   const collision::Separation apart = collision::capsule_solid(
       scratch.bodies[static_cast<std::size_t>(proximal - at_the_knuckles.robot.capsules.begin())],
       collision::solid_at(at_the_knuckles.world, 0), scratch.object_poses[0]);
   ASSERT_LT(apart.distance, -0.005);
-  const ClosedFingers closed = close_fingers(at_the_knuckles.world, 0.6, {2}, at_the_knuckles.q);
+  const FingerClosures closed = close_fingers(at_the_knuckles.world, 0.6, {2}, at_the_knuckles.q);
   EXPECT_TRUE(closed.closings.empty());
-  EXPECT_THAT(closed.open, ElementsAre(HasSubstr("middle_tip stays open")));
+  EXPECT_THAT(closed.open_reasons, ElementsAre(HasSubstr("middle_tip stays open")));
 }
 
 TEST(CloseFingers, GoalsBeginWhereTheFingerIsAndEndOnTheObject) {
   const RodBeforeTheHand of(0.06);
-  const ClosedFingers closed = close_fingers(of.world, 0.6, {2}, of.q);
+  const FingerClosures closed = close_fingers(of.world, 0.6, {2}, of.q);
   ASSERT_EQ(closed.closings.size(), 1U);
   Goals goals;
   const std::size_t frames = 101;
   for (std::size_t f = 0; f < frames; ++f) goals.time.push_back(0.01 * static_cast<double>(f));
-  goals.tip_position = {frames, of.robot.tips.size(), unseen_point()};
+  goals.tip_position = {frames, of.robot.tips.size(), unknown_point()};
   const JointRows path = of.q.transpose().replicate(static_cast<Eigen::Index>(frames), 1);
-  EXPECT_THAT(tips_without_goals(of.robot, goals, hold_time(of.movement)),
+  EXPECT_THAT(tips_without_goals(of.robot, goals, hold_interval(of.movement)),
               ElementsAre(0, 1, 2, 3, 4));
-  aim_closings(of.robot, closed.closings, of.movement, of.scene.objects[0], path, goals);
+  set_closure_goals(of.robot, closed.closings, of.movement, of.scene.objects[0], path, goals);
   std::vector<Pose> base_from_frame;
-  robot::forward(of.robot, of.q, base_from_frame);
-  const Vec3 open = robot::goal_point(of.robot, base_from_frame, 2, 1);
-  EXPECT_FALSE(seen(goals.tip_position(10, 2))) << "before the hand closes";
+  robot::forward_kinematics(of.robot, of.q, base_from_frame);
+  const Vec3 open = robot::tracked_point(of.robot, base_from_frame, 2, 1);
+  EXPECT_FALSE(is_known(goals.tip_position(10, 2))) << "before the hand closes";
   EXPECT_LT((goals.tip_position(21, 2) - open).norm(), 1e-3);
-  const Vec3 on_target = recorded_pose(of.scene.objects[0], 0.5) * closed.closings[0].touch.centre;
+  const Vec3 on_target =
+      recorded_pose(of.scene.objects[0], 0.5) * closed.closings[0].contact.centre;
   EXPECT_LT((goals.tip_position(50, 2) - on_target).norm(), 1e-9);
   EXPECT_LT((goals.tip_position(49, 2) - on_target).norm(), 1e-3) << "without a jump";
   EXPECT_EQ(goals.pad_share(60, 2), 1);

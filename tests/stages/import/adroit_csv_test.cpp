@@ -35,7 +35,7 @@ Vec3 palm_point(const Demonstration& d, std::size_t row) {
 std::vector<Demonstration> read_all() {
   std::vector<Demonstration> all;
   ImportRequest request;
-  request.conventions.forward = ForwardBy::recorded;
+  request.conventions.forward = ForwardSource::recorded;
   request.paths = {kManifest};
   import_recordings(request, [&](Demonstration&& d) { all.push_back(std::move(d)); });
   return all;
@@ -153,7 +153,7 @@ TEST(AdroitCsv, ReadsBackASyntheticPose) {
   const auto file = std::filesystem::path(testing::TempDir()) / "morphe_adroit_synthetic.csv";
   std::ofstream(file) << "# state\n" << header << "\n" << row << "\n";
   ImportRequest request;
-  request.conventions.forward = ForwardBy::recorded;
+  request.conventions.forward = ForwardSource::recorded;
   request.paths = {file};
   import_recordings(request, [&](Demonstration&& d) {
     EXPECT_LT((d.streams.sensors->position(0, 0) - world_from_palm.translation()).norm(), 1e-12);

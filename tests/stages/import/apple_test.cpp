@@ -14,7 +14,7 @@ using testing::HasSubstr;
 Vec3 joint_in(const Demonstration& d, const std::string& name, std::size_t row) {
   const BodyStream& body = *d.streams.skeleton;
   const auto at = std::ranges::find(body.names, name) - body.names.begin();
-  return at == std::ssize(body.names) ? unseen_point()
+  return at == std::ssize(body.names) ? unknown_point()
                                       : body.position(row, static_cast<std::size_t>(at));
 }
 
@@ -28,7 +28,7 @@ Vec3 in_wrist(std::size_t keypoint, double bent = 0) {
 
 TEST(AppleHand, NamesInAllTheirForms) {
   for (const char* name : {"indexFingerKnuckle", "IndexKnuckle", "index_knuckle"}) {
-    EXPECT_EQ(plain_apple_name(name), "indexknuckle");
+    EXPECT_EQ(normalized_apple_name(name), "indexknuckle");
   }
   EXPECT_EQ(apple_joints()[1], "thumbknuckle");
   EXPECT_EQ(apple_joints()[5], "indexknuckle");
@@ -37,11 +37,11 @@ TEST(AppleHand, NamesInAllTheirForms) {
 
 TEST(AppleHand, OnlyRigidMotionsAreTaken) {
   std::vector<double> m{0, -1, 0, 5, 1, 0, 0, 6, 0, 0, 1, 7, 0, 0, 0, 1};
-  EXPECT_LT((rigid_motion(m, false)->translation() - Vec3(5, 6, 7)).norm(), 1e-12);
-  EXPECT_FALSE(rigid_motion(m, true));  // its last row is none
+  EXPECT_LT((pose_from_matrix(m, false)->translation() - Vec3(5, 6, 7)).norm(), 1e-12);
+  EXPECT_FALSE(pose_from_matrix(m, true));  // its last row is none
   m[0] = 0.2;
-  EXPECT_FALSE(rigid_motion(m, false));
-  EXPECT_FALSE(rigid_motion({-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, false));
+  EXPECT_FALSE(pose_from_matrix(m, false));
+  EXPECT_FALSE(pose_from_matrix({-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, false));
 }
 
 class AvpJsonl : public RecordingFolder {
@@ -51,7 +51,7 @@ class AvpJsonl : public RecordingFolder {
   }
   static std::string hand(const Vec3& wrist, double bent = 0) {
     std::string text = "\"wrist\": " + matrix(wrist);
-    for (std::size_t k = 1; k < kKeypoints; ++k) {
+    for (std::size_t k = 1; k < kKeypointCount; ++k) {
       text += fmt::format(", \"{}\": {}", apple_joints()[k], matrix(in_wrist(k, bent)));
     }
     return "{" + text + "}";
@@ -71,7 +71,7 @@ TEST_F(AvpJsonl, TheWristCarriesTheFingers) {
   EXPECT_LT((joint_in(d, "right_wrist", 0) - Vec3(0.2, 0.4, 1.0)).norm(), 1e-12);
   EXPECT_LT((joint_in(d, "right_index_tip", 0) - Vec3(0.02, 0.38, 1.0)).norm(), 1e-12);
   EXPECT_LT((joint_in(d, "head", 1) - Vec3(0, 0, 1.6)).norm(), 1e-12);
-  EXPECT_FALSE(seen(joint_in(d, "right_wrist", 1)));
+  EXPECT_FALSE(is_known(joint_in(d, "right_wrist", 1)));
   EXPECT_THAT(d.reports, Contains("the left hand was never seen"));
   EXPECT_THAT(d.reports, Contains("the right hand was seen in 1 of 2 frames"));
 }
@@ -131,7 +131,7 @@ class EgodexHdf5 : public RecordingFolder {
     put("rightHand", wrist);
     const char* parts[] = {"Knuckle", "IntermediateBase", "IntermediateTip", "Tip"};
     const char* fingers[] = {"Thumb", "IndexFinger", "MiddleFinger", "RingFinger", "LittleFinger"};
-    for (std::size_t k = 1; k < kKeypoints; ++k) {
+    for (std::size_t k = 1; k < kKeypointCount; ++k) {
       put(std::string("right") + fingers[(k - 1) / 4] + parts[(k - 1) % 4], wrist + in_wrist(k));
     }
     out.close();
@@ -146,8 +146,8 @@ TEST_F(EgodexHdf5, AnArmAndAHandInTheWorld) {
   EXPECT_LT((joint_in(d, "right_elbow", 1) - Vec3(0.2, 0, 1.2)).norm(), 1e-12);
   EXPECT_LT((joint_in(d, "right_wrist", 1) - Vec3(0.2, 0.4, 1.1)).norm(), 1e-12);
   EXPECT_LT((joint_in(d, "right_little_tip", 0) - Vec3(0.02, 0.4 + 0.04, 1.0)).norm(), 1e-12);
-  EXPECT_FALSE(seen(joint_in(d, "right_wrist", 2)));  // no confidence
-  EXPECT_TRUE(seen(joint_in(d, "right_little_tip", 2)));
+  EXPECT_FALSE(is_known(joint_in(d, "right_wrist", 2)));  // no confidence
+  EXPECT_TRUE(is_known(joint_in(d, "right_little_tip", 2)));
   EXPECT_THAT(d.streams.skeleton->names, Contains("head"));
   EXPECT_THAT(d.streams.skeleton->names, Contains("pelvis"));
   EXPECT_THAT(d.reports, Contains("task: fold"));
@@ -173,7 +173,7 @@ TEST_F(EgodexHdf5, AFolderOfEpisodesIsADataset) {
   ImportRequest request;
   request.paths = {folder_};
   std::vector<Demonstration> all;
-  const Imported imported =
+  const ImportResult imported =
       import_recordings(request, [&](Demonstration&& d) { all.push_back(std::move(d)); });
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].hand, Side::right);

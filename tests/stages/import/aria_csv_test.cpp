@@ -45,10 +45,10 @@ TEST_F(AriaCsv, TheDeviceCarriesTheHands) {
       );
   // x of the device points to (0.28, 0.96, 0): turned by 2 atan(0.6 / 0.8) about z.
   EXPECT_LT((right_wrist(d, 0) - Vec3(0.25 + 0.28, 0.96, 0)).norm(), 1e-12);
-  EXPECT_FALSE(seen(right_wrist(d, 1)));
+  EXPECT_FALSE(is_known(right_wrist(d, 1)));
   EXPECT_LT((right_wrist(d, 2) - Vec3(1.28, 0.96, 0)).norm(), 1e-12);
-  EXPECT_FALSE(seen(right_wrist(d, 3)));
-  EXPECT_FALSE(seen(right_wrist(d, 4)));
+  EXPECT_FALSE(is_known(right_wrist(d, 3)));
+  EXPECT_FALSE(is_known(right_wrist(d, 4)));
   EXPECT_EQ(d.streams.skeleton->names[0], "head");
   EXPECT_NEAR(d.streams.skeleton->time[4], 0.126, 1e-12);
   EXPECT_THAT(d.reports, Contains("time 0 is 0.025 s of the device's clock"));
@@ -116,8 +116,8 @@ TEST_F(AriaCsv, WithoutATrajectoryTheHandHasAShape) {
     EXPECT_THAT(d.reports, Contains(HasSubstr("only the shape of the right hand is taken")));
     bool any = false;
     for (std::size_t i = 0; i < hand.time.size(); ++i) {
-      EXPECT_FALSE(seen(hand.position(i, 1)));  // the thumb's root is not tracked
-      if (!seen(hand.position(i, 0))) continue;
+      EXPECT_FALSE(is_known(hand.position(i, 1)));  // the thumb's root is not tracked
+      if (!is_known(hand.position(i, 0))) continue;
       any = true;
       EXPECT_NEAR((hand.position(i, 9) - hand.position(i, 0)).norm(), 0.0957, 0.001);
     }

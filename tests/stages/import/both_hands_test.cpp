@@ -18,9 +18,9 @@ namespace fs = std::filesystem;
 const fs::path kAllShipped = fs::path(MORPHE_SOURCE_DIR) / "datasets";
 const fs::path kStanding = kAllShipped / "pybvh/bvh_test3.bvh";  // five fingers a hand
 
-std::vector<Demonstration> read(const ImportRequest& request, Imported* imported = nullptr) {
+std::vector<Demonstration> read(const ImportRequest& request, ImportResult* imported = nullptr) {
   std::vector<Demonstration> all;
-  Imported what =
+  ImportResult what =
       import_recordings(request, [&](Demonstration&& d) { all.push_back(std::move(d)); });
   if (imported != nullptr) *imported = std::move(what);
   return all;
@@ -35,15 +35,15 @@ std::vector<std::string> names_of_all(const std::vector<Demonstration>& all) {
 ImportRequest both(const fs::path& path) {
   ImportRequest request;
   request.paths = {path};
-  request.hand = Hands::both;
-  request.names = fs::path(MORPHE_SOURCE_DIR) / "configs/names/five_fingers.yaml";
+  request.hand = HandSelection::both;
+  request.name_map = fs::path(MORPHE_SOURCE_DIR) / "configs/names/five_fingers.yaml";
   request.conventions.axes = "x y z";  // as its manifest says
   request.conventions.unit = "in";
   return request;
 }
 
 TEST(BothHands, AreADemonstrationEach) {
-  Imported imported;
+  ImportResult imported;
   const auto all = read(both(kStanding), &imported);
   ASSERT_THAT(names_of_all(all), ElementsAre("bvh_test3_right", "bvh_test3_left"));
   EXPECT_EQ(all[0].hand, Side::right);

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stages/import/guess/turn_demonstration.hpp"
+#include "stages/import/guess/rotate_demonstration.hpp"
 #include "tests/stages/import/shipped_recordings.hpp"
 
 namespace morphe::imports {
@@ -29,7 +29,7 @@ Demonstration facing_y_first(Demonstration d) {
     return body.position(0, static_cast<std::size_t>(found - body.names.begin()));
   };
   const Vec3 line = at("right_shoulder") - at("left_shoulder");
-  turn_about_vertical(d, -std::atan2(line.y(), line.x()));
+  rotate_about_vertical(d, -std::atan2(line.y(), line.x()));
   return d;
 }
 

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "stages/import/guess/facing.hpp"
+#include "stages/import/guess/heading.hpp"
 #include "tests/stages/import/recording_folder.hpp"
 
 namespace morphe::imports {
@@ -120,7 +120,7 @@ TEST_F(Bvh, FindsTheAxesAndTurnsTheSubjectToFaceY) {
   // about y: it faces x, the left.
   const std::string row = "10 20 30  0 90 0  0 0 0  0 0 0  0 0 0  0 0 0";
   Demonstration d = read(write(body("XYZ", {row}), "axes.bvh"), {"", "0.1", std::nullopt});
-  face_forward({}, d);
+  align_heading({}, d);
   const BodyStream& b = *d.streams.skeleton;
   const Vec3 left = b.position(0, joint_of(b, "left_shoulder"));
   const Vec3 right = b.position(0, joint_of(b, "right_shoulder"));

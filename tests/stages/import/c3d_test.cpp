@@ -22,7 +22,7 @@ class C3d : public RecordingFolder {
 C3dText three_frames() {
   C3dText c3d;
   c3d.frames = {{{100.25, -20, 3}, {-1000, 0.5, 2047.75}},
-                {unseen_point(), {1, 2, 3}},
+                {unknown_point(), {1, 2, 3}},
                 {{110, -30.5, 5}, {4, 5, 6}}};
   return c3d;
 }
@@ -47,8 +47,8 @@ TEST_P(C3dWriting, GivesTheSamePoints) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 2; ++k) {
       const Vec3& truth = c3d.frames[i][k];
-      if (!seen(truth)) {
-        EXPECT_FALSE(seen(markers.position(i, k)));
+      if (!is_known(truth)) {
+        EXPECT_FALSE(is_known(markers.position(i, k)));
       } else {
         EXPECT_LT((markers.position(i, k) - truth / 1000).norm(), 1e-12) << i << " " << k;
       }
@@ -87,7 +87,7 @@ TEST_F(C3d, PropulsionMatchesItsBytes) {
   for (std::size_t k = 0; k < 41; ++k) {
     bool before = true;
     for (std::size_t i = 0; i < 700; ++i) {
-      const bool now = seen(markers.position(i, k));
+      const bool now = is_known(markers.position(i, k));
       if (now) ++seen_points;
       if (before && !now) ++gaps;
       before = now;
@@ -196,7 +196,7 @@ TEST_F(C3d, LabelsThatLackOrRepeat) {
 
 TEST_F(C3d, PointsThatAreNoPointsWereNotSeen) {
   C3dText c3d = three_frames();
-  c3d.frames.assign(3, {Vec3::Zero(), unseen_point()});
+  c3d.frames.assign(3, {Vec3::Zero(), unknown_point()});
   const Demonstration d = read(write(c3d), kC3d);
   EXPECT_THAT(d.reports, ElementsAre("3 points stand exactly at the origin: taken as not seen",
                                      "no marker was seen in any frame"));

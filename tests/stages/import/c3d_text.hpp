@@ -53,9 +53,9 @@ struct C3dText {
     for (const auto& frame : frames) {
       for (const Vec3& point : frame) {
         for (const double value : {point.x(), point.y(), point.z()}) {
-          out += number(seen(point) ? value : 0);
+          out += number(is_known(point) ? value : 0);
         }
-        out += scale < 0 ? real(seen(point) ? 0 : -1) : word(seen(point) ? 0 : 0xffff);
+        out += scale < 0 ? real(is_known(point) ? 0 : -1) : word(is_known(point) ? 0 : 0xffff);
       }
       for (int a = 0; a < analog; ++a) out += number(7);
     }

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "core/files/text_encoding.hpp"
-#include "stages/import/guess/plausible.hpp"
+#include "stages/import/guess/plausibility.hpp"
 #include "tests/stages/import/recording_folder.hpp"
 
 namespace morphe::imports {
@@ -52,14 +52,14 @@ TEST_F(RecordingFolder, OutliersBeyondReasonAreRefused) {
   EXPECT_THAT(error_of(write(text.replace(text.rfind("4\n"), 1, "1e20"))),
               HasSubstr("trial.csv: unit: the markers spread over"));
   Demonstration d;
-  d.streams.sensors.emplace().position = Table<Vec3>(2, 1, Vec3(999, 0, 0));
-  d.calibration.arm_angles.emplace().angles = JointRows::Constant(1, 1, kNotSeen);
-  EXPECT_NO_THROW(check_plausible("f", d));
+  d.streams.sensors.emplace().position = Array2D<Vec3>(2, 1, Vec3(999, 0, 0));
+  d.calibration.arm_angles.emplace().angles = JointRows::Constant(1, 1, kUnknown);
+  EXPECT_NO_THROW(check_plausibility("f", d));
   d.streams.sensors->position(1, 0).y() = -2000;
-  EXPECT_THROW(check_plausible("f", d), InputError);
+  EXPECT_THROW(check_plausibility("f", d), InputError);
   d.streams = {};
   d.calibration.arm_angles->angles(0, 0) = -90;  // degrees
-  EXPECT_THROW(check_plausible("f", d), InputError);
+  EXPECT_THROW(check_plausibility("f", d), InputError);
   text = kTrial;
   EXPECT_EQ(error_of(write(text.replace(text.rfind("2,0"), 1, "1e9"))),
             "trial.csv: time: 1e+07 s pass between two rows, 0 and 1e+07 s");

@@ -107,7 +107,7 @@ TEST_F(Hot3d, BothHandsBendToTheirPalms) {
   EXPECT_LT((joint(d, "left_index_tip", 0) - Vec3(0.175, 1, 2.020)).norm(), 1e-12);
   EXPECT_LT((joint(d, "right_index_tip", 0) - Vec3(3 - 0.175, 1, 2.020)).norm(), 1e-12);
   EXPECT_LT((joint(d, "right_wrist", 1) - Vec3(3, 1, 2)).norm(), 1e-12);
-  EXPECT_FALSE(seen(joint(d, "left_wrist", 1)));
+  EXPECT_FALSE(is_known(joint(d, "left_wrist", 1)));
   // Bent by 60, 90 and 120 degrees in all: two joints at the knuckle, one each beyond.
   const Vec3 knuckle(3 - 0.09, 1, 2.020);
   const Vec3 tip = knuckle + 0.030 * Vec3(-0.5, -std::sqrt(0.75), 0) + 0.030 * Vec3(0, -1, 0) +

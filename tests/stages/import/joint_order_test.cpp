@@ -8,8 +8,8 @@ namespace morphe::imports {
 namespace {
 
 /// A flat right hand, keypoints in metres: x to the fingers, y to the thumb's side.
-std::array<Vec3, kKeypoints> hand() {
-  std::array<Vec3, kKeypoints> points;
+std::array<Vec3, kKeypointCount> hand() {
+  std::array<Vec3, kKeypointCount> points;
   points[0] = Vec3::Zero();
   points[1] = {0.03, 0.02, 0};
   points[2] = {0.06, 0.045, 0};
@@ -18,7 +18,7 @@ std::array<Vec3, kKeypoints> hand() {
   const double knuckle[] = {0.09, 0.095, 0.088, 0.08}, side[] = {0.025, 0.003, -0.018, -0.036};
   const double bones[4][3] = {
       {0.04, 0.024, 0.02}, {0.045, 0.028, 0.022}, {0.041, 0.026, 0.022}, {0.033, 0.018, 0.018}};
-  for (std::size_t finger = 1; finger < kFingers; ++finger) {
+  for (std::size_t finger = 1; finger < kFingerCount; ++finger) {
     const std::size_t base = 1 + 4 * finger;
     points[base] = {knuckle[finger - 1], side[finger - 1], 0};
     for (std::size_t joint = 0; joint < 3; ++joint) {
@@ -29,10 +29,10 @@ std::array<Vec3, kKeypoints> hand() {
 }
 
 /// Two frames of that hand as an order lists it; what is no keypoint lies in the palm.
-Table<Vec3> listed(const KeypointOrder& order) {
+Array2D<Vec3> listed(const KeypointOrder& order) {
   const auto points = hand();
-  Table<Vec3> joints(2, order.joints, Vec3(0.05, 0, 0));
-  for (std::size_t k = 0; k < kKeypoints; ++k) {
+  Array2D<Vec3> joints(2, order.joints, Vec3(0.05, 0, 0));
+  for (std::size_t k = 0; k < kKeypointCount; ++k) {
     if (order.joint[k] < 0) continue;
     joints(0, static_cast<std::size_t>(order.joint[k])) = points[k];
     joints(1, static_cast<std::size_t>(order.joint[k])) = points[k] + Vec3(0.3, 0.1, 1);
@@ -40,13 +40,13 @@ Table<Vec3> listed(const KeypointOrder& order) {
   return joints;
 }
 
-std::string said_of(const Table<Vec3>& joints, const Conventions& conventions) {
+std::string said_of(const Array2D<Vec3>& joints, const Conventions& conventions) {
   return joint_order_of(joints, "", conventions, "a.npz", "mano_right_joints").because;
 }
 
 TEST(JointOrder, EachIsToldByCountAndAnatomyInAnyUnit) {
   for (const KeypointOrder& order : keypoint_orders()) {
-    Table<Vec3> joints = listed(order);
+    Array2D<Vec3> joints = listed(order);
     for (Vec3& point : joints.values) point *= 1000;
     EXPECT_EQ(joint_order_of(joints, "", {}, "a.npz", "mano_right_joints").joint, order.joint)
         << order.name;
@@ -57,9 +57,9 @@ TEST(JointOrder, AnotherOrderOfAsManyIsNoHand) {
   for (const KeypointOrder& order : keypoint_orders()) {
     for (const KeypointOrder& other : keypoint_orders()) {
       if (other.joints != order.joints || other.joint == order.joint) continue;
-      EXPECT_LT(likeness_to_a_hand(listed(order), other.joint), 0.8) << order.name << other.name;
+      EXPECT_LT(hand_similarity(listed(order), other.joint), 0.8) << order.name << other.name;
     }
-    EXPECT_GT(likeness_to_a_hand(listed(order), order.joint), 0.95) << order.name;
+    EXPECT_GT(hand_similarity(listed(order), order.joint), 0.95) << order.name;
   }
 }
 
@@ -74,11 +74,11 @@ TEST(JointOrder, WhatWasAskedForComesFirst) {
 
 TEST(JointOrder, NoHandIsAskedFor) {
   try {
-    said_of(Table<Vec3>(2, 21, Vec3(0.1, 0, 0)), {});
+    said_of(Array2D<Vec3>(2, 21, Vec3(0.1, 0, 0)), {});
     FAIL();
-  } catch (const NotSaid& missing) {
+  } catch (const UnresolvedConvention& missing) {
     EXPECT_EQ(missing.key, "joint_order");
-    EXPECT_FALSE(missing.likely.empty());
+    EXPECT_FALSE(missing.likely_value.empty());
   }
 }
 

@@ -35,8 +35,8 @@ TEST_F(KeypointsCsv, ReadsFramesWithARateOrTimes) {
   ASSERT_EQ(hand.position.cols, 21u);
   EXPECT_LT((hand.position(0, 7) - Vec3(0.007, 0.014, 0.035)).norm(), 1e-15);
   EXPECT_LT((hand.position(0, 20) - Vec3(0.020, 0.040, 0.100)).norm(), 1e-15);
-  EXPECT_FALSE(seen(hand.position(1, 20)));
-  EXPECT_FALSE(seen(hand.position(2, 20)));
+  EXPECT_FALSE(is_known(hand.position(1, 20)));
+  EXPECT_FALSE(is_known(hand.position(2, 20)));
   EXPECT_THAT(d.reports, ElementsAre("2 of 63 points were not seen",
                                      HasSubstr("the wrist is the origin of every frame")));
   const Demonstration timed =

@@ -39,7 +39,7 @@ class LibertyCsv : public testing::Test {
     ImportRequest request;
     request.paths = {write("arm.csv", text)};
     request.conventions = std::move(conventions);
-    request.conventions.forward = ForwardBy::recorded;
+    request.conventions.forward = ForwardSource::recorded;
     return read(request);
   }
   static Demonstration read(const ImportRequest& request) {
@@ -74,8 +74,8 @@ TEST_F(LibertyCsv, ReadsPosesInAnyOrderAndUnit) {
   EXPECT_THAT(bodies.time, ElementsAre(0.5, 0.504));
   EXPECT_LT((bodies.position(0, 0) - Vec3(0.1, 0.2, 0.3)).norm(), 1e-15);
   EXPECT_LT((bodies.position(0, 1) - 0.0254 * Vec3(1, 2, 3)).norm(), 1e-15);
-  EXPECT_FALSE(seen(bodies.position(1, 0)));
-  EXPECT_TRUE(seen(bodies.orientation(1, 0)));
+  EXPECT_FALSE(is_known(bodies.position(1, 0)));
+  EXPECT_TRUE(is_known(bodies.orientation(1, 0)));
   EXPECT_LT(angle_between(bodies.orientation(0, 1), Quat(0.5, 0.5, 0.5, 0.5)), 1e-12);
   EXPECT_LT(angle_between(bodies.orientation(1, 1), Quat(0.6, 0, 0.8, 0)), 1e-12);
   EXPECT_THAT(d.reports,
@@ -118,7 +118,7 @@ TEST_F(LibertyCsv, ReadsGloveAndCalibrationPoseByAManifest) {
   write("raw.yaml",
         "ThumbRotate: {raw_low: 0, angle_low: -60 deg, raw_high: 0.42, angle_high: 100 deg}\n");
   ImportRequest request;
-  request.conventions.forward = ForwardBy::recorded;
+  request.conventions.forward = ForwardSource::recorded;
   request.paths = {write("recordings.yaml",
                          "axes: x y z\nrecordings:\n"
                          "  - {file: arm.csv, glove: glove.csv, static: pose.csv, static_glove: "
@@ -147,7 +147,7 @@ TEST_F(LibertyCsv, ReadsGloveAndCalibrationPoseByAManifest) {
 /// A sensor turned by 90 degrees about Z; the hand points forward, thumb up.
 TEST_F(LibertyCsv, FindsTheSensorOffsetsOfTheCalibrationPose) {
   ImportRequest request;
-  request.conventions.forward = ForwardBy::recorded;
+  request.conventions.forward = ForwardSource::recorded;
   request.paths = {write("arm.csv", kLibertyHeader + "0,1,2,3,1,0,0,0\n")};
   request.static_trial = write(
       "pose.csv",
@@ -174,8 +174,8 @@ TEST_F(LibertyCsv, RepairsWhatItSays) {
            "0,1,2,3,1.001,0,0,0\r\n0.1,NaN,,nan,0,0,0,0\n0.2,1,2,3,,,,\n\n,,,\n");
   EXPECT_EQ(d.streams.sensors->time.size(), 3u);
   EXPECT_NEAR(d.streams.sensors->orientation(0, 0).norm(), 1, 1e-15);
-  EXPECT_FALSE(seen(d.streams.sensors->orientation(1, 0)));
-  EXPECT_FALSE(seen(d.streams.sensors->orientation(2, 0)));
+  EXPECT_FALSE(is_known(d.streams.sensors->orientation(1, 0)));
+  EXPECT_FALSE(is_known(d.streams.sensors->orientation(2, 0)));
   EXPECT_THAT(d.reports, Contains(HasSubstr("1 quaternions were off unit norm by up to 0.001")));
   EXPECT_THAT(d.reports, Contains(HasSubstr("1 quaternions are zero")));
   EXPECT_THAT(d.reports, Contains(HasSubstr("lines end in different ways")));
@@ -243,7 +243,7 @@ TEST_F(LibertyCsv, RefusesAGloveWhereNoneBelongs) {
   write("both.csv", "time_s,IndexMPJ_deg,ThumbRotate_deg\n0,1,2\n");
   const auto error_with = [&](const std::string& entry) -> std::string {
     ImportRequest request;
-    request.conventions.forward = ForwardBy::recorded;
+    request.conventions.forward = ForwardSource::recorded;
     request.paths = {write("m.yaml", "axes: x y z\nrecordings:\n  - {" + entry + "}\n")};
     try {
       read(request);

@@ -27,7 +27,7 @@ struct Box {
       markers.names.push_back("box:" + std::to_string(corner));
     }
     markers.names.push_back("hand");
-    markers.position = Table<Vec3>(100, 9, Vec3(1, 1, 1));
+    markers.position = Array2D<Vec3>(100, 9, Vec3(1, 1, 1));
     for (std::size_t i = 0; i < 100; ++i) {
       const double t = 0.01 * static_cast<double>(i);
       markers.time.push_back(t);
@@ -72,9 +72,9 @@ TEST(MarkerObjects, BoxMovesAsItsCorners) {
 TEST(MarkerObjects, GapsAndNoiseLeaveTheShapeAlone) {
   Box box(0.0005);
   MarkerStream& markers = *box.demonstration.streams.markers;
-  for (std::size_t i = 0; i < 60; ++i) markers.position(i, i % 8) = unseen_point();
+  for (std::size_t i = 0; i < 60; ++i) markers.position(i, i % 8) = unknown_point();
   for (std::size_t i = 70; i < 80; ++i) {
-    for (std::size_t k = 0; k < 6; ++k) markers.position(i, k) = unseen_point();
+    for (std::size_t k = 0; k < 6; ++k) markers.position(i, k) = unknown_point();
   }
   add_marker_object("f", {"crate", {"box:*"}, "box", {}}, box.demonstration);
   const SceneObject& found = box.demonstration.objects.at(0);
@@ -107,12 +107,12 @@ TEST(MarkerObjects, SaysWhatIsWrong) {
             "f: objects: o: no frame shows three of its markers that are not in a line");
   EXPECT_EQ(error_of({"o", {"box:0", "box:1", "box:2"}, "box", {}}),
             "f: objects: o: its markers lie in a plane: give its size");
-  EXPECT_EQ(why_invalid(MarkerObject{"o", {}, "ball", {}}),
+  EXPECT_EQ(validation_error(MarkerObject{"o", {}, "ball", {}}),
             "shape must be sphere, box, cylinder or capsule, not 'ball'");
-  EXPECT_EQ(why_invalid(MarkerObject{"o", {}, "sphere", {}}), "a sphere needs its size");
-  EXPECT_EQ(why_invalid(MarkerObject{"o", {}, "box", {1, 1}}),
+  EXPECT_EQ(validation_error(MarkerObject{"o", {}, "sphere", {}}), "a sphere needs its size");
+  EXPECT_EQ(validation_error(MarkerObject{"o", {}, "box", {1, 1}}),
             "the size of a box is 3 positive lengths");
-  EXPECT_EQ(why_invalid(MarkerObject{"o", {}, "box", {1, 1, 0}}),
+  EXPECT_EQ(validation_error(MarkerObject{"o", {}, "box", {1, 1, 0}}),
             "the size of a box is 3 positive lengths");
 }
 
@@ -120,7 +120,7 @@ TEST(MarkerObjects, SaysWhatIsWrong) {
 /// 161 to 394. Two recordings hold the same box.
 TEST_F(RecordingFolder, ShippedBoxMovesAsItsMarkers) {
   ImportRequest request;
-  request.conventions.forward = ForwardBy::recorded;
+  request.conventions.forward = ForwardSource::recorded;
   request.paths = {std::filesystem::path(MORPHE_SOURCE_DIR) / "datasets/pyomeca/recordings.yaml"};
   std::vector<Demonstration> all;
   import_recordings(request, [&](Demonstration&& d) { all.push_back(std::move(d)); });

@@ -31,17 +31,17 @@ Names joints(const std::vector<std::string>& chain) {
 }
 
 TEST(RecordedWords, AreTakenApart) {
-  const RecordedWords words = recorded_words_of("mixamorig:RightHandIndex3_end");
+  const RecordedWords words = parse_recorded_name("mixamorig:RightHandIndex3_end");
   for (const BodyWord word : {BodyWord::right, BodyWord::hand, BodyWord::index, BodyWord::tip}) {
     EXPECT_TRUE(words.has(word));
   }
   EXPECT_EQ(words.numbers, std::vector<int>{3});
-  EXPECT_FALSE(words.strange);
-  EXPECT_TRUE(recorded_words_of("RELB").has(BodyWord::elbow));
-  EXPECT_TRUE(recorded_words_of("RELB").has(BodyWord::right));
-  EXPECT_FALSE(recorded_words_of("cup_handle").has(BodyWord::hand));
-  EXPECT_TRUE(recorded_words_of("cup_handle").strange);
-  EXPECT_TRUE(recorded_words_of(std::string(10000, 'l')).strange);
+  EXPECT_FALSE(words.has_unknown_word);
+  EXPECT_TRUE(parse_recorded_name("RELB").has(BodyWord::elbow));
+  EXPECT_TRUE(parse_recorded_name("RELB").has(BodyWord::right));
+  EXPECT_FALSE(parse_recorded_name("cup_handle").has(BodyWord::hand));
+  EXPECT_TRUE(parse_recorded_name("cup_handle").has_unknown_word);
+  EXPECT_TRUE(parse_recorded_name(std::string(10000, 'l')).has_unknown_word);
 }
 
 TEST(NameGuess, PointsOfJointsInSeveralTongues) {

@@ -23,8 +23,8 @@ TEST(NameWords, LettersNumbersAndCapitals) {
                                                        {"", ""},
                                                        {"__.--", ""},
                                                        {"Käthe_2", "käthe 2"}};
-  for (const auto& [name, words] : known) EXPECT_EQ(text_of(words_of(name)), words) << name;
-  EXPECT_EQ(words_of("ADL001DR2")[1].end, 6u);
+  for (const auto& [name, words] : known) EXPECT_EQ(text_of(split_name(name)), words) << name;
+  EXPECT_EQ(split_name("ADL001DR2")[1].end, 6u);
 }
 
 TEST(NameWords, StaticTrialsAndWhose) {
@@ -44,17 +44,17 @@ TEST(NameWords, StaticTrialsAndWhose) {
       {"postcard", false, "postcard"},
   };
   for (const auto& [name, is_static, whose] : known) {
-    const StaticName read = read_static_name(name);
+    const StaticTrialName read = parse_static_name(name);
     EXPECT_EQ(read.is_static, is_static) << name;
-    EXPECT_EQ(text_of(read.whose), whose) << name;
+    EXPECT_EQ(text_of(read.person_words), whose) << name;
   }
 }
 
 TEST(NameWords, NaturalOrder) {
-  EXPECT_TRUE(comes_before("trial2", "trial10"));
-  EXPECT_FALSE(comes_before("trial10", "trial2"));
-  EXPECT_TRUE(comes_before("P01", "P01_a"));
-  EXPECT_TRUE(comes_before("a1", "a01") != comes_before("a01", "a1"));
+  EXPECT_TRUE(natural_less("trial2", "trial10"));
+  EXPECT_FALSE(natural_less("trial10", "trial2"));
+  EXPECT_TRUE(natural_less("P01", "P01_a"));
+  EXPECT_TRUE(natural_less("a1", "a01") != natural_less("a01", "a1"));
 }
 
 }  // namespace

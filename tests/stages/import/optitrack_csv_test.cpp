@@ -43,7 +43,7 @@ TEST_F(OptitrackCsv, BodiesAndMeasuredMarkersInTheWorld) {
   EXPECT_THAT(markers.names, ElementsAre("Cup:1"));
   EXPECT_THAT(markers.time, ElementsAre(0.10, 0.11, 0.15));  // of the frames, not rounded ones
   EXPECT_LT((markers.position(0, 0) - Vec3(0.111, -0.300, 0.200)).norm(), 1e-12);
-  EXPECT_FALSE(seen(markers.position(1, 0)));
+  EXPECT_FALSE(is_known(markers.position(1, 0)));
   ASSERT_EQ(d.objects.size(), 1u);
   const SceneObject& cup = d.objects[0];
   EXPECT_EQ(cup.name, "Cup");
@@ -83,18 +83,18 @@ TEST_F(OptitrackCsv, EulerAnglesTurnInTheOrderOfTheirName) {
 TEST_F(OptitrackCsv, ABodyMayBeTheWrist) {
   ImportRequest request;
   request.paths = {write(take())};
-  request.names = write("{Cup: wrist}", "names.yaml");
+  request.name_map = write("{Cup: wrist}", "names.yaml");
   const Demonstration d = read(request);
   ASSERT_TRUE(d.streams.sensors);
   EXPECT_THAT(d.streams.sensors->names, ElementsAre("wrist"));
   EXPECT_LT((d.streams.sensors->position(0, 0) - Vec3(0.1, -0.3, 0.2)).norm(), 1e-12);
-  EXPECT_FALSE(seen(d.streams.sensors->position(1, 0)));
+  EXPECT_FALSE(is_known(d.streams.sensors->position(1, 0)));
   EXPECT_TRUE(d.objects.empty());
-  request.names = write("{Cup: right_wrist, Cup:1: right_index_tip}", "names.yaml");
+  request.name_map = write("{Cup: right_wrist, Cup:1: right_index_tip}", "names.yaml");
   const Demonstration joints = read(request);
   EXPECT_THAT(joints.streams.skeleton->names, ElementsAre("right_index_tip", "right_wrist"));
   EXPECT_LT((joints.streams.skeleton->position(0, 1) - Vec3(0.1, -0.3, 0.2)).norm(), 1e-12);
-  EXPECT_TRUE(seen(joints.streams.skeleton->orientation(0, 1)));
+  EXPECT_TRUE(is_known(joints.streams.skeleton->orientation(0, 1)));
 }
 
 /// All 21 joints of a hand as markers, in two frames `step` mm apart.
@@ -173,12 +173,12 @@ TEST_F(OptitrackCsv, ReadsBothShippedVersions) {
   EXPECT_THAT(d.reports, Contains("440 frames are missing in 1 gap"));
   ImportRequest request;
   request.paths = {kTakes / "rofunc_take.csv"};
-  request.names = write("{Left: left_wrist, Right: right_wrist}", "names.yaml");
+  request.name_map = write("{Left: left_wrist, Right: right_wrist}", "names.yaml");
   const BodyStream wrists = *read(request).streams.skeleton;
   EXPECT_LT((wrists.position(0, 0) - Vec3(-0.079610710, -0.212482422, 0.823122498)).norm(), 1e-9);
   // The markers stay where they are in the body: the order x, y, z, w of its quaternion is right.
   for (const char* body : {"Left", "Right", "Box"}) {
-    const SceneObject& object = *object_named(d.objects, body);
+    const SceneObject& object = *find_object(d.objects, body);
     for (std::size_t k = 0; k < 12; ++k) {
       if (!d.streams.markers->names[k].starts_with(body)) continue;
       const auto in_body = [&](std::size_t i) {

@@ -58,7 +58,7 @@ TEST_F(PointCsv, TwoLinesOfHeaderBehindLinesOfTheirOwn) {
                                {"x y z", "m", {}});
   EXPECT_THAT(d.streams.markers->names, ElementsAre("A", "B"));
   EXPECT_THAT(d.streams.markers->time, ElementsAre(0, 0.01));
-  EXPECT_FALSE(seen(d.streams.markers->position(1, 1)));
+  EXPECT_FALSE(is_known(d.streams.markers->position(1, 1)));
 }
 
 TEST_F(PointCsv, TimesInTheirUnitOrSaidToBeTaken) {
@@ -97,8 +97,8 @@ TEST_F(PointCsv, WhatWasNotSeen) {
   for (const char* cells : {",,", "NaN,nan,NAN", "NA,NA,NA", "null,null,null", "-,-,-"}) {
     const Demonstration d = read(
         write(std::string("A_x,A_y,A_z,B_x,B_y,B_z\n") + cells + ",4,5,6\n1,2,3,4,5,6\n"), kMetres);
-    EXPECT_FALSE(seen(d.streams.markers->position(0, 0))) << cells;
-    EXPECT_TRUE(seen(d.streams.markers->position(0, 1))) << cells;
+    EXPECT_FALSE(is_known(d.streams.markers->position(0, 0))) << cells;
+    EXPECT_TRUE(is_known(d.streams.markers->position(0, 1))) << cells;
   }
 }
 
@@ -113,7 +113,7 @@ TEST_F(PointCsv, JointNamesMakeASkeletonAndTheRestStaysMarkers) {
   EXPECT_THAT(d.streams.skeleton->names,
               ElementsAre("right_shoulder", "right_elbow", "right_wrist"));
   EXPECT_LT((d.streams.skeleton->position(1, 2) - Vec3(0, 0.2, 0.7)).norm(), 1e-15);
-  EXPECT_FALSE(seen(d.streams.skeleton->orientation(0, 0)));
+  EXPECT_FALSE(is_known(d.streams.skeleton->orientation(0, 0)));
   EXPECT_THAT(d.streams.markers->names, ElementsAre("cup"));
 }
 

@@ -37,7 +37,7 @@ void expect_two_markers(const Demonstration& d) {
   EXPECT_THAT(markers.time, ElementsAre(0, 0.005));
   EXPECT_LT((markers.position(1, 0) - Vec3(0.011, 0.021, 0.031)).norm(), 1e-15);
   EXPECT_LT((markers.position(0, 1) - Vec3(0.04, 0.05, 0.06)).norm(), 1e-15);
-  EXPECT_FALSE(seen(markers.position(1, 1)));
+  EXPECT_FALSE(is_known(markers.position(1, 1)));
 }
 
 TEST_F(QualisysTsv, ReadsMillimetresAndTheOriginIsNotSeen) {

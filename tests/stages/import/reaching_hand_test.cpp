@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "stages/import/folders/recording_sketch.hpp"
+#include "stages/import/folders/recording_descriptor.hpp"
 
 namespace morphe::imports {
 namespace {
@@ -10,7 +10,7 @@ Demonstration moving(const std::vector<std::pair<std::string, double>>& points) 
   constexpr std::size_t kRows = 40;
   Demonstration demonstration;
   MarkerStream& markers = demonstration.streams.markers.emplace();
-  markers.position = Table<Vec3>(kRows, points.size(), unseen_point());
+  markers.position = Array2D<Vec3>(kRows, points.size(), unknown_point());
   for (const auto& point : points) markers.names.push_back(point.first);
   for (std::size_t i = 0; i < kRows; ++i) {
     markers.time.push_back(0.01 * static_cast<double>(i));
@@ -23,7 +23,7 @@ Demonstration moving(const std::vector<std::pair<std::string, double>>& points) 
 
 ReachingHand hand_of(const std::vector<std::pair<std::string, double>>& points) {
   const Demonstration demonstration = moving(points);
-  return reaching_hand(demonstration, sketch_of(demonstration));
+  return reaching_hand(demonstration, recording_descriptor(demonstration));
 }
 
 TEST(ReachingHand, TheSideThatMovesFarther) {
@@ -56,7 +56,7 @@ TEST(ReachingHand, KeypointsTellItByTheCurl) {
   HandStream& hand = demonstration.streams.hand.emplace();
   hand.kind = HandKind::keypoints;
   hand.time = {0};
-  hand.position = Table<Vec3>(1, 21, Vec3::Zero());
+  hand.position = Array2D<Vec3>(1, 21, Vec3::Zero());
   for (std::size_t finger = 1; finger < 5; ++finger) {
     const double x = 0.02 * static_cast<double>(finger);
     for (std::size_t joint = 0; joint < 4; ++joint) {
@@ -64,21 +64,21 @@ TEST(ReachingHand, KeypointsTellItByTheCurl) {
       hand.position(0, 1 + 4 * finger + joint) = Vec3(x, 0.09 + 0.02 * along, -0.015 * along);
     }
   }
-  EXPECT_EQ(reaching_hand(demonstration, sketch_of(demonstration)).side, Side::right);
+  EXPECT_EQ(reaching_hand(demonstration, recording_descriptor(demonstration)).side, Side::right);
   for (Vec3& point : hand.position.values) point.x() = -point.x();
-  EXPECT_EQ(reaching_hand(demonstration, sketch_of(demonstration)).side, Side::left);
+  EXPECT_EQ(reaching_hand(demonstration, recording_descriptor(demonstration)).side, Side::left);
 }
 
 TEST(RecordingSketch, WandersByHandAndStandsStill) {
-  const RecordingSketch sketch = sketch_of(moving({{"B", 0.2}, {"A", 0.001}}));
+  const RecordingDescriptor sketch = recording_descriptor(moving({{"B", 0.2}, {"A", 0.001}}));
   EXPECT_EQ(sketch.points, (std::vector<std::string>{"A", "B"}));
-  EXPECT_NEAR(sketch.wander[0], 0.001, 1e-12);
-  EXPECT_NEAR(sketch.wander[1], 0.2, 1e-12);
-  EXPECT_TRUE(stands_still(sketch_of(moving({{"A", 0.001}, {"B", 0.01}, {"C", 0}}))));
+  EXPECT_NEAR(sketch.rms_deviation_m[0], 0.001, 1e-12);
+  EXPECT_NEAR(sketch.rms_deviation_m[1], 0.2, 1e-12);
+  EXPECT_TRUE(is_stationary(recording_descriptor(moving({{"A", 0.001}, {"B", 0.01}, {"C", 0}}))));
   // One marker that was taken for another is no motion; three that move are.
-  EXPECT_TRUE(stands_still(sketch_of(moving({{"A", 0.5}, {"B", 0.01}, {"C", 0}}))));
-  EXPECT_FALSE(stands_still(sketch_of(moving({{"A", 0.5}, {"B", 0.1}, {"C", 0.03}}))));
-  EXPECT_FALSE(stands_still(RecordingSketch{}));
+  EXPECT_TRUE(is_stationary(recording_descriptor(moving({{"A", 0.5}, {"B", 0.01}, {"C", 0}}))));
+  EXPECT_FALSE(is_stationary(recording_descriptor(moving({{"A", 0.5}, {"B", 0.1}, {"C", 0.03}}))));
+  EXPECT_FALSE(is_stationary(RecordingDescriptor{}));
 }
 
 }  // namespace

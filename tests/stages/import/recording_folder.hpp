@@ -24,7 +24,7 @@ class RecordingFolder : public testing::Test {
   }
   /// In the recorded axes, whichever way the person faces.
   Demonstration read(ImportRequest request) {
-    request.conventions.forward = ForwardBy::recorded;
+    request.conventions.forward = ForwardSource::recorded;
     std::vector<Demonstration> read;
     import_recordings(request, [&](Demonstration&& d) { read.push_back(std::move(d)); });
     return read.at(0);

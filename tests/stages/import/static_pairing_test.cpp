@@ -7,11 +7,12 @@
 namespace morphe::imports {
 namespace {
 
-RecordingSketch sketch(const std::string& path, std::vector<std::string> points = {"A", "B", "C"},
-                       const std::string& subject = "") {
+RecordingDescriptor sketch(const std::string& path,
+                           std::vector<std::string> points = {"A", "B", "C"},
+                           const std::string& subject = "") {
   const std::filesystem::path file(path);
-  RecordingSketch sketch;
-  sketch.folders = folders_on(file.parent_path());
+  RecordingDescriptor sketch;
+  sketch.folders = folder_names(file.parent_path());
   sketch.stem = file.stem().string();
   sketch.format = file.extension().string();
   sketch.points = std::move(points);
@@ -22,12 +23,12 @@ RecordingSketch sketch(const std::string& path, std::vector<std::string> points 
 /// The stems and folders of the static trials that recordings get, "-" for none.
 std::vector<std::string> paired(const std::vector<std::string>& recordings,
                                 const std::vector<std::string>& statics) {
-  std::vector<RecordingSketch> trials, still;
+  std::vector<RecordingDescriptor> trials, still;
   for (const std::string& path : recordings) trials.push_back(sketch(path));
   for (const std::string& path : statics) still.push_back(sketch(path));
   std::vector<std::string> result;
   for (const auto& pair : pair_static_trials(trials, still)) {
-    result.push_back(pair ? statics[pair->which] : "-");
+    result.push_back(pair ? statics[pair->static_index] : "-");
   }
   return result;
 }
@@ -76,24 +77,24 @@ TEST(StaticPairing, NumbersOfTrialsAreNobodys) {
 }
 
 TEST(StaticPairing, OfSeveralTheOneWithMostMarkersInCommon) {
-  const std::vector<RecordingSketch> trials = {sketch("P1/a.csv", {"A", "B", "C", "D"}),
-                                               sketch("P1/b.csv", {"E", "F", "G"})};
-  const std::vector<RecordingSketch> statics = {sketch("P1/static1.csv", {"A", "B", "C"}),
-                                                sketch("P1/static2.csv", {"A", "B", "C", "D"}),
-                                                sketch("P1/static3.csv", {"E", "F", "G"})};
+  const std::vector<RecordingDescriptor> trials = {sketch("P1/a.csv", {"A", "B", "C", "D"}),
+                                                   sketch("P1/b.csv", {"E", "F", "G"})};
+  const std::vector<RecordingDescriptor> statics = {sketch("P1/static1.csv", {"A", "B", "C"}),
+                                                    sketch("P1/static2.csv", {"A", "B", "C", "D"}),
+                                                    sketch("P1/static3.csv", {"E", "F", "G"})};
   const auto pairs = pair_static_trials(trials, statics);
   ASSERT_TRUE(pairs[0] && pairs[1]);
-  EXPECT_EQ(pairs[0]->which, 1u);
-  EXPECT_EQ(pairs[0]->choice, 2u);
-  EXPECT_EQ(pairs[1]->which, 2u);
+  EXPECT_EQ(pairs[0]->static_index, 1u);
+  EXPECT_EQ(pairs[0]->candidate_count, 2u);
+  EXPECT_EQ(pairs[1]->static_index, 2u);
 }
 
 TEST(StaticPairing, TheSubjectInTheFileDecidesWhereNoNameDoes) {
-  const std::vector<RecordingSketch> trials = {sketch("x.csv", {"A", "B", "C"}, "bert")};
+  const std::vector<RecordingDescriptor> trials = {sketch("x.csv", {"A", "B", "C"}, "bert")};
   const auto pairs = pair_static_trials(trials, {sketch("static1.csv", {"A", "B", "C"}, "anna"),
                                                  sketch("static2.csv", {"A", "B", "C"}, "bert")});
   ASSERT_TRUE(pairs[0]);
-  EXPECT_EQ(pairs[0]->which, 1u);
+  EXPECT_EQ(pairs[0]->static_index, 1u);
 }
 
 TEST(StaticPairing, NeverOfAnotherFormatOrWithoutMarkersInCommon) {
@@ -108,7 +109,7 @@ TEST(StaticPairing, ThePersonAsTheNameWritesIt) {
   EXPECT_EQ(pairs[0]->person, "ADL001");
   ASSERT_TRUE(pairs[1]);
   EXPECT_EQ(pairs[1]->person, "Käthe 2");
-  EXPECT_EQ(pairs[1]->which, 2u);
+  EXPECT_EQ(pairs[1]->static_index, 2u);
 }
 
 }  // namespace

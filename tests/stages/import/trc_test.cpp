@@ -80,11 +80,11 @@ TEST_F(Trc, WhatTheHeaderPromisesIsCompared) {
 TEST_F(Trc, EmptyNanAndOriginWereNotSeen) {
   for (const char* cells : {",,", "NaN,nan,NAN"}) {
     const Demonstration d = read(write(trc("10,20,30", cells)), kTrc);
-    EXPECT_FALSE(seen(d.streams.markers->position(0, 0)));
-    EXPECT_TRUE(seen(d.streams.markers->position(1, 0)));
+    EXPECT_FALSE(is_known(d.streams.markers->position(0, 0)));
+    EXPECT_TRUE(is_known(d.streams.markers->position(1, 0)));
   }
   const Demonstration d = read(write(trc("10,20,30", "0,0.000,0")), kTrc);
-  EXPECT_FALSE(seen(d.streams.markers->position(0, 0)));
+  EXPECT_FALSE(is_known(d.streams.markers->position(0, 0)));
   EXPECT_THAT(d.reports, ElementsAre("1 points stand exactly at the origin: taken as not seen"));
 }
 
@@ -113,7 +113,7 @@ TEST_F(Trc, ErrorsSayWhere) {
 /// Numbers that Python read from the text.
 TEST_F(Trc, ShippedFileMatchesItsText) {
   ImportRequest request;
-  request.conventions.forward = ForwardBy::recorded;
+  request.conventions.forward = ForwardSource::recorded;
   request.paths = {std::filesystem::path(MORPHE_SOURCE_DIR) / "datasets/pyomeca/recordings.yaml"};
   std::vector<Demonstration> all;
   import_recordings(request, [&](Demonstration&& d) { all.push_back(std::move(d)); });
@@ -125,7 +125,7 @@ TEST_F(Trc, ShippedFileMatchesItsText) {
   EXPECT_EQ(markers.names[15], "RGTH");
   EXPECT_LT((markers.position(0, 0) - Vec3(0.0809832, -0.7337041, 0.1918668)).norm(), 1e-12);
   EXPECT_LT((markers.position(92, 50) - Vec3(-0.0760879, -0.3467847, 0.2298264)).norm(), 1e-12);
-  for (const Vec3& point : markers.position.values) EXPECT_TRUE(seen(point));
+  for (const Vec3& point : markers.position.values) EXPECT_TRUE(is_known(point));
   EXPECT_THAT(all[1].reports, testing::Contains("the header says 652 frames, 93 are there"));
 }
 

@@ -36,7 +36,7 @@ TEST_F(ViconCsv, ReadsUnitsRateGapsAndByteOrderMark) {
   EXPECT_DOUBLE_EQ(markers.time[1], 0.22);
   EXPECT_TRUE(markers.position(0, 0).isApprox(Vec3(0.001, 0.002, 0.003), 1e-15));
   EXPECT_TRUE(markers.position(0, 1).isApprox(Vec3(-0.0045, 0.05, 0.006), 1e-15));
-  EXPECT_FALSE(seen(markers.position(1, 0)));
+  EXPECT_FALSE(is_known(markers.position(1, 0)));
   EXPECT_FALSE(d.calibration.markers.has_value());
 }
 
@@ -88,7 +88,7 @@ TEST_F(ViconCsv, ErrorsNameLineAndColumn) {
 TEST_F(ViconCsv, RealTrialsMatchTheirText) {
   std::vector<Demonstration> trials;
   ImportRequest request;
-  request.conventions.forward = ForwardBy::recorded;
+  request.conventions.forward = ForwardSource::recorded;
   request.paths = {kData / "recordings.yaml"};
   import_recordings(request, [&](Demonstration&& d) { trials.push_back(std::move(d)); });
   ASSERT_EQ(trials.size(), 5u);
@@ -118,21 +118,21 @@ TEST_F(ViconCsv, NamesAreMapped) {
   import_recordings(request, [](Demonstration&& d) {
     EXPECT_EQ(d.streams.markers->names, std::vector<std::string>{"RFTP"});
   });
-  request.names = write("MIDDLE: RFTP\n", "names.yaml");
+  request.name_map = write("MIDDLE: RFTP\n", "names.yaml");
   EXPECT_THROW(import_recordings(request, [](Demonstration&&) {}), InputError);
 }
 
 TEST_F(ViconCsv, NamesMayBeInTheRecordingOrInTheStaticTrial) {
   const std::string rows = "Frame,Sub Frame,X,Y,Z,X,Y,Z\n,,mm,mm,mm,mm,mm,mm\n1,0,1,2,3,40,50,60\n";
   ImportRequest request;
-  request.conventions.forward = ForwardBy::recorded;
+  request.conventions.forward = ForwardSource::recorded;
   request.paths = {write("Trajectories\n100\n,,P:HAND,,,P:INDEX\n" + rows)};
   request.static_trial = write("Trajectories\n100\n,,P:HAND,,,P:ELBOW\n" + rows, "static.csv");
-  request.names = write("{HAND: RHAN1, INDEX: RFTP, ELBOW: RLEP}", "names.yaml");
+  request.name_map = write("{HAND: RHAN1, INDEX: RFTP, ELBOW: RLEP}", "names.yaml");
   const Demonstration d = read(request);
   EXPECT_THAT(d.streams.markers->names, ElementsAre("RHAN1", "RFTP"));
   EXPECT_THAT(d.calibration.markers->names, ElementsAre("RHAN1", "RLEP"));
-  request.names = write("{HAND: RHAN1, THUMB: RTHUM}", "names.yaml");
+  request.name_map = write("{HAND: RHAN1, THUMB: RTHUM}", "names.yaml");
   try {
     read(request);
     FAIL();
@@ -254,7 +254,7 @@ TEST_F(ViconCsv, EmptyFilesAreNotRecognised) {
   for (const char* text : {"", "\xEF\xBB\xBF", "\n\n", ",,,\n"}) {
     EXPECT_THAT(error_of(text), HasSubstr("trial.csv:1: format: not recognised"));
     ImportRequest request;
-    request.conventions.forward = ForwardBy::recorded;
+    request.conventions.forward = ForwardSource::recorded;
     request.paths = {folder_ / "trial.csv"};
     request.format = "vicon-csv";
     EXPECT_THROW(read(request), InputError);
@@ -264,7 +264,7 @@ TEST_F(ViconCsv, EmptyFilesAreNotRecognised) {
 /// Numbers that Python read from the text.
 TEST_F(ViconCsv, TwoSubjectsMatchTheirText) {
   ImportRequest request;
-  request.conventions.forward = ForwardBy::recorded;
+  request.conventions.forward = ForwardSource::recorded;
   request.paths = {std::filesystem::path(MORPHE_SOURCE_DIR) / "datasets/pyomeca/recordings.yaml"};
   const Demonstration d = read(request);
   const MarkerStream& markers = *d.streams.markers;
@@ -275,8 +275,9 @@ TEST_F(ViconCsv, TwoSubjectsMatchTheirText) {
   EXPECT_DOUBLE_EQ(markers.time.back(), 5.79);
   EXPECT_LT((markers.position(0, 0) - Vec3(-0.276862, -0.0441628, 0.675697)).norm(), 1e-12);
   EXPECT_LT((markers.position(579, 50) - Vec3(0.610845, -0.623752, 0.0996826)).norm(), 1e-12);
-  EXPECT_EQ(std::ranges::count_if(markers.position.values, [](const Vec3& p) { return seen(p); }),
-            29275);
+  EXPECT_EQ(
+      std::ranges::count_if(markers.position.values, [](const Vec3& p) { return is_known(p); }),
+      29275);
 }
 
 TEST_F(ViconCsv, UnknownContentAndFormatListWhatIsKnown) {

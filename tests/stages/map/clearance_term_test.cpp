@@ -30,7 +30,7 @@ struct ClearanceBench {
 TEST(ClearanceTerm, GradientIsThatOfTheValue) {
   const ClearanceBench bench;
   ClearanceTerm term;
-  term.band_m = 0.02;
+  term.activation_distance_m = 0.02;
   ClearanceScratch scratch;
   const auto model_at = [&](const JointVector& q) {
     solve::Quadratic model;
@@ -49,7 +49,7 @@ TEST(ClearanceTerm, GradientIsThatOfTheValue) {
     const JointVector q = reaching + 0.03 * (random_position(bench.robot, random) - middle);
     const double least = collision::least_slack(bench.world, q, 0, scratch.collision).slack();
     // Deep inside one another, nearest points jump; the term is for what barely touches.
-    if (least < -0.004 || least > term.band_m) continue;
+    if (least < -0.004 || least > term.activation_distance_m) continue;
     const solve::Quadratic model = model_at(q);
     const JointVector numeric =
         numeric_gradient([&](const JointVector& at) { return model_at(at).value; }, q, 1e-7);

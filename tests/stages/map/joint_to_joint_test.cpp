@@ -10,7 +10,7 @@
 #include "core/humanlike/arm_chain.hpp"
 #include "core/robot/files/description.hpp"
 #include "core/robot/files/generate.hpp"
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 #include "stages/map/finger_angles.hpp"
 #include "stages/map/map_movement.hpp"
 
@@ -20,14 +20,14 @@ namespace {
 using Eigen::Index;
 constexpr double kDegree = std::numbers::pi / 180;
 
-RobotTable shipped(const std::string& name) {
+RobotModel shipped(const std::string& name) {
   return robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/" + name).table;
 }
 
 /// Angles inside the human's limits, each finger its own.
 JointVector some_angles() {
-  const RobotTable human = human::human_hand({0.19, 0.085});
-  JointVector angles(static_cast<Index>(kHandAngles));
+  const RobotModel human = human::human_hand({0.19, 0.085});
+  JointVector angles(static_cast<Index>(kHandAngleCount));
   for (Index k = 0; k < angles.size(); ++k) {
     const double share = 0.3 + 0.4 * std::abs(std::sin(1.7 * static_cast<double>(k)));
     angles[k] = human.lower[k] + share * (human.upper[k] - human.lower[k]);
@@ -63,7 +63,7 @@ TEST(FingerAngles, AreThoseOfTheRobotsJointsOnAnArmToo) {
 TEST(FingerAngles, OfAnotherHandFlexAsTheHumans) {
   const robot::Robot robot(shipped("dlr_hit2.yaml"));
   FingerAngles fit(robot);
-  JointVector human = JointVector::Zero(static_cast<Index>(kHandAngles));
+  JointVector human = JointVector::Zero(static_cast<Index>(kHandAngleCount));
   human[8] = 3 * kDegree;  // middle_abduction
   human[9] = 30 * kDegree;
   human[10] = human[11] = 40 * kDegree;
@@ -79,7 +79,7 @@ TEST(FingerAngles, OfAnotherHandFlexAsTheHumans) {
 TEST(FingerAngles, BetweenTheHumansFingers) {
   const robot::Robot robot(robot::generate_hand({4, 0.2, 0.09}));
   FingerAngles fit(robot);
-  JointVector human = JointVector::Zero(static_cast<Index>(kHandAngles));
+  JointVector human = JointVector::Zero(static_cast<Index>(kHandAngleCount));
   for (Index finger = 1; finger < 5; ++finger) {
     human[4 * finger + 1] = 0.5;
     human[4 * finger + 2] = 0.6;
@@ -97,7 +97,7 @@ TEST(FingerAngles, BetweenTheHumansFingers) {
 TEST(FingerAngles, AFingerNotSeenHasNone) {
   FingerAngles fit(robot::generate_hand({5, 0.25, 0.1}));
   JointVector human = some_angles();
-  human.segment<4>(8).setConstant(kNotSeen);
+  human.segment<4>(8).setConstant(kUnknown);
   const JointVector q = fit(human);
   for (Index k = 0; k < 20; ++k) EXPECT_EQ(std::isnan(q[k]), k / 4 == 2) << k;
 }
@@ -110,15 +110,15 @@ class ArmToArm : public testing::Test {
     truth = JointVector::Zero(static_cast<Index>(robot.joints()));
     truth.head(7) << 1.2, -1.0, -1.6, 1.6, 2.5, 0.7, 0.5;
     constexpr std::size_t kFrames = 20;
-    goals.tip_position = {kFrames, robot.tips.size(), unseen_point()};
-    goals.tip_orientation = {kFrames, robot.tips.size(), unseen_rotation()};
+    goals.tip_position = {kFrames, robot.tips.size(), unknown_point()};
+    goals.tip_orientation = {kFrames, robot.tips.size(), unknown_rotation()};
     goals.reachable = {kFrames, robot.tips.size(), 0};
-    goals.finger_joint_position = {kFrames, kFingers, unseen_point()};
+    goals.finger_joint_position = {kFrames, kFingerCount, unknown_point()};
     std::vector<Pose> poses;
     for (std::size_t f = 0; f < kFrames; ++f) {
       JointVector q = truth;
       q[3] += 0.005 * static_cast<double>(f);
-      robot::forward(robot, q, poses);
+      robot::forward_kinematics(robot, q, poses);
       const humanlike::Chain chain = humanlike::arm_chain(robot, poses).joints;
       const Vec3 elbow = chain[0] + 0.6 * (chain[1] - chain[0]);
       goals.time.push_back(0.01 * static_cast<double>(f));
@@ -146,11 +146,12 @@ TEST_F(ArmToArm, LinksAndHandPointAsTheHumans) {
   MappingProblem problem = make_mapping_problem(robot, goals, world, options);
   problem.goals = joint_to_joint_goals(robot, {}, {}, goals);
   const Outcome<MapResult> mapping = map_movement(problem, goals, options, 3);
-  ASSERT_FALSE(mapping.refusal);
+  ASSERT_FALSE(mapping.failure);
   const MapResult& result = mapping.value;
   std::vector<Pose> poses;
   for (const std::size_t f : {0u, 10u, 19u}) {
-    robot::forward(robot, result.mapped.position.row(static_cast<Index>(f)).transpose(), poses);
+    robot::forward_kinematics(robot, result.mapped.position.row(static_cast<Index>(f)).transpose(),
+                              poses);
     const humanlike::Chain chain = humanlike::arm_chain(robot, poses).joints;
     const auto angle = [](const Vec3& a, const Vec3& b) {
       return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -172,14 +173,14 @@ TEST_F(ArmToArm, LinksAndHandPointAsTheHumans) {
 }
 
 TEST_F(ArmToArm, RecordedAnglesAreFollowed) {
-  JointRows angles = JointRows::Zero(20, static_cast<Index>(kHandAngles));
+  JointRows angles = JointRows::Zero(20, static_cast<Index>(kHandAngleCount));
   angles.col(9).setConstant(0.5);  // middle_mcp
   const std::vector<humanlike::FrameGoal> frames =
       joint_to_joint_goals(robot, angles, goals.time, goals);
   EXPECT_NEAR(frames[7].angles[7 + 7], 0.5, 0.01);  // middle_proximal
   EXPECT_TRUE(std::isnan(frames[7].angles[0]));
   EXPECT_TRUE(goals.estimated.empty());
-  EXPECT_EQ(frames[7].tips_seen(), 0);
+  EXPECT_EQ(frames[7].goal_tip_count(), 0);
 }
 
 }  // namespace

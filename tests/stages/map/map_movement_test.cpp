@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/robot/files/description.hpp"
-#include "core/robot/forward.hpp"
-#include "stages/map/resolve_path.hpp"
+#include "core/robot/forward_kinematics.hpp"
+#include "stages/map/re_solve_path.hpp"
 
 namespace morphe::map {
 namespace {
@@ -26,15 +26,15 @@ class MapMovement : public testing::Test {
     JointVector by = JointVector::Zero(from.size());
     by.head(7) << 0.25, 0.1, -0.2, -0.3, 0.2, 0.1, 0.3;
     by.tail(15).setConstant(0.1);
-    goals.tip_position = {kFrames, robot.tips.size(), unseen_point()};
-    goals.tip_orientation = {kFrames, robot.tips.size(), unseen_rotation()};
+    goals.tip_position = {kFrames, robot.tips.size(), unknown_point()};
+    goals.tip_orientation = {kFrames, robot.tips.size(), unknown_rotation()};
     goals.reachable = {kFrames, robot.tips.size(), 0};
-    goals.finger_joint_position = {kFrames, kFingers, unseen_point()};
+    goals.finger_joint_position = {kFrames, kFingerCount, unknown_point()};
     std::vector<Pose> poses;
     for (int f = 0; f < kFrames; ++f) {
       const double s = f / (kFrames - 1.0);
       const JointVector q = from + (10 - 15 * s + 6 * s * s) * s * s * s * by;
-      robot::forward(robot, q, poses);
+      robot::forward_kinematics(robot, q, poses);
       goals.time.push_back(0.01 * f);
       for (const std::size_t tip : {0U, 1U}) {
         goals.tip_position(static_cast<std::size_t>(f), tip) =
@@ -87,7 +87,7 @@ TEST_F(MapMovement, StaysOffAnObstacleThatItKnows) {
   const MapResult free = solve().value;
   // A ball where the elbow's capsules are, half way: the arm has to swing aside.
   std::vector<Pose> poses;
-  robot::forward(robot, free.mapped.position.row(20).transpose(), poses);
+  robot::forward_kinematics(robot, free.mapped.position.row(20).transpose(), poses);
   SceneObject ball;
   ball.name = "ball";
   ball.shape = Shape::sphere;
@@ -120,8 +120,8 @@ TEST_F(MapMovement, GoalsOutOfReachAreSaidToBe) {
 }
 
 TEST_F(MapMovement, WithoutAnyTipThereIsAReason) {
-  for (Vec3& tip : goals.tip_position.values) tip = unseen_point();
-  EXPECT_EQ(solve().refusal.reason, Reason::no_goal);
+  for (Vec3& tip : goals.tip_position.values) tip = unknown_point();
+  EXPECT_EQ(solve().failure.reason, Reason::no_goal);
 }
 
 TEST_F(MapMovement, TheSameSeedGivesTheSameBits) {
@@ -137,9 +137,9 @@ TEST_F(MapMovement, ResolvingMovesOnlyWhatIsNearAFinding) {
   MappingProblem problem = make_mapping_problem(robot, goals, world, options);
   problem.clearance.weight *= 10;
   problem.goals[32].elbow += Vec3(0.3, 0, 0);  // something that pulls inside the interval
-  const JointPath path = resolve_path(problem, free.path, {finding}, options, 0.02);
+  const JointPath path = re_solve_path(problem, free.path, {finding}, options, 0.02);
   for (Index f = 0; f < 20; ++f) {
-    EXPECT_EQ(path.origin[static_cast<std::size_t>(f)], Origin::mapped);
+    EXPECT_EQ(path.origin[static_cast<std::size_t>(f)], SampleOrigin::mapped);
     EXPECT_EQ(path.position.row(f), free.path.position.row(f));
   }
 }

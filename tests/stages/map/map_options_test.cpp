@@ -26,7 +26,7 @@ MapOptions with_mode(MapMode mode) {
 TEST(MapMode, LeavesOutWhatItSays) {
   const robot::Robot robot(robot::generate_arm({6, 0.6}));
   const auto made = [&](MapMode mode) { return make_objective(with_mode(mode), robot); };
-  const humanlike::FrameObjective usual = usual_objective();
+  const humanlike::FrameObjective usual = default_objective();
 
   const humanlike::FrameObjective all = made(MapMode::humanlike);
   EXPECT_EQ(all.get<humanlike::JointDistance>().weight,
@@ -64,15 +64,15 @@ TEST(MapMode, LeavesOutWhatItSays) {
 }
 
 TEST(MapOptions, RefusesWhatMakesNoSense) {
-  EXPECT_EQ(why_invalid(MapOptions{}), "");
+  EXPECT_EQ(validation_error(MapOptions{}), "");
   MapOptions options;
   options.objective.get<humanlike::HullVolume>().weight = -1;
-  EXPECT_THAT(why_invalid(options), HasSubstr("negative"));
+  EXPECT_THAT(validation_error(options), HasSubstr("negative"));
   options = {};
   options.objective.get<humanlike::TriangleArea>().weight = -1;
-  EXPECT_THAT(why_invalid(options), HasSubstr("negative"));
-  EXPECT_THAT(why_invalid(BaseOffset{-0.1, 1}), HasSubstr("negative"));
-  EXPECT_THAT(why_invalid(BaseOffset{0.1, kNotSeen}), HasSubstr("negative"));
+  EXPECT_THAT(validation_error(options), HasSubstr("negative"));
+  EXPECT_THAT(validation_error(BaseOffset{-0.1, 1}), HasSubstr("negative"));
+  EXPECT_THAT(validation_error(BaseOffset{0.1, kUnknown}), HasSubstr("negative"));
 }
 
 /// The weights do what they say: an arm with joints to spare and the same wrist goal, with B or C
@@ -82,15 +82,15 @@ TEST(MapOptions, TrianglesAndHullsAreLessWhereTheyCount) {
   Goals goals;
   constexpr std::size_t kFrames = 8;
   goals.tip_position = {kFrames, 1, Vec3(0.25, 0.2, 0.2)};
-  goals.tip_orientation = {kFrames, 1, unseen_rotation()};
+  goals.tip_orientation = {kFrames, 1, unknown_rotation()};
   goals.reachable = {kFrames, 1, 0};
-  goals.finger_joint_position = {kFrames, kFingers, unseen_point()};
+  goals.finger_joint_position = {kFrames, kFingerCount, unknown_point()};
   for (std::size_t f = 0; f < kFrames; ++f) {
     goals.time.push_back(0.01 * static_cast<double>(f));
     goals.shoulder_position.push_back(Vec3::Zero());
     goals.elbow_position.emplace_back(0.3, 0, 0);
     goals.wrist_position.emplace_back(0.25, 0.2, 0.2);
-    goals.wrist_orientation.push_back(unseen_rotation());
+    goals.wrist_orientation.push_back(unknown_rotation());
   }
   const Scene scene;
   const collision::CollisionWorld world = collision::make_world(robot, scene, {}, {});

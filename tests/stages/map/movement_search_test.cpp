@@ -24,8 +24,8 @@ struct TwoSides {
 
   TwoSides(const TwoSides&) = delete;
   TwoSides(std::mt19937_64& random, double humanlike) {
-    RobotTable table = two_link_arm();
-    RobotTable::Tip tip;
+    RobotModel table = two_link_arm();
+    RobotModel::Tip tip;
     tip.frame = 1;
     tip.transform.translation() = Vec3(0.5, 0, 0);
     table.tips = {tip};
@@ -35,7 +35,7 @@ struct TwoSides {
     robot = robot::Robot(table);
     world = collision::make_world(robot, scene, {}, {});
     options.movement_cost = {3e-4, 0, 0};
-    options.coarse_step_s = kReferenceStep;
+    options.coarse_step_s = kReferenceStep_s;
     problem.robot = &robot;
     problem.world = &world;
     problem.clearance.weight = 0;
@@ -49,12 +49,12 @@ struct TwoSides {
       humanlike::FrameGoal goal;
       const double angle = turned + 0.5 * s;
       goal.tip_position = {Vec3(0.7 * std::cos(angle), 0.7 * std::sin(angle), 0)};
-      goal.tip_orientation = {unseen_rotation()};
+      goal.tip_orientation = {unknown_rotation()};
       const double aside = 0.5 * (s < at ? -side : 1 - side);
       goal.elbow =
           Vec3(-aside * std::sin(angle), aside * std::cos(angle), 0) + goal.tip_position[0] / 2;
       problem.goals.push_back(goal);
-      problem.time.push_back(kReferenceStep * static_cast<double>(f));
+      problem.time.push_back(kReferenceStep_s * static_cast<double>(f));
     }
     weight = difference_weights(robot, problem.time, options.movement_cost)[0];
   }
@@ -118,7 +118,7 @@ TEST(MovementSearch, IsNotWorseThanTheBestOfAllCoursesOnAGrid) {
   int changes = 0, stays = 0;
   for (int k = 0; k < 12; ++k) {
     const TwoSides of(random, 3.0 * k);
-    const std::vector<Course> courses = search_movement(of.problem, of.options, 1);
+    const std::vector<CandidatePath> courses = search_movement(of.problem, of.options, 1);
     ASSERT_FALSE(courses.empty());
     const JointRows& q = courses.front().q;
     EXPECT_NEAR(courses.front().value, of.of_course(q), 1e-6) << k;
@@ -141,7 +141,7 @@ TEST(MovementSearch, ACourseThroughAPosturePassesNearIt) {
   const double beyond = std::atan2(0.5 * std::sin(mirrored[1]), 0.5 + 0.5 * std::cos(mirrored[1]));
   mirrored[0] += 2 * beyond;
   mirrored[1] *= -1;
-  const Course through = course_through(of.problem, 6, mirrored, of.options);
+  const CandidatePath through = path_through(of.problem, 6, mirrored, of.options);
   EXPECT_GT(through.q(6, 1) * mirrored[1], 0) << "on the side that was asked for";
   EXPECT_GE(of.of_course(through.q), of.of_course(best) - 1e-9);
 }

@@ -35,9 +35,9 @@ TEST(PhaseWeights, NothingJumpsAtABoundary) {
 }
 
 TEST(PhaseWeights, RefusesAPhaseNamedTwiceAndNegativeWeights) {
-  EXPECT_NE(why_invalid({{PhaseKind::reach, 1, 1, 1, 1}, {PhaseKind::reach, 1, 1, 1, 1}}), "");
-  EXPECT_NE(why_invalid({{PhaseKind::reach, -1, 1, 1, 1}}), "");
-  EXPECT_EQ(why_invalid(kHumanlikeReach), "");
+  EXPECT_NE(validation_error({{PhaseKind::reach, 1, 1, 1, 1}, {PhaseKind::reach, 1, 1, 1, 1}}), "");
+  EXPECT_NE(validation_error({{PhaseKind::reach, -1, 1, 1, 1}}), "");
+  EXPECT_EQ(validation_error(kHumanlikeReach), "");
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace morphe::map {
 namespace {
 
-RobotTable reference_robot() {
+RobotModel reference_robot() {
   return robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table;
 }
 
@@ -29,9 +29,9 @@ HumanMotion small_motion() {
   motion.elbow = {{0.25, -0.2, 0.05}, {0.26, -0.2, 0.05}, {0.27, -0.2, 0.05}};
   motion.wrist = {{0.2, 0, 0.05}, {0.2, 0.01, 0.05}, {0.2, 0.02, 0.05}};
   motion.wrist_orientation.assign(3, Quat::Identity());
-  motion.tip = {3, kFingers, unseen_point()};
-  motion.tip_orientation = {3, kFingers, unseen_rotation()};
-  motion.finger_joint = {3, kFingers, unseen_point()};
+  motion.tip = {3, kFingerCount, unknown_point()};
+  motion.tip_orientation = {3, kFingerCount, unknown_rotation()};
+  motion.finger_joint = {3, kFingerCount, unknown_point()};
   for (std::size_t f = 0; f < 3; ++f) {
     motion.tip(f, 0) = Vec3(0.15, 0.1 + 0.01 * static_cast<double>(f), 0.02);
     motion.tip(f, 1) = Vec3(0.20, 0.1 + 0.01 * static_cast<double>(f), 0.02);
@@ -62,14 +62,14 @@ TEST(Placement, TheBaseAxisPointsRightAndFifteenDegreesDown) {
 }
 
 TEST(Goals, TipsStayInTheWorldAndTheArmMovesIntoTheCommonBase) {
-  const RobotTable robot = reference_robot();
+  const RobotModel robot = reference_robot();
   const HumanMotion motion = small_motion();
   const Pose base_from_world = place_robot(robot, motion.shoulder[0], lateral()).inverse();
   const Goals goals = make_goals(robot, motion, whole_movement(), base_from_world);
   ASSERT_EQ(goals.frames(), 3U);
   EXPECT_LT((base_from_world.inverse() * goals.tip_position(2, 0) - motion.tip(2, 0)).norm(),
             1e-12);
-  EXPECT_FALSE(seen(goals.tip_position(0, 2)));
+  EXPECT_FALSE(is_known(goals.tip_position(0, 2)));
   // The human shoulder at the begin is the robot's; later it may wander.
   EXPECT_LT((goals.shoulder_position[0] - Vec3(0, 0, 0.317)).norm(), 1e-12);
   EXPECT_NEAR((goals.shoulder_position[2] - goals.shoulder_position[0]).norm(), 0.02, 1e-12);
@@ -81,27 +81,27 @@ TEST(Goals, TipsStayInTheWorldAndTheArmMovesIntoTheCommonBase) {
 
 TEST(Goals, AShoulderNeverSeenIsUnseen) {
   HumanMotion motion = small_motion();
-  for (Vec3& shoulder : motion.shoulder) shoulder = unseen_point();
-  EXPECT_FALSE(seen(shoulder_at_begin(motion, whole_movement())));
+  for (Vec3& shoulder : motion.shoulder) shoulder = unknown_point();
+  EXPECT_FALSE(is_known(shoulder_at_begin(motion, whole_movement())));
 }
 
 TEST(Placement, AHandIsAloneWithoutAnArm) {
-  EXPECT_FALSE(hand_alone(reference_robot()));
-  EXPECT_FALSE(hand_alone(robot::generate_arm({6, 0.6})));
-  EXPECT_TRUE(hand_alone(robot::generate_hand({4, 0.2, 0.09})));
+  EXPECT_FALSE(is_hand_only(reference_robot()));
+  EXPECT_FALSE(is_hand_only(robot::generate_arm({6, 0.6})));
+  EXPECT_TRUE(is_hand_only(robot::generate_hand({4, 0.2, 0.09})));
   EXPECT_TRUE(
-      hand_alone(robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/dlr_hit2.yaml").table));
-  RobotTable wrist = robot::generate_hand({5, 0.2, 0.09});
+      is_hand_only(robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/dlr_hit2.yaml").table));
+  RobotModel wrist = robot::generate_hand({5, 0.2, 0.09});
   wrist.frames[static_cast<std::size_t>(wrist.palm_frame)].joint = 0;  // a wrist's joint
-  EXPECT_TRUE(hand_alone(wrist));
-  RobotTable unnamed = robot::generate_arm({6, 0.6});  // an arm of which nobody said that it is one
+  EXPECT_TRUE(is_hand_only(wrist));
+  RobotModel unnamed = robot::generate_arm({6, 0.6});  // an arm of which nobody said that it is one
   unnamed.centres.clear();
-  EXPECT_FALSE(hand_alone(unnamed));
+  EXPECT_FALSE(is_hand_only(unnamed));
 }
 
 /// A palm that is not the base's own frame, and is turned in it.
 TEST(Placement, APalmStandsWhereTheHumansHandIs) {
-  RobotTable robot = robot::generate_hand({5, 0.2, 0.09});
+  RobotModel robot = robot::generate_hand({5, 0.2, 0.09});
   const Pose base_from_palm =
       make_pose({0.1, 0.2, 0.3}, Quat(Eigen::AngleAxisd(0.8, Vec3(1, 2, 2).normalized())));
   robot.frames[static_cast<std::size_t>(robot.palm_frame)].transform = base_from_palm;
@@ -114,22 +114,22 @@ TEST(Placement, APalmStandsWhereTheHumansHandIs) {
 }
 
 TEST(Goals, AHandAloneNeedsNoArm) {
-  const RobotTable robot = robot::generate_hand({5, 0.2, 0.09});
+  const RobotModel robot = robot::generate_hand({5, 0.2, 0.09});
   HumanMotion motion = small_motion();
-  motion.shoulder.assign(3, unseen_point());
-  motion.elbow.assign(3, unseen_point());
+  motion.shoulder.assign(3, unknown_point());
+  motion.elbow.assign(3, unknown_point());
   motion.finger_joint(1, 2) = Vec3(0.01, 0.02, 0.1);
   const Goals goals = make_goals(robot, motion, whole_movement(), Pose::Identity());
   EXPECT_EQ(goals.common_base_offset, Vec3::Zero());
   EXPECT_EQ(goals.tip_position(2, 0), motion.tip(2, 0));
   EXPECT_EQ(goals.finger_joint_position(1, 2), motion.finger_joint(1, 2));
-  EXPECT_FALSE(seen(goals.elbow_position[0]));
+  EXPECT_FALSE(is_known(goals.elbow_position[0]));
 }
 
 TEST(PlacementOptions, RefusesAnUnknownAxis) {
   PlacementOptions options;
   options.rotation = {{"w", 1}};
-  EXPECT_NE(why_invalid(options).find("'w'"), std::string::npos);
+  EXPECT_NE(validation_error(options).find("'w'"), std::string::npos);
 }
 
 }  // namespace

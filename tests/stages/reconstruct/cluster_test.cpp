@@ -24,9 +24,9 @@ TEST(CompleteCluster, FillsRigidMotionExactly) {
     for (std::size_t k = 0; k < 4; ++k) truth[k].push_back(now[k]);
   }
   tracks = truth;
-  for (std::size_t i = 0; i < 20; ++i) tracks[1][i] = unseen_point();
-  for (std::size_t i = 30; i < 50; ++i) tracks[2][i] = unseen_point();
-  complete_cluster(kStill, tracks);
+  for (std::size_t i = 0; i < 20; ++i) tracks[1][i] = unknown_point();
+  for (std::size_t i = 30; i < 50; ++i) tracks[2][i] = unknown_point();
+  fill_cluster_gaps(kStill, tracks);
   for (std::size_t k = 0; k < 4; ++k) {
     for (std::size_t i = 0; i < 50; ++i) {
       EXPECT_LT((tracks[k][i] - truth[k][i]).norm(), 1e-12) << k << " " << i;
@@ -39,10 +39,10 @@ TEST(CompleteCluster, MakesNoStepAtAGapOfADeformedCluster) {
   for (std::size_t k = 0; k < 4; ++k) {
     for (std::size_t i = 0; i < 30; ++i) {
       tracks[k][i] = kStill[k] + (k == 0 ? Vec3(0.004, 0, 0) : Vec3::Zero());  // skin slid 4 mm
-      if (k == 0 && i >= 10 && i < 20) tracks[k][i] = unseen_point();
+      if (k == 0 && i >= 10 && i < 20) tracks[k][i] = unknown_point();
     }
   }
-  complete_cluster(kStill, tracks);
+  fill_cluster_gaps(kStill, tracks);
   for (std::size_t i = 0; i < 30; ++i) {
     EXPECT_LT((tracks[0][i] - kStill[0] - Vec3(0.004, 0, 0)).norm(), 1e-12);
   }

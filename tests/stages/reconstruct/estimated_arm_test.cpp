@@ -28,8 +28,8 @@ std::vector<std::pair<HumanMotion, Demonstration>> hidden_arms() {
     body.names = {"right_wrist", "right_hand", "right_thumb_tip", "right_index_tip"};
     body.parents.assign(4, "");
     body.time = motion.time;
-    body.position = Table<Vec3>(motion.time.size(), 4, unseen_point());
-    body.orientation = Table<Quat>(motion.time.size(), 4, unseen_rotation());
+    body.position = Array2D<Vec3>(motion.time.size(), 4, unknown_point());
+    body.orientation = Array2D<Quat>(motion.time.size(), 4, unknown_rotation());
     for (std::size_t i = 0; i < motion.time.size(); ++i) {
       body.position(i, 0) = body.position(i, 1) = motion.wrist[i];
       body.position(i, 2) = motion.tip(i, kThumb);
@@ -44,7 +44,7 @@ std::vector<std::pair<HumanMotion, Demonstration>> hidden_arms() {
 double rms_between(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   double sum = 0, count = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (!seen(a[i]) || !seen(b[i])) continue;
+    if (!is_known(a[i]) || !is_known(b[i])) continue;
     sum += (a[i] - b[i]).squaredNorm();
     ++count;
   }
@@ -57,7 +57,7 @@ double upper_arm_error(const HumanMotion& a, const HumanMotion& b) {
   for (std::size_t i = 0; i < a.time.size(); ++i) {
     const Vec3 u = (a.elbow[i] - a.shoulder[i]).normalized(),
                v = (b.elbow[i] - b.shoulder[i]).normalized();
-    if (!seen(u) || !seen(v)) continue;
+    if (!is_known(u) || !is_known(v)) continue;
     sum += std::acos(std::clamp(u.dot(v), -1.0, 1.0));
     ++count;
   }
@@ -70,10 +70,11 @@ TEST(EstimatedArm, IsNearTheOneThatWasHidden) {
     EXPECT_THAT(motion.estimated, Contains("shoulder"));
     EXPECT_THAT(motion.estimated, Contains("elbow"));
     // Every joint has a name of ours: none may be the shoulder by another.
-    EXPECT_THAT(motion.problems, testing::Not(Contains(testing::HasSubstr("no joint called"))));
+    EXPECT_THAT(motion.reconstruction_notes,
+                testing::Not(Contains(testing::HasSubstr("no joint called"))));
     const double shoulder = rms_between(motion.shoulder, truth.shoulder);
     const double elbow = rms_between(motion.elbow, truth.elbow);
-    const double angle = upper_arm_error(motion, truth) / kDegree;
+    const double angle = upper_arm_error(motion, truth) / kRadPerDegree;
     const bool reach_alone = hand.name.find("DR") == std::string::npos;
     EXPECT_LT(shoulder, 0.067) << hand.name;
     EXPECT_LT(elbow, reach_alone ? 0.064 : 0.19) << hand.name;  // drinking lifts the elbow
@@ -85,8 +86,9 @@ TEST(EstimatedArm, ASeenElbowWithoutShoulderIsLeft) {
   auto [truth, hand] = hidden_arms().front();
   hand.streams.skeleton->names[2] = "right_elbow";
   const HumanMotion motion = reconstruct(hand, {}, {});
-  EXPECT_FALSE(seen(motion.shoulder[10]));
-  EXPECT_THAT(motion.problems, Contains(testing::HasSubstr("no joint called right_shoulder")));
+  EXPECT_FALSE(is_known(motion.shoulder[10]));
+  EXPECT_THAT(motion.reconstruction_notes,
+              Contains(testing::HasSubstr("no joint called right_shoulder")));
 }
 
 TEST(EstimatedArm, AHeadSaysWhereTheShoulderIs) {

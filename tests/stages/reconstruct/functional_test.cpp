@@ -64,7 +64,7 @@ MovingArm moving_arm(std::size_t size, bool landmarks) {
   std::mt19937 random(11);
   std::normal_distribution<double> normal(0, kMarkerNoise);
   const std::size_t frames = 1000;
-  markers.position = Table<Vec3>(frames, all.size(), unseen_point());
+  markers.position = Array2D<Vec3>(frames, all.size(), unknown_point());
   for (const Marker& marker : all) markers.names.push_back(marker.name);
   for (std::size_t i = 0; i < frames; ++i) {
     const double t = 0.01 * static_cast<double>(i);
@@ -97,7 +97,7 @@ void hide(MovingArm& arm, const std::string& name, std::size_t first, std::size_
   const std::size_t k = arm.column(name);
   for (std::size_t begin = first; begin < arm.markers().time.size(); begin += period) {
     for (std::size_t i = begin; i < std::min(begin + length, arm.markers().time.size()); ++i) {
-      arm.markers().position(i, k) = unseen_point();
+      arm.markers().position(i, k) = unknown_point();
     }
   }
 }
@@ -105,7 +105,7 @@ void hide(MovingArm& arm, const std::string& name, std::size_t first, std::size_
 double rms(const std::vector<Vec3>& found, const std::vector<Vec3>& truth) {
   double sum = 0, count = 0;
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if (!seen(found[i])) continue;
+    if (!is_known(found[i])) continue;
     sum += (found[i] - truth[i]).squaredNorm();
     ++count;
   }
@@ -114,7 +114,9 @@ double rms(const std::vector<Vec3>& found, const std::vector<Vec3>& truth) {
 
 void expect_all_seen(const HumanMotion& motion) {
   for (std::size_t i = 0; i < motion.time.size(); ++i) {
-    ASSERT_TRUE(seen(motion.shoulder[i]) && seen(motion.elbow[i]) && seen(motion.wrist[i])) << i;
+    ASSERT_TRUE(is_known(motion.shoulder[i]) && is_known(motion.elbow[i]) &&
+                is_known(motion.wrist[i]))
+        << i;
   }
 }
 
@@ -132,8 +134,9 @@ TEST(FunctionalJoints, WithoutLandmarksAndStaticTrialTheMotionTells) {
     expect_all_seen(motion);
     expect_joints(motion, arm, 0.001);
     EXPECT_THAT(motion.estimated, ElementsAre("shoulder", "elbow", "wrist"));
-    EXPECT_THAT(motion.problems, Contains(HasSubstr("elbow: taken where RUAR and RLAR turn")));
-    EXPECT_THAT(motion.problems, Contains(HasSubstr("hand: its axes need RFB")));
+    EXPECT_THAT(motion.reconstruction_notes,
+                Contains(HasSubstr("elbow: taken where RUAR and RLAR turn")));
+    EXPECT_THAT(motion.reconstruction_notes, Contains(HasSubstr("hand: its axes need RFB")));
   }
 }
 
@@ -145,7 +148,7 @@ TEST(FunctionalJoints, GapsAreCarriedByTheClusterBridgedOrLeft) {
   const HumanMotion carried = reconstruct(arm.demonstration, {}, {});
   expect_all_seen(carried);
   expect_joints(carried, arm, 0.0015);  // where one of four is hidden, three carry the noise
-  EXPECT_THAT(carried.problems,
+  EXPECT_THAT(carried.reconstruction_notes,
               Contains("RHAN3: hidden in 300 of 1000 frames, for up to 3.01 s; carried by its "
                        "cluster in 300"));
 
@@ -155,9 +158,9 @@ TEST(FunctionalJoints, GapsAreCarriedByTheClusterBridgedOrLeft) {
   const HumanMotion left = reconstruct(arm.demonstration, {}, {});
   // Noise of three markers 100 mm away remains; it is the centre that is found to a millimetre.
   expect_joints(left, arm, 0.0015);
-  EXPECT_THAT(left.problems,
+  EXPECT_THAT(left.reconstruction_notes,
               Contains("RLAR1: hidden in 80 of 1000 frames, for up to 0.09 s; bridged in 80"));
-  EXPECT_THAT(left.problems,
+  EXPECT_THAT(left.reconstruction_notes,
               Contains("RHAN2: hidden in 30 of 1000 frames, for up to 0.31 s; left unseen in 30"));
   expect_all_seen(left);  // the forearm alone carries the wrist, without a step
   for (std::size_t i = 1; i < left.time.size(); ++i) {
@@ -173,11 +176,11 @@ TEST(FunctionalJoints, LandmarksInTheRecordingAreTakenAsTheyAre) {
   expect_all_seen(motion);
   expect_joints(motion, arm, 0.0005);
   EXPECT_THAT(motion.estimated, IsEmpty());
-  EXPECT_THAT(motion.problems,
+  EXPECT_THAT(motion.reconstruction_notes,
               Contains("RSPU: hidden in 150 of 1000 frames, for up to 1.51 s; carried by its "
                        "cluster in 150"));
-  EXPECT_THAT(motion.problems, Not(Contains(HasSubstr("hand:"))));
-  for (const Quat& orientation : motion.wrist_orientation) ASSERT_TRUE(seen(orientation));
+  EXPECT_THAT(motion.reconstruction_notes, Not(Contains(HasSubstr("hand:"))));
+  for (const Quat& orientation : motion.wrist_orientation) ASSERT_TRUE(is_known(orientation));
   EXPECT_EQ(motion.arm_angles.rows(), 1000);
 }
 
@@ -190,7 +193,7 @@ TEST(FunctionalJoints, LandmarksAloneAreAnArm) {
   const HumanMotion motion = reconstruct(arm.demonstration, {}, {});
   expect_all_seen(motion);
   expect_joints(motion, arm, 0.0005);
-  for (const Quat& orientation : motion.wrist_orientation) ASSERT_TRUE(seen(orientation));
+  for (const Quat& orientation : motion.wrist_orientation) ASSERT_TRUE(is_known(orientation));
 }
 
 TEST(FunctionalJoints, OneEpicondyleIsANearbyPlaceToLookAt) {

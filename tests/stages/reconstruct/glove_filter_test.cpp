@@ -26,7 +26,7 @@ double angle(std::size_t column, std::size_t moving, double time_s) {
 }
 
 struct Filtered {
-  Clock clock{0, 100, static_cast<std::size_t>(kLast_s * 100)};
+  TimeGrid clock{0, 100, static_cast<std::size_t>(kLast_s * 100)};
   Columns fitted, plain;
 
   Filtered(std::size_t moving, double noise, double step = 0) {
@@ -42,9 +42,9 @@ struct Filtered {
       }
     }
     const ReconstructOptions options;
-    fitted = filtered_glove(time, raw, clock, options);
+    fitted = filter_glove(time, raw, clock, options);
     for (const std::vector<double>& column : raw) {
-      plain.push_back(on_clock(time, column, clock, options));
+      plain.push_back(resample(time, column, clock, options));
     }
   }
   /// rms rate of change where the hand rests, of all columns.

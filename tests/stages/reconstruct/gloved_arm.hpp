@@ -33,7 +33,7 @@ struct GlovedArm {
   human::ArmPose pose(double t) const { return human::arm_pose(shoulder, arm, angles(t)); }
   human::HandAngles fingers(double t) const {
     human::HandAngles angles;
-    for (std::size_t k = 0; k < kHandAngles; ++k) {
+    for (std::size_t k = 0; k < kHandAngleCount; ++k) {
       const double phase = 0.3 * static_cast<double>(k);
       angles.joint[k] = 0.4 + 0.25 * std::sin(2 * std::numbers::pi * 0.5 * t + phase);
     }
@@ -66,8 +66,8 @@ struct GlovedArm {
     BodyStream& bodies = d.streams.sensors.emplace();
     bodies.names = offsets.sensors;
     const auto n = static_cast<std::size_t>(240 * duration_s);
-    bodies.position = Table<Vec3>(n, 3, Vec3::Zero());
-    bodies.orientation = Table<Quat>(n, 3, Quat::Identity());
+    bodies.position = Array2D<Vec3>(n, 3, Vec3::Zero());
+    bodies.orientation = Array2D<Quat>(n, 3, Quat::Identity());
     for (std::size_t i = 0; i < n; ++i) {
       const double t = static_cast<double>(i) / 240;
       bodies.time.push_back(t);

@@ -37,24 +37,24 @@ Errors errors_of(const HumanMotion& motion, const GlovedArm& truth) {
     e.wrist += wrist_error.squaredNorm();
     e.wrist_late -= wrist_error.dot(wrist_speed);
     wrist_way += wrist_speed.squaredNorm();
-    for (std::size_t f = 0; f < kFingers; ++f) {
+    for (std::size_t f = 0; f < kFingerCount; ++f) {
       const Vec3 error = motion.tip(i, f) - truth.tip(t, f);
       const Vec3 speed = (truth.tip(t + step, f) - truth.tip(t - step, f)) / (2 * step);
-      e.tips += error.squaredNorm() / kFingers;
+      e.tips += error.squaredNorm() / kFingerCount;
       e.tips_late -= error.dot(speed);
       tips_way += speed.squaredNorm();
     }
     const human::ArmAngles arm = truth.angles(t);
     const auto row = static_cast<Eigen::Index>(i);
-    for (std::size_t k = 0; k < kArmAngles; ++k) {
-      e.arm_angles +=
-          std::pow(motion.arm_angles(row, static_cast<Eigen::Index>(k)) - arm[k], 2) / kArmAngles;
+    for (std::size_t k = 0; k < kArmAngleCount; ++k) {
+      e.arm_angles += std::pow(motion.arm_angles(row, static_cast<Eigen::Index>(k)) - arm[k], 2) /
+                      kArmAngleCount;
     }
     const human::HandAngles hand = truth.fingers(t);
-    for (std::size_t k = 0; k < kHandAngles; ++k) {
+    for (std::size_t k = 0; k < kHandAngleCount; ++k) {
       e.hand_angles +=
           std::pow(motion.hand_angles(row, static_cast<Eigen::Index>(k)) - hand.joint[k], 2) /
-          kHandAngles;
+          kHandAngleCount;
     }
     ++n;
   }
@@ -69,7 +69,7 @@ Errors errors_of(const HumanMotion& motion, const GlovedArm& truth) {
 TEST(GlovedArm, IsRebuiltFromCleanSensors) {
   const GlovedArm truth;
   const HumanMotion motion = reconstruct(truth.record(), {}, {});
-  EXPECT_THAT(motion.problems, IsEmpty());
+  EXPECT_THAT(motion.reconstruction_notes, IsEmpty());
   EXPECT_THAT(motion.estimated, IsEmpty());
   const Errors e = errors_of(motion, truth);
   EXPECT_LT(e.elbow, 0.0001);
@@ -84,7 +84,7 @@ TEST(GlovedArm, IsRebuiltFromCleanSensors) {
   const auto middle = motion.time.size() / 2;
   const human::HandPoints points = truth.points(motion.time[middle]);
   const human::ArmPose pose = truth.pose(motion.time[middle]);
-  for (std::size_t f = 0; f < kFingers; ++f) {
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
     EXPECT_LT((motion.finger_joint(middle, f) - pose.wrist -
                pose.world_from_hand * points.middle_joint[f])
                   .norm(),
@@ -134,7 +134,8 @@ TEST(GlovedArm, AGlovesClockIsCorrectedByTheWrist) {
   for (const double late : {-0.31, 0.123}) {
     truth.glove_late_s = late;
     const HumanMotion motion = reconstruct(truth.record(), {}, {});
-    EXPECT_THAT(motion.problems, ElementsAre(HasSubstr(late > 0 ? "ahead of" : "behind")));
+    EXPECT_THAT(motion.reconstruction_notes,
+                ElementsAre(HasSubstr(late > 0 ? "ahead of" : "behind")));
     double tips = 0;
     std::size_t count = 0;
     for (std::size_t i = 100; i + 100 < motion.time.size(); ++i, ++count) {
@@ -145,13 +146,13 @@ TEST(GlovedArm, AGlovesClockIsCorrectedByTheWrist) {
   ReconstructOptions as_it_is;
   as_it_is.align_clocks = false;
   const HumanMotion motion = reconstruct(truth.record(), as_it_is, {});
-  EXPECT_THAT(motion.problems, IsEmpty());
+  EXPECT_THAT(motion.reconstruction_notes, IsEmpty());
   EXPECT_GT(errors_of(motion, truth).tips, 0.005);
 }
 
 TEST(GlovedArm, ALeftArmIsTheMirroredRightOne) {
   const Demonstration right = GlovedArm{}.record();
-  Demonstration left = mirrored(right);
+  Demonstration left = mirror_image(right);
   left.hand = Side::left;
   const HumanMotion a = reconstruct(right, {}, {}), b = reconstruct(left, {}, {});
   ASSERT_EQ(a.time.size(), b.time.size());
@@ -164,17 +165,17 @@ TEST(GlovedArm, ALeftArmIsTheMirroredRightOne) {
 TEST(GlovedArm, AGloveOf18SensorsBendsTheLastJointsWithTheMiddleOnes) {
   Demonstration d = GlovedArm{}.record();
   for (const Eigen::Index last : {6, 9, 13, 17})
-    d.streams.hand->angles.col(last).setConstant(kNotSeen);
+    d.streams.hand->angles.col(last).setConstant(kUnknown);
   const HumanMotion motion = reconstruct(d, {}, {});
   EXPECT_THAT(motion.estimated, ElementsAre("glove sensor IndexDIJ", "glove sensor MiddleDIJ",
                                             "glove sensor RingDIJ", "glove sensor PinkieDIJ"));
   EXPECT_NEAR(motion.hand_angles(300, 7), motion.hand_angles(300, 6) * 2 / 3, 1e-12);
-  EXPECT_TRUE(seen(motion.tip(300, 1)));
+  EXPECT_TRUE(is_known(motion.tip(300, 1)));
   d.streams.hand->angles.col(4).setConstant(
-      kNotSeen);  // the index' knuckle: nothing makes up for it
+      kUnknown);  // the index' knuckle: nothing makes up for it
   const HumanMotion without = reconstruct(d, {}, {});
-  EXPECT_FALSE(seen(without.tip(300, 1)));
-  EXPECT_TRUE(seen(without.tip(300, 2)));
+  EXPECT_FALSE(is_known(without.tip(300, 1)));
+  EXPECT_TRUE(is_known(without.tip(300, 2)));
 }
 
 TEST(GlovedArm, EitherMayComeAlone) {
@@ -182,14 +183,14 @@ TEST(GlovedArm, EitherMayComeAlone) {
   Demonstration glove = truth.record();
   glove.streams.sensors.reset();
   HumanMotion motion = reconstruct(glove, {}, {});
-  EXPECT_THAT(motion.problems, Contains(HasSubstr("no body called wrist")));
+  EXPECT_THAT(motion.reconstruction_notes, Contains(HasSubstr("no body called wrist")));
   EXPECT_NEAR(motion.hand_angles(300, 5), truth.fingers(motion.time[300]).joint[5], 1e-3);
-  EXPECT_FALSE(seen(motion.tip(300, 1)));
+  EXPECT_FALSE(is_known(motion.tip(300, 1)));
   Demonstration arm = truth.record();
   arm.streams.hand.reset();
   motion = reconstruct(arm, {}, {});
-  EXPECT_THAT(motion.problems, ElementsAre(HasSubstr("no fingertips")));
-  EXPECT_TRUE(seen(motion.wrist[300]));
+  EXPECT_THAT(motion.reconstruction_notes, ElementsAre(HasSubstr("no fingertips")));
+  EXPECT_TRUE(is_known(motion.wrist[300]));
   EXPECT_EQ(motion.hand_angles.rows(), 0);
 }
 
@@ -197,53 +198,54 @@ TEST(GlovedArm, OddRecordingsAreSaid) {
   Demonstration d = GlovedArm{}.record();
   for (double& t : d.streams.hand->time) t += 1e6;
   HumanMotion motion = reconstruct(d, {}, {});
-  EXPECT_THAT(motion.problems, Contains(HasSubstr("no instant in common")));
+  EXPECT_THAT(motion.reconstruction_notes, Contains(HasSubstr("no instant in common")));
   EXPECT_EQ(motion.time.size(), 1000u);
   d = GlovedArm{}.record();
   d.sensor_offsets->sensors[1] = "knee";
   d.calibration = {};
   d.hand_length.reset();
   motion = reconstruct(d, {}, {});
-  EXPECT_THAT(motion.problems, Contains(HasSubstr("the sensor elbow was not calibrated")));
-  EXPECT_THAT(motion.problems, Contains(HasSubstr("no flat hand was recorded")));
+  EXPECT_THAT(motion.reconstruction_notes,
+              Contains(HasSubstr("the sensor elbow was not calibrated")));
+  EXPECT_THAT(motion.reconstruction_notes, Contains(HasSubstr("no flat hand was recorded")));
   EXPECT_THAT(motion.estimated, ElementsAre("hand length"));
   d = GlovedArm{}.record();
-  for (Vec3& point : d.streams.sensors->position.values) point = unseen_point();
-  d.streams.hand->angles.setConstant(kNotSeen);
+  for (Vec3& point : d.streams.sensors->position.values) point = unknown_point();
+  d.streams.hand->angles.setConstant(kUnknown);
   motion = reconstruct(d, {}, {});
-  EXPECT_FALSE(seen(motion.wrist[300]));
+  EXPECT_FALSE(is_known(motion.wrist[300]));
   EXPECT_EQ(motion.arm_angles.rows(), 0);
 }
 
 TEST(ClockOffset, FindsAShiftBetweenSamples) {
   for (const double late : {-0.234, 0.0, 0.0517}) {
-    SeenTwice signal;
+    PairedSignal signal;
     for (int i = 0; i < 800; ++i) {
       const auto at = [](double t) { return std::sin(5 * t) + 0.3 * std::sin(11 * t + 1); };
       signal.reference.push_back(at(0.01 * i));
       signal.other.push_back(2 * at(0.01 * i - late) + 5 + 0.02 * i);
     }
-    signal.other[100] = signal.reference[200] = kNotSeen;
+    signal.other[100] = signal.reference[200] = kUnknown;
     const ClockOffset offset = clock_offset({signal}, 100, 8);
-    EXPECT_NEAR(offset.late_s, late, 0.0005);
-    EXPECT_TRUE(clear(offset));
+    EXPECT_NEAR(offset.offset_s, late, 0.0005);
+    EXPECT_TRUE(is_reliable(offset));
   }
 }
 
 TEST(ClockOffset, IsNotClearWithoutACommonMovement) {
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
-  SeenTwice noise, still;
+  PairedSignal noise, still;
   for (int i = 0; i < 800; ++i) {
     noise.reference.push_back(normal(random));
     noise.other.push_back(normal(random));
     still.reference.push_back(1);
     still.other.push_back(1);
   }
-  EXPECT_FALSE(clear(clock_offset({noise}, 100, 8)));
-  EXPECT_FALSE(clear(clock_offset({still}, 100, 8)));
-  EXPECT_FALSE(clear(clock_offset({}, 100, 8)));
-  EXPECT_FALSE(clear(clock_offset({{{}, {}}}, 100, 8)));
+  EXPECT_FALSE(is_reliable(clock_offset({noise}, 100, 8)));
+  EXPECT_FALSE(is_reliable(clock_offset({still}, 100, 8)));
+  EXPECT_FALSE(is_reliable(clock_offset({}, 100, 8)));
+  EXPECT_FALSE(is_reliable(clock_offset({{{}, {}}}, 100, 8)));
 }
 
 }  // namespace

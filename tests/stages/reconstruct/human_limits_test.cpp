@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "stages/reconstruct/arm_chain.hpp"
+#include "stages/reconstruct/arm_kinematics.hpp"
 
 namespace morphe::reconstruct {
 namespace {
@@ -24,13 +24,13 @@ TEST(HumanLimits, AnArmStretchedBackwardIsNoPersons) {
   HumanMotion person = stretched(1), none = stretched(-1);
   add_arm_angles(person);
   add_arm_angles(none);
-  EXPECT_FALSE(refuse_inhuman(person, {}));
-  const Refusal refusal = refuse_inhuman(none, {});
+  EXPECT_FALSE(check_human_limits(person, {}));
+  const PlanningFailure refusal = check_human_limits(none, {});
   EXPECT_EQ(name_of(refusal.reason), "not_human");
   EXPECT_NE(refusal.detail.find("100 mm"), std::string::npos) << refusal.detail;
   HumanOptions patient;
   patient.beyond_limits_m = 1;
-  EXPECT_FALSE(refuse_inhuman(none, patient));
+  EXPECT_FALSE(check_human_limits(none, patient));
 }
 
 }  // namespace

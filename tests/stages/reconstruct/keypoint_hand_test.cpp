@@ -5,7 +5,7 @@
 #include <random>
 
 #include "core/human/hand.hpp"
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 #include "stages/import/import.hpp"
 #include "stages/reconstruct/hand_from_keypoints.hpp"
 
@@ -21,13 +21,14 @@ struct TrueHand {
   JointRows angles;
 };
 TrueHand bending_hand(std::size_t frames, double rate_hz) {
-  const RobotTable hand = human::human_hand({0.19, 0.085});
+  const RobotModel hand = human::human_hand({0.19, 0.085});
   TrueHand truth;
-  truth.angles.resize(static_cast<Eigen::Index>(frames), static_cast<Eigen::Index>(kHandAngles));
+  truth.angles.resize(static_cast<Eigen::Index>(frames),
+                      static_cast<Eigen::Index>(kHandAngleCount));
   std::vector<Pose> poses;
   for (std::size_t i = 0; i < frames; ++i) {
     human::HandAngles angles;
-    for (std::size_t k = 0; k < kHandAngles; ++k) {
+    for (std::size_t k = 0; k < kHandAngleCount; ++k) {
       const auto j = static_cast<Eigen::Index>(k);
       const double phase =
           2 * M_PI * 0.3 * static_cast<double>(i) / rate_hz + static_cast<double>(k);
@@ -38,20 +39,20 @@ TrueHand bending_hand(std::size_t frames, double rate_hz) {
     human::hand_points(hand, angles, poses);
     HandKeypoints& points = truth.points.emplace_back();
     points[0].setZero();
-    for (std::size_t f = 0; f < kFingers; ++f) {
+    for (std::size_t f = 0; f < kFingerCount; ++f) {
       const auto last = static_cast<std::size_t>(hand.tips[f].frame);
       const auto middle = static_cast<std::size_t>(hand.frames[last].parent);
       const auto base = static_cast<std::size_t>(hand.frames[middle].parent);
-      points[keypoint_of(f, 0)] = poses[base].translation();
-      points[keypoint_of(f, 1)] = poses[middle].translation();
-      points[keypoint_of(f, 2)] = poses[last].translation();
-      points[keypoint_of(f, 3)] = poses[last] * hand.tips[f].transform.translation();
+      points[keypoint_index(f, 0)] = poses[base].translation();
+      points[keypoint_index(f, 1)] = poses[middle].translation();
+      points[keypoint_index(f, 2)] = poses[last].translation();
+      points[keypoint_index(f, 3)] = poses[last] * hand.tips[f].transform.translation();
     }
   }
   return truth;
 }
 
-double length(const Table<Vec3>& joints, std::size_t i, std::size_t a, std::size_t b) {
+double length(const Array2D<Vec3>& joints, std::size_t i, std::size_t a, std::size_t b) {
   return (joints(i, a) - joints(i, b)).norm();
 }
 
@@ -90,17 +91,17 @@ TEST(KeypointHand, BonesAreConstantWhateverTheNoise) {
   }
   const auto fitted = fit_hand(points, 0.2, 100);
   ASSERT_TRUE(fitted);
-  double stretched = fitted->joints(0, keypoint_of(2, 0)).norm();
+  double stretched = fitted->joints(0, keypoint_index(2, 0)).norm();
   for (std::size_t joint = 0; joint < 3; ++joint) {
-    stretched += length(fitted->joints, 0, keypoint_of(2, joint), keypoint_of(2, joint + 1));
+    stretched += length(fitted->joints, 0, keypoint_index(2, joint), keypoint_index(2, joint + 1));
   }
   EXPECT_NEAR(stretched, 0.2, 1e-12);  // the hand length that was given
   for (std::size_t i = 1; i < 100; ++i) {
-    for (std::size_t f = 0; f < kFingers; ++f) {
-      EXPECT_NEAR(fitted->joints(i, keypoint_of(f, 0)).norm(),
-                  fitted->joints(0, keypoint_of(f, 0)).norm(), 1e-12);
+    for (std::size_t f = 0; f < kFingerCount; ++f) {
+      EXPECT_NEAR(fitted->joints(i, keypoint_index(f, 0)).norm(),
+                  fitted->joints(0, keypoint_index(f, 0)).norm(), 1e-12);
       for (std::size_t joint = 0; joint < 3; ++joint) {
-        const std::size_t a = keypoint_of(f, joint);
+        const std::size_t a = keypoint_index(f, joint);
         EXPECT_NEAR(length(fitted->joints, i, a, a + 1), length(fitted->joints, 0, a, a + 1),
                     1e-12);
       }
@@ -110,16 +111,16 @@ TEST(KeypointHand, BonesAreConstantWhateverTheNoise) {
 
 TEST(KeypointHand, AFingerThatIsNotSeenStaysUnseen) {
   TrueHand truth = bending_hand(60, 100);
-  for (std::size_t i = 20; i < 40; ++i) truth.points[i][keypoint_of(1, 3)] = unseen_point();
+  for (std::size_t i = 20; i < 40; ++i) truth.points[i][keypoint_index(1, 3)] = unknown_point();
   const auto fitted = fit_hand(truth.points, std::nullopt, 100);
   ASSERT_TRUE(fitted);
   for (Eigen::Index k = 4; k < 8; ++k) {
     EXPECT_TRUE(std::isnan(fitted->angles(30, k)));
     EXPECT_NEAR(fitted->angles(45, k), truth.angles(45, k), 0.02);
   }
-  EXPECT_FALSE(seen(fitted->joints(30, keypoint_of(1, 3))));
-  EXPECT_TRUE(seen(fitted->joints(30, keypoint_of(2, 3))));
-  for (HandKeypoints& frame : truth.points) frame[keypoint_of(4, 2)] = unseen_point();
+  EXPECT_FALSE(is_known(fitted->joints(30, keypoint_index(1, 3))));
+  EXPECT_TRUE(is_known(fitted->joints(30, keypoint_index(2, 3))));
+  for (HandKeypoints& frame : truth.points) frame[keypoint_index(4, 2)] = unknown_point();
   EXPECT_FALSE(fit_hand(truth.points, std::nullopt, 100));
 }
 
@@ -128,7 +129,7 @@ Demonstration recorded(const TrueHand& truth) {
   Demonstration d;
   HandStream& hand = d.streams.hand.emplace();
   hand.kind = HandKind::keypoints;
-  hand.position = Table<Vec3>(truth.points.size(), kHandKeypoints, unseen_point());
+  hand.position = Array2D<Vec3>(truth.points.size(), kHandKeypoints, unknown_point());
   for (std::size_t i = 0; i < truth.points.size(); ++i) {
     hand.time.push_back(static_cast<double>(i) / 30);
     for (std::size_t k = 0; k < kHandKeypoints; ++k) hand.position(i, k) = truth.points[i][k];
@@ -140,8 +141,9 @@ TEST(KeypointHand, AloneHasAnglesButNoPlace) {
   const HumanMotion motion = reconstruct(recorded(bending_hand(60, 30)), {}, {});
   ASSERT_EQ(motion.hand_angles.rows(), static_cast<Eigen::Index>(motion.time.size()));
   EXPECT_TRUE(motion.hand_angles.allFinite());
-  EXPECT_FALSE(seen(motion.tip(0, 1)));
-  EXPECT_THAT(motion.problems, Contains("the wrist was not tracked: a hand alone holds no reach"));
+  EXPECT_FALSE(is_known(motion.tip(0, 1)));
+  EXPECT_THAT(motion.reconstruction_notes,
+              Contains("the wrist was not tracked: a hand alone holds no reach"));
 }
 
 TEST(KeypointHand, HangsOnATrackedWrist) {
@@ -152,17 +154,19 @@ TEST(KeypointHand, HangsOnATrackedWrist) {
   const Vec3 wrist(0.2, 0.4, 0.1);
   sensors.names = {"wrist"};
   sensors.time = d.streams.hand->time;
-  sensors.position = Table<Vec3>(60, 1, wrist);
-  sensors.orientation = Table<Quat>(60, 1, turn);
+  sensors.position = Array2D<Vec3>(60, 1, wrist);
+  sensors.orientation = Array2D<Quat>(60, 1, turn);
   const HumanMotion motion = reconstruct(d, {}, {});
   for (const std::size_t i : {30u, 100u, 150u}) {  // at 100 Hz; recorded at every third of it
-    for (std::size_t f = 0; f < kFingers; ++f) {
+    for (std::size_t f = 0; f < kFingerCount; ++f) {
       const std::size_t row = i * 30 / 100;
-      EXPECT_LT((motion.tip(i, f) - (wrist + turn * truth.points[row][keypoint_of(f, 3)])).norm(),
-                0.001);
-      EXPECT_LT((motion.finger_joint(i, f) - (wrist + turn * truth.points[row][keypoint_of(f, 1)]))
-                    .norm(),
-                0.001);
+      EXPECT_LT(
+          (motion.tip(i, f) - (wrist + turn * truth.points[row][keypoint_index(f, 3)])).norm(),
+          0.001);
+      EXPECT_LT(
+          (motion.finger_joint(i, f) - (wrist + turn * truth.points[row][keypoint_index(f, 1)]))
+              .norm(),
+          0.001);
     }
   }
 }
@@ -186,7 +190,7 @@ TEST(KeypointHand, TheShippedHandKeepsItsBones) {
     // The recorded palm alone goes from 81 to 111 mm.
     EXPECT_GT(motion.residuals.front().rms_m, 0.002);
     EXPECT_LT(motion.residuals.front().rms_m, 0.008);
-    EXPECT_THAT(motion.problems, Contains(HasSubstr("a hand alone holds no reach")));
+    EXPECT_THAT(motion.reconstruction_notes, Contains(HasSubstr("a hand alone holds no reach")));
   });
 }
 

@@ -28,8 +28,8 @@ Demonstration both_arms() {
   body.names = {"right_shoulder", "right_elbow", "right_wrist",
                 "left_shoulder",  "left_elbow",  "left_wrist"};
   body.parents = {"", "right_shoulder", "right_elbow", "", "left_shoulder", "left_elbow"};
-  body.position = Table<Vec3>(kFrames, 6, unseen_point());
-  body.orientation = Table<Quat>(kFrames, 6, unseen_rotation());
+  body.position = Array2D<Vec3>(kFrames, 6, unknown_point());
+  body.orientation = Array2D<Quat>(kFrames, 6, unknown_rotation());
   for (std::size_t i = 0; i < kFrames; ++i) {
     const double t = static_cast<double>(i) / kRate_hz;
     body.time.push_back(t);
@@ -42,7 +42,7 @@ Demonstration both_arms() {
 
 TEST(OtherArm, StandsBesideTheArmThatIsPlanned) {
   const Demonstration recorded = both_arms();
-  Demonstration as_left = mirrored(recorded);
+  Demonstration as_left = mirror_image(recorded);
   as_left.hand = Side::left;
   // A left hand's motion is a right one in the mirror: all of it is as if the right hand's had been
   // recorded.
@@ -66,12 +66,12 @@ TEST(OtherArm, StreamsOfOneHandSayNothingOfTheOther) {
   Demonstration tracked;
   BodyStream& sensors = tracked.streams.sensors.emplace();
   sensors.names = {"shoulder", "elbow", "wrist"};
-  sensors.position = Table<Vec3>(kFrames, 3, Vec3(0.2, 0.3, 1));
-  sensors.orientation = Table<Quat>(kFrames, 3, Quat::Identity());
+  sensors.position = Array2D<Vec3>(kFrames, 3, Vec3(0.2, 0.3, 1));
+  sensors.orientation = Array2D<Quat>(kFrames, 3, Quat::Identity());
   for (std::size_t i = 0; i < kFrames; ++i) sensors.time.push_back(0.01 * static_cast<double>(i));
   tracked.streams.hand = HandStream{
-      HandKind::fingertips, {}, sensors.time, {}, Table<Vec3>(kFrames, 5, Vec3(0.2, 0.4, 1))};
-  ASSERT_TRUE(seen(reconstruct(tracked, {}, {}).wrist[100]));
+      HandKind::fingertips, {}, sensors.time, {}, Array2D<Vec3>(kFrames, 5, Vec3(0.2, 0.4, 1))};
+  ASSERT_TRUE(is_known(reconstruct(tracked, {}, {}).wrist[100]));
   EXPECT_TRUE(reconstruct_other_arm(tracked, {}, {}, Side::right).time.empty());
 
   Demonstration one_armed = both_arms();
@@ -79,7 +79,7 @@ TEST(OtherArm, StreamsOfOneHandSayNothingOfTheOther) {
   for (std::size_t k = 3; k < 6; ++k) body.names[k] = "unknown_" + std::to_string(k);
   const HumanMotion other = reconstruct_other_arm(one_armed, {}, {}, Side::right);
   for (const auto* joint : {&other.shoulder, &other.elbow, &other.wrist}) {
-    for (const Vec3& point : *joint) EXPECT_FALSE(seen(point));
+    for (const Vec3& point : *joint) EXPECT_FALSE(is_known(point));
   }
 }
 

@@ -93,7 +93,7 @@ TEST(RealTrials, EverythingIsSeenAndBonesKeepTheirLength) {
     const HumanMotion& motion = trials[k].motion;
     // A pronated hand on a nearly straight arm: the elbow's carrying angle, which seven angles
     // lack.
-    for (const std::string& problem : motion.problems) {
+    for (const std::string& problem : motion.reconstruction_notes) {
       EXPECT_TRUE(k >= 3 && problem.starts_with("arm angles")) << problem;
     }
     double shortest = 1, longest = 0;
@@ -102,8 +102,8 @@ TEST(RealTrials, EverythingIsSeenAndBonesKeepTheirLength) {
       const double forearm = (motion.wrist[i] - motion.elbow[i]).norm();
       shortest = std::min(shortest, forearm);
       longest = std::max(longest, forearm);
-      EXPECT_TRUE(seen(motion.tip(i, 0)) && seen(motion.tip(i, 1)));
-      EXPECT_TRUE(seen(motion.wrist_orientation[i]));
+      EXPECT_TRUE(is_known(motion.tip(i, 0)) && is_known(motion.tip(i, 1)));
+      EXPECT_TRUE(is_known(motion.wrist_orientation[i]));
     }
     fmt::print("{}: forearm {:.1f} to {:.1f} mm", trials[k].demonstration.name, 1000 * shortest,
                1000 * longest);

@@ -19,8 +19,8 @@ using testing::HasSubstr;
 Demonstration tracked_hand() {
   Demonstration d;
   const std::size_t n = 200;
-  BodyStream wrist{{"wrist"}, {}, {}, {n, 1, unseen_point()}, {n, 1, unseen_rotation()}};
-  HandStream hand{HandKind::fingertips, {}, {}, {}, {n, 5, unseen_point()}};
+  BodyStream wrist{{"wrist"}, {}, {}, {n, 1, unknown_point()}, {n, 1, unknown_rotation()}};
+  HandStream hand{HandKind::fingertips, {}, {}, {}, {n, 5, unknown_point()}};
   for (std::size_t i = 0; i < n; ++i) {
     const double t = 0.01 * static_cast<double>(i);
     wrist.time.push_back(t);
@@ -44,10 +44,10 @@ TEST(MotionFromSensors, KeepsWristAndTipsAndEstimatesTheArm) {
   const HumanOptions human;
   const HumanMotion motion = reconstruct(d, {}, human);
   EXPECT_THAT(motion.estimated, ElementsAre("shoulder", "elbow"));
-  EXPECT_THAT(motion.problems,
+  EXPECT_THAT(motion.reconstruction_notes,
               testing::ElementsAre(testing::HasSubstr("the shoulder was not recorded: estimated")));
   ASSERT_EQ(motion.time.size(), 200u);
-  const double upper_arm = 0.186 * kUsualStature_m, forearm = 0.146 * kUsualStature_m;
+  const double upper_arm = 0.186 * kDefaultStature_m, forearm = 0.146 * kDefaultStature_m;
   for (std::size_t i = 0; i < motion.time.size(); ++i) {
     EXPECT_LT((motion.wrist[i] - d.streams.sensors->position(i, 0)).norm(), 1e-3);
     EXPECT_LT(angle_between(motion.wrist_orientation[i], d.streams.sensors->orientation(i, 0)),
@@ -66,10 +66,10 @@ TEST(MotionFromSensors, SaysWhenNoShoulderReaches) {
   Demonstration d = tracked_hand();
   d.upper_arm = d.forearm = 0.02;
   const HumanMotion motion = reconstruct(d, {}, {});
-  EXPECT_THAT(motion.problems, Contains(HasSubstr("no fixed shoulder")));
-  EXPECT_FALSE(seen(motion.shoulder[0]));
-  EXPECT_FALSE(seen(motion.elbow[0]));
-  EXPECT_TRUE(seen(motion.wrist[0]));
+  EXPECT_THAT(motion.reconstruction_notes, Contains(HasSubstr("no fixed shoulder")));
+  EXPECT_FALSE(is_known(motion.shoulder[0]));
+  EXPECT_FALSE(is_known(motion.elbow[0]));
+  EXPECT_TRUE(is_known(motion.wrist[0]));
 }
 
 TEST(MotionFromSensors, TakesATrackedArm) {
@@ -77,8 +77,8 @@ TEST(MotionFromSensors, TakesATrackedArm) {
   BodyStream& bodies = *d.streams.sensors;
   const BodyStream wrist = bodies;
   bodies.names = {"shoulder", "elbow", "wrist"};
-  bodies.position = Table<Vec3>(200, 3, Vec3(0.2, -0.2, 0.4));
-  bodies.orientation = Table<Quat>(200, 3, Quat::Identity());
+  bodies.position = Array2D<Vec3>(200, 3, Vec3(0.2, -0.2, 0.4));
+  bodies.orientation = Array2D<Quat>(200, 3, Quat::Identity());
   for (std::size_t i = 0; i < 200; ++i) {
     bodies.position(i, 1) = Vec3(0.25, -0.1, 0.1);
     bodies.position(i, 2) = wrist.position(i, 0);
@@ -92,7 +92,7 @@ TEST(MotionFromSensors, TakesATrackedArm) {
 TEST(MotionFromSensors, NothingRecordedIsAProblemNotAnError) {
   const HumanMotion motion = reconstruct({}, {}, {});
   EXPECT_TRUE(motion.time.empty());
-  EXPECT_THAT(motion.problems, Contains(HasSubstr("no arm can be rebuilt")));
+  EXPECT_THAT(motion.reconstruction_notes, Contains(HasSubstr("no arm can be rebuilt")));
 }
 
 TEST(MotionFromSensors, RebuildsTheDoorDemonstrations) {
@@ -102,15 +102,15 @@ TEST(MotionFromSensors, RebuildsTheDoorDemonstrations) {
   imports::import_recordings(request, [](Demonstration&& d) {
     const HumanMotion motion = reconstruct(d, {}, {});
     EXPECT_THAT(
-        motion.problems,
+        motion.reconstruction_notes,
         testing::ElementsAre(testing::HasSubstr("the shoulder was not recorded: estimated")))
-        << motion.problems.front();
+        << motion.reconstruction_notes.front();
     EXPECT_THAT(motion.estimated, ElementsAre("shoulder", "elbow"));
     EXPECT_EQ(motion.time.size(), d.streams.sensors->time.size());
     double step = 0;
     for (std::size_t i = 0; i < motion.time.size(); ++i) {
-      EXPECT_TRUE(seen(motion.wrist[i]) && seen(motion.elbow[i]));
-      for (std::size_t f = 0; f < 5; ++f) EXPECT_TRUE(seen(motion.tip(i, f)));
+      EXPECT_TRUE(is_known(motion.wrist[i]) && is_known(motion.elbow[i]));
+      for (std::size_t f = 0; f < 5; ++f) EXPECT_TRUE(is_known(motion.tip(i, f)));
       if (i > 0) step = std::max(step, (motion.elbow[i] - motion.elbow[i - 1]).norm());
     }
     const Vec3& s = motion.shoulder[0];
@@ -121,17 +121,17 @@ TEST(MotionFromSensors, RebuildsTheDoorDemonstrations) {
 }
 
 TEST(ReconstructOptions, AreChecked) {
-  EXPECT_EQ(why_invalid(ReconstructOptions{}), "");
-  EXPECT_EQ(why_invalid(HumanOptions{}), "");
+  EXPECT_EQ(validation_error(ReconstructOptions{}), "");
+  EXPECT_EQ(validation_error(HumanOptions{}), "");
   ReconstructOptions options;
   options.cutoff_hz = 45;
-  EXPECT_THAT(why_invalid(options), HasSubstr("cutoff_hz"));
+  EXPECT_THAT(validation_error(options), HasSubstr("cutoff_hz"));
   options = {};
   options.index_marker_to_axis_m = 12;
-  EXPECT_THAT(why_invalid(options), HasSubstr("marker_to_axis"));
+  EXPECT_THAT(validation_error(options), HasSubstr("marker_to_axis"));
   HumanOptions human;
   human.reach_share = 1.2;
-  EXPECT_THAT(why_invalid(human), HasSubstr("reach_share"));
+  EXPECT_THAT(validation_error(human), HasSubstr("reach_share"));
 }
 
 }  // namespace

@@ -44,8 +44,8 @@ Swing swing(std::size_t frames = 240, double rate_hz = 120) {
                   "right_index_dip",
                   "right_wrist",
                   "right_wrist"};
-  body.position = Table<Vec3>(frames, body.names.size(), unseen_point());
-  body.orientation = Table<Quat>(frames, body.names.size(), unseen_rotation());
+  body.position = Array2D<Vec3>(frames, body.names.size(), unknown_point());
+  body.orientation = Array2D<Quat>(frames, body.names.size(), unknown_rotation());
   for (std::size_t i = 0; i < frames; ++i) {
     const double t = static_cast<double>(i) / rate_hz, s = std::sin(2 * M_PI * 0.4 * t);
     const human::ArmAngles angles = {0.5 + 0.4 * s, 0.3 + 0.1 * s, 0.1 * s,        0.9 - 0.5 * s,
@@ -96,7 +96,7 @@ TEST(Skeleton, GivesBackTheArmThatMovedIt) {
     EXPECT_LT((motion.wrist[i] - pose.wrist).norm(), 2e-4);
     const Quat hand(pose.world_from_hand.toRotationMatrix() * shown_axes());
     EXPECT_LT(angle_between(motion.wrist_orientation[i], hand), 1e-3);
-    for (std::size_t k = 0; k < kArmAngles; ++k) {
+    for (std::size_t k = 0; k < kArmAngleCount; ++k) {
       EXPECT_NEAR(motion.arm_angles(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)),
                   truth.angles[i * 6 / 5][k], 2e-3)
           << kArmAngleNames[k];
@@ -108,7 +108,7 @@ TEST(Skeleton, GivesBackTheArmThatMovedIt) {
         (motion.finger_joint(i, 1) - truth.demonstration.streams.skeleton->position(i * 6 / 5, 4))
             .norm(),
         3e-4);
-    EXPECT_FALSE(seen(motion.tip(i, 0)));
+    EXPECT_FALSE(is_known(motion.tip(i, 0)));
   }
   EXPECT_TRUE(motion.estimated.empty());
 }
@@ -131,7 +131,8 @@ TEST(Skeleton, ALastBoneWithoutLengthIsEstimated) {
   const Vec3 bone = motion.tip(100, 1) - motion.finger_joint(100, 1);
   EXPECT_NEAR(bone.norm(), kBones[1] * (1 + 0.097 / 0.143), 1e-5);
   EXPECT_THAT(motion.estimated, Contains("fingertips"));
-  EXPECT_THAT(motion.problems, Contains(HasSubstr("the last bones of index have no length")));
+  EXPECT_THAT(motion.reconstruction_notes,
+              Contains(HasSubstr("the last bones of index have no length")));
 }
 
 TEST(Skeleton, SaysWhatItLacks) {
@@ -139,12 +140,13 @@ TEST(Skeleton, SaysWhatItLacks) {
   BodyStream& body = *truth.demonstration.streams.skeleton;
   body.names = {"RightArm", "right_elbow", "right_wrist", "a", "b", "c", "d", "e", "f"};
   HumanMotion motion = reconstruct(truth.demonstration, {}, {});
-  EXPECT_THAT(motion.problems, Contains(HasSubstr("no joint called right_shoulder")));
-  EXPECT_THAT(motion.problems, Contains(HasSubstr("how the hand is turned is not known")));
-  EXPECT_THAT(motion.problems, Contains("the skeleton has no fingertips"));
-  EXPECT_FALSE(seen(motion.shoulder[10]));
-  EXPECT_TRUE(seen(motion.elbow[10]));
-  EXPECT_FALSE(seen(motion.wrist_orientation[10]));
+  EXPECT_THAT(motion.reconstruction_notes, Contains(HasSubstr("no joint called right_shoulder")));
+  EXPECT_THAT(motion.reconstruction_notes,
+              Contains(HasSubstr("how the hand is turned is not known")));
+  EXPECT_THAT(motion.reconstruction_notes, Contains("the skeleton has no fingertips"));
+  EXPECT_FALSE(is_known(motion.shoulder[10]));
+  EXPECT_TRUE(is_known(motion.elbow[10]));
+  EXPECT_FALSE(is_known(motion.wrist_orientation[10]));
   EXPECT_EQ(motion.arm_angles.rows(), 0);
   // With a thumb it is known, if not well: the index knuckle serves as one here.
   body.names = {"right_shoulder",
@@ -157,13 +159,13 @@ TEST(Skeleton, SaysWhatItLacks) {
                 "right_middle_mcp",
                 "f"};
   motion = reconstruct(truth.demonstration, {}, {});
-  EXPECT_TRUE(seen(motion.wrist_orientation[10]));
+  EXPECT_TRUE(is_known(motion.wrist_orientation[10]));
   EXPECT_THAT(motion.estimated, Contains("wrist orientation"));
 }
 
 TEST(Skeleton, ALeftArmIsTheRightOneInTheMirror) {
   const Swing truth = swing(60);
-  Demonstration left = mirrored(truth.demonstration);
+  Demonstration left = mirror_image(truth.demonstration);
   left.hand = Side::left;
   EXPECT_EQ(left.streams.skeleton->names[6], "left_index_tip");
   EXPECT_EQ(left.streams.skeleton->parents[6], "left_index_dip");
@@ -172,7 +174,7 @@ TEST(Skeleton, ALeftArmIsTheRightOneInTheMirror) {
     EXPECT_LT((a.tip(i, 1) - b.tip(i, 1)).norm(), 1e-12);
     EXPECT_LT(angle_between(a.wrist_orientation[i], b.wrist_orientation[i]), 1e-7);
   }
-  const Demonstration again = mirrored(left);
+  const Demonstration again = mirror_image(left);
   EXPECT_EQ(again.streams.skeleton->names, truth.demonstration.streams.skeleton->names);
   EXPECT_EQ(again.streams.skeleton->position.values,
             truth.demonstration.streams.skeleton->position.values);
@@ -187,9 +189,10 @@ TEST(Skeleton, TheShippedOnes) {
       const HumanMotion motion = reconstruct(d, {}, {});
       const bool whole_hand = d.name != "cmu_12_01_walk";
       for (std::size_t i = 0; i < motion.time.size(); ++i) {
-        ASSERT_TRUE(seen(motion.shoulder[i]) && seen(motion.elbow[i]) && seen(motion.wrist[i]));
-        ASSERT_TRUE(seen(motion.wrist_orientation[i]));
-        ASSERT_EQ(seen(motion.tip(i, 1)), whole_hand);
+        ASSERT_TRUE(is_known(motion.shoulder[i]) && is_known(motion.elbow[i]) &&
+                    is_known(motion.wrist[i]));
+        ASSERT_TRUE(is_known(motion.wrist_orientation[i]));
+        ASSERT_EQ(is_known(motion.tip(i, 1)), whole_hand);
         ASSERT_NEAR((motion.elbow[i] - motion.shoulder[i]).norm(),
                     (motion.elbow[0] - motion.shoulder[0]).norm(), 1e-9);
       }

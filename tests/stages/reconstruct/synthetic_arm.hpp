@@ -49,11 +49,11 @@ inline SyntheticArm synthetic_arm() {
   moving.names = still.names;
 
   still.time = {0.0};
-  still.position = Table<Vec3>(1, points.size(), unseen_point());
+  still.position = Array2D<Vec3>(1, points.size(), unknown_point());
   for (std::size_t k = 0; k < points.size(); ++k) still.position(0, k) = points[k];
 
   const std::size_t frames = 300;
-  moving.position = Table<Vec3>(frames, points.size(), unseen_point());
+  moving.position = Array2D<Vec3>(frames, points.size(), unknown_point());
   for (std::size_t i = 0; i < frames; ++i) {
     moving.time.push_back(0.01 * static_cast<double>(i));
     const double s = std::clamp((moving.time[i] - 1.0) / 1.0, 0.0, 1.0);

@@ -25,10 +25,10 @@ HandKeypoints adroit_joints(const Eigen::RowVectorXd& q) {
   joints[0].setZero();
   const auto finger = [&](std::size_t which, Pose at, const std::array<Pose, 3>& turns,
                           const std::array<double, 3>& bones) {
-    joints[keypoint_of(which, 0)] = at.translation();
+    joints[keypoint_index(which, 0)] = at.translation();
     for (std::size_t k = 0; k < 3; ++k) {
       at = at * turns[k] * Eigen::Translation3d(bones[k] * z);
-      joints[keypoint_of(which, k + 1)] = at.translation();
+      joints[keypoint_index(which, k + 1)] = at.translation();
     }
   };
   const auto from = [&](const Vec3& base, std::size_t which, Eigen::Index first,
@@ -56,7 +56,7 @@ struct TwoFits {
   FittedHand whole, baseless;
   explicit TwoFits(std::vector<HandKeypoints> frames) {
     whole = *fit_hand(frames, std::nullopt, 100);
-    for (HandKeypoints& points : frames) points[keypoint_of(kThumb, 0)] = unseen_point();
+    for (HandKeypoints& points : frames) points[keypoint_index(kThumb, 0)] = unknown_point();
     baseless = *fit_hand(frames, std::nullopt, 100);
   }
   double roll_of_thumb() const {  // median angle between the two orientations of its tip [rad]
@@ -78,7 +78,7 @@ struct TwoFits {
     EXPECT_LT((whole.angles.rightCols(16) - baseless.angles.rightCols(16)).cwiseAbs().maxCoeff(),
               1e-9);
     for (std::size_t i = 0; i < whole.tip_orientation.rows; ++i) {
-      for (std::size_t finger = 0; finger < kFingers; ++finger) {
+      for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
         const Quat &a = whole.tip_orientation(i, finger), &b = baseless.tip_orientation(i, finger);
         // Where the last bone points is recorded, the thumb's, too.
         EXPECT_LT((a * Vec3::UnitZ() - b * Vec3::UnitZ()).norm(), finger == kThumb ? 0.02 : 1e-9);
@@ -129,31 +129,33 @@ TEST(ThumbBase, AriasHandsHaveTipsThatAreTurned) {
     if (!d.streams.hand) continue;  // wrists alone
     ++hands;
     const HumanMotion motion = reconstruct_hand(d, options, {});
-    for (std::size_t finger = 0; finger < kFingers; ++finger) {
+    for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
       std::size_t turned_tips = 0, tips = 0;
       for (std::size_t i = 0; i < motion.time.size(); ++i) {
-        tips += seen(motion.tip(i, finger)) ? 1 : 0;
-        turned_tips += seen(motion.tip_orientation(i, finger)) ? 1 : 0;
+        tips += is_known(motion.tip(i, finger)) ? 1 : 0;
+        turned_tips += is_known(motion.tip_orientation(i, finger)) ? 1 : 0;
       }
       EXPECT_GE(turned_tips, 40u) << d.name;  // two rows 0.4 s apart, if not 12 s
       EXPECT_EQ(turned_tips, tips) << d.name;
     }
-    EXPECT_THAT(reconstruct_hand(d, {}, {}).problems,
+    EXPECT_THAT(reconstruct_hand(d, {}, {}).reconstruction_notes,
                 Contains(HasSubstr("never seen twice within reconstruct.max_gap_s (0.1 s)")));
     EXPECT_THAT(motion.estimated, Contains("thumb base")) << d.name;
-    EXPECT_THAT(motion.problems, Contains(HasSubstr("the thumb's base (CMC) was not recorded")));
+    EXPECT_THAT(motion.reconstruction_notes,
+                Contains(HasSubstr("the thumb's base (CMC) was not recorded")));
   }
   EXPECT_EQ(hands, 3u);
 }
 
 TEST(ThumbBase, IsTheOnlyPointThatMayBeMissing) {
   const Demonstration d = imports::shipped_recordings("dex-retargeting").front();
-  for (const std::size_t missing : {keypoint_of(kThumb, 1), keypoint_of(kIndex, 0)}) {
+  for (const std::size_t missing : {keypoint_index(kThumb, 1), keypoint_index(kIndex, 0)}) {
     std::vector<HandKeypoints> frames(100);
     for (std::size_t i = 0; i < frames.size(); ++i) {
       for (std::size_t k = 0; k < kHandKeypoints; ++k) {
-        frames[i][k] = k == missing || k == keypoint_of(kThumb, 0) ? unseen_point()
-                                                                   : d.streams.hand->position(i, k);
+        frames[i][k] = k == missing || k == keypoint_index(kThumb, 0)
+                           ? unknown_point()
+                           : d.streams.hand->position(i, k);
       }
     }
     EXPECT_FALSE(fit_hand(frames, std::nullopt, 100)) << missing;

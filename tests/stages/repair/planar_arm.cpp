@@ -6,13 +6,13 @@
 
 namespace morphe::test {
 
-RobotTable planar_arm() {
+RobotModel planar_arm() {
   robot::Robot robot;
   robot.name = "planar";
   for (int i = 0; i < 3; ++i) {
     const std::string number = std::to_string(i + 1);
     robot.joint_names.push_back("J" + number);
-    RobotTable::Frame frame;
+    RobotModel::Frame frame;
     frame.name = "link" + number;
     frame.parent = i - 1;
     if (i > 0) frame.transform.translation() = Vec3(0.4, 0, 0);
@@ -25,7 +25,7 @@ RobotTable planar_arm() {
   robot.velocity = JointVector::Constant(3, 2);
   robot.acceleration = JointVector::Constant(3, 10);
   robot.jerk = JointVector::Constant(3, 100);
-  RobotTable::Tip tip;
+  RobotModel::Tip tip;
   tip.name = "tip";
   tip.frame = 2;
   tip.transform.translation() = Vec3(0.4, 0, 0);
@@ -57,11 +57,11 @@ JointPath sweep(const JointVector& from, const JointVector& to) {
     path.position.row(k) = from + s * (to - from);
     path.demonstration_time.push_back(0.01 * k);
   }
-  path.origin.assign(kSamples, Origin::mapped);
+  path.origin.assign(kSamples, SampleOrigin::mapped);
   return path;
 }
 
-Bench::Bench(std::vector<SceneObject> objects, RobotTable of) : robot(std::move(of)) {
+Bench::Bench(std::vector<SceneObject> objects, RobotModel of) : robot(std::move(of)) {
   scene.objects = std::move(objects);
   world = collision::make_world(robot, scene, Movement{}, Tolerances{});
 }
@@ -80,9 +80,9 @@ std::vector<Finding> Bench::collisions(const JointPath& path) const {
         scratch);
     const bool bad = edge.verdict != collision::MotionVerdict::free;
     if (bad && !open)
-      findings.push_back({begin_s, end_s, edge.pair.object ? Cause::object : Cause::self,
-                          collision::first_name(world, edge.pair),
-                          collision::second_name(world, edge.pair), 0});
+      findings.push_back({begin_s, end_s, edge.pair.other_is_object ? Cause::object : Cause::self,
+                          collision::first_body_name(world, edge.pair),
+                          collision::second_body_name(world, edge.pair), 0});
     if (bad) {
       findings.back().end_s = end_s;
       findings.back().depth = std::max(findings.back().depth, -edge.pair.slack());

@@ -2,13 +2,13 @@
 
 #include <vector>
 
-#include "core/collision/certified.hpp"
+#include "core/collision/continuous_check.hpp"
 #include "core/motion/plan.hpp"
 
 namespace morphe::test {
 
 /// Three links of 0.4 m in the plane z = 0, joints about z, one capsule a link.
-RobotTable planar_arm();
+RobotModel planar_arm();
 
 /// A cylinder of radius 0.04 m that stands on the plane's point (x, y).
 SceneObject post(const std::string& name, double x, double y);
@@ -26,7 +26,7 @@ struct Bench {
   collision::CollisionWorld world;
   JointRows reach;
 
-  explicit Bench(std::vector<SceneObject> objects, RobotTable of = planar_arm());
+  explicit Bench(std::vector<SceneObject> objects, RobotModel of = planar_arm());
   Bench(const Bench&) = delete;
 
   /// Certified collisions of a path, one finding a run of bad edges.

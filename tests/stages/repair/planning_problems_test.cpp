@@ -4,7 +4,7 @@
 
 #include "core/moveit/problem.hpp"
 #include "stages/repair/connect.hpp"
-#include "stages/repair/draw_in.hpp"
+#include "stages/repair/path_smoothing.hpp"
 
 namespace morphe::repair {
 namespace {
@@ -32,7 +32,7 @@ TEST_P(PlanningProblems, SolvedWithoutTouchingAnything) {
   const ConnectSpace space{robot.arm_joints, robot.lower, robot.upper};
   const JointVector& goal = problem.goals.front().lower;
   const auto plan = [&] {
-    auto path = connect(interval, space, problem.start, goal, 20000, 0.1, 1);
+    auto path = plan_rrt_connect(interval, space, problem.start, goal, 20000, 0.1, 1);
     std::mt19937_64 random(1);
     return shortcut(interval, std::move(path), 30, random);
   };

@@ -5,8 +5,8 @@
 #include <thread>
 
 #include "core/robot/files/description.hpp"
-#include "core/robot/forward.hpp"
-#include "stages/repair/other_courses.hpp"
+#include "core/robot/forward_kinematics.hpp"
+#include "stages/repair/candidate_strategy.hpp"
 #include "tests/stages/repair/planar_arm.hpp"
 
 namespace morphe::repair {
@@ -21,35 +21,35 @@ using ::testing::HasSubstr;
 
 using Change = std::function<JointPath(const JointPath&, const std::vector<Finding>&)>;
 
-Rung rung(const Check& check, const Change& change) {
-  return {"change", [=](const Checked& best) {
+RepairStrategy rung(const PathCheck& check, const Change& change) {
+  return {"change", [=](const CheckedPath& best) {
             const JointPath path = change(best.path, best.findings);
-            return Made{{path, check(path)}};
+            return StrategyResult{{path, check(path)}};
           }};
 }
 
 /// A ladder without a mapping: what `resolve` gives, detours, and other courses.
 struct Repair {
   const Bench& bench;
-  Check check = [this](const JointPath& path) { return bench.collisions(path); };
+  PathCheck check = [this](const JointPath& path) { return bench.collisions(path); };
   Change resolve = nullptr;
   RepairOptions options = {};
-  NextCourse next = nullptr;
+  NextCandidate next = nullptr;
 
   Outcome<RepairResult> operator()(const JointPath& path) const {
-    Surroundings around{bench.world, options, 42, check, {}};
-    if (resolve) around.win_back = {rung(check, resolve)};
-    const Checked start{path, check(path)};
-    std::vector<Rung> ladder = around.win_back;
+    DetourContext around{bench.world, options, 42, check, {}};
+    if (resolve) around.tracking_recovery = {rung(check, resolve)};
+    const CheckedPath start{path, check(path)};
+    std::vector<RepairStrategy> ladder = around.tracking_recovery;
     const auto add = [&](const char* name, const auto& make) { ladder.push_back({name, make}); };
-    add("detour", [&](const Checked& best) { return detour(around, best); });
+    add("detour", [&](const CheckedPath& best) { return detour(around, best); });
     add("from the mapped path",
-        [&](const Checked& best) { return detour_from(start, around, best); });
-    CourseEnds ends;
+        [&](const CheckedPath& best) { return detour_from_mapped(start, around, best); });
+    CandidateFindings ends;
     if (next) {
-      std::vector<Rung> rungs = around.win_back;
-      rungs.push_back(detour_where_all_collide(around));
-      ladder.push_back(other_courses("courses", std::move(rungs), check, next, ends));
+      std::vector<RepairStrategy> rungs = around.tracking_recovery;
+      rungs.push_back(detour_if_only_collisions(around));
+      ladder.push_back(candidate_strategy("courses", std::move(rungs), check, next, ends));
     }
     return repair_path(ladder, start);
   }
@@ -67,7 +67,7 @@ TEST(Repair, LeavesAFreePathAlone) {
   const Bench bench({});
   const JointPath path = sweep(kFrom, kTo);
   const Outcome<RepairResult> result = repair(bench, path);
-  EXPECT_EQ(result.refusal.reason, Reason::none);
+  EXPECT_EQ(result.failure.reason, Reason::none);
   EXPECT_FALSE(result.value.repaired);
   EXPECT_EQ(result.value.path.position, path.position);
 }
@@ -79,7 +79,7 @@ TEST(Repair, GoesAroundAPost) {
   ASSERT_LT(bench.densely_sampled_slack(path), 0);
 
   const Outcome<RepairResult> result = repair(bench, path);
-  EXPECT_EQ(result.refusal.reason, Reason::none) << result.refusal.detail;
+  EXPECT_EQ(result.failure.reason, Reason::none) << result.failure.detail;
   EXPECT_TRUE(result.value.repaired);
   EXPECT_TRUE(result.value.remaining.empty());
   EXPECT_GE(bench.densely_sampled_slack(result.value.path), 0);
@@ -92,8 +92,8 @@ TEST(Repair, GoesAroundAPost) {
   int planned = 0;
   for (Eigen::Index k = 0; k < rows; ++k) {
     const bool same = result.value.path.position.row(k) == path.position.row(k);
-    const Origin origin = result.value.path.origin[static_cast<std::size_t>(k)];
-    EXPECT_EQ(origin, same ? Origin::mapped : Origin::planned) << k;
+    const SampleOrigin origin = result.value.path.origin[static_cast<std::size_t>(k)];
+    EXPECT_EQ(origin, same ? SampleOrigin::mapped : SampleOrigin::planned) << k;
     planned += same ? 0 : 1;
   }
   EXPECT_GT(planned, 5);
@@ -124,9 +124,9 @@ TEST(Repair, TheDetourIsSmallAndHasNoCorners) {
 TEST(Repair, FingersFollowTheArmAndTheRestIsTheSame) {
   Bench bench({post("post", 0.9, 0)});
   bench.robot.palm_frame = 1;  // the third joint is the hand's
-  bench.robot = robot::Robot(RobotTable(bench.robot));
+  bench.robot = robot::Robot(RobotModel(bench.robot));
   const Outcome<RepairResult> result = repair(bench, sweep(kFrom, kTo));
-  EXPECT_EQ(result.refusal.reason, Reason::none) << result.refusal.detail;
+  EXPECT_EQ(result.failure.reason, Reason::none) << result.failure.detail;
   EXPECT_GE(bench.densely_sampled_slack(result.value.path), 0);
 }
 
@@ -137,9 +137,9 @@ TEST(Repair, SaysWhenThereIsNoPath) {
   RepairOptions options;
   options.iterations = 300;
   const Outcome<RepairResult> result = repair(bench, path, nullptr, options);
-  EXPECT_EQ(result.refusal.reason, Reason::no_path);
-  EXPECT_THAT(result.refusal.detail, HasSubstr("post"));
-  EXPECT_EQ(no_free_path(options), "no free path in 3 attempts of 300 iterations");
+  EXPECT_EQ(result.failure.reason, Reason::no_path);
+  EXPECT_THAT(result.failure.detail, HasSubstr("post"));
+  EXPECT_EQ(no_path_message(options), "no free path in 3 attempts of 300 iterations");
   EXPECT_FALSE(result.value.repaired);
   EXPECT_FALSE(result.value.remaining.empty());
 }
@@ -150,20 +150,20 @@ TEST(Repair, SaysWhenAnEndIsInCollision) {
                          0.4 * (std::sin(0.9) + std::sin(1.2) + std::sin(1.5)), 0);
   const Bench goal({post("cupboard", tip_at_goal.x(), tip_at_goal.y())});
   const Outcome<RepairResult> at_goal = repair(goal, path);
-  EXPECT_EQ(at_goal.refusal.reason, Reason::goal_in_collision);
-  EXPECT_THAT(at_goal.refusal.detail, HasSubstr("link3"));
-  EXPECT_THAT(at_goal.refusal.detail, HasSubstr("cupboard"));
+  EXPECT_EQ(at_goal.failure.reason, Reason::goal_in_collision);
+  EXPECT_THAT(at_goal.failure.detail, HasSubstr("link3"));
+  EXPECT_THAT(at_goal.failure.detail, HasSubstr("cupboard"));
 
   const Bench start({post("shelf", 0.4 * std::cos(0.9), -0.4 * std::sin(0.9))});
-  EXPECT_EQ(repair(start, path).refusal.reason, Reason::start_in_collision);
+  EXPECT_EQ(repair(start, path).failure.reason, Reason::start_in_collision);
 }
 
 TEST(Repair, TakesWhatTheMappingCanSolveItself) {
   const Bench bench({post("post", 0.9, 0)});
   const JointPath path = sweep(kFrom, kTo);
   JointPath around = repair(bench, path).value.path;
-  for (Origin& origin : around.origin)
-    if (origin == Origin::planned) origin = Origin::resolved;
+  for (SampleOrigin& origin : around.origin)
+    if (origin == SampleOrigin::planned) origin = SampleOrigin::re_solved;
   const Outcome<RepairResult> result =
       repair(bench, path, [&](const JointPath&, const std::vector<Finding>&) { return around; });
   EXPECT_TRUE(result.value.repaired);
@@ -200,7 +200,7 @@ TEST(Repair, GoesAroundFromTheMappedPathWhereResolvingLosesTheGoals) {
   };
   repair.resolve = [&](const JointPath&, const std::vector<Finding>&) { return aside; };
   const Outcome<RepairResult> result = repair(path);
-  EXPECT_EQ(result.refusal.reason, Reason::none) << result.refusal.detail;
+  EXPECT_EQ(result.failure.reason, Reason::none) << result.failure.detail;
   EXPECT_TRUE(result.value.repaired);
   EXPECT_TRUE(repair.check(result.value.path).empty());
 }
@@ -213,13 +213,13 @@ TEST(Repair, AnotherCourseWhereTheGoalIsInCollision) {
   Bench bench({post("goal", 0.32, 0.5), post("way", 0.9, 0)});
   ASSERT_FALSE(bench.collisions(path).empty());
   Repair repair{bench};
-  ASSERT_EQ(repair(path).refusal.reason, Reason::goal_in_collision);
+  ASSERT_EQ(repair(path).failure.reason, Reason::goal_in_collision);
   int asked = 0;
   repair.next = [&](bool) -> std::optional<JointPath> {
     return asked++ == 0 ? std::optional(other) : std::nullopt;
   };
   const Outcome<RepairResult> freed = repair(path);
-  EXPECT_EQ(freed.refusal.reason, Reason::none) << freed.refusal.detail;
+  EXPECT_EQ(freed.failure.reason, Reason::none) << freed.failure.detail;
   EXPECT_TRUE(freed.value.repaired);
   EXPECT_TRUE(bench.collisions(freed.value.path).empty());
   EXPECT_EQ(freed.value.path.position.row(100), other.position.row(100));
@@ -248,7 +248,7 @@ TEST(Repair, StopsWhereCoursesFailAtTheSamePlace) {
   };
   const Outcome<RepairResult> result = repair(path);
   EXPECT_EQ(course, 6u) << "neither the second nor the fourth fail where the path does";
-  EXPECT_EQ(result.refusal.reason, Reason::tracking);
+  EXPECT_EQ(result.failure.reason, Reason::tracking);
   ASSERT_EQ(result.value.remaining.size(), 1u);
   EXPECT_EQ(result.value.remaining[0].depth, 0.0040);
 }
@@ -264,8 +264,8 @@ TEST(Repair, NamesTheWorstOfWhatPlanningCannotCure) {
     return findings;
   };
   const Outcome<RepairResult> result = repair(path);
-  EXPECT_EQ(result.refusal.reason, Reason::tracking);
-  EXPECT_THAT(result.refusal.detail, HasSubstr("thumb_tip"));
+  EXPECT_EQ(result.failure.reason, Reason::tracking);
+  EXPECT_THAT(result.failure.detail, HasSubstr("thumb_tip"));
   EXPECT_EQ(result.value.remaining.size(), 2u);
   EXPECT_TRUE(bench.collisions(result.value.path).empty());
 }
@@ -273,7 +273,7 @@ TEST(Repair, NamesTheWorstOfWhatPlanningCannotCure) {
 TEST(Repair, TheMappingWinsBackWhatADetourCost) {
   const Bench bench({post("post", 0.9, 0)});
   const JointPath path = sweep(kFrom, kTo);
-  const auto tracks = [](const JointPath& p) { return p.origin[1] == Origin::resolved; };
+  const auto tracks = [](const JointPath& p) { return p.origin[1] == SampleOrigin::re_solved; };
   Repair repair{bench};
   repair.check = [&](const JointPath& p) {
     std::vector<Finding> findings = bench.collisions(p);
@@ -282,14 +282,14 @@ TEST(Repair, TheMappingWinsBackWhatADetourCost) {
     return findings;
   };
   repair.resolve = [&](JointPath p, const std::vector<Finding>& findings) {
-    if (findings.front().cause == Cause::tracking) p.origin[1] = Origin::resolved;
+    if (findings.front().cause == Cause::tracking) p.origin[1] = SampleOrigin::re_solved;
     return p;
   };
   repair.options.widen_samples = 5;
   const Outcome<RepairResult> result = repair(path);
-  EXPECT_EQ(result.refusal.reason, Reason::none) << result.refusal.detail;
-  EXPECT_EQ(result.value.path.origin[1], Origin::resolved);
-  EXPECT_EQ(result.value.path.origin[50], Origin::planned);
+  EXPECT_EQ(result.failure.reason, Reason::none) << result.failure.detail;
+  EXPECT_EQ(result.value.path.origin[1], SampleOrigin::re_solved);
+  EXPECT_EQ(result.value.path.origin[50], SampleOrigin::planned);
 }
 
 TEST(Repair, TheReferenceRobotTakesItsForearmAroundABall) {
@@ -301,7 +301,7 @@ TEST(Repair, TheReferenceRobotTakesItsForearmAroundABall) {
   to.head<7>() << 0.8, 0.8, 0.2, 1.0, 0.2, 0.4, 0.1;
   const JointPath path = sweep(from, to);
   std::vector<Pose> frames;
-  robot::forward(robot, path.position.row(50), frames);
+  robot::forward_kinematics(robot, path.position.row(50), frames);
   const Vec3 elbow = frames[static_cast<std::size_t>(robot.centres[0].frame)].translation();
   const Vec3 palm = frames[static_cast<std::size_t>(robot.palm_frame)].translation();
   SceneObject ball = post("ball", 0, 0);
@@ -312,7 +312,7 @@ TEST(Repair, TheReferenceRobotTakesItsForearmAroundABall) {
   const Bench bench({ball}, robot);
   ASSERT_FALSE(bench.collisions(path).empty());
   const Outcome<RepairResult> result = repair(bench, path);
-  EXPECT_EQ(result.refusal.reason, Reason::none) << result.refusal.detail;
+  EXPECT_EQ(result.failure.reason, Reason::none) << result.failure.detail;
   EXPECT_GE(bench.densely_sampled_slack(result.value.path), 0);
   EXPECT_TRUE((result.value.path.position.row(100) - path.position.row(100)).isZero(0));
 }
@@ -329,15 +329,15 @@ TEST(Repair, IsTheSameToTheBitOnEveryThread) {
   for (const Outcome<RepairResult>& result : results) {
     EXPECT_EQ(result.value.path.position, alone.value.path.position);
     EXPECT_EQ(result.value.path.origin, alone.value.path.origin);
-    EXPECT_EQ(result.refusal.reason, alone.refusal.reason);
+    EXPECT_EQ(result.failure.reason, alone.failure.reason);
   }
 }
 
 TEST(Repair, OptionsAreChecked) {
-  EXPECT_EQ(why_invalid(RepairOptions{}), "");
+  EXPECT_EQ(validation_error(RepairOptions{}), "");
   RepairOptions options;
   options.range = 0;
-  EXPECT_THAT(why_invalid(options), HasSubstr("range"));
+  EXPECT_THAT(validation_error(options), HasSubstr("range"));
 }
 
 }  // namespace

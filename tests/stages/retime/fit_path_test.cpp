@@ -5,13 +5,13 @@
 #include <cmath>
 #include <random>
 
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 
 namespace morphe::retime {
 namespace {
 
-RobotTable bare_robot(Eigen::Index joints, double lower, double upper) {
-  RobotTable robot;
+RobotModel bare_robot(Eigen::Index joints, double lower, double upper) {
+  RobotModel robot;
   robot.joint_names.assign(static_cast<std::size_t>(joints), "joint");
   robot.lower = JointVector::Constant(joints, lower);
   robot.upper = JointVector::Constant(joints, upper);
@@ -19,27 +19,27 @@ RobotTable bare_robot(Eigen::Index joints, double lower, double upper) {
 }
 
 /// Two links of 0.5 m in a plane with a tip at their end, and a joint that carries nothing.
-RobotTable planar_arm() {
-  RobotTable robot = bare_robot(3, -3, 3);
+RobotModel planar_arm() {
+  RobotModel robot = bare_robot(3, -3, 3);
   for (int joint = 0; joint < 3; ++joint) {
-    RobotTable::Frame frame;
+    RobotModel::Frame frame;
     frame.parent = joint == 0 ? -1 : 0;
     frame.joint = joint;
     frame.transform.translation() = Vec3(joint == 0 ? 0 : 0.5, 0, 0);
     robot.frames.push_back(frame);
   }
-  RobotTable::Tip tip;
+  RobotModel::Tip tip;
   tip.frame = 1;
   tip.transform.translation() = Vec3(0.5, 0, 0);
   robot.tips.push_back(tip);
   return robot;
 }
 
-double tip_distance(const RobotTable& robot, const JointVector& a, const JointVector& b) {
+double tip_distance(const RobotModel& robot, const JointVector& a, const JointVector& b) {
   std::vector<Pose> frames;
-  robot::forward(robot, a, frames);
+  robot::forward_kinematics(robot, a, frames);
   const Vec3 first = robot::tip_pose(robot, frames, 0).translation();
-  robot::forward(robot, b, frames);
+  robot::forward_kinematics(robot, b, frames);
   return (robot::tip_pose(robot, frames, 0).translation() - first).norm();
 }
 
@@ -92,7 +92,7 @@ TEST(FitPath, LeavesAndMeetsALimitAtOnceWithoutRinging) {
     y(i, 1) = 0.5 - way(1 - clock.back());  // meets its upper limit at the end
   }
   const std::vector<double> allowance(clock.size(), 1);
-  RobotTable robot = bare_robot(2, 0, 0.5);
+  RobotModel robot = bare_robot(2, 0, 0.5);
   const PathFit fit = fit_path(robot, clock, y, allowance, {0.02, 0, 1.5e-3}, 0.01);
   EXPECT_LE(fit.joint_deviation, 1.5e-3);
   JointRows q;
@@ -124,7 +124,7 @@ TEST(FitPath, MeetsItsEndsHoweverMuchIsSmoothed) {
   JointRows at;
   math::evaluate(fitted.spline, 0, at);
   EXPECT_LT((at.row(0) - y.row(0)).norm(), 1e-6);
-  math::evaluate(fitted.spline, fitted.spline.length, at);
+  math::evaluate(fitted.spline, fitted.spline.duration_s, at);
   EXPECT_LT((at.row(0) - y.row(149)).norm(), 1e-6);
 }
 
@@ -150,7 +150,7 @@ TEST(FitPath, MeetsItsEndsWhereTheCurveReachesALimitSoonAfter) {
 }
 
 TEST(FitPath, NoiseIsRemovedWithinTheTipsTolerance) {
-  const RobotTable robot = planar_arm();
+  const RobotModel robot = planar_arm();
   std::mt19937 random(7);
   std::uniform_real_distribution<double> noise(-1e-4, 1e-4);
   std::vector<double> clock;

@@ -13,8 +13,8 @@
 namespace morphe::retime {
 namespace {
 
-RobotTable robot_with(Eigen::Index joints, double velocity, double acceleration, double jerk) {
-  RobotTable robot;
+RobotModel robot_with(Eigen::Index joints, double velocity, double acceleration, double jerk) {
+  RobotModel robot;
   robot.joint_names.assign(static_cast<std::size_t>(joints), "joint");
   robot.lower = JointVector::Constant(joints, -3);
   robot.upper = JointVector::Constant(joints, 3);
@@ -31,7 +31,7 @@ JointPath path_of(int samples, Eigen::Index joints, double duration_s,
   for (int i = 0; i < samples; ++i) {
     const double t = samples > 1 ? duration_s * i / (samples - 1) : 0;
     path.demonstration_time.push_back(t);
-    path.origin.push_back(Origin::mapped);
+    path.origin.push_back(SampleOrigin::mapped);
     for (Eigen::Index k = 0; k < joints; ++k) path.position(i, k) = position(t, k);
   }
   return path;
@@ -40,9 +40,9 @@ JointPath path_of(int samples, Eigen::Index joints, double duration_s,
 double minimum_jerk(double z) { return z * z * z * (10 - 15 * z + 6 * z * z); }
 
 /// Everything that holds for each result; the limits are judged by dense sampling of the quintics.
-void expect_valid(const RobotTable& robot, const JointPath& path,
+void expect_valid(const RobotModel& robot, const JointPath& path,
                   const Outcome<RetimeResult>& result) {
-  ASSERT_EQ(result.refusal.reason, Reason::none) << result.refusal.detail;
+  ASSERT_EQ(result.failure.reason, Reason::none) << result.failure.detail;
   const Trajectory& t = result.value.trajectory;
   ASSERT_GE(t.samples(), 2u);
   const Eigen::Index last = t.position.rows() - 1;
@@ -76,7 +76,7 @@ void expect_valid(const RobotTable& robot, const JointPath& path,
   EXPECT_LE(worst[2], 1);
 }
 
-Outcome<RetimeResult> retime_valid(const RobotTable& robot, const JointPath& path,
+Outcome<RetimeResult> retime_valid(const RobotModel& robot, const JointPath& path,
                                    const RetimeOptions& options = {}) {
   Outcome<RetimeResult> result = retime(robot, path, Movement{}, options);
   expect_valid(robot, path, result);
@@ -85,7 +85,7 @@ Outcome<RetimeResult> retime_valid(const RobotTable& robot, const JointPath& pat
 
 TEST(Retime, StraightLineComesCloseToTheMinimumTimeAndIsNotFaster) {
   // Rest to rest under all three limits: distance / v + v / a + a / j.
-  const RobotTable robot = robot_with(1, 0.99, 3.1, 31);
+  const RobotModel robot = robot_with(1, 0.99, 3.1, 31);
   const double least = 1.2 / 0.99 + 0.99 / 3.1 + 3.1 / 31;
   const JointPath line = path_of(101, 1, 1, [](double t, Eigen::Index) { return 1.2 * t; });
   const double taken = retime_valid(robot, line).value.trajectory.time.back();
@@ -94,7 +94,7 @@ TEST(Retime, StraightLineComesCloseToTheMinimumTimeAndIsNotFaster) {
 }
 
 TEST(Retime, HumanReachFasterThanTheRobot) {
-  const RobotTable robot = robot_with(1, 0.99, 3.1, 31);
+  const RobotModel robot = robot_with(1, 0.99, 3.1, 31);
   const double least = 1.2 / 0.99 + 0.99 / 3.1 + 3.1 / 31;
   const JointPath reach =
       path_of(101, 1, 1, [](double t, Eigen::Index) { return 1.2 * minimum_jerk(t); });
@@ -106,13 +106,13 @@ TEST(Retime, HumanReachFasterThanTheRobot) {
 
 TEST(Retime, KeptMakesUpForWhatTheLimitsTook) {
   // Slow, then too fast for the robot for a moment, then slow again.
-  const RobotTable robot = robot_with(1, 1, 10, 200);
+  const RobotModel robot = robot_with(1, 1, 10, 200);
   const JointPath path = path_of(1001, 1, 10, [](double t, Eigen::Index) {
     return 0.1 * t - 0.5 + 0.4 * std::tanh(6 * (t - 4));
   });
   RetimeOptions options;
   const double human_s = retime_valid(robot, path, options).value.trajectory.time.back();
-  options.mode = Tempo::kept;
+  options.mode = RetimeMode::kept;
   const Trajectory kept = retime_valid(robot, path, options).value.trajectory;
   EXPECT_GT(human_s, 10.1);
   EXPECT_NEAR(kept.time.back(), 10, 0.1);
@@ -129,7 +129,7 @@ TEST(Retime, KeptMakesUpForWhatTheLimitsTook) {
 }
 
 TEST(Retime, GenerousLimitsKeepTheHumanTempo) {
-  const RobotTable robot = robot_with(3, 10, 100, 10000);
+  const RobotModel robot = robot_with(3, 10, 100, 10000);
   const JointPath reach = path_of(121, 3, 1.2, [](double t, Eigen::Index k) {
     return (1.0 - 0.3 * static_cast<double>(k)) * minimum_jerk(t / 1.2);
   });
@@ -146,7 +146,7 @@ TEST(Retime, RandomSmoothPathsHoldTheirLimits) {
   for (unsigned seed = 0; seed < 4; ++seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> unit(0, 1);
-    RobotTable robot = robot_with(22, 1.5, 10, 100);
+    RobotModel robot = robot_with(22, 1.5, 10, 100);
     robot.velocity.head(2).setConstant(0.99);
     robot.acceleration.head(2).setConstant(3.1);
     robot.jerk.head(2).setConstant(31);
@@ -164,7 +164,7 @@ TEST(Retime, RandomSmoothPathsHoldTheirLimits) {
     EXPECT_LE(result.value.joint_deviation, 1e-3);
     EXPECT_LE(result.value.trajectory.time.back(), 2.2 * 1.2);
 
-    RobotTable stronger = robot;
+    RobotModel stronger = robot;
     stronger.velocity *= 2;
     stronger.acceleration *= 2;
     stronger.jerk *= 2;
@@ -174,7 +174,7 @@ TEST(Retime, RandomSmoothPathsHoldTheirLimits) {
 }
 
 TEST(Retime, PolylineWithCornersSlowsDown) {
-  const RobotTable robot = robot_with(2, 1, 3, 30);
+  const RobotModel robot = robot_with(2, 1, 3, 30);
   JointPath path = path_of(121, 2, 1.2, [](double t, Eigen::Index k) {
     const double turn = t < 0.6 ? 0 : t - 0.6;
     return k == 0 ? std::min(t, 0.6) : turn;
@@ -187,17 +187,17 @@ TEST(Retime, PolylineWithCornersSlowsDown) {
   EXPECT_LE(mapped.value.joint_deviation, 1.01e-3);
   EXPECT_LT(mapped.value.trajectory.time.back(), sharp.value.trajectory.time.back());
   // A planned stretch at one instant of the demonstration gets a clock of its own.
-  path.origin.assign(path.origin.size(), Origin::planned);
+  path.origin.assign(path.origin.size(), SampleOrigin::planned);
   path.demonstration_time.assign(path.origin.size(), 0.5);
   const Outcome<RetimeResult> planned = retime_valid(robot, path);
   EXPECT_LE(planned.value.joint_deviation, 4.1e-3);
-  EXPECT_EQ(planned.value.trajectory.origin[10], Origin::planned);
+  EXPECT_EQ(planned.value.trajectory.origin[10], SampleOrigin::planned);
 }
 
 TEST(Retime, NoisyPathStaysWithinTolerance) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> noise(-5e-4, 5e-4);
-  const RobotTable robot = robot_with(2, 1, 3, 30);
+  const RobotModel robot = robot_with(2, 1, 3, 30);
   const JointPath path = path_of(121, 2, 1.2, [&](double t, Eigen::Index) {
     return 0.6 * minimum_jerk(t / 1.2) + noise(random);
   });
@@ -207,7 +207,7 @@ TEST(Retime, NoisyPathStaysWithinTolerance) {
 }
 
 TEST(Retime, PathAlongAPositionLimitDoesNotLeaveIt) {
-  const RobotTable robot = robot_with(1, 1, 10, 100);
+  const RobotModel robot = robot_with(1, 1, 10, 100);
   const JointPath path =
       path_of(121, 1, 1.2, [](double t, Eigen::Index) { return std::min(3.0, 2.8 + 0.5 * t); });
   retime_valid(robot, path);
@@ -216,7 +216,7 @@ TEST(Retime, PathAlongAPositionLimitDoesNotLeaveIt) {
 /// The first two joints of a Franka Research 3 (libfranka), to within a hundredth of where nothing
 /// of their velocity is left, and back.
 TEST(Retime, AStraightWayFromLimitToLimitMeetsItsEnds) {
-  RobotTable robot = robot_with(4, 2, 10, 100);
+  RobotModel robot = robot_with(4, 2, 10, 100);
   robot.lower << -1, -1, -1, 0.2;
   robot.upper << 1, 1, 0.5, 0.5;
   JointVector from(4), to(4);
@@ -226,15 +226,15 @@ TEST(Retime, AStraightWayFromLimitToLimitMeetsItsEnds) {
     JointPath path = path_of(samples, 4, 0.01 * (samples - 1), [&](double t, Eigen::Index k) {
       return from[k] + (to[k] - from[k]) * t / (0.01 * (samples - 1));
     });
-    path.origin.assign(path.origin.size(), Origin::planned);
+    path.origin.assign(path.origin.size(), SampleOrigin::planned);
     RetimeOptions options;
-    options.mode = Tempo::fastest;
+    options.mode = RetimeMode::fastest;
     expect_valid(robot, path, retime(robot, path, Movement{}, options));
   }
 }
 
 TEST(Retime, BrakingCurvesHoldAlongTheTrajectory) {
-  RobotTable robot = robot_with(2, 2.62, 10, 5000);
+  RobotModel robot = robot_with(2, 2.62, 10, 5000);
   robot.braking_curves = {{0, 12, 0.3, -2.7501, 2.7501}, {1, 5.17, 0.2, -1.7918, 1.7918}};
   const JointPath path = path_of(101, 2, 1.0, [](double t, Eigen::Index k) {
     const double there = k == 0 ? 2.73 : -1.77;
@@ -242,13 +242,13 @@ TEST(Retime, BrakingCurvesHoldAlongTheTrajectory) {
   });
   for (const double share : {1.0, 0.6}) {
     RetimeOptions options;
-    options.mode = Tempo::fastest;
+    options.mode = RetimeMode::fastest;
     options.limit_share = share;
     const auto result = retime_valid(robot, path, options);
     const Trajectory& t = result.value.trajectory;
     double worst = 0;
     for (std::size_t i = 0; i + 1 < t.samples(); ++i) {
-      for (const RobotTable::BrakingCurve& curve : robot.braking_curves) {
+      for (const RobotModel::BrakingCurve& curve : robot.braking_curves) {
         for (int part = 0; part <= 8; ++part) {
           const math::QuinticPiece piece = math::quintic_piece(t, i, curve.joint);
           const double s = piece.duration * part / 8;
@@ -262,14 +262,14 @@ TEST(Retime, BrakingCurvesHoldAlongTheTrajectory) {
     EXPECT_LE(worst, share * (1 + 1e-9));
     EXPECT_GT(worst, 0.9 * share);  // and they are used
     EXPECT_NEAR(math::limit_report(robot, t).velocity.ratio, std::max(worst, 0.0), 0.02);
-    RobotTable free = robot;
+    RobotModel free = robot;
     free.braking_curves.clear();
     EXPECT_LT(retime_valid(free, path, options).value.trajectory.time.back(), t.time.back());
   }
 }
 
 TEST(Retime, DegeneratePathsStandStill) {
-  const RobotTable robot = robot_with(3, 1, 3, 30);
+  const RobotModel robot = robot_with(3, 1, 3, 30);
   const auto still = [](double, Eigen::Index k) { return 0.1 * static_cast<double>(k); };
   const Trajectory rest = retime_valid(robot, path_of(121, 3, 1.2, still)).value.trajectory;
   EXPECT_NEAR(rest.time.back(), 1.2, 0.05);
@@ -279,7 +279,7 @@ TEST(Retime, DegeneratePathsStandStill) {
 }
 
 TEST(Retime, TwoSamplesAndDuplicates) {
-  const RobotTable robot = robot_with(2, 1, 3, 30);
+  const RobotModel robot = robot_with(2, 1, 3, 30);
   const auto line = [](double t, Eigen::Index k) { return k == 0 ? t : 0.3 * t; };
   retime_valid(robot, path_of(2, 2, 0.8, line));
   JointPath path = path_of(81, 2, 0.8, line);
@@ -291,20 +291,20 @@ TEST(Retime, TwoSamplesAndDuplicates) {
 }
 
 TEST(Retime, AStretchWhereDemonstrationTimeStandsStill) {
-  const RobotTable robot = robot_with(2, 1, 3, 30);
+  const RobotModel robot = robot_with(2, 1, 3, 30);
   JointPath path = path_of(121, 2, 1.2, [](double t, Eigen::Index k) {
     return k == 0 ? 0.5 * minimum_jerk(t / 1.2) : 0.2 * std::sin(3 * t);
   });
   for (std::size_t i = 40; i < 80; ++i) {
     path.demonstration_time[i] = 0.4;
-    path.origin[i] = Origin::planned;
+    path.origin[i] = SampleOrigin::planned;
   }
   for (std::size_t i = 80; i < 121; ++i) path.demonstration_time[i] -= 0.39;
   retime_valid(robot, path);
 }
 
 TEST(Retime, PhasesFollowTheDemonstration) {
-  const RobotTable robot = robot_with(1, 1, 3, 30);
+  const RobotModel robot = robot_with(1, 1, 3, 30);
   Movement movement;
   movement.phases = {{PhaseKind::reach, 0, 0.6, 1}, {PhaseKind::grasp, 0.6, 1.2, 1}};
   const JointPath path =
@@ -317,7 +317,7 @@ TEST(Retime, PhasesFollowTheDemonstration) {
 }
 
 TEST(Retime, TheLastSampleIsInThePhaseThatEndsThere) {
-  const RobotTable robot = robot_with(1, 1, 3, 30);
+  const RobotModel robot = robot_with(1, 1, 3, 30);
   const JointPath path =
       path_of(121, 1, 1.2, [](double t, Eigen::Index) { return 0.5 * minimum_jerk(t / 1.2); });
   for (const double rounding : {-1e-15, 0.0, 1e-15}) {
@@ -331,24 +331,24 @@ TEST(Retime, TheLastSampleIsInThePhaseThatEndsThere) {
 }
 
 TEST(Retime, RefusesWhatIsNoPath) {
-  const RobotTable robot = robot_with(2, 1, 3, 30);
+  const RobotModel robot = robot_with(2, 1, 3, 30);
   const auto line = [](double t, Eigen::Index) { return t; };
-  EXPECT_EQ(retime(robot, JointPath{}, {}, {}).refusal.reason, Reason::path);
+  EXPECT_EQ(retime(robot, JointPath{}, {}, {}).failure.reason, Reason::path);
   JointPath path = path_of(11, 2, 1, line);
-  path.position(3, 1) = kNotSeen;
-  EXPECT_EQ(retime(robot, path, {}, {}).refusal.reason, Reason::path);
+  path.position(3, 1) = kUnknown;
+  EXPECT_EQ(retime(robot, path, {}, {}).failure.reason, Reason::path);
   path = path_of(11, 2, 1, line);
   path.demonstration_time[5] = 0;
-  EXPECT_EQ(retime(robot, path, {}, {}).refusal.reason, Reason::path);
+  EXPECT_EQ(retime(robot, path, {}, {}).failure.reason, Reason::path);
   path = path_of(11, 2, 1, line);
   path.position(4, 0) = 3.01;
-  EXPECT_EQ(retime(robot, path, {}, {}).refusal.reason, Reason::limit);
+  EXPECT_EQ(retime(robot, path, {}, {}).failure.reason, Reason::limit);
 }
 
 TEST(Retime, FastestComesCloseToTheClosedFormAfterSampling) {
   RetimeOptions options;
-  options.mode = Tempo::fastest;
-  RobotTable robot = robot_with(1, 0.99, 3.1, std::numeric_limits<double>::infinity());
+  options.mode = RetimeMode::fastest;
+  RobotModel robot = robot_with(1, 0.99, 3.1, std::numeric_limits<double>::infinity());
   const JointPath line = path_of(101, 1, 30, [](double t, Eigen::Index) { return t / 25; });
   const double trapezoid = 1.2 / 0.99 + 0.99 / 3.1;
   const double without = retime_valid(robot, line, options).value.trajectory.time.back();
@@ -361,33 +361,33 @@ TEST(Retime, FastestComesCloseToTheClosedFormAfterSampling) {
 }
 
 TEST(Retime, ADurationIsMetOrRefused) {
-  const RobotTable robot = robot_with(2, 1, 3, 30);
+  const RobotModel robot = robot_with(2, 1, 3, 30);
   const JointPath path = path_of(121, 2, 1.2, [](double t, Eigen::Index k) {
     return (k == 0 ? 0.6 : -0.4) * minimum_jerk(t / 1.2);
   });
   RetimeOptions options;
-  options.mode = Tempo::fastest;
+  options.mode = RetimeMode::fastest;
   const double least = retime_valid(robot, path, options).value.trajectory.time.back();
-  options.mode = Tempo::duration;
+  options.mode = RetimeMode::duration;
   for (const double duration_s : {1.03 * least, 2 * least, 10.0}) {
     options.duration_s = duration_s;
     EXPECT_NEAR(retime_valid(robot, path, options).value.trajectory.time.back(), duration_s, 0.002);
   }
   options.duration_s = 0.9 * least;
-  EXPECT_EQ(retime(robot, path, Movement{}, options).refusal.reason, Reason::duration);
+  EXPECT_EQ(retime(robot, path, Movement{}, options).failure.reason, Reason::duration);
 }
 
 TEST(Retime, AnyDurationFromTheFastestOnIsMet) {
   // Straight lines from waypoint to waypoint: nothing but corners.
   const double waypoint[] = {0.499, 0.301, 0.070, 0.113, 0.145, -0.081, -0.265, -0.292};
-  const RobotTable robot = robot_with(1, 0.6889, 5.303, 239.8);
+  const RobotModel robot = robot_with(1, 0.6889, 5.303, 239.8);
   const JointPath path = path_of(8, 1, 2.36, [&](double t, Eigen::Index) {
     return waypoint[static_cast<std::size_t>(std::lround(t / 2.36 * 7))];
   });
   RetimeOptions options;
-  options.mode = Tempo::fastest;
+  options.mode = RetimeMode::fastest;
   const double least = retime_valid(robot, path, options).value.trajectory.time.back();
-  options.mode = Tempo::duration;
+  options.mode = RetimeMode::duration;
   for (const double times : {1.0, 1.003, 1.03, 1.2, 4.0}) {
     SCOPED_TRACE(times);
     options.duration_s = times * least;
@@ -397,7 +397,7 @@ TEST(Retime, AnyDurationFromTheFastestOnIsMet) {
 }
 
 TEST(Retime, APhaseIsSlowerByItsScale) {
-  const RobotTable robot = robot_with(1, 1, 3, 30);
+  const RobotModel robot = robot_with(1, 1, 3, 30);
   Movement movement;
   movement.phases = {{PhaseKind::reach, 0, 1.5}, {PhaseKind::grasp, 1.5, 3}};
   const JointPath path = path_of(301, 1, 3, [](double t, Eigen::Index) { return 0.2 * t; });
@@ -416,11 +416,11 @@ TEST(Retime, APhaseIsSlowerByItsScale) {
 }
 
 TEST(Retime, ATipIsNoFasterThanItsLimit) {
-  RobotTable robot = robot_with(1, 1, 3, 30);
-  RobotTable::Frame frame;
+  RobotModel robot = robot_with(1, 1, 3, 30);
+  RobotModel::Frame frame;
   frame.joint = 0;
   robot.frames.push_back(frame);
-  RobotTable::Tip tip;
+  RobotModel::Tip tip;
   tip.transform.translation() = Vec3(0.5, 0, 0);
   robot.tips.push_back(tip);
   const JointPath path =
@@ -432,14 +432,14 @@ TEST(Retime, ATipIsNoFasterThanItsLimit) {
 }
 
 TEST(Retime, PausesAreKeptUnlessItShallBeFast) {
-  const RobotTable robot = robot_with(1, 1, 3, 30);
+  const RobotModel robot = robot_with(1, 1, 3, 30);
   const auto pausing = [](double t, Eigen::Index) {
     return 0.3 * (minimum_jerk(std::min(t, 1.0)) + minimum_jerk(std::clamp(t - 2, 0.0, 1.0)));
   };
   const JointPath path = path_of(301, 1, 3, pausing);
   RetimeOptions options;
   EXPECT_NEAR(retime_valid(robot, path, options).value.trajectory.time.back(), 3, 0.1);
-  options.mode = Tempo::fastest;
+  options.mode = RetimeMode::fastest;
   EXPECT_LT(retime_valid(robot, path, options).value.trajectory.time.back(), 2);
 }
 
@@ -447,17 +447,17 @@ TEST(Retime, LimitsThatAreNoneAreNone) {
   const JointPath path =
       path_of(121, 1, 1.2, [](double t, Eigen::Index) { return 0.5 * minimum_jerk(t / 1.2); });
   const double infinity = std::numeric_limits<double>::infinity();
-  const RobotTable free = robot_with(1, infinity, infinity, infinity);
+  const RobotModel free = robot_with(1, infinity, infinity, infinity);
   EXPECT_NEAR(retime_valid(free, path).value.trajectory.time.back(), 1.2, 0.003);
-  for (const double bad : {0.0, -1.0, kNotSeen}) {
-    RobotTable robot = robot_with(1, 1, 3, 30);
+  for (const double bad : {0.0, -1.0, kUnknown}) {
+    RobotModel robot = robot_with(1, 1, 3, 30);
     robot.acceleration[0] = bad;
-    EXPECT_EQ(retime(robot, path, {}, {}).refusal.reason, Reason::limit);
+    EXPECT_EQ(retime(robot, path, {}, {}).failure.reason, Reason::limit);
     robot = robot_with(1, 1, bad, 30);
-    EXPECT_EQ(retime(robot, path, {}, {}).refusal.reason, Reason::limit);
+    EXPECT_EQ(retime(robot, path, {}, {}).failure.reason, Reason::limit);
     robot = robot_with(1, 1, 3, 30);
-    robot.upper[0] = kNotSeen;
-    EXPECT_EQ(retime(robot, path, {}, {}).refusal.reason, Reason::limit);
+    robot.upper[0] = kUnknown;
+    EXPECT_EQ(retime(robot, path, {}, {}).failure.reason, Reason::limit);
   }
 }
 

@@ -12,14 +12,14 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A straight line from 0 to `way` over one second of the clock.
-PacedPath line_path(const JointVector& way, double velocity, double acceleration, double jerk,
-                    const Movement& movement) {
-  static const RobotTable robot;  // without braking curves
-  PacedPath paced_path;
+ConstrainedPath line_path(const JointVector& way, double velocity, double acceleration, double jerk,
+                          const Movement& movement) {
+  static const RobotModel robot;  // without braking curves
+  ConstrainedPath paced_path;
   const Eigen::Index n = way.size(), intervals = 100;
   paced_path.robot = &robot;
   paced_path.movement = &movement;
-  paced_path.spline.length = 1;
+  paced_path.spline.duration_s = 1;
   paced_path.spline.intervals = intervals;
   paced_path.spline.origin = Eigen::RowVectorXd::Zero(n);
   paced_path.spline.coefficient.resize(intervals + 5, n);
@@ -51,11 +51,11 @@ double least_time(double d, double v, double a, double j) {
 TEST(TimeLaw, TrapezoidTriangleAndStraightLine) {
   const Movement movement;
   for (const double way : {0.05, 0.3, 1.0, 3.0}) {
-    const PacedPath one = line_path(JointVector::Constant(1, way), 1, 3, kInfinity, movement);
+    const ConstrainedPath one = line_path(JointVector::Constant(1, way), 1, 3, kInfinity, movement);
     EXPECT_NEAR(fastest_law(one).duration_s / least_time(way, 1, 3, kInfinity), 1, 0.002) << way;
     JointVector ways(3);
     ways << 0.4 * way, -way, 0.1 * way;
-    const PacedPath line = line_path(ways, 1, 3, kInfinity, movement);
+    const ConstrainedPath line = line_path(ways, 1, 3, kInfinity, movement);
     EXPECT_NEAR(fastest_law(line).duration_s / least_time(way, 1, 3, kInfinity), 1, 0.002) << way;
   }
 }
@@ -64,7 +64,8 @@ TEST(TimeLaw, SevenSegments) {
   const Movement movement;
   for (const double way : {0.01, 0.1, 0.5, 1.0, 3.0}) {
     for (const double jerk : {10.0, 30.0, 300.0}) {
-      const PacedPath paced_path = line_path(JointVector::Constant(1, way), 1, 3, jerk, movement);
+      const ConstrainedPath paced_path =
+          line_path(JointVector::Constant(1, way), 1, 3, jerk, movement);
       const double ratio = fastest_law(paced_path).duration_s / least_time(way, 1, 3, jerk);
       EXPECT_GE(ratio, 0.998) << way << " " << jerk;
       EXPECT_LE(ratio, 1.03) << way << " " << jerk;
@@ -74,10 +75,10 @@ TEST(TimeLaw, SevenSegments) {
 
 TEST(TimeLaw, RestIsTheSameMotionAndThenNone) {
   const Movement movement;
-  PacedPath paced_path = line_path(JointVector::Constant(1, 0.3), 1, 3, 30, movement);
-  paced_path.clocked.clock = paced_path.clocked.demonstration_time = {0, 1};
-  paced_path.clocked.origin = {Origin::mapped, Origin::mapped};
-  PacedLaw paced = pace_fastest(paced_path, 500);
+  ConstrainedPath paced_path = line_path(JointVector::Constant(1, 0.3), 1, 3, 30, movement);
+  paced_path.parameterized.parameter = paced_path.parameterized.demonstration_time = {0, 1};
+  paced_path.parameterized.origin = {SampleOrigin::mapped, SampleOrigin::mapped};
+  QuantizedLaw paced = fastest_mode_law(paced_path, 500);
   const Trajectory early = sample_law(paced_path, paced, 500).trajectory;
   paced.rest = 40;
   const Trajectory t = sample_law(paced_path, paced, 500).trajectory;

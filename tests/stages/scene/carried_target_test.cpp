@@ -26,14 +26,14 @@ struct Carrying {
   }
   explicit Carrying(bool oriented) {
     constexpr std::size_t kFrames = 101;
-    motion.tip = Table<Vec3>(kFrames, kFingers, unseen_point());
+    motion.tip = Array2D<Vec3>(kFrames, kFingerCount, unknown_point());
     for (std::size_t k = 0; k < kFrames; ++k) {
       const double time_s = 0.01 * static_cast<double>(k);
       const Pose pose = world_from_hand(time_s);
       motion.time.push_back(time_s);
       motion.tip(k, 0) = pose * Vec3(0.02, 0.04, 0.1);
       motion.tip(k, 1) = pose * Vec3(0.03, -0.04, 0.12);
-      motion.wrist_orientation.push_back(oriented ? Quat(pose.linear()) : unseen_rotation());
+      motion.wrist_orientation.push_back(oriented ? Quat(pose.linear()) : unknown_rotation());
     }
     movement.begin_s = 0;
     movement.end_s = 0.9;
@@ -52,8 +52,8 @@ struct Carrying {
 
 TEST(CarriedTarget, MovesRigidlyWithTheHand) {
   Carrying c(true);
-  c.motion.tip(60, 1) = unseen_point();  // bridged
-  carry_between_tips(c.motion, c.movement, c.cup);
+  c.motion.tip(60, 1) = unknown_point();  // bridged
+  move_with_tips(c.motion, c.movement, c.cup);
   EXPECT_EQ(c.cup.time.size(), 30u);
   EXPECT_NEAR(c.cup.time.front(), 0.5, 1e-12);
   EXPECT_NEAR(c.cup.time.back(), 0.8, 1e-12);
@@ -73,7 +73,7 @@ TEST(CarriedTarget, TheTipsStayWhereTheyWereOnIt) {
     c.motion.tip(k, 0) += closer * line;
     c.motion.tip(k, 1) -= closer * line;
   }
-  carry_between_tips(c.motion, c.movement, c.cup);
+  move_with_tips(c.motion, c.movement, c.cup);
   const auto on_cup = [&](std::size_t frame, std::size_t tip) {
     return Vec3(recorded_pose(c.cup, c.motion.time[frame]).inverse() * c.motion.tip(frame, tip));
   };
@@ -90,11 +90,11 @@ TEST(CarriedTarget, KeepsItsOwnMotionAndStaysWhereNothingWasSeen) {
   recorded.time = {0, 1};
   recorded.position = {Vec3::Zero(), Vec3::UnitX()};
   recorded.orientation = {Quat::Identity(), Quat::Identity()};
-  carry_between_tips(c.motion, c.movement, recorded);
+  move_with_tips(c.motion, c.movement, recorded);
   EXPECT_EQ(recorded.time.size(), 2u);
-  c.motion.tip = Table<Vec3>(c.motion.time.size(), kFingers, unseen_point());
+  c.motion.tip = Array2D<Vec3>(c.motion.time.size(), kFingerCount, unknown_point());
   const Vec3 before = c.cup.position.front();
-  carry_between_tips(c.motion, c.movement, c.cup);
+  move_with_tips(c.motion, c.movement, c.cup);
   ASSERT_EQ(c.cup.time.size(), 1u);
   EXPECT_EQ(c.cup.position.front(), before);
 }
@@ -102,7 +102,7 @@ TEST(CarriedTarget, KeepsItsOwnMotionAndStaysWhereNothingWasSeen) {
 TEST(CarriedTarget, StopsWithTheMovement) {
   Carrying c(true);
   c.movement.end_s = 0.6;
-  carry_between_tips(c.motion, c.movement, c.cup);
+  move_with_tips(c.motion, c.movement, c.cup);
   EXPECT_NEAR(c.cup.time.back(), 0.6, 1e-12);
 }
 

@@ -23,8 +23,8 @@ struct Reach {
 
   Reach() {
     const std::size_t frames = 201;
-    motion.tip = motion.finger_joint = Table<Vec3>(frames, kFingers, unseen_point());
-    motion.tip_orientation = Table<Quat>(frames, kFingers, unseen_rotation());
+    motion.tip = motion.finger_joint = Array2D<Vec3>(frames, kFingerCount, unknown_point());
+    motion.tip_orientation = Array2D<Quat>(frames, kFingerCount, unknown_rotation());
     const Quat hand(Eigen::AngleAxisd(0.3, Vec3(0.6, 0, 0.8)));
     for (std::size_t i = 0; i < frames; ++i) {
       const double t = kStep_s * static_cast<double>(i);
@@ -48,7 +48,7 @@ struct Reach {
     scene = build_scene({}, {}, motion, movement);
   }
 
-  MovedTarget moved(const SceneOptions& options) const {
+  RelocatedMovement moved(const SceneOptions& options) const {
     return move_target(options, motion, movement, scene);
   }
 };
@@ -67,7 +67,7 @@ Pose hand_at(const HumanMotion& motion, std::size_t i) {
 
 TEST(MoveTarget, TheGraspIsTheSameInTheTargetsFrame) {
   const Reach r;
-  const MovedTarget m = r.moved(by(Vec3(0.08, -0.05, 0), Vec3(0, 0, 0.6)));
+  const RelocatedMovement m = r.moved(by(Vec3(0.08, -0.05, 0), Vec3(0, 0, 0.6)));
   const Pose before = recorded_pose(cup_of(r.scene), 1.2),
              after = recorded_pose(cup_of(m.scene), 1.2);
   EXPECT_LT((after.translation() - before.translation() - Vec3(0.08, -0.05, 0)).norm(), 1e-12);
@@ -89,15 +89,15 @@ TEST(MoveTarget, TheGraspIsTheSameInTheTargetsFrame) {
   }
   EXPECT_EQ(m.motion.arm_angles.rows(), 0);
   EXPECT_EQ(m.motion.estimated, std::vector<std::string>{"transported"});
-  ASSERT_EQ(m.motion.problems.size(), 1u);
-  EXPECT_THAT(m.motion.problems[0],
+  ASSERT_EQ(m.motion.reconstruction_notes.size(), 1u);
+  EXPECT_THAT(m.motion.reconstruction_notes[0],
               testing::HasSubstr("cup stands 94 mm from where it stood, turned by 34 degrees"));
 }
 
 TEST(MoveTarget, AShiftIsBlendedInByMinimumJerk) {
   const Reach r;
   const Vec3 shift(0.06, 0.02, 0.01);
-  const MovedTarget m = r.moved(by(shift, Vec3::Zero()));
+  const RelocatedMovement m = r.moved(by(shift, Vec3::Zero()));
   for (std::size_t i = 0; i < r.motion.time.size(); ++i) {
     // At constant speed the share of the way is that of the time; 0.3 s is its first quarter …
     const double s = std::clamp(r.motion.time[i] - 0.2, 0.0, 1.0);
@@ -111,7 +111,7 @@ TEST(MoveTarget, AShiftIsBlendedInByMinimumJerk) {
 
 TEST(MoveTarget, TheHandStaysRigidAndTheArmKeepsItsLengths) {
   const Reach r;
-  const MovedTarget m = r.moved(by(Vec3(0.05, 0.04, 0), Vec3(0.1, -0.2, 0.8)));
+  const RelocatedMovement m = r.moved(by(Vec3(0.05, 0.04, 0), Vec3(0.1, -0.2, 0.8)));
   const auto distance = [](const Vec3& a, const Vec3& b) { return (a - b).norm(); };
   double last = 0;
   for (std::size_t i = 0; i < r.motion.time.size(); ++i) {
@@ -137,8 +137,8 @@ TEST(MoveTarget, AnAbsolutePlaceIsTheSameAsTheShiftToIt) {
   const Reach r;
   const Vec3 shift(0.03, -0.06, 0);
   SceneOptions placed;
-  placed.target.placed = TargetPlacement{cup_of(r.scene).position[0] + shift, Vec3(0, 0, 0.4)};
-  const MovedTarget a = r.moved(placed), b = r.moved(by(shift, Vec3(0, 0, 0.4)));
+  placed.target.placed = TargetPose{cup_of(r.scene).position[0] + shift, Vec3(0, 0, 0.4)};
+  const RelocatedMovement a = r.moved(placed), b = r.moved(by(shift, Vec3(0, 0, 0.4)));
   for (std::size_t i = 0; i < r.motion.time.size(); ++i) {
     EXPECT_TRUE(hand_at(a.motion, i).isApprox(hand_at(b.motion, i), 1e-12));
     EXPECT_LT((a.motion.elbow[i] - b.motion.elbow[i]).norm(), 1e-12);
@@ -151,43 +151,43 @@ TEST(MoveTarget, ATrackedTargetGoesWithItsWholeTrack) {
   cup.time = {0, 1.5, 1.9};
   cup.position = {cup.position[0], cup.position[0], cup.position[0] + Vec3(0, 0, 0.2)};
   cup.orientation.assign(3, Quat::Identity());
-  const MovedTarget m = r.moved(by(Vec3(0.1, 0, 0), Vec3(0, 0, std::numbers::pi / 2)));
+  const RelocatedMovement m = r.moved(by(Vec3(0.1, 0, 0), Vec3(0, 0, std::numbers::pi / 2)));
   EXPECT_LT((cup_of(m.scene).position[2] - cup.position[2] - Vec3(0.1, 0, 0)).norm(), 1e-12);
 }
 
 TEST(MoveTarget, TheTableReachesUnderTheNewPlace) {
   const Reach r;
-  const MovedTarget m = r.moved(by(Vec3(0.9, 0, 0), Vec3::Zero()));
+  const RelocatedMovement m = r.moved(by(Vec3(0.9, 0, 0), Vec3::Zero()));
   const SceneObject& table = m.scene.objects.front();
   ASSERT_EQ(table.name, "table");
   EXPECT_GT(table.position[0].x() + table.size[0] / 2, cup_of(m.scene).position[0].x() + 0.1);
   EXPECT_NEAR(table.position[0].z(), r.scene.objects.front().position[0].z(), 1e-12);
-  EXPECT_THAT(m.motion.problems[0], testing::HasSubstr("arm would not reach it in"));
+  EXPECT_THAT(m.motion.reconstruction_notes[0], testing::HasSubstr("arm would not reach it in"));
 }
 
 TEST(MoveTarget, NothingToMoveChangesNothing) {
   const Reach r;
-  const MovedTarget m = r.moved({});
+  const RelocatedMovement m = r.moved({});
   for (std::size_t i = 0; i < r.motion.time.size(); ++i) {
     EXPECT_EQ(m.motion.wrist[i], r.motion.wrist[i]);
     EXPECT_EQ(m.motion.elbow[i], r.motion.elbow[i]);
   }
   EXPECT_EQ(m.motion.arm_angles.rows(), r.motion.arm_angles.rows());
-  EXPECT_TRUE(m.motion.problems.empty());
+  EXPECT_TRUE(m.motion.reconstruction_notes.empty());
 
   Reach without;
   without.movement.phases = {{PhaseKind::reach, 0.2, 1.2, 1}};
-  const MovedTarget none = without.moved(by(Vec3(0.1, 0, 0), Vec3::Zero()));
+  const RelocatedMovement none = without.moved(by(Vec3(0.1, 0, 0), Vec3::Zero()));
   EXPECT_EQ(none.motion.wrist[150], without.motion.wrist[150]);
-  EXPECT_THAT(none.motion.problems, testing::ElementsAre(testing::HasSubstr("no target")));
+  EXPECT_THAT(none.motion.reconstruction_notes, testing::ElementsAre(testing::HasSubstr("no target")));
 }
 
 TEST(MoveTarget, IsAskedForOneWayOnly) {
   TargetOptions options;
   options.moved.position = Vec3(0.1, 0, 0);
-  EXPECT_EQ(why_invalid(options), "");
-  options.placed = TargetPlacement{};
-  EXPECT_THAT(why_invalid(options), testing::HasSubstr("placed: "));
+  EXPECT_EQ(validation_error(options), "");
+  options.placed = TargetPose{};
+  EXPECT_THAT(validation_error(options), testing::HasSubstr("placed: "));
 }
 
 }  // namespace

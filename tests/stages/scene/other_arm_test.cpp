@@ -21,13 +21,13 @@ struct LeftArm {
   HumanMotion motion;
   LeftArm() {
     constexpr std::size_t kFrames = 201;
-    motion.tip = Table<Vec3>(kFrames, kFingers, unseen_point());
+    motion.tip = Array2D<Vec3>(kFrames, kFingerCount, unknown_point());
     for (std::size_t i = 0; i < kFrames; ++i) {
       motion.time.push_back(0.01 * static_cast<double>(i));
       motion.shoulder.emplace_back(-0.2, 0, 0.4);
       motion.elbow.emplace_back(-0.2, 0, 0.1);
       motion.wrist.push_back(motion.elbow[i] + (0.25 + shift(i)) * along(i));
-      motion.wrist_orientation.push_back(unseen_rotation());
+      motion.wrist_orientation.push_back(unknown_rotation());
       motion.tip(i, kIndex) = motion.wrist[i] + 0.18 * along(i) + Vec3(0, 0, 0.02);
       motion.tip(i, kLittle) = motion.wrist[i] + 0.18 * along(i) - Vec3(0, 0, 0.02);
       motion.tip(i, kThumb) = motion.wrist[i] + Vec3(0, 0, 0.1);
@@ -82,13 +82,13 @@ TEST(OtherArm, CapsulesLieAlongTheBonesWithOneLength) {
 
 TEST(OtherArm, GapsAreCrossedStraightAndSaid) {
   LeftArm arm;
-  for (std::size_t i = 50; i < 90; ++i) arm.motion.wrist[i] = unseen_point();
-  for (std::size_t i = 190; i < 201; ++i) arm.motion.elbow[i] = unseen_point();
+  for (std::size_t i = 50; i < 90; ++i) arm.motion.wrist[i] = unknown_point();
+  for (std::size_t i = 190; i < 201; ++i) arm.motion.elbow[i] = unknown_point();
   std::vector<std::string> notes;
   const auto capsules = other_arm_capsules({}, arm.motion, notes);
   ASSERT_EQ(capsules.size(), 3u);
   const SceneObject& forearm = capsules[1];
-  for (const Vec3& position : forearm.position) EXPECT_TRUE(seen(position));
+  for (const Vec3& position : forearm.position) EXPECT_TRUE(is_known(position));
   const Vec3 before = recorded_pose(forearm, 0.49).translation(),
              after = recorded_pose(forearm, 0.90).translation(),
              half = recorded_pose(forearm, 0.695).translation();
@@ -104,7 +104,7 @@ TEST(OtherArm, GapsAreCrossedStraightAndSaid) {
 
 TEST(OtherArm, AHandWithoutFingersGoesOnFromItsWrist) {
   LeftArm arm;
-  arm.motion.tip = Table<Vec3>(201, kFingers, unseen_point());
+  arm.motion.tip = Array2D<Vec3>(201, kFingerCount, unknown_point());
   const Quat down = math::shortest_rotation(Vec3::UnitZ(), -Vec3::UnitZ());
   for (std::size_t i = 0; i < 100; ++i) arm.motion.wrist_orientation[i] = down;
   std::vector<std::string> notes;
@@ -124,7 +124,7 @@ TEST(OtherArm, AHandWithoutFingersGoesOnFromItsWrist) {
 TEST(OtherArm, WhatIsMissingOrEstimatedIsSaid) {
   LeftArm arm;
   std::vector<std::string> notes;
-  arm.motion.shoulder.assign(201, unseen_point());
+  arm.motion.shoulder.assign(201, unknown_point());
   EXPECT_THAT(names(other_arm_capsules({}, arm.motion, notes)),
               ElementsAre("other forearm", "other hand"));
   EXPECT_THAT(notes, ElementsAre("other upper arm was not recorded: it is no obstacle"));
@@ -139,7 +139,7 @@ TEST(OtherArm, WhatIsMissingOrEstimatedIsSaid) {
   for (const HumanMotion& nothing : {HumanMotion{}, [] {
                                        HumanMotion hidden = LeftArm().motion;
                                        hidden.shoulder = hidden.elbow = hidden.wrist =
-                                           std::vector<Vec3>(201, unseen_point());
+                                           std::vector<Vec3>(201, unknown_point());
                                        return hidden;
                                      }()}) {
     notes.clear();
@@ -160,7 +160,7 @@ TEST(OtherArm, IsNeverWhatIsGrasped) {
   // same. Without the key an object of that name is one as any other.
   HumanMotion motion;
   Movement movement;
-  motion.tip = Table<Vec3>(101, kFingers, unseen_point());
+  motion.tip = Array2D<Vec3>(101, kFingerCount, unknown_point());
   for (std::size_t i = 0; i < 101; ++i) {
     motion.time.push_back(0.01 * static_cast<double>(i));
     motion.tip(i, kThumb) = Vec3(0.15, 0.3, 0.1);
@@ -186,32 +186,32 @@ TEST(OtherArm, IsNeverWhatIsGrasped) {
   EXPECT_EQ(movement.target, "cup");
   const Scene without = build_scene(options, {}, motion, movement);
   for (const char* name : {"table", "cup"}) {
-    const SceneObject *one = object_named(with.objects, name),
-                      *other = object_named(without.objects, name);
+    const SceneObject *one = find_object(with.objects, name),
+                      *other = find_object(without.objects, name);
     ASSERT_TRUE(one && other);
     EXPECT_EQ(one->size, other->size);
     EXPECT_EQ(one->position, other->position);
   }
-  EXPECT_THAT(mapping_objects(options, with), ElementsAre("table"));
+  EXPECT_THAT(mapping_obstacles(options, with), ElementsAre("table"));
 }
 
 TEST(OtherArm, ItsKeysAreChecked) {
   SceneOptions options;
   options.other_arm_radii = {0.05, 0.05};
-  EXPECT_THAT(why_invalid(options),
+  EXPECT_THAT(validation_error(options),
               HasSubstr("other_arm_radii: needs those of upper arm, forearm"));
   options.other_arm_radii = {0.05, 0, 0.05};
-  EXPECT_THAT(why_invalid(options), HasSubstr("all positive"));
+  EXPECT_THAT(validation_error(options), HasSubstr("all positive"));
   options = {};
   ConfiguredObject object;
   object.name = "other hand";
   options.objects = {object};
-  EXPECT_EQ(why_invalid(options), "");
+  EXPECT_EQ(validation_error(options), "");
   options.other_arm = true;
-  EXPECT_EQ(why_invalid(options), "objects: the name 'other hand' is taken");
+  EXPECT_EQ(validation_error(options), "objects: the name 'other hand' is taken");
   options.objects.clear();
   options.target.name = "other forearm";
-  EXPECT_THAT(why_invalid(options), HasSubstr("is the other arm's"));
+  EXPECT_THAT(validation_error(options), HasSubstr("is the other arm's"));
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ struct Grasping {
   Movement movement;
   Grasping() {
     const std::size_t frames = 201;
-    motion.tip = Table<Vec3>(frames, kFingers, unseen_point());
+    motion.tip = Array2D<Vec3>(frames, kFingerCount, unknown_point());
     for (std::size_t i = 0; i < frames; ++i) {
       const double share = std::min(1.0, static_cast<double>(i) / 100);
       motion.time.push_back(5 + 0.01 * static_cast<double>(i));
@@ -132,10 +132,10 @@ TEST(BuildScene, NoGraspNoTarget) {
 
 TEST(BuildScene, UnseenTipsGiveNoTarget) {
   Grasping g;
-  for (std::size_t i = 0; i < g.motion.time.size(); ++i) g.motion.tip(i, 0) = unseen_point();
+  for (std::size_t i = 0; i < g.motion.time.size(); ++i) g.motion.tip(i, 0) = unknown_point();
   EXPECT_THAT(names(build_scene({}, {}, g.motion, g.movement)), ElementsAre("table"));
   EXPECT_EQ(g.movement.target, "");
-  for (Vec3& tip : g.motion.tip.values) tip = unseen_point();
+  for (Vec3& tip : g.motion.tip.values) tip = unknown_point();
   EXPECT_THAT(names(build_scene({}, {}, g.motion, g.movement)), testing::IsEmpty());
 }
 
@@ -143,7 +143,7 @@ TEST(BuildScene, ATipHiddenInTheGraspIsWhereItArrived) {
   Grasping g;
   const Phase grasp = g.movement.phases.back();
   for (std::size_t i = 0; i < g.motion.time.size(); ++i) {
-    if (g.motion.time[i] >= grasp.begin_s - 1e-9) g.motion.tip(i, 1) = unseen_point();
+    if (g.motion.time[i] >= grasp.begin_s - 1e-9) g.motion.tip(i, 1) = unknown_point();
   }
   EXPECT_THAT(names(build_scene({}, {}, g.motion, g.movement)), ElementsAre("table", "cup"));
   EXPECT_EQ(g.movement.target, "cup");
@@ -220,7 +220,7 @@ TEST(MoveScene, MovesEveryPose) {
   scene.objects[0].orientation = {Quat::Identity(), Quat(0, 0, 0, 1)};
   // Quarter turn about z: (x, y, z) → (−y, x, z), then shifted.
   const Pose pose = make_pose(Vec3(10, 0, 0), Quat(std::sqrt(0.5), 0, 0, std::sqrt(0.5)));
-  const Scene moved = move_scene(scene, pose);
+  const Scene moved = transform_scene(scene, pose);
   EXPECT_TRUE(moved.objects[0].position[0].isApprox(Vec3(8, 1, 3), 1e-12));
   EXPECT_TRUE(moved.objects[0].position[1].isApprox(Vec3(8, 1, 4), 1e-12));
   const Vec3 x = moved.objects[0].orientation[0] * Vec3::UnitX();
@@ -236,7 +236,7 @@ SceneOptions read(const std::string& yaml) {
   SceneOptions options;
   config::read_options(node, options);
   load_scene_files(options, node);
-  node.expect_all_read();
+  node.require_all_keys_read();
   return options;
 }
 
@@ -258,7 +258,7 @@ TEST(SceneOptions, ConfiguredObjectsStandInTheScene) {
   Grasping g;
   const Scene scene = build_scene(options, {}, g.motion, g.movement);
   EXPECT_THAT(names(scene), ElementsAre("post", "hidden", "table", "cup"));
-  EXPECT_THAT(mapping_objects(options, scene), ElementsAre("table", "post"));
+  EXPECT_THAT(mapping_obstacles(options, scene), ElementsAre("table", "post"));
   const Vec3 axis = object(scene, "post").orientation[0] * Vec3::UnitZ();
   EXPECT_TRUE(axis.isApprox(Vec3::UnitX(), 1e-12));
 }
@@ -279,7 +279,7 @@ TEST(SceneOptions, WrittenOptionsReadBackTheSame) {
 
 /// Quarter turns, so that every position is known: the table's x is the base's y.
 TEST(RelativeObjects, StandInTheFrameThatTheyName) {
-  const Quat quarter(Eigen::AngleAxisd(90 * kDegree, Vec3::UnitZ()));
+  const Quat quarter(Eigen::AngleAxisd(90 * kRadPerDegree, Vec3::UnitZ()));
   WorldFrames frames;
   frames.base_from_world = make_pose(Vec3(1, 0, 0), quarter);
   frames.base_from_table = make_pose(Vec3(0.5, 0.2, 0.7), quarter);
@@ -302,7 +302,7 @@ TEST(RelativeObjects, StandInTheFrameThatTheyName) {
   EXPECT_TRUE(object(scene, "c").position[0].isApprox(Vec3(0, 0.3, 1.2), 1e-12));
   EXPECT_TRUE(object(scene, "d").position[0].isApprox(Vec3(0.3, 0, 0), 1e-12));
 
-  frames.base_from_target = unseen_pose();
+  frames.base_from_target = unknown_pose();
   EXPECT_EQ(add_relative_objects(options, frames, 5, scene),
             "b stands relative to the target, and there is none in this movement");
   EXPECT_THAT(error_of("table: {infer: false}\nobjects: [{name: a, shape: sphere, size: [1], "

@@ -27,7 +27,7 @@ std::vector<Phase> moving_phases(const Movement& movement) {
   std::vector<Phase> moving;
   for (const Phase& phase : movement.phases) {
     if (phase.kind == PhaseKind::reach || phase.kind == PhaseKind::transport ||
-        phase.kind == PhaseKind::go_back) {
+        phase.kind == PhaseKind::return_phase) {
       moving.push_back(phase);
     }
   }
@@ -50,17 +50,17 @@ const std::vector<Trial>& ue_adl() {
                                              {{PhaseKind::reach, 67, 173},
                                               {PhaseKind::transport, 206, 399},
                                               {PhaseKind::transport, 413, 603},
-                                              {PhaseKind::go_back, 628, 725}}},
+                                              {PhaseKind::return_phase, 628, 725}}},
                                             {"ADL004DR2",
                                              {{PhaseKind::reach, 40, 130},
                                               {PhaseKind::transport, 148, 243},
                                               {PhaseKind::transport, 290, 390},
-                                              {PhaseKind::go_back, 408, 471}}},
+                                              {PhaseKind::return_phase, 408, 471}}},
                                             {"ADL006DR2",
                                              {{PhaseKind::reach, 40, 123},
                                               {PhaseKind::transport, 124, 272},
                                               {PhaseKind::transport, 279, 384},
-                                              {PhaseKind::go_back, 402, 476}}},
+                                              {PhaseKind::return_phase, 402, 476}}},
                                             {"ADL001FR1", {{PhaseKind::reach, 64, 172}}},
                                             {"ADL001AR1", {{PhaseKind::reach, 87, 185}}}};
   return trials;
@@ -109,7 +109,7 @@ TEST(Recordings, OneReachInEachAdroitDemonstrationAndAReturnAfterTheRelease) {
     EXPECT_LT(moving.front().begin_s, 0.01 * expected.begin) << expected.name;
     EXPECT_GT(moving.front().end_s, 0.01 * expected.end) << expected.name;
     EXPECT_EQ(moving[1].kind, PhaseKind::transport) << expected.name;
-    EXPECT_EQ(moving.back().kind, PhaseKind::go_back) << expected.name;
+    EXPECT_EQ(moving.back().kind, PhaseKind::return_phase) << expected.name;
   }
 }
 
@@ -126,7 +126,7 @@ TEST(Recordings, ABoxIsTakenCarriedAndLeft) {
   EXPECT_NEAR(moving.front().end_s, 1.60, 0.2);
   EXPECT_EQ(moving[1].kind, PhaseKind::transport);
   EXPECT_NEAR(moving[1].begin_s, 1.60, 0.1);
-  EXPECT_EQ(moving.back().kind, PhaseKind::go_back);
+  EXPECT_EQ(moving.back().kind, PhaseKind::return_phase);
   EXPECT_NEAR(moving.back().begin_s, 3.93, 0.15);
   EXPECT_NEAR(moving.back().end_s, 5.72, 0.3);
 }

@@ -48,7 +48,7 @@ TEST(Segment, FindsThePhasesOfADrinkingCycle) {
   ASSERT_EQ(movements.size(), 1u);
   EXPECT_THAT(kinds(movements[0]),
               ElementsAre(PhaseKind::reach, PhaseKind::preshape, PhaseKind::grasp,
-                          PhaseKind::transport, PhaseKind::hold, PhaseKind::go_back));
+                          PhaseKind::transport, PhaseKind::hold, PhaseKind::return_phase));
   for (const Phase& p : movements[0].phases) {
     EXPECT_LT(p.begin_s, p.end_s) << name_of(p.kind);
     EXPECT_GT(p.confidence, 0.8) << name_of(p.kind);
@@ -63,7 +63,7 @@ TEST(Segment, BoundariesAreWhereSpeedPassesFivePercentOfTheBoutsOwnPeak) {
     hand.noise_m = noise_m;
     const auto movements = segment(hand.motion(), {});
     ASSERT_EQ(movements.size(), 1u);
-    const PhaseKind phases[] = {PhaseKind::reach, PhaseKind::transport, PhaseKind::go_back};
+    const PhaseKind phases[] = {PhaseKind::reach, PhaseKind::transport, PhaseKind::return_phase};
     for (int k = 0; k < 3; ++k) {
       const auto& stroke = hand.strokes[static_cast<std::size_t>(k)];
       const double rise = rise_s(0.05, stroke.length_s);
@@ -92,7 +92,7 @@ TEST(Segment, PreshapeLiesInsideTheReachAndGraspFollowsIt) {
 TEST(Segment, PlansAsFarAsAsked) {
   SegmentOptions options;
   const HumanMotion motion = drinking_hand().motion();
-  for (const PhaseKind until : {PhaseKind::grasp, PhaseKind::transport, PhaseKind::go_back}) {
+  for (const PhaseKind until : {PhaseKind::grasp, PhaseKind::transport, PhaseKind::return_phase}) {
     options.plan_until = until;
     const auto movements = segment(motion, options);
     ASSERT_EQ(movements.size(), 1u);
@@ -129,7 +129,8 @@ TEST(Segment, AHandThatLetsGoBeforeTheArmSetsOutIsReturning) {
   const auto movements = segment(hand.motion(), {});
   ASSERT_EQ(movements.size(), 1u);
   const double share = 0.05 * (home.norm() / hand.strokes[2].length_s) / (0.02 / 0.35);
-  EXPECT_NEAR(phase(movements[0], PhaseKind::go_back).begin_s, 2.95 + rise_s(share, 0.35), 0.03);
+  EXPECT_NEAR(phase(movements[0], PhaseKind::return_phase).begin_s, 2.95 + rise_s(share, 0.35),
+              0.03);
 }
 
 TEST(Segment, TwoPeaksWithAShallowDipAreOneReach) {
@@ -143,7 +144,7 @@ TEST(Segment, TwoPeaksWithAShallowDipAreOneReach) {
   ASSERT_EQ(movements.size(), 1u);
   EXPECT_THAT(kinds(movements[0]),
               ElementsAre(PhaseKind::reach, PhaseKind::preshape, PhaseKind::grasp,
-                          PhaseKind::transport, PhaseKind::hold, PhaseKind::go_back));
+                          PhaseKind::transport, PhaseKind::hold, PhaseKind::return_phase));
   EXPECT_NEAR(phase(movements[0], PhaseKind::reach).end_s, 1.7, 0.06);
 }
 
@@ -179,7 +180,7 @@ TEST(Segment, TwoCyclesAreTwoMovements) {
   for (const Movement& movement : movements) {
     EXPECT_THAT(kinds(movement),
                 ElementsAre(PhaseKind::reach, PhaseKind::preshape, PhaseKind::grasp,
-                            PhaseKind::transport, PhaseKind::hold, PhaseKind::go_back));
+                            PhaseKind::transport, PhaseKind::hold, PhaseKind::return_phase));
   }
   EXPECT_EQ(movements[0].index, 0);
   EXPECT_EQ(movements[1].index, 1);
@@ -192,7 +193,7 @@ TEST(Segment, AReachThatTouchesATargetHasNoGrasp) {
   const auto movements = segment(hand.motion(), {});
   ASSERT_EQ(movements.size(), 1u);
   EXPECT_THAT(kinds(movements[0]),
-              ElementsAre(PhaseKind::reach, PhaseKind::hold, PhaseKind::go_back));
+              ElementsAre(PhaseKind::reach, PhaseKind::hold, PhaseKind::return_phase));
   const Phase& reach = phase(movements[0], PhaseKind::reach);
   EXPECT_EQ(movements[0].begin_s, reach.begin_s);
   EXPECT_NEAR(movements[0].end_s, reach.end_s + SegmentOptions{}.touch_hold, 1e-9);
@@ -217,7 +218,7 @@ TEST(Segment, ARecordedObjectThatMovesMarksTheTransport) {
   EXPECT_EQ(movements[0].target, "box");
   EXPECT_THAT(kinds(movements[0]),
               ElementsAre(PhaseKind::reach, PhaseKind::preshape, PhaseKind::grasp,
-                          PhaseKind::transport, PhaseKind::hold, PhaseKind::go_back));
+                          PhaseKind::transport, PhaseKind::hold, PhaseKind::return_phase));
   EXPECT_NEAR(phase(movements[0], PhaseKind::grasp).end_s, 1.9 + rise_s(0.05, 0.9), 0.01);
 }
 
@@ -281,11 +282,11 @@ TEST(Segment, ARecordingThatStartsOrEndsInAMovementIsLessSure) {
   const HumanMotion whole = drinking_hand().motion();
   const auto cut = [&](std::size_t first, std::size_t last) {
     HumanMotion part;
-    part.tip = Table<Vec3>(last - first, kFingers, unseen_point());
+    part.tip = Array2D<Vec3>(last - first, kFingerCount, unknown_point());
     for (std::size_t i = first; i < last; ++i) {
       part.time.push_back(whole.time[i]);
       part.wrist.push_back(whole.wrist[i]);
-      for (std::size_t k = 0; k < kFingers; ++k) part.tip(i - first, k) = whole.tip(i, k);
+      for (std::size_t k = 0; k < kFingerCount; ++k) part.tip(i - first, k) = whole.tip(i, k);
     }
     return part;
   };
@@ -318,12 +319,12 @@ TEST(Segment, WhatFollowsAReachWithoutItsBeginningIsNoReach) {
   const auto from_half_reach = [&](std::size_t last) {
     HumanMotion part;
     const std::size_t first = 130;  // the reach is fastest in frame 120
-    part.tip = Table<Vec3>(last - first, kFingers, unseen_point());
+    part.tip = Array2D<Vec3>(last - first, kFingerCount, unknown_point());
     for (std::size_t i = first; i < last; ++i) {
       part.time.push_back(whole.time[i]);
       part.shoulder.push_back(hand.start + Vec3(0, -0.3, 0.3));
       part.wrist.push_back(whole.wrist[i]);
-      for (std::size_t k = 0; k < kFingers; ++k) part.tip(i - first, k) = whole.tip(i, k);
+      for (std::size_t k = 0; k < kFingerCount; ++k) part.tip(i - first, k) = whole.tip(i, k);
     }
     return part;
   };
@@ -337,14 +338,14 @@ TEST(Segment, WhatFollowsAReachWithoutItsBeginningIsNoReach) {
 TEST(Segment, UnseenTipsAreBridgedByTheWrist) {
   HumanMotion motion = drinking_hand().motion();
   for (std::size_t i = 0; i < motion.time.size(); ++i) {
-    if (i % 50 < 5) motion.tip(i, 1) = unseen_point();
-    if (i > 120 && i < 128) motion.wrist[i] = motion.tip(i, 1) = unseen_point();
+    if (i % 50 < 5) motion.tip(i, 1) = unknown_point();
+    if (i > 120 && i < 128) motion.wrist[i] = motion.tip(i, 1) = unknown_point();
   }
   const auto movements = segment(motion, {});
   ASSERT_EQ(movements.size(), 1u);
   EXPECT_THAT(kinds(movements[0]),
               ElementsAre(PhaseKind::reach, PhaseKind::preshape, PhaseKind::grasp,
-                          PhaseKind::transport, PhaseKind::hold, PhaseKind::go_back));
+                          PhaseKind::transport, PhaseKind::hold, PhaseKind::return_phase));
   EXPECT_LT(phase(movements[0], PhaseKind::reach).confidence,
             phase(segment(drinking_hand().motion(), {})[0], PhaseKind::reach).confidence);
 }
@@ -355,8 +356,8 @@ TEST(Segment, NothingSeenShortOrStillGivesNoMovement) {
   still.noise_m = 0.0005;
   EXPECT_THAT(segment(still.motion(), {}), IsEmpty());
   HumanMotion unseen = drinking_hand().motion();
-  for (Vec3& tip : unseen.tip.values) tip = unseen_point();
-  for (Vec3& wrist : unseen.wrist) wrist = unseen_point();
+  for (Vec3& tip : unseen.tip.values) tip = unknown_point();
+  for (Vec3& wrist : unseen.wrist) wrist = unknown_point();
   EXPECT_THAT(segment(unseen, {}), IsEmpty());
   SyntheticHand brief = drinking_hand();
   brief.length_s = 0.05;
@@ -373,9 +374,9 @@ TEST(Segment, AWholeRecordingIsOneMovementWhateverMoves) {
   gestures.opening = {{0, 0.09}, {1, 0.02}, {2, 0.09}};
   HumanMotion motion = gestures.motion();
   for (std::size_t i = 0; i < 20; ++i) {  // not seen from the first frame on
-    motion.wrist[i] = unseen_point();
-    for (std::size_t finger = 0; finger < kFingers; ++finger)
-      motion.tip(i, finger) = unseen_point();
+    motion.wrist[i] = unknown_point();
+    for (std::size_t finger = 0; finger < kFingerCount; ++finger)
+      motion.tip(i, finger) = unknown_point();
   }
   SegmentOptions options;
   options.whole = true;
@@ -384,22 +385,22 @@ TEST(Segment, AWholeRecordingIsOneMovementWhateverMoves) {
   EXPECT_EQ(movements[0].begin_s, motion.time[20]);
   EXPECT_EQ(movements[0].end_s, motion.time.back());
   EXPECT_THAT(movements[0].phases, IsEmpty());
-  for (Vec3& tip : motion.tip.values) tip = unseen_point();
-  for (Vec3& wrist : motion.wrist) wrist = unseen_point();
+  for (Vec3& tip : motion.tip.values) tip = unknown_point();
+  for (Vec3& wrist : motion.wrist) wrist = unknown_point();
   EXPECT_THAT(segment(motion, options), IsEmpty());
 }
 
 TEST(SegmentOptions, CheckNamesTheKey) {
   SegmentOptions options;
-  EXPECT_EQ(why_invalid(options), "");
+  EXPECT_EQ(validation_error(options), "");
   options.plan_until = PhaseKind::preshape;
-  EXPECT_THAT(why_invalid(options), testing::StartsWith("plan_until: "));
+  EXPECT_THAT(validation_error(options), testing::StartsWith("plan_until: "));
   options = {};
   options.dip_share = 1.5;
-  EXPECT_THAT(why_invalid(options), testing::StartsWith("dip_share: "));
+  EXPECT_THAT(validation_error(options), testing::StartsWith("dip_share: "));
   options = {};
   options.least_reach = -1;
-  EXPECT_THAT(why_invalid(options), testing::StartsWith("least_reach: "));
+  EXPECT_THAT(validation_error(options), testing::StartsWith("least_reach: "));
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ struct SyntheticHand {
     std::normal_distribution<double> noise(0, 1);
     const auto frames = static_cast<std::size_t>(std::lround(length_s * 100)) + 1;
     HumanMotion m;
-    m.tip = Table<Vec3>(frames, kFingers, unseen_point());
+    m.tip = Array2D<Vec3>(frames, kFingerCount, unknown_point());
     for (std::size_t i = 0; i < frames; ++i) {
       const double t = 0.01 * static_cast<double>(i);
       Vec3 index = start;

@@ -41,8 +41,8 @@ Demonstration two_hands() {
     }
   }
   body.parents.assign(10, "");
-  body.position = Table<Vec3>(601, 10, unseen_point());
-  body.orientation = Table<Quat>(601, 10, unseen_rotation());
+  body.position = Array2D<Vec3>(601, 10, unknown_point());
+  body.orientation = Array2D<Quat>(601, 10, unknown_rotation());
   SyntheticHand hand = drinking_hand();
   hand.length_s = 6;
   SyntheticHand later = hand;
@@ -71,12 +71,13 @@ TEST(TwoHands, EachHasItsOwnMovements) {
     demonstration.hand = side;
     const HumanMotion motion = reconstruct::reconstruct(demonstration, {}, {});
     const auto movements =
-        segment(motion, {}, reconstruct::objects_beside(demonstration, Side::right));
+        segment(motion, {}, reconstruct::objects_on_side(demonstration, Side::right));
     ASSERT_EQ(movements.size(), 1u) << name_of(side);
     EXPECT_EQ(movements[0].target, side == Side::left ? "left's" : "right's");
-    EXPECT_THAT(kinds(movements[0]),
-                testing::ElementsAre(PhaseKind::reach, PhaseKind::preshape, PhaseKind::grasp,
-                                     PhaseKind::transport, PhaseKind::hold, PhaseKind::go_back));
+    EXPECT_THAT(
+        kinds(movements[0]),
+        testing::ElementsAre(PhaseKind::reach, PhaseKind::preshape, PhaseKind::grasp,
+                             PhaseKind::transport, PhaseKind::hold, PhaseKind::return_phase));
     const double late_s = side == Side::left ? kLater_s : 0;
     EXPECT_NEAR(movements[0].begin_s, 0.85 + late_s, 0.06);
     EXPECT_NEAR(movements[0].phases[3].begin_s, 1.96 + late_s, 0.06);

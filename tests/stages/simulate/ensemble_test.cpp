@@ -25,7 +25,7 @@ TEST(Ensemble, VariesWithinItsBoundsFromThePlansName) {
     const Variation one = variation_of(ready, options, "cup/000", k);
     EXPECT_GE(one.friction, 0.64);
     EXPECT_LE(one.friction, 0.96);
-    EXPECT_NEAR(one.torsion_m / one.friction, 0.002 / 0.8, 1e-12);
+    EXPECT_NEAR(one.torsional_friction_m / one.friction, 0.002 / 0.8, 1e-12);
     EXPECT_GE(one.mass_kg, 0.24);
     EXPECT_LE(one.mass_kg, 0.36);
     const Vec3 shift = one.base_from_target.translation() - ready.base_from_target.translation();
@@ -33,7 +33,7 @@ TEST(Ensemble, VariesWithinItsBoundsFromThePlansName) {
     EXPECT_LE(shift.cwiseAbs().maxCoeff(), 0.002);
     const Eigen::AngleAxisd turn(Eigen::Matrix3d(one.base_from_target.linear() *
                                                  ready.base_from_target.linear().transpose()));
-    EXPECT_LE(turn.angle(), 2 * kDegree + 1e-12);
+    EXPECT_LE(turn.angle(), 2 * kRadPerDegree + 1e-12);
     EXPECT_NEAR(std::abs(turn.axis().z()), 1, 1e-6);
     masses.insert(one.mass_kg);
     widest = std::max(widest, shift.cwiseAbs().maxCoeff());
@@ -58,12 +58,12 @@ TEST(Ensemble, SpreadsOverARangeWhereOneIsNamed) {
     const Variation one = variation_of(ready, options, "cup/000", k);
     EXPECT_TRUE(one.friction >= 0.1 && one.friction <= 1.2);
     EXPECT_TRUE(one.mass_kg >= 0.05 && one.mass_kg <= 3);
-    EXPECT_NEAR(one.torsion_m / one.friction, 0.002 / 0.8, 1e-12);
+    EXPECT_NEAR(one.torsional_friction_m / one.friction, 0.002 / 0.8, 1e-12);
     below += one.mass_kg < std::sqrt(0.05 * 3) ? 1 : 0;
   }
   EXPECT_NEAR(below, 200, 40);
   options.mass_range = Range{3, 0.05};
-  EXPECT_NE(why_invalid(options), "");
+  EXPECT_NE(validation_error(options), "");
 }
 
 PlanResult some_result() {
@@ -71,24 +71,24 @@ PlanResult some_result() {
   result.plan = "a, \"b\"/000";
   result.plan_sha256 = "abc";
   result.notes = {"a note"};
-  result.presses = {{1, Vec3(0.1, 0.2, 1.0 / 3), Vec3(0, 0, -1), 7.25, Vec3(1, 2, 0)}};
+  result.finger_forces = {{1, Vec3(0.1, 0.2, 1.0 / 3), Vec3(0, 0, -1), 7.25, Vec3(1, 2, 0)}};
   result.tips = {"thumb_tip"};
-  result.force_share = 0.875;
+  result.force_scale = 0.875;
   result.planned_contact_s = 1.5;
   Rollout rollout;
   rollout.variation = {0.1, 0.2, 0.3,
                        make_pose(Vec3(1, 2, 3), Quat(Eigen::AngleAxisd(0.3, Vec3::UnitX())))};
   rollout.arm_error = 0.1;
   rollout.hand_error = 1.0 / 7;
-  rollout.contact_s = kNotSeen;
-  rollout.pushed = {0.001, 2};
-  rollout.torque_share = 0.5;
-  rollout.given_N = 5;
-  rollout.needed_worst_N = kInfinity;
-  rollout.needed_down_N = 6;
-  rollout.pressed_N = {4, 5.5};
+  rollout.contact_s = kUnknown;
+  rollout.pregrasp_displacement = {0.001, 2};
+  rollout.torque_ratio = 0.5;
+  rollout.commanded_force_N = 5;
+  rollout.required_force_worst_N = kInfinity;
+  rollout.required_force_gravity_N = 6;
+  rollout.measured_force_N = {4, 5.5};
   rollout.lift = {Failure::pivot, "words", {1, 2}, {3, 4}, {5, 6}, 7, 1.0 / 3};
-  rollout.directions = {{Failure::none, "", {1, 2}, {3, 4}, {5, 6}, 7, kInfinity}};
+  rollout.load_directions = {{Failure::none, "", {1, 2}, {3, 4}, {5, 6}, 7, kInfinity}};
   result.rollouts = {rollout, rollout};
   return result;
 }
@@ -122,14 +122,14 @@ std::size_t cells_in(const std::string& line) {
 }
 
 TEST(Results, EveryLineOfTheTableHasACellAColumn) {
-  const std::size_t columns = cells_in(csv_head());
+  const std::size_t columns = cells_in(csv_header());
   PlanResult result = some_result();
   const std::string rows = csv_rows(result);
   EXPECT_EQ(std::ranges::count(rows, '\n'), 2);
   EXPECT_EQ(cells_in(rows.substr(0, rows.find('\n'))), columns);
   EXPECT_EQ(rows.substr(0, rows.find("/000")), "\"a, \"\"b\"\"");
   result.rollouts.clear();
-  result.unfit = Unfit::no_grasp;
+  result.skip_reason = SkipReason::no_grasp;
   EXPECT_EQ(cells_in(csv_rows(result)), columns);
 }
 
@@ -137,13 +137,13 @@ TEST(Results, AKeyKnowsWhatTheResultDependsOn) {
   const Plan plan = cup_plan();
   std::set<std::string> keys;
   SimulateOptions options;
-  keys.insert(key_of(gripper(), plan, options, "program"));
-  keys.insert(key_of(gripper(), plan, options, "another program"));
+  keys.insert(result_key(gripper(), plan, options, "program"));
+  keys.insert(result_key(gripper(), plan, options, "another program"));
   options.friction = 0.4;
-  keys.insert(key_of(gripper(), plan, options, "program"));
+  keys.insert(result_key(gripper(), plan, options, "program"));
   Plan other = plan;
   other.trajectory.position(3, 1) += 1e-12;
-  keys.insert(key_of(gripper(), other, options, "program"));
+  keys.insert(result_key(gripper(), other, options, "program"));
   EXPECT_EQ(keys.size(), 4U);
 }
 

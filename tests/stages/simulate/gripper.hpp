@@ -9,8 +9,8 @@ namespace morphe::simulate {
 
 /// A palm that slides along z, with two fingers of 80 mm that lie along x, 120 mm apart, and turn
 /// towards each other: the thumb by negative values, the index by positive ones.
-inline RobotTable gripper_table() {
-  RobotTable robot;
+inline RobotModel gripper_table() {
+  RobotModel robot;
   robot.name = "gripper";
   robot.joint_names = {"lift", "thumb", "index"};
   robot.lower = Eigen::Vector3d(-0.2, -1, -1);
@@ -58,7 +58,7 @@ inline Plan cup_plan() {
                         standing("table", Shape::box, {1, 1, 0.02}, Vec3(0, 0, 0.04))};
   plan.world.base_from_world = Pose::Identity();
   plan.goals.time = {0};
-  plan.goals.tip_position = Table<Vec3>(1, 2, Vec3::Zero());
+  plan.goals.tip_position = Array2D<Vec3>(1, 2, Vec3::Zero());
   Trajectory& t = plan.trajectory;
   constexpr int kSamples = 51;
   t.position = t.velocity = t.acceleration = JointRows::Zero(kSamples, 3);
@@ -71,7 +71,7 @@ inline Plan cup_plan() {
     t.velocity.row(k) = way / T * 30 * s * s * (1 - s) * (1 - s);
     t.acceleration.row(k) = way / (T * T) * 60 * s * (1 - s) * (1 - 2 * s);
     t.phase.push_back(s < 0.6 ? PhaseKind::reach : PhaseKind::grasp);
-    t.origin.push_back(Origin::mapped);
+    t.origin.push_back(SampleOrigin::mapped);
     t.clearance.push_back(0.01);
   }
   plan.grasp.sample = 30;

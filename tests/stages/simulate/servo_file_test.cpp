@@ -30,13 +30,13 @@ std::string refused(const std::string& text) {
 
 TEST(ServoFile, WhatItSaysComesBeforeTheDefaults) {
   SimulateOptions options;
-  options.servos = read("index: {stiffness: 20, torque: 0.5}\n");
+  options.servos = read("index: {stiffness: 20, torque_limit: 0.5}\n");
   const std::vector<Servo> servos = servos_of(gripper(), options);
   EXPECT_EQ(servos[1].stiffness, 10);
   EXPECT_EQ(servos[2].stiffness, 20);
-  EXPECT_EQ(servos[2].torque, 0.5);
+  EXPECT_EQ(servos[2].torque_limit, 0.5);
   EXPECT_EQ(servos[2].armature, servos[1].armature);
-  EXPECT_NEAR(servos[2].lead_s, (servos[2].resistance + servos[2].damping) / 20, 1e-12);
+  EXPECT_NEAR(servos[2].lead_s, (servos[2].velocity_gain + servos[2].damping) / 20, 1e-12);
   EXPECT_NE(text_of(options), text_of(SimulateOptions()));
 }
 

@@ -139,33 +139,33 @@ TEST(Quintic, MeetsBothEndsAndIsBoundedExactly) {
 
 TEST(FramePoses, AgreeWithPlaneTrigonometryAndItsLeverBoundsEveryMotion) {
   Random random(7);
-  const RobotTable robot = planar::robot();
+  const RobotModel robot = planar::robot();
   std::vector<Pose> before, after;
   for (int i = 0; i < 200; ++i) {
     const JointVector q = random.point(1.5), moved = q + random.point(i % 2 ? 0.01 : 1.0);
     frame_poses(robot, q, before);
     frame_poses(robot, moved, after);
-    EXPECT_LT((in_base(before, 3, Vec3(0.06, 0, 0)) - planar::tip_at(q)).norm(), 1e-14);
+    EXPECT_LT((to_base_frame(before, 3, Vec3(0.06, 0, 0)) - planar::tip_at(q)).norm(), 1e-14);
 
     const JointVector way = (moved - q).cwiseAbs();
     const auto travel = [&](int capsule, const Pose& seen_before, const Pose& seen_after) {
       const auto& c = robot.capsules[static_cast<std::size_t>(capsule)];
-      return (seen_before.inverse() * in_base(before, c.frame, c.to) -
-              seen_after.inverse() * in_base(after, c.frame, c.to))
+      return (seen_before.inverse() * to_base_frame(before, c.frame, c.to) -
+              seen_after.inverse() * to_base_frame(after, c.frame, c.to))
           .norm();
     };
     for (int capsule = 0; capsule < 4; ++capsule) {
       EXPECT_LE(travel(capsule, Pose::Identity(), Pose::Identity()),
-                relative_lever(robot, capsule, -1).dot(way) + 1e-12);
+                relative_motion_bound(robot, capsule, -1).dot(way) + 1e-12);
       for (int other = 0; other < capsule; ++other)
         EXPECT_LE(travel(capsule, before[static_cast<std::size_t>(other)],
                          after[static_cast<std::size_t>(other)]),
-                  relative_lever(robot, capsule, other).dot(way) + 1e-12);
+                  relative_motion_bound(robot, capsule, other).dot(way) + 1e-12);
     }
   }
   // The proximal joint moves the distal link twice: by itself and through the coupling.
-  EXPECT_NEAR(relative_lever(robot, 3, 1)(2), 0.06 + 0.06 + 0.08, 1e-12);
-  EXPECT_EQ(relative_lever(robot, 3, 1)(1), 0);
+  EXPECT_NEAR(relative_motion_bound(robot, 3, 1)(2), 0.06 + 0.06 + 0.08, 1e-12);
+  EXPECT_EQ(relative_motion_bound(robot, 3, 1)(1), 0);
 }
 
 }  // namespace

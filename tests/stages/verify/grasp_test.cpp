@@ -6,8 +6,8 @@
 #include <set>
 
 #include "planar_plan.hpp"
-#include "stages/verify/finger_levers.hpp"
-#include "stages/verify/stated_grasp.hpp"
+#include "stages/verify/finger_jacobian.hpp"
+#include "stages/verify/grasp_config.hpp"
 #include "stages/verify/verify.hpp"
 
 namespace morphe::verify {
@@ -94,7 +94,7 @@ TEST(VerifyGrasp, FindsWhatIsForged) {
          plan.grasp.object_from_palm.rotate(Eigen::AngleAxisd(1e-4, Vec3::UnitY()));
        }},
       {"grasp tips_in_object", [](Plan& plan) { plan.grasp.tips_in_object[0].y() += 1e-5; }},
-      {"grasp tips_in_object", [](Plan& plan) { plan.grasp.tips_in_object[1] = unseen_point(); }},
+      {"grasp tips_in_object", [](Plan& plan) { plan.grasp.tips_in_object[1] = unknown_point(); }},
       {"contact index/link", [&](Plan& plan) { contact(plan).link = "proximal"; }},
       {"contact pinkie/link", [&](Plan& plan) { contact(plan).tip = "pinkie"; }},
       {"contact index/point", [&](Plan& plan) { contact(plan).point *= 1.001; }},
@@ -117,9 +117,9 @@ TEST(VerifyGrasp, FindsWhatIsForged) {
          contact(plan).point = -0.03 * contact(plan).normal;
        }},
       {"contact index/pad_angle", [&](Plan& plan) { contact(plan).pad_angle = 1e-4; }},
-      {"contact index/confidence", [&](Plan& plan) { contact(plan).confidence = kNotSeen; }},
+      {"contact index/confidence", [&](Plan& plan) { contact(plan).confidence = kUnknown; }},
       {"contact index/penetration", [](Plan& plan) { plan.tolerances.contact_depth = 0.0019; }},
-      {"finite grasp/contacts/index", [&](Plan& plan) { contact(plan).gap = kNotSeen; }},
+      {"finite grasp/contacts/index", [&](Plan& plan) { contact(plan).gap = kUnknown; }},
       {"quality friction", [](Plan& plan) { plan.grasp.quality.friction = -0.1; }},
       {"quality centre", [](Plan& plan) { plan.grasp.quality.centre.z() = 1e-3; }},
       {"quality torque_scale", [](Plan& plan) { plan.grasp.quality.torque_scale = 0.04; }},
@@ -146,13 +146,13 @@ TEST(VerifyGrasp, FindsWhatIsForged) {
 TEST(VerifyGrasp, JudgesTheGoalsOfPads) {
   const auto with = [](double share, std::uint8_t closed) {
     Plan plan = planar::plan();
-    plan.goals.pad_share = Table<double>(plan.goals.frames(), 2, 0);
+    plan.goals.pad_share = Array2D<double>(plan.goals.frames(), 2, 0);
     plan.goals.pad_share(3, 0) = share;
     plan.goals.closed = {0, closed};
     return found_in(plan);
   };
   EXPECT_EQ(with(1, 1), Causes());
-  for (const double share : {-0.1, 1.01, kNotSeen}) {
+  for (const double share : {-0.1, 1.01, kUnknown}) {
     EXPECT_EQ(with(share, 0), Causes{"structure goals/pad_share"});
   }
   EXPECT_EQ(with(0, 2), Causes{"structure goals/closed"});
@@ -161,10 +161,10 @@ TEST(VerifyGrasp, JudgesTheGoalsOfPads) {
 TEST(VerifyGrasp, LeversAreThoseOfTheFingersAlone) {
   // The palm is the shoulder's frame; a planar joint moves a point at right angles to the way
   // there.
-  const RobotTable robot = planar::robot();
+  const RobotModel robot = planar::robot();
   const Eigen::Vector3d q = planar::position_at(0.4);
   const Vec3 tip = planar::tip_at(q);
-  const Eigen::Matrix3Xd levers = finger_levers(robot, q, 3, tip);
+  const Eigen::Matrix3Xd levers = finger_jacobian(robot, q, 3, tip);
   EXPECT_TRUE(levers.col(0).isZero(0));
   const Vec3 elbow(0.3 * std::cos(q(0)), 0.3 * std::sin(q(0)), 0.1);
   EXPECT_LT((levers.col(1) - Vec3::UnitZ().cross(tip - elbow)).norm(), 1e-9);
@@ -174,11 +174,11 @@ TEST(VerifyGrasp, ReadsNumbersOfTheSectionGraspAlone) {
   const std::string config =
       "check:\n  friction: 2\ngrasp:\n  close_fingers: true\n  friction: 0.8\n  mass: 1e-05\n"
       "  deeper:\n    torsion: 3\nrepair:\n  torsion: 4\n";
-  EXPECT_EQ(stated_for_grasp(config, "friction"), 0.8);
-  EXPECT_EQ(stated_for_grasp(config, "mass"), 1e-5);
-  EXPECT_EQ(stated_for_grasp(config, "torsion"), std::nullopt);
-  EXPECT_EQ(stated_for_grasp(config, "close_fingers"), std::nullopt);
-  EXPECT_EQ(stated_for_grasp("", "friction"), std::nullopt);
+  EXPECT_EQ(grasp_config_value(config, "friction"), 0.8);
+  EXPECT_EQ(grasp_config_value(config, "mass"), 1e-5);
+  EXPECT_EQ(grasp_config_value(config, "torsion"), std::nullopt);
+  EXPECT_EQ(grasp_config_value(config, "close_fingers"), std::nullopt);
+  EXPECT_EQ(grasp_config_value("", "friction"), std::nullopt);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@
 namespace morphe::verify {
 namespace {
 
-std::set<std::string> causes_in(const RobotTable& robot, const Plan& plan) {
+std::set<std::string> causes_in(const RobotModel& robot, const Plan& plan) {
   std::set<std::string> causes;
   for (const Violation& v : verify_plan(robot, "reach/000", plan))
     causes.insert(v.cause + " " + v.subject);
@@ -24,27 +24,27 @@ std::set<std::string> causes_in(const RobotTable& robot, const Plan& plan) {
 
 struct Hostile {
   const char* subject;  ///< of `structure`, beside which nothing else is noted
-  std::function<void(RobotTable&, Plan&)> change;
+  std::function<void(RobotModel&, Plan&)> change;
 };
 
 /// On each of these verify worked without end, or took all memory.
 TEST(VerifyMagnitudes, NumbersThatNoPlanHas) {
   const Hostile cases[] = {
-      {"robot/capsules", [](RobotTable& robot, Plan&) { robot.capsules[1].to.x() = 1e200; }},
-      {"robot/capsules", [](RobotTable& robot, Plan&) { robot.capsules[1].radius = HUGE_VAL; }},
+      {"robot/capsules", [](RobotModel& robot, Plan&) { robot.capsules[1].to.x() = 1e200; }},
+      {"robot/capsules", [](RobotModel& robot, Plan&) { robot.capsules[1].radius = HUGE_VAL; }},
       {"robot/frames",
-       [](RobotTable& robot, Plan&) { robot.frames[1].transform.translation().y() = -1e9; }},
-      {"robot/frames", [](RobotTable& robot, Plan&) { robot.frames[1].ratio = 1e6; }},
-      {"trajectory/time", [](RobotTable&, Plan& plan) { plan.trajectory.time.back() = 1e12; }},
+       [](RobotModel& robot, Plan&) { robot.frames[1].transform.translation().y() = -1e9; }},
+      {"robot/frames", [](RobotModel& robot, Plan&) { robot.frames[1].ratio = 1e6; }},
+      {"trajectory/time", [](RobotModel&, Plan& plan) { plan.trajectory.time.back() = 1e12; }},
       {"trajectory/position",
-       [](RobotTable&, Plan& plan) { plan.trajectory.position(5, 1) = 1e300; }},
-      {"cup", [](RobotTable&, Plan& plan) { plan.scene.objects[1].size[0] = 1e200; }},
-      {"cup", [](RobotTable&, Plan& plan) { plan.scene.objects[1].position[0].z() = 1e200; }},
+       [](RobotModel&, Plan& plan) { plan.trajectory.position(5, 1) = 1e300; }},
+      {"cup", [](RobotModel&, Plan& plan) { plan.scene.objects[1].size[0] = 1e200; }},
+      {"cup", [](RobotModel&, Plan& plan) { plan.scene.objects[1].position[0].z() = 1e200; }},
       {"goals/tip_position",
-       [](RobotTable&, Plan& plan) { plan.goals.tip_position(3, 1).x() = 1e200; }},
+       [](RobotModel&, Plan& plan) { plan.goals.tip_position(3, 1).x() = 1e200; }},
   };
   for (const Hostile& hostile : cases) {
-    RobotTable robot = planar::robot();
+    RobotModel robot = planar::robot();
     Plan plan = planar::plan();
     hostile.change(robot, plan);
     const std::set<std::string> found = causes_in(robot, plan);
@@ -72,7 +72,7 @@ TEST(VerifyMagnitudes, OfAnApproach) {
 /// The shoulder spins between any two samples, at the same height over the table and as far from a
 /// goal on its axis as is just allowed: to prove either at every 0.01 mm would take hours.
 TEST(VerifyMagnitudes, MotionsThatNobodyCanProve) {
-  RobotTable robot = planar::robot();
+  RobotModel robot = planar::robot();
   Plan plan = planar::plan(0.001);
   Trajectory& motion = plan.trajectory;
   motion.position.rowwise() = Eigen::RowVector3d(0, 0.5, 0.2);
@@ -80,7 +80,7 @@ TEST(VerifyMagnitudes, MotionsThatNobodyCanProve) {
   motion.acceleration.setZero();
   for (Eigen::Index k = 1; k + 1 < motion.velocity.rows(); ++k) motion.velocity(k, 0) = 1e4;
   for (Vec3& goal : plan.goals.tip_position.values)
-    if (seen(goal)) goal = Vec3(0, 0, 0.1);
+    if (is_known(goal)) goal = Vec3(0, 0, 0.1);
   const double away = (planar::tip_at({0, 0.5, 0.2}) - Vec3(0, 0, 0.1)).norm();
   plan.tolerances.tracking = plan.tolerances.tracking_grasp = away + 1e-9;
   plan.tolerances.margin = 0.005 - 2e-5;
@@ -131,9 +131,9 @@ TEST(VerifyMagnitudes, ALongSegmentShallowInAMesh) {
 /// What a braking curve leaves is used up to the same share all along.
 TEST(VerifyMagnitudes, ABrakingCurveThatIsFollowed) {
   // v = sqrt(slope (end - q)): q = end - slope (T - t)^2 / 4.
-  RobotTable::BrakingCurve curve{0, 4, 0, -9, 1};
+  RobotModel::BrakingCurve curve{0, 4, 0, -9, 1};
   const auto state = [](double left_s) { return JointState{1 - left_s * left_s, 2 * left_s, -2}; };
-  const BrakingUse use = worst_braking(curve, quintic_between(0.5, state(1.5), state(1)), 0);
+  const BrakingLimitUse use = max_braking_use(curve, quintic_between(0.5, state(1.5), state(1)), 0);
   EXPECT_NEAR(use.ratio, 1, 1e-3);
   EXPECT_GE(use.ratio, 1 - 1e-9);
 }

@@ -55,13 +55,13 @@ TEST(JudgeMesh, ABoxOfTrianglesIsTheBox) {
   for (const int cells : {1, 3, 12}) {
     const Vec3 size(0.2, 0.3, 0.4);
     const Mesh mesh = make_mesh(box(size, cells, random));
-    ASSERT_EQ(mesh.closed, std::vector<char>{1});
+    ASSERT_EQ(mesh.watertight, std::vector<char>{1});
     SceneObject solid;
     solid.shape = Shape::box;
     solid.size = {size.x(), size.y(), size.z()};
     for (int k = 0; k < 1500; ++k) {
       const Segment segment{random.point(0.35), random.point(0.35)};
-      EXPECT_EQ(inside(mesh, segment.from), signed_distance(solid, segment.from) < 0);
+      EXPECT_EQ(is_inside(mesh, segment.from), signed_distance(solid, segment.from) < 0);
       inside_count += signed_distance(solid, segment.from) < 0;
       const double expected = segment_solid_distance(solid, segment, kInfinity);
       const double got = segment_mesh_distance(mesh, segment, kInfinity);
@@ -90,7 +90,7 @@ TEST(JudgeMesh, RaysThroughCornersCountOnce) {
         const Vec3 point = 0.05 * Vec3(x + 0.5, y, z);
         const double beyond = (point.cwiseAbs() - Vec3::Constant(0.1)).maxCoeff();
         if (std::abs(beyond) < 1e-9) continue;
-        EXPECT_EQ(inside(mesh, point), beyond < 0) << point.transpose();
+        EXPECT_EQ(is_inside(mesh, point), beyond < 0) << point.transpose();
       }
     }
   }
@@ -99,8 +99,8 @@ TEST(JudgeMesh, RaysThroughCornersCountOnce) {
 TEST(JudgeMesh, AnOpenOneIsASheet) {
   Random random(17);
   const Mesh bowl = make_mesh(box(Vec3::Constant(0.4), 3, random, true));
-  ASSERT_EQ(bowl.closed, std::vector<char>{0});
-  EXPECT_FALSE(inside(bowl, Vec3::Zero()));
+  ASSERT_EQ(bowl.watertight, std::vector<char>{0});
+  EXPECT_FALSE(is_inside(bowl, Vec3::Zero()));
   EXPECT_NEAR(segment_mesh_distance(bowl, {Vec3(-0.05, 0, 0), Vec3(0.05, 0, 0)}, kInfinity), 0.15,
               1e-12);
   EXPECT_NEAR(segment_mesh_distance(bowl, {Vec3(0, 0, 0), Vec3(0, 0, 0.5)}, kInfinity), 0.2, 1e-12);
@@ -121,11 +121,11 @@ TEST(JudgeMesh, NestedAndDisjointPartsAreToldApart) {
   add(0.1, Vec3(0.3, 0, 0));      // apart
   add(0.1, Vec3(0.34, 0.02, 0));  // overlaps that
   const Mesh mesh = make_mesh(object);
-  EXPECT_EQ(mesh.closed.size(), 4u);
-  EXPECT_TRUE(inside(mesh, Vec3(0.01, 0.02, 0.03)));
-  EXPECT_TRUE(inside(mesh, Vec3(0.08, 0, 0)));
-  EXPECT_TRUE(inside(mesh, Vec3(0.32, 0.01, 0)));  // in both that overlap
-  EXPECT_FALSE(inside(mesh, Vec3(0.2, 0, 0)));
+  EXPECT_EQ(mesh.watertight.size(), 4u);
+  EXPECT_TRUE(is_inside(mesh, Vec3(0.01, 0.02, 0.03)));
+  EXPECT_TRUE(is_inside(mesh, Vec3(0.08, 0, 0)));
+  EXPECT_TRUE(is_inside(mesh, Vec3(0.32, 0.01, 0)));  // in both that overlap
+  EXPECT_FALSE(is_inside(mesh, Vec3(0.2, 0, 0)));
 }
 
 /// Triangles without area neither hide anything nor stand in the way.

@@ -45,7 +45,7 @@ Trajectory trajectory(double step_s) {
                         : now_s < 2.6 ? PhaseKind::preshape
                         : now_s < 2.7 ? PhaseKind::grasp
                                       : PhaseKind::hold);
-    out.origin.push_back(Origin::mapped);
+    out.origin.push_back(SampleOrigin::mapped);
     out.clearance.push_back(0.005);
     out.position.row(k) = position_at(t);
     out.velocity.row(k) = 30 * rest * rest * kWay;
@@ -57,13 +57,13 @@ Trajectory trajectory(double step_s) {
 Goals goals() {
   constexpr std::size_t kFrames = 81;
   Goals out;
-  out.tip_position = Table<Vec3>(kFrames, 2, unseen_point());
-  out.tip_orientation = Table<Quat>(kFrames, 2, unseen_rotation());
-  out.reachable = Table<std::uint8_t>(kFrames, 2, 1);
-  out.finger_joint_position = Table<Vec3>(kFrames, kFingers, unseen_point());
+  out.tip_position = Array2D<Vec3>(kFrames, 2, unknown_point());
+  out.tip_orientation = Array2D<Quat>(kFrames, 2, unknown_rotation());
+  out.reachable = Array2D<std::uint8_t>(kFrames, 2, 1);
+  out.finger_joint_position = Array2D<Vec3>(kFrames, kFingerCount, unknown_point());
   out.shoulder_position = out.elbow_position = out.wrist_position =
-      std::vector<Vec3>(kFrames, unseen_point());
-  out.wrist_orientation = std::vector<Quat>(kFrames, unseen_rotation());
+      std::vector<Vec3>(kFrames, unknown_point());
+  out.wrist_orientation = std::vector<Quat>(kFrames, unknown_rotation());
   for (std::size_t k = 0; k < kFrames; ++k) {
     const double share = static_cast<double>(k) / 80;
     out.time.push_back(kBegin_s + kHuman_s * share);
@@ -75,16 +75,16 @@ Goals goals() {
 /// Every frame is met.
 void map_goals(Plan& plan) {
   const auto frames = static_cast<Eigen::Index>(plan.goals.frames());
-  Mapped& mapped = plan.mapped;
+  MappingResult& mapped = plan.mapped;
   mapped.position.resize(frames, 3);
-  mapped.position_error = mapped.orientation_error = JointRows::Constant(frames, 2, kNotSeen);
-  mapped.humanlikeness = JointRows::Constant(frames, 3, kNotSeen);
+  mapped.position_error = mapped.orientation_error = JointRows::Constant(frames, 2, kUnknown);
+  mapped.humanlikeness = JointRows::Constant(frames, 3, kUnknown);
   for (Eigen::Index k = 0; k < frames; ++k) {
     mapped.position.row(k) = position_at(static_cast<double>(k) / static_cast<double>(frames - 1));
     mapped.position_error(k, 1) = 0;
     mapped.objective.push_back(0);
     mapped.status.push_back(FrameStatus::met);
-    plan.path.origin.push_back(Origin::mapped);
+    plan.path.origin.push_back(SampleOrigin::mapped);
   }
   plan.path.position = mapped.position;
   plan.path.demonstration_time = plan.goals.time;
@@ -150,8 +150,8 @@ double log_dimensionless_jerk(const std::vector<double>& v) {
 
 }  // namespace
 
-RobotTable robot() {
-  RobotTable out;
+RobotModel robot() {
+  RobotModel out;
   out.name = "planar";
   out.joint_names = {"shoulder", "elbow", "proximal"};
   out.lower = JointVector::Constant(3, -1.5);

@@ -1,14 +1,14 @@
 #pragma once
 
 #include "core/motion/plan.hpp"
-#include "core/motion/robot_table.hpp"
+#include "core/motion/robot_model.hpp"
 
 namespace morphe::planar {
 
 /// A planar arm at height 0.1 m: shoulder, elbow and a finger whose distal joint follows the
 /// proximal one (angle = proximal + 0.1). Links 0.3, 0.25, 0.08, 0.06 m. Tips: index at the end of
 /// the distal link; thumb on the proximal one, never seen.
-RobotTable robot();
+RobotModel robot();
 
 /// Where the index tip is, in closed form.
 Vec3 tip_at(const Eigen::Vector3d& q);

@@ -11,7 +11,7 @@ namespace {
 
 using Causes = std::set<std::string>;  ///< "cause subject"
 
-Causes causes_in(const Plan& plan, const Asked* asked = nullptr) {
+Causes causes_in(const Plan& plan, const PlanRequest* asked = nullptr) {
   Causes causes;
   for (const Violation& v : verify_plan(planar::robot(), "reach/000", plan, {}, asked))
     causes.insert(v.cause + " " + v.subject);
@@ -50,7 +50,7 @@ TEST(VerifyPromises, FindsPhasesThatNoMovementHas) {
   const Forgery cases[] = {
       {"phase grasp", [&](Plan& plan) { phase_of(plan, grasp).begin_s = 2.2; }},
       {"phase hold", [&](Plan& plan) { phase_of(plan, grasp).end_s = 3.5; }},
-      {"phase grasp", [&](Plan& plan) { phase_of(plan, grasp).begin_s = kNotSeen; }},
+      {"phase grasp", [&](Plan& plan) { phase_of(plan, grasp).begin_s = kUnknown; }},
       {"phase grasp", [&](Plan& plan) { phase_of(plan, grasp).confidence = 2; }},
       {"phase preshape", [](Plan& plan) { phase_of(plan, PhaseKind::preshape).begin_s = 1.5; }},
       {"phase preshape", [](Plan& plan) { phase_of(plan, PhaseKind::preshape).end_s = 2.7; }},
@@ -110,13 +110,13 @@ TEST(VerifyPromises, FindsGoalsThatAreNotThoseOfAMovement) {
       {"goals time", [](Plan& plan) { plan.movement.end_s -= 0.05; }},
       {"goals tip_position",
        [](Plan& plan) {
-         for (Vec3& goal : plan.goals.tip_position.values) goal = unseen_point();
+         for (Vec3& goal : plan.goals.tip_position.values) goal = unknown_point();
        }},
       {"goals tip_position",
        [](Plan& plan) {
-         for (std::size_t f = 60; f < 81; ++f) plan.goals.tip_position(f, 1) = unseen_point();
+         for (std::size_t f = 60; f < 81; ++f) plan.goals.tip_position(f, 1) = unknown_point();
        }},
-      {"goals tip_position", [](Plan& plan) { plan.goals.tip_position(9, 1).x() = kNotSeen; }},
+      {"goals tip_position", [](Plan& plan) { plan.goals.tip_position(9, 1).x() = kUnknown; }},
       {"goals tip_orientation",
        [](Plan& plan) { plan.goals.tip_orientation(9, 1) = Quat(2, 0, 0, 0); }},
       {"goals reachable", [](Plan& plan) { plan.goals.tip_position(9, 1) = Vec3(0.9, 0, 0.1); }},
@@ -154,7 +154,7 @@ TEST(VerifyPromises, FindsAPlaceThatTheSceneDoesNotHave) {
       {"scene cup", taken(2.7, 2.8, "no frame of this robot")},
       {"scene cup", taken(2.1, 2.8, "distal")},
       {"scene cup", taken(2.7, 2.75, "distal")},
-      {"scene cup", taken(kNotSeen, kNotSeen, "distal")},
+      {"scene cup", taken(kUnknown, kUnknown, "distal")},
       {"scene bottle", [](Plan& plan) { plan.scene.objects[0].attach_s = 2.7; }},
       {"scene bottle", [](Plan& plan) { plan.scene.objects.push_back(plan.scene.objects[0]); }},
       {"scene world/table", [](Plan& plan) { plan.world.base_from_table.translation().z() = 0; }},
@@ -177,20 +177,20 @@ TEST(VerifyPromises, FindsWhatTheMappingAndThePathDidNotDo) {
       {"mapped orientation_error", [](Plan& plan) { plan.mapped.orientation_error(9, 1) = 0; }},
       {"mapped humanlikeness", [](Plan& plan) { plan.mapped.humanlikeness(9, 0) = 0.1; }},
       {"mapped status", [](Plan& plan) { plan.mapped.status[9] = FrameStatus::out_of_reach; }},
-      {"mapped objective", [](Plan& plan) { plan.mapped.objective[9] = kNotSeen; }},
+      {"mapped objective", [](Plan& plan) { plan.mapped.objective[9] = kUnknown; }},
       {"mapped position", [](Plan& plan) { plan.mapped = {}; }},
       {"path position", [](Plan& plan) { plan.path.position(9, 1) += 1e-6; }},
       {"path demonstration_time", [](Plan& plan) { plan.path = {}; }},
       {"path demonstration_time", [](Plan& plan) { plan.path.demonstration_time.back() = 2.79; }},
       {"path trajectory",
        [](Plan& plan) {
-         plan.path.origin.assign(81, Origin::resolved);
+         plan.path.origin.assign(81, SampleOrigin::re_solved);
          plan.path.position.col(0).array() += 0.3;
        }},
-      {"path origin", [](Plan& plan) { plan.trajectory.origin[9] = Origin::planned; }},
+      {"path origin", [](Plan& plan) { plan.trajectory.origin[9] = SampleOrigin::planned; }},
       {"clearance trajectory", [](Plan& plan) { plan.trajectory.clearance[9] = 0.0052; }},
       {"clearance trajectory", [](Plan& plan) { plan.trajectory.clearance[9] = 0.0048; }},
-      {"clearance trajectory", [](Plan& plan) { plan.trajectory.clearance[9] = kNotSeen; }},
+      {"clearance trajectory", [](Plan& plan) { plan.trajectory.clearance[9] = kUnknown; }},
       {"grasp missing", [](Plan& plan) { plan.grasp = {}; }},
       {"structure remaining", [](Plan& plan) { plan.remaining.emplace_back(); }},
   };
@@ -202,15 +202,15 @@ TEST(VerifyPromises, FindsWhatTheMappingAndThePathDidNotDo) {
 }
 
 /// What the planar plan was asked to be, with a home where it begins.
-Asked asked() {
-  Asked asked;
+PlanRequest asked() {
+  PlanRequest asked;
   asked.robot = planar::robot();
   asked.plan_until = PhaseKind::hold;
   return asked;
 }
 
 TEST(VerifyPromises, FindsWhatWasNotAskedFor) {
-  const Asked wanted = asked();
+  const PlanRequest wanted = asked();
   EXPECT_EQ(causes_in(planar::plan(), &wanted), Causes());
   const Forgery cases[] = {
       {"config margin", [](Plan& plan) { plan.tolerances.margin = 0; }},
@@ -218,7 +218,7 @@ TEST(VerifyPromises, FindsWhatWasNotAskedFor) {
       {"config tracking", [](Plan& plan) { plan.tolerances.tracking = 0.1; }},
       {"config tracking_grasp", [](Plan& plan) { plan.tolerances.tracking_grasp = 0.1; }},
       {"config out_of_reach_share", [](Plan& plan) { plan.tolerances.out_of_reach_share = 0.9; }},
-      {"config farthest_tip", [](Plan& plan) { plan.tolerances.farthest_tip = kNotSeen; }},
+      {"config farthest_tip", [](Plan& plan) { plan.tolerances.farthest_tip = kUnknown; }},
       {"config start_s", [](Plan& plan) { plan.movement.begin_s += 0.005; }},
       {"config end_s", [](Plan& plan) { plan.movement.end_s -= 0.005; }},
       {"config approach", [](Plan& plan) { plan.approach = plan.trajectory; }},
@@ -234,28 +234,28 @@ TEST(VerifyPromises, FindsWhatWasNotAskedFor) {
     c.forge(plan);
     EXPECT_EQ(causes_in(plan, &wanted).count(c.cause), 1u) << c.cause;
   }
-  Asked slower = asked();
+  PlanRequest slower = asked();
   slower.limit_share = 0.4;
   const Causes found = causes_in(planar::plan(), &slower);
   EXPECT_EQ(found,
             (Causes{"config velocity_ratio", "config acceleration_ratio", "config jerk_ratio"}));
-  Asked finer = asked();
+  PlanRequest finer = asked();
   finer.goal_step_s = 0.005;
   EXPECT_EQ(causes_in(planar::plan(), &finer), Causes{"config goals"});
 }
 
 TEST(VerifyPromises, FindsALinkDepthThatIsNotTheConfigs) {
-  Asked wanted = asked();
+  PlanRequest wanted = asked();
   wanted.tolerances.link_depth = 0.0;
   EXPECT_EQ(causes_in(planar::plan(), &wanted), Causes{"config link_depth"});
   Plan plan = planar::plan();
   plan.tolerances.link_depth = 0.002;
-  const Asked without = asked();
+  const PlanRequest without = asked();
   EXPECT_EQ(causes_in(plan, &without), Causes{"config link_depth"});
 }
 
 TEST(VerifyPromises, FindsAnApproachThatIsMissingOrDoesNotBeginAtHome) {
-  Asked wanted = asked();
+  PlanRequest wanted = asked();
   wanted.home.emplace();
   wanted.home->posture = planar::position_at(0);
   EXPECT_EQ(causes_in(planar::plan(), &wanted), (Causes{"config approach", "config retreat"}));
@@ -274,7 +274,7 @@ TEST(VerifyPromises, FindsAnApproachThatIsMissingOrDoesNotBeginAtHome) {
   EXPECT_EQ(causes_in(plan, &wanted), Causes{"transfer home"});  // the retreat's
   wanted.home->posture = planar::position_at(1);
   EXPECT_EQ(causes_in(plan, &wanted), Causes{"transfer home"});  // the approach's
-  wanted.home->back = false;
+  wanted.home->with_retreat = false;
   plan.retreat = {};
   wanted.home->posture = planar::position_at(0);
   EXPECT_EQ(causes_in(plan, &wanted), Causes());
@@ -290,12 +290,12 @@ TEST(VerifyPromises, FindsAnObstacleOfTheConfigThatIsMissingOrElsewhere) {
   plan.world.base_from_table.translation().z() = 0.065;
   plan.world.base_from_target = Pose::Identity();
   plan.world.base_from_target.translation() = cup_of(plan).position[0];
-  Asked wanted = asked();
-  Asked::Body& body = wanted.bodies.emplace_back();
+  PlanRequest wanted = asked();
+  PlanRequest::Body& body = wanted.bodies.emplace_back();
   body.object = plan.scene.objects[0];
-  body.relative_to = Asked::Relative::base;
+  body.relative_to = PlanRequest::ReferenceFrame::base;
   EXPECT_EQ(causes_in(plan, &wanted), Causes());
-  body.relative_to = Asked::Relative::world;
+  body.relative_to = PlanRequest::ReferenceFrame::world;
   EXPECT_EQ(causes_in(plan, &wanted), Causes{"config bottle"});
   body.object.position[0] = plan.world.base_from_world.inverse() * body.object.position[0];
   body.object.orientation[0] = Quat(plan.world.base_from_world.linear()).conjugate();

@@ -102,7 +102,7 @@ TEST_F(VerifyFile, AgreesWithThePythonScriptOnEveryMutation) {
       {"self forearm/distal",  // the finger folds back onto the arm
        [](Plan& plan) { plan.trajectory.position.col(2) *= 4.4; }},
       {"time time", [](Plan& plan) { plan.trajectory.time[10] = plan.trajectory.time[9]; }},
-      {"finite velocity", [](Plan& plan) { plan.trajectory.velocity(3, 1) = kNotSeen; }},
+      {"finite velocity", [](Plan& plan) { plan.trajectory.velocity(3, 1) = kUnknown; }},
   };
   for (const Case& c : cases) {
     Plan plan = planar::plan();

@@ -10,7 +10,7 @@
 namespace morphe::verify {
 namespace {
 
-std::vector<Violation> verify(const Plan& plan, const RobotTable& robot = planar::robot()) {
+std::vector<Violation> verify(const Plan& plan, const RobotModel& robot = planar::robot()) {
   return verify_plan(robot, "reach/000", plan);
 }
 
@@ -36,7 +36,7 @@ Plan jerk_between_samples() {
   trajectory.time = {0, h, 4 * h};
   trajectory.demonstration_time = {2.0, 2.4, 2.8};
   trajectory.phase = std::vector<PhaseKind>(3, PhaseKind::reach);
-  trajectory.origin = std::vector<Origin>(3, Origin::mapped);
+  trajectory.origin = std::vector<SampleOrigin>(3, SampleOrigin::mapped);
   trajectory.clearance = {0, 0, 0};
   const Eigen::RowVector3d start = planar::position_at(0).transpose();
   trajectory.position = start.replicate(3, 1);
@@ -79,8 +79,8 @@ TEST(VerifyPlan, FindsARaisedVelocity) {
 }
 
 /// The distal link of the planar arm copies the proximal one: 0.3 … 0.6 rad, 0.1 more than that.
-RobotTable with_coupled_limit(const RobotTable::CoupledLimit& limit) {
-  RobotTable robot = planar::robot();
+RobotModel with_coupled_limit(const RobotModel::CoupledLimit& limit) {
+  RobotModel robot = planar::robot();
   robot.coupled_limits = {limit};
   return robot;
 }
@@ -88,7 +88,7 @@ RobotTable with_coupled_limit(const RobotTable::CoupledLimit& limit) {
 TEST(VerifyPlan, FindsACoupledJointBeyondItsOwnLimits) {
   const Plan plan = planar::plan();
   const std::string distal = planar::robot().frames[3].name;
-  RobotTable::CoupledLimit limit;
+  RobotModel::CoupledLimit limit;
   limit.frame = 3;
   limit.lower = 0.29;
   limit.upper = 0.61;
@@ -109,7 +109,7 @@ TEST(VerifyPlan, FindsACoupledJointBeyondItsOwnLimits) {
 
 TEST(VerifyPlan, FindsAJointFasterThanItsBrakingCurve) {
   const Plan plan = planar::plan();
-  RobotTable robot = planar::robot();
+  RobotModel robot = planar::robot();
   // 15 rad/s are left everywhere but next to 0.72 rad, where the shoulder stops at 0.7.
   robot.braking_curves = {{0, 1000, 0, -9, 0.72}};
   EXPECT_TRUE(verify(plan, robot).empty());
@@ -124,15 +124,15 @@ TEST(VerifyPlan, FindsAJointFasterThanItsBrakingCurve) {
 
 TEST(VerifyPlan, FindsAClearanceThatNothingWasMeasuredFor) {
   Plan plan = planar::plan();
-  RobotTable robot = planar::robot();
+  RobotModel robot = planar::robot();
   robot.capsules.clear();
   robot.allowed_pairs.clear();
-  plan.certificate.clearance = kNotSeen;
-  for (double& clearance : plan.trajectory.clearance) clearance = kNotSeen;
+  plan.certificate.clearance = kUnknown;
+  for (double& clearance : plan.trajectory.clearance) clearance = kUnknown;
   EXPECT_TRUE(verify(plan, robot).empty());
   plan.certificate.clearance = std::numeric_limits<double>::infinity();
   ASSERT_EQ(of("certificate", verify(plan, robot)).size(), 1u);
-  plan.certificate.clearance = kNotSeen;
+  plan.certificate.clearance = kUnknown;
   robot.unchecked_links = {"upper"};
   const auto found = of("certificate", verify(plan, robot));
   ASSERT_EQ(found.size(), 1u);
@@ -253,12 +253,12 @@ TEST(VerifyPlan, FindsAGoalMovedAtTheGrasp) {
 TEST(VerifyPlan, AsksNothingWhereATipWasNotSeen) {
   Plan plan = planar::plan();
   plan.goals.tip_position(75, 1).z() += 0.008;
-  plan.goals.tip_position(74, 1) = plan.goals.tip_position(76, 1) = unseen_point();
+  plan.goals.tip_position(74, 1) = plan.goals.tip_position(76, 1) = unknown_point();
   EXPECT_TRUE(of("tracking", verify(plan)).empty());
 }
 
 TEST(VerifyPlan, FindsJerkThatIsExceededOnlyBetweenSamples) {
-  RobotTable robot = planar::robot();
+  RobotModel robot = planar::robot();
   robot.jerk(0) = 0.76;
   const auto found = of("jerk", verify(jerk_between_samples(), robot));
   ASSERT_EQ(found.size(), 1u);
@@ -288,7 +288,7 @@ TEST(VerifyPlan, FindsAFalseCertificate) {
   for (const auto& [name, attribute] : attributes) {
     for (const bool missing : {false, true}) {
       Plan plan = planar::plan();
-      plan.certificate.*attribute = missing ? kNotSeen : plan.certificate.*attribute + 0.001;
+      plan.certificate.*attribute = missing ? kUnknown : plan.certificate.*attribute + 0.001;
       const auto found = verify(plan);
       ASSERT_EQ(found.size(), 1u) << name;
       EXPECT_EQ(found[0].cause, "certificate");
@@ -308,7 +308,7 @@ TEST(VerifyPlan, LetsOnlyAllowedCapsulesTouchTheTargetAndOnlyInTime) {
   EXPECT_NEAR(found[0].value, -0.002, 1e-9);
   EXPECT_EQ(found[0].limit, 0.001);
 
-  RobotTable robot = planar::robot();
+  RobotModel robot = planar::robot();
   robot.capsules[3].may_touch_target = false;
   EXPECT_EQ(of("object", verify(planar::plan(), robot)).size(), 1u);
 
@@ -324,8 +324,8 @@ TEST(VerifyPlan, LetsOnlyAllowedCapsulesTouchTheTargetAndOnlyInTime) {
 }
 
 TEST(VerifyPlan, LinksThatAreNoPadsHaveADepthOfTheirOwn) {
-  RobotTable robot = planar::robot();
-  RobotTable::Capsule knuckle = robot.capsules[3];  // ends before the distal link does
+  RobotModel robot = planar::robot();
+  RobotModel::Capsule knuckle = robot.capsules[3];  // ends before the distal link does
   knuckle.name = "knuckle";
   knuckle.to -= 0.001 * (knuckle.to - knuckle.from).normalized();
   robot.capsules.push_back(knuckle);
@@ -340,7 +340,7 @@ TEST(VerifyPlan, LinksThatAreNoPadsHaveADepthOfTheirOwn) {
 }
 
 TEST(VerifyPlan, FindsTheRobotInItsOwnWay) {
-  RobotTable robot = planar::robot();
+  RobotModel robot = planar::robot();
   robot.capsules[3].to = Vec3(-0.1, 0, 0);  // the distal link reaches back into the forearm
   const auto found = of("self", verify(planar::plan(), robot));
   ASSERT_EQ(found.size(), 1u);
@@ -369,10 +369,10 @@ TEST(VerifyPlan, FindsTimeThatRunsBackOrLeavesGoalsOut) {
 
 TEST(VerifyPlan, FindsWhatIsNotANumber) {
   Plan plan = planar::plan();
-  plan.trajectory.velocity(3, 1) = kNotSeen;
+  plan.trajectory.velocity(3, 1) = kUnknown;
   EXPECT_EQ(verify(plan).at(0).cause, "finite");
   plan = planar::plan();
-  object(plan, "cup").position[0].x() = kNotSeen;
+  object(plan, "cup").position[0].x() = kUnknown;
   EXPECT_EQ(verify(plan).at(0).subject, "cup");
 }
 
@@ -437,7 +437,7 @@ TEST(VerifyPlan, AShareOfGoalsOutOfReachIsCountedOverThoseThatWereSeen) {
   Plan plan = planar::plan();
   std::size_t seen = 0;
   for (std::size_t f = 0; f < plan.goals.frames(); ++f)
-    seen += morphe::seen(plan.goals.tip_position(f, 1));
+    seen += morphe::is_known(plan.goals.tip_position(f, 1));
   const std::size_t out = seen / 2 + 1;
   for (std::size_t f = 0; f < out; ++f) plan.goals.reachable(f, 1) = 0;
   const auto found = of("status", verify(plan));
@@ -463,7 +463,7 @@ TEST(VerifyPlan, APlanThatReachesItsGoalsIsNotApproximate) {
   Plan plan = planar::plan();
   plan.approximate = true;
   ASSERT_EQ(of("status", verify(plan)).size(), 1u);
-  plan.tolerances.out_of_reach_share = plan.tolerances.farthest_tip = kNotSeen;  // an earlier file
+  plan.tolerances.out_of_reach_share = plan.tolerances.farthest_tip = kUnknown;  // an earlier file
   EXPECT_TRUE(of("status", verify(plan)).empty());
 }
 
@@ -473,7 +473,7 @@ TEST(VerifyReport, IsWrittenAsTheDocumentsSay) {
             "{\"executable\": 2, \"approximate\": 3, \"infeasible\": 1, \"violations\": []}\n");
   report.violations = {{"a\"b/000", 7, 0.014, "jerk", "S1", 31.5, 31, "rad/s^3"},
                        {"a\"b/000", 8, 0.016, "tracking", "thumb", 0.012, 0.01, "m"},
-                       {"c/001", -1, 0, "certificate", "tempo", kNotSeen, 1.25, ""}};
+                       {"c/001", -1, 0, "certificate", "tempo", kUnknown, 1.25, ""}};
   EXPECT_EQ(
       verify_json(report),
       "{\"executable\": 2, \"approximate\": 3, \"infeasible\": 1, \"violations\": [\n"

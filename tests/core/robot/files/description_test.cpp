@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 #include "tests/core/robot/files/written_robot.hpp"
 #include "tests/core/robot/shipped_robots.hpp"
 
@@ -13,17 +13,17 @@ namespace {
 
 using testing::ElementsAre;
 
-std::vector<std::string> centres_of(const RobotTable& robot) {
+std::vector<std::string> centres_of(const RobotModel& robot) {
   std::vector<std::string> names;
-  for (const RobotTable::Centre& centre : robot.centres) {
+  for (const RobotModel::JointCentre& centre : robot.centres) {
     names.push_back(centre.chain + ":" + robot.frames[static_cast<std::size_t>(centre.frame)].name);
   }
   return names;
 }
 
-bool allowed(const RobotTable& robot, const std::string& first, const std::string& second) {
+bool allowed(const RobotModel& robot, const std::string& first, const std::string& second) {
   const auto index = [&](const std::string& name) {
-    const auto found = std::ranges::find(robot.capsules, name, &RobotTable::Capsule::name);
+    const auto found = std::ranges::find(robot.capsules, name, &RobotModel::Capsule::name);
     EXPECT_NE(found, robot.capsules.end()) << name;
     return static_cast<int>(found - robot.capsules.begin());
   };
@@ -36,7 +36,7 @@ class Shipped : public testing::TestWithParam<std::string> {};
 
 TEST_P(Shipped, LoadsOnItsOwnAndIsConsistent) {
   const RobotDescription description = load_robot(robot_file(GetParam()));
-  const RobotTable& robot = description.table;
+  const RobotModel& robot = description.table;
   EXPECT_EQ(robot.name, GetParam());
   EXPECT_EQ(description.files.front(), robot_file(GetParam()));
   const auto n = static_cast<Eigen::Index>(robot.joints());
@@ -52,7 +52,7 @@ TEST_P(Shipped, LoadsOnItsOwnAndIsConsistent) {
   EXPECT_GT(robot.jerk.minCoeff(), 0);
   const int frames = static_cast<int>(robot.frames.size());
   for (int i = 0; i < frames; ++i) {
-    const RobotTable::Frame& frame = robot.frames[static_cast<std::size_t>(i)];
+    const RobotModel::Frame& frame = robot.frames[static_cast<std::size_t>(i)];
     EXPECT_LT(frame.parent, i);
     EXPECT_LT(frame.joint, n);
     EXPECT_NEAR(frame.axis.norm(), 1, 1e-15);
@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, Shipped, testing::ValuesIn(shipped_robots()),
 
 TEST(Description, TheReferenceRobotIsArmThenHand) {
   const RobotDescription both = load_robot(robot_file("pa10_dlr_hit2"));
-  const RobotTable arm = shipped_robot("pa10"), hand = shipped_robot("dlr_hit2");
+  const RobotModel arm = shipped_robot("pa10"), hand = shipped_robot("dlr_hit2");
   std::vector<std::string> joints = arm.joint_names;
   joints.insert(joints.end(), hand.joint_names.begin(), hand.joint_names.end());
   EXPECT_EQ(both.table.joint_names, joints);
@@ -106,8 +106,8 @@ TEST(Description, CentresOfAnArmWithAnOffsetElbow) {
 }
 
 TEST(Description, OnlyPalmAndFingersMayTouchTheTarget) {
-  const RobotTable robot = shipped_robot("pa10_dlr_hit2");
-  for (const RobotTable::Capsule& capsule : robot.capsules) {
+  const RobotModel robot = shipped_robot("pa10_dlr_hit2");
+  for (const RobotModel::Capsule& capsule : robot.capsules) {
     EXPECT_EQ(capsule.may_touch_target,
               capsule.name.find('_') != std::string::npos &&
                   !capsule.name.starts_with("shoulder") && !capsule.name.starts_with("upper") &&
@@ -117,7 +117,7 @@ TEST(Description, OnlyPalmAndFingersMayTouchTheTarget) {
 }
 
 TEST(Description, PairsThatCanCollideAreNotAllowed) {
-  const RobotTable robot = shipped_robot("pa10_dlr_hit2");
+  const RobotModel robot = shipped_robot("pa10_dlr_hit2");
   EXPECT_TRUE(allowed(robot, "upper_arm", "elbow_left"));
   EXPECT_TRUE(allowed(robot, "index_proximal", "index_middle"));
   EXPECT_TRUE(allowed(robot, "palm_thumb", "flange"));
@@ -138,7 +138,7 @@ TEST(Description, PairsThatCanCollideAreNotAllowed) {
 TEST(Description, BothConventionsGiveTheSameArm) {
   const std::string limits = "lower: -2, upper: 2, velocity: 1, acceleration: 1, jerk: 1";
   // The same geometry: standard rows hold alpha and a of the next joint's modified row.
-  const RobotTable modified = written_robot("modified", R"(
+  const RobotModel modified = written_robot("modified", R"(
 name: modified
 convention: modified
 chains:
@@ -152,7 +152,7 @@ chains:
                                                             limits + R"(}
 tips: [{name: end, chain: arm, finger: wrist, mount: {position: [0.05, 0, 0], rpy: [20 deg, 0, 0]}}]
 )");
-  const RobotTable standard = written_robot("standard", R"(
+  const RobotModel standard = written_robot("standard", R"(
 name: standard
 convention: modified
 chains:
@@ -171,15 +171,15 @@ tips: [{name: end, chain: arm, finger: wrist}]
   std::vector<Pose> first, second;
   for (int i = 0; i < 20; ++i) {
     const JointVector q = random_position(modified, random);
-    forward(modified, q, first);
-    forward(standard, q, second);
+    forward_kinematics(modified, q, first);
+    forward_kinematics(standard, q, second);
     EXPECT_TRUE(tip_pose(modified, first, 0).isApprox(tip_pose(standard, second, 0), 1e-13));
   }
 }
 
 TEST(Description, MountsInEveryForm) {
   const auto mounted = [](const std::string& mount) {
-    const RobotTable robot = written_robot(
+    const RobotModel robot = written_robot(
         "mount", kOneJoint + "frames: [{name: plate, parent: arm, mount: " + mount + "}]\n");
     return robot.frames.at(frame_named(robot, "plate")).transform.matrix();
   };
@@ -197,7 +197,7 @@ TEST(Description, MountsInEveryForm) {
 }
 
 TEST(Description, CentresOfTheFileReplaceTheDerivedOnes) {
-  const RobotTable robot =
+  const RobotModel robot =
       written_robot("centres", kOneJoint + "centres: [{frame: turn, chain: arm}]\n");
   EXPECT_THAT(centres_of(robot), ElementsAre("arm:turn"));
 }
@@ -206,7 +206,7 @@ TEST(Description, CapsulesOnTheBaseOfAPartMoveWithItsMount) {
   write_robot("part", kOneJoint +
                           "collision: {capsules: [{name: foot, frame: base, from: [0, 0, 0], "
                           "to: [0, 0, 1], radius: 0.1}]}\n");
-  const RobotTable robot = written_robot(
+  const RobotModel robot = written_robot(
       "whole", "name: whole\nparts: [{file: part.yaml, mount: {position: [5, 0, 0]}}]\n");
   EXPECT_EQ(robot.capsules.at(0).frame, -1);
   EXPECT_EQ(robot.capsules.at(0).to, Vec3(5, 0, 1));

@@ -4,7 +4,7 @@
 #include <map>
 #include <numbers>
 
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 #include "tests/core/robot/shipped_robots.hpp"
 
 namespace morphe::robot {
@@ -45,9 +45,9 @@ TEST(HandGeometry, OnlyOneOfTheTwoPublishedThumbAnglesGivesThePublishedMatrix) {
 }
 
 TEST(HandGeometry, FingerBasesAreThePublishedMatrices) {
-  const RobotTable robot = shipped_robot("dlr_hit2");
+  const RobotModel robot = shipped_robot("dlr_hit2");
   std::vector<Pose> palm_from_frame;
-  forward(robot, zero_position(robot), palm_from_frame);
+  forward_kinematics(robot, zero_position(robot), palm_from_frame);
   for (const auto& [finger, published] : published_bases()) {
     const Pose& base = palm_from_frame[frame_named(robot, finger + "_abduction")];
     EXPECT_LT((base.linear() - published).cwiseAbs().maxCoeff(), 5e-6) << finger;
@@ -55,9 +55,9 @@ TEST(HandGeometry, FingerBasesAreThePublishedMatrices) {
 }
 
 TEST(HandGeometry, StretchedFingersAre105MillimetresLong) {
-  const RobotTable robot = shipped_robot("dlr_hit2");
+  const RobotModel robot = shipped_robot("dlr_hit2");
   std::vector<Pose> palm_from_frame;
-  forward(robot, zero_position(robot), palm_from_frame);
+  forward_kinematics(robot, zero_position(robot), palm_from_frame);
   for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
     const std::string finger = robot.tips[tip].name.substr(0, robot.tips[tip].name.find('_'));
     const Pose& base = palm_from_frame[frame_named(robot, finger + "_abduction")];
@@ -72,9 +72,9 @@ TEST(HandGeometry, StretchedFingersAre105MillimetresLong) {
 }
 
 TEST(HandGeometry, FlexionCurlsFingersOutOfThePalmAndTheThumbTowardsThem) {
-  const RobotTable robot = shipped_robot("dlr_hit2");
+  const RobotModel robot = shipped_robot("dlr_hit2");
   std::vector<Pose> palm_from_frame;
-  forward(robot, zero_position(robot), palm_from_frame);
+  forward_kinematics(robot, zero_position(robot), palm_from_frame);
   std::vector<Vec3> open;
   for (std::size_t tip = 0; tip < 5; ++tip) {
     open.push_back(tip_pose(robot, palm_from_frame, tip).translation());
@@ -82,7 +82,7 @@ TEST(HandGeometry, FlexionCurlsFingersOutOfThePalmAndTheThumbTowardsThem) {
   for (const int flexion : {1, 2}) {
     JointVector q = zero_position(robot);
     for (Eigen::Index finger = 0; finger < 5; ++finger) q[3 * finger + flexion] = 0.3;
-    forward(robot, q, palm_from_frame);
+    forward_kinematics(robot, q, palm_from_frame);
     for (std::size_t tip = 0; tip < 5; ++tip) {
       const Vec3 moved = tip_pose(robot, palm_from_frame, tip).translation() - open[tip];
       if (tip == 0) {
@@ -96,9 +96,9 @@ TEST(HandGeometry, FlexionCurlsFingersOutOfThePalmAndTheThumbTowardsThem) {
 }
 
 TEST(HandGeometry, DistalCapsulesReachAsFarAsTheMesh) {
-  const RobotTable robot = shipped_robot("dlr_hit2");
+  const RobotModel robot = shipped_robot("dlr_hit2");
   int found = 0;
-  for (const RobotTable::Capsule& capsule : robot.capsules) {
+  for (const RobotModel::Capsule& capsule : robot.capsules) {
     if (!capsule.name.ends_with("_distal")) continue;
     EXPECT_NEAR(capsule.to.x() + capsule.radius, 0.0266, 1e-15);
     ++found;

@@ -8,7 +8,7 @@
 #include <regex>
 #include <sstream>
 
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 #include "tests/core/robot/files/generated_products.hpp"
 #include "tests/core/robot/shipped_robots.hpp"
 
@@ -77,7 +77,7 @@ Mat4 moved(const UrdfJoint& joint, double value) {
 
 class ShippedUrdf : public testing::TestWithParam<std::string> {
  protected:
-  const RobotTable robot = shipped_robot(GetParam());
+  const RobotModel robot = shipped_robot(GetParam());
   const UrdfJoints joints =
       read_joints(robot_file("any").parent_path() / "urdf" / (GetParam() + ".urdf"));
 
@@ -106,7 +106,7 @@ TEST_P(ShippedUrdf, EveryJointIsWhereItsNumbersPutIt) {
   std::size_t compared = 0;
   for (int i = 0; i < 20; ++i) {
     const JointVector q = random_position(robot, random);
-    forward(robot, q, frames);
+    forward_kinematics(robot, q, frames);
     for (const auto& [name, joint] : joints) {
       const std::size_t frame = frame_named(robot, name);
       if (frame == robot.frames.size()) continue;  // a fixed one: its link is a frame

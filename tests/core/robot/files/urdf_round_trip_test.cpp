@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/robot/files/write_urdf.hpp"
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 #include "tests/core/robot/files/written_urdf.hpp"
 #include "tests/core/robot/shipped_robots.hpp"
 
@@ -10,14 +10,14 @@ namespace morphe::robot {
 namespace {
 
 /// The description of a URDF that urdf_of() wrote; every chain is one of the robot's own.
-RobotTable again(const RobotTable& robot) {
+RobotModel again(const RobotModel& robot) {
   write_text("robot.urdf", urdf_of(robot));
   std::string yaml =
       "name: " + robot.name +
       "\nurdf: {file: robot.urdf, acceleration: 1, jerk: 1}\nchains:\n  - {name: all, first: " +
       robot.frames.front().name + ", last: " + robot.frames.front().name + "}\n";
   yaml += "palm: " + robot.frames[static_cast<std::size_t>(robot.palm_frame)].name + "\ntips:\n";
-  for (const RobotTable::Tip& tip : robot.tips) {
+  for (const RobotModel::Tip& tip : robot.tips) {
     const bool taken = frame_named(robot, tip.name) < robot.frames.size();
     yaml += "  - {name: " + tip.name + ", frame: " + tip.name + (taken ? "_tip" : "") +
             ", finger: " + (tip.finger < 0 ? "wrist" : std::to_string(tip.finger)) + "}\n";
@@ -28,7 +28,7 @@ RobotTable again(const RobotTable& robot) {
 class RoundTrip : public testing::TestWithParam<std::string> {};
 
 TEST_P(RoundTrip, EveryFrameStandsWhereItStood) {
-  const RobotTable robot = shipped_robot(GetParam()), loaded = again(robot);
+  const RobotModel robot = shipped_robot(GetParam()), loaded = again(robot);
   ASSERT_EQ(loaded.joint_names, robot.joint_names);
   EXPECT_EQ(loaded.lower, robot.lower);
   EXPECT_EQ(loaded.upper, robot.upper);
@@ -37,8 +37,8 @@ TEST_P(RoundTrip, EveryFrameStandsWhereItStood) {
   std::vector<Pose> before, after;
   for (int i = 0; i < 20; ++i) {
     const JointVector q = random_position(robot, random);
-    forward(robot, q, before);
-    forward(loaded, q, after);
+    forward_kinematics(robot, q, before);
+    forward_kinematics(loaded, q, after);
     for (std::size_t f = 0; f < robot.frames.size(); ++f) {
       const std::size_t same = frame_named(loaded, robot.frames[f].name);
       ASSERT_LT(same, loaded.frames.size());
@@ -53,10 +53,10 @@ TEST_P(RoundTrip, EveryFrameStandsWhereItStood) {
 }
 
 TEST_P(RoundTrip, EveryCapsuleIsTheSame) {
-  const RobotTable robot = shipped_robot(GetParam()), loaded = again(robot);
+  const RobotModel robot = shipped_robot(GetParam()), loaded = again(robot);
   ASSERT_EQ(loaded.capsules.size(), robot.capsules.size());
-  for (const RobotTable::Capsule& capsule : robot.capsules) {
-    const auto same = std::ranges::find(loaded.capsules, capsule.name, &RobotTable::Capsule::name);
+  for (const RobotModel::Capsule& capsule : robot.capsules) {
+    const auto same = std::ranges::find(loaded.capsules, capsule.name, &RobotModel::Capsule::name);
     ASSERT_NE(same, loaded.capsules.end()) << capsule.name;
     EXPECT_NEAR(same->radius, capsule.radius, 1e-15);
     const double straight = (same->from - capsule.from).norm() + (same->to - capsule.to).norm();
@@ -78,10 +78,10 @@ tips:
   - {name: thumb_tip, frame: thumb_tip, finger: thumb}
   - {name: index_tip, frame: index_tip, finger: index}
 )");
-  const RobotTable robot = written_robot(
+  const RobotModel robot = written_robot(
       "both", "name: both\nparts:\n  - {file: " + robot_file("pa10").string() +
                   "}\n  - {file: hand.yaml, parent: flange, mount: {position: [0, 0, 0.03]}}\n");
-  const RobotTable shipped = shipped_robot("pa10_dlr_hit2");
+  const RobotModel shipped = shipped_robot("pa10_dlr_hit2");
   // The other fingers carry no tip: they are held.
   const std::vector<std::string> driven(shipped.joint_names.begin(),
                                         shipped.joint_names.begin() + 13);
@@ -89,8 +89,8 @@ tips:
   std::mt19937 random(2);
   const JointVector whole = random_position(shipped, random);
   std::vector<Pose> ours, theirs;
-  forward(robot, whole.head(13), ours);
-  forward(shipped, whole, theirs);
+  forward_kinematics(robot, whole.head(13), ours);
+  forward_kinematics(shipped, whole, theirs);
   for (std::size_t tip = 0; tip < 2; ++tip) {
     EXPECT_LT((tip_pose(robot, ours, tip).matrix() - tip_pose(shipped, theirs, tip).matrix())
                   .cwiseAbs()

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "core/motion/input_error.hpp"
-#include "core/robot/forward.hpp"
+#include "core/robot/forward_kinematics.hpp"
 #include "tests/core/robot/files/generated_products.hpp"
 #include "tests/core/robot/files/written_urdf.hpp"
 
@@ -21,7 +21,7 @@ TEST(Urdf, JointsInTheFilesOrderBehindTheirParents) {
   write_text("two.urdf", kUrdf);
   write_text("two.srdf", kSrdf);
   const RobotDescription description = load_robot(write_robot("two", kDescription));
-  const RobotTable& robot = description.table;
+  const RobotModel& robot = description.table;
   EXPECT_EQ(description.files.size(), 3u);
   EXPECT_THAT(robot.joint_names, ElementsAre("a", "b"));
   std::vector<std::string> frames;
@@ -43,10 +43,10 @@ TEST(Urdf, JointsInTheFilesOrderBehindTheirParents) {
 TEST(Urdf, CoupledJointsThroughOneAnother) {
   write_text("two.urdf", kUrdf);
   write_text("two.srdf", kSrdf);
-  const RobotTable robot = written_robot("two", kDescription);
+  const RobotModel robot = written_robot("two", kDescription);
   const JointVector q = (JointVector(2) << 0.3, -0.7).finished();
   std::vector<Pose> frames;
-  forward(robot, q, frames);
+  forward_kinematics(robot, q, frames);
   const Mat4 stand_from_a = shift(0, 0, 1) * rotation(2, 0.3) * rotation(1, 0.2) * rotation(0, 0.1);
   const Mat4 lower = stand_from_a * rotation(1, 0.3) * shift(0, 0, 0.4) * rotation(1, -0.7);
   const double d = -0.3 + 0.25, c = 2 * d + 0.5;
@@ -62,7 +62,7 @@ TEST(Urdf, CoupledJointsThroughOneAnother) {
 TEST(Urdf, ShapesAreHeldByCapsulesAndSrdfAllowsPairs) {
   write_text("two.urdf", kUrdf);
   write_text("two.srdf", kSrdf);
-  const RobotTable robot = written_robot("two", kDescription);
+  const RobotModel robot = written_robot("two", kDescription);
   std::vector<std::string> names;
   for (const auto& capsule : robot.capsules) names.push_back(capsule.name);
   ASSERT_THAT(names, ElementsAre("stand", "upper", "ball"));
@@ -94,7 +94,7 @@ TEST(Urdf, NoPointOfAShapeIsOutsideItsCapsules) {
     urdf.replace(urdf.find(old), old.size(), geometry);
     write_text("two.urdf", urdf);
     write_text("two.srdf", kSrdf);
-    const RobotTable robot = written_robot("two", kDescription);
+    const RobotModel robot = written_robot("two", kDescription);
     for (int k = 0; k < 100; ++k) {
       Vec3 point(number(-1, 1), number(-1, 1), number(-1, 1));
       point[k % 3] = point[k % 3] < 0 ? -1 : 1;  // on a face
@@ -106,7 +106,7 @@ TEST(Urdf, NoPointOfAShapeIsOutsideItsCapsules) {
                      0.5 * size.z() * point.z());
       }
       double outside = 1;
-      for (const RobotTable::Capsule& capsule : robot.capsules) {
+      for (const RobotModel::Capsule& capsule : robot.capsules) {
         if (capsule.frame > 0) continue;
         const Vec3 axis = capsule.to - capsule.from;
         const double t =
@@ -150,7 +150,7 @@ TEST(Urdf, JointsAndLinksMayHaveAnyName) {
       urdf.replace(at, old.size(), to);
   }
   write_text("two.urdf", urdf);
-  const RobotTable robot = written_robot("two", R"(name: two
+  const RobotModel robot = written_robot("two", R"(name: two
 urdf: {file: two.urdf, velocity: 2, acceleration: 5, jerk: 50}
 chains: [{name: arm, first: a, last: b}]
 palm: base
@@ -223,7 +223,7 @@ tips: [{name: tip, frame: pad, finger: index}]
 TEST(Urdf, WhatACoupledJointMayDoLimitsItsDriver) {
   write_text("finger.urdf", kFinger);
   const RobotDescription finger = load_robot(write_robot("finger", kFingerYaml));
-  const RobotTable& robot = finger.table;
+  const RobotModel& robot = finger.table;
   EXPECT_NEAR(robot.upper[0], (2.6586 - 0.7235) / 1.0585, 1e-12);
   EXPECT_NEAR(robot.upper[0], 1.828, 5e-4);
   EXPECT_EQ(robot.lower[0], 0);
@@ -236,18 +236,18 @@ TEST(Urdf, WhatACoupledJointMayDoLimitsItsDriver) {
   // Told to, a position limit of a copy is left out; its velocity is not.
   std::string yaml = kFingerYaml;
   yaml.replace(yaml.find("jerk: 300"), 9, "jerk: 300, limits: [{joint: q2, enforce: false}]");
-  const RobotTable free = written_robot("free", yaml);
+  const RobotModel free = written_robot("free", yaml);
   EXPECT_EQ(free.upper[0], 2.0944);
   EXPECT_NEAR(free.velocity[0], 8.07 / 1.0585, 1e-12);
 }
 
 TEST(Urdf, PrismaticJointsSlide) {
   write_text("finger.urdf", kFinger);
-  const RobotTable robot = written_robot("finger", kFingerYaml);
+  const RobotModel robot = written_robot("finger", kFingerYaml);
   EXPECT_TRUE(robot.frames[3].slides);
   EXPECT_EQ(robot.upper[1], 0.02);
   std::vector<Pose> frames;
-  forward(robot, Eigen::Vector2d(-0.7235 / 1.0585, 0.015), frames);
+  forward_kinematics(robot, Eigen::Vector2d(-0.7235 / 1.0585, 0.015), frames);
   const Pose distal = frames[2];
   EXPECT_LT((tip_pose(robot, frames, 0).translation() - distal * Vec3(0, 0, 0.015)).norm(), 1e-15);
 }
@@ -256,11 +256,11 @@ TEST(Urdf, JointsMayBeHeldAndThoseThatMoveNoTipAre) {
   write_text("finger.urdf", kFinger);
   std::string yaml = kFingerYaml;
   yaml += "hold: [{joint: slide, at: 0.01}]\n";
-  const RobotTable held = written_robot("finger", yaml);
+  const RobotModel held = written_robot("finger", yaml);
   EXPECT_THAT(held.joint_names, ElementsAre("q1"));
   std::vector<Pose> frames, free;
-  forward(held, JointVector::Constant(1, 0.5), frames);
-  forward(written_robot("free", kFingerYaml), Eigen::Vector2d(0.5, 0.01), free);
+  forward_kinematics(held, JointVector::Constant(1, 0.5), frames);
+  forward_kinematics(written_robot("free", kFingerYaml), Eigen::Vector2d(0.5, 0.01), free);
   EXPECT_LT((frames.back().matrix() - free.back().matrix()).cwiseAbs().maxCoeff(), 1e-15);
 
   yaml = kFingerYaml;
@@ -279,7 +279,7 @@ TEST(Urdf, PartsOfOneTypeDifferByTheirPrefix) {
       "parts:\n  - {file: finger.yaml, prefix: l_}\n"
       "  - {file: finger.yaml, prefix: r_, mount: {position: [1, 0, 0]}}\n"
       "palm: r_palm\n";
-  const RobotTable robot = written_robot("pair", "name: pair\n" + pair);
+  const RobotModel robot = written_robot("pair", "name: pair\n" + pair);
   EXPECT_THAT(robot.joint_names, ElementsAre("l_q1", "l_slide", "r_q1", "r_slide"));
   EXPECT_EQ(robot.tips[1].name, "r_tip");
   EXPECT_EQ(robot.frames[static_cast<std::size_t>(robot.palm_frame)].name, "r_palm");
@@ -296,7 +296,7 @@ TEST(Urdf, BrakingCurvesDrawPositionLimitsIn) {
   yaml.replace(yaml.find("jerk: 300"), 9,
                "jerk: 300, limits: [{joint: q1, velocity: 2.62, braking: {slope: 12, drop: 0.3, "
                "lower_end: -2.7501, upper_end: 1.7}}]");
-  const RobotTable robot = written_robot("finger", yaml);
+  const RobotModel robot = written_robot("finger", yaml);
   ASSERT_EQ(robot.braking_curves.size(), 1u);
   const double left = 0.05 * robot.velocity[0];
   EXPECT_NEAR(std::sqrt(12 * (1.7 - robot.upper[0])) - 0.3, 0.05 * 2.62, 1e-2);

@@ -36,7 +36,7 @@ inline std::filesystem::path write_robot(const std::string& name, const std::str
   return file;
 }
 
-inline RobotTable written_robot(const std::string& name, const std::string& yaml) {
+inline RobotModel written_robot(const std::string& name, const std::string& yaml) {
   return load_robot(write_robot(name, yaml)).table;
 }
 

@@ -1,0 +1,163 @@
+#include "core/closure/grasp_forces.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "core/closure/barrier.hpp"
+#include "core/closure/wrench_set.hpp"
+
+namespace morphe::closure {
+namespace {
+
+constexpr double kResidualWeight = 100, kEvennessWeight = 1e-2, kFrictionWeight = 1e-3;
+/// Target of the normal forces relative to the largest force. It is infeasible, so that the active
+/// bounds are reached closely.
+constexpr double kForceTargetRatio = 2;
+
+/// The unknowns: four per contact (normal force; both tangential forces divided by
+/// friction_cone_share mu; the moment divided by friction_cone_share gamma), then the level, and
+/// the bound of the residual, all divided by max_force_n. Each cone is thus |y| <= f_n.
+struct Unknowns {
+  const ContactSet& contacts;
+  WrenchSet set;
+  double tangential, moment_m;  ///< value of an unknown of 1
+
+  Eigen::Index first(std::size_t contact) const { return 4 * static_cast<Eigen::Index>(contact); }
+  Eigen::Index level() const { return first(set.cones.size()); }
+  Eigen::Index residual_bound() const { return level() + 1; }
+  Eigen::Index count() const { return level() + 2; }
+};
+
+/// Returns the matrix [6, unknowns] that maps the unknowns to their wrench.
+Eigen::MatrixXd wrench_matrix(const Unknowns& unknowns) {
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(6, unknowns.count());
+  for (std::size_t k = 0; k < unknowns.set.cones.size(); ++k) {
+    const WrenchSet::Cone& cone = unknowns.set.cones[k];
+    const Eigen::Index at = unknowns.first(k);
+    matrix.col(at) = wrench_of(cone.normal, cone.lever);
+    matrix.col(at + 1) = unknowns.tangential * wrench_of(cone.tangent_a, cone.lever);
+    matrix.col(at + 2) = unknowns.tangential * wrench_of(cone.tangent_b, cone.lever);
+    matrix.col(at + 3).tail<3>() =
+        unknowns.moment_m / unknowns.contacts.torque_scale_m * cone.normal;
+  }
+  return matrix;
+}
+
+/// Sets the objective 1/2 x^T H x + g^T x; `load` is divided by max_force_n.
+void add_objective(const Unknowns& unknowns, const Wrench& load, BarrierProblem& problem) {
+  problem.residual_matrix = wrench_matrix(unknowns);
+  problem.residual_offset = load;
+  problem.hessian = Eigen::MatrixXd::Zero(unknowns.count(), unknowns.count());
+  problem.gradient = Eigen::VectorXd::Zero(unknowns.count());
+  problem.gradient[unknowns.residual_bound()] = kResidualWeight;
+  const Eigen::Index level = unknowns.level();
+  problem.hessian(level, level) += 1;
+  problem.gradient[level] -= kForceTargetRatio;
+  for (std::size_t k = 0; k < unknowns.set.cones.size(); ++k) {
+    const Eigen::Index at = unknowns.first(k);
+    problem.hessian(at, at) += kEvennessWeight;
+    problem.hessian(level, level) += kForceTargetRatio * kForceTargetRatio * kEvennessWeight;
+    problem.hessian(at, level) -= kForceTargetRatio * kEvennessWeight;
+    problem.hessian(level, at) -= kForceTargetRatio * kEvennessWeight;
+    for (Eigen::Index j = 1; j < 4; ++j) problem.hessian(at + j, at + j) += kFrictionWeight;
+  }
+}
+
+void add_bounds(const Unknowns& unknowns, const GraspForceOptions& options,
+                const std::vector<ForceBound>& bounds, BarrierProblem& problem) {
+  const auto n = static_cast<Eigen::Index>(unknowns.set.cones.size());
+  problem.rows =
+      Eigen::MatrixXd::Zero(2 * n + 1 + static_cast<Eigen::Index>(bounds.size()), unknowns.count());
+  problem.row_bounds = Eigen::VectorXd::Zero(problem.rows.rows());
+  for (Eigen::Index k = 0; k < n; ++k) {
+    problem.rows(2 * k, 4 * k) = -1;  // share F <= f_n
+    problem.rows(2 * k, unknowns.level()) = options.min_force_share;
+    problem.rows(2 * k + 1, 4 * k) = 1;  // f_n <= F
+    problem.rows(2 * k + 1, unknowns.level()) = -1;
+  }
+  problem.rows(2 * n, unknowns.level()) = 1;  // F <= 1
+  problem.row_bounds[2 * n] = 1;
+  Eigen::Index row = 2 * n + 1;
+  for (const ForceBound& bound : bounds) {
+    assert(bound.most > 0 && bound.force.size() == unknowns.set.cones.size() &&
+           bound.moment.size() == unknowns.set.cones.size());
+    for (std::size_t k = 0; k < bound.force.size(); ++k) {
+      const WrenchSet::Cone& cone = unknowns.set.cones[k];
+      const Eigen::Index at = unknowns.first(k);
+      problem.rows(row, at) = bound.force[k].dot(cone.normal);
+      problem.rows(row, at + 1) = unknowns.tangential * bound.force[k].dot(cone.tangent_a);
+      problem.rows(row, at + 2) = unknowns.tangential * bound.force[k].dot(cone.tangent_b);
+      problem.rows(row, at + 3) = unknowns.moment_m * bound.moment[k];
+    }
+    problem.row_bounds[row++] = bound.upper_bound / options.max_force_n;
+  }
+}
+
+/// Returns equal normal forces without friction, small enough to be far from all bounds.
+Eigen::VectorXd feasible_start(const Unknowns& unknowns, double share,
+                               const BarrierProblem& problem) {
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(unknowns.count());
+  x[unknowns.level()] = 1;
+  for (std::size_t k = 0; k < unknowns.set.cones.size(); ++k) {
+    x[unknowns.first(k)] = 0.5 * (1 + share);
+  }
+  double size = 0.5;
+  for (Eigen::Index row = 0; row < problem.rows.rows(); ++row) {
+    const double taken = problem.rows.row(row).dot(x);
+    if (problem.row_bounds[row] > 0 && taken > 0)
+      size = std::min(size, 0.5 * problem.row_bounds[row] / taken);
+  }
+  x *= size;
+  x[unknowns.residual_bound()] =
+      1 + 2 * (problem.residual_matrix * x + problem.residual_offset).norm();
+  return x;
+}
+
+}  // namespace
+
+GraspForces distribute_grasp_forces(const ContactSet& contacts, const Wrench& load,
+                                    const GraspForceOptions& options,
+                                    const std::vector<ForceBound>& bounds) {
+  assert(options.largest_n > 0 && options.share >= 0 && options.share < 1);
+  assert(options.friction_use > 0 && options.friction_use <= 1);
+  GraspForces squeeze;
+  squeeze.residual = load;
+  squeeze.converged = true;
+  if (contacts.contacts.empty()) return squeeze;
+  const Unknowns unknowns{contacts, make_wrench_set(contacts, ForceLimit::each),
+                          options.friction_cone_share * contacts.friction.mu,
+                          options.friction_cone_share * contacts.friction.gamma_m};
+  BarrierProblem problem;
+  problem.cones = static_cast<Eigen::Index>(unknowns.set.cones.size());
+  add_objective(unknowns, load / options.max_force_n, problem);
+  add_bounds(unknowns, options, bounds, problem);
+  Eigen::VectorXd x = feasible_start(unknowns, options.min_force_share, problem);
+  squeeze.converged = minimise_with_barrier(problem, x);
+
+  squeeze.min_force_n = kInfinity;
+  for (std::size_t k = 0; k < unknowns.set.cones.size(); ++k) {
+    const WrenchSet::Cone& cone = unknowns.set.cones[k];
+    const Eigen::Vector4d at = options.max_force_n * x.segment<4>(unknowns.first(k));
+    ContactForce force;
+    force.force = at[0] * cone.normal +
+                  unknowns.tangential * (at[1] * cone.tangent_a + at[2] * cone.tangent_b);
+    force.moment_nm = unknowns.moment_m * at[3];
+    squeeze.residual += wrench_of(force.force, cone.lever);
+    squeeze.residual.tail<3>() += force.moment_nm / contacts.torque_scale_m * cone.normal;
+    squeeze.max_force_n = std::max(squeeze.max_force_n, at[0]);
+    squeeze.min_force_n = std::min(squeeze.min_force_n, at[0]);
+    squeeze.forces.push_back(force);
+  }
+  return squeeze;
+}
+
+ForceBound normal_force_bound(const ContactSet& contacts, std::size_t contact, double newtons) {
+  ForceBound bound;
+  bound.force.assign(contacts.contacts.size(), Vec3::Zero());
+  bound.moment.assign(contacts.contacts.size(), 0);
+  bound.force[contact] = contacts.contacts[contact].normal;
+  bound.upper_bound = newtons;
+  return bound;
+}
+
+}  // namespace morphe::closure

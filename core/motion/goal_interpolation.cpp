@@ -1,0 +1,54 @@
+#include "core/motion/goal_interpolation.hpp"
+
+#include <algorithm>
+
+namespace morphe {
+
+FrameInterpolation frame_interpolation(const Goals& goals, double time_s) {
+  const auto next = std::ranges::lower_bound(goals.time, time_s);
+  const auto after = static_cast<std::size_t>(next - goals.time.begin());
+  if (after == goals.frames()) return {after - 1, after - 1, 0};
+  if (after == 0 || *next == time_s) return {after, after, 0};
+  const double before_s = goals.time[after - 1];
+  return {after - 1, after, (time_s - before_s) / (goals.time[after] - before_s)};
+}
+
+Vec3 tip_goal_at(const Goals& goals, std::size_t tip, double time_s) {
+  const FrameInterpolation at = frame_interpolation(goals, time_s);
+  return (1 - at.weight) * goals.tip_position(at.before_frame, tip) +
+         at.weight * goals.tip_position(at.after_frame, tip);
+}
+
+double pad_share_at(const Goals& goals, std::size_t tip, double time_s) {
+  if (goals.pad_share.rows == 0) return 0;
+  const FrameInterpolation at = frame_interpolation(goals, time_s);
+  return (1 - at.weight) * goals.pad_share(at.before_frame, tip) +
+         at.weight * goals.pad_share(at.after_frame, tip);
+}
+
+Quat tip_orientation_goal_at(const Goals& goals, std::size_t tip, double time_s) {
+  if (goals.tip_orientation.rows == 0) return unknown_rotation();
+  const FrameInterpolation at = frame_interpolation(goals, time_s);
+  const Quat& before = goals.tip_orientation(at.before_frame, tip);
+  const Quat& after = goals.tip_orientation(at.after_frame, tip);
+  if (!is_known(before) || !is_known(after)) return unknown_rotation();
+  return before.slerp(at.weight, after);
+}
+
+Vec3 interpolate_point(const std::vector<Vec3>& points, const FrameInterpolation& at) {
+  if (points.empty()) return unknown_point();
+  return (1 - at.weight) * points[at.before_frame] + at.weight * points[at.after_frame];
+}
+
+GoalCount count_goals(const Goals& goals) {
+  GoalCount count;
+  for (std::size_t k = 0; k < goals.tip_position.values.size(); ++k) {
+    if (!is_known(goals.tip_position.values[k])) continue;
+    if (!goals.closed.empty() && goals.closed[k % goals.tip_position.cols] != 0) continue;
+    ++count.all;
+    count.out_of_reach += goals.reachable.values[k] == 0 ? 1U : 0U;
+  }
+  return count;
+}
+
+}  // namespace morphe

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/motion/plan.hpp"
+#include "core/motion/robot_model.hpp"
+
+namespace morphe {
+
+/// The requirements on the plans of a file, according to the file's own config and inputs. The
+/// verifier needs them independently of how they are read (planning::asked_of reads them).
+struct PlanRequest {
+  RobotModel robot;  ///< as described by the stored inputs
+  std::string config_sha256;
+  Tolerances tolerances;
+  double goal_step_s = 0.01;  ///< time step between the frames of the goals
+  double limit_share = 1;     ///< factor on the limits of velocity, acceleration and jerk
+  /// The last phase that is planned; absent for parts of movements, or recordings as a whole.
+  std::optional<PhaseKind> plan_until;
+  std::string carrier_frame;  ///< frame to which the target is attached, "" if it moves as recorded
+
+  /// The posture from which the approach starts and at which the retreat ends; absent if neither is
+  /// requested.
+  struct Home {
+    JointVector posture;       ///< [n]
+    double limit_share = 1;    ///< in addition to the factor for the motion
+    bool with_retreat = true;  ///< true if a retreat is requested too
+  };
+  std::optional<Home> home;
+
+  /// The frame in which the pose of a body is given (WorldFrames); `unknown` if only the body's
+  /// name is known.
+  enum class ReferenceFrame { unknown, world, table, target, shoulder, base };
+  /// A fixed body of the config or its scene file, with its pose.
+  struct Body {
+    SceneObject object;
+    ReferenceFrame relative_to = ReferenceFrame::unknown;
+  };
+  std::vector<Body> bodies;
+};
+
+}  // namespace morphe

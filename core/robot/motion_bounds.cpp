@@ -1,0 +1,64 @@
+#include "core/robot/motion_bounds.hpp"
+
+#include <algorithm>
+
+namespace morphe::robot {
+namespace {
+
+double distance_to_axis(const Vec3& point, const Vec3& axis) {
+  return (point - point.dot(axis) * axis).norm();
+}
+
+/// Returns the largest distance that a prismatic frame can move from its transform.
+double max_prismatic_extension(const RobotModel& robot, const RobotModel::Frame& frame) {
+  if (!frame.slides || frame.joint < 0) return 0;
+  const auto way = [&](double q) { return std::abs(frame.ratio * q + frame.offset); };
+  return std::max(way(robot.lower[frame.joint]), way(robot.upper[frame.joint]));
+}
+
+/// Adds the lever arms of the points within `radius` of the segment to `row` [joints].
+template <class Row>
+void add_motion_bounds(const RobotModel& robot, int frame_index, const Vec3& from, const Vec3& to,
+                       double radius, Row row) {
+  // Extent beyond the next outward link, including that link. The link itself rotates with the
+  // frame, so only its distance from the frame's axis counts.
+  double beyond_m = radius;
+  const RobotModel::Frame* outward = nullptr;
+  for (int f = frame_index; f >= 0;) {
+    const RobotModel::Frame& frame = robot.frames[static_cast<std::size_t>(f)];
+    const Vec3 axis = frame.axis.normalized();
+    if (outward) beyond_m += max_prismatic_extension(robot, *outward);
+    const double link_m = outward
+                              ? distance_to_axis(outward->transform.translation(), axis)
+                              : std::max(distance_to_axis(from, axis), distance_to_axis(to, axis));
+    if (frame.joint >= 0) {
+      row[frame.joint] += std::abs(frame.ratio) * (frame.slides ? 1 : link_m + beyond_m);
+    }
+    beyond_m +=
+        outward ? outward->transform.translation().norm() : std::max(from.norm(), to.norm());
+    outward = &frame;
+    f = frame.parent;
+  }
+}
+
+}  // namespace
+
+JointRows capsule_motion_bounds(const RobotModel& robot) {
+  JointRows levers = JointRows::Zero(static_cast<Eigen::Index>(robot.capsules.size()),
+                                     static_cast<Eigen::Index>(robot.joints()));
+  for (std::size_t c = 0; c < robot.capsules.size(); ++c) {
+    const RobotModel::Capsule& capsule = robot.capsules[c];
+    add_motion_bounds(robot, capsule.frame, capsule.from, capsule.to, capsule.radius,
+                      levers.row(static_cast<Eigen::Index>(c)));
+  }
+  return levers;
+}
+
+JointVector sphere_motion_bounds(const RobotModel& robot, int frame, const Vec3& centre,
+                                 double radius) {
+  JointVector levers = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
+  add_motion_bounds(robot, frame, centre, centre, radius, Eigen::Ref<JointVector>(levers));
+  return levers;
+}
+
+}  // namespace morphe::robot

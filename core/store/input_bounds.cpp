@@ -1,0 +1,148 @@
+#include "core/store/input_bounds.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace morphe::store {
+namespace {
+
+constexpr double kMaxSampleRate_hz = 1e5, kMaxDuration_s = 6 * 3600.0, kMaxTime_s = 1e12;
+constexpr double kMaxCoordinate_m = 1e6, kMaxObjectSize_m = 1e4, kMaxBodySegment_m = 3;
+constexpr double kMinQuaternionNorm = 0.5, kMaxQuaternionNorm = 2;
+
+bool is_in_bounds(const Vec3& point) { return point.cwiseAbs().maxCoeff() <= kMaxCoordinate_m; }
+bool is_rotation(const Quat& q) {
+  const double norm = q.norm();
+  return norm >= kMinQuaternionNorm && norm <= kMaxQuaternionNorm;
+}
+bool was_seen(const Vec3& point) { return !point.array().isNaN().any(); }
+bool was_seen(const Quat& q) { return !q.coeffs().array().isNaN().any(); }
+
+/// Checks bounds and keeps the first violation; the times of all streams are checked together at
+/// the end.
+class BoundsChecker {
+ public:
+  void require(bool holds, const std::string& place, const std::string& message) {
+    if (!holds && fault_.empty()) fault_ = fmt::format("{}: {}", place, message);
+  }
+
+  void time(const std::string& path, const std::vector<double>& time) {
+    for (std::size_t i = 0; i < time.size(); ++i) {
+      if (std::abs(time[i]) <= kMaxTime_s && (i == 0 || time[i] > time[i - 1])) continue;
+      require(false, path + "time",
+              std::abs(time[i]) <= kMaxTime_s
+                  ? fmt::format("row {}: does not follow the row before", i + 1)
+                  : fmt::format("row {}: {} is no time", i + 1, time[i]));
+      return;
+    }
+    if (time.size() < 2) return;
+    const double rate_hz = static_cast<double>(time.size() - 1) / (time.back() - time.front());
+    require(rate_hz <= kMaxSampleRate_hz, path + "time",
+            fmt::format("{:.4g} rows a second: more than {:.0f} cannot be", rate_hz,
+                        kMaxSampleRate_hz));
+  }
+
+  void span(const std::string& path, const std::vector<double>& time) {
+    if (time.empty() || !fault_.empty()) return;
+    first_s_ = std::fmin(first_s_, time.front());
+    last_s_ = std::fmax(last_s_, time.back());
+    require(last_s_ - first_s_ <= kMaxDuration_s, path + "time",
+            fmt::format("the streams span {:.6g} s: more than {:.0f} are not worked on",
+                        last_s_ - first_s_, kMaxDuration_s));
+  }
+
+  void streams(const Streams& s, const std::string& path) {
+    first_s_ = last_s_ = kUnknown;
+    if (s.markers) {
+      times(path + "markers/", s.markers->time);
+      points(path + "markers/", s.markers->position);
+    }
+    if (s.sensors) bodies(path + "sensors/", *s.sensors);
+    if (s.skeleton) bodies(path + "skeleton/", *s.skeleton);
+    if (s.arm_angles) times(path + "arm_angles/", s.arm_angles->time);
+    if (s.hand) {
+      times(path + "hand/", s.hand->time);
+      points(path + "hand/", s.hand->position);
+    }
+  }
+
+  void object(const SceneObject& o) {
+    const std::string path = fmt::format("objects/{}/", o.name);
+    time(path, o.time);
+    for (std::size_t i = 0; i < o.position.size(); ++i)
+      require(is_in_bounds(o.position[i]), path + "position",
+              fmt::format("row {}: is no place", i + 1));
+    for (std::size_t i = 0; i < o.orientation.size(); ++i)
+      require(is_rotation(o.orientation[i]), path + "orientation",
+              fmt::format("row {}: is no rotation", i + 1));
+    for (const double length : o.size)
+      require(length > 0 && length <= kMaxObjectSize_m, path + "@size",
+              fmt::format("{} m is no size", length));
+    for (const Vec3& vertex : o.vertices)
+      require(is_in_bounds(vertex), path + "vertices", "one is no place");
+  }
+
+  void check_segment_length(const char* name, const std::optional<double>& length_m) {
+    require(!length_m || (*length_m > 0 && *length_m <= kMaxBodySegment_m),
+            fmt::format("@{}", name),
+            fmt::format("{} m is no length of a person", length_m.value_or(0)));
+  }
+
+  const std::string& fault() const { return fault_; }
+
+ private:
+  static bool good(const Vec3& point) { return is_in_bounds(point); }
+  static bool good(const Quat& q) { return is_rotation(q); }
+  static const char* complaint(const Vec3&) { return "a point is no place"; }
+  static const char* complaint(const Quat&) { return "a rotation is none"; }
+
+  template <class T>
+  void rows(const std::string& place, const Array2D<T>& table) {
+    const auto wrong = std::ranges::find_if(
+        table.values, [](const T& value) { return was_seen(value) && !good(value); });
+    if (wrong == table.values.end()) return;
+    require(false, place,
+            fmt::format("row {}: {}",
+                        static_cast<std::size_t>(wrong - table.values.begin()) / table.cols + 1,
+                        complaint(*wrong)));
+  }
+
+  void times(const std::string& path, const std::vector<double>& time) {
+    this->time(path, time);
+    span(path, time);
+  }
+  void points(const std::string& path, const Array2D<Vec3>& table) {
+    rows(path + "position", table);
+  }
+  void bodies(const std::string& path, const BodyStream& bodies) {
+    times(path, bodies.time);
+    points(path, bodies.position);
+    rows(path + "orientation", bodies.orientation);
+  }
+
+  std::string fault_;
+  double first_s_ = kUnknown, last_s_ = kUnknown;
+};
+
+}  // namespace
+
+std::string bounds_violation(const Demonstration& d) {
+  BoundsChecker look;
+  look.streams(d.streams, "");
+  look.streams(d.calibration, "calibration/");
+  for (const SceneObject& object : d.objects) look.object(object);
+  look.check_segment_length("upper_arm", d.upper_arm);
+  look.check_segment_length("forearm", d.forearm);
+  look.check_segment_length("hand_length", d.hand_length);
+  look.check_segment_length("hand_breadth", d.hand_breadth);
+  for (const Label& label : d.labels)
+    look.require(!(std::abs(label.begin_s) > kMaxTime_s) && !(std::abs(label.end_s) > kMaxTime_s),
+                 "labels", "one has no time");
+  return look.fault();
+}
+
+}  // namespace morphe::store

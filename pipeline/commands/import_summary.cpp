@@ -1,0 +1,156 @@
+#include "pipeline/commands/import_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <string_view>
+#include <vector>
+
+#include "core/files/atomic_file.hpp"
+#include "core/files/sha256.hpp"
+#include "core/motion/count_with_noun.hpp"
+#include "core/motion/input_error.hpp"
+#include "core/store/hdf5_signature.hpp"
+#include "stages/import/folders/read_recording.hpp"
+
+namespace morphe::commands {
+namespace {
+
+namespace fs = std::filesystem;
+using imports::ImportResult;
+using imports::SkippedFile;
+
+constexpr std::string_view kHashLinePrefix = "# morphe ";
+constexpr std::size_t kMaxLinesPerReason = 8, kShownLinesPerReason = 3;
+
+std::string skipped_text(const std::vector<SkippedFile>& left_out) {
+  std::map<std::string, std::size_t> count, shown;
+  const auto reason = [](const SkippedFile& one) {
+    return one.reason.substr(0, one.reason.find('\n'));
+  };
+  for (const SkippedFile& one : left_out) ++count[reason(one)];
+  std::string text;
+  for (const SkippedFile& one : left_out) {
+    const char* const how = one.failed ? "cannot be read" : "left out";
+    const std::string why = reason(one);
+    const std::size_t all = count[why];
+    if (all > kMaxLinesPerReason && shown[why] == kShownLinesPerReason) continue;
+    text += fmt::format("{}: {}\n", how, skip_message(one));
+    if (++shown[why] == kShownLinesPerReason && all > kMaxLinesPerReason) {
+      text += fmt::format("{}: {} more: {}\n", how, all - kShownLinesPerReason, why);
+    }
+  }
+  return text;
+}
+
+bool has_note(const imports::ManifestEntry& entry, std::string_view beginning) {
+  return std::ranges::any_of(entry.notes,
+                             [&](const std::string& note) { return note.starts_with(beginning); });
+}
+
+/// Returns a line for each subject with the number of recordings that have a note.
+std::string notes_by_subject_text(const ImportResult& imported, std::string_view note,
+                                  const char* meaning) {
+  std::map<std::string, std::size_t> of;
+  for (const imports::ManifestEntry& entry : imported.entries) {
+    if (has_note(entry, note)) ++of[entry.subject];
+  }
+  std::string text;
+  for (const auto& [subject, count] : of) {
+    text += fmt::format("note: {}{}: {}\n", subject.empty() ? "" : subject + ": ",
+                        count_with_noun(count, "recording"), meaning);
+  }
+  return text;
+}
+
+std::string summary_line(const ImportResult& imported) {
+  std::size_t with_static = 0, left = 0;
+  std::map<std::string, int> people;
+  for (const imports::ManifestEntry& entry : imported.entries) {
+    with_static += entry.static_trial.empty() ? 0U : 1U;
+    left += entry.hand == imports::HandSelection::left ? 1U : 0U;
+    if (!entry.subject.empty()) ++people[entry.subject];
+  }
+  const std::size_t all = imported.entries.size();
+  return fmt::format("found: {}{}, {} with a static trial; right hand {}, left hand {}\n",
+                     count_with_noun(all, "recording"),
+                     people.empty()       ? ""
+                     : people.size() == 1 ? " of 1 person"
+                                          : fmt::format(" of {} people", people.size()),
+                     with_static, all - left, left);
+}
+
+std::string read_all(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string hash_line(std::string_view body) {
+  return fmt::format("{}{} is the SHA-256 of what follows: edited, this file is not replaced\n",
+                     kHashLinePrefix, files::sha256(body));
+}
+
+}  // namespace
+
+bool is_demonstrations_file(const fs::path& file) {
+  if (!store::has_hdf5_signature(file)) return file.extension() == ".h5";
+  return imports::recognised_format(file) == nullptr;
+}
+
+std::string import_summary_text(const ImportResult& imported) {
+  if (imported.skipped.empty() && std::ranges::all_of(imported.entries, [](const auto& entry) {
+        return entry.notes.empty();
+      })) {
+    return "";
+  }
+  return summary_line(imported) +
+         notes_by_subject_text(
+             imported, "no static trial",
+             "no static trial was found: joint centres may be off by centimetres") +
+         notes_by_subject_text(imported, "the right hand is assumed",
+                               "which hand reaches is not told: the right one is assumed") +
+         notes_by_subject_text(imported, "its name is that of a static trial",
+                               "called a static trial, but moving: taken as a demonstration") +
+         skipped_text(imported.skipped) +
+         (count_failed(imported) > 0
+              ? "morphe inspect FILE shows what such a file holds and lacks\n"
+              : "");
+}
+
+int count_failed(const ImportResult& imported) {
+  return static_cast<int>(std::ranges::count_if(imported.skipped, &SkippedFile::failed));
+}
+
+void GeneratedManifest::expect_replaceable() const {
+  std::error_code error;
+  if (!fs::exists(file_, error)) return;
+  const std::string text = read_all(file_);
+  const std::size_t end = text.find('\n');
+  if (end != std::string::npos && text.substr(0, end + 1) == hash_line(text.substr(end + 1)))
+    return;
+  throw InputError(
+      fmt::format("{}: was edited, or is not Morphe's, and would be replaced: give it as the "
+                  "dataset itself, or move it away",
+                  file_.string()));
+}
+
+void GeneratedManifest::write(const ImportResult& imported) const {
+  std::string body =
+      "# What was found. To change it, edit this file and give it as the dataset; paths are\n"
+      "# relative to it. Notes say what was assumed, and go into the plans' reports.\n";
+  const fs::path folder = file_.parent_path().empty() ? fs::path(".") : file_.parent_path();
+  for (const SkippedFile& one : imported.skipped) {
+    std::string line =
+        fmt::format("# {}: {}", one.failed ? "cannot be read" : "left out", skip_message(one));
+    std::ranges::replace_if(
+        line, [](char c) { return static_cast<unsigned char>(c) < ' '; }, '?');
+    body += line + "\n";
+  }
+  body += imports::manifest_text(imported.entries, folder);
+  files::write_atomically(file_, hash_line(body) + body);
+}
+
+}  // namespace morphe::commands

@@ -1,0 +1,90 @@
+#include "pipeline/explain/collect_advice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "pipeline/explain/base_shift.hpp"
+#include "pipeline/explain/oversized_target.hpp"
+#include "pipeline/explain/replan.hpp"
+
+namespace morphe::explain {
+namespace {
+
+constexpr double kMaxBaseShift_m = 0.16;
+
+/// Returns the advice for a base shift, rounded to millimetres like placements.
+Advice advice_of(const BaseShift& found, const Vec3& configured) {
+  const Vec3 mm = (1e3 * found.shift).array().round();
+  const Vec3 offset = configured + 1e-3 * mm;
+  return {AdviceKind::solves,
+          {fmt::format("placement.shoulder_offset=[{:.3f}, {:.3f}, {:.3f}]", offset.x(), offset.y(),
+                       offset.z())},
+          fmt::format("the base {:+.0f}, {:+.0f}, {:+.0f} mm along the world's axes: what single "
+                      "postures at {} times have wrong, tips and contacts, goes from {:.1f} to "
+                      "{:.1f} mm in all",
+                      mm.x(), mm.y(), mm.z(), found.frames, 1e3 * found.depth_before,
+                      1e3 * found.depth_after)};
+}
+
+/// Adds the advice for a narrower target, rounded to a millimetre, if one is possible, and for no
+/// target.
+void add_advice(const OversizedTarget& found, const std::string& target,
+                std::vector<TriedAdvice>& all) {
+  constexpr double kMinTargetRadius_m = 0.005;
+  const std::string words = fmt::format(
+      "nobody recorded the {}: its radius of {:.0f} mm is inferred from thumb and "
+      "index, and there is room for {:.0f} mm beside the goal of {} at {:.2f} s",
+      target, 1e3 * found.radius_m, 1e3 * std::max(0.0, found.allowed_radius_m), found.tip,
+      found.time_s);
+  if (found.allowed_radius_m >= kMinTargetRadius_m) {
+    const double radius_m = std::floor(1e3 * found.allowed_radius_m) / 1e3;
+    all.push_back(
+        {{AdviceKind::assumes, {fmt::format("scene.target.radius={:.3f}", radius_m)}, words}, {}});
+  }
+  all.push_back({{AdviceKind::assumes,
+                  {"scene.target.infer=false"},
+                  words + "; without it nothing is checked against it, and the plan has no grasp"},
+                 {}});
+}
+
+bool is_about_contact(Reason reason) {
+  return reason == Reason::goal_in_collision || reason == Reason::start_in_collision ||
+         reason == Reason::no_path || reason == Reason::tracking || reason == Reason::unreachable;
+}
+
+/// Returns true if a reason may depend on the position of the base.
+bool depends_on_base(Reason reason) {
+  return reason == Reason::unreachable || reason == Reason::tracking ||
+         reason == Reason::goal_in_collision || reason == Reason::start_in_collision ||
+         reason == Reason::no_path || reason == Reason::jump || reason == Reason::limit;
+}
+
+}  // namespace
+
+std::vector<TriedAdvice> collect_advice(const robot::Robot& robot, const Plan& plan,
+                                        const planning::RunConfig* config,
+                                        const Demonstration* demonstration) {
+  std::vector<TriedAdvice> all;
+  if (config && depends_on_base(plan.reason)) {
+    const planning::PipelineConfig& options = config->loaded.options;
+    if (const auto shift = find_base_shift(robot, options, plan, kMaxBaseShift_m))
+      all.push_back({advice_of(*shift, options.placement.shoulder_offset), {}});
+  }
+  for (Advice& advice : advice_for(robot, plan)) all.push_back({std::move(advice), {}});
+  if (config && is_about_contact(plan.reason)) {
+    if (const auto wide = find_oversized_target(robot, plan, config->loaded.options.scene))
+      add_advice(*wide, plan.movement.target, all);
+  }
+  if (!config || !demonstration) return all;
+  for (TriedAdvice& one : all) {
+    if (one.advice.settings.empty()) continue;
+    one.plan = replan(*config, *demonstration, plan, one.advice.settings);
+    if (one.plan->executable()) break;
+  }
+  return all;
+}
+
+}  // namespace morphe::explain

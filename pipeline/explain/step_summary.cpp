@@ -1,0 +1,189 @@
+#include "pipeline/explain/step_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/motion/arm_estimate.hpp"
+#include "core/motion/count_with_noun.hpp"
+#include "core/motion/goal_interpolation.hpp"
+#include "pipeline/explain/reason_sentence.hpp"
+#include "pipeline/planning/palm_error.hpp"
+#include "stages/repair/repair_strategy.hpp"
+
+namespace morphe::explain {
+namespace {
+
+
+std::string line(std::string_view step, const std::string& text) {
+  return fmt::format("  {:<13} {}\n", step, text);
+}
+
+std::string segmentation(const Movement& movement) {
+  const std::string target =
+      movement.target.empty() ? "no object grasped" : "target " + movement.target;
+  std::string text = line("segmentation", fmt::format("{:.2f}-{:.2f} s of the recording, {}",
+                                                      movement.begin_s, movement.end_s, target));
+  for (const Phase& phase : movement.phases) {
+    text += line("", fmt::format("{:<9} {:6.2f}-{:.2f} s, {:.0f} % sure", name_of(phase.kind),
+                                 phase.begin_s, phase.end_s, 100 * phase.confidence));
+  }
+  return text;
+}
+
+/// Returns the time intervals of frames whose goals are out of reach, "1.20-1.80 s, 2.10-2.30 s".
+std::string stretches_out_of_reach(const MappingResult& mapped, const std::vector<double>& time) {
+  std::string text;
+  const auto out = [&](std::size_t f) { return mapped.status[f] == FrameStatus::out_of_reach; };
+  for (std::size_t f = 0; f < mapped.status.size(); ++f) {
+    if (!out(f) || (f > 0 && out(f - 1))) continue;
+    std::size_t last = f;
+    while (last + 1 < mapped.status.size() && out(last + 1)) ++last;
+    text += fmt::format("{}{:.2f}-{:.2f} s", text.empty() ? "" : ", ", time[f], time[last]);
+  }
+  return text;
+}
+
+std::string tip_error_text(const RobotModel& robot, const MappingResult& mapped) {
+  std::string text;
+  for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
+    double sum = 0, largest = 0, count = 0;
+    for (const double error : mapped.position_error.col(static_cast<Eigen::Index>(tip))) {
+      if (std::isnan(error)) continue;
+      sum += error;
+      largest = std::max(largest, error);
+      count += 1;
+    }
+    if (count == 0) continue;
+    text +=
+        fmt::format("{}{} {:.1f} (at most {:.1f})", text.empty() ? "" : ", ", robot.tips[tip].name,
+                    kMillimetresPerMetre * sum / count, kMillimetresPerMetre * largest);
+  }
+  return text;
+}
+
+double mean_of(const Eigen::Ref<const Eigen::VectorXd>& values) {
+  double sum = 0, count = 0;
+  for (const double value : values) {
+    if (std::isnan(value)) continue;
+    sum += value;
+    count += 1;
+  }
+  return count > 0 ? sum / count : kUnknown;
+}
+
+std::string mapping(const RobotModel& robot, const Plan& plan) {
+  const MappingResult& mapped = plan.mapped;
+  if (mapped.position.rows() == 0) return line("mapping", "nothing was mapped");
+  std::string text = line(
+      "mapping", fmt::format("{}; mm from the goals: {}", count_with_noun(mapped.status.size(), "frame"),
+                             tip_error_text(robot, mapped)));
+  const GoalCount count = count_goals(plan.goals);
+  const std::string where = stretches_out_of_reach(mapped, plan.goals.time);
+  text += line("", fmt::format("{} of {} fingertip goals out of reach{}{}", count.out_of_reach,
+                               count.all, where.empty() ? "" : ": ", where));
+  const double a =
+      mapped.humanlikeness.cols() > 0 ? mean_of(mapped.humanlikeness.col(0)) : kUnknown;
+  const double palm = planning::palm_error(robot, plan);
+  std::string human;
+  if (!std::isnan(a)) {
+    human = is_arm_estimated(plan.goals)
+                ? fmt::format("humanlikeness A ~{:.4f} m^2 from an estimated shoulder and elbow", a)
+                : fmt::format("humanlikeness A {:.4f} m^2", a);
+  }
+  if (!std::isnan(palm)) {
+    human += fmt::format("{}palm turned {:.0f} degrees from the person's",
+                         human.empty() ? "" : ", ", palm / kRadPerDegree);
+  }
+  return human.empty() ? text : text + line("", human);
+}
+
+std::string finding_lines(const char* step, const std::vector<Finding>& findings,
+                          const char* none) {
+  if (findings.empty()) return line(step, none);
+  std::string text;
+  for (const Finding& finding : findings)
+    text += line(text.empty() ? step : "", repair::sentence(finding));
+  return text;
+}
+
+std::string change_text(const RepairStep& step) {
+  if (std::isnan(step.begin_s)) return "changed nothing";
+  return fmt::format("changed {:.2f}-{:.2f} s by up to {:.3f} rad", step.begin_s, step.end_s,
+                     step.change);
+}
+
+/// Returns true for files of earlier versions, which do not record the repair steps.
+bool lacks_repair_record(const Plan& plan) { return plan.repair.empty() && !plan.findings.empty(); }
+
+std::string repairs(const Plan& plan) {
+  const std::vector<RepairStep>& steps = plan.repair;
+  if (lacks_repair_record(plan))
+    return line("repair", "not in this file: it is of an earlier version");
+  if (steps.empty()) return line("repair", "nothing to repair");
+  std::string text;
+  for (const RepairStep& step : steps) {
+    std::string what =
+        fmt::format("{}{}: {}", step.level > 0 ? "  " : "", step.name, change_text(step));
+    if (!std::isnan(step.begin_s)) {
+      what += step.findings == 0
+                  ? ", nothing left"
+                  : fmt::format(", {} left, worst {}",
+                                count_with_noun(static_cast<std::size_t>(step.findings), "finding"),
+                                step.worst);
+      what += step.kept ? "; kept" : "; not kept";
+    }
+    if (!step.ended.empty()) what += "; " + step.ended;
+    text += line(text.empty() ? "repair" : "", what);
+  }
+  return text;
+}
+
+std::string certificate(const Certificate& c) {
+  std::string text;
+  const auto add = [&](const char* name, double value, int digits, const char* unit) {
+    if (std::isnan(value)) return;
+    text += fmt::format("{}{} {:.{}f}{}", text.empty() ? "" : ", ", name, value, digits, unit);
+  };
+  add("velocity", c.velocity_ratio, 2, "");
+  add("acceleration", c.acceleration_ratio, 2, "");
+  add("jerk", c.jerk_ratio, 2, " of the limits");
+  add("clearance", kMillimetresPerMetre * c.clearance, 2, " mm");
+  add("tips at most", kMillimetresPerMetre * c.position_error_max, 2, " mm off");
+  add("in the grasp", kMillimetresPerMetre * c.position_error_grasp, 2, " mm");
+  return line("certificate", text.empty() ? "none" : text);
+}
+
+std::string timing(const Plan& plan) {
+  if (!plan.has_trajectory()) {
+    const bool free =
+        plan.path.position.rows() > 0 && plan.remaining.empty() && !lacks_repair_record(plan);
+    return line("time law", free ? "the path is free; what came of it is the reason above"
+                                 : "not reached: the path is not free");
+  }
+  return line("time law", fmt::format("{:.2f} s, {:.2f} of the person's",
+                                      plan.trajectory.time.back(), plan.certificate.tempo));
+}
+
+}  // namespace
+
+std::string step_summary(const RobotModel& robot, const Plan& plan) {
+  std::string text =
+      fmt::format("{}/{:03}: {}", plan.demonstration, plan.movement.index, name_of(plan.status()));
+  if (!plan.has_trajectory()) {
+    text += fmt::format(", {}. {}", name_of(plan.reason), reason_sentence(plan.reason));
+  }
+  text += "\n";
+  if (!plan.detail.empty()) text += line("", plan.detail);
+  if (plan.reason == Reason::no_movement) return text;
+  text += segmentation(plan.movement) + mapping(robot, plan);
+  if (plan.mapped.position.rows() == 0) return text;
+  text += finding_lines("found", plan.findings, "nothing wrong with the mapped path");
+  text += repairs(plan);
+  if (!plan.remaining.empty()) text += finding_lines("left", plan.remaining, "");
+  return text + timing(plan) + certificate(plan.certificate);
+}
+
+}  // namespace morphe::explain

@@ -1,0 +1,91 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/motion/goal_interpolation.hpp"
+#include "core/parallel/for_each.hpp"
+#include "pipeline/place/place.hpp"
+#include "pipeline/place/reachability_grid.hpp"
+#include "pipeline/planning/place_movement.hpp"
+
+namespace morphe::place {
+namespace {
+
+struct MovementResult {
+  PlacementMeasures measures;
+  bool executable = false;
+  double tip_error_max_m = kUnknown;
+};
+
+MovementResult plan_one(const planning::PlanningInputs& planner, const TrialMovement& trial) {
+  planning::StageSeconds ignored;
+  const planning::Reconstruction& rebuilt = *trial.reconstruction;
+  const Plan plan = planning::plan_movement(planner, rebuilt.on_robot_side, rebuilt.motion,
+                                            rebuilt.movements[trial.index], ignored);
+  MovementResult one;
+  one.executable = plan.executable();
+  one.measures.collision_share = 1;
+  if (plan.mapped.position.rows() > 0) {
+    const planning::PlacedMovement placed(planner, trial.motion, trial.movement, trial.surroundings,
+                                          plan.goals.free_offset.value_or(Vec3::Zero()));
+    one.measures = measure(placed.problem, plan.mapped.position);
+    one.measures.out_of_reach = count_goals(plan.goals).share_out_of_reach();
+    one.measures.collision_share = plan.has_trajectory() ? 0 : 1;
+  }
+  if (plan.has_trajectory()) {
+    one.measures.penetration_m = 0;
+    one.measures.speed_ratio = plan.certificate.tempo;
+    one.tip_error_max_m = plan.certificate.position_error_max;
+    if (!std::isnan(plan.certificate.upper_arm_error_mean)) {
+      one.measures.upper_arm_error = plan.certificate.upper_arm_error_mean;
+    }
+  }
+  return one;
+}
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  const std::size_t n = values.size();
+  return n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
+}
+
+}  // namespace
+
+PlacementResult plan_with_placement(const planning::PlanningInputs& planner,
+                                    const std::vector<TrialMovement>& trials,
+                                    const map::PlacementOptions& placement, int jobs) {
+  planning::PipelineConfig config = planner.config;
+  config.placement = placement;
+  const planning::PlanningInputs placed{config, planner.robot};
+  std::vector<PlacementMeasures> all;
+  std::vector<double> upper_arm;
+  PlacementResult found;
+  found.placement = placement;
+  found.base_placement = base_placement_of(placement);
+  parallel::ordered_for_each<MovementResult>(
+      static_cast<int>(trials.size()), jobs,
+      [&](std::uint64_t k) { return plan_one(placed, trials[k]); },
+      [&](const MovementResult& one) {
+        all.push_back(one.measures);
+        upper_arm.push_back(one.measures.upper_arm_error);
+        found.plan_summary.executable += one.executable ? 1 : 0;
+        found.plan_summary.tip_error_max_m =
+            std::fmax(found.plan_summary.tip_error_max_m, one.tip_error_max_m);
+      });
+  found.plan_summary.movements = static_cast<int>(trials.size());
+  found.plan_summary.measures = mean_of(all);
+  found.plan_summary.upper_arm_median = median(upper_arm);
+  found.plan_summary.upper_arm_max = std::ranges::max(upper_arm);
+  found.base = base_from_human_shoulder(found.base_placement, map::robot_shoulder(planner.robot));
+  double sum = 0;
+  int tables = 0;
+  for (const TrialMovement& trial : trials) {
+    if (const SceneObject* table = trial.table()) {
+      sum += trial.shoulder.z() + found.base.z() - table->position.front().z() - table->size[2] / 2;
+      ++tables;
+    }
+  }
+  if (tables > 0) found.above_table = sum / tables;
+  return found;
+}
+
+}  // namespace morphe::place

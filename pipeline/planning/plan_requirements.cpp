@@ -1,0 +1,115 @@
+#include "pipeline/planning/plan_requirements.hpp"
+
+#include <fmt/format.h>
+
+#include "core/config/fields.hpp"
+#include "core/files/sha256.hpp"
+#include "core/motion/input_error.hpp"
+#include "pipeline/planning/approach.hpp"
+#include "pipeline/planning/pipeline_config.hpp"
+#include "pipeline/planning/unpacked_inputs.hpp"
+#include "stages/scene/configured_body.hpp"
+
+namespace morphe::planning {
+namespace {
+
+RobotModel robot_in(const std::filesystem::path& file, const UnpackedInputs& files) {
+  robot::RobotDescription robot = robot::load_robot(file);
+  for (const std::filesystem::path& own : robot.files) {
+    if (!files.contains(own))
+      throw InputError(fmt::format("{}: names a file that is not here", file.string()));
+  }
+  return std::move(robot.table);
+}
+
+/// Returns the robot of the first file with its name that is a valid robot.
+RobotModel robot_of(const PipelineConfig& config, const UnpackedInputs& files) {
+  std::string wrong = fmt::format("/inputs: holds no {}", config.robot.file);
+  for (const std::filesystem::path& file : files.find_all(config.robot.file)) {
+    try {
+      return robot_in(file, files);
+    } catch (const InputError& error) {
+      wrong = error.what();
+    }
+  }
+  throw InputError(wrong);
+}
+
+PlanRequest::ReferenceFrame relative_to(scene::ReferenceFrame frame) {
+  switch (frame) {
+    case scene::ReferenceFrame::table:
+      return PlanRequest::ReferenceFrame::table;
+    case scene::ReferenceFrame::target:
+      return PlanRequest::ReferenceFrame::target;
+    case scene::ReferenceFrame::shoulder:
+      return PlanRequest::ReferenceFrame::shoulder;
+    case scene::ReferenceFrame::base:
+      return PlanRequest::ReferenceFrame::base;
+    default:
+      return PlanRequest::ReferenceFrame::world;
+  }
+}
+
+void add_bodies(const std::vector<scene::ConfiguredObject>& objects, PlanRequest& asked) {
+  for (const scene::ConfiguredObject& object : objects) {
+    PlanRequest::Body& body = asked.bodies.emplace_back();
+    if (object.file.empty()) {
+      body.object = scene::configured_body(object, 0);
+      body.relative_to = relative_to(object.relative_to);
+    } else {
+      body.object.name = object.name;
+    }
+  }
+}
+
+/// Returns the objects of a scene's file; empty for a file with meshes.
+std::vector<scene::ConfiguredObject> file_objects(const scene::SceneOptions& scene,
+                                                  const UnpackedInputs& files) {
+  if (scene.file.empty()) return {};
+  const std::filesystem::path file = files.find(scene.file);
+  if (file.empty()) throw InputError(fmt::format("/inputs: holds no {}", scene.file));
+  scene::SceneOptions alone;
+  alone.table = scene.table;
+  alone.file = file.string();
+  const config::ConfigNode node =
+      config::ConfigNode::parse(fmt::format("{{file: '{}'}}", file.string()), "/@config");
+  try {
+    scene::load_scene_files(alone, node);
+  } catch (const InputError&) {
+    return {};
+  }
+  return alone.file_objects;
+}
+
+}  // namespace
+
+PlanRequest plan_requirements(const PlanFileHeader& header) {
+  config::ConfigNode node = config::ConfigNode::parse(header.config, "/@config");
+  PipelineConfig config;
+  config::read_document(node, config);
+  if (config::write_options(config) != header.config)
+    throw InputError(
+        fmt::format("/@config: is not as this version writes it ({})", header.software));
+  const UnpackedInputs files(header.inputs);
+  PlanRequest asked;
+  try {
+    asked.robot = robot_of(config, files);
+    add_bodies(config.scene.objects, asked);
+    add_bodies(file_objects(config.scene, files), asked);
+  } catch (const InputError& error) {
+    throw InputError(files.with_stored_paths(error.what()));
+  }
+  asked.config_sha256 = files::sha256(header.config);
+  asked.tolerances = tolerances_of(config);
+  asked.goal_step_s = 1 / config.reconstruct.rate_hz;
+  asked.limit_share = config.retime.limit_share;
+  if (!config.parts && !config.segment.whole) asked.plan_until = config.segment.plan_until;
+  if (config.scene.target.carried == scene::Carrier::palm)
+    asked.carrier_frame = asked.robot.frames[static_cast<std::size_t>(asked.robot.palm_frame)].name;
+  if (config.approach)
+    asked.home = {home_posture(asked.robot, *config.approach), config.approach->limit_share,
+                  config.approach->back};
+  return asked;
+}
+
+}  // namespace morphe::planning

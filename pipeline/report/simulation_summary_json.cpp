@@ -1,0 +1,71 @@
+#include "pipeline/report/simulation_summary_json.hpp"
+
+#include <fmt/format.h>
+
+#include "core/store/fingerprint.hpp"
+#include "pipeline/report/numbers_json.hpp"
+#include "stages/simulate/results.hpp"
+#include "stages/simulate/summary.hpp"
+
+namespace morphe::report {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+Json summary_of(const simulate::StoredResult& stored) {
+  const simulate::PlanResult& result = stored.result;
+  const simulate::SimulationSummary figures = simulate::summarise(result);
+  Json json = {{"skip_reason", name_of(result.skip_reason)},
+               {"detail", result.detail},
+               {"engine", stored.engine},
+               {"contact_source", name_of(result.contact_source)},
+               {"rollouts", result.rollouts.size()},
+               {"held", figures.held},
+               {"failures", figures.failures},
+               {"load_directions", figures.load_directions},
+               {"load_directions_held", figures.load_directions_held},
+               {"direction_failures", figures.direction_failures}};
+  const auto add = [&](const char* name, double value) { json[name] = number_json(value); };
+  add("droop_m", figures.droop_m);
+  add("slip_m", figures.slip_m);
+  add("drift_m", figures.drift_m);
+  add("arm_error", figures.arm_error);
+  add("hand_error", figures.hand_error);
+  add("torque_ratio", figures.torque_ratio);
+  add("required_force_N", figures.required_force_N);
+  add("commanded_force_N", figures.commanded_force_N);
+  const simulate::Variation first =
+      result.rollouts.empty() ? simulate::Variation() : result.rollouts.front().variation;
+  add("friction", first.friction);
+  add("torsional_friction_m", first.torsional_friction_m);
+  add("mass_kg", first.mass_kg);
+  return json;
+}
+
+}  // namespace
+
+std::vector<fs::path> simulation_folders(const std::vector<fs::path>& named,
+                                         const fs::path& plans) {
+  if (!named.empty()) return named;
+  const fs::path beside = plans.parent_path() / "physics";
+  return fs::is_directory(beside) ? std::vector{beside} : std::vector<fs::path>();
+}
+
+Json simulation_summary_json(const std::vector<fs::path>& folders, const RobotModel& robot,
+                             const Plan& plan, std::vector<std::string>& notes) {
+  const std::string name = fmt::format("{}_{:03}.json", plan.demonstration, plan.movement.index);
+  bool other = false;
+  for (const fs::path& folder : folders) {
+    if (!fs::is_regular_file(folder / name)) continue;
+    const simulate::StoredResult stored = simulate::load_result(folder / name);
+    if (stored.result.plan_sha256 == store::fingerprint(robot, plan)) return summary_of(stored);
+    other = true;
+  }
+  if (other)
+    notes.push_back(fmt::format("{}/{:03}: what was simulated is another plan, and left out",
+                                plan.demonstration, plan.movement.index));
+  return nullptr;
+}
+
+}  // namespace morphe::report

@@ -1,0 +1,68 @@
+#include "pipeline/setup/merge_sections.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "core/files/sha256.hpp"
+
+namespace morphe::setup {
+namespace {
+
+constexpr const char* kHashLinePrefix = "#: ";
+
+std::string hash_of(const std::string& text) { return files::sha256(text).substr(0, 12); }
+
+std::string with_hash_line(const Section& section) {
+  return fmt::format("{}{} {}\n{}", kHashLinePrefix, section.name, hash_of(section.text),
+                     section.text);
+}
+
+struct OldSection {
+  std::string name, hash, text;
+};
+
+/// Splits a text into its sections. Text before the first mark is not part of a section and is
+/// generated anew.
+std::vector<OldSection> sections_of(const std::string& text) {
+  std::vector<OldSection> found;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(kHashLinePrefix)) {
+      std::istringstream words(line.substr(3));
+      OldSection section;
+      words >> section.name >> section.hash;
+      found.push_back(section);
+    } else if (!found.empty()) {
+      found.back().text += line + "\n";
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+std::string join_sections(const std::vector<Section>& sections) {
+  std::string text;
+  for (const Section& section : sections) text += with_hash_line(section);
+  return text;
+}
+
+std::string merge_sections(const std::vector<Section>& sections, const std::string& before,
+                           std::vector<std::string>& kept) {
+  const std::vector<OldSection> old = sections_of(before);
+  std::string text;
+  for (const Section& section : sections) {
+    const auto there = std::ranges::find(old, section.name, &OldSection::name);
+    if (there == old.end() || hash_of(there->text) == there->hash) {
+      text += with_hash_line(section);
+    } else {
+      kept.push_back(section.name);
+      text += fmt::format("{}{} {}\n{}", kHashLinePrefix, there->name, there->hash, there->text);
+    }
+  }
+  return text;
+}
+
+}  // namespace morphe::setup

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <chrono>
+
+namespace morphe::study {
+
+/// Measures the wall-clock time of a function [s].
+template <class Work>
+double measure_seconds(const Work& work) {
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+}  // namespace morphe::study

@@ -1,0 +1,67 @@
+#include "stages/grasp/desired_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace morphe::grasp {
+namespace {
+
+double smoothstep(double s) {
+  s = std::clamp(s, 0.0, 1.0);
+  return s * s * s * (10 + s * (6 * s - 15));
+}
+
+}  // namespace
+
+std::string validation_error(const GraspOptions& o) {
+  if (!(o.pad_depth_m >= 0)) return "pad_depth must not be negative";
+  if (!(o.touch_distance_m > 0)) return "near must be above 0";
+  if (!(o.least_share > 0 && o.least_share <= 1)) return "least_share must be above 0, at most 1";
+  if (!(o.preshape_clearance_m >= 0)) return "aperture must not be negative";
+  if (!(o.contact_depth_m >= 0)) return "penetration must not be negative";
+  if (!(o.link_depth_m >= 0)) return "link_penetration must not be negative";
+  if (!(o.friction >= 0)) return "friction must not be negative";
+  if (!(o.torsion_m >= 0)) return "torsion must not be negative";
+  if (!(o.mass_kg > 0)) return "mass must be above 0";
+  if (!(o.squeeze_force > 0)) return "squeeze_force must be above 0";
+  if (!(o.squeeze_share >= 0 && o.squeeze_share < 1)) {
+    return "squeeze_share must be at least 0, below 1";
+  }
+  if (!(o.joint_torque > 0)) return "joint_torque must be above 0";
+  if (!(o.joint_stiffness > 0)) return "joint_stiffness must be above 0";
+  return "";
+}
+
+SurfacePoint nearest_surface(const collision::Solid& solid, const Vec3& point) {
+  SurfacePoint nearest;
+  Vec3 outwards;
+  nearest.distance = collision::signed_distance(solid, point, outwards);
+  nearest.point = point - nearest.distance * outwards;
+  nearest.normal = -outwards;
+  return nearest;
+}
+
+HoldInterval hold_interval(const Movement& movement) {
+  HoldInterval when;
+  const Phase* grasp = last_phase(movement, PhaseKind::grasp);
+  if (!grasp || grasp->begin_s > movement.end_s) return when;
+  const Phase* hold = last_phase(movement, PhaseKind::hold);
+  const Phase* preshape = last_phase(movement, PhaseKind::preshape);
+  const Phase* transport = last_phase(movement, PhaseKind::transport);
+  when.begin_s = grasp->begin_s;
+  when.end_s = std::min(movement.end_s, std::max(grasp->end_s, hold ? hold->end_s : 0));
+  when.open_s = preshape && preshape->begin_s < grasp->begin_s
+                    ? preshape->begin_s
+                    : grasp->begin_s - kReleaseDuration_s;
+  when.release_s = transport ? transport->end_s : kInfinity;
+  return when;
+}
+
+double closing_progress(const HoldInterval& when, double time_s) {
+  if (!(time_s > when.open_s)) return 0;
+  const double closing = smoothstep((time_s - when.open_s) / (when.begin_s - when.open_s));
+  return time_s <= when.release_s ? closing
+                                  : 1 - smoothstep((time_s - when.release_s) / kReleaseDuration_s);
+}
+
+}  // namespace morphe::grasp

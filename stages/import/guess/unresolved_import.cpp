@@ -1,0 +1,234 @@
+#include "stages/import/guess/unresolved_import.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+#include "stages/import/guess/name_guess.hpp"
+#include "stages/import/guess/name_map.hpp"
+#include "stages/import/guess/plausibility.hpp"
+#include "stages/import/guess/recording_summary.hpp"
+#include "stages/import/recording/arm_names.hpp"
+
+namespace morphe::imports {
+namespace {
+
+/// Sets a temporary value of a convention for inspection of a recording (not needed for
+/// joint_order.hpp).
+void set_placeholder(Conventions& conventions, const std::string& key) {
+  if (key == "axes") conventions.axes = "x y z";
+  if (key == "unit") conventions.unit = "1";
+  if (key == "rate") conventions.rate_hz = 1;
+}
+
+/// Reads the recording as it is in the file, with temporary values of missing conventions; `open`
+/// is treated as missing.
+Demonstration read_unchecked(const RecordingFormat& format, RecordingFiles files,
+                             const std::string& open) {
+  std::set<std::string> replaced = {open};
+  files.conventions.plausibility_checks = false;
+  set_placeholder(files.conventions, open);
+  while (true) {
+    try {
+      return format.read(files);
+    } catch (const UnresolvedConvention& missing) {
+      if (!replaced.insert(missing.key).second) throw;
+      set_placeholder(files.conventions, missing.key);
+    }
+  }
+}
+
+Demonstration read_checked(const RecordingFormat& format, const RecordingFiles& files) {
+  Demonstration demonstration = format.read(files);
+  check_plausibility(files.file.string(), demonstration);
+  return demonstration;
+}
+
+/// Returns the names of the recording, then those that only its static trial has.
+std::vector<std::string> names_in(const Demonstration& demonstration, Side hand) {
+  std::vector<std::string> names = recorded_points(demonstration.streams, hand).names;
+  for (const std::string& name : recorded_points(demonstration.calibration, hand).names) {
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+bool has_names(const Demonstration& demonstration) {
+  return demonstration.streams.markers || demonstration.streams.skeleton;
+}
+
+/// Returns the names that are already Morphe's.
+GuessedNames recognised_names(const std::vector<std::string>& names) {
+  GuessedNames known;
+  for (const std::string& name : names) {
+    if (!body_part(name).empty()) known.emplace_back(name, name);
+  }
+  return known;
+}
+
+/// Returns true if an arm, or the shape of a hand, can be reconstructed from the names.
+bool cover_an_arm(const GuessedNames& names) {
+  const auto any = [&](std::initializer_list<const char*> parts) {
+    return std::ranges::any_of(names, [&](const auto& entry) {
+      const std::string part = body_part(entry.second);
+      return std::ranges::any_of(
+          parts, [&](const char* wanted) { return part.find(wanted) != std::string::npos; });
+    });
+  };
+  const auto tips = std::ranges::count_if(
+      names, [](const auto& entry) { return body_part(entry.second).ends_with(" tip"); });
+  const bool whole_hand = any({"wrist"}) && tips >= 5 && names.size() >= 21;
+  return whole_hand ||
+         (any({"shoulder", "upper arm"}) && any({"elbow", "forearm"}) && any({"wrist", "hand"}));
+}
+
+/// Guesses the parts of an arm from names that are not Morphe's, except for parts already known.
+GuessedNames guess_names(const Demonstration& seen, const GuessedNames& known, Side hand) {
+  const RecordedPoints points = recorded_points(seen.streams, hand);
+  GuessedNames guessed = points.parents.empty() ? guess_points(names_in(seen, hand), hand)
+                                                : guess_joints(points.names, points.parents);
+  std::erase_if(guessed, [&](const auto& entry) {
+    return std::ranges::any_of(known, [&](const auto& own) {
+      return own.first == entry.first || own.second == entry.second;
+    });
+  });
+  return guessed;
+}
+
+GuessedNames merged_names(GuessedNames a, const GuessedNames& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+Guess guess_of(const UnresolvedConvention& missing, const RecordingFormat& format,
+               const RecordingFiles& files) {
+  const std::string& key = missing.key;
+  if (key == "joint_order") {
+    return {missing.likely_value, Confidence::guessed, "the likeliest by how the joints lie"};
+  }
+  const RecordedPoints points =
+      recorded_points(read_unchecked(format, files, key).streams, files.hand);
+  Guess guess = key == "axes"   ? guess_axes(points)
+                : key == "unit" ? guess_unit(points)
+                                : guess_rate(points, 1);
+  if (!guess.value.empty()) return guess;
+  return {key == "axes"   ? "x y z"
+          : key == "unit" ? "mm"
+                          : "100",
+          Confidence::guessed, "nothing in the recording tells it: put in what is true"};
+}
+
+void set_convention(Conventions& conventions, const std::string& key, const std::string& value) {
+  if (key == "axes") conventions.axes = value;
+  if (key == "unit") conventions.unit = value;
+  if (key == "rate") conventions.rate_hz = std::stod(value);
+  if (key == "joint_order") conventions.joint_order = value;
+}
+
+/// The proposed values, which are extended until the recording can be read or the same convention
+/// is missing again.
+struct ProposalDraft {
+  std::vector<std::string> lines;
+  Proposal proposal;
+};
+
+void propose_conventions(const RecordingFormat& format, RecordingFiles files,
+                         ProposalDraft& answers) {
+  std::set<std::string> answered;
+  std::optional<UnresolvedConvention> order;
+  while (true) {
+    try {
+      read_checked(format, files);
+      return;
+    } catch (const UnresolvedConvention& missing) {
+      if (missing.key == "joint_order") order = missing;
+      // The sizes of joints in the wrong order are meaningless, so the order is reported first.
+      if (!answered.insert(missing.key).second) throw order.value_or(missing);
+      answers.lines.emplace_back(missing.what());
+      Guess guess = guess_of(missing, format, files);
+      set_convention(files.conventions, missing.key, guess.value);
+      answers.proposal.conventions.emplace_back(missing.key, std::move(guess));
+    }
+  }
+}
+
+[[noreturn]] void throw_unresolved(const RecordingFormat& format, const RecordingFiles& files,
+                                   const std::string& manifest, const Demonstration& seen,
+                                   const GuessedNames& names, bool whole) {
+  RecordingFiles named = files;
+  ProposalDraft answers;
+  if (!names.empty()) {
+    named.name_map = NameMap(names.begin(), names.end());
+    answers.proposal.names = names;
+  }
+  propose_conventions(format, named, answers);
+  if (!names.empty()) {
+    answers.lines.push_back(fmt::format(
+        "{}: names: none of its names is one that Morphe knows; give --names or `names:`",
+        files.file.string()));
+  }
+  UnresolvedImport question(fmt::format("{}", fmt::join(answers.lines, "\n")));
+  question.file = files.file.string();
+  question.manifest = manifest;
+  RecordingSummary survey =
+      summarise_points(recorded_points(seen.streams, files.hand), named.name_map);
+  survey.file = question.file;
+  survey.unit = "m";
+  for (const auto& [key, guess] : answers.proposal.conventions) {
+    if (key == "unit") survey.unit.clear();
+    if (key == "rate") survey.rate_hz = 0;
+  }
+  question.summary = summary_text(survey);
+  question.names_unresolved =
+      has_names(seen) && files.name_map.empty() &&
+      !cover_an_arm(merged_names(recognised_names(names_in(seen, files.hand)), names));
+  if (whole && answers.proposal.conventions.empty()) question.demonstration = seen;
+  question.proposal = std::move(answers.proposal);
+  throw question;
+}
+
+Demonstration read_with_name_map(const ShippedNameMap& shipped, const RecordingFormat& format,
+                                 RecordingFiles files, const std::string& manifest) {
+  const std::string said =
+      fmt::format("names as {} maps them: all of its names were recorded", shipped.file.string());
+  files.name_map = shipped.names;
+  try {
+    Demonstration demonstration = read_or_propose(format, files, manifest);
+    demonstration.reports.push_back(said);
+    return demonstration;
+  } catch (UnresolvedImport& question) {
+    question.summary += said + "\n";
+    throw;
+  }
+}
+
+}  // namespace
+
+Demonstration read_or_propose(const RecordingFormat& format, const RecordingFiles& files,
+                              const std::string& manifest) {
+  std::optional<Demonstration> read;
+  std::string open;
+  try {
+    read = read_checked(format, files);
+    const bool told = !files.name_map.empty() || !has_names(*read);
+    if (told || cover_an_arm(recognised_names(names_in(*read, files.hand))))
+      return std::move(*read);
+  } catch (const UnresolvedConvention& missing) {
+    open = missing.key;
+  }
+  const Demonstration seen = read ? *read : read_unchecked(format, files, open);
+  const GuessedNames known = recognised_names(names_in(seen, files.hand));
+  GuessedNames guessed;
+  if (files.name_map.empty() && has_names(seen) && !cover_an_arm(known)) {
+    if (const auto shipped = find_shipped_names(names_in(seen, files.hand))) {
+      return read_with_name_map(*shipped, format, files, manifest);
+    }
+    guessed = guess_names(seen, known, files.hand);
+  }
+  if (read && !cover_an_arm(merged_names(known, guessed))) return std::move(*read);
+  throw_unresolved(format, files, manifest, seen, guessed, read.has_value());
+}
+
+}  // namespace morphe::imports

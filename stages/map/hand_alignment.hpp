@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "core/motion/hand_bones.hpp"
+#include "core/motion/human_motion.hpp"
+
+namespace morphe::map {
+
+/// The rule for scaling the human's hand if the robot is a hand alone.
+///   given  scaled by `factor`
+///   palm   scaled to the robot's breadth over the knuckles
+///   found  scaled to the largest size at which no finger is longer than the robot's, from the
+///          knuckle's axis to the tip
+enum class HandScale { fixed, palm_width, finger_length };
+/// Returns the names of the rules in configurations.
+constexpr std::array<std::string_view, 3> names_of(HandScale) { return {"given", "palm", "found"}; }
+
+/// The points at which the hands are aligned: the human's wrist at the robot's palm, or the human's
+/// knuckles at the robot's. The latter is the same for every choice of the palm's origin.
+enum class HandAlignmentPoint { palm_width, knuckles };
+/// Returns the names of the points in configurations.
+constexpr std::array<std::string_view, 2> names_of(HandAlignmentPoint) {
+  return {"palm", "knuckles"};
+}
+
+/// Options for robots without an arm (config section `hand`).
+struct HandOptions {
+  HandScale scale = HandScale::fixed;                      ///< rule for scaling the human's hand
+  double factor = 1;                                       ///< scale factor for scale `given`
+  HandAlignmentPoint at = HandAlignmentPoint::palm_width;  ///< points that are aligned
+};
+template <class Fields>
+void fields(Fields& f, HandOptions& o) {
+  f("scale", o.scale);
+  f("factor", o.factor);
+  f("at", o.at);
+}
+/// Returns a sentence about the first invalid option, or "" if all are valid.
+std::string validation_error(const HandOptions& options);
+
+/// The transform palm_from_human: p -> scale * p + offset, both in their hand's own axes.
+struct HandAlignment {
+  double scale = 1;            ///< scale factor
+  Vec3 offset = Vec3::Zero();  ///< [m]
+  /// A sentence about the missing data if the requested alignment is impossible, otherwise "".
+  std::string problem;
+};
+
+/// Computes the alignment from the fingers that both hands have, without the thumb:
+///   found   scale = least ratio of the robot's to the human's finger lengths
+///   palm    scale = ratio of the robot's to the human's distance of the outermost knuckles
+///   offset = mean of (robot's knuckle - scale * human's)                       (at knuckles)
+HandAlignment align_hand(const HandBones& robot, const HandBones& human,
+                         const HandOptions& options);
+
+/// Applies the alignment to the fingers of a motion in the hand's own frame
+/// (transform_to_hand_frame). `hand_scale` is multiplied by the scale, as are the distances between
+/// the fingers.
+HumanMotion apply_alignment(HumanMotion motion, const HandAlignment& fit);
+
+}  // namespace morphe::map

@@ -1,0 +1,194 @@
+#include "stages/scene/infer_objects.hpp"
+#include "core/motion/bounding_box.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/motion/human_motion.hpp"
+#include "core/motion/movement.hpp"
+#include "stages/scene/configured_body.hpp"
+
+namespace morphe::scene {
+namespace {
+
+struct Extent {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
+  void add(const Vec3& point) {
+    if (!is_known(point)) return;
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  bool empty() const { return !low.allFinite(); }
+};
+
+bool has_tips(const HumanMotion& motion) { return motion.tip.rows == motion.time.size(); }
+
+Extent planned_tips(const HumanMotion& motion, const Movement& movement) {
+  Extent extent;
+  if (!has_tips(motion)) return extent;
+  for (std::size_t i = 0; i < motion.time.size(); ++i) {
+    if (motion.time[i] < movement.begin_s - kTimeTolerance_s) continue;
+    if (motion.time[i] > movement.end_s + kTimeTolerance_s) continue;
+    for (std::size_t k = 0; k < motion.tip.cols; ++k) extent.add(motion.tip(i, k));
+  }
+  return extent;
+}
+
+/// Returns the least y of tips and wrist in the first frame of the movement in which one is seen.
+double hand_front(const HumanMotion& motion, const Movement& movement) {
+  for (std::size_t i = 0; i < motion.time.size(); ++i) {
+    if (motion.time[i] < movement.begin_s - kTimeTolerance_s) continue;
+    Extent hand;
+    if (motion.wrist.size() == motion.time.size()) hand.add(motion.wrist[i]);
+    if (has_tips(motion)) {
+      for (std::size_t k = 0; k < motion.tip.cols; ++k) hand.add(motion.tip(i, k));
+    }
+    if (!hand.empty()) return hand.low.y();
+  }
+  return kUnknown;
+}
+
+std::optional<double> resting_height(const HumanMotion& motion, double percentile) {
+  std::vector<double> heights;
+  if (!has_tips(motion)) return std::nullopt;
+  for (const Vec3& tip : motion.tip.values) {
+    if (is_known(tip)) heights.push_back(tip.z());
+  }
+  if (heights.empty()) return std::nullopt;
+  const double rank = percentile / 100 * static_cast<double>(heights.size() - 1);
+  const auto at = heights.begin() + static_cast<std::ptrdiff_t>(std::floor(rank));
+  std::nth_element(heights.begin(), at, heights.end());
+  return *at;
+}
+
+SceneObject fixed_body(std::string name, Shape shape, std::vector<double> size, const Vec3& centre,
+                       double time_s) {
+  SceneObject object;
+  object.name = std::move(name);
+  object.shape = shape;
+  object.size = std::move(size);
+  object.time = {time_s};
+  object.position = {centre};
+  object.orientation = {Quat::Identity()};
+  return object;
+}
+
+}  // namespace
+
+std::optional<SceneObject> infer_table(const TableOptions& options, const HumanMotion& motion,
+                                       const Movement& movement) {
+  if (!options.infer && !options.height) return std::nullopt;
+  const Extent tips = planned_tips(motion, movement);
+  double top = 0;
+  if (options.height) {
+    top = *options.height;
+  } else {
+    const std::optional<double> rest = resting_height(motion, options.low_percentile);
+    if (!rest) return std::nullopt;
+    top = (tips.empty() ? *rest : std::min(*rest, tips.low.z())) - options.tip_clearance;
+  }
+  double left = -options.size[0] / 2, right = options.size[0] / 2;
+  double back = options.size[1];
+  double front = hand_front(motion, movement) - options.front_margin;
+  if (!std::isfinite(front)) front = 0;
+  if (!tips.empty()) {
+    const double middle = (tips.low.x() + tips.high.x()) / 2;
+    left = std::min(middle + left, tips.low.x() - options.side_margin);
+    right = std::max(middle + right, tips.high.x() + options.side_margin);
+    back = std::max(front + back, tips.high.y() + options.side_margin);
+  } else {
+    back += front;
+  }
+  const Vec3 centre((left + right) / 2, (front + back) / 2, top - options.thickness / 2);
+  return fixed_body("table", Shape::box, {right - left, back - front, options.thickness}, centre,
+                    movement.begin_s);
+}
+
+GraspTips tips_at_grasp(const HumanMotion& motion, const Phase& grasp) {
+  GraspTips tips{unknown_point(), unknown_point()};
+  if (!has_tips(motion) || motion.tip.cols <= kIndex) return tips;
+  const double half_s = (grasp.begin_s + grasp.end_s) / 2;
+  const auto mean = [&](std::size_t finger, double from_s) -> Vec3 {
+    Vec3 sum = Vec3::Zero();
+    double count = 0;
+    for (std::size_t i = 0; i < motion.time.size(); ++i) {
+      const bool inside = motion.time[i] >= from_s - kTimeTolerance_s &&
+                          motion.time[i] <= grasp.end_s + kTimeTolerance_s;
+      if (!inside || !is_known(motion.tip(i, finger))) continue;
+      sum += motion.tip(i, finger);
+      count += 1;
+    }
+    return count > 0 ? Vec3(sum / count) : unknown_point();
+  };
+  // A tip hidden while the hand closes takes its position on arrival, when it is already slow.
+  for (const double from_s : {half_s, grasp.begin_s, grasp.begin_s - 0.1}) {
+    if (!is_known(tips.thumb)) tips.thumb = mean(kThumb, from_s);
+    if (!is_known(tips.index)) tips.index = mean(kIndex, from_s);
+  }
+  return tips;
+}
+
+void set_attachment_times(const Movement& movement, const Phase& grasp, SceneObject& target) {
+  const Phase* transport = last_phase(movement, PhaseKind::transport);
+  target.attach_s = grasp.end_s;
+  target.release_s = transport ? transport->end_s : std::max(movement.end_s, grasp.end_s);
+}
+
+namespace {
+
+double table_top_height(const SceneObject& table) {
+  return table.position[0].z() + table.size[2] / 2;
+}
+
+/// Returns the position of the body's frame: the foot on the table, held_at below the midpoint
+/// between the tips.
+Vec3 position_between_tips(const TargetBody& body, const SceneObject& object, const Quat& turn,
+                           const Vec3& between, std::optional<double> foot) {
+  const Eigen::AlignedBox3d extent = bounding_box(object, make_pose(Vec3::Zero(), turn));
+  const Vec3 held = body.held_at.empty() ? Vec3(extent.center())
+                                         : turn * Vec3(body.held_at[0], body.held_at[1], 0);
+  const double height = foot ? *foot - extent.min().z() : between.z() - extent.center().z();
+  return {between.x() - held.x(), between.y() - held.y(), height};
+}
+
+SceneObject make_target_body(const TargetOptions& options, const Movement& movement,
+                             const Phase& grasp, const GraspTips& tips, const SceneObject* table) {
+  SceneObject target = fixed_body(options.name, Shape::mesh, {}, Vec3::Zero(), movement.begin_s);
+  set_shape(*options.body, target);
+  target.orientation = {rotation_from_rpy(options.body->rpy)};
+  const std::optional<double> foot = table ? std::optional(table_top_height(*table)) : std::nullopt;
+  target.position = {position_between_tips(*options.body, target, target.orientation[0],
+                                           (tips.thumb + tips.index) / 2, foot)};
+  set_attachment_times(movement, grasp, target);
+  return target;
+}
+
+}  // namespace
+
+std::optional<SceneObject> infer_target(const TargetOptions& options, const HumanMotion& motion,
+                                        const Movement& movement, const SceneObject* table) {
+  const Phase* grasp = last_phase(movement, PhaseKind::grasp);
+  if (!options.infer || !grasp) return std::nullopt;
+  const GraspTips tips = tips_at_grasp(motion, *grasp);
+  if (!is_known(tips.thumb) || !is_known(tips.index)) return std::nullopt;
+  if (options.body) return make_target_body(options, movement, *grasp, tips, table);
+  const double apart = (tips.thumb - tips.index).head<2>().norm();
+  const double radius = options.radius ? *options.radius
+                                       : std::clamp(apart / 2 - options.pad_depth,
+                                                    options.min_radius, options.max_radius);
+  const double highest = std::max(tips.thumb.z(), tips.index.z());
+  const double middle = (tips.thumb.z() + tips.index.z()) / 2;
+  const double foot = table ? table_top_height(*table) : middle - options.height / 2;
+  const double height = std::max(options.height, highest + options.rim - foot);
+  const Vec3 between = (tips.thumb + tips.index) / 2;
+  SceneObject target =
+      fixed_body(options.name, Shape::cylinder, {radius, height},
+                 Vec3(between.x(), between.y(), foot + height / 2), movement.begin_s);
+  set_attachment_times(movement, *grasp, target);
+  return target;
+}
+
+}  // namespace morphe::scene

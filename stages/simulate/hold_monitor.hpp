@@ -1,0 +1,72 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/physics/state.hpp"
+#include "stages/simulate/rollout.hpp"
+
+namespace morphe::simulate {
+
+/// The indices of a model's parts.
+struct ModelIds {
+  ModelIds(const physics::Model& model, const RobotModel& robot, bool lifts_base);
+
+  int target_body = 0, target_geom = 0, palm_body = 0;
+  int base_motor = -1;               ///< -1 if the base is fixed
+  std::vector<int> bodies, joints;   ///< [frames] joints: -1 for a fixed frame
+  std::vector<int> motors;           ///< [joints]
+  std::vector<int> capsule_of_geom;  ///< [geoms] -1 if the geom is not a capsule
+};
+
+/// A contact of a capsule with the target.
+struct TargetContact {
+  int capsule = 0;
+  Vec3 point, inward;  ///< in the world's frame; unit, into the target
+  double force_N = 0;  ///< along `inward`
+};
+/// Returns the contacts of the last step. `touches` is a scratch buffer.
+std::vector<TargetContact> target_contacts(const physics::State& state, const ModelIds& parts,
+                                           std::vector<physics::GeomContact>& touches);
+/// Returns true if two of the contacts press against each other.
+bool has_opposing_contacts(const std::vector<TargetContact>& grips);
+
+/// Returns the displacement of a body between two poses.
+Displacement displacement_between(const Pose& from, const Pose& to);
+
+/// Monitors a target that is to be held, starting from the squeezed state.
+class HoldMonitor {
+ public:
+  HoldMonitor(const RobotModel& robot, const ModelIds& parts, const physics::State& squeezed);
+  /// Evaluates a state. `settled`: from now on the target must not move any more. `at_limit`: a
+  /// finger's motor is at its torque limit.
+  void update(const physics::State& state, bool settled, bool at_limit);
+  /// Returns true once the target has moved too far; later states are irrelevant.
+  bool failed() const { return !holding_.is_held(); }
+  /// Returns the result so far; a target that is not held by opposing contacts counts as lost.
+  HoldResult result() const;
+
+ private:
+  /// A point of the target and its initial position on a finger.
+  struct ContactAnchor {
+    int frame;
+    Vec3 on_target, on_finger;
+  };
+  /// Returns the cause of a failure from the motion of the target in the palm's frame.
+  Failure classify_failure(const Pose& from, const Pose& palm_from_target) const;
+
+  const RobotModel& robot_;
+  const ModelIds& parts_;
+  Pose start_;       ///< palm_from_target
+  Vec3 grasp_axis_;  ///< unit, in the palm's frame
+  std::vector<ContactAnchor> anchors_;
+  std::optional<Pose> settled_;
+  std::vector<TargetContact> contacts_;
+  std::vector<physics::GeomContact> touches_;
+  bool at_limit_ = false;
+  Failure first_cause_ = Failure::none;
+  HoldResult holding_;
+};
+
+}  // namespace morphe::simulate

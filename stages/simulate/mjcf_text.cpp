@@ -1,0 +1,310 @@
+#include "stages/simulate/mjcf_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <utility>
+
+#include "core/math/rotation.hpp"
+#include "core/robot/tree.hpp"
+
+namespace morphe::simulate {
+namespace {
+
+template <class... Values>
+void add(std::string& text, fmt::format_string<Values...> format, Values&&... values) {
+  fmt::format_to(std::back_inserter(text), format, std::forward<Values>(values)...);
+}
+
+std::string numbers(const Vec3& v) {
+  return fmt::format("{:.17g} {:.17g} {:.17g}", v.x(), v.y(), v.z());
+}
+
+std::string pose_attributes(const Pose& pose) {
+  const Quat q(pose.linear());
+  return fmt::format("pos=\"{}\" quat=\"{:.17g} {:.17g} {:.17g} {:.17g}\"",
+                     numbers(pose.translation()), q.w(), q.x(), q.y(), q.z());
+}
+
+std::string inertial(const Inertia& body) {
+  const Eigen::Matrix3d& i = body.inertia_at_com;
+  return fmt::format(
+      "<inertial pos=\"{}\" mass=\"{:.17g}\" fullinertia=\"{:.17g} {:.17g} {:.17g} {:.17g} {:.17g} "
+      "{:.17g}\"/>\n",
+      numbers(body.centre_of_mass), body.mass, i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2),
+      i(1, 2));
+}
+
+/// Contacts are taken only from the list of pairs, masses only from <inertial>.
+constexpr const char* kGeomAttributes = "contype=\"0\" conaffinity=\"0\" mass=\"0\"";
+
+/// If a cylinder's axis is normal to a plane except for rounding errors, MuJoCo 2.2.2 computes its
+/// lowest point from these errors, and may find no contact. A slightly tilted plane avoids this.
+constexpr double kSupportTilt_rad = 1e-6;
+
+std::string capsule_geom(const RobotModel::Capsule& capsule, std::size_t k) {
+  if ((capsule.to - capsule.from).norm() < 1e-9) {
+    return fmt::format("<geom name=\"c{}\" type=\"sphere\" size=\"{:.17g}\" pos=\"{}\" {}/>\n", k,
+                       capsule.radius, numbers(capsule.from), kGeomAttributes);
+  }
+  return fmt::format("<geom name=\"c{}\" type=\"capsule\" size=\"{:.17g}\" fromto=\"{} {}\" {}/>\n",
+                     k, capsule.radius, numbers(capsule.from), numbers(capsule.to),
+                     kGeomAttributes);
+}
+
+std::string object_geom(const SceneObject& object, const std::string& name, const Pose& pose) {
+  const std::vector<double>& s = object.size;
+  std::string shape;
+  switch (object.shape) {
+    case Shape::sphere:
+      shape = fmt::format("type=\"sphere\" size=\"{:.17g}\"", s[0]);
+      break;
+    case Shape::box:
+      shape = fmt::format("type=\"box\" size=\"{}\"", numbers(0.5 * Vec3(s[0], s[1], s[2])));
+      break;
+    case Shape::cylinder:
+      shape = fmt::format("type=\"cylinder\" size=\"{:.17g} {:.17g}\"", s[0], 0.5 * s[1]);
+      break;
+    case Shape::capsule:
+      shape = fmt::format("type=\"capsule\" size=\"{:.17g} {:.17g}\"", s[0], 0.5 * s[1]);
+      break;
+    case Shape::mesh:
+      shape = fmt::format("type=\"mesh\" mesh=\"{}\"", name);
+      break;
+  }
+  return fmt::format("<geom name=\"{}\" {} {} {}/>\n", name, shape, pose_attributes(pose),
+                     kGeomAttributes);
+}
+
+class Writer {
+ public:
+  Writer(const SimulatedWorld& world, const Variation& variation, const SimulateOptions& options,
+         Environment around)
+      : world_(world),
+        robot_(*world.robot),
+        variation_(variation),
+        options_(options),
+        with_environment_(around == Environment::scene),
+        children_(robot_.frames.size() + 1) {
+    for (std::size_t f = 0; f < robot_.frames.size(); ++f)
+      children_[static_cast<std::size_t>(robot_.frames[f].parent + 1)].push_back(f);
+  }
+
+  std::string text() {
+    head();
+    meshes();
+    add(text_, "<worldbody>\n");
+    if (world_.lifts_base) {
+      add(text_,
+          "<body name=\"base\">\n<joint name=\"base\" type=\"slide\" axis=\"{}\"/>\n"
+          "<inertial pos=\"0 0 0\" mass=\"1\" diaginertia=\"0.01 0.01 0.01\"/>\n",
+          numbers(world_.up));
+    }
+    capsules_of(-1);
+    for (const std::size_t f : children_[0]) frame(f);
+    if (world_.lifts_base) add(text_, "</body>\n");
+    objects();
+    target();
+    add(text_, "</worldbody>\n");
+    contacts();
+    couplings();
+    motors();
+    return text_ + "</mujoco>\n";
+  }
+
+ private:
+  void head() {
+    const Vec3 gravity = with_environment_ ? Vec3(-kGravity_m_s2 * world_.up) : Vec3(Vec3::Zero());
+    add(text_,
+        "<mujoco>\n<compiler angle=\"radian\" inertiafromgeom=\"false\"/>\n"
+        "<size njmax=\"700\" nconmax=\"100\"/>\n"
+        "<option timestep=\"{:.17g}\" integrator=\"{}\" cone=\"elliptic\" impratio=\"{}\" "
+        "noslip_iterations=\"{}\" gravity=\"{}\"/>\n",
+        options_.step_s, options_.euler ? "Euler" : "implicit", kImpratio, kNoslipIterations,
+        numbers(gravity));
+  }
+
+  void meshes() {
+    add(text_, "<asset>\n");
+    for (std::size_t k = 0; k < world_.scene->objects.size(); ++k) {
+      const SceneObject& object = world_.scene->objects[k];
+      if (object.shape != Shape::mesh || !is_target(k)) continue;
+      add(text_, "<mesh name=\"{}\" vertex=\"", name_of_object(k));
+      for (const Vec3& vertex : object.vertices) add(text_, "{} ", numbers(vertex));
+      add(text_, "\"/>\n");
+    }
+    add(text_, "</asset>\n");
+  }
+
+  void capsules_of(int frame) {
+    for (std::size_t k = 0; k < robot_.capsules.size(); ++k) {
+      if (robot_.capsules[k].frame == frame) text_ += capsule_geom(robot_.capsules[k], k);
+    }
+  }
+
+  void frame(std::size_t f) {
+    const RobotModel::Frame& frame = robot_.frames[f];
+    add(text_, "<body name=\"f{}\" {}>\n", f, pose_attributes(frame.transform));
+    if (frame.joint >= 0) joint(f);
+    text_ += inertial(world_.inertias[f]);
+    capsules_of(static_cast<int>(f));
+    for (const std::size_t child : children_[f + 1]) this->frame(child);
+    add(text_, "</body>\n");
+  }
+
+  void joint(std::size_t f) {
+    const RobotModel::Frame& frame = robot_.frames[f];
+    const Servo& servo = world_.servos[static_cast<std::size_t>(frame.joint)];
+    const double one = frame.ratio * robot_.lower[frame.joint] + frame.offset;
+    const double other = frame.ratio * robot_.upper[frame.joint] + frame.offset;
+    add(text_,
+        "<joint name=\"f{}\" type=\"{}\" axis=\"{}\" limited=\"true\" range=\"{:.17g} {:.17g}\" "
+        "armature=\"{:.17g}\" damping=\"{:.17g}\"/>\n",
+        f, frame.slides ? "slide" : "hinge", numbers(frame.axis), std::min(one, other),
+        std::max(one, other), servo.armature, servo.damping);
+  }
+
+  void objects() {
+    if (!with_environment_) return;
+    for (std::size_t k = 0; k < world_.scene->objects.size(); ++k) {
+      const SceneObject& object = world_.scene->objects[k];
+      if (is_static_obstacle(world_, k))
+        text_ += object_geom(object, name_of_object(k), recorded_pose(object, object.time.front()));
+    }
+    Pose plane =
+        make_pose(Vec3::Zero(), math::shortest_rotation(Vec3::UnitZ(), world_.up) *
+                                    Quat(Eigen::AngleAxisd(kSupportTilt_rad, Vec3::UnitX())));
+    plane.translation() =
+        lowest_height(target_object(), variation_.base_from_target, world_.up) * world_.up;
+    add(text_, "<geom name=\"support\" type=\"plane\" size=\"1 1 1\" {} {}/>\n",
+        pose_attributes(plane), kGeomAttributes);
+  }
+
+  void target() {
+    add(text_, "<body name=\"target\" {}>\n<freejoint/>\n",
+        pose_attributes(variation_.base_from_target));
+    text_ += inertial(target_inertia(target_object(), variation_.mass_kg));
+    text_ += object_geom(target_object(), "target", Pose::Identity());
+    add(text_, "</body>\n");
+  }
+
+  void pair(const std::string& first, const std::string& second, double friction,
+            double torsional_friction_m) {
+    add(text_,
+        "<pair geom1=\"{}\" geom2=\"{}\" condim=\"6\" friction=\"{:.17g} {:.17g} {:.17g} {:.17g} "
+        "{:.17g}\" solref=\"{}\" solimp=\"{}\"/>\n",
+        first, second, friction, friction, torsional_friction_m, kRollingFriction_m,
+        kRollingFriction_m, kContactSolref, kContactSolimp);
+  }
+
+  void contacts() {
+    add(text_, "<contact>\n");
+    const auto of_hand = [&](std::size_t k) {
+      return robot_.capsules[k].frame >= 0 &&
+             robot::is_in_subtree(robot_, robot_.capsules[k].frame, robot_.palm_frame);
+    };
+    for (std::size_t k = 0; k < robot_.capsules.size(); ++k) {
+      const std::string capsule = fmt::format("c{}", k);
+      pair("target", capsule, variation_.friction, variation_.torsional_friction_m);
+      if (!of_hand(k)) continue;
+      for (std::size_t other = k + 1; other < robot_.capsules.size(); ++other) {
+        if (of_hand(other) && may_collide(k, other))
+          pair(capsule, fmt::format("c{}", other), variation_.friction,
+               variation_.torsional_friction_m);
+      }
+      for (std::size_t object = 0; with_environment_ && object < world_.scene->objects.size();
+           ++object) {
+        if (is_static_obstacle(world_, object))
+          pair(name_of_object(object), capsule, kSupportFriction, variation_.torsional_friction_m);
+      }
+    }
+    const SceneObject* const table = find_object(world_.scene->objects, "table");
+    for (std::size_t k = 0; with_environment_ && k < world_.scene->objects.size(); ++k) {
+      if (is_static_obstacle(world_, k) && &world_.scene->objects[k] != table)
+        pair(name_of_object(k), "target", kSupportFriction, variation_.torsional_friction_m);
+    }
+    if (with_environment_)
+      pair("support", "target", kSupportFriction, variation_.torsional_friction_m);
+    add(text_, "</contact>\n");
+  }
+
+  bool may_collide(std::size_t k, std::size_t other) const {
+    const int body = robot::moving_frame_of(robot_, robot_.capsules[k].frame);
+    const int second = robot::moving_frame_of(robot_, robot_.capsules[other].frame);
+    const std::array<int, 2> pair{static_cast<int>(k), static_cast<int>(other)};
+    return body != second && std::ranges::count(robot_.allowed_pairs, pair) == 0;
+  }
+
+  /// Writes the couplings: value - offset' = ratio / ratio' (motor's value - offset).
+  void couplings() {
+    add(text_, "<equality>\n");
+    const std::vector<int> motors = motor_frames(robot_);
+    for (std::size_t f = 0; f < robot_.frames.size(); ++f) {
+      const RobotModel::Frame& frame = robot_.frames[f];
+      if (frame.joint < 0 || motors[static_cast<std::size_t>(frame.joint)] == static_cast<int>(f))
+        continue;
+      const int motor = motors[static_cast<std::size_t>(frame.joint)];
+      const RobotModel::Frame& by = robot_.frames[static_cast<std::size_t>(motor)];
+      const double ratio = frame.ratio / by.ratio;
+      add(text_,
+          "<joint joint1=\"f{}\" joint2=\"f{}\" polycoef=\"{:.17g} {:.17g} 0 0 0\" solref=\"{}\" "
+          "solimp=\"{}\"/>\n",
+          f, motor, frame.offset - ratio * by.offset, ratio, kCouplingSolref, kCouplingSolimp);
+    }
+    add(text_, "</equality>\n");
+  }
+
+  void motors() {
+    add(text_, "<actuator>\n");
+    const std::vector<int> frames = motor_frames(robot_);
+    for (std::size_t j = 0; j < robot_.joints(); ++j) {
+      const Servo& servo = world_.servos[j];
+      add(text_,
+          "<general name=\"m{}\" joint=\"f{}\" gaintype=\"fixed\" biastype=\"affine\" "
+          "gainprm=\"{:.17g}\" biasprm=\"0 {:.17g} {:.17g}\" forcelimited=\"true\" "
+          "forcerange=\"{:.17g} {:.17g}\"/>\n",
+          j, frames[j], servo.stiffness, -servo.stiffness, -servo.velocity_gain,
+          -servo.torque_limit, servo.torque_limit);
+    }
+    if (world_.lifts_base) {
+      add(text_,
+          "<general name=\"base\" joint=\"base\" gaintype=\"fixed\" biastype=\"affine\" "
+          "gainprm=\"{:g}\" biasprm=\"0 {:g} {:g}\"/>\n",
+          kBaseStiffness, -kBaseStiffness, -kBaseVelocityGain);
+    }
+    add(text_, "</actuator>\n");
+  }
+
+  bool is_target(std::size_t object) const { return static_cast<int>(object) == world_.target; }
+  const SceneObject& target_object() const {
+    return world_.scene->objects[static_cast<std::size_t>(world_.target)];
+  }
+  std::string name_of_object(std::size_t k) const {
+    return is_target(k) ? "target" : fmt::format("o{}", k);
+  }
+
+  const SimulatedWorld& world_;
+  const RobotModel& robot_;
+  const Variation& variation_;
+  const SimulateOptions& options_;
+  const bool with_environment_;
+  std::vector<std::vector<std::size_t>> children_;  ///< [frames + 1] children of the base first
+  std::string text_;
+};
+
+}  // namespace
+
+bool is_static_obstacle(const SimulatedWorld& world, std::size_t object) {
+  const SceneObject& one = world.scene->objects[object];
+  return static_cast<int>(object) != world.target && one.shape != Shape::mesh &&
+         one.time.size() == 1;
+}
+
+std::string mjcf_text(const SimulatedWorld& world, const Variation& variation,
+                      const SimulateOptions& options, Environment around) {
+  return Writer(world, variation, options, around).text();
+}
+
+}  // namespace morphe::simulate

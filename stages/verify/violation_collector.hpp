@@ -1,0 +1,45 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "stages/verify/violation.hpp"
+
+namespace morphe::verify {
+
+/// A place on a curve: sample k has step 2k, the piece after it has step 2k + 1.
+struct CurvePoint {
+  int step = 0;
+  int sample = 0;     ///< nearest sample
+  double time_s = 0;  ///< on the trajectory's clock
+};
+
+/// Merges violations at neighbouring places with the same cause and subject into one, that of the
+/// greatest excess. For each cause and subject, places must be recorded in order.
+class ViolationCollector {
+ public:
+  explicit ViolationCollector(std::string plan) : plan_(std::move(plan)) {}
+
+  /// Records a violation at a place on the curve.
+  void note(const std::string& cause, const std::string& subject, const CurvePoint& place,
+            double value, double limit, double excess);
+  /// Records a violation of the plan as a whole: sample -1.
+  void note_plan(const std::string& cause, const std::string& subject, double value, double limit);
+  /// Returns all recorded violations, sorted by sample, cause and subject.
+  std::vector<Violation> finish();
+
+ private:
+  /// A run of violations at neighbouring places that is still open.
+  struct Run {
+    Violation worst;
+    double excess = 0;
+    int last_step = 0;
+  };
+  std::string plan_;
+  std::map<std::pair<std::string, std::string>, Run> open_;
+  std::vector<Violation> closed_;
+};
+
+}  // namespace morphe::verify

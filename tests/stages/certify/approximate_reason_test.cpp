@@ -1,0 +1,51 @@
+#include "stages/certify/approximate_reason.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace morphe::certify {
+namespace {
+
+/// Ten frames of two tips, of which the second is never seen; the first `out` are out of reach.
+Goals goals_with(std::size_t out) {
+  Goals goals;
+  goals.tip_position = Array2D<Vec3>(10, 2, unknown_point());
+  goals.reachable = Array2D<std::uint8_t>(10, 2, 1);
+  for (std::size_t f = 0; f < 10; ++f) {
+    goals.time.push_back(0.01 * static_cast<double>(f));
+    goals.tip_position(f, 0) = Vec3::Zero();
+    goals.reachable(f, 0) = goals.reachable(f, 1) = f < out ? 0 : 1;
+  }
+  return goals;
+}
+
+Certificate off_by(double error_m) {
+  Certificate certificate;
+  certificate.position_error_max = error_m;
+  return certificate;
+}
+
+TEST(OnlyNear, ByTheShareOfSeenGoalsThatAreOutOfReach) {
+  const Tolerances half;
+  EXPECT_EQ(approximate_reason(goals_with(5), half, off_by(0.004)), "");
+  EXPECT_THAT(
+      approximate_reason(goals_with(6), half, off_by(0.004)),
+      testing::StartsWith("approximate: 6 of 10 fingertip goals are out of reach, 50 % allowed"));
+  Tolerances nearly_all;
+  nearly_all.out_of_reach_share = 0.99;
+  EXPECT_EQ(approximate_reason(goals_with(9), nearly_all, off_by(0.004)), "");
+  EXPECT_NE(approximate_reason(goals_with(10), nearly_all, off_by(0.004)), "");
+}
+
+TEST(OnlyNear, ByTheFarthestTipWhateverTrackingAllows) {
+  Tolerances wide;
+  wide.tracking = wide.tracking_grasp = 10;
+  EXPECT_EQ(approximate_reason(goals_with(0), wide, off_by(0.05)), "");
+  EXPECT_THAT(approximate_reason(goals_with(0), wide, off_by(0.0512)),
+              testing::HasSubstr("up to 51.2 mm from their goals, 50.0 allowed"));
+  EXPECT_EQ(approximate_reason(goals_with(0), wide, off_by(kUnknown)), "")
+      << "no goal, no distance";
+}
+
+}  // namespace
+}  // namespace morphe::certify
